@@ -1,0 +1,41 @@
+!> What a long calculation tells the program around it while it runs.
+module ehlwave_monitor
+   implicit none (type, external)
+   private
+   public :: monitor_t, silent_monitor_t
+
+   type, abstract :: monitor_t
+   contains
+      procedure(step_done), deferred :: step_done
+   end type monitor_t
+
+   abstract interface
+      !> Called after each time step or steady solution of a case; must return quickly.
+      subroutine step_done(self, stage, done, total)
+         import :: monitor_t
+         implicit none (type, external)
+         class(monitor_t), intent(inout) :: self
+         character(len=*), intent(in) :: stage   !! what is being computed, for a log line
+         integer, intent(in) :: done, total      !! units finished, units in this stage
+      end subroutine step_done
+   end interface
+
+   !> Ignores everything.
+   type, extends(monitor_t) :: silent_monitor_t
+   contains
+      procedure :: step_done => ignore_step
+   end type silent_monitor_t
+
+contains
+
+   subroutine ignore_step(self, stage, done, total)
+      class(silent_monitor_t), intent(inout) :: self
+      character(len=*), intent(in) :: stage
+      integer, intent(in) :: done, total
+      if (.false.) then   ! silence unused-argument warnings
+         associate (a => self, b => stage, c => done, d => total)
+         end associate
+      end if
+   end subroutine ignore_step
+
+end module ehlwave_monitor

@@ -1,0 +1,38 @@
+!> Influence coefficients of the elastic half-space for pressure constant per cell.
+module ehlwave_kernel
+   use ehlwave_kinds, only: dp, pi
+   implicit none (type, external)
+   private
+   public :: cell_influence
+
+contains
+
+   !> Deformation at distance (dx, dy) from the centre of a cell of size hx by hy under P = 1, exact
+   !> integral of theory eq. (9) (Love 1929):
+   !>
+   !>     1/(pi K) int int dX' dY' / sqrt(kappa^2 (X - X')^2 + (Y - Y')^2)
+   elemental function cell_influence(dx, dy, hx, hy, kappa, k) result(d)
+      real(dp), intent(in) :: dx, dy    !! distance in X and Y
+      real(dp), intent(in) :: hx, hy    !! cell size in X and Y
+      real(dp), intent(in) :: kappa     !! ellipticity a/b
+      real(dp), intent(in) :: k         !! complete elliptic integral of the first kind
+      real(dp) :: d
+      real(dp) :: u1, u2, v1, v2
+
+      u1 = kappa*(dx - 0.5_dp*hx)
+      u2 = kappa*(dx + 0.5_dp*hx)
+      v1 = dy - 0.5_dp*hy
+      v2 = dy + 0.5_dp*hy
+      d = (corner(u2, v2) - corner(u1, v2) - corner(u2, v1) + corner(u1, v1))/(pi*k*kappa)
+   end function cell_influence
+
+   !> Antiderivative in both arguments of 1/sqrt(u^2 + v^2).
+   elemental function corner(u, v) result(f)
+      real(dp), intent(in) :: u, v
+      real(dp) :: f
+      f = 0
+      if (abs(u) > 0) f = f + u*asinh(v/abs(u))
+      if (abs(v) > 0) f = f + v*asinh(u/abs(v))
+   end function corner
+
+end module ehlwave_kernel

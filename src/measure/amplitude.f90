@@ -1,0 +1,46 @@
+!> Amplitude of the film oscillation at the contact centre.
+module ehlwave_amplitude
+   use ehlwave_kinds, only: dp, pi
+   implicit none (type, external)
+   private
+   public :: sampled_amplitude, fitted_amplitude
+
+contains
+
+   !> Half the difference between the largest and the smallest sample, theory eq. (14).
+   pure real(dp) function sampled_amplitude(film)
+      real(dp), intent(in) :: film(:)   !! H(0,0) at the sampled times, at least one period
+      sampled_amplitude = 0.5_dp*(maxval(film) - minval(film))
+   end function sampled_amplitude
+
+   !> Amplitude at the forcing frequency: least squares fit of mean + c cos(omega T) + s sin(omega T);
+   !> returns sqrt(c^2 + s^2). Needs at least three samples, else returns 0.
+   pure real(dp) function fitted_amplitude(time, film, period)
+      real(dp), intent(in) :: time(:)   !! T of the samples
+      real(dp), intent(in) :: film(:)   !! H(0,0) at these times
+      real(dp), intent(in) :: period    !! forcing period in T
+      real(dp) :: basis(size(time), 3), normal(3, 3), right(3), factor
+      integer :: i, j
+
+      fitted_amplitude = 0
+      if (size(time) < 3) return
+      basis(:, 1) = 1
+      basis(:, 2) = cos(2*pi*time/period)
+      basis(:, 3) = sin(2*pi*time/period)
+      normal = matmul(transpose(basis), basis)
+      right = matmul(transpose(basis), film - film(1))
+      do i = 1, 3                       ! elimination; the matrix is symmetric positive definite
+         if (.not. normal(i, i) > 0) return
+         do j = i + 1, 3
+            factor = normal(j, i)/normal(i, i)
+            normal(j, :) = normal(j, :) - factor*normal(i, :)
+            right(j) = right(j) - factor*right(i)
+         end do
+      end do
+      do i = 3, 1, -1
+         right(i) = (right(i) - dot_product(normal(i, i + 1:), right(i + 1:)))/normal(i, i)
+      end do
+      fitted_amplitude = hypot(right(2), right(3))
+   end function fitted_amplitude
+
+end module ehlwave_amplitude

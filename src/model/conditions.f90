@@ -1,0 +1,127 @@
+!> Operating conditions of an EHL contact: Moes parameters, Hertz scales and everything between.
+module ehlwave_conditions
+   use ehlwave_elliptic_integrals, only: ellipticity, ellipticity_integrals, ellipticity_integrals_t
+   use ehlwave_errors, only: error_t, raise
+   use ehlwave_kinds, only: dp, pi
+   use ehlwave_text, only: to_text
+   implicit none (type, external)
+   private
+   public :: conditions_from_moes, conditions_from_dimensional
+
+   real(dp), parameter, public :: smallest_radius_ratio = 0.005_dp
+
+   !> Dimensional data of a contact, SI units.
+   type, public :: contact_data_t
+      real(dp) :: radius_x_m = 0                    !! Rx, reduced radius in the rolling direction, m
+      real(dp) :: radius_y_m = 0                    !! Ry, reduced radius across, m
+      real(dp) :: reduced_modulus_pa = 0            !! E', Pa
+      real(dp) :: load_n = 0                        !! F, N
+      real(dp) :: mean_speed_m_per_s = 0            !! (u1 + u2)/2, m/s
+      real(dp) :: viscosity_pa_s = 0                !! eta0, Pa s
+      real(dp) :: pressure_viscosity_per_pa = 0     !! alpha, 1/Pa
+   end type contact_data_t
+
+   !> Everything that follows from (M, L, D) and alpha: theory section 2.
+   type, public :: conditions_t
+      real(dp) :: m = 0, l = 0, d = 1               !! Moes load and lubricant parameters, D = Rx/Ry
+      type(ellipticity_integrals_t) :: elliptic     !! kappa, K, E
+      real(dp) :: gamma = 1                         !! pressure factor of the ellipticity
+      real(dp) :: alphabar = 0                      !! alpha ph, eq. (3)
+      real(dp) :: lambdabar = 0                     !! dimensionless speed, eq. (4)
+      real(dp) :: s = 0.5_dp                        !! shape factor, eq. (5)
+      real(dp) :: moes_film_factor = 0              !! (h/Rx)(2U)^(-1/2) per unit H, eq. (6)
+      real(dp) :: alpha_per_pa = 0                  !! alpha, 1/Pa
+      real(dp) :: hertz_pressure_pa = 0             !! ph, Pa
+      logical :: has_dimensions = .false.           !! whether the lengths below are known
+      real(dp) :: a_m = 0, b_m = 0, c_m = 0         !! Hertz semi-axes and approach, m
+      type(contact_data_t) :: data                  !! set when has_dimensions
+   end type conditions_t
+
+contains
+
+   !> Conditions from the Moes parameters, theory eq. (1) to (6).
+   !>
+   !> ph = alphabar/alpha. With L = 0 (isoviscous) that is 0, and pressure in pascal is unknown.
+   !> Fails for M <= 0, L < 0, alpha <= 0, or D outside 0.005 to 1.
+   subroutine conditions_from_moes(m, l, d, alpha_per_pa, self, error)
+      real(dp), intent(in) :: m, l, d               !! Moes parameters, Rx/Ry
+      real(dp), intent(in) :: alpha_per_pa          !! pressure-viscosity coefficient, 1/Pa
+      type(conditions_t), intent(out) :: self
+      type(error_t), allocatable, intent(out) :: error
+
+      if (.not. (m > 0)) then
+         call raise(error, 'load_parameter_m must be above 0, got '//to_text(m, 6))
+      else if (.not. (l >= 0)) then
+         call raise(error, 'lubricant_parameter_l must not be negative, got '//to_text(l, 6))
+      else if (.not. (d >= smallest_radius_ratio .and. d <= 1)) then
+         call raise(error, 'radius_ratio_d must lie in 0.005 to 1, got '//to_text(d, 6)// &
+                    '; for Rx > Ry the contact is wider along rolling, which is outside the model range')
+      else if (.not. (alpha_per_pa > 0)) then
+         call raise(error, 'pressure_viscosity_per_pa must be above 0, got '//to_text(alpha_per_pa, 6))
+      end if
+      if (allocated(error)) return
+
+      self%m = m
+      self%l = l
+      self%d = d
+      self%alpha_per_pa = alpha_per_pa
+      self%elliptic = ellipticity_integrals(ellipticity(d))
+      associate (kappa => self%elliptic%kappa, k => self%elliptic%k, b => self%elliptic%b_over_m)
+         self%gamma = pi**2*kappa/(16*b**2)
+         self%alphabar = l/pi*(1.5_dp*m*self%gamma)**(1.0_dp/3)
+         self%lambdabar = 16*pi**(4.0_dp/3)*m**(-4.0_dp/3)*b**(5.0_dp/3) &
+                          /(6**(1.0_dp/3)*kappa**(4.0_dp/3)*k**2)
+         self%s = b/k
+         self%moes_film_factor = 0.5_dp*k*b**(-1.0_dp/3)*(6*m*kappa/pi)**(2.0_dp/3)
+      end associate
+      self%hertz_pressure_pa = self%alphabar/alpha_per_pa
+   end subroutine conditions_from_moes
+
+   !> Conditions from dimensional data, theory eq. (2) and the Hertz relations of section 2.
+   !>
+   !> Fails when a value is missing or not positive, naming its key, or when D = Rx/Ry is out of range.
+   subroutine conditions_from_dimensional(data, self, error)
+      type(contact_data_t), intent(in) :: data
+      type(conditions_t), intent(out) :: self
+      type(error_t), allocatable, intent(out) :: error
+      real(dp) :: r_m, speed_u2, load_w, modulus_g
+
+      call require_positive(data%radius_x_m, 'radius_x_m', error)
+      call require_positive(data%radius_y_m, 'radius_y_m', error)
+      call require_positive(data%reduced_modulus_pa, 'reduced_modulus_pa', error)
+      call require_positive(data%load_n, 'load_n', error)
+      call require_positive(data%mean_speed_m_per_s, 'mean_speed_m_per_s', error)
+      call require_positive(data%viscosity_pa_s, 'viscosity_pa_s', error)
+      call require_positive(data%pressure_viscosity_per_pa, 'pressure_viscosity_per_pa', error)
+      if (allocated(error)) return
+
+      speed_u2 = data%viscosity_pa_s*2*data%mean_speed_m_per_s/(data%reduced_modulus_pa*data%radius_x_m)
+      load_w = data%load_n/(data%reduced_modulus_pa*data%radius_x_m**2)
+      modulus_g = data%pressure_viscosity_per_pa*data%reduced_modulus_pa
+      call conditions_from_moes(load_w*speed_u2**(-0.75_dp), modulus_g*speed_u2**0.25_dp, &
+                                data%radius_x_m/data%radius_y_m, data%pressure_viscosity_per_pa, self, error)
+      if (allocated(error)) return
+
+      self%has_dimensions = .true.
+      self%data = data
+      r_m = 1/(1/data%radius_x_m + 1/data%radius_y_m)
+      associate (kappa => self%elliptic%kappa, k => self%elliptic%k, e => self%elliptic%e)
+         self%a_m = (3*data%load_n*r_m/data%reduced_modulus_pa*(2*kappa*e/pi))**(1.0_dp/3)
+         self%b_m = self%a_m/kappa
+         self%c_m = self%a_m**2/(2*r_m)*k/e
+      end associate
+      self%hertz_pressure_pa = 3*data%load_n/(2*pi*self%a_m*self%b_m)
+   end subroutine conditions_from_dimensional
+
+   !> Raise an error naming `key` unless `value` is positive; keeps an earlier error.
+   subroutine require_positive(value, key, error)
+      real(dp), intent(in) :: value
+      character(len=*), intent(in) :: key
+      type(error_t), allocatable, intent(inout) :: error
+      if (allocated(error)) return
+      if (.not. (value > 0)) call raise(error, key//' must be given and above 0 (dimensional conditions need all of '// &
+                                        'radius_x_m, radius_y_m, reduced_modulus_pa, load_n, mean_speed_m_per_s, '// &
+                                        'viscosity_pa_s); got '//to_text(value, 6))
+   end subroutine require_positive
+
+end module ehlwave_conditions

@@ -1,0 +1,130 @@
+!> Harmonic surface waviness moving through the contact.
+module ehlwave_waviness
+   use ehlwave_kinds, only: dp, pi
+   implicit none (type, external)
+   private
+   public :: new_waviness, no_waviness
+
+   !> Waviness in dimensionless coordinates, theory eq. (12) and (13).
+   type, public :: waviness_t
+      logical :: is_present = .false.
+      real(dp) :: wavelength_x = 0   !! lambda_x/a; 0: no variation along X
+      real(dp) :: wavelength_y = 0   !! lambda_y/b; 0: no variation along Y
+      logical :: is_oblique = .false. !! cos(kx X + ky Y) in place of cos(kx X) cos(ky Y)
+      real(dp) :: start = -2.5_dp    !! Xs: where the front stands at T = 0
+      real(dp) :: slip = 1           !! S = u1/ubar: speed of the pattern in units of the mean speed
+   contains
+      procedure :: moves
+      procedure :: is_symmetric
+      procedure :: period
+      procedure :: shape_at
+      procedure :: shape_fixed
+   end type waviness_t
+
+   real(dp), parameter :: front_decay = 10   !! exponent of the smooth front, eq. (13)
+
+contains
+
+   !> A smooth surface.
+   pure function no_waviness() result(self)
+      type(waviness_t) :: self
+      self%is_present = .false.
+   end function no_waviness
+
+   !> A pattern with wavelengths in units of a and b; at least one of them positive.
+   pure function new_waviness(wavelength_x, wavelength_y, is_oblique, start, slip) result(self)
+      real(dp), intent(in) :: wavelength_x, wavelength_y   !! lambda_x/a, lambda_y/b; 0: infinite
+      logical, intent(in) :: is_oblique                    !! one plane wave in place of a product
+      real(dp), intent(in) :: start                        !! Xs
+      real(dp), intent(in) :: slip                         !! S
+      type(waviness_t) :: self
+      self%is_present = .true.
+      self%wavelength_x = wavelength_x
+      self%wavelength_y = wavelength_y
+      self%is_oblique = is_oblique .and. wavelength_x > 0 .and. wavelength_y > 0
+      self%start = start
+      self%slip = slip
+   end function new_waviness
+
+   !> Whether the gap changes in time: the pattern varies along X and its surface moves.
+   pure logical function moves(self)
+      class(waviness_t), intent(in) :: self
+      moves = self%is_present .and. self%wavelength_x > 0 .and. abs(self%slip) > 0
+   end function moves
+
+   !> Whether the pattern is even in Y.
+   pure logical function is_symmetric(self)
+      class(waviness_t), intent(in) :: self
+      is_symmetric = .not. (self%is_present .and. self%is_oblique)
+   end function is_symmetric
+
+   !> Time after which a moving pattern repeats, in T.
+   pure real(dp) function period(self)
+      class(waviness_t), intent(in) :: self
+      period = self%wavelength_x/abs(self%slip)
+   end function period
+
+   !> Pattern of unit amplitude with its smooth front at time T, theory eq. (12) and (13):
+   !>
+   !>     10^(-10 max(0, Xhat/lambda)^2) cos(2 pi Xhat/lambda_x) cos(2 pi Y/lambda_y),  Xhat = X - Xs - S T
+   pure function shape_at(self, x, y, t) result(shape)
+      class(waviness_t), intent(in) :: self
+      real(dp), intent(in) :: x(:), y(:)           !! node coordinates X, Y
+      real(dp), intent(in) :: t                    !! T
+      real(dp) :: shape(size(x), size(y))
+      real(dp) :: ahead, front(size(x)), x_hat(size(x))
+      integer :: i
+
+      if (.not. self%is_present) then
+         shape = 0
+         return
+      end if
+      x_hat = x - self%start - self%slip*t
+      do i = 1, size(x)
+         ahead = 0
+         if (self%wavelength_x > 0) ahead = max(0.0_dp, x_hat(i)/self%wavelength_x)
+         front(i) = 0
+         if (front_decay*ahead**2 < 300) front(i) = 10**(-front_decay*ahead**2)
+      end do
+      shape = plane_pattern(self, x_hat, y, 0.0_dp)*spread(front, 2, size(y))
+   end function shape_at
+
+   !> Pattern of unit amplitude that stands still, a crest of the given phase at the origin:
+   !> the argument of the cosine along X (along Y, if the pattern varies there only) is shifted by `phase`.
+   pure function shape_fixed(self, x, y, phase) result(shape)
+      class(waviness_t), intent(in) :: self
+      real(dp), intent(in) :: x(:), y(:)           !! node coordinates X, Y
+      real(dp), intent(in) :: phase                !! radian
+      real(dp) :: shape(size(x), size(y))
+      if (self%is_present) then
+         shape = plane_pattern(self, x, y, phase)
+      else
+         shape = 0
+      end if
+   end function shape_fixed
+
+   pure function plane_pattern(self, x, y, phase) result(shape)
+      type(waviness_t), intent(in) :: self
+      real(dp), intent(in) :: x(:), y(:), phase
+      real(dp) :: shape(size(x), size(y))
+      real(dp) :: kx, ky, along(size(x)), across(size(y))
+      integer :: j
+
+      kx = 0
+      ky = 0
+      if (self%wavelength_x > 0) kx = 2*pi/self%wavelength_x
+      if (self%wavelength_y > 0) ky = 2*pi/self%wavelength_y
+      if (self%is_oblique) then
+         do j = 1, size(y)
+            shape(:, j) = cos(kx*x + ky*y(j) + phase)
+         end do
+      else
+         along = cos(kx*x + phase)
+         across = cos(ky*y)
+         do j = 1, size(y)
+            shape(:, j) = along*across(j)
+         end do
+      end if
+   end function plane_pattern
+
+end module ehlwave_waviness

@@ -1,0 +1,138 @@
+!> Sparse approximation of the Jacobian: local flow terms and the deformation of the nearest cells.
+module ehlwave_near_stencil
+   use ehlwave_grid, only: grid_t
+   use ehlwave_kernel, only: cell_influence
+   use ehlwave_kinds, only: dp
+   use ehlwave_reynolds, only: flow_t
+   use ehlwave_transport, only: transport_t
+   implicit none (type, external)
+   private
+   public :: new_near_stencil
+
+   !> Pattern of the sparse operator and the influence coefficients it needs.
+   type, public :: near_stencil_t
+      integer :: entries = 0
+      integer, allocatable :: di(:), dj(:)             !! offsets of the pattern, (entries)
+      integer :: reach_x = 1, reach_y = 1              !! largest offsets
+      integer, allocatable :: entry_at(:, :)           !! entry of an offset, 0 outside the pattern
+      real(dp), allocatable, private :: influence(:, :) ! of a cell at an offset
+   contains
+      procedure :: fill_row
+   end type near_stencil_t
+
+   integer, parameter :: links = 6   !! nodes whose film enters the residual of a node, itself included
+   integer, parameter :: link_i(links) = [0, 1, -1, 0, 0, -2]
+   integer, parameter :: link_j(links) = [0, 0, 0, 1, -1, 0]
+
+contains
+
+   !> Pattern isotropic in metres: cells of the stencil measure a hX by b hY, so it reaches
+   !> round(hY/(kappa hX)) cells along X for one along Y, or the reverse; at most `largest_reach`.
+   function new_near_stencil(grid, kappa, k, largest_reach) result(self)
+      type(grid_t), intent(in) :: grid
+      real(dp), intent(in) :: kappa, k        !! ellipticity and complete elliptic integral
+      integer, intent(in) :: largest_reach
+      type(near_stencil_t) :: self
+      real(dp) :: aspect
+      integer :: i, j, n
+
+      aspect = grid%hy/(kappa*grid%hx)
+      self%reach_x = min(largest_reach, max(1, nint(aspect)))
+      self%reach_y = min(largest_reach, max(1, nint(1/aspect)))
+      self%reach_x = max(self%reach_x, 2)     ! the wedge reaches two nodes upstream
+      allocate (self%entry_at(-self%reach_x:self%reach_x, -self%reach_y:self%reach_y), source=0)
+      self%entries = size(self%entry_at)
+      allocate (self%di(self%entries), self%dj(self%entries))
+      n = 0
+      do i = -self%reach_x, self%reach_x
+         do j = -self%reach_y, self%reach_y
+            n = n + 1
+            self%di(n) = i
+            self%dj(n) = j
+            self%entry_at(i, j) = n
+         end do
+      end do
+      allocate (self%influence(-self%reach_x - 2:self%reach_x + 2, -self%reach_y - 1:self%reach_y + 1))
+      do j = -self%reach_y - 1, self%reach_y + 1
+         do i = -self%reach_x - 2, self%reach_x + 2
+            self%influence(i, j) = cell_influence(i*grid%hx, j*grid%hy, grid%hx, grid%hy, kappa, k)
+         end do
+      end do
+   end function new_near_stencil
+
+   !> Coefficients of one row of the Jacobian in the pattern: entry at offset o holds
+   !>
+   !>     dR_i/dP_(i+o) + sum over links k of dR_i/dH_(i+k) influence(o - k),
+   !>
+   !> entries that fall below a line of symmetry folded back, entries off the unknown nodes dropped.
+   pure subroutine fill_row(self, grid, transport, kappa, flow, p, i, j, row)
+      class(near_stencil_t), intent(in) :: self
+      type(grid_t), intent(in) :: grid
+      type(transport_t), intent(in) :: transport
+      real(dp), intent(in) :: kappa
+      type(flow_t), intent(in) :: flow        !! evaluated at the point of linearisation
+      real(dp), intent(in) :: p(0:, 0:)       !! its pressure
+      integer, intent(in) :: i, j             !! node
+      real(dp), intent(out) :: row(:)         !! (entries)
+      real(dp) :: by_p(links), by_h(links), cx, cy, value
+      real(dp) :: raw(-self%reach_x:self%reach_x, -self%reach_y:self%reach_y)
+      integer :: di, dj, n, jm, target_row
+
+      cx = 0.5_dp/grid%hx**2
+      cy = 0.5_dp*kappa**2/grid%hy**2
+      jm = grid%below(j)
+      ! links in the order centre, east, west, north, south, second upstream
+      by_p(2) = cx*(flow%eps(i, j) + flow%eps(i + 1, j))
+      by_p(3) = cx*(flow%eps(i - 1, j) + flow%eps(i, j))
+      by_p(4) = cy*(flow%eps(i, j) + flow%eps(i, j + 1))
+      by_p(5) = cy*(flow%eps(i, jm) + flow%eps(i, j))
+      by_p(1) = -sum(by_p(2:5))
+      by_p(6) = 0
+      by_h(2) = cx*(p(i + 1, j) - p(i, j))
+      by_h(3) = cx*(p(i - 1, j) - p(i, j))
+      by_h(4) = cy*(p(i, j + 1) - p(i, j))
+      by_h(5) = cy*(p(i, jm) - p(i, j))
+      by_h(1) = sum(by_h(2:5))
+      by_h(6) = 0
+      by_p(1) = by_p(1) + by_h(1)*flow%eps_p(i, j) - transport%w0(i)*flow%f_p(i, j)
+      by_p(2) = by_p(2) + by_h(2)*flow%eps_p(i + 1, j)
+      by_p(3) = by_p(3) + by_h(3)*flow%eps_p(i - 1, j) - transport%w1(i)*flow%f_p(i - 1, j)
+      by_p(4) = by_p(4) + by_h(4)*flow%eps_p(i, j + 1)
+      by_p(5) = by_p(5) + by_h(5)*flow%eps_p(i, jm)
+      by_h(1) = by_h(1)*flow%eps_h(i, j) - transport%w0(i)*flow%f_h(i, j)
+      by_h(2) = by_h(2)*flow%eps_h(i + 1, j)
+      by_h(3) = by_h(3)*flow%eps_h(i - 1, j) - transport%w1(i)*flow%f_h(i - 1, j)
+      by_h(4) = by_h(4)*flow%eps_h(i, j + 1)
+      by_h(5) = by_h(5)*flow%eps_h(i, jm)
+      if (i >= 2) then
+         by_p(6) = -transport%w2(i)*flow%f_p(i - 2, j)
+         by_h(6) = -transport%w2(i)*flow%f_h(i - 2, j)
+      end if
+
+      do dj = -self%reach_y, self%reach_y
+         do di = -self%reach_x, self%reach_x
+            raw(di, dj) = by_h(1)*self%influence(di, dj) &
+                          + by_h(2)*self%influence(di - 1, dj) + by_h(3)*self%influence(di + 1, dj) &
+                          + by_h(4)*self%influence(di, dj - 1) + by_h(5)*self%influence(di, dj + 1) &
+                          + by_h(6)*self%influence(di + 2, dj)
+         end do
+      end do
+      do n = 1, links
+         raw(link_i(n), link_j(n)) = raw(link_i(n), link_j(n)) + by_p(n)
+      end do
+
+      row = 0
+      do dj = -self%reach_y, self%reach_y
+         target_row = j + dj
+         if (target_row < 0) target_row = -target_row
+         if (target_row < grid%first_row .or. target_row > grid%ny - 1) cycle
+         if (target_row - j > self%reach_y) cycle
+         do di = max(-self%reach_x, 1 - i), min(self%reach_x, grid%nx - 1 - i)
+            value = raw(di, dj)
+            n = self%entry_at(di, target_row - j)
+            row(n) = row(n) + value
+         end do
+      end do
+   end subroutine fill_row
+
+end module ehlwave_near_stencil

@@ -1,0 +1,73 @@
+!> The discrete contact problem on one level: everything but the unknowns.
+module ehlwave_contact_problem
+   use ehlwave_conditions, only: conditions_t
+   use ehlwave_deformation_fft, only: deformation_fft_t
+   use ehlwave_grid, only: grid_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_load_balance, only: force_balance, load_balance_t
+   use ehlwave_rheology, only: rheology_t
+   use ehlwave_transport, only: steady_transport, transport_t
+   implicit none (type, external)
+   private
+
+   type, public :: contact_problem_t
+      type(grid_t) :: grid
+      type(conditions_t) :: conditions
+      type(rheology_t) :: rheology
+      type(deformation_fft_t) :: deformation
+      type(transport_t) :: transport          !! steady at first; the time march replaces it
+      type(load_balance_t) :: load            !! static at first
+      real(dp), allocatable :: smooth_gap(:, :)  !! S X^2 + (1 - S) Y^2, (0:nx, 0:ny)
+      real(dp), allocatable :: rough(:, :)    !! Rough(X, Y, T); not allocated for smooth surfaces
+   contains
+      procedure :: init
+      procedure :: film
+      procedure :: set_rough
+   end type contact_problem_t
+
+contains
+
+   !> Steady problem of smooth surfaces on a grid.
+   subroutine init(self, grid, conditions, rheology)
+      class(contact_problem_t), intent(inout) :: self
+      type(grid_t), intent(in) :: grid
+      type(conditions_t), intent(in) :: conditions
+      type(rheology_t), intent(in) :: rheology
+      integer :: j
+
+      self%grid = grid
+      self%conditions = conditions
+      self%rheology = rheology
+      call self%deformation%init(grid, conditions%elliptic%kappa, conditions%elliptic%k)
+      self%transport = steady_transport(grid)
+      self%load = force_balance(1.0_dp)
+      if (allocated(self%rough)) deallocate (self%rough)
+      if (allocated(self%smooth_gap)) deallocate (self%smooth_gap)
+      allocate (self%smooth_gap(0:grid%nx, 0:grid%ny))
+      do j = 0, grid%ny
+         self%smooth_gap(:, j) = conditions%s*grid%x**2 + (1 - conditions%s)*grid%y(j)**2
+      end do
+   end subroutine init
+
+   !> Film thickness H = -Delta + S X^2 + (1 - S) Y^2 + Rough + Dbar(P), theory eq. (8).
+   subroutine film(self, p, delta, h)
+      class(contact_problem_t), intent(inout) :: self
+      real(dp), intent(in) :: p(0:, 0:)    !! P, (0:nx, 0:ny)
+      real(dp), intent(in) :: delta        !! mutual approach
+      real(dp), intent(out) :: h(0:, 0:)   !! H, (0:nx, 0:ny)
+
+      call self%deformation%apply(p, h)
+      h = h + self%smooth_gap - delta
+      if (allocated(self%rough)) h = h + self%rough
+   end subroutine film
+
+   !> Set the roughness added to the gap.
+   pure subroutine set_rough(self, rough)
+      class(contact_problem_t), intent(inout) :: self
+      real(dp), intent(in) :: rough(0:, 0:)   !! (0:nx, 0:ny)
+      if (.not. allocated(self%rough)) &
+         allocate (self%rough(0:self%grid%nx, 0:self%grid%ny))
+      self%rough = rough
+   end subroutine set_rough
+
+end module ehlwave_contact_problem

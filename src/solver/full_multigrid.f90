@@ -1,0 +1,126 @@
+!> Full multigrid (FMG): solve on the coarsest grid, interpolate, solve on the next finer one, and so on.
+module ehlwave_full_multigrid
+   use ehlwave_conditions, only: conditions_t
+   use ehlwave_contact_problem, only: contact_problem_t
+   use ehlwave_formula, only: moes_film_formula
+   use ehlwave_grid, only: grid_t, new_grid
+   use ehlwave_kinds, only: dp
+   use ehlwave_level_solver, only: level_solver_t, solve_limits_t, solve_report_t
+   use ehlwave_newton, only: newton_t
+   use ehlwave_rheology, only: rheology_t
+   use ehlwave_state, only: new_state, state_t
+   use ehlwave_status, only: status_converged
+   use ehlwave_transfer, only: interpolate
+   implicit none (type, external)
+   private
+
+   !> One level: its problem, its solver, its unknowns. Level 1 is the coarsest.
+   type, public :: level_t
+      type(contact_problem_t) :: problem
+      class(level_solver_t), allocatable :: solver
+      type(state_t) :: state
+      type(solve_report_t) :: report
+   end type level_t
+
+   !> Hierarchy of grids of one contact. Holds C memory of the transforms: pass by reference.
+   type, public :: full_multigrid_t
+      type(level_t), allocatable :: levels(:)
+   contains
+      procedure :: init
+      procedure :: solve
+   end type full_multigrid_t
+
+   integer, parameter :: fewest_cells = 24   !! along X or over the whole width, on the coarsest grid
+
+contains
+
+   !> Hierarchy down from the finest grid, cells halved as long as they are even and enough.
+   subroutine init(self, conditions, rheology, x_min, x_max, y_max, cells_x, cells_y, is_half)
+      class(full_multigrid_t), intent(inout) :: self
+      type(conditions_t), intent(in) :: conditions
+      type(rheology_t), intent(in) :: rheology
+      real(dp), intent(in) :: x_min, x_max, y_max   !! domain in X and Y
+      integer, intent(in) :: cells_x, cells_y       !! cells of the finest grid over the whole domain
+      logical, intent(in) :: is_half                !! store Y >= 0 only
+      integer :: l, n
+
+      n = level_count(cells_x, cells_y, is_half)
+      allocate (self%levels(n))
+      do l = 1, n
+         associate (level => self%levels(l))
+            call level%problem%init(new_grid(x_min, x_max, y_max, cells_x/2**(n - l), cells_y/2**(n - l), is_half), &
+                                    conditions, rheology)
+            level%state = new_state(level%problem%grid)
+            allocate (newton_t :: level%solver)
+            call level%solver%init(level%problem)
+         end associate
+      end do
+   end subroutine init
+
+   !> Number of levels: both directions are halved together.
+   pure integer function level_count(cells_x, cells_y, is_half)
+      integer, intent(in) :: cells_x, cells_y
+      logical, intent(in) :: is_half
+      integer :: nx, ny, multiple
+      nx = cells_x
+      ny = cells_y
+      multiple = merge(4, 2, is_half)   ! a half domain needs an even count on the coarse grid too
+      level_count = 1
+      do while (modulo(nx, 2) == 0 .and. modulo(ny, multiple) == 0 .and. min(nx, ny)/2 >= fewest_cells)
+         nx = nx/2
+         ny = ny/2
+         level_count = level_count + 1
+      end do
+   end function level_count
+
+   !> Steady solution on the finest level, from a Hertz guess on the coarsest.
+   !>
+   !> A level that does not converge hands on what it has if that is finite: coarse grids may be too coarse
+   !> for the case. Only the report of the finest level counts.
+   subroutine solve(self, limits, coarse_tolerance)
+      class(full_multigrid_t), intent(inout) :: self
+      type(solve_limits_t), intent(in) :: limits        !! for the finest level
+      real(dp), intent(in) :: coarse_tolerance          !! for the others
+      type(solve_limits_t) :: coarse_limits
+      integer :: l, n
+
+      n = size(self%levels)
+      coarse_limits = limits
+      coarse_limits%tolerance = max(limits%tolerance, coarse_tolerance)
+      do l = 1, n
+         associate (level => self%levels(l))
+            if (l == 1) then
+               call hertz_guess(level%problem, level%state)
+            else
+               call interpolate(self%levels(l - 1)%problem%grid, level%problem%grid, &
+                                self%levels(l - 1)%state%p, level%state%p)
+               level%state%p = max(level%state%p, 0.0_dp)
+               level%state%delta = self%levels(l - 1)%state%delta
+            end if
+            if (l == n) then
+               call level%solver%solve(level%problem, level%state, limits, level%report)
+            else
+               call level%solver%solve(level%problem, level%state, coarse_limits, level%report)
+               if (level%report%status /= status_converged) call hertz_guess(level%problem, level%state)
+            end if
+         end associate
+      end do
+   end subroutine solve
+
+   !> Hertz pressure, and the approach that leaves the formula's central film thickness.
+   subroutine hertz_guess(problem, state)
+      type(contact_problem_t), intent(inout) :: problem
+      type(state_t), intent(inout) :: state
+      integer :: j
+
+      associate (grid => problem%grid)
+         do j = 0, grid%ny
+            state%p(:, j) = sqrt(max(0.0_dp, 1 - grid%x**2 - grid%y(j)**2))
+         end do
+         call problem%deformation%apply(state%p, state%h)
+         state%delta = grid%value_at_centre(state%h) &
+                       - moes_film_formula(problem%conditions)/problem%conditions%moes_film_factor
+      end associate
+   end subroutine hertz_guess
+
+end module ehlwave_full_multigrid

@@ -1,0 +1,58 @@
+!> The equation of the mutual approach: force balance or equation of motion, one form for both.
+module ehlwave_load_balance
+   use ehlwave_kinds, only: dp, pi
+   implicit none (type, external)
+   private
+   public :: force_balance, equation_of_motion
+
+   real(dp), parameter, public :: load_factor = 3/(2*pi)   !! makes the nominal load 1: 3/(2 pi) int P = 1
+
+   !> Discrete theory eq. (10) and (11):  inertia Delta + carried + (3/(2 pi)) int P dX dY - force = 0.
+   type, public :: load_balance_t
+      real(dp) :: inertia = 0             !! weight of Delta at the present time; 0: force balance
+      real(dp) :: carried = 0             !! inertia terms of earlier times
+      real(dp) :: force = 1               !! F(T)
+      real(dp), private :: rate = 0       ! 1/(Omega dT)^2
+   contains
+      procedure :: residual
+      procedure :: carry
+   end type load_balance_t
+
+contains
+
+   !> Quasi-static balance (11) under the relative load `force`.
+   pure function force_balance(force) result(self)
+      real(dp), intent(in) :: force   !! load over the nominal one
+      type(load_balance_t) :: self
+      self%force = force
+   end function force_balance
+
+   !> Equation of motion (10), second-order backward difference in time:
+   !>
+   !>     (2 Delta_k - 5 Delta_(k-1) + 4 Delta_(k-2) - Delta_(k-3))/(Omega dT)^2
+   pure function equation_of_motion(force, natural_frequency, dt) result(self)
+      real(dp), intent(in) :: force               !! load over the nominal one
+      real(dp), intent(in) :: natural_frequency   !! Omega
+      real(dp), intent(in) :: dt                  !! dT
+      type(load_balance_t) :: self
+      self%force = force
+      self%rate = 1/(natural_frequency*dt)**2
+      self%inertia = 2*self%rate
+   end function equation_of_motion
+
+   !> Set `carried` from Delta at T - dT, T - 2 dT, T - 3 dT.
+   pure subroutine carry(self, history)
+      class(load_balance_t), intent(inout) :: self
+      real(dp), intent(in) :: history(3)
+      self%carried = self%rate*(-5*history(1) + 4*history(2) - history(3))
+   end subroutine carry
+
+   !> Residual of the balance for a pressure integral and an approach.
+   pure real(dp) function residual(self, pressure_integral, delta)
+      class(load_balance_t), intent(in) :: self
+      real(dp), intent(in) :: pressure_integral   !! int P dX dY
+      real(dp), intent(in) :: delta
+      residual = self%inertia*delta + self%carried + load_factor*pressure_integral - self%force
+   end function residual
+
+end module ehlwave_load_balance

@@ -1,0 +1,280 @@
+!> Newton's method with an active set for the cavitated nodes, GMRES inside.
+module ehlwave_newton
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+   use ehlwave_contact_problem, only: contact_problem_t
+   use ehlwave_gmres, only: gmres_t, new_gmres
+   use ehlwave_kinds, only: dp
+   use ehlwave_level_solver, only: level_solver_t, solve_limits_t, solve_report_t
+   use ehlwave_newton_system, only: newton_system_t
+   use ehlwave_reynolds, only: reynolds_residual
+   use ehlwave_state, only: state_t
+   use ehlwave_status, only: status_converged, status_diverged, status_not_finite, status_stalled
+   implicit none (type, external)
+   private
+
+   !> Steps are limited so that no pressure changes by more than `largest_change` and no film thickness
+   !> falls below `smallest_film_factor` of its value.
+   type, extends(level_solver_t), public :: newton_t
+      real(dp) :: largest_change = 0.3_dp
+      real(dp) :: smallest_film_factor = 0.1_dp
+      real(dp) :: loosest = 0.05_dp              !! linear tolerance far from the solution
+      real(dp) :: tightest = 1e-4_dp             !! and close to it
+      integer :: largest_krylov = 60
+      type(newton_system_t), private :: system
+      type(gmres_t), private :: gmres
+      real(dp), allocatable, private :: residual(:, :), rhs(:), change(:), film_change(:, :)
+      logical, allocatable, private :: cavitated_before(:, :), cavitated_earlier(:, :)
+      logical, private :: is_factorised = .false.
+      integer, private :: steps_when_fresh = 0   ! GMRES steps of the first solve with the present factors
+   contains
+      procedure :: init
+      procedure :: solve
+      procedure :: forget
+   end type newton_t
+
+contains
+
+   !> Work space for a problem's grid.
+   subroutine init(self, problem)
+      class(newton_t), intent(inout) :: self
+      type(contact_problem_t), intent(in) :: problem
+
+      call self%system%init(problem)
+      self%gmres = new_gmres(self%system%n, self%largest_krylov)
+      allocate (self%cavitated_before(0:problem%grid%nx, 0:problem%grid%ny), &
+                self%cavitated_earlier(0:problem%grid%nx, 0:problem%grid%ny), source=.false.)
+      allocate (self%residual(0:problem%grid%nx, 0:problem%grid%ny), &
+                self%film_change(0:problem%grid%nx, 0:problem%grid%ny), source=0.0_dp)
+      allocate (self%rhs(self%system%n), self%change(self%system%n), source=0.0_dp)
+      self%is_factorised = .false.
+   end subroutine init
+
+   !> Drop the preconditioner of earlier solves: the next solve depends on its own problem and guess only.
+   subroutine forget(self)
+      class(newton_t), intent(inout) :: self
+      self%is_factorised = .false.
+   end subroutine forget
+
+   !> See the interface. Factors of an earlier solve are used as long as they serve.
+   subroutine solve(self, problem, state, limits, report)
+      class(newton_t), intent(inout) :: self
+      type(contact_problem_t), intent(inout), target :: problem
+      type(state_t), intent(inout), target :: state
+      type(solve_limits_t), intent(in) :: limits
+      type(solve_report_t), intent(out) :: report
+      real(dp) :: forcing, worth, worth_before, step
+      integer :: k
+
+      self%system%problem => problem
+      self%system%p => state%p
+      allocate (report%history(0))
+      worth_before = 0
+      forcing = self%loosest
+      call problem%film(state%p, state%delta, state%h)
+      do k = 0, limits%largest_steps
+         call assemble(self, problem, state, report, worth)
+         report%history = [report%history, report%residual]
+         if (.not. (ieee_is_finite(report%residual) .and. ieee_is_finite(report%load_error))) then
+            report%status = status_not_finite
+            exit
+         end if
+         if (max(report%residual, report%complementarity, report%load_error) <= limits%tolerance) then
+            report%status = status_converged
+            exit
+         end if
+         report%status = status_stalled
+         if (k == limits%largest_steps) exit
+
+         if (k > 0) forcing = next_forcing(self, forcing, worth/worth_before)
+         worth_before = worth
+         call linear_solve(self, forcing, report)
+         step = step_length(self, problem, state)
+         if (alternates(self, k)) step = 0.5_dp*step
+         if (.not. step > 0) then
+            report%status = status_diverged
+            exit
+         end if
+         call take_step(self, problem, state, step)
+         report%nonlinear_steps = k + 1
+      end do
+      nullify (self%system%problem, self%system%p)
+   end subroutine solve
+
+   !> Linear tolerance after a step that changed the residual by `ratio`: tighter the closer to the
+   !> solution (Eisenstat and Walker 1996), and tighter also when a loose solve gained little.
+   pure real(dp) function next_forcing(self, forcing, ratio)
+      class(newton_t), intent(in) :: self
+      real(dp), intent(in) :: forcing, ratio
+      if (ratio > 0.5_dp) then
+         next_forcing = max(self%tightest, 0.1_dp*forcing)
+      else
+         next_forcing = min(self%loosest, max(self%tightest, 0.5_dp*ratio**1.5_dp))
+      end if
+   end function next_forcing
+
+   !> Residual, active set and right side at the present state.
+   !> Active (cavitated) where P + R/|A_ii| <= 0.
+   subroutine assemble(self, problem, state, report, worth)
+      class(newton_t), intent(inout), target :: self
+      type(contact_problem_t), intent(inout) :: problem
+      type(state_t), intent(in) :: state
+      type(solve_report_t), intent(inout) :: report
+      real(dp), intent(out) :: worth   !! Euclidean norm of the right side
+      real(dp), pointer, contiguous :: b(:, :)
+      real(dp) :: unit, load
+      integer :: i, j
+
+      associate (grid => problem%grid, system => self%system, r => self%residual)
+         call system%flow%evaluate(problem%rheology, problem%conditions%lambdabar, state%p, state%h)
+         call reynolds_residual(grid, problem%transport, problem%conditions%elliptic%kappa, system%flow, state%p, r)
+         call system%set_scale()
+         unit = grid%hx/grid%value_at_centre(state%h)
+         report%residual = 0
+         report%complementarity = 0
+         b(0:grid%nx, 0:grid%ny) => self%rhs(:system%n - 1)
+         do j = 0, grid%ny
+            do i = 0, grid%nx
+               if (system%scale(i, j) > 0 .and. state%p(i, j) + system%scale(i, j)*r(i, j) <= 0) then
+                  system%is_cavitated(i, j) = .true.
+                  b(i, j) = -state%p(i, j)
+                  report%complementarity = max(report%complementarity, state%p(i, j))
+               else
+                  system%is_cavitated(i, j) = .false.
+                  b(i, j) = -system%row_scale(i, j)*r(i, j)
+                  report%residual = max(report%residual, abs(r(i, j))*unit)
+               end if
+            end do
+         end do
+         if (.not. ieee_is_finite(sum(r))) report%residual = sum(r)
+         load = problem%load%residual(grid%integral(state%p), state%delta)
+         report%load_error = abs(load)/abs(problem%load%force)
+         self%rhs(system%n) = -load
+         worth = sqrt(sum(self%rhs**2))
+      end associate
+   end subroutine assemble
+
+   !> Newton direction in `change`. Old factors are renewed when they no longer serve. Where fresh ones do
+   !> not (incomplete factors can be unstable), they are made again with a stronger diagonal.
+   subroutine linear_solve(self, forcing, report)
+      class(newton_t), intent(inout) :: self
+      real(dp), intent(in) :: forcing
+      type(solve_report_t), intent(inout) :: report
+      real(dp) :: shift
+      logical :: is_fresh
+      integer :: attempt
+
+      shift = 0
+      do attempt = 1, 4
+         is_fresh = .not. self%is_factorised
+         if (is_fresh) then
+            call self%system%factorise(shift)
+            self%is_factorised = .true.
+            report%factorisations = report%factorisations + 1
+         end if
+         call self%gmres%solve(self%system, self%rhs, self%change, forcing)
+         report%linear_steps = report%linear_steps + self%gmres%steps
+         if (self%gmres%steps > 0 .and. self%gmres%reduction < 0.5_dp) exit
+         self%is_factorised = .false.
+         if (is_fresh) shift = max(0.1_dp, 4*shift)
+      end do
+      if (is_fresh) then
+         self%steps_when_fresh = self%gmres%steps
+      else if (self%gmres%steps > min(self%steps_when_fresh, 12) + 4) then
+         self%is_factorised = .false.
+      end if
+   end subroutine linear_solve
+
+   !> Whether the active set goes back and forth between two sets; a half step then breaks the cycle.
+   logical function alternates(self, k)
+      class(newton_t), intent(inout) :: self
+      integer, intent(in) :: k   !! steps taken
+      associate (now => self%system%is_cavitated)
+         alternates = .false.
+         if (k >= 2) alternates = all(now .eqv. self%cavitated_earlier) .and. any(now .neqv. self%cavitated_before)
+         self%cavitated_earlier = self%cavitated_before
+         self%cavitated_before = now
+      end associate
+   end function alternates
+
+   !> Largest step that keeps the pressure change and the film within their limits.
+   real(dp) function step_length(self, problem, state) result(step)
+      class(newton_t), intent(inout), target :: self
+      type(contact_problem_t), intent(inout) :: problem
+      type(state_t), intent(in) :: state
+      real(dp), pointer, contiguous :: dp_(:, :)
+      real(dp) :: largest
+      integer :: i, j
+
+      associate (grid => problem%grid, n => self%system%n)
+         dp_(0:grid%nx, 0:grid%ny) => self%change(:n - 1)
+         largest = maxval(abs(dp_))
+         step = 0
+         if (.not. (ieee_is_finite(largest) .and. ieee_is_finite(self%change(n)))) return
+         step = 1
+         if (largest > self%largest_change) step = self%largest_change/largest
+         call problem%deformation%apply(dp_, self%film_change)
+         self%film_change = self%film_change - self%change(n)
+         do j = 0, grid%ny
+            do i = 0, grid%nx
+               if (state%h(i, j) + step*self%film_change(i, j) < self%smallest_film_factor*state%h(i, j)) &
+                  step = (self%smallest_film_factor - 1)*state%h(i, j)/self%film_change(i, j)
+            end do
+         end do
+      end associate
+   end function step_length
+
+   !> Take the step, keep P >= 0. The film follows exactly: it is linear in P, where P was not clipped.
+   subroutine take_step(self, problem, state, step)
+      class(newton_t), intent(inout), target :: self
+      type(contact_problem_t), intent(inout) :: problem
+      type(state_t), intent(inout) :: state
+      real(dp), intent(in) :: step
+      real(dp), pointer, contiguous :: dp_(:, :)
+
+      associate (grid => problem%grid, n => self%system%n)
+         dp_(0:grid%nx, 0:grid%ny) => self%change(:n - 1)
+         call bend(self, problem, state%p, step, dp_)
+         state%p = max(state%p + dp_, 0.0_dp)
+         state%delta = state%delta + step*self%change(n)
+         call problem%film(state%p, state%delta, state%h)
+      end associate
+   end subroutine take_step
+
+   !> Bend a pressure change at nodes whose residual is an exponential of their own pressure.
+   !>
+   !> Where a node takes in oil from neighbours at higher pressure, R behaves like A exp(-s P) - c and
+   !> Newton's method gains one factor e a step. In u = exp(-s P) it is linear: with Newton's change d
+   !>
+   !>     P <- P - ln(1 - s d)/s,     s = phi d ln(eta)/dP,
+   !>
+   !> phi: share of that exponential in the diagonal of the Jacobian. The difference from P + d is of second
+   !> order, so the final convergence stays quadratic.
+   pure subroutine bend(self, problem, p, step, dp_)
+      class(newton_t), intent(in) :: self
+      type(contact_problem_t), intent(in) :: problem
+      real(dp), intent(in) :: p(0:, 0:)         !! P before the step
+      real(dp), intent(in) :: step              !! step length
+      real(dp), intent(inout) :: dp_(0:, 0:)    !! Newton's change, then the change to make
+      real(dp) :: cx, cy, intake, s
+      integer :: i, j, jm
+
+      associate (grid => problem%grid, flow => self%system%flow)
+         cx = 0.5_dp/grid%hx**2
+         cy = 0.5_dp*problem%conditions%elliptic%kappa**2/grid%hy**2
+         do j = grid%first_row, grid%ny - 1
+            jm = grid%below(j)
+            do i = 1, grid%nx - 1
+               dp_(i, j) = step*dp_(i, j)
+               s = -flow%eps_p(i, j)/flow%eps(i, j)
+               if (s*abs(dp_(i, j)) < 0.05_dp .or. self%system%is_cavitated(i, j)) cycle
+               intake = -flow%eps_p(i, j)*(cx*(p(i + 1, j) - 2*p(i, j) + p(i - 1, j)) &
+                                           + cy*(p(i, j + 1) - 2*p(i, j) + p(i, jm)))
+               if (intake <= 0) cycle
+               s = s*intake/(intake + 1/self%system%scale(i, j))
+               if (s*abs(dp_(i, j)) > 1e-3_dp) dp_(i, j) = -log(max(1 - s*dp_(i, j), 0.1_dp))/s
+            end do
+         end do
+      end associate
+   end subroutine bend
+
+end module ehlwave_newton

@@ -1,0 +1,185 @@
+!> The linear system of one Newton step, its FFT products and its preconditioner.
+module ehlwave_newton_system
+   use ehlwave_contact_problem, only: contact_problem_t
+   use ehlwave_gmres, only: linear_system_t
+   use ehlwave_grid, only: grid_t
+   use ehlwave_kernel, only: cell_influence
+   use ehlwave_kinds, only: dp
+   use ehlwave_load_balance, only: load_factor
+   use ehlwave_near_stencil, only: near_stencil_t, new_near_stencil
+   use ehlwave_reynolds, only: diagonal_scale, flow_t, new_flow, reynolds_jacobian
+   use ehlwave_stencil_ilu, only: new_stencil_ilu, stencil_ilu_t
+   implicit none (type, external)
+   private
+
+   !> Unknowns: change of P at all nodes (0 on the boundary), then the change of Delta; one vector of
+   !> length n = (nx+1)(ny+1) + 1. Rows are weighted by |A_ii|^(-1/4), between mass (power 0) and pressure
+   !> (power -1): measured over powers 0 to -1, this takes the fewest Newton and GMRES steps.
+   !> A cavitated node has the row  change of P = -P.
+   type, extends(linear_system_t), public :: newton_system_t
+      integer :: n = 0
+      type(contact_problem_t), pointer :: problem => null()
+      type(flow_t) :: flow                                  !! coefficients at the present iterate
+      real(dp), pointer, contiguous :: p(:, :) => null()    !! pressure of the present iterate
+      real(dp), allocatable :: scale(:, :)                  !! 1/|A_ii|, 0 on the boundary
+      real(dp), allocatable :: row_scale(:, :)              !! weight of each Reynolds row, 0 on the boundary
+      logical, allocatable :: is_cavitated(:, :)
+      type(near_stencil_t), private :: stencil
+      type(stencil_ilu_t), private :: ilu
+      real(dp), allocatable, private :: dh(:, :), work(:, :), row(:), packed(:, :)
+      real(dp), allocatable, private :: column(:)           ! M^(-1) of the Delta column
+      real(dp), private :: schur = 1                        ! load row after elimination of P
+      real(dp) :: self_influence = 0
+   contains
+      procedure :: init
+      procedure :: set_scale
+      procedure :: factorise
+      procedure :: multiply
+      procedure :: precondition
+   end type newton_system_t
+
+   integer, parameter :: largest_reach = 8   !! cells of the near stencil, keeps memory bounded
+
+contains
+
+   !> Work space for a problem's grid.
+   subroutine init(self, problem)
+      class(newton_system_t), intent(inout) :: self
+      type(contact_problem_t), intent(in) :: problem
+      integer :: rows
+
+      associate (grid => problem%grid, elliptic => problem%conditions%elliptic)
+         self%n = (grid%nx + 1)*(grid%ny + 1) + 1
+         self%flow = new_flow(grid)
+         self%stencil = new_near_stencil(grid, elliptic%kappa, elliptic%k, largest_reach)
+         rows = grid%ny - grid%first_row
+         self%ilu = new_stencil_ilu(rows, grid%nx - 1, self%stencil%dj, self%stencil%di)
+         self%self_influence = cell_influence(0.0_dp, 0.0_dp, grid%hx, grid%hy, elliptic%kappa, elliptic%k)
+         allocate (self%scale(0:grid%nx, 0:grid%ny), self%row_scale(0:grid%nx, 0:grid%ny), self%dh(0:grid%nx, 0:grid%ny), &
+                   self%work(0:grid%nx, 0:grid%ny), source=0.0_dp)
+         allocate (self%is_cavitated(0:grid%nx, 0:grid%ny), source=.false.)
+         allocate (self%row(self%stencil%entries), self%packed(rows, grid%nx - 1), source=0.0_dp)
+         allocate (self%column(self%n), source=0.0_dp)
+      end associate
+   end subroutine init
+
+   !> Row scale at the present iterate.
+   subroutine set_scale(self)
+      class(newton_system_t), intent(inout) :: self
+      call diagonal_scale(self%problem%grid, self%problem%transport, self%problem%conditions%elliptic%kappa, &
+                          self%self_influence, self%flow, self%scale)
+      self%row_scale = sqrt(sqrt(self%scale))
+   end subroutine set_scale
+
+   !> Preconditioner at the present iterate: ILU(0), in flow order, of local terms and near deformation,
+   !> its diagonal enlarged by `shift` times itself.
+   subroutine factorise(self, shift)
+      class(newton_system_t), intent(inout), target :: self
+      real(dp), intent(in) :: shift
+      integer :: centre, e, i, j
+      real(dp), allocatable :: unit(:)
+
+      associate (grid => self%problem%grid, kappa => self%problem%conditions%elliptic%kappa)
+         do i = 1, grid%nx - 1
+            do j = grid%first_row, grid%ny - 1
+               if (self%is_cavitated(i, j)) then
+                  self%row = 0
+                  self%row(self%stencil%entry_at(0, 0)) = 1
+               else
+                  call self%stencil%fill_row(grid, self%problem%transport, kappa, self%flow, self%p, i, j, self%row)
+                  self%row = self%row*self%row_scale(i, j)
+                  centre = self%stencil%entry_at(0, 0)
+                  self%row(centre) = (1 + shift)*self%row(centre)
+               end if
+               do e = 1, self%stencil%entries
+                  self%ilu%a(e, j - grid%first_row + 1, i) = self%row(self%ilu%order(e))
+               end do
+            end do
+         end do
+      end associate
+      call self%ilu%factorise()
+
+      ! Delta column: J (0, 1), then its image under M^(-1), and the Schur complement of the load row
+      allocate (unit(self%n), source=0.0_dp)
+      unit(self%n) = 1
+      call self%multiply(unit, self%column)
+      self%column(self%n) = 0
+      call solve_pressure(self, self%column)
+      self%schur = self%problem%load%inertia - load_change(self, self%column)
+      if (.not. abs(self%schur) > 0) self%schur = 1
+   end subroutine factorise
+
+   !> y = A x: film change by FFT, Jacobian of Reynolds, load row.
+   subroutine multiply(self, x, y)
+      class(newton_system_t), intent(inout) :: self
+      real(dp), intent(in), contiguous, target :: x(:)
+      real(dp), intent(out), contiguous, target :: y(:)
+      real(dp), pointer, contiguous :: dp_(:, :), dr(:, :)
+      integer :: i, j
+
+      associate (grid => self%problem%grid, n => self%n)
+         dp_(0:grid%nx, 0:grid%ny) => x(:n - 1)
+         dr(0:grid%nx, 0:grid%ny) => y(:n - 1)
+         call self%problem%deformation%apply(dp_, self%dh)
+         self%dh = self%dh - x(n)
+         call reynolds_jacobian(grid, self%problem%transport, self%problem%conditions%elliptic%kappa, self%flow, &
+                                self%p, dp_, self%dh, dr, self%work)
+         do j = 0, grid%ny
+            do i = 0, grid%nx
+               dr(i, j) = merge(dp_(i, j), self%row_scale(i, j)*dr(i, j), self%is_cavitated(i, j))
+            end do
+         end do
+         y(n) = load_change(self, x) + self%problem%load%inertia*x(n)
+      end associate
+   end subroutine multiply
+
+   !> y = M^(-1) x with the load row eliminated.
+   subroutine precondition(self, x, y)
+      class(newton_system_t), intent(inout) :: self
+      real(dp), intent(in), contiguous, target :: x(:)
+      real(dp), intent(out), contiguous, target :: y(:)
+      real(dp) :: change
+
+      y = x
+      call solve_pressure(self, y)
+      y(self%n) = 0
+      change = (x(self%n) - load_change(self, y))/self%schur
+      y = y - change*self%column
+      y(self%n) = change
+   end subroutine precondition
+
+   !> Pressure part of v solved in place with the factors.
+   subroutine solve_pressure(self, v)
+      class(newton_system_t), intent(inout) :: self
+      real(dp), intent(inout), contiguous, target :: v(:)
+      real(dp), pointer, contiguous :: field(:, :)
+      integer :: i, j, low
+
+      associate (grid => self%problem%grid)
+         field(0:grid%nx, 0:grid%ny) => v(:self%n - 1)
+         low = grid%first_row - 1
+         do i = 1, grid%nx - 1
+            do j = 1, size(self%packed, 1)
+               self%packed(j, i) = field(i, j + low)
+            end do
+         end do
+         call self%ilu%solve(self%packed)
+         field = 0
+         do j = 1, size(self%packed, 1)
+            do i = 1, grid%nx - 1
+               field(i, j + low) = self%packed(j, i)
+            end do
+         end do
+      end associate
+   end subroutine solve_pressure
+
+   !> (3/(2 pi)) int of the pressure part of v.
+   real(dp) function load_change(self, v)
+      class(newton_system_t), intent(in) :: self
+      real(dp), intent(in), contiguous, target :: v(:)
+      real(dp), pointer, contiguous :: field(:, :)
+      field(0:self%problem%grid%nx, 0:self%problem%grid%ny) => v(:self%n - 1)
+      load_change = load_factor*self%problem%grid%integral(field)
+   end function load_change
+
+end module ehlwave_newton_system

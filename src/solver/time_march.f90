@@ -1,0 +1,172 @@
+!> March in time of one contact with moving waviness, from the smooth steady state.
+module ehlwave_time_march
+   use ehlwave_full_multigrid, only: level_t
+   use ehlwave_kernel, only: cell_influence
+   use ehlwave_kinds, only: dp
+   use ehlwave_level_solver, only: solve_limits_t, solve_report_t
+   use ehlwave_load_balance, only: equation_of_motion, force_balance
+   use ehlwave_monitor, only: monitor_t
+   use ehlwave_reynolds, only: flow_t, new_flow
+   use ehlwave_state, only: state_t
+   use ehlwave_status, only: status_converged
+   use ehlwave_transport, only: characteristic_transport
+   use ehlwave_waviness, only: waviness_t
+   implicit none (type, external)
+   private
+   public :: march
+
+   !> What is marched and how.
+   type, public :: march_settings_t
+      type(waviness_t) :: waviness
+      real(dp) :: amplitude = 0                !! Ai in units of c
+      integer :: steps = 0                     !! number of time steps
+      integer :: cells_per_step = 1            !! dT = hX cells_per_step/steps_per_cell, one of them 1
+      integer :: steps_per_cell = 1
+      real(dp) :: natural_frequency = 0        !! Omega of the equation of motion; 0: force balance
+      real(dp) :: force = 1                    !! load from T > 0 on, over that of the steady state
+   end type march_settings_t
+
+   !> History of the contact centre and the account of the march.
+   type, public :: march_result_t
+      integer :: status = status_converged     !! of the first step that failed, else converged
+      integer :: steps = 0                     !! steps done
+      real(dp), allocatable :: time(:)         !! (0:steps) T
+      real(dp), allocatable :: central_film(:) !! (0:steps) H(0,0,T)
+      real(dp), allocatable :: approach(:)     !! (0:steps) Delta(T)
+      real(dp) :: worst_residual = 0           !! largest over the steps
+      real(dp) :: worst_load_error = 0
+      integer :: nonlinear_steps = 0, linear_steps = 0, factorisations = 0
+   end type march_result_t
+
+   !> Solutions that the first guess is made from.
+   type :: past_t
+      type(state_t) :: steady, before, earlier, earliest   ! at T <= 0, T - dT, T - 2 dT, T - 3 dT
+   end type past_t
+
+   real(dp), parameter :: spread_weight = 1000   !! measured: fewest Newton steps between 100 and 10^4
+
+contains
+
+   !> March `level` from its steady state of smooth surfaces. On return its state is the last one reached.
+   !>
+   !> A step that fails from the extrapolated guess is tried once more from the solution before it;
+   !> when that fails too the march ends and says so.
+   subroutine march(level, settings, limits, monitor, result)
+      type(level_t), intent(inout) :: level
+      type(march_settings_t), intent(in) :: settings
+      type(solve_limits_t), intent(in) :: limits
+      class(monitor_t), intent(inout) :: monitor
+      type(march_result_t), intent(out) :: result
+      type(past_t) :: past
+      real(dp), allocatable :: share(:, :)
+      real(dp), allocatable :: history(:, :, :)
+      real(dp) :: approach(3), dt, t
+      integer :: k, n
+
+      associate (grid => level%problem%grid, problem => level%problem, state => level%state)
+         dt = grid%hx*settings%cells_per_step/settings%steps_per_cell
+         problem%transport = characteristic_transport(grid, settings%cells_per_step, settings%steps_per_cell)
+         problem%load = force_balance(settings%force)
+         if (settings%natural_frequency > 0) &
+            problem%load = equation_of_motion(settings%force, settings%natural_frequency, dt)
+         allocate (history(0:grid%nx, 0:grid%ny, problem%transport%history_length()))
+         do n = 1, size(history, 3)
+            history(:, :, n) = problem%rheology%density(state%p)*state%h
+         end do
+         approach = state%delta
+         past = past_t(state, state, state, state)
+         share = carried_share(level)
+         allocate (result%time(0:settings%steps), result%central_film(0:settings%steps), &
+                   result%approach(0:settings%steps), source=0.0_dp)
+         result%central_film(0) = grid%value_at_centre(state%h)
+         result%approach(0) = state%delta
+
+         do k = 1, settings%steps
+            t = k*dt
+            call problem%set_rough(settings%amplitude*settings%waviness%shape_at(grid%x, grid%y, t))
+            call problem%transport%carry(grid, history)
+            call problem%load%carry(approach)
+            if (settings%steps_per_cell == 1) call extrapolate(settings%cells_per_step, share, past, state)
+            call solve_step(level, past%before, limits, result)
+            if (result%status /= status_converged) exit
+
+            result%steps = k
+            result%time(k) = t
+            result%central_film(k) = grid%value_at_centre(state%h)
+            result%approach(k) = state%delta
+            do n = size(history, 3), 2, -1
+               history(:, :, n) = history(:, :, n - 1)
+            end do
+            history(:, :, 1) = problem%rheology%density(state%p)*state%h
+            approach = [state%delta, approach(1:2)]
+            past%earliest = past%earlier
+            past%earlier = past%before
+            past%before = state
+            call monitor%step_done('time step', k, settings%steps)
+         end do
+      end associate
+   end subroutine march
+
+   !> How much of a pressure disturbance is carried along with the film rather than spread by Poiseuille flow,
+   !> 0 to 1 at each node: 1/(1 + weight eps/(hX K0)), K0 the deformation under a cell of unit pressure.
+   function carried_share(level) result(share)
+      type(level_t), intent(in) :: level    !! at its steady state
+      real(dp), allocatable :: share(:, :)
+      type(flow_t) :: flow
+      real(dp) :: self_influence
+
+      associate (grid => level%problem%grid, conditions => level%problem%conditions)
+         flow = new_flow(grid)
+         call flow%evaluate(level%problem%rheology, conditions%lambdabar, level%state%p, level%state%h)
+         self_influence = cell_influence(0.0_dp, 0.0_dp, grid%hx, grid%hy, conditions%elliptic%kappa, &
+                                         conditions%elliptic%k)
+         share = 1/(1 + spread_weight*flow%eps/(grid%hx*self_influence))
+      end associate
+   end function carried_share
+
+   !> First guess. Where the film is carried along, what deviates from the steady state P0 is extrapolated
+   !> along the characteristic: P0(i) + 2 p(i-m, k-1) - p(i-2m, k-2), p = P - P0; elsewhere in time at fixed X:
+   !> 3 P(k-1) - 3 P(k-2) + P(k-3); in between, by share.
+   pure subroutine extrapolate(m, share, past, state)
+      integer, intent(in) :: m                       !! cells that a feature travels in one step
+      real(dp), intent(in) :: share(0:, 0:)          !! (0:nx, 0:ny)
+      type(past_t), intent(in) :: past
+      type(state_t), intent(inout) :: state
+      real(dp) :: moved, still
+      integer :: i, j
+      associate (p0 => past%steady%p, p1 => past%before%p, p2 => past%earlier%p, p3 => past%earliest%p)
+         do j = 0, ubound(state%p, 2)
+            do i = 2*m + 1, ubound(state%p, 1) - 1
+               moved = p0(i, j) + 2*(p1(i - m, j) - p0(i - m, j)) - (p2(i - 2*m, j) - p0(i - 2*m, j))
+               still = 3*(p1(i, j) - p2(i, j)) + p3(i, j)
+               state%p(i, j) = max(0.0_dp, share(i, j)*moved + (1 - share(i, j))*still)
+            end do
+         end do
+      end associate
+      state%delta = 3*(past%before%delta - past%earlier%delta) + past%earliest%delta
+   end subroutine extrapolate
+
+   !> One time step, with a second try from the solution before it.
+   subroutine solve_step(level, before, limits, result)
+      type(level_t), intent(inout) :: level
+      type(state_t), intent(in) :: before
+      type(solve_limits_t), intent(in) :: limits
+      type(march_result_t), intent(inout) :: result
+      type(solve_report_t) :: report
+      integer :: attempt
+
+      do attempt = 1, 2
+         if (attempt == 2) level%state = before
+         call level%solver%solve(level%problem, level%state, limits, report)
+         result%nonlinear_steps = result%nonlinear_steps + report%nonlinear_steps
+         result%linear_steps = result%linear_steps + report%linear_steps
+         result%factorisations = result%factorisations + report%factorisations
+         result%status = report%status
+         if (report%status == status_converged) exit
+      end do
+      result%worst_residual = max(result%worst_residual, report%residual)
+      result%worst_load_error = max(result%worst_load_error, report%load_error)
+      level%report = report
+   end subroutine solve_step
+
+end module ehlwave_time_march
