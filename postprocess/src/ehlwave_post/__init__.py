@@ -1,0 +1,38 @@
+"""Post-processing of results of ``ehlwave-sweep``: read, select, fit, draw, tabulate."""
+
+from ehlwave_post.errors import ResultsError
+from ehlwave_post.figures import collapse_figure, write_figure
+from ehlwave_post.fit import (
+    FitError,
+    FormulaFit,
+    bootstrap_coefficients,
+    fit_formula,
+    percentile_intervals,
+    rms_residual,
+)
+from ehlwave_post.formula import amplitude_ratio_formula, f_of_r, v, v2, wavelength_ratio
+from ehlwave_post.points import select_points
+from ehlwave_post.read import read_results
+from ehlwave_post.refit import RefitRow, RefitSettings, refit_groups
+
+__all__ = [
+    "FitError",
+    "FormulaFit",
+    "RefitRow",
+    "RefitSettings",
+    "ResultsError",
+    "amplitude_ratio_formula",
+    "bootstrap_coefficients",
+    "collapse_figure",
+    "f_of_r",
+    "fit_formula",
+    "percentile_intervals",
+    "read_results",
+    "refit_groups",
+    "rms_residual",
+    "select_points",
+    "v",
+    "v2",
+    "wavelength_ratio",
+    "write_figure",
+]

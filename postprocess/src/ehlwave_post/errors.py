@@ -1,0 +1,9 @@
+"""The one error a user is meant to see."""
+
+
+class ResultsError(Exception):
+    """A results file, or what it holds, cannot be used.
+
+    The message names the file and says what is wrong with it; the command prints it without a
+    traceback.
+    """

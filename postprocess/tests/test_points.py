@@ -1,0 +1,88 @@
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray as xr
+from synthetic import Columns, concatenated, make_columns, write_results
+
+from ehlwave_post import ResultsError, read_results, select_points
+from ehlwave_post.points import condition_index, remarks
+
+
+def _read(tmp_path: Path, columns: Columns) -> xr.Dataset:
+    return read_results([write_results(tmp_path / "r.h5", columns)])
+
+
+def _mixed() -> Columns:
+    """Return 60 cases of which 0 to 5 cannot be used for a reason each; 6 and 7 are unresolved."""
+    columns = make_columns()
+    columns["status"] = columns["status"].astype("U12")
+    columns["status"][:3] = ["diverged", "pending", "not_finite"]
+    columns["orientation"][3] = "none"
+    columns["amplitude_ratio_fit"][4] = np.nan
+    columns["v"][5] = 0
+    columns["status"][6] = "unresolved"
+    columns["is_resolved"][6:8] = 0
+    return columns
+
+
+def test_only_resolved_points_by_default(tmp_path: Path) -> None:
+    points = select_points(_read(tmp_path, _mixed()))
+    assert points["case"].values.tolist() == list(range(8, 60))
+    assert points["is_point_resolved"].all()
+
+
+def test_unresolved_points_on_demand(tmp_path: Path) -> None:
+    points = select_points(_read(tmp_path, _mixed()), include_unresolved=True)
+    assert points["case"].values.tolist() == list(range(6, 60))
+    assert points["case"].values[~points["is_point_resolved"]].tolist() == [6, 7]
+
+
+def test_choice_of_ratio(tmp_path: Path) -> None:
+    results = _read(tmp_path, make_columns())
+    fitted, sampled = (
+        select_points(results, ratio)["deformed_ratio"] for ratio in ("fit", "sampled")
+    )
+    np.testing.assert_array_equal(fitted, results["amplitude_ratio_fit"])
+    np.testing.assert_array_equal(sampled, results["amplitude_ratio"])
+
+
+def test_longitudinal_without_fit_takes_the_sampled_ratio(tmp_path: Path) -> None:
+    columns = make_columns()
+    columns["amplitude_ratio_fit"][:] = np.nan
+    points = select_points(_read(tmp_path, columns))
+    assert set(points["orientation"].values.tolist()) == {"longitudinal"}
+    np.testing.assert_array_equal(points["deformed_ratio"], points["amplitude_ratio"])
+
+
+def test_abscissae_include_the_orientation_factor(tmp_path: Path) -> None:
+    points = select_points(_read(tmp_path, make_columns()))
+    longitudinal = points["orientation"] == "longitudinal"
+    np.testing.assert_allclose((points["f_v"] / points["v"])[longitudinal], np.e)
+    np.testing.assert_allclose((points["f_v2"] / points["v2"])[~longitudinal], 1)
+
+
+def test_nothing_usable_is_counted(tmp_path: Path) -> None:
+    columns = make_columns()
+    columns["status"] = columns["status"].astype("U12")
+    columns["status"][:50], columns["status"][50:] = "pending", "unresolved"
+    with pytest.raises(ResultsError, match=r"no usable points: .* 60 cases \(10 unresolved"):
+        select_points(_read(tmp_path, columns))
+
+
+def test_condition_is_m_l_and_d(tmp_path: Path) -> None:
+    columns = make_columns()
+    columns["lubricant_parameter_l"][:15:2] += 1
+    index = condition_index(_read(tmp_path, columns))
+    assert np.unique(index).size == 5
+    assert np.unique(index[:15:2]).size == 1
+    assert index[0] != index[1]
+
+
+def test_remarks(tmp_path: Path) -> None:
+    columns = make_columns()
+    assert remarks(select_points(_read(tmp_path, columns))) == []
+    columns["slip_parameter"][:2] = 1.5
+    columns["orientation"][2] = "custom"
+    found = remarks(select_points(_read(tmp_path, concatenated(columns, make_columns()))))
+    assert [text.split(" point")[0] for text in found] == ["1", "2", "57"]
