@@ -29,7 +29,7 @@ contains
    end function status_name
 
    !> Whether the equations were solved to the asked tolerance.
-   pure logical function is_success(status)
+   elemental logical function is_success(status)
       integer, intent(in) :: status
       is_success = status == status_converged .or. status == status_unresolved
    end function is_success

@@ -86,7 +86,7 @@ contains
    end function logical_text
 
    !> Copy of `text` in lower case.
-   pure function lower_case(text) result(lower)
+   elemental function lower_case(text) result(lower)
       character(len=*), intent(in) :: text
       character(len=len(text)) :: lower
       integer :: i, code

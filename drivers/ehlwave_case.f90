@@ -1,0 +1,102 @@
+!> ehlwave-case: solve one contact.
+program ehlwave_case
+   use, intrinsic :: iso_fortran_env, only: error_unit, output_unit
+   use ehlwave_arguments, only: arguments_t, read_arguments
+   use ehlwave_case_input, only: case_t, read_case
+   use ehlwave_case_plan, only: case_plan_t, make_plan
+   use ehlwave_case_report, only: plan_json, print_plan, print_result, result_json
+   use ehlwave_case_result, only: case_result_t
+   use ehlwave_case_runner, only: run_case
+   use ehlwave_errors, only: error_t
+   use ehlwave_field_file, only: check_writable, write_case_file
+   use ehlwave_json, only: json_t
+   use ehlwave_log, only: log_monitor_t
+   use ehlwave_provenance, only: program_version
+   use ehlwave_status, only: is_success
+   implicit none (type, external)
+
+   character(len=*), parameter :: usage(17) = [character(len=96) :: &
+      'Usage: ehlwave-case INPUT.nml [--plan] [--json] [--output FILE.h5] [--quiet]', &
+      '', &
+      'Solves one elastohydrodynamic contact, smooth or wavy, described by a namelist file.', &
+      '', &
+      '  --plan           say what would be computed, on which grid and why; compute nothing', &
+      '  --json           last line of the output: plan or result as one JSON object', &
+      '  --output FILE    write result, history at the contact centre and fields to an HDF5 file', &
+      '  --quiet          no progress lines', &
+      '  --version        version of the program', &
+      '  --help           this text', &
+      '', &
+      'Exit status: 0 converged (or unresolved, flagged in the result); 1 not converged;', &
+      '             2 bad input or usage; 3 output file could not be written', &
+      '', &
+      'A minimal input:   &conditions load_parameter_m = 100, lubricant_parameter_l = 12.05,', &
+      '                   radius_ratio_d = 1 /', &
+      'All keys are described in the README.']
+
+   type(arguments_t) :: arguments
+   type(case_t) :: case
+   type(case_plan_t) :: plan
+   type(case_result_t) :: result
+   type(error_t), allocatable :: error
+   type(json_t) :: json
+   type(log_monitor_t) :: monitor
+   integer :: i
+
+   call read_arguments(['--plan   ', '--json   ', '--quiet  ', '--help   ', '--version'], ['--output'], &
+                       arguments, error)
+   if (allocated(error)) call fail(error%message//'; see ehlwave-case --help', 2)
+   if (arguments%has('--help')) then
+      write (output_unit, '(a)') (trim(usage(i)), i=1, size(usage))
+      stop 0, quiet=.true.
+   else if (arguments%has('--version')) then
+      write (output_unit, '(a)') 'ehlwave '//program_version
+      stop 0, quiet=.true.
+   end if
+   if (size(arguments%files) /= 1) call fail('give one input file; see ehlwave-case --help', 2)
+
+   call read_case(trim(arguments%files(1)), case, error)
+   if (.not. allocated(error)) call make_plan(case, plan, error)
+   if (allocated(error)) call fail(error%message, 2)
+   if (arguments%has('--output')) then
+      case%fields = .true.
+      call check_writable(arguments%value('--output'), error)
+      if (allocated(error)) call fail(error%message, 2)
+   end if
+
+   call print_plan(output_unit, case, plan)
+   if (arguments%has('--plan')) then
+      if (arguments%has('--json')) then
+         json = plan_json(case, plan)
+         write (output_unit, '(a)') json%to_string()
+      end if
+      stop 0, quiet=.true.
+   end if
+
+   monitor%is_quiet = arguments%has('--quiet')
+   flush (output_unit)
+   call run_case(case, plan, monitor, result)
+   call print_result(output_unit, plan, result)
+   if (arguments%has('--output')) then
+      call write_case_file(arguments%value('--output'), case, plan%conditions, result, error)
+      if (allocated(error)) write (error_unit, '(a)') 'ehlwave-case: '//error%message
+   end if
+   if (arguments%has('--json')) then
+      json = result_json(case, plan, result)
+      write (output_unit, '(a)') json%to_string()
+   end if
+   flush (output_unit)
+   if (allocated(error)) stop 3, quiet=.true.
+   if (.not. is_success(result%status)) stop 1, quiet=.true.
+   stop 0, quiet=.true.
+
+contains
+
+   subroutine fail(message, code)
+      character(len=*), intent(in) :: message
+      integer, intent(in) :: code
+      write (error_unit, '(a)') 'ehlwave-case: '//message
+      stop code, quiet=.true.
+   end subroutine fail
+
+end program ehlwave_case

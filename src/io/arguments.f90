@@ -1,0 +1,86 @@
+!> Command line arguments: switches, options with a value, files.
+module ehlwave_arguments
+   use ehlwave_errors, only: error_t, raise
+   implicit none (type, external)
+   private
+   public :: read_arguments
+
+   integer, parameter :: longest = 4096
+
+   type, public :: arguments_t
+      character(len=longest), allocatable :: files(:)                 !! arguments without dashes, in order
+      character(len=longest), allocatable, private :: names(:), values(:)
+   contains
+      procedure :: has
+      procedure :: value
+   end type arguments_t
+
+contains
+
+   !> Read the command line. Fails on unknown or repeated options and on options without their value.
+   subroutine read_arguments(switches, options, arguments, error)
+      character(len=*), intent(in) :: switches(:)   !! e.g. '--plan'
+      character(len=*), intent(in) :: options(:)    !! followed by a value: '--output FILE' or '--output=FILE'
+      type(arguments_t), intent(out) :: arguments
+      type(error_t), allocatable, intent(out) :: error
+      character(len=longest) :: argument, name, value
+      integer :: equal, i
+
+      allocate (arguments%files(0), arguments%names(0), arguments%values(0))
+      i = 0
+      do while (i < command_argument_count())
+         i = i + 1
+         call get_command_argument(i, argument)
+         if (argument(1:1) /= '-' .or. argument == '-') then
+            arguments%files = [arguments%files, argument]
+            cycle
+         end if
+         equal = index(argument, '=')
+         name = argument
+         value = ''
+         if (equal > 0) then
+            name = argument(:equal - 1)
+            value = argument(equal + 1:)
+         end if
+         if (any(options == name)) then
+            if (equal == 0) then
+               if (i == command_argument_count()) then
+                  call raise(error, trim(name)//' needs a value')
+                  return
+               end if
+               i = i + 1
+               call get_command_argument(i, value)
+            end if
+            if (len_trim(value) == 0) call raise(error, trim(name)//' needs a value')
+         else if (.not. any(switches == name) .or. equal > 0) then
+            call raise(error, 'unknown option '//trim(argument))
+         end if
+         if (.not. allocated(error)) then
+            if (arguments%has(trim(name))) call raise(error, trim(name)//' is given twice')
+         end if
+         if (allocated(error)) return
+         arguments%names = [arguments%names, name]
+         arguments%values = [arguments%values, value]
+      end do
+   end subroutine read_arguments
+
+   !> Whether a switch or option was given.
+   pure logical function has(self, name)
+      class(arguments_t), intent(in) :: self
+      character(len=*), intent(in) :: name
+      has = any(self%names == name)
+   end function has
+
+   !> Value of an option, empty when it was not given.
+   pure function value(self, name)
+      class(arguments_t), intent(in) :: self
+      character(len=*), intent(in) :: name
+      character(len=:), allocatable :: value
+      integer :: i
+      value = ''
+      do i = 1, size(self%names)
+         if (self%names(i) == name) value = trim(self%values(i))
+      end do
+   end function value
+
+end module ehlwave_arguments

@@ -1,0 +1,141 @@
+!> A small table from a comma-separated file: a line of column names, then rows of values.
+module ehlwave_csv
+   use ehlwave_errors, only: error_t, raise
+   use ehlwave_kinds, only: dp
+   use ehlwave_text, only: lower_case, to_text
+   use ehlwave_text_file, only: read_text
+   implicit none (type, external)
+   private
+   public :: read_csv
+
+   integer, parameter, public :: cell_length = 64
+
+   type, public :: csv_t
+      character(len=:), allocatable :: path
+      character(len=cell_length), allocatable :: names(:)      !! (columns), lower case
+      character(len=cell_length), allocatable :: cells(:, :)   !! (columns, rows)
+      integer, allocatable :: line(:)                          !! (rows) line number in the file
+   contains
+      procedure :: place
+      procedure :: real_value
+   end type csv_t
+
+contains
+
+   !> Read a file. Empty lines and lines that begin with # are skipped; quotes around values are dropped.
+   !> Fails on an unreadable file, on rows of another length than the header, and on values that are too long.
+   subroutine read_csv(path, table, error)
+      character(len=*), intent(in) :: path
+      type(csv_t), intent(out) :: table
+      type(error_t), allocatable, intent(inout) :: error
+      character(len=:), allocatable :: text, line
+      character(len=cell_length), allocatable :: values(:), rows(:, :)
+      integer :: first, last, number
+
+      if (allocated(error)) return
+      call read_text(path, text, error)
+      if (allocated(error)) return
+      table%path = path
+      allocate (table%line(0))
+      first = 1
+      number = 0
+      do while (first <= len(text))
+         last = index(text(first:), new_line('a'))
+         if (last == 0) last = len(text) - first + 2
+         line = without_return(text(first:first + last - 2))
+         first = first + last
+         number = number + 1
+         if (len_trim(line) == 0) cycle
+         if (line(1:1) == '#') cycle
+         call split(line, values, error)
+         if (allocated(error)) then
+            error%message = path//':'//to_text(number)//': '//error%message
+            return
+         end if
+         if (.not. allocated(table%names)) then
+            table%names = lower_case(values)
+            allocate (table%cells(size(values), 0))
+         else if (size(values) /= size(table%names)) then
+            call raise(error, path//':'//to_text(number)//': '//to_text(size(values))//' values where the header has '// &
+                       to_text(size(table%names))//' columns')
+            return
+         else
+            allocate (rows(size(values), size(table%line) + 1))
+            rows(:, :size(table%line)) = table%cells
+            rows(:, size(table%line) + 1) = values
+            call move_alloc(rows, table%cells)
+            table%line = [table%line, number]
+         end if
+      end do
+      if (size(table%line) == 0) call raise(error, path//': no rows: give a line of column names and at least one row')
+   end subroutine read_csv
+
+   pure function without_return(line) result(clean)
+      character(len=*), intent(in) :: line
+      character(len=:), allocatable :: clean
+      integer :: i
+      clean = line
+      do i = 1, len(clean)
+         if (clean(i:i) == achar(13) .or. clean(i:i) == achar(9)) clean(i:i) = ' '
+      end do
+      clean = trim(adjustl(clean))
+   end function without_return
+
+   subroutine split(line, values, error)
+      character(len=*), intent(in) :: line
+      character(len=cell_length), allocatable, intent(out) :: values(:)
+      type(error_t), allocatable, intent(inout) :: error
+      character(len=:), allocatable :: value
+      integer :: comma, first
+      allocate (values(0))
+      first = 1
+      do
+         comma = index(line(first:), ',')
+         if (comma == 0) comma = len(line) - first + 2
+         value = trim(adjustl(line(first:first + comma - 2)))
+         if (len(value) >= 2) then
+            if ((value(1:1) == '"' .or. value(1:1) == "'") .and. value(len(value):) == value(1:1)) &
+               value = value(2:len(value) - 1)
+         end if
+         if (len(value) > cell_length) call raise(error, 'value longer than '//to_text(cell_length)//' characters')
+         if (allocated(error)) return
+         values = [values, [character(len=cell_length) :: value]]
+         first = first + comma
+         if (first > len(line) + 1) exit
+      end do
+   end subroutine split
+
+   !> `FILE:LINE: column NAME: ` for messages.
+   function place(self, column, row)
+      class(csv_t), intent(in) :: self
+      integer, intent(in) :: column, row
+      character(len=:), allocatable :: place
+      place = self%path//':'//to_text(self%line(row))//': column '//trim(self%names(column))//': '
+   end function place
+
+   !> A cell as a finite number; fails when it is not one.
+   subroutine real_value(self, column, row, value, error)
+      class(csv_t), intent(in) :: self
+      integer, intent(in) :: column, row
+      real(dp), intent(inout) :: value
+      type(error_t), allocatable, intent(inout) :: error
+      character(len=cell_length) :: cell
+      real(dp) :: candidate
+      integer :: io
+
+      if (allocated(error)) return
+      cell = self%cells(column, row)
+      io = verify(trim(cell), '0123456789+-.eEdD')
+      if (len_trim(cell) == 0) io = 1
+      if (io == 0) read (cell, *, iostat=io) candidate
+      if (io == 0) then
+         if (.not. abs(candidate) <= huge(candidate)) io = 1
+      end if
+      if (io /= 0) then
+         call raise(error, self%place(column, row)//"'"//trim(cell)//"' is not a number")
+      else
+         value = candidate
+      end if
+   end subroutine real_value
+
+end module ehlwave_csv

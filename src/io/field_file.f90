@@ -1,0 +1,94 @@
+!> HDF5 file of one case: history at the contact centre, fields of the last solution, effective input.
+module ehlwave_field_file
+   use ehlwave_case_input, only: case_t
+   use ehlwave_case_result, only: case_result_t
+   use ehlwave_case_text, only: case_identity, effective_input
+   use ehlwave_clock, only: time_stamp
+   use ehlwave_conditions, only: conditions_t
+   use ehlwave_errors, only: error_t, raise
+   use ehlwave_hdf5_file, only: hdf5_file_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_provenance, only: compiler, compiler_flags, git_revision, library_versions, program_version
+   use ehlwave_status, only: status_name
+   use ehlwave_text, only: to_text
+   implicit none (type, external)
+   private
+   public :: check_writable, write_case_file, write_provenance
+
+contains
+
+   !> Fail early when a file cannot be written: before the computation, not after it.
+   subroutine check_writable(path, error)
+      character(len=*), intent(in) :: path
+      type(error_t), allocatable, intent(out) :: error
+      integer :: unit, io
+
+      open (newunit=unit, file=path//'.part', action='write', iostat=io)
+      if (io == 0) then
+         close (unit, status='delete', iostat=io)
+      else
+         call raise(error, 'cannot write '//path//': does its folder exist and is it writable?')
+      end if
+   end subroutine check_writable
+
+   !> Write one case. Fails when the file cannot be written completely.
+   subroutine write_case_file(path, case, conditions, result, error)
+      character(len=*), intent(in) :: path
+      type(case_t), intent(in) :: case
+      type(conditions_t), intent(in) :: conditions
+      type(case_result_t), intent(in) :: result
+      type(error_t), allocatable, intent(out) :: error
+      type(hdf5_file_t) :: file
+
+      call file%create(path, error)
+      if (allocated(error)) return
+      call file%attribute('', 'title', 'ehlwave: one elastohydrodynamic contact')
+      call file%attribute('', 'format', 'ehlwave-case')
+      call write_provenance(file)
+      call file%attribute('', 'case_id', case_identity(case))
+      call file%attribute('', 'effective_input', effective_input(case))
+      call file%attribute('', 'status', status_name(result%status))
+      call file%attribute('', 'message', result%message)
+
+      call file%write('central_film', result%central_film, '1', 'smooth central film thickness H(0,0)')
+      call file%write('minimum_film', result%minimum_film, '1', 'smallest film thickness H of the smooth contact')
+      call file%write('amplitude_ratio', result%amplitude_ratio, '1', 'Ad/Ai from the samples')
+      call file%write('amplitude_ratio_fit', result%amplitude_ratio_fit, '1', 'Ad/Ai from a harmonic fit')
+      if (conditions%has_dimensions) then
+         call file%write('length_a_m', conditions%a_m, 'm', 'Hertz semi-axis in x')
+         call file%write('length_b_m', conditions%b_m, 'm', 'Hertz semi-axis in y')
+         call file%write('length_c_m', conditions%c_m, 'm', 'Hertz approach')
+         call file%write('hertz_pressure_pa', conditions%hertz_pressure_pa, 'Pa', 'largest Hertz pressure')
+      end if
+      if (allocated(result%time)) then
+         if (size(result%time) > 0) then
+            call file%write('time', result%time, '', '1', 'T, or phase over 2 pi for a standing pattern')
+            call file%dimension('time')
+            call file%write('film_at_centre', result%film_history, 'time', '1', 'H(0,0)')
+            if (allocated(result%approach_history)) &
+               call file%write('approach', result%approach_history, 'time', '1', 'mutual approach Delta')
+         end if
+      end if
+      if (allocated(result%p)) then
+         call file%write('x', result%x, '', '1', 'X = x/a')
+         call file%dimension('x')
+         call file%write('y', result%y, '', '1', 'Y = y/b')
+         call file%dimension('y')
+         call file%write('pressure', result%p, 'x', 'y', '1', 'P = p/ph of the last solution')
+         call file%write('film', result%h, 'x', 'y', '1', 'H = h/c of the last solution')
+      end if
+      call file%finish(error)
+   end subroutine write_case_file
+
+   !> What wrote the file and how it was built.
+   subroutine write_provenance(file)
+      type(hdf5_file_t), intent(inout) :: file
+      call file%attribute('', 'program_version', program_version)
+      call file%attribute('', 'git_revision', git_revision)
+      call file%attribute('', 'compiler', compiler)
+      call file%attribute('', 'compiler_flags', compiler_flags)
+      call file%attribute('', 'library_versions', library_versions)
+      call file%attribute('', 'written', time_stamp())
+   end subroutine write_provenance
+
+end module ehlwave_field_file

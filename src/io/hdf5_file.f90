@@ -1,0 +1,288 @@
+!> One HDF5 file being written: datasets with units, names and dimensions that xarray reads.
+!>
+!> Every status is kept; `finish` closes the file, opens it again, and only then gives it its name, so that
+!> a reader never sees a broken file and a full disk is noticed.
+module ehlwave_hdf5_file
+   use, intrinsic :: iso_c_binding, only: c_char, c_int, c_loc, c_null_char
+   use ehlwave_errors, only: error_t, raise
+   use ehlwave_kinds, only: dp
+   use h5ds, only: h5dsattach_scale_f, h5dsset_scale_f
+   use hdf5, only: h5aclose_f, h5acreate_f, h5awrite_f, h5close_f, h5dclose_f, h5dcreate_f, h5dopen_f, h5dwrite_f, &
+      h5eset_auto_f, h5f_acc_rdonly_f, h5f_acc_trunc_f, h5f_scope_global_f, h5fclose_f, h5fcreate_f, h5fflush_f, &
+      h5fopen_f, h5open_f, h5s_scalar_f, h5sclose_f, h5screate_f, h5screate_simple_f, h5t_c_s1, &
+      h5t_fortran_s1, h5t_native_double, h5t_native_integer, h5t_str_nullpad_f, h5tclose_f, h5tcopy_f, &
+      h5tset_size_f, h5tset_strpad_f, hid_t, hsize_t, size_t
+   implicit none (type, external)
+   private
+
+   type, public :: hdf5_file_t
+      private
+      character(len=:), allocatable :: path, temporary
+      integer(hid_t) :: id = -1
+      logical :: is_good = .true.
+   contains
+      procedure :: create
+      procedure :: finish
+      generic :: attribute => text_attribute, integer_attribute
+      procedure :: dimension
+      generic :: write => write_real, write_reals, write_integers, write_texts, write_plane
+      procedure, private :: write_real, write_reals, write_integers, write_texts, write_plane
+      procedure, private :: text_attribute, integer_attribute
+      procedure, private :: note, describe, attach
+   end type hdf5_file_t
+
+   interface
+      integer(c_int) function c_rename(old, new) bind(c, name='rename')
+         import :: c_char, c_int
+         implicit none (type, external)
+         character(kind=c_char), intent(in) :: old(*), new(*)
+      end function c_rename
+   end interface
+
+contains
+
+   !> Begin a file that will be called `path` once it is complete.
+   subroutine create(self, path, error)
+      class(hdf5_file_t), intent(inout) :: self
+      character(len=*), intent(in) :: path
+      type(error_t), allocatable, intent(out) :: error
+      integer :: status
+
+      self%path = path
+      self%temporary = path//'.part'
+      self%is_good = .true.
+      call h5open_f(status)
+      call h5eset_auto_f(0, status)      ! our own messages, not the library's stack
+      call h5fcreate_f(self%temporary, h5f_acc_trunc_f, self%id, status)
+      if (status < 0) call raise(error, 'cannot write '//self%temporary//': does the folder exist, is it writable, '// &
+                                 'is the disk full?')
+   end subroutine create
+
+   !> Close, verify and rename. Fails when anything since `create` did.
+   subroutine finish(self, error)
+      class(hdf5_file_t), intent(inout) :: self
+      type(error_t), allocatable, intent(out) :: error
+      integer :: status
+
+      call h5fflush_f(self%id, h5f_scope_global_f, status)
+      call self%note(status)
+      call h5fclose_f(self%id, status)
+      call self%note(status)
+      call h5fopen_f(self%temporary, h5f_acc_rdonly_f, self%id, status)
+      call self%note(status)
+      if (status >= 0) call h5fclose_f(self%id, status)
+      call h5close_f(status)
+      if (self%is_good) then
+         if (c_rename(self%temporary//c_null_char, self%path//c_null_char) /= 0) self%is_good = .false.
+      end if
+      if (.not. self%is_good) call raise(error, 'writing '//self%path//' failed: is the disk full? What was there '// &
+                                         'before is unchanged')
+   end subroutine finish
+
+   subroutine note(self, status)
+      class(hdf5_file_t), intent(inout) :: self
+      integer, intent(in) :: status
+      if (status < 0) self%is_good = .false.
+   end subroutine note
+
+   !> Text attribute of the file (`object` empty) or of a dataset.
+   subroutine text_attribute(self, object, name, text)
+      class(hdf5_file_t), intent(inout) :: self
+      character(len=*), intent(in) :: object, name, text
+      integer(hid_t) :: dataset
+      integer :: status
+
+      if (len(object) == 0) then
+         call write_attribute(self, self%id, name, text)
+      else
+         call h5dopen_f(self%id, object, dataset, status)
+         call self%note(status)
+         call write_attribute(self, dataset, name, text)
+         call h5dclose_f(dataset, status)
+      end if
+   end subroutine text_attribute
+
+   !> Whole-number attribute of the file.
+   subroutine integer_attribute(self, object, name, value)
+      class(hdf5_file_t), intent(inout) :: self
+      character(len=*), intent(in) :: object, name
+      integer, intent(in) :: value
+      integer(hid_t) :: id, space
+      integer :: status
+      if (len(object) > 0) self%is_good = .false.
+      call h5screate_f(h5s_scalar_f, space, status)
+      call h5acreate_f(self%id, name, h5t_native_integer, space, id, status)
+      call self%note(status)
+      call h5awrite_f(id, h5t_native_integer, value, [1_hsize_t], status)
+      call self%note(status)
+      call h5aclose_f(id, status)
+      call h5sclose_f(space, status)
+   end subroutine integer_attribute
+
+   subroutine write_attribute(self, object, name, text)
+      type(hdf5_file_t), intent(inout) :: self
+      integer(hid_t), intent(in) :: object
+      character(len=*), intent(in) :: name, text
+      integer(hid_t) :: space, type, id
+      integer :: status
+
+      call h5screate_f(h5s_scalar_f, space, status)
+      call h5tcopy_f(h5t_fortran_s1, type, status)
+      call h5tset_size_f(type, int(max(1, len_trim(text)), size_t), status)
+      call h5acreate_f(object, name, type, space, id, status)
+      call self%note(status)
+      if (len_trim(text) > 0) then
+         call h5awrite_f(id, type, trim(text), [1_hsize_t], status)
+      else
+         call h5awrite_f(id, type, ' ', [1_hsize_t], status)
+      end if
+      call self%note(status)
+      call h5aclose_f(id, status)
+      call h5tclose_f(type, status)
+      call h5sclose_f(space, status)
+   end subroutine write_attribute
+
+   !> Make a dataset already written the scale of the dimension of its name.
+   subroutine dimension(self, name)
+      class(hdf5_file_t), intent(inout) :: self
+      character(len=*), intent(in) :: name
+      integer(hid_t) :: id
+      integer :: status
+      call h5dopen_f(self%id, name, id, status)
+      call self%note(status)
+      call h5dsset_scale_f(id, status, name)
+      call self%note(status)
+      call h5dclose_f(id, status)
+   end subroutine dimension
+
+   !> units and long_name of an open dataset.
+   subroutine describe(self, id, units, long_name)
+      class(hdf5_file_t), intent(inout) :: self
+      integer(hid_t), intent(in) :: id
+      character(len=*), intent(in) :: units, long_name
+      if (len(units) > 0) call write_attribute(self, id, 'units', units)
+      call write_attribute(self, id, 'long_name', long_name)
+   end subroutine describe
+
+   !> Attach a dimension scale; `number` counts dimensions in C order, slowest first.
+   subroutine attach(self, id, scale, number)
+      class(hdf5_file_t), intent(inout) :: self
+      integer(hid_t), intent(in) :: id
+      character(len=*), intent(in) :: scale   !! empty: the dataset is a scale itself
+      integer, intent(in) :: number
+      integer(hid_t) :: scale_id
+      integer :: status
+      if (len_trim(scale) == 0) return
+      call h5dopen_f(self%id, trim(scale), scale_id, status)
+      call self%note(status)
+      call h5dsattach_scale_f(id, scale_id, number, status)
+      call self%note(status)
+      call h5dclose_f(scale_id, status)
+   end subroutine attach
+
+   !> One real value.
+   subroutine write_real(self, name, value, units, long_name)
+      class(hdf5_file_t), intent(inout) :: self
+      character(len=*), intent(in) :: name, units, long_name
+      real(dp), intent(in) :: value
+      integer(hid_t) :: space, id
+      integer :: status
+      call h5screate_f(h5s_scalar_f, space, status)
+      call h5dcreate_f(self%id, name, h5t_native_double, space, id, status)
+      call self%note(status)
+      call h5dwrite_f(id, h5t_native_double, value, [1_hsize_t], status)
+      call self%note(status)
+      call self%describe(id, units, long_name)
+      call h5dclose_f(id, status)
+      call h5sclose_f(space, status)
+   end subroutine write_real
+
+   !> Real values over one dimension.
+   subroutine write_reals(self, name, values, scale, units, long_name)
+      class(hdf5_file_t), intent(inout) :: self
+      character(len=*), intent(in) :: name, scale, units, long_name
+      real(dp), intent(in) :: values(:)
+      integer(hid_t) :: space, id
+      integer(hsize_t) :: extent(1)
+      integer :: status
+      extent = size(values)
+      call h5screate_simple_f(1, extent, space, status)
+      call h5dcreate_f(self%id, name, h5t_native_double, space, id, status)
+      call self%note(status)
+      call h5dwrite_f(id, h5t_native_double, values, extent, status)
+      call self%note(status)
+      call self%describe(id, units, long_name)
+      call self%attach(id, scale, 1)
+      call h5dclose_f(id, status)
+      call h5sclose_f(space, status)
+   end subroutine write_reals
+
+   !> Whole numbers over one dimension.
+   subroutine write_integers(self, name, values, scale, units, long_name)
+      class(hdf5_file_t), intent(inout) :: self
+      character(len=*), intent(in) :: name, scale, units, long_name
+      integer, intent(in) :: values(:)
+      integer(hid_t) :: space, id
+      integer(hsize_t) :: extent(1)
+      integer :: status
+      extent = size(values)
+      call h5screate_simple_f(1, extent, space, status)
+      call h5dcreate_f(self%id, name, h5t_native_integer, space, id, status)
+      call self%note(status)
+      call h5dwrite_f(id, h5t_native_integer, values, extent, status)
+      call self%note(status)
+      call self%describe(id, units, long_name)
+      call self%attach(id, scale, 1)
+      call h5dclose_f(id, status)
+      call h5sclose_f(space, status)
+   end subroutine write_integers
+
+   !> Texts over one dimension, in a fixed length, padded with nulls in the file.
+   subroutine write_texts(self, name, values, scale, units, long_name)
+      class(hdf5_file_t), intent(inout) :: self
+      character(len=*), intent(in) :: name, scale, units, long_name
+      character(len=*), intent(in), target :: values(:)
+      integer(hid_t) :: space, id, in_memory, in_file
+      integer(hsize_t) :: extent(1)
+      integer :: status
+      extent = size(values)
+      call h5tcopy_f(h5t_fortran_s1, in_memory, status)
+      call h5tset_size_f(in_memory, int(len(values), size_t), status)
+      call h5tcopy_f(h5t_c_s1, in_file, status)
+      call h5tset_size_f(in_file, int(max(1, maxval(len_trim(values))), size_t), status)
+      call h5tset_strpad_f(in_file, h5t_str_nullpad_f, status)
+      call h5screate_simple_f(1, extent, space, status)
+      call h5dcreate_f(self%id, name, in_file, space, id, status)
+      call self%note(status)
+      call h5dwrite_f(id, in_memory, c_loc(values), status)
+      call self%note(status)
+      call self%describe(id, units, long_name)
+      call self%attach(id, scale, 1)
+      call h5dclose_f(id, status)
+      call h5sclose_f(space, status)
+      call h5tclose_f(in_memory, status)
+      call h5tclose_f(in_file, status)
+   end subroutine write_texts
+
+   !> Field values(nx, ny) over two dimensions. In the file (C order) y comes first.
+   subroutine write_plane(self, name, values, scale_x, scale_y, units, long_name)
+      class(hdf5_file_t), intent(inout) :: self
+      character(len=*), intent(in) :: name, scale_x, scale_y, units, long_name
+      real(dp), intent(in) :: values(:, :)
+      integer(hid_t) :: space, id
+      integer(hsize_t) :: extent(2)
+      integer :: status
+      extent = shape(values)
+      call h5screate_simple_f(2, extent, space, status)
+      call h5dcreate_f(self%id, name, h5t_native_double, space, id, status)
+      call self%note(status)
+      call h5dwrite_f(id, h5t_native_double, values, extent, status)
+      call self%note(status)
+      call self%describe(id, units, long_name)
+      call self%attach(id, scale_y, 1)
+      call self%attach(id, scale_x, 2)
+      call h5dclose_f(id, status)
+      call h5sclose_f(space, status)
+   end subroutine write_plane
+
+end module ehlwave_hdf5_file

@@ -1,0 +1,38 @@
+!> What one case came to.
+module ehlwave_case_result
+   use ehlwave_kinds, only: dp
+   use ehlwave_status, only: status_pending
+   implicit none (type, external)
+   private
+
+   type, public :: case_result_t
+      integer :: status = status_pending
+      logical :: is_resolved = .true.
+      character(len=:), allocatable :: message       !! why not converged or not resolved, else empty
+      ! smooth steady contact
+      real(dp) :: central_film = 0                   !! H(0,0)
+      real(dp) :: minimum_film = 0                   !! smallest H on the grid
+      real(dp) :: central_film_moes = 0              !! H(0,0) in the scale of theory eq. (6)
+      real(dp) :: max_pressure = 0                   !! largest P
+      ! waviness; the three measured numbers are NaN until measured
+      real(dp) :: amplitude_ratio = 0                !! Ad/Ai by theory eq. (14)
+      real(dp) :: amplitude_ratio_fit = 0            !! Ad/Ai by harmonic fit
+      real(dp) :: mean_film = 0                      !! mean of H(0,0) over the measured periods
+      real(dp) :: v = 0, v2 = 0, f_r = 0             !! theory eq. (15) to (17)
+      real(dp) :: formula_ratio = 0                  !! theory eq. (18)
+      ! the largest over all solutions of the case
+      real(dp) :: residual = 0                       !! mass residual, see solve_report_t
+      real(dp) :: load_error = 0
+      ! effort
+      integer :: time_steps = 0                      !! steps done
+      integer :: nonlinear_steps = 0, linear_steps = 0
+      real(dp) :: seconds = 0                        !! wall time of the case
+      real(dp) :: work_units = 0                     !! the same in plain FFT convolutions of the whole grid
+      real(dp) :: peak_memory_mib = 0                !! of the process so far
+      ! history of the contact centre: times T, or phases over 2 pi for standing patterns
+      real(dp), allocatable :: time(:), film_history(:), approach_history(:)
+      ! fields of the last solution, if asked for
+      real(dp), allocatable :: x(:), y(:), p(:, :), h(:, :)
+   end type case_result_t
+
+end module ehlwave_case_result

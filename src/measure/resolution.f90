@@ -1,0 +1,72 @@
+!> Whether a grid and time step resolve a case: theory section 7.
+module ehlwave_resolution
+   use ehlwave_conditions, only: conditions_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_text, only: to_text
+   use ehlwave_waviness, only: waviness_t
+   implicit none (type, external)
+   private
+   public :: judge_resolution, inlet_length
+
+   real(dp), parameter, public :: fewest_points_per_wave = 8        !! in each direction and in time
+   real(dp), parameter, public :: wanted_points_per_wave = 16       !! what an automatic grid provides
+   real(dp), parameter, public :: coarsest_inlet = 0.25_dp          !! largest hX sqrt(gamma M/L)
+   real(dp), parameter, public :: wanted_inlet = 0.2_dp             !! what an automatic grid provides
+
+   type, public :: resolution_t
+      real(dp) :: inlet = 0                !! hX sqrt(gamma M/L): mesh size over the inlet pressure sweep
+      real(dp) :: points_x = 0             !! mesh sizes per wave along X, 0 without variation along X
+      real(dp) :: points_y = 0             !! mesh sizes per wave along Y
+      real(dp) :: samples = 0              !! time steps per period, 0 in steady cases
+      logical :: is_resolved = .true.
+      character(len=:), allocatable :: reason   !! what is too coarse and what would do; '' when resolved
+   end type resolution_t
+
+contains
+
+   !> Length of the inlet pressure sweep in X, (L/(gamma M))^(1/2); without piezoviscosity half the contact.
+   pure real(dp) function inlet_length(conditions)
+      type(conditions_t), intent(in) :: conditions
+      inlet_length = 1
+      if (conditions%l > 0) inlet_length = min(1.0_dp, sqrt(conditions%l/(conditions%gamma*conditions%m)))
+   end function inlet_length
+
+   !> Points per wave and per inlet sweep, and the verdict on them.
+   pure function judge_resolution(conditions, waviness, hx, hy, dt) result(self)
+      type(conditions_t), intent(in) :: conditions
+      type(waviness_t), intent(in) :: waviness
+      real(dp), intent(in) :: hx, hy   !! mesh sizes in X and Y
+      real(dp), intent(in) :: dt       !! time step, 0 in steady cases
+      type(resolution_t) :: self
+
+      self%reason = ''
+      self%inlet = hx/inlet_length(conditions)
+      if (self%inlet > coarsest_inlet) self%reason = self%reason//'hX sqrt(gamma M/L) = '//to_text(self%inlet, 3)// &
+         ' is above '//to_text(coarsest_inlet, 3)//': use hX <= '//to_text(coarsest_inlet*inlet_length(conditions), 3)//'; '
+      if (waviness%is_present .and. waviness%wavelength_x > 0) then
+         ! with slip the pattern also excites waves of length lambda/S that travel with the mean speed
+         self%points_x = waviness%wavelength_x/hx/max(1.0_dp, abs(waviness%slip))
+         call judge(self%points_x, 'points per wave along X')
+      end if
+      if (waviness%is_present .and. waviness%wavelength_y > 0) then
+         self%points_y = waviness%wavelength_y/hy
+         call judge(self%points_y, 'points per wave along Y')
+      end if
+      if (dt > 0 .and. waviness%moves()) then
+         self%samples = waviness%period()/dt
+         call judge(self%samples, 'time steps per wave')
+      end if
+      self%is_resolved = len(self%reason) == 0
+
+   contains
+
+      pure subroutine judge(points, what)
+         real(dp), intent(in) :: points
+         character(len=*), intent(in) :: what
+         if (points < fewest_points_per_wave - 1e-9_dp) self%reason = self%reason//to_text(points, 3)//' '//what// &
+            ', at least '//to_text(fewest_points_per_wave, 3)//' needed; '
+      end subroutine judge
+
+   end function judge_resolution
+
+end module ehlwave_resolution

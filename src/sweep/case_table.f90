@@ -1,0 +1,257 @@
+!> The cases of a sweep: the cross product of lists, or the rows of a CSV file.
+module ehlwave_case_table
+   use ehlwave_case_input, only: case_conditions, case_t, complete_case, name_length, orientations, read_case_groups
+   use ehlwave_case_plan, only: case_plan_t, make_plan
+   use ehlwave_case_text, only: case_identity
+   use ehlwave_conditions, only: conditions_t
+   use ehlwave_csv, only: cell_length, csv_t, read_csv
+   use ehlwave_errors, only: error_t, raise
+   use ehlwave_formula, only: anisotropy_factor, wave_parameter_v
+   use ehlwave_kinds, only: dp
+   use ehlwave_namelist, only: namelist_t
+   use ehlwave_text, only: lower_case, to_text
+   implicit none (type, external)
+   private
+   public :: read_sweep
+
+   type, public :: sweep_t
+      character(len=:), allocatable :: output      !! results file
+      type(case_t), allocatable :: cases(:)        !! completed, no two alike
+      type(case_plan_t), allocatable :: plans(:)
+      integer :: skipped = 0                       !! unresolved cases left out on request
+   end type sweep_t
+
+   !> Lists of the &sweep group.
+   type :: lists_t
+      real(dp), allocatable :: m(:), l(:), d(:), wavelength(:), f_v(:)
+      character(len=:), allocatable :: orientation(:)
+      character(len=:), allocatable :: case_file, output, unresolved
+   end type lists_t
+
+contains
+
+   !> Read a sweep file. Fails when it, its CSV file or any of its cases is not right.
+   subroutine read_sweep(path, sweep, error)
+      character(len=*), intent(in) :: path
+      type(sweep_t), intent(out) :: sweep
+      type(error_t), allocatable, intent(out) :: error
+      type(namelist_t) :: file
+      type(lists_t) :: lists
+      type(case_t) :: base
+
+      call file%load(path, error)
+      call read_lists(file, lists, error)
+      call read_case_groups(file, base, error)
+      call file%check_all_used(error)
+      if (allocated(error)) return
+      allocate (sweep%cases(0), sweep%plans(0))
+      sweep%output = lists%output
+      if (len(lists%case_file) > 0) then
+         if (allocated(lists%m) .or. allocated(lists%l) .or. allocated(lists%d) .or. allocated(lists%wavelength) .or. &
+             allocated(lists%f_v) .or. allocated(lists%orientation)) then
+            call raise(error, file%place('sweep', 'case_file')//'&sweep gives case_file and lists: give one of the two')
+            return
+         end if
+         call add_rows(lists%case_file, base, lists, sweep, error)
+      else
+         call add_product(path, base, lists, sweep, error)
+      end if
+      if (allocated(error)) return
+      if (size(sweep%cases) == 0) call raise(error, path//': no cases are left to run'// &
+         merge(' (all are unresolved)', '                     ', sweep%skipped > 0))
+   end subroutine read_sweep
+
+   subroutine read_lists(file, lists, error)
+      type(namelist_t), intent(inout) :: file
+      type(lists_t), intent(inout) :: lists
+      type(error_t), allocatable, intent(inout) :: error
+      character(len=*), parameter :: group = 'sweep'
+
+      lists%case_file = ''
+      lists%output = 'results.h5'
+      lists%unresolved = 'run'
+      call file%get_list(group, 'load_parameter_m', lists%m, error, above=0.0_dp)
+      call file%get_list(group, 'lubricant_parameter_l', lists%l, error, minimum=0.0_dp)
+      call file%get_list(group, 'radius_ratio_d', lists%d, error, above=0.0_dp)
+      call file%get_list(group, 'wavelength_over_a', lists%wavelength, error, above=0.0_dp)
+      call file%get_list(group, 'f_v', lists%f_v, error, above=0.0_dp)
+      call file%get_list(group, 'orientation', lists%orientation, error, orientations)
+      call file%get(group, 'case_file', lists%case_file, error)
+      call file%get(group, 'output', lists%output, error)
+      call file%get(group, 'unresolved', lists%unresolved, error, [character(len=4) :: 'run', 'skip'])
+      if (allocated(error)) return
+      if (allocated(lists%wavelength) .and. allocated(lists%f_v)) &
+         call raise(error, file%place(group, 'f_v')//'&sweep gives wavelength_over_a and f_v: give one of the two')
+   end subroutine read_lists
+
+   !> Every combination of the lists; a list that is absent stands for the value of the case groups.
+   subroutine add_product(path, base, lists, sweep, error)
+      character(len=*), intent(in) :: path
+      type(case_t), intent(in) :: base
+      type(lists_t), intent(in) :: lists
+      type(sweep_t), intent(inout) :: sweep
+      type(error_t), allocatable, intent(inout) :: error
+      type(case_t) :: case
+      real(dp), allocatable :: m(:), l(:), d(:), wave(:)
+      character(len=name_length), allocatable :: orientation(:)
+      integer :: im, il, id, iw, io
+
+      call list_or(lists%m, base%load_parameter_m, m)
+      call list_or(lists%l, base%lubricant_parameter_l, l)
+      call list_or(lists%d, base%radius_ratio_d, d)
+      call list_or(lists%wavelength, base%wavelength_over_a, wave)
+      if (allocated(lists%f_v)) call list_or(lists%f_v, 0.0_dp, wave)
+      if (allocated(lists%orientation)) then
+         allocate (orientation(size(lists%orientation)))
+         orientation = lists%orientation
+      else
+         allocate (orientation(1), source=base%orientation)
+      end if
+      do id = 1, size(d)
+         do il = 1, size(l)
+            do im = 1, size(m)
+               do io = 1, size(orientation)
+                  do iw = 1, size(wave)
+                     case = base
+                     case%load_parameter_m = m(im)
+                     case%lubricant_parameter_l = l(il)
+                     case%radius_ratio_d = d(id)
+                     case%orientation = orientation(io)
+                     case%wavelength_over_a = 0
+                     if (orientation(io) /= 'none' .and. orientation(io) /= 'custom') then
+                        case%wavelength_over_a = wave(iw)
+                        if (allocated(lists%f_v)) call set_f_v(case, wave(iw), error)
+                     end if
+                     call add_case(case, path//': ', lists, sweep, error)
+                     if (allocated(error)) return
+                  end do
+               end do
+            end do
+         end do
+      end do
+   end subroutine add_product
+
+   pure subroutine list_or(list, value, values)
+      real(dp), intent(in), allocatable :: list(:)
+      real(dp), intent(in) :: value
+      real(dp), allocatable, intent(out) :: values(:)
+      if (allocated(list)) then
+         allocate (values, source=list)
+      else
+         allocate (values(1), source=value)
+      end if
+   end subroutine list_or
+
+   !> Wavelength for which f(r) V has a value.
+   subroutine set_f_v(case, f_v, error)
+      type(case_t), intent(inout) :: case
+      real(dp), intent(in) :: f_v
+      type(error_t), allocatable, intent(inout) :: error
+      type(conditions_t) :: conditions
+      real(dp) :: factor
+
+      call case_conditions(case, conditions, error)
+      if (allocated(error)) return
+      factor = anisotropy_factor(merge(0.0_dp, 1.0_dp, case%orientation == 'longitudinal'), &
+                                 merge(0.0_dp, 1.0_dp, case%orientation == 'transverse'))
+      case%wavelength_over_a = f_v/(factor*wave_parameter_v(conditions, 1.0_dp))
+   end subroutine set_f_v
+
+   !> One case for each row of a CSV file; its columns override the case groups.
+   subroutine add_rows(path, base, lists, sweep, error)
+      character(len=*), intent(in) :: path
+      type(case_t), intent(in) :: base
+      type(lists_t), intent(in) :: lists
+      type(sweep_t), intent(inout) :: sweep
+      type(error_t), allocatable, intent(inout) :: error
+      type(csv_t) :: table
+      type(case_t) :: case
+      real(dp) :: f_v
+      integer :: column, row
+
+      call read_csv(path, table, error)
+      if (allocated(error)) return
+      do row = 1, size(table%line)
+         case = base
+         f_v = 0
+         do column = 1, size(table%names)
+            call set_cell(table, column, row, case, f_v, error)
+         end do
+         if (.not. allocated(error) .and. f_v > 0) call set_f_v(case, f_v, error)
+         call add_case(case, path//':'//to_text(table%line(row))//': ', lists, sweep, error)
+         if (allocated(error)) return
+      end do
+   end subroutine add_rows
+
+   subroutine set_cell(table, column, row, case, f_v, error)
+      type(csv_t), intent(in) :: table
+      integer, intent(in) :: column, row
+      type(case_t), intent(inout) :: case
+      real(dp), intent(inout) :: f_v
+      type(error_t), allocatable, intent(inout) :: error
+      character(len=cell_length) :: word
+      real(dp) :: number
+
+      if (allocated(error)) return
+      number = 0
+      if (table%names(column) == 'orientation') then
+         word = lower_case(table%cells(column, row))
+         if (.not. any(orientations == word)) then
+            call raise(error, table%place(column, row)//"'"//trim(table%cells(column, row))//"' is not one of none, "// &
+                       'transverse, isotropic, longitudinal, custom')
+            return
+         end if
+         case%orientation = trim(word)
+         return
+      end if
+      call table%real_value(column, row, number, error)
+      select case (table%names(column))
+      case ('load_parameter_m'); case%load_parameter_m = number
+      case ('lubricant_parameter_l'); case%lubricant_parameter_l = number
+      case ('radius_ratio_d'); case%radius_ratio_d = number
+      case ('slip_parameter'); case%slip_parameter = number
+      case ('wavelength_over_a'); case%wavelength_over_a = number
+      case ('wavelength_x_over_a'); case%wavelength_x_over_a = number
+      case ('wavelength_y_over_a'); case%wavelength_y_over_a = number
+      case ('f_v'); f_v = number
+      case ('amplitude_over_film'); case%amplitude_over_film = number
+      case ('cells_x'); case%cells_x = nint(number)
+      case ('cells_y'); case%cells_y = nint(number)
+      case default
+         call raise(error, table%path//": unknown column '"//trim(table%names(column))//"': columns may be "// &
+                    'load_parameter_m, lubricant_parameter_l, radius_ratio_d, slip_parameter, orientation, '// &
+                    'wavelength_over_a, wavelength_x_over_a, wavelength_y_over_a, f_v, amplitude_over_film, cells_x, cells_y')
+      end select
+      if (.not. allocated(error) .and. number < 0) &
+         call raise(error, table%place(column, row)//to_text(number, 6)//' must not be negative')
+   end subroutine set_cell
+
+   !> Complete, plan and add a case unless it is there already or left out as unresolved.
+   subroutine add_case(case, place, lists, sweep, error)
+      type(case_t), intent(inout) :: case
+      character(len=*), intent(in) :: place
+      type(lists_t), intent(in) :: lists
+      type(sweep_t), intent(inout) :: sweep
+      type(error_t), allocatable, intent(inout) :: error
+      type(case_plan_t) :: plan
+      integer :: i
+
+      if (.not. allocated(error)) call complete_case(case, place, error)
+      if (allocated(error)) return
+      call make_plan(case, plan, error)
+      if (allocated(error)) then
+         error%message = place//error%message
+         return
+      end if
+      if (lists%unresolved == 'skip' .and. .not. plan%resolution%is_resolved) then
+         sweep%skipped = sweep%skipped + 1
+         return
+      end if
+      do i = 1, size(sweep%cases)
+         if (case_identity(sweep%cases(i)) == case_identity(case)) return
+      end do
+      sweep%cases = [sweep%cases, case]
+      sweep%plans = [sweep%plans, plan]
+   end subroutine add_case
+
+end module ehlwave_case_table

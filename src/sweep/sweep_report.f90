@@ -1,0 +1,55 @@
+!> Plan and outcome of a sweep as text.
+module ehlwave_sweep_report
+   use ehlwave_case_plan, only: run_march, run_smooth
+   use ehlwave_case_table, only: sweep_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_results_file, only: row_t
+   use ehlwave_status, only: is_success, status_name, status_pending
+   use ehlwave_text, only: to_text
+   implicit none (type, external)
+   private
+   public :: print_sweep_plan, print_sweep_result
+
+contains
+
+   !> All cases with what they take, to a unit.
+   subroutine print_sweep_plan(unit, sweep)
+      integer, intent(in) :: unit
+      type(sweep_t), intent(in) :: sweep
+      character(len=24) :: run
+      integer :: i
+
+      write (unit, '(a)') '   case        M       L        D  orientation   lambda/a       grid  run                  resolved'
+      do i = 1, size(sweep%cases)
+         associate (case => sweep%cases(i), plan => sweep%plans(i))
+            run = to_text(plan%steps)//' time steps'
+            if (plan%kind /= run_march) run = to_text(1 + plan%phases)//' steady states'
+            if (plan%kind == run_smooth) run = '1 steady state'
+            write (unit, '(i7,f9.1,f8.3,f9.4,2x,a12,f10.4,i6,a,i0,t70,a,t91,a)') i, plan%conditions%m, plan%conditions%l, &
+               plan%conditions%d, case%orientation, case%wavelength_over_a, plan%cells_x, ' x ', plan%cells_y, &
+               trim(run), merge('yes', 'NO ', plan%resolution%is_resolved)
+         end associate
+      end do
+      write (unit, '(i0,a,i0,a,i0,a)') size(sweep%cases), ' cases, ', count(sweep%plans%resolution%is_resolved), &
+         ' resolved, ', sweep%skipped, ' unresolved ones left out'
+   end subroutine print_sweep_plan
+
+   !> Counts by status and where the results are.
+   subroutine print_sweep_result(unit, sweep, rows)
+      integer, intent(in) :: unit
+      type(sweep_t), intent(in) :: sweep
+      type(row_t), intent(in) :: rows(:)
+      integer :: number, status
+      real(dp) :: total
+
+      total = sum(rows%result%seconds)
+      do status = 0, status_pending
+         number = count(rows%result%status == status)
+         if (number > 0) write (unit, '(i7,1x,a)') number, status_name(status)
+      end do
+      write (unit, '(a)') to_text(total, 4)//' s of computing, results in '//sweep%output
+      if (any(.not. is_success(rows%result%status))) &
+         write (unit, '(a)') 'Cases that did not converge are rows with their status and message.'
+   end subroutine print_sweep_result
+
+end module ehlwave_sweep_report
