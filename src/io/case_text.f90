@@ -8,6 +8,7 @@ module ehlwave_case_text
    private
    public :: effective_input, case_identity
 
+   integer, parameter, public :: effective_length = 2048   !! no effective input is longer
    character(len=*), parameter :: line_end = new_line('a')
 
 contains

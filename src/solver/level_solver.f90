@@ -18,7 +18,7 @@ module ehlwave_level_solver
       integer :: status = status_stalled
       real(dp) :: residual = huge(1.0_dp)         !! max |R| hX/H(0,0) over nodes with P > 0: the mass that one
                                                   !! cell gains, in units of the flow through the contact
-      real(dp) :: complementarity = huge(1.0_dp)  !! max P over nodes where the film is cavitated
+      real(dp) :: complementarity = huge(1.0_dp)  !! max |P| over nodes where the film is cavitated
       real(dp) :: load_error = huge(1.0_dp)       !! relative error of the load balance
       integer :: nonlinear_steps = 0
       integer :: linear_steps = 0

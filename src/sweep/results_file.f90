@@ -4,7 +4,7 @@ module ehlwave_results_file
    use ehlwave_case_input, only: case_t
    use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_result, only: case_result_t
-   use ehlwave_case_text, only: case_identity, effective_input
+   use ehlwave_case_text, only: case_identity, effective_input, effective_length
    use ehlwave_errors, only: error_t
    use ehlwave_field_file, only: write_provenance
    use ehlwave_hdf5_file, only: hdf5_file_t
@@ -140,13 +140,8 @@ contains
       end subroutine write_outcomes
 
       subroutine write_effective_inputs()
-         character(len=:), allocatable :: inputs(:)
-         integer :: k, longest
-         longest = 1
-         do k = 1, n
-            longest = max(longest, len(effective_input(cases(k))))
-         end do
-         allocate (character(len=longest) :: inputs(n))
+         character(len=effective_length) :: inputs(n)
+         integer :: k
          do k = 1, n
             inputs(k) = effective_input(cases(k))
          end do
