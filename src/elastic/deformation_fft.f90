@@ -2,6 +2,7 @@
 module ehlwave_deformation_fft
    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_double_complex, c_f_pointer, c_int, &
       c_int32_t, c_intptr_t, c_char, c_float, c_float_complex, c_funptr, c_null_ptr, c_ptr, c_size_t
+   use ehlwave_deformation, only: deformation_t
    use ehlwave_grid, only: grid_t
    use ehlwave_kernel, only: cell_influence
    use ehlwave_kinds, only: dp
@@ -18,7 +19,7 @@ module ehlwave_deformation_fft
    !> along Y on a few columns at a time that stay in cache: forward, product and inverse in one visit.
    !> Plans are made with FFTW_ESTIMATE: measured plans differ from run to run, and with them the last bits
    !> of every result. Must not be copied (it owns C memory); pass it by reference.
-   type, public :: deformation_fft_t
+   type, extends(deformation_t), public :: deformation_fft_t
       private
       integer :: nx = 0, ny = 0              ! as in the grid
       integer :: px = 0, py = 0              ! padded lengths

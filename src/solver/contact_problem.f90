@@ -1,6 +1,7 @@
 !> The discrete contact problem on one level: everything but the unknowns.
 module ehlwave_contact_problem
    use ehlwave_conditions, only: conditions_t
+   use ehlwave_deformation, only: deformation_t
    use ehlwave_deformation_fft, only: deformation_fft_t
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
@@ -14,7 +15,7 @@ module ehlwave_contact_problem
       type(grid_t) :: grid
       type(conditions_t) :: conditions
       type(rheology_t) :: rheology
-      type(deformation_fft_t) :: deformation
+      class(deformation_t), allocatable :: deformation
       type(transport_t) :: transport          !! steady at first; the time march replaces it
       type(load_balance_t) :: load            !! static at first
       real(dp), allocatable :: smooth_gap(:, :)  !! S X^2 + (1 - S) Y^2, (0:nx, 0:ny)
@@ -38,6 +39,7 @@ contains
       self%grid = grid
       self%conditions = conditions
       self%rheology = rheology
+      if (.not. allocated(self%deformation)) allocate (deformation_fft_t :: self%deformation)
       call self%deformation%init(grid, conditions%elliptic%kappa, conditions%elliptic%k)
       self%transport = steady_transport(grid)
       self%load = force_balance(1.0_dp)

@@ -1,0 +1,35 @@
+!> One interface for every way to compute the elastic deformation.
+module ehlwave_deformation
+   use ehlwave_grid, only: grid_t
+   use ehlwave_kinds, only: dp
+   implicit none (type, external)
+   private
+
+   type, abstract, public :: deformation_t
+   contains
+      procedure(init_deformation), deferred :: init
+      procedure(apply_deformation), deferred :: apply
+   end type deformation_t
+
+   abstract interface
+      !> Make work space and coefficients for a grid.
+      subroutine init_deformation(self, grid, kappa, k)
+         import :: deformation_t, dp, grid_t
+         implicit none (type, external)
+         class(deformation_t), intent(inout) :: self
+         type(grid_t), intent(in) :: grid
+         real(dp), intent(in) :: kappa   !! ellipticity a/b
+         real(dp), intent(in) :: k       !! complete elliptic integral of the first kind
+      end subroutine init_deformation
+
+      !> Deformation D = sum over cells of influence times P, theory eq. (9), at all nodes.
+      subroutine apply_deformation(self, p, d)
+         import :: deformation_t, dp
+         implicit none (type, external)
+         class(deformation_t), intent(inout) :: self
+         real(dp), intent(in) :: p(0:, 0:)    !! pressure at the nodes, (0:nx, 0:ny), zero on the outer boundary
+         real(dp), intent(out) :: d(0:, 0:)   !! deformation, (0:nx, 0:ny)
+      end subroutine apply_deformation
+   end interface
+
+end module ehlwave_deformation
