@@ -4,7 +4,7 @@ module ehlwave_transfer
    use ehlwave_kinds, only: dp
    implicit none (type, external)
    private
-   public :: interpolate, inject
+   public :: interpolate, inject, prolong, restrict
 
 contains
 
@@ -61,5 +61,41 @@ contains
       real(dp), intent(out) :: value_coarse(0:, 0:)    !! (0:nx, 0:ny)
       value_coarse = value_fine(::2, ::2)
    end subroutine inject
+
+   !> Fine values from coarse ones by bilinear interpolation.
+   pure subroutine prolong(coarse, value_coarse, value_fine)
+      type(grid_t), intent(in) :: coarse
+      real(dp), intent(in) :: value_coarse(0:, 0:)     !! (0:nx, 0:ny)
+      real(dp), intent(out) :: value_fine(0:, 0:)      !! (0:2 nx, 0:2 ny)
+      integer :: i, j
+      do j = 0, coarse%ny
+         do i = 0, coarse%nx
+            value_fine(2*i, 2*j) = value_coarse(i, j)
+         end do
+         do i = 0, coarse%nx - 1
+            value_fine(2*i + 1, 2*j) = 0.5_dp*(value_coarse(i, j) + value_coarse(i + 1, j))
+         end do
+      end do
+      do j = 0, coarse%ny - 1
+         value_fine(:, 2*j + 1) = 0.5_dp*(value_fine(:, 2*j) + value_fine(:, 2*j + 2))
+      end do
+   end subroutine prolong
+
+   !> Coarse values by full weighting, 1/4 (1 2 1) in each direction; rows are mirrored at a line of symmetry,
+   !> and the outer boundary gets zero. Adjoint of `prolong` up to a factor 4.
+   pure subroutine restrict(coarse, value_fine, value_coarse)
+      type(grid_t), intent(in) :: coarse
+      real(dp), intent(in) :: value_fine(0:, 0:)       !! (0:2 nx, 0:2 ny)
+      real(dp), intent(out) :: value_coarse(0:, 0:)    !! (0:nx, 0:ny)
+      real(dp) :: row(0:2*coarse%nx)
+      integer :: i, j
+      value_coarse = 0
+      do j = coarse%first_row, coarse%ny - 1
+         row = 0.25_dp*(value_fine(:, abs(2*j - 1)) + 2*value_fine(:, 2*j) + value_fine(:, 2*j + 1))
+         do i = 1, coarse%nx - 1
+            value_coarse(i, j) = 0.25_dp*(row(2*i - 1) + 2*row(2*i) + row(2*i + 1))
+         end do
+      end do
+   end subroutine restrict
 
 end module ehlwave_transfer

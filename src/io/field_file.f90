@@ -7,7 +7,6 @@ module ehlwave_field_file
    use ehlwave_conditions, only: conditions_t
    use ehlwave_errors, only: error_t, raise
    use ehlwave_hdf5_file, only: hdf5_file_t
-   use ehlwave_kinds, only: dp
    use ehlwave_provenance, only: compiler, compiler_flags, git_revision, library_versions, program_version
    use ehlwave_status, only: status_name
    use ehlwave_text, only: to_text

@@ -10,7 +10,7 @@ module ehlwave_transport
    use ehlwave_kinds, only: dp
    implicit none (type, external)
    private
-   public :: steady_transport, characteristic_transport
+   public :: steady_transport, characteristic_transport, implicit_part
 
    type, public :: transport_t
       real(dp), allocatable :: w0(:), w1(:), w2(:)   !! (0:nx) weights of f(i), f(i-1), f(i-2)
@@ -80,6 +80,41 @@ contains
       integer, intent(in) :: nx
       allocate (self%w0(0:nx), self%w1(0:nx), self%w2(0:nx), source=0.0_dp)
    end subroutine allocate_weights
+
+   !> The terms at the present time, on the same grid or on one with half as many cells: what a Jacobian needs.
+   !> Terms that look upstream in X follow the mesh size; terms along the characteristic do not.
+   pure function implicit_part(transport, grid) result(self)
+      type(transport_t), intent(in) :: transport
+      type(grid_t), intent(in) :: grid            !! grid of the result
+      type(transport_t) :: self
+      integer :: ratio
+
+      ratio = ubound(transport%w0, 1)/grid%nx
+      call allocate_weights(self, grid%nx)
+      self%is_local = transport%is_local
+      self%w0 = transport%w0(::ratio)
+      self%w1 = transport%w1(::ratio)
+      self%w2 = transport%w2(::ratio)
+      if (ratio > 1 .and. .not. transport%is_local) self = scaled_upstream(self, ratio)
+      if (ratio > 1 .and. transport%is_local) self%w0(1) = self%w0(min(2, grid%nx))
+   end function implicit_part
+
+   !> Upstream differences for a mesh `ratio` times as wide; what is not part of one stays.
+   pure function scaled_upstream(transport, ratio) result(self)
+      type(transport_t), intent(in) :: transport
+      integer, intent(in) :: ratio
+      type(transport_t) :: self
+      real(dp) :: still(0:ubound(transport%w0, 1))
+      self = transport
+      still = transport%w0 + transport%w1 + transport%w2   ! an upstream difference sums to zero
+      self%w0 = still + (transport%w0 - still)/ratio
+      self%w1 = transport%w1/ratio
+      self%w2 = transport%w2/ratio
+      self%w0(1) = still(1) - self%w1(1) - self%w2(1)
+      self%w1(1) = self%w1(1) + self%w2(1)
+      self%w2(1) = 0
+      self%w0(1) = still(1) - self%w1(1)
+   end function scaled_upstream
 
    !> How many earlier times are needed: f at T - dT, T - 2 dT, ...
    pure integer function history_length(self)

@@ -22,7 +22,8 @@ module ehlwave_full_multigrid
       type(solve_report_t) :: report
    end type level_t
 
-   !> Hierarchy of grids of one contact. Holds C memory of the transforms: pass by reference.
+   !> Hierarchy of grids of one contact. Its solvers point at each other and at their problems: declare it a
+   !> target, pass it by reference, do not copy it.
    type, public :: full_multigrid_t
       type(level_t), allocatable :: levels(:)
    contains
@@ -36,7 +37,7 @@ contains
 
    !> Hierarchy down from the finest grid, cells halved as long as they are even and enough.
    subroutine init(self, conditions, rheology, x_min, x_max, y_max, cells_x, cells_y, is_half)
-      class(full_multigrid_t), intent(inout) :: self
+      class(full_multigrid_t), intent(inout), target :: self
       type(conditions_t), intent(in) :: conditions
       type(rheology_t), intent(in) :: rheology
       real(dp), intent(in) :: x_min, x_max, y_max   !! domain in X and Y
@@ -53,9 +54,23 @@ contains
             level%state = new_state(level%problem%grid)
             allocate (newton_t :: level%solver)
             call level%solver%init(level%problem)
+            if (l > 1) call connect_levels(level%solver, self%levels(l - 1)%solver)
          end associate
       end do
    end subroutine init
+
+   !> Let a solver use that of the next coarser level in its preconditioner.
+   subroutine connect_levels(solver, coarser)
+      class(level_solver_t), intent(inout) :: solver
+      class(level_solver_t), intent(in), target :: coarser
+      select type (solver)
+      type is (newton_t)
+         select type (coarser)
+         type is (newton_t)
+            solver%coarser => coarser
+         end select
+      end select
+   end subroutine connect_levels
 
    !> Number of levels: both directions are halved together.
    pure integer function level_count(cells_x, cells_y, is_half)

@@ -39,7 +39,7 @@ module ehlwave_level_solver
          import :: contact_problem_t, level_solver_t
          implicit none (type, external)
          class(level_solver_t), intent(inout) :: self
-         type(contact_problem_t), intent(in) :: problem
+         type(contact_problem_t), intent(in), target :: problem   !! must outlive the solver
       end subroutine init_solver
 
       !> Improve `state` until the equations hold within the limits.

@@ -9,6 +9,7 @@ module ehlwave_newton
    use ehlwave_reynolds, only: reynolds_residual
    use ehlwave_state, only: state_t
    use ehlwave_status, only: status_converged, status_diverged, status_not_finite, status_stalled
+   use ehlwave_transport, only: implicit_part
    implicit none (type, external)
    private
 
@@ -23,6 +24,8 @@ module ehlwave_newton
       real(dp) :: loosest = 0.05_dp              !! linear tolerance far from the solution
       real(dp) :: tightest = 1e-4_dp             !! and close to it
       integer :: largest_krylov = 60
+      type(newton_t), pointer :: coarser => null()   !! solver of the next coarser level, serves as preconditioner
+      type(contact_problem_t), pointer :: own_problem => null()
       type(newton_system_t), private :: system
       type(gmres_t), private :: gmres
       real(dp), allocatable, private :: residual(:, :), rhs(:), change(:), film_change(:, :)
@@ -40,8 +43,9 @@ contains
    !> Work space for a problem's grid.
    subroutine init(self, problem)
       class(newton_t), intent(inout) :: self
-      type(contact_problem_t), intent(in) :: problem
+      type(contact_problem_t), intent(in), target :: problem
 
+      self%own_problem => problem
       call self%system%init(problem)
       self%gmres = new_gmres(self%system%n, self%largest_krylov)
       allocate (self%cavitated_before(0:problem%grid%nx, 0:problem%grid%ny), &
@@ -51,6 +55,17 @@ contains
       allocate (self%rhs(self%system%n), self%change(self%system%n), source=0.0_dp)
       self%is_factorised = .false.
    end subroutine init
+
+   !> Make the systems of all coarser levels ready to precondition a finer one.
+   recursive subroutine connect(solver)
+      type(newton_t), intent(inout), target :: solver
+      solver%system%problem => solver%own_problem
+      nullify (solver%system%coarser)
+      solver%is_factorised = .false.
+      if (.not. associated(solver%coarser)) return
+      solver%system%coarser => solver%coarser%system
+      call connect(solver%coarser)
+   end subroutine connect
 
    !> Drop the preconditioner of earlier solves: the next solve depends on its own problem and guess only.
    subroutine forget(self)
@@ -70,6 +85,15 @@ contains
 
       self%system%problem => problem
       self%system%p => state%p
+      self%system%transport = implicit_part(problem%transport, problem%grid)
+      self%system%is_coarse = .false.
+      nullify (self%system%coarser)
+      ! Upstream differences couple far along X and need coarser grids; a time step couples nodes only where they
+      ! are, and the factors alone take less time there.
+      if (associated(self%coarser) .and. .not. problem%transport%is_local) then
+         self%system%coarser => self%coarser%system
+         call connect(self%coarser)
+      end if
       allocate (report%history(0))
       worth_before = 0
       forcing = self%loosest

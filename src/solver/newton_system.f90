@@ -9,6 +9,8 @@ module ehlwave_newton_system
    use ehlwave_near_stencil, only: near_stencil_t, new_near_stencil
    use ehlwave_reynolds, only: diagonal_scale, flow_t, new_flow, reynolds_jacobian
    use ehlwave_stencil_ilu, only: new_stencil_ilu, stencil_ilu_t
+   use ehlwave_transfer, only: inject, prolong, restrict
+   use ehlwave_transport, only: implicit_part, transport_t
    implicit none (type, external)
    private
 
@@ -19,6 +21,8 @@ module ehlwave_newton_system
    type, extends(linear_system_t), public :: newton_system_t
       integer :: n = 0
       type(contact_problem_t), pointer :: problem => null()
+      type(newton_system_t), pointer :: coarser => null()   !! system of the next coarser grid, if there is one
+      type(transport_t) :: transport                        !! terms at the present time
       type(flow_t) :: flow                                  !! coefficients at the present iterate
       real(dp), pointer, contiguous :: p(:, :) => null()    !! pressure of the present iterate
       real(dp), allocatable :: scale(:, :)                  !! 1/|A_ii|, 0 on the boundary
@@ -27,9 +31,12 @@ module ehlwave_newton_system
       type(near_stencil_t), private :: stencil
       type(stencil_ilu_t), private :: ilu
       real(dp), allocatable, private :: dh(:, :), work(:, :), row(:), packed(:, :)
+      real(dp), allocatable, private :: guess(:), defect(:), rhs(:) ! of a cycle
+      real(dp), allocatable, private :: p_own(:, :)         ! pressure of a coarser system
       real(dp), allocatable, private :: column(:)           ! M^(-1) of the Delta column
       real(dp), private :: schur = 1                        ! load row after elimination of P
       real(dp) :: self_influence = 0
+      logical :: is_coarse = .false.                        !! serves as preconditioner of a finer system only
    contains
       procedure :: init
       procedure :: set_scale
@@ -59,14 +66,14 @@ contains
                    self%work(0:grid%nx, 0:grid%ny), source=0.0_dp)
          allocate (self%is_cavitated(0:grid%nx, 0:grid%ny), source=.false.)
          allocate (self%row(self%stencil%entries), self%packed(rows, grid%nx - 1), source=0.0_dp)
-         allocate (self%column(self%n), source=0.0_dp)
+         allocate (self%column(self%n), self%guess(self%n), self%defect(self%n), self%rhs(self%n), source=0.0_dp)
       end associate
    end subroutine init
 
    !> Row scale at the present iterate.
    subroutine set_scale(self)
       class(newton_system_t), intent(inout) :: self
-      call diagonal_scale(self%problem%grid, self%problem%transport, self%problem%conditions%elliptic%kappa, &
+      call diagonal_scale(self%problem%grid, self%transport, self%problem%conditions%elliptic%kappa, &
                           self%self_influence, self%flow, self%scale)
       self%row_scale = sqrt(sqrt(self%scale))
    end subroutine set_scale
@@ -86,7 +93,7 @@ contains
                   self%row = 0
                   self%row(self%stencil%entry_at(0, 0)) = 1
                else
-                  call self%stencil%fill_row(grid, self%problem%transport, kappa, self%flow, self%p, i, j, self%row)
+                  call self%stencil%fill_row(grid, self%transport, kappa, self%flow, self%p, i, j, self%row)
                   self%row = self%row*self%row_scale(i, j)
                   centre = self%stencil%entry_at(0, 0)
                   self%row(centre) = (1 + shift)*self%row(centre)
@@ -98,13 +105,18 @@ contains
          end do
       end associate
       call self%ilu%factorise()
+      if (associated(self%coarser)) then
+         call restrict_system(self, self%coarser)
+         call self%coarser%factorise(shift)
+      end if
+      if (self%is_coarse) return
 
       ! Delta column: J (0, 1), then its image under M^(-1), and the Schur complement of the load row
       allocate (unit(self%n), source=0.0_dp)
       unit(self%n) = 1
       call self%multiply(unit, self%column)
       self%column(self%n) = 0
-      call solve_pressure(self, self%column)
+      call cycle_pressure(self, self%column)
       self%schur = self%problem%load%inertia - load_change(self, self%column)
       if (.not. abs(self%schur) > 0) self%schur = 1
    end subroutine factorise
@@ -122,7 +134,7 @@ contains
          dr(0:grid%nx, 0:grid%ny) => y(:n - 1)
          call self%problem%deformation%apply(dp_, self%dh)
          self%dh = self%dh - x(n)
-         call reynolds_jacobian(grid, self%problem%transport, self%problem%conditions%elliptic%kappa, self%flow, &
+         call reynolds_jacobian(grid, self%transport, self%problem%conditions%elliptic%kappa, self%flow, &
                                 self%p, dp_, self%dh, dr, self%work)
          do j = 0, grid%ny
             do i = 0, grid%nx
@@ -141,12 +153,75 @@ contains
       real(dp) :: change
 
       y = x
-      call solve_pressure(self, y)
+      call cycle_pressure(self, y)
       y(self%n) = 0
       change = (x(self%n) - load_change(self, y))/self%schur
       y = y - change*self%column
       y(self%n) = change
    end subroutine precondition
+
+   !> Linearised problem of the coarser grid: coefficients, pressure and active set by injection.
+   subroutine restrict_system(self, coarser)
+      class(newton_system_t), intent(inout) :: self
+      type(newton_system_t), intent(inout), target :: coarser
+
+      associate (coarse => coarser%problem%grid)
+         coarser%is_coarse = .true.
+         coarser%transport = implicit_part(self%transport, coarse)
+         if (.not. allocated(coarser%p_own)) allocate (coarser%p_own(0:coarse%nx, 0:coarse%ny))
+         call inject(self%p, coarser%p_own)
+         coarser%p => coarser%p_own
+         call inject(self%flow%f, coarser%flow%f)
+         call inject(self%flow%eps, coarser%flow%eps)
+         call inject(self%flow%f_p, coarser%flow%f_p)
+         call inject(self%flow%f_h, coarser%flow%f_h)
+         call inject(self%flow%eps_p, coarser%flow%eps_p)
+         call inject(self%flow%eps_h, coarser%flow%eps_h)
+         coarser%is_cavitated = self%is_cavitated(::2, ::2)
+         call coarser%set_scale()
+      end associate
+   end subroutine restrict_system
+
+   !> One multigrid cycle for the pressure part of v, in place: correction from the coarser grid, then the factors
+   !> of this one on what is left.
+   recursive subroutine cycle_pressure(self, v)
+      class(newton_system_t), intent(inout), target :: self
+      real(dp), intent(inout), contiguous, target :: v(:)   !! right side in scaled rows, then change of P
+      real(dp), pointer, contiguous :: field(:, :), fine(:, :), coarse_field(:, :)
+
+      if (.not. associated(self%coarser)) then
+         call solve_pressure(self, v)
+         return
+      end if
+      associate (grid => self%problem%grid, coarse => self%coarser%problem%grid, coarser => self%coarser, n => self%n)
+         field(0:grid%nx, 0:grid%ny) => v(:n - 1)
+         fine(0:grid%nx, 0:grid%ny) => self%guess(:n - 1)
+         coarse_field(0:coarse%nx, 0:coarse%ny) => coarser%defect(:coarser%n - 1)
+         self%work = 0
+         where (self%row_scale > 0 .and. .not. self%is_cavitated) self%work = field/self%row_scale
+         call restrict(coarse, self%work, coarse_field)
+         where (coarser%is_cavitated)
+            coarse_field = 0
+         elsewhere
+            coarse_field = coarse_field*coarser%row_scale
+         end where
+         coarser%defect(coarser%n) = 0
+         coarser%rhs = coarser%defect
+         call cycle_pressure(coarser, coarser%rhs)
+         coarse_field(0:coarse%nx, 0:coarse%ny) => coarser%rhs(:coarser%n - 1)
+         call prolong(coarse, coarse_field, fine)
+         where (self%is_cavitated) fine = 0
+         fine(0, :) = 0
+         fine(grid%nx, :) = 0
+         fine(:, grid%ny) = 0
+         if (grid%first_row > 0) fine(:, 0) = 0
+         self%guess(n) = 0
+         call self%multiply(self%guess, self%defect)
+         v = v - self%defect
+         call solve_pressure(self, v)
+         v = v + self%guess
+      end associate
+   end subroutine cycle_pressure
 
    !> Pressure part of v solved in place with the factors.
    subroutine solve_pressure(self, v)

@@ -30,7 +30,7 @@ contains
       type(case_plan_t), intent(in) :: plan
       class(monitor_t), intent(inout) :: monitor
       type(case_result_t), intent(out) :: result
-      type(full_multigrid_t) :: multigrid
+      type(full_multigrid_t), target :: multigrid
       type(solve_limits_t) :: limits
       real(dp) :: start
 
