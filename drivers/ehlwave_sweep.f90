@@ -5,7 +5,6 @@ program ehlwave_sweep
    use ehlwave_case_table, only: read_sweep, sweep_t
    use ehlwave_errors, only: error_t
    use ehlwave_field_file, only: check_writable
-   use ehlwave_kinds, only: dp
    use ehlwave_provenance, only: program_version
    use ehlwave_results_file, only: row_t
    use ehlwave_scheduler, only: run_sweep

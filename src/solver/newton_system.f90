@@ -188,12 +188,14 @@ contains
       class(newton_system_t), intent(inout), target :: self
       real(dp), intent(inout), contiguous, target :: v(:)   !! right side in scaled rows, then change of P
       real(dp), pointer, contiguous :: field(:, :), fine(:, :), coarse_field(:, :)
+      type(newton_system_t), pointer :: coarser
 
       if (.not. associated(self%coarser)) then
          call solve_pressure(self, v)
          return
       end if
-      associate (grid => self%problem%grid, coarse => self%coarser%problem%grid, coarser => self%coarser, n => self%n)
+      associate (grid => self%problem%grid, coarse => self%coarser%problem%grid, n => self%n)
+         coarser => self%coarser
          field(0:grid%nx, 0:grid%ny) => v(:n - 1)
          fine(0:grid%nx, 0:grid%ny) => self%guess(:n - 1)
          coarse_field(0:coarse%nx, 0:coarse%ny) => coarser%defect(:coarser%n - 1)
