@@ -261,13 +261,19 @@ contains
       type(state_t), intent(inout) :: state
       real(dp), intent(in) :: step
       real(dp), pointer, contiguous :: dp_(:, :)
+      logical :: is_straight
 
       associate (grid => problem%grid, n => self%system%n)
          dp_(0:grid%nx, 0:grid%ny) => self%change(:n - 1)
-         call bend(self, problem, state%p, step, dp_)
+         call bend(self, problem, state%p, step, dp_, is_straight)
+         is_straight = is_straight .and. minval(state%p + dp_) >= lowest_pressure
          state%p = max(state%p + dp_, lowest_pressure)
          state%delta = state%delta + step*self%change(n)
-         call problem%film(state%p, state%delta, state%h)
+         if (is_straight) then       ! the film is linear in P and Delta
+            state%h = state%h + step*self%film_change
+         else
+            call problem%film(state%p, state%delta, state%h)
+         end if
       end associate
    end subroutine take_step
 
@@ -280,18 +286,20 @@ contains
    !>
    !> phi: share of that exponential in the diagonal of the Jacobian. The difference from P + d is of second
    !> order, so the final convergence stays quadratic.
-   pure subroutine bend(self, problem, p, step, dp_)
+   pure subroutine bend(self, problem, p, step, dp_, is_straight)
       class(newton_t), intent(in) :: self
       type(contact_problem_t), intent(in) :: problem
       real(dp), intent(in) :: p(0:, 0:)         !! P before the step
       real(dp), intent(in) :: step              !! step length
       real(dp), intent(inout) :: dp_(0:, 0:)    !! Newton's change, then the change to make
+      logical, intent(out) :: is_straight       !! no node was bent
       real(dp) :: cx, cy, intake, s
       integer :: i, j, jm
 
       associate (grid => problem%grid, flow => self%system%flow)
          cx = 0.5_dp/grid%hx**2
          cy = 0.5_dp*problem%conditions%elliptic%kappa**2/grid%hy**2
+         is_straight = .true.
          do j = grid%first_row, grid%ny - 1
             jm = grid%below(j)
             do i = 1, grid%nx - 1
@@ -302,7 +310,10 @@ contains
                                            + cy*(p(i, j + 1) - 2*p(i, j) + p(i, jm)))
                if (intake <= 0) cycle
                s = s*intake/(intake + 1/self%system%scale(i, j))
-               if (s*abs(dp_(i, j)) > 1e-3_dp) dp_(i, j) = -log(max(1 - s*dp_(i, j), 0.1_dp))/s
+               if (s*abs(dp_(i, j)) > 1e-3_dp) then
+                  dp_(i, j) = -log(max(1 - s*dp_(i, j), 0.1_dp))/s
+                  is_straight = .false.
+               end if
             end do
          end do
       end associate

@@ -131,7 +131,7 @@ contains
          do f = self%fast, 1, -1
             place = f + (s - 1)*width
             total = self%x(place)
-            do m = d + 1, self%entries
+            do m = self%entries, d + 1, -1      ! the entry just computed comes last: the others need not wait for it
                total = total - self%a(m, f, s)*self%x(place + self%shift(m))
             end do
             self%x(place) = total*self%a(d, f, s)
