@@ -250,10 +250,10 @@ contains
       type(error_t), allocatable, intent(inout) :: error
       real(dp) :: ratio
 
-      if (case%cells_x > 0 .and. (case%cells_x < 16 .or. modulo(case%cells_x, 2) /= 0)) then
+      if (case%cells_x > 0 .and. (case%cells_x < 16 .or. case%cells_x > 8192 .or. modulo(case%cells_x, 2) /= 0)) then
          call raise(error, '&grid cells_x = '//to_text(case%cells_x)//': give an even number from 16 to 8192, '// &
                     'best one that can be halved several times (64, 96, 128, ...), or 0 for the plan to choose')
-      else if (case%cells_y > 0 .and. (case%cells_y < 16 .or. modulo(case%cells_y, 2) /= 0)) then
+      else if (case%cells_y > 0 .and. (case%cells_y < 16 .or. case%cells_y > 8192 .or. modulo(case%cells_y, 2) /= 0)) then
          call raise(error, '&grid cells_y = '//to_text(case%cells_y)//': give an even number from 16 to 8192, '// &
                     'best one that can be halved several times (64, 96, 128, ...), or 0 for the plan to choose')
       end if

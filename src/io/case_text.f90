@@ -43,8 +43,10 @@ contains
       if (case%orientation /= 'none') text = text//number('amplitude_over_film', case%amplitude_over_film)
       text = text//'/'//line_end &
              //'&grid'//line_end//number('x_min', case%x_min)//number('x_max', case%x_max)//number('y_max', case%y_max) &
-             //whole('cells_x', case%cells_x)//whole('cells_y', case%cells_y)//word('domain', case%domain) &
-             //'/'//line_end//'&solver'//line_end//number('tolerance', case%tolerance) &
+             //whole('cells_x', case%cells_x)//whole('cells_y', case%cells_y)
+      if (min(case%cells_x, case%cells_y) == 0) text = text//whole('largest_cells', case%largest_cells)
+      text = text//word('domain', case%domain)//'/'//line_end &
+             //'&solver'//line_end//number('tolerance', case%tolerance) &
              //number('step_tolerance', case%step_tolerance)//number('time_step_over_cell', case%time_step_over_cell) &
              //whole('largest_steps', case%largest_steps)//'/'//line_end &
              //'&dynamics'//line_end//word('load_balance', case%load_balance)

@@ -55,6 +55,8 @@ contains
          if (.not. allocated(table%names)) then
             table%names = lower_case(values)
             allocate (table%cells(size(values), 0))
+            call refuse_doubled_names(table, number, error)
+            if (allocated(error)) return
          else if (size(values) /= size(table%names)) then
             call raise(error, path//':'//to_text(number)//': '//to_text(size(values))//' values where the header has '// &
                        to_text(size(table%names))//' columns')
@@ -69,6 +71,19 @@ contains
       end do
       if (size(table%line) == 0) call raise(error, path//': no rows: give a line of column names and at least one row')
    end subroutine read_csv
+
+   subroutine refuse_doubled_names(table, number, error)
+      type(csv_t), intent(in) :: table
+      integer, intent(in) :: number   !! line of the header
+      type(error_t), allocatable, intent(inout) :: error
+      integer :: i
+      do i = 2, size(table%names)
+         if (any(table%names(:i - 1) == table%names(i))) then
+            call raise(error, table%path//':'//to_text(number)//": column '"//trim(table%names(i))//"' is given twice")
+            return
+         end if
+      end do
+   end subroutine refuse_doubled_names
 
    pure function without_return(line) result(clean)
       character(len=*), intent(in) :: line

@@ -21,7 +21,13 @@ contains
       character(len=*), intent(in) :: path
       type(error_t), allocatable, intent(out) :: error
       integer :: unit, io
+      logical :: is_folder
 
+      inquire (file=path//'/.', exist=is_folder)
+      if (is_folder) then
+         call raise(error, 'cannot write '//path//': it is a folder; give the name of a file')
+         return
+      end if
       open (newunit=unit, file=path//'.part', action='write', iostat=io)
       if (io == 0) then
          close (unit, status='delete', iostat=io)

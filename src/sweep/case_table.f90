@@ -44,6 +44,11 @@ contains
       call read_case_groups(file, base, error)
       call file%check_all_used(error)
       if (allocated(error)) return
+      if (base%has_data .and. (allocated(lists%m) .or. allocated(lists%l) .or. allocated(lists%d))) then
+         call raise(error, file%place('conditions', 'radius_x_m')//'&conditions gives dimensional data (radius_x_m, ...) '// &
+                    'and &sweep gives load_parameter_m, lubricant_parameter_l or radius_ratio_d: give one of the two')
+         return
+      end if
       allocate (sweep%cases(0), sweep%plans(0))
       sweep%output = lists%output
       if (len(lists%case_file) > 0) then
@@ -215,15 +220,19 @@ contains
       case ('wavelength_y_over_a'); case%wavelength_y_over_a = number
       case ('f_v'); f_v = number
       case ('amplitude_over_film'); case%amplitude_over_film = number
-      case ('cells_x'); case%cells_x = nint(number)
-      case ('cells_y'); case%cells_y = nint(number)
+      case ('cells_x'); case%cells_x = nint(min(number, 1e6_dp))
+      case ('cells_y'); case%cells_y = nint(min(number, 1e6_dp))
       case default
          call raise(error, table%path//": unknown column '"//trim(table%names(column))//"': columns may be "// &
                     'load_parameter_m, lubricant_parameter_l, radius_ratio_d, slip_parameter, orientation, '// &
                     'wavelength_over_a, wavelength_x_over_a, wavelength_y_over_a, f_v, amplitude_over_film, cells_x, cells_y')
       end select
-      if (.not. allocated(error) .and. number < 0) &
+      if (allocated(error)) return
+      if (number < 0) then
          call raise(error, table%place(column, row)//to_text(number, 6)//' must not be negative')
+      else if (table%names(column)(1:6) == 'cells_' .and. abs(number - nint(min(number, 1e6_dp))) > 0) then
+         call raise(error, table%place(column, row)//to_text(number, 6)//' must be a whole number')
+      end if
    end subroutine set_cell
 
    !> Complete, plan and add a case unless it is there already or left out as unresolved.

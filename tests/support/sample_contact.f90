@@ -1,0 +1,64 @@
+!> Contacts and fields that several tests use.
+module sample_contact
+   use ehlwave_conditions, only: conditions_from_moes, conditions_t
+   use ehlwave_contact_problem, only: contact_problem_t
+   use ehlwave_errors, only: error_t
+   use ehlwave_grid, only: grid_t, new_grid
+   use ehlwave_kinds, only: dp
+   use ehlwave_rheology, only: density_dowson_higginson, new_rheology, viscosity_roelands
+   implicit none (type, external)
+   private
+   public :: make_contact, make_conditions, bump_pressure, noise
+
+contains
+
+   !> Conditions for L = 12.05 and the default lubricant.
+   function make_conditions(m, d) result(conditions)
+      real(dp), intent(in) :: m, d
+      type(conditions_t) :: conditions
+      type(error_t), allocatable :: error
+      call conditions_from_moes(m, 12.05_dp, d, 2.2e-8_dp, conditions, error)
+      if (allocated(error)) error stop 'make_conditions: '//error%message
+   end function make_conditions
+
+   !> Steady contact on the default domain.
+   subroutine make_contact(problem, m, d, cells_x, cells_y, is_half, viscosity_law)
+      type(contact_problem_t), intent(inout) :: problem
+      real(dp), intent(in) :: m, d
+      integer, intent(in) :: cells_x, cells_y
+      logical, intent(in) :: is_half
+      integer, intent(in), optional :: viscosity_law
+      type(conditions_t) :: conditions
+      integer :: law
+
+      law = viscosity_roelands
+      if (present(viscosity_law)) law = viscosity_law
+      conditions = make_conditions(m, d)
+      call problem%init(new_grid(-2.5_dp, 1.5_dp, 2.0_dp, cells_x, cells_y, is_half), conditions, &
+                        new_rheology(law, density_dowson_higginson, conditions%alphabar, 0.68_dp, &
+                                     conditions%hertz_pressure_pa))
+   end subroutine make_contact
+
+   !> A pressure that is positive inside, zero on the outer boundary, even in Y, without symmetry in X.
+   pure function bump_pressure(grid) result(p)
+      type(grid_t), intent(in) :: grid
+      real(dp) :: p(0:grid%nx, 0:grid%ny)
+      real(dp) :: width
+      integer :: i, j
+
+      p = 0
+      width = maxval(abs(grid%y))
+      do j = grid%first_row, grid%ny - 1
+         do i = 1, grid%nx - 1
+            p(i, j) = (1 + 0.3_dp*sin(3*grid%x(i)))*exp(-2*grid%x(i)**2)*(1 - (grid%y(j)/width)**2) + 0.01_dp
+         end do
+      end do
+   end function bump_pressure
+
+   !> Repeatable numbers between -1 and 1.
+   pure elemental real(dp) function noise(i, j)
+      integer, intent(in) :: i, j
+      noise = modulo(sin(12.9898_dp*i + 78.233_dp*j)*43758.5453_dp, 2.0_dp) - 1
+   end function noise
+
+end module sample_contact

@@ -1,0 +1,83 @@
+"""The HDF5 file of a case: fields looked up by coordinates, history, and an input that repeats the run."""
+
+import tempfile
+import unittest
+from pathlib import Path
+
+from ehlwave_program import last_line, namelist, run
+from hdf5_reading import dimensions, read
+
+CONDITIONS = {"load_parameter_m": 200, "lubricant_parameter_l": 12.05, "radius_ratio_d": 0.35}
+
+
+class CaseFile(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def run_case(self, text, output="case.h5"):
+        Path(self.folder, "case.nml").write_text(text)
+        outcome = run("case", "case.nml", "--json", "--quiet", "--output", output, folder=self.folder)
+        self.assertEqual(outcome.returncode, 0, outcome.stderr)
+        self.assertEqual(list(self.folder.glob("*.part")), [])
+        return last_line(outcome), *read(self.folder / output)
+
+    def test_smooth_fields(self):
+        for domain, lowest in [("auto", 0), ("whole", -2)]:
+            groups = {"conditions": CONDITIONS, "grid": {"cells_x": 64, "cells_y": 48, "domain": domain}}
+            result, attributes, data = self.run_case(namelist(groups))
+            self.assertEqual(attributes["status"], "converged")
+            self.assertEqual(attributes["case_id"], result["case_id"])
+            self.assertEqual(dimensions(self.folder / "case.h5", "film"), ["y", "x"])
+            x, y = list(data["x"]), list(data["y"])
+            self.assertEqual((x[0], x[-1], y[0], y[-1]), (-2.5, 1.5, lowest, 2))
+            self.assertEqual(data["film"][y.index(0), x.index(0)], result["central_film"])
+            self.assertEqual(data["film"].min(), result["minimum_film"])
+            self.assertEqual(data["pressure"].max(), result["max_pressure"])
+            self.assertEqual(abs(data["pressure"][:, [0, -1]]).max(), 0)
+            self.assertEqual(float(data["central_film"]), result["central_film"])
+            # the pressure spike stands towards the outlet, the constriction behind the centre
+            where = data["film"].argmin()
+            self.assertGreater(x[where % len(x)], 0)
+
+    def test_history(self):
+        groups = {"conditions": CONDITIONS, "grid": {"cells_x": 64, "cells_y": 48},
+                  "waviness": {"orientation": "transverse", "wavelength_over_a": 1}}
+        result, _, data = self.run_case(namelist(groups))
+        self.assertEqual(len(data["time"]), result["time_steps"] + 1)
+        self.assertEqual(dimensions(self.folder / "case.h5", "film_at_centre"), ["time"])
+        self.assertEqual((data["time"][0], data["time"][-1]), (0, 4.5))
+        self.assertEqual(data["film_at_centre"][0], result["central_film"])
+        measured = data["film_at_centre"][data["time"] >= 3.5 - 1e-9]
+        ratio = (measured.max() - measured.min())/2/(0.2*result["central_film"])
+        self.assertAlmostEqual(ratio, result["amplitude_ratio"], delta=1e-12)
+        x, y = list(data["x"]), list(data["y"])
+        self.assertEqual(data["film"][y.index(0), x.index(0)], data["film_at_centre"][-1])
+
+    def test_effective_input_repeats_the_run(self):
+        for waviness in [{"orientation": "isotropic", "wavelength_over_a": 1/3},
+                         {"orientation": "longitudinal", "wavelength_over_a": 0.7},
+                         {"orientation": "custom", "wavelength_x_over_a": 0.6, "wavelength_y_over_a": 0.9, "oblique": True}]:
+            with self.subTest(orientation=waviness["orientation"]):
+                groups = {"conditions": {**CONDITIONS, "slip_parameter": 1.1}, "grid": {"cells_x": 32, "cells_y": 32},
+                          "waviness": waviness}
+                first, attributes, data = self.run_case(namelist(groups), "first.h5")
+                second, _, again = self.run_case(attributes["effective_input"], "second.h5")
+                for effort in ["seconds", "work_units", "peak_memory_mib"]:
+                    del first[effort], second[effort]
+                self.assertEqual(first, second)
+                self.assertEqual(data["film_at_centre"].tobytes(), again["film_at_centre"].tobytes())
+                self.assertEqual(data["film"].tobytes(), again["film"].tobytes())
+
+    def test_dimensional_scales(self):
+        groups = {"conditions": {"radius_x_m": 12.52e-3, "radius_y_m": 12.52e-3, "reduced_modulus_pa": 1.17e11,
+                                 "load_n": 39.2, "mean_speed_m_per_s": 0.024, "viscosity_pa_s": 1.22},
+                  "grid": {"cells_x": 64, "cells_y": 64}}
+        result, _, data = self.run_case(namelist(groups))
+        self.assertAlmostEqual(float(data["length_a_m"])*1e3, 0.185, delta=0.001)
+        self.assertAlmostEqual(float(data["length_c_m"])*result["central_film"]*1e6, result["central_film_um"], delta=1e-9)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,49 @@
+!> Amplitude from samples and from the harmonic fit.
+program test_amplitude
+   use ehlwave_amplitude, only: fitted_amplitude, sampled_amplitude
+   use ehlwave_kinds, only: dp, pi
+   use testing, only: test_t
+   implicit none (type, external)
+
+   type(test_t) :: test
+
+   call check_harmonic()
+   call check_higher_harmonics()
+   call check_few_samples()
+   call test%finish()
+
+contains
+
+   !> Exact for a harmonic whatever the phase, with samples that do not fill whole periods.
+   subroutine check_harmonic()
+      real(dp), parameter :: period = 0.73_dp, amplitude = 2e-4_dp
+      real(dp) :: film(12), phase, time(12)
+      integer :: i, n
+
+      do n = 0, 6
+         phase = n
+         time = [(3.5_dp + 0.0625_dp*i, i=1, 12)]
+         film = 0.14_dp + amplitude*cos(2*pi*time/period + phase)
+         call test%check_close(fitted_amplitude(time, film, period), amplitude, 'harmonic', relative=1e-10_dp)
+      end do
+      call test%check_close(sampled_amplitude([1.0_dp, 3.0_dp, 2.0_dp, 0.5_dp]), 1.25_dp, 'half the range', relative=1e-15_dp)
+      call test%check(sampled_amplitude(film) < amplitude, 'samples miss the crest')
+   end subroutine check_harmonic
+
+   !> Over a whole period other harmonics do not enter the fit.
+   subroutine check_higher_harmonics()
+      real(dp) :: film(16), time(16)
+      integer :: i
+      time = [(i/16.0_dp, i=1, 16)]
+      film = 1 + 0.3_dp*cos(2*pi*time) + 0.1_dp*sin(4*pi*time) + 0.05_dp*cos(6*pi*time)
+      call test%check_close(fitted_amplitude(time, film, 1.0_dp), 0.3_dp, 'orthogonal', relative=1e-13_dp)
+   end subroutine check_higher_harmonics
+
+   subroutine check_few_samples()
+      call test%check_close(fitted_amplitude([0.0_dp, 0.5_dp], [1.0_dp, 2.0_dp], 1.0_dp), 0.0_dp, 'too few samples', &
+                            absolute=0.0_dp)
+      call test%check_close(fitted_amplitude([0.0_dp, 0.25_dp, 0.5_dp, 0.75_dp], [5.0_dp, 5.0_dp, 5.0_dp, 5.0_dp], 1.0_dp), &
+                            0.0_dp, 'a constant film', absolute=1e-15_dp)
+   end subroutine check_few_samples
+
+end program test_amplitude

@@ -1,0 +1,129 @@
+!> The plan of a case: kind of run, number of steps, grid.
+program test_case_plan
+   use ehlwave_case_input, only: case_t, complete_case
+   use ehlwave_case_plan, only: case_plan_t, make_plan, run_march, run_smooth, run_standing
+   use ehlwave_errors, only: error_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_text, only: to_text
+   use testing, only: test_t
+   implicit none (type, external)
+
+   type(test_t) :: test
+
+   call check_kinds()
+   call check_steps()
+   call check_grid()
+   call check_refusal()
+   call test%finish()
+
+contains
+
+   function sample(orientation, wavelength) result(case)
+      character(len=*), intent(in) :: orientation
+      real(dp), intent(in) :: wavelength
+      type(case_t) :: case
+      case%load_parameter_m = 100
+      case%lubricant_parameter_l = 12.05_dp
+      case%radius_ratio_d = 1
+      case%orientation = orientation
+      case%wavelength_over_a = wavelength
+      case%cells_x = 64
+      case%cells_y = 64
+   end function sample
+
+   function plan_of(given) result(plan)
+      type(case_t), intent(in) :: given
+      type(case_plan_t) :: plan
+      type(case_t) :: case
+      type(error_t), allocatable :: error
+      case = given
+      call complete_case(case, '', error)
+      if (.not. allocated(error)) call make_plan(case, plan, error)
+      call test%check_no_error(error, 'plan')
+   end function plan_of
+
+   subroutine check_kinds()
+      type(case_plan_t) :: plan
+      type(case_t) :: case
+      plan = plan_of(sample('none', 0.0_dp))
+      call test%check(plan%kind == run_smooth .and. plan%is_half .and. plan%steps == 0, 'smooth')
+      plan = plan_of(sample('longitudinal', 0.5_dp))
+      call test%check(plan%kind == run_standing .and. plan%phases == 2, 'longitudinal: crest and trough')
+      plan = plan_of(sample('isotropic', 0.5_dp))
+      call test%check(plan%kind == run_march .and. plan%is_half, 'isotropic: march on half the domain')
+      case = sample('isotropic', 0.5_dp)
+      case%slip_parameter = 0
+      plan = plan_of(case)
+      call test%check(plan%kind == run_standing .and. plan%phases == 8, 'a surface at rest: eight phases')
+      case = sample('custom', 0.0_dp)
+      case%wavelength_x_over_a = 0.5_dp
+      case%wavelength_y_over_a = 1
+      case%oblique = .true.
+      plan = plan_of(case)
+      call test%check(plan%kind == run_march .and. .not. plan%is_half, 'oblique: whole domain')
+      case = sample('isotropic', 0.5_dp)
+      case%domain = 'whole'
+      plan = plan_of(case)
+      call test%check(.not. plan%is_half, 'whole domain as asked')
+   end subroutine check_kinds
+
+   subroutine check_steps()
+      type(case_plan_t) :: plan
+      type(case_t) :: case
+      plan = plan_of(sample('transverse', 0.5_dp))
+      call test%check_close(plan%dt, 0.0625_dp, 'dT = hX', relative=1e-15_dp)
+      call test%check(plan%first_sample == 56 .and. plan%steps == 64, 'from T = 3.5 for one wave')
+      case = sample('transverse', 0.5_dp)
+      case%slip_parameter = 0.5_dp
+      plan = plan_of(case)
+      call test%check(plan%first_sample == 112 .and. plan%steps == 128, 'slow surface: T = 7, period 1')
+      case%slip_parameter = 2
+      plan = plan_of(case)
+      call test%check(plan%first_sample == 56 .and. plan%steps == 60, 'fast surface: the lubricant is slower')
+      case = sample('transverse', 1.0_dp)
+      case%time_step_over_cell = 2
+      plan = plan_of(case)
+      call test%check(plan%steps == 36 .and. plan%cells_per_step == 2 .and. plan%steps_per_cell == 1, 'two cells a step')
+      case%time_step_over_cell = 0.25_dp
+      plan = plan_of(case)
+      call test%check(plan%steps == 288 .and. plan%cells_per_step == 1 .and. plan%steps_per_cell == 4, 'four steps a cell')
+      case = sample('transverse', 0.5_dp)
+      case%end_time = 6
+      plan = plan_of(case)
+      call test%check(plan%steps == 96 .and. plan%first_sample == 88, 'end time asked for')
+   end subroutine check_steps
+
+   subroutine check_grid()
+      type(case_plan_t) :: plan
+      type(case_t) :: case
+      case = sample('transverse', 0.3_dp)
+      case%cells_x = 0
+      case%cells_y = 0
+      plan = plan_of(case)
+      call test%check(plan%cells_x == 256, '16 points per wave of 0.3: '//to_text(plan%cells_x))
+      call test%check(plan%cells_y == 128, 'hY <= 2 hX: '//to_text(plan%cells_y))
+      call test%check(plan%resolution%is_resolved, 'a chosen grid resolves')
+      case = sample('isotropic', 1.0_dp)
+      case%radius_ratio_d = 0.04_dp
+      case%cells_x = 0
+      case%cells_y = 0
+      plan = plan_of(case)
+      call test%check(plan%resolution%points_y >= 16, 'slender contact: 16 points per wave along Y too')
+      case%largest_cells = 128
+      plan = plan_of(case)
+      call test%check(plan%cells_y == 128 .and. .not. plan%resolution%is_resolved, 'limited, and said so')
+      call test%check(index(plan%grid_reason, 'limited') > 0, 'the plan says limited')
+   end subroutine check_grid
+
+   subroutine check_refusal()
+      type(case_t) :: case
+      type(case_plan_t) :: plan
+      type(error_t), allocatable :: error
+      case = sample('transverse', 0.5_dp)
+      case%slip_parameter = 1e-6_dp
+      call complete_case(case, '', error)
+      call make_plan(case, plan, error)
+      call test%check_error(error, 'slip_parameter', 'endless march')
+   end subroutine check_refusal
+
+end program test_case_plan

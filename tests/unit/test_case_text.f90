@@ -1,0 +1,161 @@
+!> Effective input and identity of a case.
+program test_case_text
+   use ehlwave_case_input, only: case_t, complete_case, read_case
+   use ehlwave_case_plan, only: case_plan_t, make_plan
+   use ehlwave_case_text, only: case_identity, effective_input
+   use ehlwave_errors, only: error_t
+   use ehlwave_kinds, only: dp
+   use testing, only: test_t
+   implicit none (type, external)
+
+   character(len=*), parameter :: path = 'test_case_text.nml'
+   type(test_t) :: test
+
+   call check_hash()
+   call check_reread(smooth(), 'smooth')
+   call check_reread(wavy(), 'wavy')
+   call check_reread(dimensional(), 'dimensional data, equation of motion')
+   call check_reread(oblique(), 'oblique')
+   call check_reread(chosen_grid(), 'grid chosen by the plan')
+   call check_differences()
+   call test%finish()
+
+contains
+
+   function smooth() result(case)
+      type(case_t) :: case
+      case%load_parameter_m = 100
+      case%lubricant_parameter_l = 12.05_dp
+      case%radius_ratio_d = 1
+   end function smooth
+
+   function wavy() result(case)
+      type(case_t) :: case
+      case = smooth()
+      case%orientation = 'isotropic'
+      case%wavelength_over_a = 1/3.0_dp
+      case%slip_parameter = 0.1_dp + 0.2_dp
+      case%end_time = 4.7_dp
+   end function wavy
+
+   function oblique() result(case)
+      type(case_t) :: case
+      case = smooth()
+      case%orientation = 'custom'
+      case%wavelength_x_over_a = 0.5_dp
+      case%wavelength_y_over_a = 0.7_dp
+      case%oblique = .true.
+      case%viscosity_law = 'barus'
+      case%density_law = 'incompressible'
+      case%tolerance = 1e-7_dp
+      case%largest_steps = 33
+   end function oblique
+
+   function dimensional() result(case)
+      type(case_t) :: case
+      case%has_data = .true.
+      case%data%radius_x_m = 12.52e-3_dp
+      case%data%radius_y_m = 25e-3_dp
+      case%data%reduced_modulus_pa = 1.17e11_dp
+      case%data%load_n = 39.2_dp
+      case%data%mean_speed_m_per_s = 0.024_dp
+      case%data%viscosity_pa_s = 1.22_dp
+      case%load_balance = 'equation_of_motion'
+      case%natural_frequency = 12.5_dp
+      case%load_factor = 1.1_dp
+      case%end_time = 2
+   end function dimensional
+
+   function chosen_grid() result(case)
+      type(case_t) :: case
+      case = wavy()
+      case%cells_x = 0
+      case%cells_y = 0
+      case%largest_cells = 64
+   end function chosen_grid
+
+   !> From Python, with `text` what effective_input gives:
+   !>     h = 14695981039346656037
+   !>     for b in text.encode(): h = (h ^ b)*1099511628211 % 2**64
+   !>     print(f'{h:016X}')
+   subroutine check_hash()
+      type(case_t) :: case
+      character(len=*), parameter :: lf = new_line('a')
+      character(len=*), parameter :: text = '&conditions'//lf//'  load_parameter_m = 100'//lf// &
+         '  lubricant_parameter_l = 12.050000000000001'//lf//'  radius_ratio_d = 1'//lf//'  slip_parameter = 1'//lf//'/'//lf
+      character(len=:), allocatable :: whole
+      type(error_t), allocatable :: error
+
+      case = smooth()
+      call complete_case(case, '', error)
+      whole = effective_input(case)
+      call test%check_equal(whole(:len(text)), text, 'effective input begins')
+      call test%check_equal(identity_by_digits(effective_input(case)), case_identity(case), 'FNV-1a, digit by digit')
+   end subroutine check_hash
+
+   !> FNV-1a 64 another way: long multiplication in base 256.
+   pure function identity_by_digits(text) result(identity)
+      character(len=*), intent(in) :: text
+      character(len=16) :: identity
+      integer, parameter :: prime(8) = [int(z'B3'), int(z'01'), 0, 0, 0, 1, 0, 0]
+      integer :: digit(8), product(8), i, j, n
+      digit = [int(z'25'), int(z'23'), int(z'22'), int(z'84'), int(z'E4'), int(z'9C'), int(z'F2'), int(z'CB')]
+      do n = 1, len(text)
+         digit(1) = ieor(digit(1), iachar(text(n:n)))
+         product = 0
+         do j = 1, 8
+            do i = 1, 9 - j
+               product(i + j - 1) = product(i + j - 1) + prime(j)*digit(i)
+            end do
+         end do
+         do i = 1, 7
+            digit(i) = modulo(product(i), 256)
+            product(i + 1) = product(i + 1) + product(i)/256
+         end do
+         digit(8) = modulo(product(8), 256)
+      end do
+      write (identity, '(8z2.2)') digit(8:1:-1)
+   end function identity_by_digits
+
+   !> Written, read and written again: the same text, the same identity, the same plan.
+   subroutine check_reread(given, what)
+      type(case_t), intent(in) :: given
+      character(len=*), intent(in) :: what
+      type(case_t) :: case, again
+      type(case_plan_t) :: plan, plan_again
+      type(error_t), allocatable :: error
+      integer :: unit
+
+      case = given
+      call complete_case(case, '', error)
+      call test%check_no_error(error, what)
+      open (newunit=unit, file=path, access='stream', form='unformatted', status='replace')
+      write (unit) effective_input(case)
+      close (unit)
+      call read_case(path, again, error)
+      call test%check_no_error(error, what//', read again')
+      if (allocated(error)) return
+      call test%check_equal(effective_input(again), effective_input(case), what//', same text')
+      call test%check_equal(case_identity(again), case_identity(case), what//', same identity')
+      call make_plan(case, plan, error)
+      call make_plan(again, plan_again, error)
+      call test%check(plan%cells_x == plan_again%cells_x .and. plan%cells_y == plan_again%cells_y .and. &
+                      plan%steps == plan_again%steps, what//', same plan')
+   end subroutine check_reread
+
+   subroutine check_differences()
+      type(case_t) :: case
+      type(error_t), allocatable :: error
+      character(len=16) :: identity
+      case = wavy()
+      call complete_case(case, '', error)
+      identity = case_identity(case)
+      case%slip_parameter = nearest(case%slip_parameter, 1.0_dp)
+      call test%check(case_identity(case) /= identity, 'the last bit of a number counts')
+      case = wavy()
+      case%fields = .true.
+      call complete_case(case, '', error)
+      call test%check_equal(case_identity(case), identity, 'what is written does not count')
+   end subroutine check_differences
+
+end program test_case_text

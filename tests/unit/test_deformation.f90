@@ -1,0 +1,139 @@
+!> Kernel and FFT convolution: Hertz contact, direct summation, half against whole domain.
+program test_deformation
+   use ehlwave_conditions, only: conditions_t
+   use ehlwave_deformation_fft, only: deformation_fft_t
+   use ehlwave_elliptic_integrals, only: ellipticity_integrals, ellipticity_integrals_t
+   use ehlwave_grid, only: grid_t, new_grid
+   use ehlwave_kernel, only: cell_influence
+   use ehlwave_kinds, only: dp, pi
+   use ehlwave_text, only: to_text
+   use sample_contact, only: make_conditions, noise
+   use testing, only: test_t
+   implicit none (type, external)
+
+   type(test_t) :: test
+
+   call check_kernel()
+   call check_hertz(1.0_dp)
+   call check_hertz(0.12_dp)
+   call compare_with_sum(20, 14, 1.0_dp)
+   call compare_with_sum(22, 26, 0.3_dp)
+   call compare_with_sum(17, 13, 0.126_dp)
+   call compare_half(48, 36, 0.25_dp)
+   call compare_half(34, 22, 1.0_dp)
+   call test%finish()
+
+contains
+
+   !> Far away a cell is a point load; a square is four quarters.
+   subroutine check_kernel()
+      type(ellipticity_integrals_t) :: s
+      s = ellipticity_integrals(0.4_dp)
+      call test%check_close(cell_influence(30.0_dp, 40.0_dp, 0.1_dp, 0.2_dp, s%kappa, s%k), &
+                            0.02_dp/(pi*s%k*sqrt((0.4_dp*30)**2 + 40.0_dp**2)), 'point load', relative=1e-5_dp)
+      call test%check_close(cell_influence(0.0_dp, 0.0_dp, 0.2_dp, 0.2_dp, 1.0_dp, pi/2), &
+                            4*0.2_dp*log(1 + sqrt(2.0_dp))/(pi*pi/2), 'under a square', relative=1e-14_dp)
+      call test%check_close(cell_influence(0.05_dp, 0.1_dp, 0.2_dp, 0.4_dp, s%kappa, s%k), &
+                            sum([cell_influence(0.0_dp, 0.0_dp, 0.1_dp, 0.2_dp, s%kappa, s%k), &
+                                 cell_influence(0.1_dp, 0.0_dp, 0.1_dp, 0.2_dp, s%kappa, s%k), &
+                                 cell_influence(0.0_dp, 0.2_dp, 0.1_dp, 0.2_dp, s%kappa, s%k), &
+                                 cell_influence(0.1_dp, 0.2_dp, 0.1_dp, 0.2_dp, s%kappa, s%k)]), 'four quarters', &
+                            relative=1e-13_dp)
+   end subroutine check_kernel
+
+   !> Hertz pressure flattens the contact: Dbar(0,0) - Dbar = S X^2 + (1-S) Y^2 inside.
+   subroutine check_hertz(d)
+      real(dp), intent(in) :: d
+      type(conditions_t) :: conditions
+      type(deformation_fft_t) :: deformation
+      type(grid_t) :: grid
+      real(dp), allocatable :: p(:, :), v(:, :)
+      real(dp) :: error(3), order
+      integer :: i, j, n
+
+      conditions = make_conditions(100.0_dp, d)
+      do n = 1, 3
+         grid = new_grid(-2.5_dp, 1.5_dp, 2.0_dp, 32*2**n, 32*2**n, .true.)
+         call deformation%init(grid, conditions%elliptic%kappa, conditions%elliptic%k)
+         if (allocated(p)) deallocate (p, v)
+         allocate (p(0:grid%nx, 0:grid%ny), v(0:grid%nx, 0:grid%ny))
+         do j = 0, grid%ny
+            p(:, j) = sqrt(max(0.0_dp, 1 - grid%x**2 - grid%y(j)**2))
+         end do
+         call deformation%apply(p, v)
+         v = grid%value_at_centre(v) - v
+         error(n) = 0
+         do j = 0, grid%ny
+            do i = 0, grid%nx
+               if (grid%x(i)**2 + grid%y(j)**2 < 0.81_dp) error(n) = max(error(n), &
+                  abs(v(i, j) - conditions%s*grid%x(i)**2 - (1 - conditions%s)*grid%y(j)**2))
+            end do
+         end do
+      end do
+      order = log(error(1)/error(3))/log(4.0_dp)
+      print '(a)', 'measured: Hertz, D = '//to_text(d, 3)//': error '//to_text(error(3), 3)//', order '//to_text(order, 3)
+      call test%check(error(3) < 5e-4_dp, 'Hertz deformation at 256 cells')
+      call test%check(order > 1.4_dp, 'order of the Hertz deformation')   ! the pressure is not smooth at the edge
+   end subroutine check_hertz
+
+   subroutine compare_with_sum(cells_x, cells_y, kappa)
+      integer, intent(in) :: cells_x, cells_y
+      real(dp), intent(in) :: kappa
+      type(deformation_fft_t) :: deformation
+      type(ellipticity_integrals_t) :: s
+      type(grid_t) :: grid
+      real(dp), allocatable :: direct(:, :), p(:, :), v(:, :)
+      integer :: i, ii, j, jj
+
+      s = ellipticity_integrals(kappa)
+      grid = new_grid(-2.5_dp, 1.5_dp, 2.0_dp, cells_x, cells_y, .false.)
+      call deformation%init(grid, s%kappa, s%k)
+      allocate (p(0:grid%nx, 0:grid%ny), v(0:grid%nx, 0:grid%ny), direct(0:grid%nx, 0:grid%ny), source=0.0_dp)
+      do j = 1, grid%ny - 1
+         do i = 1, grid%nx - 1
+            p(i, j) = noise(i, j)
+         end do
+      end do
+      call deformation%apply(p, v)
+      do j = 0, grid%ny
+         do i = 0, grid%nx
+            do jj = 0, grid%ny
+               do ii = 0, grid%nx
+                  direct(i, j) = direct(i, j) + p(ii, jj)*cell_influence(grid%x(i) - grid%x(ii), grid%y(j) - grid%y(jj), &
+                                                                         grid%hx, grid%hy, s%kappa, s%k)
+               end do
+            end do
+         end do
+      end do
+      call test%check_close(reshape(v, [size(v)]), reshape(direct, [size(v)]), 'FFT against summation', &
+                            absolute=1e-13_dp*maxval(abs(direct)))
+   end subroutine compare_with_sum
+
+   subroutine compare_half(cells_x, cells_y, kappa)
+      integer, intent(in) :: cells_x, cells_y
+      real(dp), intent(in) :: kappa
+      type(deformation_fft_t) :: on_half, on_whole
+      type(ellipticity_integrals_t) :: s
+      type(grid_t) :: half, whole
+      real(dp), allocatable :: p(:, :), v(:, :), w(:, :)
+      integer :: i, j, n
+
+      s = ellipticity_integrals(kappa)
+      half = new_grid(-2.5_dp, 1.5_dp, 2.0_dp, cells_x, cells_y, .true.)
+      whole = new_grid(-2.5_dp, 1.5_dp, 2.0_dp, cells_x, cells_y, .false.)
+      call on_half%init(half, s%kappa, s%k)
+      call on_whole%init(whole, s%kappa, s%k)
+      n = half%ny
+      allocate (p(0:whole%nx, 0:whole%ny), v(0:half%nx, 0:half%ny), w(0:whole%nx, 0:whole%ny), source=0.0_dp)
+      do j = 1, whole%ny - 1
+         do i = 1, whole%nx - 1
+            p(i, j) = noise(i, abs(j - n))
+         end do
+      end do
+      call on_whole%apply(p, w)
+      call on_half%apply(p(:, n:), v)
+      call test%check_close(reshape(v, [size(v)]), reshape(w(:, n:), [size(v)]), 'half against whole', &
+                            absolute=1e-13_dp*maxval(abs(w)))
+   end subroutine compare_half
+
+end program test_deformation

@@ -1,0 +1,55 @@
+!> Verdicts on grids and time steps.
+program test_resolution
+   use ehlwave_conditions, only: conditions_from_moes, conditions_t
+   use ehlwave_errors, only: error_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_resolution, only: inlet_length, judge_resolution, resolution_t
+   use ehlwave_waviness, only: new_waviness, no_waviness
+   use sample_contact, only: make_conditions
+   use testing, only: test_t
+   implicit none (type, external)
+
+   real(dp), parameter :: h = 0.0625_dp
+   type(conditions_t) :: conditions
+   type(test_t) :: test
+
+   conditions = make_conditions(100.0_dp, 1.0_dp)
+   call check_inlet()
+   call check_waves()
+   call test%finish()
+
+contains
+
+   subroutine check_inlet()
+      type(conditions_t) :: dry
+      type(error_t), allocatable :: error
+      type(resolution_t) :: r
+      call test%check_close(inlet_length(conditions), sqrt(12.05_dp/100), 'inlet sweep', relative=1e-14_dp)
+      call conditions_from_moes(100.0_dp, 0.0_dp, 1.0_dp, 2.2e-8_dp, dry, error)
+      call test%check_close(inlet_length(dry), 1.0_dp, 'isoviscous', relative=0.0_dp)
+      r = judge_resolution(conditions, no_waviness(), h, h, 0.0_dp)
+      call test%check_close(r%inlet, h*sqrt(100/12.05_dp), 'hX sqrt(gamma M/L)', relative=1e-14_dp)
+      call test%check(r%is_resolved .and. r%reason == '', 'fine enough')
+      r = judge_resolution(conditions, no_waviness(), 2*h, h, 0.0_dp)
+      call test%check(.not. r%is_resolved .and. index(r%reason, 'hX') > 0, 'coarse inlet')
+   end subroutine check_inlet
+
+   subroutine check_waves()
+      type(resolution_t) :: r
+      r = judge_resolution(conditions, new_waviness(0.5_dp, 0.0_dp, .false., -2.5_dp, 1.0_dp), h, h, h)
+      call test%check_close([r%points_x, r%points_y, r%samples], [8.0_dp, 0.0_dp, 8.0_dp], 'exactly 8 points', absolute=1e-12_dp)
+      call test%check(r%is_resolved, '8 points are enough')
+      r = judge_resolution(conditions, new_waviness(0.49_dp, 0.0_dp, .false., -2.5_dp, 1.0_dp), h, h, 0.5_dp*h)
+      call test%check(.not. r%is_resolved .and. index(r%reason, 'along X') > 0, 'too few along X')
+      r = judge_resolution(conditions, new_waviness(2.0_dp, 0.4_dp, .false., -2.5_dp, 1.0_dp), h, h, h)
+      call test%check(.not. r%is_resolved .and. index(r%reason, 'along Y') > 0 .and. index(r%reason, 'along X') == 0, &
+                      'too few along Y')
+      r = judge_resolution(conditions, new_waviness(0.6_dp, 0.0_dp, .false., -2.5_dp, 1.0_dp), h, h, 2*h)
+      call test%check(.not. r%is_resolved .and. index(r%reason, 'time steps') > 0, 'too few time steps')
+      r = judge_resolution(conditions, new_waviness(0.9_dp, 0.0_dp, .false., -2.5_dp, 2.0_dp), h, h, 0.5_dp*h)
+      call test%check(.not. r%is_resolved .and. index(r%reason, 'along X') > 0, 'slip excites shorter waves')
+      r = judge_resolution(conditions, new_waviness(0.0_dp, 0.6_dp, .false., -2.5_dp, 1.0_dp), h, h, 0.0_dp)
+      call test%check(r%is_resolved .and. .not. abs(r%samples) > 0, 'longitudinal needs no time steps')
+   end subroutine check_waves
+
+end program test_resolution
