@@ -32,7 +32,7 @@ contains
          i = i + 1
          call get_command_argument(i, argument)
          if (argument(1:1) /= '-' .or. argument == '-') then
-            arguments%files = [arguments%files, argument]
+            arguments%files = [character(len=longest) :: arguments%files, argument]
             cycle
          end if
          equal = index(argument, '=')
@@ -59,8 +59,8 @@ contains
             if (arguments%has(trim(name))) call raise(error, trim(name)//' is given twice')
          end if
          if (allocated(error)) return
-         arguments%names = [arguments%names, name]
-         arguments%values = [arguments%values, value]
+         arguments%names = [character(len=longest) :: arguments%names, name]
+         arguments%values = [character(len=longest) :: arguments%values, value]
       end do
    end subroutine read_arguments
 

@@ -39,6 +39,7 @@ module ehlwave_case_input
       real(dp) :: step_tolerance = 1e-3_dp
       real(dp) :: time_step_over_cell = 1
       integer :: largest_steps = 60
+      integer :: settling_periods = 1
       ! &dynamics
       character(len=name_length) :: load_balance = 'force_balance'
       real(dp) :: natural_frequency = 0
@@ -105,6 +106,7 @@ contains
       call file%get(file_group, 'step_tolerance', case%step_tolerance, error, minimum=1e-12_dp, maximum=0.1_dp)
       call file%get(file_group, 'time_step_over_cell', case%time_step_over_cell, error, above=0.0_dp)
       call file%get(file_group, 'largest_steps', case%largest_steps, error, minimum=1, maximum=10000)
+      call file%get(file_group, 'settling_periods', case%settling_periods, error, minimum=0, maximum=1000)
 
       file_group = 'dynamics'
       call file%get_fixed(file_group, 'load_balance', case%load_balance, error, &

@@ -2,6 +2,8 @@
 module ehlwave_csv
    use ehlwave_errors, only: error_t, raise
    use ehlwave_kinds, only: dp
+   use ehlwave_namelist_scanner, only: value_t
+   use ehlwave_namelist_values, only: read_value
    use ehlwave_text, only: lower_case, to_text
    use ehlwave_text_file, only: read_text
    implicit none (type, external)
@@ -114,7 +116,7 @@ contains
          end if
          if (len(value) > cell_length) call raise(error, 'value longer than '//to_text(cell_length)//' characters')
          if (allocated(error)) return
-         values = [values, [character(len=cell_length) :: value]]
+         values = [character(len=cell_length) :: values, value]
          first = first + comma
          if (first > len(line) + 1) exit
       end do
@@ -134,20 +136,15 @@ contains
       integer, intent(in) :: column, row
       real(dp), intent(inout) :: value
       type(error_t), allocatable, intent(inout) :: error
-      character(len=cell_length) :: cell
+      type(value_t) :: item
       real(dp) :: candidate
-      integer :: io
+      character(len=:), allocatable :: problem
 
       if (allocated(error)) return
-      cell = self%cells(column, row)
-      io = verify(trim(cell), '0123456789+-.eEdD')
-      if (len_trim(cell) == 0) io = 1
-      if (io == 0) read (cell, *, iostat=io) candidate
-      if (io == 0) then
-         if (.not. abs(candidate) <= huge(candidate)) io = 1
-      end if
-      if (io /= 0) then
-         call raise(error, self%place(column, row)//"'"//trim(cell)//"' is not a number")
+      item%text = trim(self%cells(column, row))
+      call read_value(item, candidate, problem)
+      if (allocated(problem)) then
+         call raise(error, self%place(column, row)//"'"//item%text//"' is not a number that can be used: "//problem)
       else
          value = candidate
       end if

@@ -21,16 +21,17 @@ contains
       character(len=*), intent(in) :: path
       type(error_t), allocatable, intent(out) :: error
       integer :: unit, io
-      logical :: is_folder
+      logical :: is_folder, was_there
 
       inquire (file=path//'/.', exist=is_folder)
       if (is_folder) then
          call raise(error, 'cannot write '//path//': it is a folder; give the name of a file')
          return
       end if
-      open (newunit=unit, file=path//'.part', action='write', iostat=io)
+      inquire (file=path//'.part', exist=was_there)
+      open (newunit=unit, file=path//'.part', action='write', position='append', iostat=io)
       if (io == 0) then
-         close (unit, status='delete', iostat=io)
+         close (unit, status=merge('keep  ', 'delete', was_there), iostat=io)
       else
          call raise(error, 'cannot write '//path//': does its folder exist and is it writable?')
       end if

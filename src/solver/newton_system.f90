@@ -80,7 +80,7 @@ contains
 
    !> Preconditioner at the present iterate: ILU(0), in flow order, of local terms and near deformation,
    !> its diagonal enlarged by `shift` times itself.
-   subroutine factorise(self, shift)
+   recursive subroutine factorise(self, shift)
       class(newton_system_t), intent(inout), target :: self
       real(dp), intent(in) :: shift
       integer :: centre, e, i, j

@@ -20,6 +20,7 @@ module ehlwave_case_runner
    private
    public :: run_case
 
+   real(dp), parameter :: usual_amplitude = 0.2_dp     !! Ai over the film for which step_tolerance is meant
    real(dp), parameter :: coarse_tolerance = 1e-3_dp   !! of the levels below the finest
 
 contains
@@ -115,14 +116,17 @@ contains
       type(case_result_t), intent(inout) :: result
       type(march_settings_t) :: settings
       type(march_result_t) :: history
+      type(solve_limits_t) :: limits
       real(dp) :: amplitude
 
       amplitude = case%amplitude_over_film*result%central_film
       settings = march_settings_t(waviness=plan%waviness, amplitude=amplitude, steps=plan%steps, &
                                   cells_per_step=plan%cells_per_step, steps_per_cell=plan%steps_per_cell, &
                                   natural_frequency=case%natural_frequency, force=case%load_factor)
-      call march(level, settings, solve_limits_t(tolerance=case%step_tolerance, largest_steps=case%largest_steps), &
-                 monitor, history)
+      ! the tolerance is relative to the film; for small waves it has to follow their amplitude
+      limits = solve_limits_t(tolerance=case%step_tolerance*min(1.0_dp, case%amplitude_over_film/usual_amplitude), &
+                              largest_steps=case%largest_steps)
+      call march(level, settings, limits, monitor, history)
       result%status = history%status
       result%time_steps = history%steps
       result%residual = max(result%residual, history%worst_residual)

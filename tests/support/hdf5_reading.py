@@ -7,7 +7,7 @@ from ehlwave_program import SKIPPED
 try:
     import h5py
 except ImportError:
-    print("SKIPPED: h5py is not installed for this Python; scripts/python-environment provides it")
+    print("SKIPPED: h5py is not installed for this Python")
     sys.exit(SKIPPED)
 
 

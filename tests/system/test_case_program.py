@@ -44,7 +44,7 @@ class CaseProgram(unittest.TestCase):
         outcome = self.run_case(WAVY, "--plan", "--json")
         self.assertEqual((outcome.returncode, outcome.stderr), (0, ""))
         plan = last_line(outcome)
-        self.assertEqual((plan["run"], plan["time_steps"], plan["is_resolved"]), ("march", 64, True))
+        self.assertEqual((plan["run"], plan["time_steps"], plan["is_resolved"]), ("march", 72, True))
         self.assertNotIn("central_film", plan)
         self.assertNotIn("Status", outcome.stdout)
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["case.nml"])
@@ -64,7 +64,7 @@ class CaseProgram(unittest.TestCase):
         self.assertEqual(result["status"], "converged")
         for key in KEYS[1:]:
             self.assertTrue(isinstance(result[key], (int, float)) and math.isfinite(result[key]), f"{key}: {result[key]}")
-        self.assertEqual(result["time_steps"], 64)
+        self.assertEqual(result["time_steps"], 72)
         self.assertLess(result["residual"], 1e-3)
         self.assertGreater(result["seconds"], 0)
         self.assertIn("time step", outcome.stderr)

@@ -72,21 +72,25 @@ contains
       type(case_t) :: case
       plan = plan_of(sample('transverse', 0.5_dp))
       call test%check_close(plan%dt, 0.0625_dp, 'dT = hX', relative=1e-15_dp)
+      call test%check(plan%first_sample == 64 .and. plan%steps == 72, 'one wave after T = 3.5, for one wave')
+      case = sample('transverse', 0.5_dp)
+      case%settling_periods = 0
+      plan = plan_of(case)
       call test%check(plan%first_sample == 56 .and. plan%steps == 64, 'from T = 3.5 for one wave')
       case = sample('transverse', 0.5_dp)
       case%slip_parameter = 0.5_dp
       plan = plan_of(case)
-      call test%check(plan%first_sample == 112 .and. plan%steps == 128, 'slow surface: T = 7, period 1')
+      call test%check(plan%first_sample == 128 .and. plan%steps == 144, 'slow surface: T = 7, period 1')
       case%slip_parameter = 2
       plan = plan_of(case)
-      call test%check(plan%first_sample == 56 .and. plan%steps == 60, 'fast surface: the lubricant is slower')
+      call test%check(plan%first_sample == 60 .and. plan%steps == 64, 'fast surface: the lubricant is slower')
       case = sample('transverse', 1.0_dp)
       case%time_step_over_cell = 2
       plan = plan_of(case)
-      call test%check(plan%steps == 36 .and. plan%cells_per_step == 2 .and. plan%steps_per_cell == 1, 'two cells a step')
+      call test%check(plan%steps == 44 .and. plan%cells_per_step == 2 .and. plan%steps_per_cell == 1, 'two cells a step')
       case%time_step_over_cell = 0.25_dp
       plan = plan_of(case)
-      call test%check(plan%steps == 288 .and. plan%cells_per_step == 1 .and. plan%steps_per_cell == 4, 'four steps a cell')
+      call test%check(plan%steps == 352 .and. plan%cells_per_step == 1 .and. plan%steps_per_cell == 4, 'four steps a cell')
       case = sample('transverse', 0.5_dp)
       case%end_time = 6
       plan = plan_of(case)

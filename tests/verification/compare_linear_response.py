@@ -15,8 +15,8 @@ AMPLITUDE = 0.01
 # The default step tolerance belongs to Ai = 20 % of the film. At 1 % it leaves 0.5 % of error, this 0.05 %.
 STEP_TOLERANCE = 5e-6
 # The default measures over the first period after T = 3.5, when long waves are not periodic yet (2 % for lambda/a = 2).
-PERIODS_TO_SETTLE = 1
-RELATIVE = 5e-3
+PERIODS_TO_SETTLE = 3
+RELATIVE = 2e-3
 
 # A fast one of each orientation for each condition, resolved wherever 129 points resolve it.
 CHOSEN = {

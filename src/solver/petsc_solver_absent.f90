@@ -1,0 +1,77 @@
+!> Stands in for `petsc_solver.f90` in builds without PETSc: same interface, no solver.
+module ehlwave_petsc_solver
+   use ehlwave_contact_problem, only: contact_problem_t
+   use ehlwave_errors, only: error_t, raise
+   use ehlwave_kinds, only: dp
+   use ehlwave_level_solver, only: level_solver_t, solve_limits_t, solve_report_t
+   use ehlwave_state, only: state_t
+   use ehlwave_status, only: status_pending
+   implicit none (type, external)
+   private
+   public :: finish_petsc, require_petsc
+
+   logical, parameter, public :: has_petsc = .false.   !! whether this build has PETSc
+
+   !> Settings of the true solver, without effect here.
+   type, extends(level_solver_t), public :: petsc_solver_t
+      real(dp) :: largest_change = 0
+      real(dp) :: smallest_film_factor = 0
+      real(dp) :: linear_tolerance = 0
+      integer :: largest_krylov = 0
+      integer :: restart = 0
+      integer :: fill_levels = 0
+   contains
+      procedure :: init
+      procedure :: solve
+      procedure :: forget
+   end type petsc_solver_t
+
+contains
+
+   !> An error that says how to get PETSc. Ask before choosing this solver.
+   subroutine require_petsc(error)
+      type(error_t), allocatable, intent(out) :: error
+      call raise(error, 'this build has no PETSc: install PETSc 3.17 or later and configure with '// &
+                 '-DEHLWAVE_PETSC=ON, or choose another solver')
+   end subroutine require_petsc
+
+   !> Nothing to end.
+   subroutine finish_petsc()
+   end subroutine finish_petsc
+
+   !> Nothing to make.
+   subroutine init(self, problem)
+      class(petsc_solver_t), intent(inout) :: self
+      type(contact_problem_t), intent(in) :: problem
+      if (.false.) then   ! silence unused-argument warnings
+         associate (a => self, b => problem)
+         end associate
+      end if
+   end subroutine init
+
+   !> Leaves the state alone and reports that nothing was run.
+   subroutine solve(self, problem, state, limits, report)
+      class(petsc_solver_t), intent(inout) :: self
+      type(contact_problem_t), intent(inout), target :: problem
+      type(state_t), intent(inout), target :: state
+      type(solve_limits_t), intent(in) :: limits
+      type(solve_report_t), intent(out) :: report
+
+      allocate (report%history(0))
+      report%status = status_pending
+      if (.false.) then   ! silence unused-argument warnings
+         associate (a => self, b => problem, c => state, d => limits)
+         end associate
+      end if
+   end subroutine solve
+
+   !> Nothing to drop.
+   subroutine forget(self)
+      class(petsc_solver_t), intent(inout) :: self
+      if (.false.) then   ! silence unused-argument warnings
+         associate (a => self)
+         end associate
+      end if
+   end subroutine forget
+
+end module ehlwave_petsc_solver
