@@ -11,6 +11,7 @@ program ehlwave_case
    use ehlwave_field_file, only: check_writable, write_case_file
    use ehlwave_json, only: json_t
    use ehlwave_log, only: log_monitor_t
+   use ehlwave_petsc_solver, only: finish_petsc
    use ehlwave_provenance, only: program_version
    use ehlwave_status, only: is_success
    implicit none (type, external)
@@ -76,6 +77,7 @@ program ehlwave_case
    monitor%is_quiet = arguments%has('--quiet')
    flush (output_unit)
    call run_case(case, plan, monitor, result)
+   call finish_petsc()
    call print_result(output_unit, plan, result)
    if (arguments%has('--output')) then
       call write_case_file(arguments%value('--output'), case, plan%conditions, result, error)

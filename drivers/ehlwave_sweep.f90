@@ -5,6 +5,7 @@ program ehlwave_sweep
    use ehlwave_case_table, only: read_sweep, sweep_t
    use ehlwave_errors, only: error_t
    use ehlwave_field_file, only: check_writable
+   use ehlwave_petsc_solver, only: finish_petsc
    use ehlwave_provenance, only: program_version
    use ehlwave_results_file, only: row_t
    use ehlwave_scheduler, only: run_sweep
@@ -119,6 +120,7 @@ contains
    subroutine finish(status)
       integer, intent(in) :: status
       flush (output_unit)
+      call finish_petsc()
       call mpi_finalize()
       stop status, quiet=.true.
    end subroutine finish

@@ -4,6 +4,7 @@ module ehlwave_case_input
    use ehlwave_errors, only: error_t, raise
    use ehlwave_kinds, only: dp
    use ehlwave_namelist, only: namelist_t
+   use ehlwave_petsc_solver, only: require_petsc
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
@@ -40,6 +41,7 @@ module ehlwave_case_input
       real(dp) :: time_step_over_cell = 1
       integer :: largest_steps = 60
       integer :: settling_periods = 1
+      character(len=name_length) :: method = 'newton'
       ! &dynamics
       character(len=name_length) :: load_balance = 'force_balance'
       real(dp) :: natural_frequency = 0
@@ -107,6 +109,7 @@ contains
       call file%get(file_group, 'time_step_over_cell', case%time_step_over_cell, error, above=0.0_dp)
       call file%get(file_group, 'largest_steps', case%largest_steps, error, minimum=1, maximum=10000)
       call file%get(file_group, 'settling_periods', case%settling_periods, error, minimum=0, maximum=1000)
+      call file%get_fixed(file_group, 'method', case%method, error, [character(len=name_length) :: 'newton', 'petsc'])
 
       file_group = 'dynamics'
       call file%get_fixed(file_group, 'load_balance', case%load_balance, error, &
@@ -156,6 +159,7 @@ contains
       call case_conditions(case, conditions, error)
       if (.not. allocated(error)) call complete_waviness(case, error)
       if (.not. allocated(error)) call check_grid_and_time(case, error)
+      if (.not. allocated(error) .and. case%method == 'petsc') call require_petsc(error)
       if (allocated(error)) error%message = place//error%message
    end subroutine complete_case
 

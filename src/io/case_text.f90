@@ -48,7 +48,8 @@ contains
       text = text//word('domain', case%domain)//'/'//line_end &
              //'&solver'//line_end//number('tolerance', case%tolerance) &
              //number('step_tolerance', case%step_tolerance)//number('time_step_over_cell', case%time_step_over_cell) &
-             //whole('largest_steps', case%largest_steps)//whole('settling_periods', case%settling_periods)//'/'//line_end &
+             //whole('largest_steps', case%largest_steps)//whole('settling_periods', case%settling_periods) &
+             //word('method', case%method)//'/'//line_end &
              //'&dynamics'//line_end//word('load_balance', case%load_balance)
       if (case%natural_frequency > 0) text = text//number('natural_frequency', case%natural_frequency)
       text = text//number('load_factor', case%load_factor)

@@ -7,6 +7,7 @@ module ehlwave_full_multigrid
    use ehlwave_kinds, only: dp
    use ehlwave_level_solver, only: level_solver_t, solve_limits_t, solve_report_t
    use ehlwave_newton, only: newton_t
+   use ehlwave_petsc_solver, only: petsc_solver_t
    use ehlwave_rheology, only: rheology_t
    use ehlwave_state, only: new_state, state_t
    use ehlwave_status, only: status_converged
@@ -36,13 +37,14 @@ module ehlwave_full_multigrid
 contains
 
    !> Hierarchy down from the finest grid, cells halved as long as they are even and enough.
-   subroutine init(self, conditions, rheology, x_min, x_max, y_max, cells_x, cells_y, is_half)
+   subroutine init(self, conditions, rheology, x_min, x_max, y_max, cells_x, cells_y, is_half, method)
       class(full_multigrid_t), intent(inout), target :: self
       type(conditions_t), intent(in) :: conditions
       type(rheology_t), intent(in) :: rheology
       real(dp), intent(in) :: x_min, x_max, y_max   !! domain in X and Y
       integer, intent(in) :: cells_x, cells_y       !! cells of the finest grid over the whole domain
       logical, intent(in) :: is_half                !! store Y >= 0 only
+      character(len=*), intent(in) :: method        !! solver of the finest level: 'newton' or 'petsc'
       integer :: l, n
 
       n = level_count(cells_x, cells_y, is_half)
@@ -52,7 +54,11 @@ contains
             call level%problem%init(new_grid(x_min, x_max, y_max, cells_x/2**(n - l), cells_y/2**(n - l), is_half), &
                                     conditions, rheology)
             level%state = new_state(level%problem%grid)
-            allocate (newton_t :: level%solver)
+            if (method == 'petsc' .and. l == n) then
+               allocate (petsc_solver_t :: level%solver)
+            else
+               allocate (newton_t :: level%solver)
+            end if
             call level%solver%init(level%problem)
             if (l > 1) call connect_levels(level%solver, self%levels(l - 1)%solver)
          end associate

@@ -129,7 +129,7 @@ contains
    !> Work space for a problem's grid. PETSc itself is started by the first solve.
    subroutine init(self, problem)
       class(petsc_solver_t), intent(inout) :: self
-      type(contact_problem_t), intent(in) :: problem
+      type(contact_problem_t), intent(in), target :: problem
       type(inequality_t) :: blank
       real(dp), allocatable :: zero(:, :)
 

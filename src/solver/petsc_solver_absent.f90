@@ -42,7 +42,7 @@ contains
    !> Nothing to make.
    subroutine init(self, problem)
       class(petsc_solver_t), intent(inout) :: self
-      type(contact_problem_t), intent(in) :: problem
+      type(contact_problem_t), intent(in), target :: problem
       if (.false.) then   ! silence unused-argument warnings
          associate (a => self, b => problem)
          end associate

@@ -47,9 +47,9 @@ class CaseFile(unittest.TestCase):
         result, _, data = self.run_case(namelist(groups))
         self.assertEqual(len(data["time"]), result["time_steps"] + 1)
         self.assertEqual(dimensions(self.folder / "case.h5", "film_at_centre"), ["time"])
-        self.assertEqual((data["time"][0], data["time"][-1]), (0, 4.5))
+        self.assertEqual((data["time"][0], data["time"][-1]), (0, 5.5))
         self.assertEqual(data["film_at_centre"][0], result["central_film"])
-        measured = data["film_at_centre"][data["time"] >= 3.5 - 1e-9]
+        measured = data["film_at_centre"][data["time"] >= 4.5 - 1e-9]
         ratio = (measured.max() - measured.min())/2/(0.2*result["central_film"])
         self.assertAlmostEqual(ratio, result["amplitude_ratio"], delta=1e-12)
         x, y = list(data["x"]), list(data["y"])
