@@ -13,7 +13,7 @@ module ehlwave_mlmi_correction
       integer :: stride(2) = 1         !! cells of the finest grid per node distance along X and Y
    contains
       procedure :: at
-      procedure :: spacing
+      procedure :: gaps
    end type sampled_kernel_t
 
    !> C(d, e) = K(d, e) - sum over s of w(s) (K(d + s, e) + K(d - s, e)), d along the coarsened direction.
@@ -37,11 +37,11 @@ contains
    end function at
 
    !> Node distances along X and Y in one physical unit, that of Y.
-   pure function spacing(self)
+   pure function gaps(self)
       class(sampled_kernel_t), intent(in) :: self
-      real(dp) :: spacing(2)
-      spacing = self%stride*[self%kappa*self%hx, self%hy]
-   end function spacing
+      real(dp) :: gaps(2)
+      gaps = self%stride*[self%kappa*self%hx, self%hy]
+   end function gaps
 
    !> Lagrange weights w(1:order/2) of the nodes at distances 1, 3, 5, ... on either side of a midpoint.
    pure function midpoint_weights(order) result(w)
@@ -66,13 +66,13 @@ contains
       integer, intent(in) :: moments
       type(correction_t) :: self
       real(dp), allocatable :: c(:, :), table(:, :)
-      real(dp) :: spacing(2), ratio
+      real(dp) :: gaps(2), ratio
       integer :: across, along, d, e, far_across, far_along, near_across, near_along
 
       along = direction
       across = 3 - direction
-      spacing = kernel%spacing()
-      ratio = spacing(across)/spacing(along)
+      gaps = kernel%gaps()
+      ratio = gaps(across)/gaps(along)
       near_along = min(int(reach), cells(along))
       near_across = min(int(reach/ratio), cells(across))
       far_along = min(int(4*reach) + 4, max(cells(along), 3))
