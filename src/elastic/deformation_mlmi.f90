@@ -3,8 +3,8 @@ module ehlwave_deformation_mlmi
    use ehlwave_deformation, only: deformation_t
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
-   use ehlwave_mlmi_correction, only: sampled_kernel_t
-   use ehlwave_mlmi_level, only: along_x, along_y, mlmi_level_t
+   use ehlwave_mlmi_correction, only: along_x, along_y, sampled_kernel_t
+   use ehlwave_mlmi_level, only: mlmi_level_t
    implicit none (type, external)
    private
 
@@ -13,9 +13,7 @@ module ehlwave_deformation_mlmi
    type, extends(deformation_t), public :: deformation_mlmi_t
       integer :: order = 6
       real(dp) :: reach = 0
-      integer :: moments = 1
-      real(dp) :: growth = 0
-      integer :: max_levels = most_levels
+      integer :: max_levels = 99
       type(mlmi_level_t), allocatable, private :: level(:)
    contains
       procedure :: init
@@ -31,43 +29,24 @@ contains
       real(dp), intent(in) :: kappa   !! ellipticity a/b
       real(dp), intent(in) :: k       !! complete elliptic integral of the first kind
       type(mlmi_level_t) :: level(most_levels), next
-      real(dp) :: gap(2), finest, reach
+      real(dp) :: gap(2)
       integer :: direction, l
 
       level(1)%last = [grid%nx, grid%ny]
       level(1)%is_half = grid%is_half
       level(1)%kernel = sampled_kernel_t(hx=grid%hx, hy=grid%hy, kappa=kappa, k=k)
-      finest = minval(level(1)%kernel%gaps())
       do l = 1, most_levels - 1
          gap = level(l)%kernel%gaps()
          direction = merge(along_x, along_y, gap(1) <= gap(2))
-         reach = self%reach*(gap(direction)/finest)**self%growth
-         call level(l)%plan_coarser(direction, self%order, next)
+         call level(l)%plan_coarser(direction, self%order, self%reach, next)
          if (l >= self%max_levels) exit
-         if (sum_cost(level(l)) <= step_cost(level(l), direction, self%order, reach) + sum_cost(next)) exit
-         call level(l)%make_coarsening(direction, self%order, reach, self%moments)
+         if (self%max_levels > 90 .and. level(l)%sum_cost() <= level(l)%step_cost(self%order) + next%sum_cost()) exit
+         call level(l)%make_coarsening(direction, self%order)
          level(l + 1) = next
       end do
       call level(l)%make_coarsest(self%order)
       self%level = level(:l)
    end subroutine init
-
-   pure real(dp) function sum_cost(level)
-      type(mlmi_level_t), intent(in) :: level
-      real(dp) :: n(2)
-      n = level%last - level%first + 1
-      sum_cost = n(1)**2*n(2)**2*merge(1.5_dp, 0.75_dp, level%is_half)
-   end function sum_cost
-
-   pure real(dp) function step_cost(level, direction, order, reach)
-      type(mlmi_level_t), intent(in) :: level
-      integer, intent(in) :: direction, order
-      real(dp), intent(in) :: reach
-      real(dp) :: gap(2), n(2)
-      n = level%last - level%first + 1
-      gap = level%kernel%gaps()
-      step_cost = n(1)*n(2)*(order + 6 + 0.75_dp*(2*reach + 1)*(reach*gap(direction)/gap(3 - direction) + 1))
-   end function step_cost
 
    subroutine apply(self, p, d)
       class(deformation_mlmi_t), intent(inout) :: self
@@ -109,7 +88,7 @@ contains
       integer :: l
       do l = 1, size(self%level)
          associate (v => self%level(l))
-            print *, l, v%direction, v%first, v%last, v%correction%reach_x, v%correction%reach_y
+            print *, l, v%direction, v%first, v%last, v%correction%reach_x, v%correction%reach_y, sum(2*v%correction%width + 1)
          end associate
       end do
    end subroutine describe

@@ -1,47 +1,62 @@
-!> Correction of a kernel that has been interpolated from every second node, near its singularity.
+!> Correction near the singularity of a kernel that is interpolated from every second node.
 module ehlwave_mlmi_correction
    use ehlwave_kernel, only: cell_influence
-   use ehlwave_kinds, only: dp
+   use ehlwave_kinds, only: dp, pi
    implicit none (type, external)
    private
    public :: midpoint_weights, new_correction
 
-   !> Sampled kernel: the cell kernel of the finest grid at whole multiples of `stride` cells.
+   integer, parameter, public :: along_x = 1, along_y = 2   !! directions of coarsening
+
+   !> Kernel of a level: that of the cells of the finest grid at whole multiples of `stride` cells (injection).
    type, public :: sampled_kernel_t
       real(dp) :: hx = 0, hy = 0       !! cell size of the finest grid
-      real(dp) :: kappa = 1, k = 0     !! ellipticity and elliptic integral
-      integer :: stride(2) = 1         !! cells of the finest grid per node distance along X and Y
+      real(dp) :: kappa = 1, k = 0     !! ellipticity a/b and complete elliptic integral
+      integer :: stride(2) = 1         !! cells of the finest grid between two nodes along X and Y
    contains
       procedure :: at
       procedure :: gaps
+      procedure :: smallest_kept
    end type sampled_kernel_t
 
-   !> C(d, e) = K(d, e) - sum over s of w(s) (K(d + s, e) + K(d - s, e)), d along the coarsened direction.
-   !>
-   !> Kept where d and e are within `reach` node distances (of the coarsened direction, in metres). What is
-   !> left out is not dropped but added to the coefficients next to d = e = 0, separately for even and odd
-   !> d because these see different pressures: then the correction is exact for constant pressure.
+   !> C(d, e), d nodes along X and e along Y, even in both; kept where |d| <= width(|e|).
    type, public :: correction_t
       integer :: reach_x = 0, reach_y = 0
-      integer, allocatable :: width(:)   !! (0:reach_y) |dx| <= width(|dy|) is corrected
-      real(dp), allocatable :: c(:, :)   !! (0:reach_x, 0:reach_y), even in both
+      integer, allocatable :: width(:)   !! (0:reach_y), -1 where nothing is kept
+      real(dp), allocatable :: c(:, :)   !! (0:reach_x, 0:reach_y), zero where not kept
    end type correction_t
 
 contains
 
-   !> Kernel at (i, j) node distances.
+   !> Kernel at a distance of (i, j) nodes.
    elemental real(dp) function at(self, i, j)
       class(sampled_kernel_t), intent(in) :: self
       integer, intent(in) :: i, j
       at = cell_influence(self%stride(1)*i*self%hx, self%stride(2)*j*self%hy, self%hx, self%hy, self%kappa, self%k)
    end function at
 
-   !> Node distances along X and Y in one physical unit, that of Y.
+   !> Distances between two nodes along X and Y, both in units of b.
    pure function gaps(self)
       class(sampled_kernel_t), intent(in) :: self
       real(dp) :: gaps(2)
       gaps = self%stride*[self%kappa*self%hx, self%hy]
    end function gaps
+
+   !> Smallest correction worth its cost, when on the finest level those within `reach` nodes are.
+   !>
+   !> Far away K ~ A/r, A = hX hY/(pi K), and interpolation from nodes at distance s, 3 s, ... errs by
+   !> C ~ A ((order - 1)!!)^2/(s (r/s)^(order + 1)): the value at r = reach on the finest level. On a coarser
+   !> level a node stands for n = stride(1) stride(2) of the finest, and a coefficient costs 1/n as much; so
+   !> that n C (error) over 1/n (cost) is the same on all levels the bound falls as 1/n^2. The radius then
+   !> grows by a factor 8^(1/(order + 1)) from one level to one coarser in both directions.
+   pure real(dp) function smallest_kept(self, order, reach)
+      class(sampled_kernel_t), intent(in) :: self
+      integer, intent(in) :: order     !! of the interpolation
+      real(dp), intent(in) :: reach    !! radius in the smaller node distance (in metres) of the finest grid
+      integer :: s
+      smallest_kept = self%hx*self%hy/(pi*self%k)/min(self%kappa*self%hx, self%hy)/real(product(self%stride), dp)**2 &
+                      *product([(real(s, dp)**2, s=1, order - 1, 2)])/reach**(order + 1)
+   end function smallest_kept
 
    !> Lagrange weights w(1:order/2) of the nodes at distances 1, 3, 5, ... on either side of a midpoint.
    pure function midpoint_weights(order) result(w)
@@ -56,59 +71,70 @@ contains
       end do
    end function midpoint_weights
 
-   !> Correction for interpolation along one direction.
-   pure function new_correction(kernel, direction, order, reach, cells, moments) result(self)
+   !> Correction for interpolation along one direction, where it is larger than `smallest`; along X
+   !>
+   !>     C(d, e) = K(d, e) - sum over s = 1, 3, ..., order - 1 of w(s) (K(d + s, e) + K(d - s, e))
+   pure function new_correction(kernel, direction, order, smallest, cells) result(self)
       type(sampled_kernel_t), intent(in) :: kernel
-      integer, intent(in) :: direction    !! 1: X is coarsened, 2: Y
-      integer, intent(in) :: order        !! of the interpolation, 4, 6 or 8
-      real(dp), intent(in) :: reach       !! radius of the corrected disc in node distances of that direction
-      integer, intent(in) :: cells(2)     !! largest distance between two nodes along X and Y
-      integer, intent(in) :: moments
+      integer, intent(in) :: direction     !! along_x or along_y
+      integer, intent(in) :: order         !! of the interpolation: 4, 6 or 8
+      real(dp), intent(in) :: smallest     !! corrections below this are left out
+      integer, intent(in) :: cells(2)      !! largest distance along X and Y between nodes of this level
       type(correction_t) :: self
-      real(dp), allocatable :: c(:, :), table(:, :)
-      real(dp) :: gaps(2), ratio
-      integer :: across, along, d, e, far_across, far_along, near_across, near_along
+      real(dp), allocatable :: c(:, :), table(:, :), transposed(:, :)
+      integer :: d, e
 
-      along = direction
-      across = 3 - direction
-      gaps = kernel%gaps()
-      ratio = gaps(across)/gaps(along)
-      near_along = min(int(reach), cells(along))
-      near_across = min(int(reach/ratio), cells(across))
-      far_along = min(int(4*reach) + 4, max(cells(along), 3))
-      far_across = min(int((4*reach + 4)/ratio) + 2, max(cells(across), 3))
-
-      allocate (table(0:far_along + order, 0:far_across), c(0:far_along, 0:far_across))
-      do e = 0, far_across
-         do d = 0, ubound(table, 1)
-            if (along == 1) table(d, e) = kernel%at(d, e)
-            if (along == 2) table(d, e) = kernel%at(e, d)
-         end do
-      end do
+      call tabulate(kernel, direction, order, smallest, cells, table)
+      allocate (c(0:ubound(table, 1) - order, 0:ubound(table, 2)))
       call interpolation_error(midpoint_weights(order), table, c)
-      call lump_far_part(c, reach, ratio, near_along, near_across, moments)
-
-      if (along == 1) then
-         self%c = c(0:near_along, 0:near_across)
-      else
-         self%c = transpose(c(0:near_along, 0:near_across))
+      if (direction == along_y) then
+         allocate (transposed(0:ubound(c, 2), 0:ubound(c, 1)))
+         transposed(:, :) = transpose(c)
+         call move_alloc(transposed, c)
       end if
-      self%reach_x = merge(near_along, near_across, along == 1)
-      self%reach_y = merge(near_across, near_along, along == 1)
+
+      do e = ubound(c, 2), 0, -1
+         if (any(abs(c(:, e)) >= smallest)) exit
+      end do
+      self%reach_y = max(e, 0)
       allocate (self%width(0:self%reach_y))
       do e = 0, self%reach_y
-         self%width(e) = count([(is_near(merge(d, e, along == 1), merge(e, d, along == 1), reach, ratio), &
-                                 d=0, self%reach_x)]) - 1
+         do d = ubound(c, 1), 0, -1
+            if (abs(c(d, e)) >= smallest) exit
+         end do
+         self%width(e) = d
       end do
-      call move_to_zero_base(self%c)
+      self%reach_x = max(maxval(self%width), 0)
+      allocate (self%c(0:self%reach_x, 0:self%reach_y), source=0.0_dp)
+      do e = 0, self%reach_y
+         self%c(0:self%width(e), e) = c(0:self%width(e), e)
+      end do
    end function new_correction
 
-   !> Whether a distance (along, across) belongs to the corrected disc.
-   elemental logical function is_near(along, across, reach, ratio)
-      integer, intent(in) :: along, across
-      real(dp), intent(in) :: reach, ratio
-      is_near = real(along, dp)**2 + (ratio*across)**2 <= reach**2 + 1e-9_dp
-   end function is_near
+   !> Kernel as far as corrections may reach, the coarsened direction first.
+   pure subroutine tabulate(kernel, direction, order, smallest, cells, table)
+      type(sampled_kernel_t), intent(in) :: kernel
+      integer, intent(in) :: direction, order
+      real(dp), intent(in) :: smallest
+      integer, intent(in) :: cells(2)
+      real(dp), allocatable, intent(out) :: table(:, :)
+      real(dp) :: gaps(2), radius
+      integer :: d, e, reach(2), s
+
+      ! Distance where the asymptotic correction is `smallest`, and a few nodes more.
+      gaps = kernel%gaps()
+      radius = (kernel%hx*kernel%hy/(pi*kernel%k)/gaps(direction)/smallest &
+                *product([(real(s, dp)**2, s=1, order - 1, 2)]))**(1.0_dp/(order + 1)) + order
+      reach = int(min(radius*gaps(direction)/gaps + 1, real(cells, dp)))
+
+      allocate (table(0:reach(direction) + order, 0:reach(3 - direction)))
+      do e = 0, ubound(table, 2)
+         do d = 0, ubound(table, 1)
+            if (direction == along_x) table(d, e) = kernel%at(d, e)
+            if (direction == along_y) table(d, e) = kernel%at(e, d)
+         end do
+      end do
+   end subroutine tabulate
 
    pure subroutine interpolation_error(w, table, c)
       real(dp), intent(in) :: w(:), table(0:, 0:)
@@ -124,46 +150,5 @@ contains
          end do
       end do
    end subroutine interpolation_error
-
-   !> Set the coefficients outside the disc to zero and put their sums on the smallest distances.
-   pure subroutine lump_far_part(c, reach, ratio, near_along, near_across, moments)
-      real(dp), intent(inout) :: c(0:, 0:)
-      real(dp), intent(in) :: reach, ratio
-      integer, intent(in) :: near_along, near_across, moments
-      real(dp) :: t(0:1), t2(0:1), ta(0:1), part, w
-      integer :: d, e
-
-      t = 0; t2 = 0; ta = 0
-      do e = 0, ubound(c, 2)
-         do d = 0, ubound(c, 1)
-            if (is_near(d, e, reach, ratio) .and. d <= near_along .and. e <= near_across) cycle
-            w = c(d, e)*merge(1, 2, d == 0)*merge(1, 2, e == 0)
-            c(d, e) = 0
-            t(modulo(d, 2)) = t(modulo(d, 2)) + w
-            t2(modulo(d, 2)) = t2(modulo(d, 2)) + w*d*d
-            ta(modulo(d, 2)) = ta(modulo(d, 2)) + w*e*e
-         end do
-      end do
-      if (moments < 1) return
-      part = 0
-      if (moments == 2 .and. near_along > 2 .and. near_across > 0) then
-         c(2, 0) = c(2, 0) + t2(0)/8
-         c(0, 1) = c(0, 1) + ta(0)/2
-         t(0) = t(0) - t2(0)/4 - ta(0)
-         c(3, 0) = c(3, 0) + (t2(1) - t(1))/16
-         c(1, 1) = c(1, 1) + ta(1)/4
-         t(1) = t(1) - (t2(1) - t(1))/8 - ta(1)
-      end if
-      c(0, 0) = c(0, 0) + t(0)
-      if (near_along > 0) c(1, 0) = c(1, 0) + t(1)/2
-   end subroutine lump_far_part
-
-   pure subroutine move_to_zero_base(c)
-      real(dp), allocatable, intent(inout) :: c(:, :)
-      real(dp), allocatable :: moved(:, :)
-      allocate (moved(0:size(c, 1) - 1, 0:size(c, 2) - 1))
-      moved(:, :) = c
-      call move_alloc(moved, c)
-   end subroutine move_to_zero_base
 
 end module ehlwave_mlmi_correction

@@ -1,12 +1,12 @@
 !> One coarsening step of multilevel multi-integration: from a set of nodes to every second one along X or Y.
 module ehlwave_mlmi_level
    use ehlwave_kinds, only: dp
-   use ehlwave_mlmi_correction, only: correction_t, midpoint_weights, new_correction, sampled_kernel_t
+   use ehlwave_mlmi_correction, only: along_x, along_y, correction_t, midpoint_weights, new_correction, sampled_kernel_t
    use ehlwave_mlmi_rows, only: add_centre, add_pairs, add_products
    implicit none (type, external)
    private
 
-   integer, parameter, public :: along_x = 1, along_y = 2, nowhere = 0
+   integer, parameter :: nowhere = 0
 
    !> Nodes (first(1):last(1), first(2):last(2)) at multiples of the kernel's stride from node (0, 0).
    !>
@@ -37,15 +37,21 @@ module ehlwave_mlmi_level
       procedure :: anterpolate
       procedure :: finish
       procedure :: sum_row
+      procedure :: sum_cost, step_cost
    end type mlmi_level_t
 
 contains
 
    !> Range and kernel of the next level: all nodes that the interpolation to this level refers to.
-   pure subroutine plan_coarser(self, direction, order, coarse)
-      class(mlmi_level_t), intent(in) :: self
+   pure subroutine plan_coarser(self, direction, order, reach, coarse)
+      class(mlmi_level_t), intent(inout) :: self
       integer, intent(in) :: direction, order
+      real(dp), intent(in) :: reach
       type(mlmi_level_t), intent(out) :: coarse
+      integer :: cells(2)
+      cells = self%last - self%first
+      if (self%is_half) cells(2) = 2*cells(2)
+      self%correction = new_correction(self%kernel, direction, order, self%kernel%smallest_kept(order, reach), cells)
       coarse%is_half = self%is_half
       coarse%kernel = self%kernel
       coarse%kernel%stride(direction) = 2*self%kernel%stride(direction)
@@ -55,6 +61,23 @@ contains
       if (self%is_half .and. direction == along_y) return
       coarse%first(direction) = first_needed(self%first(direction), order)
    end subroutine plan_coarser
+
+   !> Products per application when this level is summed directly.
+   pure real(dp) function sum_cost(self)
+      class(mlmi_level_t), intent(in) :: self
+      real(dp) :: n(2)
+      n = self%last - self%first + 1
+      sum_cost = n(1)**2*n(2)**2*merge(1.5_dp, 0.75_dp, self%is_half)
+   end function sum_cost
+
+   !> The same for the transfers to and from the next level and the corrections.
+   pure real(dp) function step_cost(self, order)
+      class(mlmi_level_t), intent(in) :: self
+      integer, intent(in) :: order
+      real(dp) :: n(2)
+      n = self%last - self%first + 1
+      step_cost = n(1)*n(2)*(order + 6 + 0.75_dp*sum(2*self%correction%width + 2))
+   end function step_cost
 
    !> Work space of a level that is summed directly.
    subroutine make_coarsest(self, order)
@@ -78,21 +101,17 @@ contains
    end subroutine make_coarsest
 
    !> Corrections and work space of a level that has a coarser one.
-   subroutine make_coarsening(self, direction, order, reach, moments)
+   subroutine make_coarsening(self, direction, order)
       class(mlmi_level_t), intent(inout) :: self
-      integer, intent(in) :: direction, order, moments
-      real(dp), intent(in) :: reach
-      integer :: cells(2), k
+      integer, intent(in) :: direction, order
+      integer :: k
 
       self%direction = direction
       self%order = order
       self%weight = midpoint_weights(order)
-      cells = self%last - self%first
-      if (self%is_half) cells(2) = 2*cells(2)
-      self%correction = new_correction(self%kernel, direction, order, reach, cells, moments)
       associate (c => self%correction)
          if (direction == along_x) then
-            allocate (self%c_odd(0:c%reach_x/2, 0:c%reach_y), self%c_even(0:c%reach_x/2, 0:c%reach_y), source=0.0_dp)
+            allocate (self%c_odd(0:c%reach_x/2 + 1, 0:c%reach_y), self%c_even(0:c%reach_x/2 + 1, 0:c%reach_y), source=0.0_dp)
             do k = 0, c%reach_x
                if (modulo(k, 2) == 0) self%c_even(k/2, :) = c%c(k, :)
                if (modulo(k, 2) == 1) self%c_odd(k/2, :) = c%c(k, :)
@@ -319,7 +338,7 @@ contains
             self%fold = self%p(:, j - e) + self%p(:, j + e)
          end if
          call add_centre(n, self%correction%c(0, e), self%fold(self%first(1)), u)
-         call add_pairs(n, w, self%ghost_x, 1, -1, self%correction%c(1, e), self%fold, u)
+         if (w > 0) call add_pairs(n, w, self%ghost_x, 1, -1, self%correction%c(1, e), self%fold, u)
       end do
    end subroutine correct_along_y
 

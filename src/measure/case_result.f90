@@ -9,7 +9,7 @@ module ehlwave_case_result
       integer :: status = status_pending
       logical :: is_resolved = .true.
       character(len=:), allocatable :: message       !! why not converged or not resolved, else empty
-      ! smooth steady contact
+      ! smooth steady contact; NaN unless it converged
       real(dp) :: central_film = 0                   !! H(0,0)
       real(dp) :: minimum_film = 0                   !! smallest H on the grid
       real(dp) :: central_film_moes = 0              !! H(0,0) in the scale of theory eq. (6)

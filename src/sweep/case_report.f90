@@ -1,5 +1,6 @@
 !> Plan and result of a case, as text for people and as JSON for programs.
 module ehlwave_case_report
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_case_input, only: case_t
    use ehlwave_case_plan, only: case_plan_t, run_march, run_smooth, run_standing
    use ehlwave_case_result, only: case_result_t
@@ -95,12 +96,7 @@ contains
 
       write (unit, '(a)') 'Status       '//status_name(result%status)
       if (len(result%message) > 0) write (unit, '(a)') '             '//result%message
-      write (unit, '(a)') 'Smooth film  H(0,0) = '//to_text(result%central_film, 6)//', smallest H = '// &
-         to_text(result%minimum_film, 6)//', Moes H(0,0) = '//to_text(result%central_film_moes, 6)// &
-         ', largest P = '//to_text(result%max_pressure, 6)
-      if (plan%conditions%has_dimensions) write (unit, '(a)') '             h(0,0) = '// &
-         to_text(result%central_film*plan%conditions%c_m*1e6_dp, 5)//' um, smallest h = '// &
-         to_text(result%minimum_film*plan%conditions%c_m*1e6_dp, 5)//' um'
+      if (ieee_is_finite(result%central_film)) call print_smooth_film()
       if (plan%waviness%is_present .and. is_success(result%status)) then
          write (unit, '(a)') 'Amplitude    Ad/Ai = '//to_text(result%amplitude_ratio, 5)//' (samples), '// &
             to_text(result%amplitude_ratio_fit, 5)//' (harmonic fit); formula '//to_text(result%formula_ratio, 5)
@@ -112,6 +108,18 @@ contains
       write (unit, '(a)') 'Effort       '//to_text(result%seconds, 4)//' s, '//to_text(result%work_units, 4)//' work units, '// &
          to_text(result%time_steps)//' time steps, '//to_text(result%nonlinear_steps)//' Newton and '// &
          to_text(result%linear_steps)//' GMRES steps on the finest grid, '//to_text(result%peak_memory_mib, 4)//' MiB'
+
+   contains
+
+      subroutine print_smooth_film()
+         write (unit, '(a)') 'Smooth film  H(0,0) = '//to_text(result%central_film, 6)//', smallest H = '// &
+            to_text(result%minimum_film, 6)//', Moes H(0,0) = '//to_text(result%central_film_moes, 6)// &
+            ', largest P = '//to_text(result%max_pressure, 6)
+         if (plan%conditions%has_dimensions) write (unit, '(a)') '             h(0,0) = '// &
+            to_text(result%central_film*plan%conditions%c_m*1e6_dp, 5)//' um, smallest h = '// &
+            to_text(result%minimum_film*plan%conditions%c_m*1e6_dp, 5)//' um'
+      end subroutine print_smooth_film
+
    end subroutine print_result
 
    !> The plan as one JSON object.

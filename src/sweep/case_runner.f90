@@ -41,6 +41,10 @@ contains
       result%amplitude_ratio = ieee_value(1.0_dp, ieee_quiet_nan)   ! until measured
       result%amplitude_ratio_fit = result%amplitude_ratio
       result%mean_film = result%amplitude_ratio
+      result%central_film = result%amplitude_ratio
+      result%minimum_film = result%amplitude_ratio
+      result%central_film_moes = result%amplitude_ratio
+      result%max_pressure = result%amplitude_ratio
       if (plan%waviness%is_present) then
          result%v = wave_parameter_v(plan%conditions, case%wavelength_over_a)
          result%v2 = wave_parameter_v2(plan%conditions, case%wavelength_over_a)
@@ -54,9 +58,9 @@ contains
       call multigrid%solve(limits, coarse_tolerance)
       associate (level => multigrid%levels(size(multigrid%levels)))
          call take_report(level%report, 'steady state of smooth surfaces', result)
-         call take_smooth_film(plan, level, result)
          call monitor%step_done('steady state', 1, 1)
          if (result%status == status_converged) then
+            call take_smooth_film(plan, level, result)
             select case (plan%kind)
             case (run_march)
                call run_moving(case, plan, level, monitor, result)
