@@ -79,7 +79,7 @@ contains
       integer, intent(in) :: direction     !! along_x or along_y
       integer, intent(in) :: order         !! of the interpolation: 4, 6 or 8
       real(dp), intent(in) :: smallest     !! corrections below this are left out
-      integer, intent(in) :: cells(2)      !! largest distance along X and Y between nodes of this level
+      integer, intent(in) :: cells(2)      !! largest distance along X and Y that is wanted
       type(correction_t) :: self
       real(dp), allocatable :: c(:, :), table(:, :), transposed(:, :)
       integer :: d, e

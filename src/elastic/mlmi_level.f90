@@ -1,57 +1,63 @@
-!> One coarsening step of multilevel multi-integration: from a set of nodes to every second one along X or Y.
+!> Levels of multilevel multi-integration: nodes, corrections and work space.
 module ehlwave_mlmi_level
    use ehlwave_kinds, only: dp
    use ehlwave_mlmi_correction, only: along_x, along_y, correction_t, midpoint_weights, new_correction, sampled_kernel_t
-   use ehlwave_mlmi_rows, only: add_centre, add_pairs, add_products
    implicit none (type, external)
    private
 
-   integer, parameter :: nowhere = 0
+   integer, parameter, public :: nowhere = 0   !! direction of the coarsest level
 
-   !> Nodes (first(1):last(1), first(2):last(2)) at multiples of the kernel's stride from node (0, 0).
+   !> Nodes first(1)..last(1) by first(2)..last(2), at multiples of the kernel's stride from node (0, 0) of the
+   !> finest level. Coarse levels go beyond the domain as far as interpolation refers to.
    !>
-   !> With a line of symmetry only rows j >= 0 are computed; their mirror images are stored beside them.
+   !> On a half domain rows j >= 0 are computed; mirror images of some are stored below them.
    type, public :: mlmi_level_t
       integer :: first(2) = 0, last(2) = 0
       logical :: is_half = .false.
-      integer :: direction = nowhere           !! how the next level is coarser; nowhere: this is the coarsest
+      integer :: direction = nowhere               !! along which every second node goes to the next level
+      integer :: order = 0                         !! of the transfers
       type(sampled_kernel_t) :: kernel
       type(correction_t) :: correction
-      integer :: order = 0
-      real(dp), allocatable :: weight(:)       !! of the midpoint interpolation
-      real(dp), allocatable :: u(:, :)         !! result, rows below zero are mirror images
-      ! Pressure with zeros around: split in even and odd columns where the next level is coarser along X.
+      real(dp), allocatable :: weight(:)           !! (order/2) of the midpoint interpolation
+      real(dp), allocatable :: c_even(:, :)        !! (0:, 0:reach_y) corrections at distances 0, 2, 4, ... along X
+      real(dp), allocatable :: c_odd(:, :)         !! (0:, 0:reach_y) at distances 1, 3, 5, ...
+      real(dp), allocatable :: influence(:, :)     !! kernel of the coarsest level, negative distances along X too
+      real(dp), allocatable :: u(:, :)             !! result, not on the finest level
+      ! Pressure among zeros: p, or even and odd columns (2i and 2i + 1 at i) where every second is dropped.
       integer :: ghost_x = 0, ghost_y = 0
-      real(dp), allocatable :: p(:, :)
-      real(dp), allocatable :: even(:, :), odd(:, :)
-      real(dp), allocatable :: c_even(:, :), c_odd(:, :)   !! correction at even and odd distances along X
-      real(dp), allocatable :: influence(:, :)             !! kernel of the coarsest level, even in X
-      real(dp), allocatable :: row(:), fold(:), fold_odd(:), y_even(:), y_odd(:)
+      real(dp), allocatable :: p(:, :), even(:, :), odd(:, :)
+      real(dp), allocatable :: fold(:), fold_odd(:)    ! sums of two rows at the same distance above and below
+      real(dp), allocatable :: y_even(:), y_odd(:)     ! one row of the result
+      real(dp), allocatable :: row(:)                  ! one row of the pressure
    contains
-      procedure :: plan_coarser
       procedure :: make_coarsest
       procedure :: make_coarsening
+      procedure :: plan_coarser
+      procedure :: step_cost
+      procedure :: sum_cost
       procedure :: put_row
       procedure :: mirror_pressure
       procedure :: mirror_result
-      procedure :: anterpolate
-      procedure :: finish
-      procedure :: sum_row
-      procedure :: sum_cost, step_cost
    end type mlmi_level_t
+
+   public :: half_below
 
 contains
 
-   !> Range and kernel of the next level: all nodes that the interpolation to this level refers to.
+   !> Corrections of this level and place and kernel of the next: the nodes that interpolation refers to.
    pure subroutine plan_coarser(self, direction, order, reach, coarse)
       class(mlmi_level_t), intent(inout) :: self
-      integer, intent(in) :: direction, order
-      real(dp), intent(in) :: reach
+      integer, intent(in) :: direction             !! along_x or along_y
+      integer, intent(in) :: order                 !! of the transfers
+      real(dp), intent(in) :: reach                !! of the corrections, see `smallest_kept`
       type(mlmi_level_t), intent(out) :: coarse
       integer :: cells(2)
+
       cells = self%last - self%first
       if (self%is_half) cells(2) = 2*cells(2)
+      cells(direction) = cells(direction) + order   ! coarse nodes beyond the last are corrected too
       self%correction = new_correction(self%kernel, direction, order, self%kernel%smallest_kept(order, reach), cells)
+
       coarse%is_half = self%is_half
       coarse%kernel = self%kernel
       coarse%kernel%stride(direction) = 2*self%kernel%stride(direction)
@@ -67,22 +73,22 @@ contains
       class(mlmi_level_t), intent(in) :: self
       real(dp) :: n(2)
       n = self%last - self%first + 1
-      sum_cost = n(1)**2*n(2)**2*merge(1.5_dp, 0.75_dp, self%is_half)
+      sum_cost = product(n)**2*merge(1.5_dp, 0.75_dp, self%is_half)
    end function sum_cost
 
-   !> The same for the transfers to and from the next level and the corrections.
+   !> The same for the corrections of this level and the transfers to and from the next.
    pure real(dp) function step_cost(self, order)
       class(mlmi_level_t), intent(in) :: self
       integer, intent(in) :: order
       real(dp) :: n(2)
       n = self%last - self%first + 1
-      step_cost = n(1)*n(2)*(order + 6 + 0.75_dp*sum(2*self%correction%width + 2))
+      step_cost = product(n)*(order + 6 + 0.75_dp*sum(2*self%correction%width + 2))
    end function step_cost
 
-   !> Work space of a level that is summed directly.
-   subroutine make_coarsest(self, order)
+   !> Kernel and work space of a level that is summed directly.
+   pure subroutine make_coarsest(self, order)
       class(mlmi_level_t), intent(inout) :: self
-      integer, intent(in) :: order
+      integer, intent(in) :: order     !! of the transfers of the finer levels
       integer :: d, e, n, rows
 
       self%direction = nowhere
@@ -100,21 +106,22 @@ contains
       call make_arrays(self, 0, rows)
    end subroutine make_coarsest
 
-   !> Corrections and work space of a level that has a coarser one.
-   subroutine make_coarsening(self, direction, order)
+   !> Work space of a level that `plan_coarser` has made a coarser one for.
+   pure subroutine make_coarsening(self, direction, order)
       class(mlmi_level_t), intent(inout) :: self
       integer, intent(in) :: direction, order
-      integer :: k
+      integer :: d
 
       self%direction = direction
       self%order = order
       self%weight = midpoint_weights(order)
       associate (c => self%correction)
          if (direction == along_x) then
-            allocate (self%c_odd(0:c%reach_x/2 + 1, 0:c%reach_y), self%c_even(0:c%reach_x/2 + 1, 0:c%reach_y), source=0.0_dp)
-            do k = 0, c%reach_x
-               if (modulo(k, 2) == 0) self%c_even(k/2, :) = c%c(k, :)
-               if (modulo(k, 2) == 1) self%c_odd(k/2, :) = c%c(k, :)
+            allocate (self%c_even(0:c%reach_x/2 + 1, 0:c%reach_y), source=0.0_dp)
+            allocate (self%c_odd(0:c%reach_x/2 + 1, 0:c%reach_y), source=0.0_dp)
+            do d = 0, c%reach_x
+               if (modulo(d, 2) == 0) self%c_even(d/2, :) = c%c(d, :)
+               if (modulo(d, 2) == 1) self%c_odd(d/2, :) = c%c(d, :)
             end do
             call make_arrays(self, max(order, c%reach_x/2 + 2), c%reach_y)
          else
@@ -123,10 +130,10 @@ contains
       end associate
    end subroutine make_coarsening
 
-   subroutine make_arrays(self, ghost_x, ghost_y)
+   pure subroutine make_arrays(self, ghost_x, ghost_y)
       type(mlmi_level_t), intent(inout) :: self
-      integer, intent(in) :: ghost_x, ghost_y
-      integer :: first, last, low, high
+      integer, intent(in) :: ghost_x, ghost_y   ! zeros on either side
+      integer :: first, high, last, low
 
       self%ghost_x = ghost_x
       self%ghost_y = ghost_y
@@ -134,8 +141,10 @@ contains
       high = self%last(2) + ghost_y
       first = self%first(1)
       last = self%last(1)
-      allocate (self%row(first:last), source=0.0_dp)
-      allocate (self%u(first:last, self%first(2) - merge(self%order, 0, self%is_half):self%last(2)), source=0.0_dp)
+      if (any(self%kernel%stride > 1)) then
+         allocate (self%row(first:last), source=0.0_dp)
+         allocate (self%u(first:last, self%first(2) - merge(self%order, 0, self%is_half):self%last(2)), source=0.0_dp)
+      end if
       if (self%direction == along_x) then
          first = first_needed(first, self%order)
          last = last_needed(last, self%order)
@@ -155,13 +164,13 @@ contains
       half_below = (i - modulo(i, 2))/2
    end function half_below
 
-   !> First node that interpolation to the odd nodes from `first` on refers to.
+   !> First coarse node that interpolation to the odd nodes from `first` on refers to.
    elemental integer function first_needed(first, order)
       integer, intent(in) :: first, order
       first_needed = half_below(first) + 1 - order/2
    end function first_needed
 
-   !> Last node that interpolation to the odd nodes up to `last` refers to.
+   !> Last coarse node that interpolation to the odd nodes up to `last` refers to.
    elemental integer function last_needed(last, order)
       integer, intent(in) :: last, order
       last_needed = half_below(last - 1) + order/2
@@ -188,7 +197,7 @@ contains
       end do
    end subroutine put_row
 
-   !> Rows below the line of symmetry, when there is one.
+   !> Pressure below the line of symmetry, when there is one.
    pure subroutine mirror_pressure(self)
       class(mlmi_level_t), intent(inout) :: self
       integer :: j
@@ -203,6 +212,7 @@ contains
       end do
    end subroutine mirror_pressure
 
+   !> The same for the result, as far as interpolation refers to it.
    pure subroutine mirror_result(self)
       class(mlmi_level_t), intent(inout) :: self
       integer :: j
@@ -211,175 +221,5 @@ contains
          self%u(:, -j) = self%u(:, j)
       end do
    end subroutine mirror_result
-
-   !> Pressure of the next level, the adjoint of interpolation:
-   !>
-   !>     P'(I) = P(2I) + sum over s = 1, 3, ... of w(s) (P(2I + s) + P(2I - s))
-   subroutine anterpolate(self, coarse)
-      class(mlmi_level_t), intent(in) :: self
-      type(mlmi_level_t), intent(inout) :: coarse
-      integer :: a, first, j, last
-
-      first = coarse%first(1)
-      last = coarse%last(1)
-      do j = coarse%first(2), coarse%last(2)
-         associate (row => coarse%row)
-            if (self%direction == along_x) then
-               row = self%even(first:last, j)
-               do a = 1, self%order/2
-                  row = row + self%weight(a)*(self%odd(first + a - 1:last + a - 1, j) + self%odd(first - a:last - a, j))
-               end do
-            else
-               row = self%p(first:last, 2*j)
-               do a = 1, self%order/2
-                  row = row + self%weight(a)*(self%p(first:last, 2*j + 2*a - 1) + self%p(first:last, 2*j - 2*a + 1))
-               end do
-            end if
-         end associate
-         call coarse%put_row(j, first, coarse%row)
-      end do
-      call coarse%mirror_pressure()
-   end subroutine anterpolate
-
-   !> Result u from that of the next level, u', and the corrections: along the coarsened direction
-   !>
-   !>     u'(I)    := u'(I) + sum over odd d of C(d, e) P(2I + d, e)
-   !>     u(2I)     = u'(I)
-   !>     u(2I + 1) = sum over s of w(s) u'(I + (1 +- s)/2) + sum over all d of C(d, e) P(2I + 1 + d, e)
-   subroutine finish(self, coarse, first, u)
-      class(mlmi_level_t), intent(inout) :: self
-      type(mlmi_level_t), intent(inout) :: coarse
-      integer, intent(in) :: first(2)                          !! self%first
-      real(dp), intent(inout) :: u(first(1):, first(2):)       !! (first(1):last(1), first(2):last(2))
-      integer :: j
-
-      if (self%direction == along_x) then
-         do j = self%first(2), self%last(2)
-            call correct_along_x(self, coarse, j)
-            call interpolate_along_x(self, u(:, j))
-         end do
-      else
-         do j = coarse%first(2), coarse%last(2)
-            call correct_along_y(self, 2*j, coarse%u(:, j))
-         end do
-         call coarse%mirror_result()
-         do j = self%first(2), self%last(2)
-            call interpolate_along_y(self, coarse, j, u(:, j))
-            if (modulo(j, 2) == 1) call correct_along_y(self, j, u(:, j))
-         end do
-      end if
-   end subroutine finish
-
-   !> Coarse values of row j with their corrections into y_even, corrections between them into y_odd.
-   subroutine correct_along_x(self, coarse, j)
-      type(mlmi_level_t), intent(inout) :: self
-      type(mlmi_level_t), intent(in) :: coarse
-      integer, intent(in) :: j
-      integer :: e, first, g, n, pairs, w
-
-      g = self%ghost_x
-      first = lbound(self%y_even, 1)
-      n = size(self%y_even)
-      self%y_even = coarse%u(:, j)
-      self%y_odd = 0
-      do e = 0, self%correction%reach_y
-         w = self%correction%width(e)
-         if (w < 0) cycle
-         if (e == 0) then
-            self%fold = self%even(:, j)
-            self%fold_odd = self%odd(:, j)
-         else
-            self%fold = self%even(:, j - e) + self%even(:, j + e)
-            self%fold_odd = self%odd(:, j - e) + self%odd(:, j + e)
-         end if
-         pairs = (w + 1)/2
-         call add_pairs(n, pairs, g, 0, -1, self%c_odd(:, e), self%fold_odd, self%y_even)
-         call add_pairs(n, pairs, g, 1, 0, self%c_odd(:, e), self%fold, self%y_odd)
-         call add_centre(n, self%c_even(0, e), self%fold_odd(first), self%y_odd)
-         call add_pairs(n, w/2, g, 1, -1, self%c_even(1, e), self%fold_odd, self%y_odd)
-      end do
-   end subroutine correct_along_x
-
-   subroutine interpolate_along_x(self, u)
-      type(mlmi_level_t), intent(inout) :: self
-      real(dp), intent(inout) :: u(self%first(1):)
-      integer :: a, first, i, last
-
-      first = half_below(self%first(1))
-      last = half_below(self%last(1) - 1)
-      do a = 1, self%order/2
-         do i = first, last
-            self%y_odd(i) = self%y_odd(i) + self%weight(a)*(self%y_even(i + a) + self%y_even(i + 1 - a))
-         end do
-      end do
-      do i = first, last
-         u(2*i + 1) = self%y_odd(i)
-      end do
-      do i = half_below(self%first(1) + 1), half_below(self%last(1))
-         u(2*i) = self%y_even(i)
-      end do
-   end subroutine interpolate_along_x
-
-   !> Corrections of row j of this level: from odd rows for an even one, from all rows for an odd one.
-   subroutine correct_along_y(self, j, u)
-      type(mlmi_level_t), intent(inout) :: self
-      integer, intent(in) :: j
-      real(dp), intent(inout) :: u(self%first(1):)
-      integer :: e, n, odd, w
-
-      n = size(u)
-      odd = modulo(j, 2)
-      do e = 1 - odd, self%correction%reach_y, 2 - odd
-         w = self%correction%width(e)
-         if (w < 0) cycle
-         if (e == 0) then
-            self%fold = self%p(:, j)
-         else
-            self%fold = self%p(:, j - e) + self%p(:, j + e)
-         end if
-         call add_centre(n, self%correction%c(0, e), self%fold(self%first(1)), u)
-         if (w > 0) call add_pairs(n, w, self%ghost_x, 1, -1, self%correction%c(1, e), self%fold, u)
-      end do
-   end subroutine correct_along_y
-
-   pure subroutine interpolate_along_y(self, coarse, j, u)
-      type(mlmi_level_t), intent(in) :: self
-      type(mlmi_level_t), intent(in) :: coarse
-      integer, intent(in) :: j
-      real(dp), intent(inout) :: u(self%first(1):)
-      integer :: a, i, k
-
-      k = half_below(j)
-      if (modulo(j, 2) == 0) then
-         u = coarse%u(:, k)
-         return
-      end if
-      u = 0
-      do a = 1, self%order/2
-         do i = self%first(1), self%last(1)
-            u(i) = u(i) + self%weight(a)*(coarse%u(i, k + a) + coarse%u(i, k + 1 - a))
-         end do
-      end do
-   end subroutine interpolate_along_y
-
-   !> Result in row j of the coarsest level by summation over all nodes.
-   subroutine sum_row(self, j, u)
-      class(mlmi_level_t), intent(inout) :: self
-      integer, intent(in) :: j
-      real(dp), intent(inout) :: u(:)
-      integer :: e, lowest, n
-
-      n = size(u)
-      lowest = merge(-self%last(2), self%first(2), self%is_half)
-      u = 0
-      do e = 0, max(self%last(2) - j, j - lowest)
-         if (e == 0) then
-            self%fold = self%p(:, j)
-         else
-            self%fold = self%p(:, j - e) + self%p(:, j + e)
-         end if
-         call add_products(n, self%influence(:, e), self%fold, u)
-      end do
-   end subroutine sum_row
 
 end module ehlwave_mlmi_level

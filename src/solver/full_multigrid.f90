@@ -2,6 +2,7 @@
 module ehlwave_full_multigrid
    use ehlwave_conditions, only: conditions_t
    use ehlwave_contact_problem, only: contact_problem_t
+   use ehlwave_deformation_mlmi, only: deformation_mlmi_t
    use ehlwave_formula, only: moes_film_formula
    use ehlwave_grid, only: grid_t, new_grid
    use ehlwave_kinds, only: dp
@@ -37,7 +38,8 @@ module ehlwave_full_multigrid
 contains
 
    !> Hierarchy down from the finest grid, cells halved as long as they are even and enough.
-   subroutine init(self, conditions, rheology, x_min, x_max, y_max, cells_x, cells_y, is_half, method)
+   subroutine init(self, conditions, rheology, x_min, x_max, y_max, cells_x, cells_y, is_half, &
+                   method, deformation)
       class(full_multigrid_t), intent(inout), target :: self
       type(conditions_t), intent(in) :: conditions
       type(rheology_t), intent(in) :: rheology
@@ -45,12 +47,14 @@ contains
       integer, intent(in) :: cells_x, cells_y       !! cells of the finest grid over the whole domain
       logical, intent(in) :: is_half                !! store Y >= 0 only
       character(len=*), intent(in) :: method        !! solver of the finest level: 'newton' or 'petsc'
+      character(len=*), intent(in) :: deformation   !! 'fft' or 'mlmi'
       integer :: l, n
 
       n = level_count(cells_x, cells_y, is_half)
       allocate (self%levels(n))
       do l = 1, n
          associate (level => self%levels(l))
+            if (deformation == 'mlmi') allocate (deformation_mlmi_t :: level%problem%deformation)
             call level%problem%init(new_grid(x_min, x_max, y_max, cells_x/2**(n - l), cells_y/2**(n - l), is_half), &
                                     conditions, rheology)
             level%state = new_state(level%problem%grid)

@@ -69,7 +69,7 @@ contains
       associate (conditions => make_conditions(number(column_m, row), number(column_d, row)))
          call multigrid%init(conditions, new_rheology(viscosity_roelands, density_dowson_higginson, conditions%alphabar, &
                                                       0.68_dp, conditions%hertz_pressure_pa), &
-                             -2.5_dp, 1.5_dp, 2.0_dp, cells, cells, .true., 'newton')
+                             -2.5_dp, 1.5_dp, 2.0_dp, cells, cells, .true., 'newton', 'fft')
          wave = new_waviness(wavelength, 0.0_dp, .false., -2.5_dp, 1.0_dp)
          if (table%cells(column_orientation, row) == 'isotropic') &
             wave = new_waviness(wavelength, conditions%elliptic%kappa*wavelength, .false., -2.5_dp, 1.0_dp)
