@@ -38,7 +38,8 @@ contains
       do order = 4, 8, 2
          w = midpoint_weights(order)
          do degree = 0, order - 2, 2
-            call test%check_close(2*sum(w*[(real(2*s - 1, dp)**degree, s=1, order/2)]), merge(1.0_dp, 0.0_dp, degree == 0), &
+            call test%check_close(2*sum(w*[(real(2*s - 1, dp)**degree, s=1, order/2)]), &
+                                  merge(1.0_dp, 0.0_dp, degree == 0), &
                                   'order '//to_text(order)//', degree '//to_text(degree), absolute=1e-11_dp)
          end do
       end do
@@ -63,8 +64,8 @@ contains
             deformation%levels = levels
             deformation%order = order
             call by_mlmi(deformation, grid, kappa, p, v)
-            call test%check_close([v], [exact], to_text(levels)//' levels, order '//to_text(order)//', all corrections', &
-                                  absolute=1e-11_dp*maxval(abs(exact)))
+            call test%check_close([v], [exact], to_text(levels)//' levels, order '//to_text(order)// &
+                                  ', all corrections', absolute=1e-11_dp*maxval(abs(exact)))
          end do
       end do
    end subroutine check_exact
@@ -140,8 +141,8 @@ contains
 
       do kind = hertz, rough
          do n = 1, 3
-            cells_y = 64*2**n
-            cells_x = nint(cells_ratio*cells_y/2)*2
+            cells_y = nint(16/sqrt(cells_ratio))*4*2**n   ! 128^2, 256^2, 512^2 cells or as many
+            cells_x = nint(16*sqrt(cells_ratio))*4*2**n
             coarse = new_grid(-2.5_dp, 1.5_dp, 2.0_dp, cells_x/2, cells_y/2, .true.)
             call by_fft(coarse, kappa, pressure(coarse, hertz), previous)
             grid = new_grid(-2.5_dp, 1.5_dp, 2.0_dp, cells_x, cells_y, .true.)
@@ -154,7 +155,8 @@ contains
          end do
          order = log(error(1, kind)/error(3, kind))/log(4.0_dp)
          print '(a)', 'measured: kappa = '//to_text(kappa, 3)//', cells '//to_text(cells_x)//' x '//to_text(cells_y)// &
-            ': rms error '//to_text(error(3, kind), 3)//', Hertz change '//to_text(change, 3)//', order '//to_text(order, 3)
+            ': rms error '//to_text(error(3, kind), 3)//', Hertz change '//to_text(change, 3)// &
+            ', order '//to_text(order, 3)
          call test%check(error(3, kind) < 0.1_dp*change, 'error against discretisation error')
          call test%check(order > 1.9_dp, 'order of the error')
       end do
