@@ -28,7 +28,7 @@ module ehlwave_hdf5_file
       generic :: write => write_real, write_reals, write_integers, write_texts, write_plane
       procedure, private :: write_real, write_reals, write_integers, write_texts, write_plane
       procedure, private :: text_attribute, integer_attribute
-      procedure, private :: note, describe, attach
+      procedure, private :: note, complete, attach
    end type hdf5_file_t
 
    interface
@@ -155,14 +155,21 @@ contains
       call h5dclose_f(id, status)
    end subroutine dimension
 
-   !> units and long_name of an open dataset.
-   subroutine describe(self, id, units, long_name)
+   !> What every dataset gets once its values are written: units, long_name and its scales, slowest dimension
+   !> first; then it is closed.
+   subroutine complete(self, id, space, units, long_name, scale, second_scale)
       class(hdf5_file_t), intent(inout) :: self
-      integer(hid_t), intent(in) :: id
+      integer(hid_t), intent(in) :: id, space
       character(len=*), intent(in) :: units, long_name
+      character(len=*), intent(in), optional :: scale, second_scale
+      integer :: status
       if (len(units) > 0) call write_attribute(self, id, 'units', units)
       call write_attribute(self, id, 'long_name', long_name)
-   end subroutine describe
+      if (present(scale)) call self%attach(id, scale, 1)
+      if (present(second_scale)) call self%attach(id, second_scale, 2)
+      call h5dclose_f(id, status)
+      call h5sclose_f(space, status)
+   end subroutine complete
 
    !> Attach a dimension scale; `number` counts dimensions in C order, slowest first.
    subroutine attach(self, id, scale, number)
@@ -192,9 +199,7 @@ contains
       call self%note(status)
       call h5dwrite_f(id, h5t_native_double, value, [1_hsize_t], status)
       call self%note(status)
-      call self%describe(id, units, long_name)
-      call h5dclose_f(id, status)
-      call h5sclose_f(space, status)
+      call self%complete(id, space, units, long_name)
    end subroutine write_real
 
    !> Real values over one dimension.
@@ -211,10 +216,7 @@ contains
       call self%note(status)
       call h5dwrite_f(id, h5t_native_double, values, extent, status)
       call self%note(status)
-      call self%describe(id, units, long_name)
-      call self%attach(id, scale, 1)
-      call h5dclose_f(id, status)
-      call h5sclose_f(space, status)
+      call self%complete(id, space, units, long_name, scale)
    end subroutine write_reals
 
    !> Whole numbers over one dimension.
@@ -231,10 +233,7 @@ contains
       call self%note(status)
       call h5dwrite_f(id, h5t_native_integer, values, extent, status)
       call self%note(status)
-      call self%describe(id, units, long_name)
-      call self%attach(id, scale, 1)
-      call h5dclose_f(id, status)
-      call h5sclose_f(space, status)
+      call self%complete(id, space, units, long_name, scale)
    end subroutine write_integers
 
    !> Texts over one dimension, in a fixed length, padded with nulls in the file.
@@ -256,10 +255,7 @@ contains
       call self%note(status)
       call h5dwrite_f(id, in_memory, c_loc(values), status)
       call self%note(status)
-      call self%describe(id, units, long_name)
-      call self%attach(id, scale, 1)
-      call h5dclose_f(id, status)
-      call h5sclose_f(space, status)
+      call self%complete(id, space, units, long_name, scale)
       call h5tclose_f(in_memory, status)
       call h5tclose_f(in_file, status)
    end subroutine write_texts
@@ -278,11 +274,7 @@ contains
       call self%note(status)
       call h5dwrite_f(id, h5t_native_double, values, extent, status)
       call self%note(status)
-      call self%describe(id, units, long_name)
-      call self%attach(id, scale_y, 1)
-      call self%attach(id, scale_x, 2)
-      call h5dclose_f(id, status)
-      call h5sclose_f(space, status)
+      call self%complete(id, space, units, long_name, scale_y, scale_x)
    end subroutine write_plane
 
 end module ehlwave_hdf5_file
