@@ -31,14 +31,15 @@ contains
       type(csv_t), intent(out) :: table
       type(error_t), allocatable, intent(inout) :: error
       character(len=:), allocatable :: text, line
-      character(len=cell_length), allocatable :: values(:), rows(:, :)
-      integer :: first, last, number
+      character(len=cell_length), allocatable :: values(:)
+      integer :: first, last, number, rows
 
       if (allocated(error)) return
       call read_text(path, text, error)
       if (allocated(error)) return
       table%path = path
-      allocate (table%line(0))
+      allocate (table%line(count_lines(text)))
+      rows = 0
       first = 1
       number = 0
       do while (first <= len(text))
@@ -56,7 +57,7 @@ contains
          end if
          if (.not. allocated(table%names)) then
             table%names = lower_case(values)
-            allocate (table%cells(size(values), 0))
+            allocate (table%cells(size(values), size(table%line)))
             call refuse_doubled_names(table, number, error)
             if (allocated(error)) return
          else if (size(values) /= size(table%names)) then
@@ -64,15 +65,25 @@ contains
                        to_text(size(table%names))//' columns')
             return
          else
-            allocate (rows(size(values), size(table%line) + 1))
-            rows(:, :size(table%line)) = table%cells
-            rows(:, size(table%line) + 1) = values
-            call move_alloc(rows, table%cells)
-            table%line = [table%line, number]
+            rows = rows + 1
+            table%cells(:, rows) = values
+            table%line(rows) = number
          end if
       end do
-      if (size(table%line) == 0) call raise(error, path//': no rows: give a line of column names and at least one row')
+      table%line = table%line(:rows)
+      if (allocated(table%cells)) table%cells = table%cells(:, :rows)
+      if (rows == 0) call raise(error, path//': no rows: give a line of column names and at least one row')
    end subroutine read_csv
+
+   !> Number of lines, the last one with or without its end.
+   pure integer function count_lines(text)
+      character(len=*), intent(in) :: text
+      integer :: i
+      count_lines = 1
+      do i = 1, len(text)
+         if (text(i:i) == new_line('a')) count_lines = count_lines + 1
+      end do
+   end function count_lines
 
    subroutine refuse_doubled_names(table, number, error)
       type(csv_t), intent(in) :: table

@@ -27,6 +27,7 @@ module ehlwave_namelist
       type(known_names_t), private :: known
    contains
       procedure :: load
+      procedure :: load_text
       generic :: get => get_real, get_integer, get_logical, get_text
       procedure :: get_fixed
       generic :: get_list => get_reals, get_texts
@@ -46,22 +47,33 @@ contains
       character(len=*), intent(in) :: path
       type(error_t), allocatable, intent(inout) :: error
       character(len=:), allocatable :: text
+
+      if (allocated(error)) return
+      call read_text(path, text, error)
+      if (allocated(error)) return
+      call self%load_text(path, text, error)
+   end subroutine load
+
+   !> Split a text that is at hand already. Fails when it breaks the format; then nothing changes.
+   subroutine load_text(self, path, text, error)
+      class(namelist_t), intent(inout) :: self
+      character(len=*), intent(in) :: path   !! where the text is from, for messages
+      character(len=*), intent(in) :: text
+      type(error_t), allocatable, intent(inout) :: error
       type(group_t), allocatable :: groups(:)
       type(entry_t), allocatable :: entries(:)
       type(value_t), allocatable :: values(:)
 
       if (allocated(error)) return
-      call read_text(path, text, error)
-      if (allocated(error)) return
       call scan_namelist(path, text, groups, entries, values, error)
       if (allocated(error)) return
       self%path = trim(path)
-      call move_alloc(text, self%text)
+      self%text = text
       call move_alloc(groups, self%groups)
       call move_alloc(entries, self%entries)
       call move_alloc(values, self%values)
       self%known = known_names_t()
-   end subroutine load
+   end subroutine load_text
 
    !> Real number; a whole number is accepted.
    subroutine get_real(self, group, key, value, error, minimum, maximum, above, below)

@@ -7,6 +7,7 @@ module ehlwave_case_table
    use ehlwave_csv, only: cell_length, csv_t, read_csv
    use ehlwave_errors, only: error_t, raise
    use ehlwave_formula, only: anisotropy_factor, wave_parameter_v
+   use ehlwave_identity_index, only: identity_index_t, identity_length
    use ehlwave_kinds, only: dp
    use ehlwave_namelist, only: namelist_t
    use ehlwave_text, only: lower_case, to_text
@@ -18,7 +19,9 @@ module ehlwave_case_table
       character(len=:), allocatable :: output      !! results file
       type(case_t), allocatable :: cases(:)        !! completed, no two alike
       type(case_plan_t), allocatable :: plans(:)
+      character(len=identity_length), allocatable :: identity(:)
       integer :: skipped = 0                       !! unresolved cases left out on request
+      type(identity_index_t) :: index              !! from identity to number of the case
    end type sweep_t
 
    !> Lists of the &sweep group.
@@ -49,7 +52,7 @@ contains
                     'and &sweep gives load_parameter_m, lubricant_parameter_l or radius_ratio_d: give one of the two')
          return
       end if
-      allocate (sweep%cases(0), sweep%plans(0))
+      allocate (sweep%cases(64), sweep%plans(64), sweep%identity(64))
       sweep%output = lists%output
       if (len(lists%case_file) > 0) then
          if (allocated(lists%m) .or. allocated(lists%l) .or. allocated(lists%d) .or. allocated(lists%wavelength) .or. &
@@ -62,6 +65,7 @@ contains
          call add_product(path, base, lists, sweep, error)
       end if
       if (allocated(error)) return
+      call resize(sweep, sweep%index%count)
       if (size(sweep%cases) == 0) call raise(error, path//': no cases are left to run'// &
          merge(' (all are unresolved)', '                     ', sweep%skipped > 0))
    end subroutine read_sweep
@@ -243,7 +247,8 @@ contains
       type(sweep_t), intent(inout) :: sweep
       type(error_t), allocatable, intent(inout) :: error
       type(case_plan_t) :: plan
-      integer :: i
+      character(len=identity_length) :: identity
+      integer :: before, i
 
       if (.not. allocated(error)) call complete_case(case, place, error)
       if (allocated(error)) return
@@ -256,11 +261,33 @@ contains
          sweep%skipped = sweep%skipped + 1
          return
       end if
-      do i = 1, size(sweep%cases)
-         if (case_identity(sweep%cases(i)) == case_identity(case)) return
-      end do
-      sweep%cases = [sweep%cases, case]
-      sweep%plans = [sweep%plans, plan]
+      identity = case_identity(case)
+      before = sweep%index%count
+      call sweep%index%add(identity, i)
+      if (i <= before) return
+      if (i > size(sweep%cases)) call resize(sweep, 2*size(sweep%cases))
+      sweep%cases(i) = case
+      sweep%plans(i) = plan
+      sweep%identity(i) = identity
    end subroutine add_case
+
+   !> Make the lists of a sweep n long, keeping what fits.
+   subroutine resize(sweep, n)
+      type(sweep_t), intent(inout) :: sweep
+      integer, intent(in) :: n
+      type(case_t), allocatable :: cases(:)
+      type(case_plan_t), allocatable :: plans(:)
+      character(len=identity_length), allocatable :: identity(:)
+      integer :: kept
+
+      kept = min(n, size(sweep%cases))
+      allocate (cases(n), plans(n), identity(n))
+      cases(:kept) = sweep%cases(:kept)
+      plans(:kept) = sweep%plans(:kept)
+      identity(:kept) = sweep%identity(:kept)
+      call move_alloc(cases, sweep%cases)
+      call move_alloc(plans, sweep%plans)
+      call move_alloc(identity, sweep%identity)
+   end subroutine resize
 
 end module ehlwave_case_table

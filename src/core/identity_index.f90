@@ -1,0 +1,81 @@
+!> Finds the place of an identity (16 hexadecimal digits) in a list in constant time.
+module ehlwave_identity_index
+   use ehlwave_kinds, only: i8
+   implicit none (type, external)
+   private
+   public :: identity_index_t
+
+   integer, parameter, public :: identity_length = 16
+
+   !> Open addressing with linear probing; the table is doubled when it is half full. Identities are hashes
+   !> already, so their own digits say where to look.
+   type :: identity_index_t
+      integer :: count = 0                                            !! identities added
+      character(len=identity_length), allocatable, private :: key(:)
+      integer, allocatable, private :: place(:)                       ! 0: free
+   contains
+      procedure :: add
+      procedure :: find
+      procedure, private :: slot
+   end type identity_index_t
+
+contains
+
+   !> Add an identity; `place` is its number in the order of adding, or the number it got before.
+   subroutine add(self, identity, place)
+      class(identity_index_t), intent(inout) :: self
+      character(len=identity_length), intent(in) :: identity
+      integer, intent(out) :: place
+      type(identity_index_t) :: larger
+      integer :: i
+
+      if (.not. allocated(self%place)) then
+         allocate (self%key(0:1023))
+         allocate (self%place(0:1023), source=0)
+      else if (2*self%count >= size(self%place)) then
+         allocate (larger%key(0:2*size(self%key) - 1))
+         allocate (larger%place(0:2*size(self%place) - 1), source=0)
+         do i = 0, size(self%place) - 1
+            if (self%place(i) == 0) cycle
+            place = larger%slot(self%key(i))
+            larger%key(place) = self%key(i)
+            larger%place(place) = self%place(i)
+         end do
+         call move_alloc(larger%key, self%key)
+         call move_alloc(larger%place, self%place)
+      end if
+      i = self%slot(identity)
+      if (self%place(i) == 0) then
+         self%count = self%count + 1
+         self%key(i) = identity
+         self%place(i) = self%count
+      end if
+      place = self%place(i)
+   end subroutine add
+
+   !> Number of an identity in the order of adding, 0 when it was not added.
+   integer function find(self, identity)
+      class(identity_index_t), intent(in) :: self
+      character(len=identity_length), intent(in) :: identity
+      find = 0
+      if (allocated(self%place)) find = self%place(self%slot(identity))
+   end function find
+
+   !> Where an identity is, or the free place where it belongs.
+   integer function slot(self, identity)
+      class(identity_index_t), intent(in) :: self
+      character(len=identity_length), intent(in) :: identity
+      integer(i8) :: number
+      integer :: i
+      number = 0
+      do i = 1, identity_length
+         number = iand(number*33_i8 + iachar(identity(i:i)), int(z'FFFFFFFFFFFF', i8))
+      end do
+      slot = int(iand(number, int(size(self%place) - 1, i8)))
+      do while (self%place(slot) /= 0)
+         if (self%key(slot) == identity) return
+         slot = iand(slot + 1, size(self%place) - 1)
+      end do
+   end function slot
+
+end module ehlwave_identity_index
