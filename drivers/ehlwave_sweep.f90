@@ -2,34 +2,47 @@
 program ehlwave_sweep
    use, intrinsic :: iso_fortran_env, only: error_unit, output_unit
    use ehlwave_arguments, only: arguments_t, read_arguments
+   use ehlwave_case_runner, only: run_case
    use ehlwave_case_table, only: read_sweep, sweep_t
    use ehlwave_errors, only: error_t
-   use ehlwave_field_file, only: check_writable
    use ehlwave_petsc_solver, only: finish_petsc
    use ehlwave_provenance, only: program_version
-   use ehlwave_results_file, only: row_t
-   use ehlwave_scheduler, only: run_sweep
-   use ehlwave_sweep_progress, only: new_progress, progress_t
-   use ehlwave_sweep_report, only: print_sweep_plan, print_sweep_result
-   use ehlwave_text_file, only: read_text
-   use mpi_f08, only: mpi_barrier, mpi_comm_rank, mpi_comm_size, mpi_comm_world, mpi_finalize, mpi_init
+   use ehlwave_sweep_job, only: exit_bad_input, exit_done, exit_failed, exit_unfinished, job_options_t, run_job
+   use ehlwave_sweep_report, only: print_sweep_plan
+   use ehlwave_sweep_status, only: print_status
+   use ehlwave_time_text, only: read_time
+   use mpi_f08, only: mpi_bcast, mpi_comm_rank, mpi_comm_world, mpi_finalize, mpi_init, mpi_logical
    implicit none (type, external)
 
-   character(len=*), parameter :: usage(18) = [character(len=96) :: &
-      'Usage: mpirun -n RANKS ehlwave-sweep SWEEP.nml [--plan] [--output FILE.h5] [--overwrite]', &
+   character(len=*), parameter :: usage(32) = [character(len=104) :: &
+      'Usage: mpirun -n RANKS ehlwave-sweep SWEEP.nml [--plan] [--output FILE.h5] [--time-limit TIME]', &
+      '                                     [--retry failed|version] [--overwrite]', &
+      '       ehlwave-sweep --status FILE.h5', &
       '', &
       'Runs every combination of the lists in a sweep file, or every row of its CSV file; ranks take', &
       'cases as they become free, the longest expected first. A case that does not converge is a row', &
       'with its status. Without mpirun the same program runs on one rank.', &
       '', &
-      '  --plan           list the cases with grids, steps and resolution; compute nothing', &
-      '  --output FILE    results file, in place of the one named in the sweep file', &
-      '  --overwrite      replace an existing results file', &
-      '  --version        version of the program', &
-      '  --help           this text', &
+      'Every finished case is stored at once, in the folder FILE.store beside FILE.h5. The same command', &
+      'again goes on where a run was stopped or killed, and with new cases when the sweep file has some.', &
       '', &
-      'Exit status: 0 all cases converged (or are flagged unresolved); 1 some did not;', &
-      '             2 bad input or usage; 3 results could not be written', &
+      '  --plan            list the cases with grids, steps and resolution; compute nothing', &
+      '  --output FILE     results file, in place of the one named in the sweep file', &
+      '  --time-limit TIME stop after SECONDS, M:SS, H:MM:SS or D-HH:MM:SS: take no more cases, keep', &
+      '                    checkpoints of those under way, exit with status 85', &
+      '  --retry failed    run cases that did not converge, and those set aside, once more', &
+      '  --retry version   run cases of other versions of the program once more', &
+      '  --overwrite       drop the store and the results file, begin anew', &
+      '  --status FILE     say what a store holds (counts, slowest, failed, time left); compute nothing', &
+      '  --version         version of the program', &
+      '  --help            this text', &
+      '', &
+      'SIGTERM, SIGUSR1 and SIGINT stop a run as --time-limit does. scripts/run-sweep starts a sweep again', &
+      'when a rank died.', &
+      '', &
+      'Exit status: 0 all cases converged (or are flagged unresolved); 1 all cases ran, some did not converge;', &
+      '             2 bad input or usage; 3 results could not be written;', &
+      '             85 stopped before the end: the same command goes on (--status: cases are left)', &
       '', &
       'A minimal sweep:   &sweep load_parameter_m = 100, 200, lubricant_parameter_l = 12.05,', &
       "                   radius_ratio_d = 1, 0.35, orientation = 'transverse', wavelength_over_a = 1 /", &
@@ -38,84 +51,76 @@ program ehlwave_sweep
    type(arguments_t) :: arguments
    type(error_t), allocatable :: error
    type(sweep_t), target :: sweep
-   type(progress_t) :: progress
-   type(row_t), allocatable :: rows(:)
-   character(len=:), allocatable :: text
-   integer :: code, i, rank, ranks
-   logical :: is_there
+   type(job_options_t) :: options
+   integer :: code, i, rank
 
    call mpi_init()
    call mpi_comm_rank(mpi_comm_world, rank)
-   call mpi_comm_size(mpi_comm_world, ranks)
-   call read_arguments(['--plan     ', '--overwrite', '--help     ', '--version  '], ['--output'], arguments, error)
+   call read_arguments(['--plan     ', '--overwrite', '--help     ', '--version  '], &
+                       ['--output    ', '--time-limit', '--retry     ', '--status    '], arguments, error)
    if (allocated(error)) call refuse(error%message//'; see ehlwave-sweep --help')
    if (arguments%has('--help') .or. arguments%has('--version')) then
       if (rank == 0 .and. arguments%has('--help')) write (output_unit, '(a)') (trim(usage(i)), i=1, size(usage))
       if (rank == 0 .and. .not. arguments%has('--help')) write (output_unit, '(a)') 'ehlwave '//program_version
-      call finish(0)
+      call finish(exit_done)
    end if
+   if (arguments%has('--status')) call show_status()
    if (size(arguments%files) /= 1) call refuse('give one sweep file; see ehlwave-sweep --help')
+   call read_options()
 
-   call read_sweep(trim(arguments%files(1)), sweep, error)
-   if (allocated(error)) call refuse(error%message)
+   if (rank == 0) call read_sweep(trim(arguments%files(1)), sweep, error)
+   call refuse_together()
    if (arguments%has('--output')) sweep%output = arguments%value('--output')
    if (arguments%has('--plan')) then
       if (rank == 0) call print_sweep_plan(output_unit, sweep)
-      call finish(0)
+      call finish(exit_done)
    end if
-
-   inquire (file=sweep%output, exist=is_there)
-   call mpi_barrier(mpi_comm_world)
-   if (is_there .and. .not. arguments%has('--overwrite')) call refuse('results file '//sweep%output// &
-      ' exists: move it away, name another with --output, or give --overwrite')
-   if (rank == 0) call check_writable(sweep%output, error)
-   call stop_together(allocated(error))
-   call read_text(trim(arguments%files(1)), text, error)
-
-   if (rank == 0) then
-      progress = new_progress(sweep, text, ranks)
-      call print_start()
-   end if
-   call run_sweep(mpi_comm_world, sweep, progress, rows)
-   code = 0
-   if (rank == 0) then
-      if (progress%failed > 0) code = 1
-      call progress%write(rows, error)
-      if (allocated(error)) then
-         write (error_unit, '(a)') 'ehlwave-sweep: '//error%message
-         code = 3
-      end if
-      call print_sweep_result(output_unit, sweep, rows)
-   end if
+   call run_job(mpi_comm_world, run_case, trim(arguments%files(1)), sweep, options, code)
    call finish(code)
 
 contains
 
-   subroutine print_start()
-      write (output_unit, '(a,i0,a,i0,a)') 'ehlwave-sweep '//program_version//': ', size(sweep%cases), ' cases on ', ranks, &
-         ' ranks, results in '//sweep%output
-      if (sweep%skipped > 0) write (output_unit, '(i0,a)') sweep%skipped, ' unresolved cases are left out as asked'
-      flush (output_unit)
-   end subroutine print_start
+   subroutine show_status()
+      integer :: failed, status
+      logical :: is_finished
+      status = exit_done
+      if (rank == 0) then
+         call print_status(output_unit, arguments%value('--status'), is_finished, failed, error)
+         if (.not. allocated(error)) status = merge(merge(exit_failed, exit_done, failed > 0), exit_unfinished, &
+                                                     is_finished)
+      end if
+      call refuse_together()
+      call finish(status)
+   end subroutine show_status
+
+   subroutine read_options()
+      options%overwrite = arguments%has('--overwrite')
+      options%retry = arguments%value('--retry')
+      if (options%retry /= '' .and. options%retry /= 'failed' .and. options%retry /= 'version') &
+         call refuse("--retry '"//trim(options%retry)//"' is not one of failed, version")
+      if (options%overwrite .and. options%retry /= '') call refuse('--overwrite and --retry contradict each other')
+      if (arguments%has('--time-limit')) then
+         call read_time(arguments%value('--time-limit'), '--time-limit', options%time_limit_s, error)
+         if (allocated(error)) call refuse(error%message)
+      end if
+   end subroutine read_options
 
    !> Refuse the run; called by all ranks alike.
    subroutine refuse(message)
       character(len=*), intent(in) :: message
       if (rank == 0) write (error_unit, '(a)') 'ehlwave-sweep: '//message
-      call finish(2)
+      call finish(exit_bad_input)
    end subroutine refuse
 
    !> End all ranks when rank 0 has met an error.
-   subroutine stop_together(has_failed)
-      use mpi_f08, only: mpi_bcast, mpi_logical
-      logical, intent(in) :: has_failed
-      logical :: flag
-      flag = has_failed
-      call mpi_bcast(flag, 1, mpi_logical, 0, mpi_comm_world)
-      if (.not. flag) return
+   subroutine refuse_together()
+      logical :: has_failed
+      has_failed = allocated(error)
+      call mpi_bcast(has_failed, 1, mpi_logical, 0, mpi_comm_world)
+      if (.not. has_failed) return
       if (rank == 0) write (error_unit, '(a)') 'ehlwave-sweep: '//error%message
-      call finish(2)
-   end subroutine stop_together
+      call finish(exit_bad_input)
+   end subroutine refuse_together
 
    subroutine finish(status)
       integer, intent(in) :: status

@@ -4,7 +4,12 @@ module ehlwave_monitor
    private
    public :: monitor_t, silent_monitor_t
 
+   integer, parameter, public :: go_on = 0     !! the calculation goes on
+   integer, parameter, public :: stop_now = 1  !! it stops where it is, to be continued another time
+   integer, parameter, public :: give_up = 2   !! it has had its time and ends as it is
+
    type, abstract :: monitor_t
+      integer :: request = go_on               !! what `step_done` wants the calculation to do
    contains
       procedure(step_done), deferred :: step_done
    end type monitor_t

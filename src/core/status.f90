@@ -2,7 +2,7 @@
 module ehlwave_status
    implicit none (type, external)
    private
-   public :: status_name, is_success
+   public :: status_name, status_of_name, is_success
 
    integer, parameter, public :: status_converged = 0   !! criterion met, grid resolves the case
    integer, parameter, public :: status_unresolved = 1  !! criterion met, grid too coarse for the case
@@ -10,6 +10,10 @@ module ehlwave_status
    integer, parameter, public :: status_diverged = 3    !! residual grew or film left the physical range
    integer, parameter, public :: status_not_finite = 4  !! NaN or infinity met
    integer, parameter, public :: status_pending = 5     !! not run yet
+   integer, parameter, public :: status_over_budget = 6 !! took longer than one case may
+   integer, parameter, public :: status_crashed = 7     !! its process died in two runs, so it is not tried again
+   integer, parameter, public :: status_interrupted = 8 !! stopped from outside, to be continued
+   integer, parameter, public :: last_status = 8
 
 contains
 
@@ -24,9 +28,21 @@ contains
       case (status_diverged); name = 'diverged'
       case (status_not_finite); name = 'not_finite'
       case (status_pending); name = 'pending'
+      case (status_over_budget); name = 'over_budget'
+      case (status_crashed); name = 'crashed'
+      case (status_interrupted); name = 'interrupted'
       case default; name = 'unknown'
       end select
    end function status_name
+
+   !> Status of a name; `pending` for a name that is none.
+   pure integer function status_of_name(name)
+      character(len=*), intent(in) :: name
+      do status_of_name = 0, last_status
+         if (status_name(status_of_name) == name) return
+      end do
+      status_of_name = status_pending
+   end function status_of_name
 
    !> Whether the equations were solved to the asked tolerance.
    elemental logical function is_success(status)

@@ -6,7 +6,7 @@ module ehlwave_case_text
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
-   public :: effective_input, case_identity
+   public :: case_identity, effective_input, text_identity
 
    integer, parameter, public :: effective_length = 2048   !! no effective input is longer
    character(len=*), parameter :: line_end = new_line('a')
@@ -88,18 +88,23 @@ contains
    pure function case_identity(case) result(identity)
       type(case_t), intent(in) :: case
       character(len=16) :: identity
-      character(len=:), allocatable :: text
+      identity = text_identity(effective_input(case))
+   end function case_identity
+
+   !> Identity of the case that an effective input describes.
+   pure function text_identity(text) result(identity)
+      character(len=*), intent(in) :: text
+      character(len=16) :: identity
       integer(int64) :: hash
       integer :: i
 
-      text = effective_input(case)
       hash = -3750763034362895579_int64               ! 14695981039346656037 as a signed number
       do i = 1, len(text)
          hash = ieor(hash, int(iachar(text(i:i)), int64))
          hash = times_prime(hash)
       end do
       write (identity, '(z16.16)') hash
-   end function case_identity
+   end function text_identity
 
    !> hash * 1099511628211 modulo 2^64, without signed overflow: the prime is 2^40 + 2^8 + 0xb3.
    pure integer(int64) function times_prime(hash)

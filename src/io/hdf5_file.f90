@@ -9,11 +9,15 @@ module ehlwave_hdf5_file
    use h5ds, only: h5dsattach_scale_f, h5dsset_scale_f
    use hdf5, only: h5aclose_f, h5acreate_f, h5awrite_f, h5close_f, h5dclose_f, h5dcreate_f, h5dopen_f, h5dwrite_f, &
       h5eset_auto_f, h5f_acc_rdonly_f, h5f_acc_trunc_f, h5f_scope_global_f, h5fclose_f, h5fcreate_f, h5fflush_f, &
-      h5fopen_f, h5open_f, h5s_scalar_f, h5sclose_f, h5screate_f, h5screate_simple_f, h5t_c_s1, &
+      h5fopen_f, h5lexists_f, h5open_f, h5p_dataset_create_f, h5pclose_f, h5pcreate_f, h5pset_chunk_f, &
+      h5pset_deflate_f, h5pset_shuffle_f, h5s_scalar_f, h5sclose_f, h5screate_f, h5screate_simple_f, h5t_c_s1, &
       h5t_fortran_s1, h5t_native_double, h5t_native_integer, h5t_str_nullpad_f, h5tclose_f, h5tcopy_f, &
       h5tset_size_f, h5tset_strpad_f, hid_t, hsize_t, size_t
    implicit none (type, external)
    private
+
+   integer(hsize_t), parameter :: compressed_from = 1024   !! values in a dataset; it must be worth the chunks
+   integer, parameter :: deflate_level = 4
 
    type, public :: hdf5_file_t
       private
@@ -25,10 +29,11 @@ module ehlwave_hdf5_file
       procedure :: finish
       generic :: attribute => text_attribute, integer_attribute
       procedure :: dimension
+      procedure :: has
       generic :: write => write_real, write_reals, write_integers, write_texts, write_plane
       procedure, private :: write_real, write_reals, write_integers, write_texts, write_plane
       procedure, private :: text_attribute, integer_attribute
-      procedure, private :: note, complete, attach
+      procedure, private :: note, complete, attach, make_dataset
    end type hdf5_file_t
 
    interface
@@ -155,6 +160,46 @@ contains
       call h5dclose_f(id, status)
    end subroutine dimension
 
+   !> Whether a dataset has been written.
+   logical function has(self, name)
+      class(hdf5_file_t), intent(in) :: self
+      character(len=*), intent(in) :: name
+      integer :: status
+      has = .false.
+      if (len(name) == 0) return
+      call h5lexists_f(self%id, name, has, status)
+   end function has
+
+   !> Properties of a new dataset: long ones are compressed, in chunks that are compressed one by one.
+   integer(hid_t) function storage(extent) result(properties)
+      integer(hsize_t), intent(in) :: extent(:)
+      integer(hsize_t), parameter :: longest_chunk = 16384
+      integer(hsize_t) :: chunk(size(extent))
+      integer :: status
+      call h5pcreate_f(h5p_dataset_create_f, properties, status)
+      if (product(extent) < compressed_from) return
+      chunk = extent
+      chunk(size(chunk)) = max(1_hsize_t, min(extent(size(extent)), longest_chunk*extent(size(extent))/product(extent)))
+      call h5pset_chunk_f(properties, size(chunk), chunk, status)
+      call h5pset_shuffle_f(properties, status)
+      call h5pset_deflate_f(properties, deflate_level, status)
+   end function storage
+
+   !> A new dataset; its values are still to be written.
+   subroutine make_dataset(self, name, type, space, extent, id)
+      class(hdf5_file_t), intent(inout) :: self
+      character(len=*), intent(in) :: name
+      integer(hid_t), intent(in) :: type, space
+      integer(hsize_t), intent(in) :: extent(:)
+      integer(hid_t), intent(out) :: id
+      integer(hid_t) :: properties
+      integer :: status
+      properties = storage(extent)
+      call h5dcreate_f(self%id, name, type, space, id, status, dcpl_id=properties)
+      call self%note(status)
+      call h5pclose_f(properties, status)
+   end subroutine make_dataset
+
    !> What every dataset gets once its values are written: units, long_name and its scales, slowest dimension
    !> first; then it is closed.
    subroutine complete(self, id, space, units, long_name, scale, second_scale)
@@ -212,8 +257,7 @@ contains
       integer :: status
       extent = size(values)
       call h5screate_simple_f(1, extent, space, status)
-      call h5dcreate_f(self%id, name, h5t_native_double, space, id, status)
-      call self%note(status)
+      call self%make_dataset(name, h5t_native_double, space, extent, id)
       call h5dwrite_f(id, h5t_native_double, values, extent, status)
       call self%note(status)
       call self%complete(id, space, units, long_name, scale)
@@ -229,8 +273,7 @@ contains
       integer :: status
       extent = size(values)
       call h5screate_simple_f(1, extent, space, status)
-      call h5dcreate_f(self%id, name, h5t_native_integer, space, id, status)
-      call self%note(status)
+      call self%make_dataset(name, h5t_native_integer, space, extent, id)
       call h5dwrite_f(id, h5t_native_integer, values, extent, status)
       call self%note(status)
       call self%complete(id, space, units, long_name, scale)
@@ -251,8 +294,7 @@ contains
       call h5tset_size_f(in_file, int(max(1, maxval(len_trim(values))), size_t), status)
       call h5tset_strpad_f(in_file, h5t_str_nullpad_f, status)
       call h5screate_simple_f(1, extent, space, status)
-      call h5dcreate_f(self%id, name, in_file, space, id, status)
-      call self%note(status)
+      call self%make_dataset(name, in_file, space, extent, id)
       call h5dwrite_f(id, in_memory, c_loc(values), status)
       call self%note(status)
       call self%complete(id, space, units, long_name, scale)
@@ -270,8 +312,7 @@ contains
       integer :: status
       extent = shape(values)
       call h5screate_simple_f(2, extent, space, status)
-      call h5dcreate_f(self%id, name, h5t_native_double, space, id, status)
-      call self%note(status)
+      call self%make_dataset(name, h5t_native_double, space, extent, id)
       call h5dwrite_f(id, h5t_native_double, values, extent, status)
       call self%note(status)
       call self%complete(id, space, units, long_name, scale_y, scale_x)

@@ -29,6 +29,7 @@ module ehlwave_case_result
       real(dp) :: seconds = 0                        !! wall time of the case
       real(dp) :: work_units = 0                     !! the same in plain FFT convolutions of the whole grid
       real(dp) :: peak_memory_mib = 0                !! of the process so far
+      real(dp), allocatable :: residual_history(:)   !! of the solution that failed: before each step and at the end
       ! history of the contact centre: times T, or phases over 2 pi for standing patterns
       real(dp), allocatable :: time(:), film_history(:), approach_history(:)
       ! fields of the last solution, if asked for

@@ -5,7 +5,7 @@ module ehlwave_time_march
    use ehlwave_kinds, only: dp
    use ehlwave_level_solver, only: solve_limits_t, solve_report_t
    use ehlwave_load_balance, only: equation_of_motion, force_balance
-   use ehlwave_monitor, only: monitor_t
+   use ehlwave_monitor, only: go_on, monitor_t
    use ehlwave_reynolds, only: flow_t, new_flow
    use ehlwave_state, only: state_t
    use ehlwave_status, only: status_converged
@@ -13,7 +13,10 @@ module ehlwave_time_march
    use ehlwave_waviness, only: waviness_t
    implicit none (type, external)
    private
-   public :: march
+
+   !> Steps between two points where the march depends on its own fields alone, not on what the solver has kept:
+   !> from there it can be taken up again, bit for bit. That costs one factorisation.
+   integer, parameter, public :: steps_per_stretch = 64
 
    !> What is marched and how.
    type, public :: march_settings_t
@@ -43,50 +46,82 @@ module ehlwave_time_march
       type(state_t) :: steady, before, earlier, earliest   ! at T <= 0, T - dT, T - 2 dT, T - 3 dT
    end type past_t
 
+   !> A march under way: everything that its next step depends on, besides the level and its problem.
+   type, public :: march_t
+      type(march_settings_t) :: settings
+      type(march_result_t) :: result
+      type(past_t) :: past
+      real(dp), allocatable :: share(:, :)     !! see carried_share
+      real(dp), allocatable :: history(:, :, :) !! f = rho H of the steps before, latest first
+      real(dp) :: approach(3) = 0              !! Delta of the steps before, latest first
+   contains
+      procedure :: begin
+      procedure :: restore
+      procedure :: advance
+   end type march_t
+
    real(dp), parameter :: spread_weight = 1000   !! measured: fewest Newton steps between 100 and 10^4
 
 contains
 
-   !> March `level` from its steady state of smooth surfaces. On return its state is the last one reached.
-   !>
-   !> A step that fails from the extrapolated guess is tried once more from the solution before it;
-   !> when that fails too the march ends and says so.
-   subroutine march(level, settings, limits, monitor, result)
+   !> Make ready to march `level` from its steady state of smooth surfaces.
+   subroutine begin(self, level, settings)
+      class(march_t), intent(inout) :: self
       type(level_t), intent(inout) :: level
       type(march_settings_t), intent(in) :: settings
-      type(solve_limits_t), intent(in) :: limits
-      class(monitor_t), intent(inout) :: monitor
-      type(march_result_t), intent(out) :: result
-      type(past_t) :: past
-      real(dp), allocatable :: share(:, :)
-      real(dp), allocatable :: history(:, :, :)
-      real(dp) :: approach(3), dt, t
-      integer :: k, n
+      integer :: n
 
+      self%settings = settings
+      self%result = march_result_t()
       associate (grid => level%problem%grid, problem => level%problem, state => level%state)
-         dt = grid%hx*settings%cells_per_step/settings%steps_per_cell
          problem%transport = characteristic_transport(grid, settings%cells_per_step, settings%steps_per_cell)
          problem%load = force_balance(settings%force)
          if (settings%natural_frequency > 0) &
-            problem%load = equation_of_motion(settings%force, settings%natural_frequency, dt)
-         allocate (history(0:grid%nx, 0:grid%ny, problem%transport%history_length()))
-         do n = 1, size(history, 3)
-            history(:, :, n) = problem%rheology%density(state%p)*state%h
+            problem%load = equation_of_motion(settings%force, settings%natural_frequency, time_step(self, level))
+         if (allocated(self%history)) deallocate (self%history)
+         allocate (self%history(0:grid%nx, 0:grid%ny, problem%transport%history_length()))
+         do n = 1, size(self%history, 3)
+            self%history(:, :, n) = problem%rheology%density(state%p)*state%h
          end do
-         approach = state%delta
-         past = past_t(state, state, state, state)
-         share = carried_share(level)
-         allocate (result%time(0:settings%steps), result%central_film(0:settings%steps), &
-                   result%approach(0:settings%steps), source=0.0_dp)
-         result%central_film(0) = grid%value_at_centre(state%h)
-         result%approach(0) = state%delta
+         self%approach = state%delta
+         self%past = past_t(state, state, state, state)
+         self%share = carried_share(level)
+         allocate (self%result%time(0:settings%steps), self%result%central_film(0:settings%steps), &
+                   self%result%approach(0:settings%steps), source=0.0_dp)
+         self%result%central_film(0) = grid%value_at_centre(state%h)
+         self%result%approach(0) = state%delta
+      end associate
+   end subroutine begin
 
-         do k = 1, settings%steps
+   !> Give `level` the state of a march taken up again, after `begin` with the same steady state and settings.
+   subroutine restore(self, level)
+      class(march_t), intent(in) :: self
+      type(level_t), intent(inout) :: level
+      level%state = self%past%before
+      call level%solver%forget()
+   end subroutine restore
+
+   !> March to the end of the stretch, or until a step fails or the monitor asks for something else.
+   !>
+   !> A step that fails from the extrapolated guess is tried once more from the solution before it;
+   !> when that fails too the march ends and says so. `level` holds the last solution reached.
+   subroutine advance(self, level, limits, monitor)
+      class(march_t), intent(inout) :: self
+      type(level_t), intent(inout) :: level
+      type(solve_limits_t), intent(in) :: limits
+      class(monitor_t), intent(inout) :: monitor
+      real(dp) :: dt, t
+      integer :: k, n
+
+      dt = time_step(self, level)
+      associate (grid => level%problem%grid, problem => level%problem, state => level%state, &
+                 settings => self%settings, result => self%result, past => self%past, history => self%history)
+         do k = result%steps + 1, min(settings%steps, (result%steps/steps_per_stretch + 1)*steps_per_stretch)
             t = k*dt
             call problem%set_rough(settings%amplitude*settings%waviness%shape_at(grid%x, grid%y, t))
             call problem%transport%carry(grid, history)
-            call problem%load%carry(approach)
-            if (settings%steps_per_cell == 1) call extrapolate(settings%cells_per_step, share, past, state)
+            call problem%load%carry(self%approach)
+            if (settings%steps_per_cell == 1) call extrapolate(settings%cells_per_step, self%share, past, state)
             call solve_step(level, past%before, limits, result)
             if (result%status /= status_converged) exit
 
@@ -98,14 +133,22 @@ contains
                history(:, :, n) = history(:, :, n - 1)
             end do
             history(:, :, 1) = problem%rheology%density(state%p)*state%h
-            approach = [state%delta, approach(1:2)]
+            self%approach = [state%delta, self%approach(1:2)]
             past%earliest = past%earlier
             past%earlier = past%before
             past%before = state
+            if (modulo(k, steps_per_stretch) == 0) call level%solver%forget()
             call monitor%step_done('time step', k, settings%steps)
+            if (monitor%request /= go_on) exit
          end do
       end associate
-   end subroutine march
+   end subroutine advance
+
+   pure real(dp) function time_step(self, level)
+      class(march_t), intent(in) :: self
+      type(level_t), intent(in) :: level
+      time_step = level%problem%grid%hx*self%settings%cells_per_step/self%settings%steps_per_cell
+   end function time_step
 
    !> How much of a pressure disturbance is carried along with the film rather than spread by Poiseuille flow,
    !> 0 to 1 at each node: 1/(1 + weight eps/(hX K0)), K0 the deformation under a cell of unit pressure.

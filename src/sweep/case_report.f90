@@ -174,6 +174,7 @@ contains
       call json%add('seconds', result%seconds)
       call json%add('work_units', result%work_units)
       call json%add('peak_memory_mib', result%peak_memory_mib)
+      if (allocated(result%residual_history)) call json%add_list('residual_history', result%residual_history)
    end function result_json
 
    !> What the case is.

@@ -5,20 +5,22 @@ module ehlwave_case_runner
    use ehlwave_case_input, only: case_t
    use ehlwave_case_plan, only: case_plan_t, run_march, run_standing
    use ehlwave_case_result, only: case_result_t
+   use ehlwave_checkpoint_file, only: checkpoint_t
    use ehlwave_clock, only: peak_memory_mib, wall_seconds
    use ehlwave_formula, only: amplitude_formula, anisotropy_factor, wave_parameter_v, wave_parameter_v2
    use ehlwave_full_multigrid, only: full_multigrid_t, level_t
    use ehlwave_kinds, only: dp, pi
    use ehlwave_level_solver, only: solve_limits_t, solve_report_t
-   use ehlwave_monitor, only: monitor_t
+   use ehlwave_monitor, only: give_up, go_on, monitor_t, stop_now
    use ehlwave_state, only: state_t
-   use ehlwave_status, only: is_success, status_converged, status_name, status_unresolved
+   use ehlwave_status, only: is_success, status_converged, status_interrupted, status_name, status_over_budget, &
+      status_unresolved
    use ehlwave_text, only: to_text
-   use ehlwave_time_march, only: march, march_result_t, march_settings_t
+   use ehlwave_time_march, only: march_result_t, march_settings_t, march_t, steps_per_stretch
    use ehlwave_work_unit, only: work_unit_seconds
    implicit none (type, external)
    private
-   public :: run_case
+   public :: blank_result, run_case
 
    real(dp), parameter :: usual_amplitude = 0.2_dp     !! Ai over the film for which step_tolerance is meant
    real(dp), parameter :: coarse_tolerance = 1e-3_dp   !! of the levels below the finest
@@ -26,32 +28,18 @@ module ehlwave_case_runner
 contains
 
    !> Run a case as planned. Whatever happens inside is told by `result%status`.
-   subroutine run_case(case, plan, monitor, result)
+   subroutine run_case(case, plan, monitor, result, checkpoint)
       type(case_t), intent(in) :: case              !! completed input
       type(case_plan_t), intent(in) :: plan
       class(monitor_t), intent(inout) :: monitor
       type(case_result_t), intent(out) :: result
+      type(checkpoint_t), intent(inout), optional :: checkpoint   !! lets a march go on where it was stopped
       type(full_multigrid_t), target :: multigrid
       type(solve_limits_t) :: limits
       real(dp) :: start
 
       start = wall_seconds()
-      result%message = ''
-      result%is_resolved = plan%resolution%is_resolved
-      result%amplitude_ratio = ieee_value(1.0_dp, ieee_quiet_nan)   ! until measured
-      result%amplitude_ratio_fit = result%amplitude_ratio
-      result%mean_film = result%amplitude_ratio
-      result%central_film = result%amplitude_ratio
-      result%minimum_film = result%amplitude_ratio
-      result%central_film_moes = result%amplitude_ratio
-      result%max_pressure = result%amplitude_ratio
-      if (plan%waviness%is_present) then
-         result%v = wave_parameter_v(plan%conditions, case%wavelength_over_a)
-         result%v2 = wave_parameter_v2(plan%conditions, case%wavelength_over_a)
-         result%f_r = anisotropy_factor(case%wavelength_x_over_a, case%wavelength_y_over_a)
-         result%formula_ratio = amplitude_formula(result%f_r*result%v)
-      end if
-
+      result = blank_result(case, plan)
       call multigrid%init(plan%conditions, plan%rheology, case%x_min, case%x_max, case%y_max, &
                           plan%cells_x, plan%cells_y, plan%is_half, trim(case%method), trim(case%deformation))
       limits = solve_limits_t(tolerance=case%tolerance, largest_steps=case%largest_steps)
@@ -63,7 +51,7 @@ contains
             call take_smooth_film(plan, level, result)
             select case (plan%kind)
             case (run_march)
-               call run_moving(case, plan, level, monitor, result)
+               call run_moving(case, plan, level, monitor, result, checkpoint)
             case (run_standing)
                call run_standing_pattern(case, plan, level, limits, monitor, result)
             end select
@@ -81,9 +69,32 @@ contains
          result%message = plan%resolution%reason
       end if
       result%seconds = wall_seconds() - start
+      if (present(checkpoint)) result%seconds = result%seconds + checkpoint%seconds_before
       result%work_units = result%seconds/work_unit_seconds(plan%cells_x, plan%cells_y)
       result%peak_memory_mib = peak_memory_mib()
    end subroutine run_case
+
+   !> Result of a case of which only its input is known.
+   function blank_result(case, plan) result(result)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      type(case_result_t) :: result
+      result%message = ''
+      result%is_resolved = plan%resolution%is_resolved
+      result%amplitude_ratio = ieee_value(1.0_dp, ieee_quiet_nan)   ! until measured
+      result%amplitude_ratio_fit = result%amplitude_ratio
+      result%mean_film = result%amplitude_ratio
+      result%central_film = result%amplitude_ratio
+      result%minimum_film = result%amplitude_ratio
+      result%central_film_moes = result%amplitude_ratio
+      result%max_pressure = result%amplitude_ratio
+      if (plan%waviness%is_present) then
+         result%v = wave_parameter_v(plan%conditions, case%wavelength_over_a)
+         result%v2 = wave_parameter_v2(plan%conditions, case%wavelength_over_a)
+         result%f_r = anisotropy_factor(case%wavelength_x_over_a, case%wavelength_y_over_a)
+         result%formula_ratio = amplitude_formula(result%f_r*result%v)
+      end if
+   end function blank_result
 
    !> Film and pressure of the smooth contact.
    subroutine take_smooth_film(plan, level, result)
@@ -106,19 +117,22 @@ contains
       result%load_error = max(result%load_error, report%load_error)
       result%nonlinear_steps = result%nonlinear_steps + report%nonlinear_steps
       result%linear_steps = result%linear_steps + report%linear_steps
+      if (.not. is_success(report%status)) result%residual_history = report%history
       if (.not. is_success(report%status)) result%message = what//' '//status_name(report%status)//' after '// &
          to_text(report%nonlinear_steps)//' steps, residual '//to_text(report%residual, 3)// &
          ', load error '//to_text(report%load_error, 3)
    end subroutine take_report
 
    !> Moving pattern: march in time, then measure over the last period.
-   subroutine run_moving(case, plan, level, monitor, result)
+   subroutine run_moving(case, plan, level, monitor, result, checkpoint)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       type(level_t), intent(inout) :: level
       class(monitor_t), intent(inout) :: monitor
       type(case_result_t), intent(inout) :: result
+      type(checkpoint_t), intent(inout), optional :: checkpoint
       type(march_settings_t) :: settings
+      type(march_t) :: march
       type(march_result_t) :: history
       type(solve_limits_t) :: limits
       real(dp) :: amplitude
@@ -130,8 +144,20 @@ contains
       ! the tolerance is relative to the film; for small waves it has to follow their amplitude
       limits = solve_limits_t(tolerance=case%step_tolerance*min(1.0_dp, case%amplitude_over_film/usual_amplitude), &
                               largest_steps=case%largest_steps)
-      call march(level, settings, limits, monitor, history)
+      call march%begin(level, settings)
+      if (present(checkpoint)) call checkpoint%load(march)
+      if (march%result%steps > 0) call march%restore(level)
+      do while (march%result%steps < plan%steps)
+         call march%advance(level, limits, monitor)
+         if (march%result%status /= status_converged) exit
+         if (present(checkpoint) .and. modulo(march%result%steps, steps_per_stretch) == 0) call checkpoint%keep(march)
+         if (monitor%request /= go_on) exit
+      end do
+      history = march%result
       result%status = history%status
+      if (history%status == status_converged .and. history%steps < plan%steps) &
+         call end_early(monitor%request, 'time step '//to_text(history%steps)//' of '//to_text(plan%steps), result)
+      if (result%status == status_interrupted .and. present(checkpoint)) call checkpoint%save()
       result%time_steps = history%steps
       result%residual = max(result%residual, history%worst_residual)
       result%load_error = max(result%load_error, history%worst_load_error)
@@ -144,6 +170,9 @@ contains
          result%message = 'time step '//to_text(history%steps + 1)//' of '//to_text(plan%steps)//' '// &
                           status_name(history%status)//', residual '//to_text(level%report%residual, 3)// &
                           ', load error '//to_text(level%report%load_error, 3)
+         result%residual_history = level%report%history
+      else if (result%status /= status_converged) then
+         result%residual_history = level%report%history
       else if (plan%waviness%moves()) then
          associate (film => history%central_film(plan%first_sample:), time => history%time(plan%first_sample:))
             result%amplitude_ratio = sampled_amplitude(film)/amplitude
@@ -152,6 +181,18 @@ contains
          end associate
       end if
    end subroutine run_moving
+
+   !> A case that the monitor does not let go on.
+   subroutine end_early(request, reached, result)
+      integer, intent(in) :: request
+      character(len=*), intent(in) :: reached   !! how far it came
+      type(case_result_t), intent(inout) :: result
+      if (request == stop_now) result%status = status_interrupted
+      if (request == give_up) then
+         result%status = status_over_budget
+         result%message = 'the time of the case was up at '//reached
+      end if
+   end subroutine end_early
 
    !> Pattern that stands still: one steady state for each phase, no time stepping.
    subroutine run_standing_pattern(case, plan, level, limits, monitor, result)
@@ -178,6 +219,10 @@ contains
          if (result%status /= status_converged) return
          film(n) = level%problem%grid%value_at_centre(level%state%h)
          call monitor%step_done('steady pattern', n, plan%phases)
+         if (monitor%request /= go_on .and. n < plan%phases) then
+            call end_early(monitor%request, 'steady state '//to_text(n)//' of '//to_text(plan%phases), result)
+            return
+         end if
       end do
       result%time = turn
       result%film_history = film

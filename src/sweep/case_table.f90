@@ -3,6 +3,7 @@ module ehlwave_case_table
    use ehlwave_case_input, only: case_conditions, case_t, complete_case, name_length, orientations, read_case_groups
    use ehlwave_case_plan, only: case_plan_t, make_plan
    use ehlwave_case_text, only: case_identity
+   use ehlwave_case_work, only: case_limits_t
    use ehlwave_conditions, only: conditions_t
    use ehlwave_csv, only: cell_length, csv_t, read_csv
    use ehlwave_errors, only: error_t, raise
@@ -20,6 +21,7 @@ module ehlwave_case_table
       type(case_t), allocatable :: cases(:)        !! completed, no two alike
       type(case_plan_t), allocatable :: plans(:)
       character(len=identity_length), allocatable :: identity(:)
+      type(case_limits_t) :: limits                !! what is asked of every case
       integer :: skipped = 0                       !! unresolved cases left out on request
       type(identity_index_t) :: index              !! from identity to number of the case
    end type sweep_t
@@ -29,6 +31,7 @@ module ehlwave_case_table
       real(dp), allocatable :: m(:), l(:), d(:), wavelength(:), f_v(:)
       character(len=:), allocatable :: orientation(:)
       character(len=:), allocatable :: case_file, output, unresolved
+      type(case_limits_t) :: limits
    end type lists_t
 
 contains
@@ -54,6 +57,7 @@ contains
       end if
       allocate (sweep%cases(64), sweep%plans(64), sweep%identity(64))
       sweep%output = lists%output
+      sweep%limits = lists%limits
       if (len(lists%case_file) > 0) then
          if (allocated(lists%m) .or. allocated(lists%l) .or. allocated(lists%d) .or. allocated(lists%wavelength) .or. &
              allocated(lists%f_v) .or. allocated(lists%orientation)) then
@@ -87,6 +91,8 @@ contains
       call file%get_list(group, 'orientation', lists%orientation, error, orientations)
       call file%get(group, 'case_file', lists%case_file, error)
       call file%get(group, 'output', lists%output, error)
+      call file%get(group, 'largest_case_seconds', lists%limits%largest_case_seconds, error, above=0.0_dp)
+      call file%get(group, 'checkpoint_seconds', lists%limits%checkpoint_seconds, error, minimum=0.0_dp)
       call file%get(group, 'unresolved', lists%unresolved, error, [character(len=4) :: 'run', 'skip'])
       if (allocated(error)) return
       if (allocated(lists%wavelength) .and. allocated(lists%f_v)) &

@@ -2,256 +2,266 @@
 !>
 !> Rank 0 schedules and computes: it answers messages between the steps of its own cases. Every other rank
 !> keeps one case in reserve, so that nobody waits for rank 0. One rank runs the same code without messages.
+!> A case travels as its effective input, so only rank 0 reads the sweep file. Results do not travel: every rank
+!> puts its own into the store.
+!>
+!> Messages between rank 0 and another rank: `ask` is answered by `case` (number 0: there is none), every case by
+!> `done`, and rank 0 sends exactly one `stop`: when everybody is to stop, or at the end.
 module ehlwave_scheduler
-   use ehlwave_case_result, only: case_result_t
-   use ehlwave_case_runner, only: run_case
+   use ehlwave_case_input, only: case_t, complete_case, read_case_groups
+   use ehlwave_case_plan, only: case_plan_t, make_plan
    use ehlwave_case_table, only: sweep_t
-   use ehlwave_clock, only: time_stamp
+   use ehlwave_case_text, only: effective_input
+   use ehlwave_case_work, only: case_procedure, case_watch_t, message_length, outcome_t, work_on_case
+   use ehlwave_errors, only: error_t, raise
    use ehlwave_kinds, only: dp
-   use ehlwave_monitor, only: monitor_t, silent_monitor_t
-   use ehlwave_results_file, only: row_t, text_length
+   use ehlwave_namelist, only: namelist_t
+   use ehlwave_results_writer, only: results_writer_t
+   use ehlwave_status, only: status_interrupted, status_pending
    use ehlwave_sweep_progress, only: progress_t
-   use mpi_f08, only: mpi_any_source, mpi_any_tag, mpi_character, mpi_comm, mpi_comm_rank, mpi_comm_size, &
-      mpi_double_precision, mpi_get_processor_name, mpi_integer, mpi_iprobe, mpi_max_processor_name, mpi_probe, &
-      mpi_recv, mpi_send, mpi_status, mpi_status_ignore
+   use ehlwave_sweep_queue, only: queue_t
+   use ehlwave_text, only: to_text
+   use mpi_f08, only: mpi_any_source, mpi_any_tag, mpi_character, mpi_comm, mpi_comm_size, &
+      mpi_double_precision, mpi_get_count, mpi_iprobe, mpi_probe, mpi_recv, mpi_send, mpi_status, mpi_status_ignore
    implicit none (type, external)
    private
-   public :: run_sweep
+   public :: follow, run_sweep
 
-   integer, parameter :: tag_ask = 1, tag_case = 2, tag_numbers = 3, tag_text = 4
+   integer, parameter :: tag_ask = 1, tag_case = 2, tag_numbers = 3, tag_text = 4, tag_stop = 5
    integer, parameter :: no_case = 0
-   integer, parameter :: numbers = 23
-   integer, parameter :: in_reserve = 2   !! unanswered requests of a worker: the case it runs and the next
+   integer, parameter :: number_digits = 12   !! of the number of a case, before its input; then T: keep fields
+   integer, parameter :: in_reserve = 2       !! unanswered requests of a worker: the case it runs and the next
 
-   !> Rank 0: the queue and the rows, served whenever a case of its own reports progress.
-   type, extends(monitor_t) :: schedule_t
+   !> Any other rank: hears when to stop.
+   type, extends(case_watch_t) :: worker_t
       type(mpi_comm) :: comm
-      integer, allocatable :: order(:)        !! cases, longest expected first
-      integer :: next = 1                     !! place in `order` of the next case to give away
-      integer :: running = 0                  !! cases given to other ranks and not back yet
-      integer :: asking = 0                   !! requests of other ranks that are still to be answered by no_case
-      type(row_t), allocatable :: rows(:)
-      type(progress_t) :: progress
+      logical :: has_heard = .false.          !! the one `stop` has arrived
    contains
-      procedure :: step_done => serve_waiting
-   end type schedule_t
+      procedure :: exchange => hear
+   end type worker_t
+
+   !> Rank 0: the queue, served whenever a case of its own reports progress.
+   type, extends(case_watch_t), public :: leader_t
+      type(queue_t) :: queue
+      type(progress_t) :: progress
+      type(results_writer_t) :: writer
+      logical :: is_store_broken = .false.    !! a rank could not store a case
+      type(sweep_t), pointer :: sweep => null()
+      type(mpi_comm), private :: comm
+      integer, private :: running = 0         ! cases given to other ranks and not back yet
+      integer, private :: asking = 0          ! requests of other ranks that are still to be answered by no_case
+      logical, allocatable, private :: has_stopped(:)   ! (ranks - 1) `stop` was sent
+   contains
+      procedure :: exchange => serve_waiting
+   end type leader_t
 
 contains
 
-   !> Run all cases; on rank 0 `rows` holds every result, elsewhere it is empty. Collective.
-   subroutine run_sweep(comm, sweep, progress, rows)
+   !> Rank 0: run all cases of the leader's queue, together with the ranks that call `follow`. Collective.
+   subroutine run_sweep(comm, run, leader)
       type(mpi_comm), intent(in) :: comm
-      type(sweep_t), intent(in) :: sweep
-      type(progress_t), intent(inout) :: progress   !! used on rank 0
-      type(row_t), allocatable, intent(out) :: rows(:)
-      integer :: rank, ranks
+      procedure(case_procedure) :: run            !! run_case, or what stands for it in a test
+      type(leader_t), intent(inout) :: leader     !! ready to go; on return what became of everything
+      type(outcome_t) :: outcome
+      integer :: case, rank, ranks
 
-      call mpi_comm_rank(comm, rank)
       call mpi_comm_size(comm, ranks)
-      if (rank == 0) then
-         call schedule(comm, ranks, sweep, progress, rows)
-      else
-         call work(comm, rank, sweep)
-         allocate (rows(0))
-      end if
+      leader%comm = comm
+      leader%asking = in_reserve*(ranks - 1)
+      allocate (leader%has_stopped(ranks - 1), source=.false.)
+      do
+         call leader%look_at_clock()
+         call leader%exchange()
+         if (leader%is_stopping .or. leader%queue%is_empty()) exit
+         call leader%queue%take(case)
+         call work_on_case(run, leader%sweep%cases(case), leader%sweep%plans(case), leader, outcome)
+         call take_outcome(leader, case, outcome)
+      end do
+      do while (leader%running > 0 .or. leader%asking > 0)
+         call serve_one(leader)
+      end do
+      do rank = 1, ranks - 1
+         call tell_stop(leader, rank)
+      end do
    end subroutine run_sweep
 
-   subroutine schedule(comm, ranks, sweep, progress, rows)
-      type(mpi_comm), intent(in) :: comm
-      integer, intent(in) :: ranks
-      type(sweep_t), intent(in) :: sweep
-      type(progress_t), intent(inout) :: progress
-      type(row_t), allocatable, intent(out) :: rows(:)
-      type(schedule_t) :: self
-      type(row_t) :: row
-      integer :: case
-
-      self%comm = comm
-      self%order = longest_first(sweep%plans%cost)
-      self%asking = in_reserve*(ranks - 1)
-      allocate (self%rows(size(sweep%cases)))
-      self%progress = progress
-      do while (self%next <= size(self%order))
-         call serve_waiting(self, '', 0, 0)
-         if (self%next > size(self%order)) exit
-         case = self%order(self%next)
-         self%next = self%next + 1
-         call run_row(0, sweep, case, self, row)
-         call keep(self, case, row)
-      end do
-      do while (self%running > 0 .or. self%asking > 0)
-         call serve_one(self)
-      end do
-      progress = self%progress
-      call move_alloc(self%rows, rows)
-   end subroutine schedule
-
-   !> Answer all messages that have arrived.
-   subroutine serve_waiting(self, stage, done, total)
-      class(schedule_t), intent(inout) :: self
-      character(len=*), intent(in) :: stage
-      integer, intent(in) :: done, total
+   !> Answer all messages that have arrived; pass on that all are to stop.
+   subroutine serve_waiting(self)
+      class(leader_t), intent(inout) :: self
       logical :: is_waiting
+      integer :: rank
 
       do
          call mpi_iprobe(mpi_any_source, mpi_any_tag, self%comm, is_waiting, mpi_status_ignore)
          if (.not. is_waiting) exit
          call serve_one(self)
       end do
-      call self%progress%tick(self%rows)
-      if (.false.) then   ! the stage of the own case is of no interest here
-         associate (a => stage, b => done, c => total)
-         end associate
+      if (self%is_stopping) then
+         do rank = 1, size(self%has_stopped)
+            call tell_stop(self, rank)
+         end do
       end if
+      call self%progress%tick(self%queue%seconds_left())
+      call self%writer%renew(self%progress%done())
    end subroutine serve_waiting
 
-   !> Receive one message: a request for a case, or a result.
+   subroutine tell_stop(self, rank)
+      class(leader_t), intent(inout) :: self
+      integer, intent(in) :: rank
+      if (self%has_stopped(rank)) return
+      self%has_stopped(rank) = .true.
+      call mpi_send('', 0, mpi_character, rank, tag_stop, self%comm)
+   end subroutine tell_stop
+
+   !> Receive one message: a request for a case, or the outcome of one.
    subroutine serve_one(self)
-      class(schedule_t), intent(inout) :: self
+      class(leader_t), intent(inout) :: self
       type(mpi_status) :: status
-      type(row_t) :: row
+      type(outcome_t) :: outcome
+      real(dp) :: numbers(4)
       integer :: case
 
       call mpi_probe(mpi_any_source, mpi_any_tag, self%comm, status)
       select case (status%mpi_tag)
       case (tag_ask)
-         call mpi_recv(case, 1, mpi_integer, status%mpi_source, tag_ask, self%comm, mpi_status_ignore)
-         case = no_case
-         if (self%next <= size(self%order)) then
-            case = self%order(self%next)
-            self%next = self%next + 1
-            self%running = self%running + 1
-         else
+         call receive_nothing(self%comm, status%mpi_source, tag_ask)
+         if (self%is_stopping .or. self%queue%is_empty()) then
             self%asking = self%asking - 1
+            call send_case(self%comm, status%mpi_source, no_case)
+         else
+            call self%queue%take(case)
+            self%running = self%running + 1
+            call send_case(self%comm, status%mpi_source, case, self%sweep%cases(case))
          end if
-         call mpi_send(case, 1, mpi_integer, status%mpi_source, tag_case, self%comm)
       case default
-         call receive_row(self%comm, status%mpi_source, case, row)
+         call mpi_recv(numbers, 4, mpi_double_precision, status%mpi_source, tag_numbers, self%comm, mpi_status_ignore)
+         call mpi_recv(outcome%message, message_length, mpi_character, status%mpi_source, tag_text, self%comm, &
+                       mpi_status_ignore)
+         outcome%status = nint(numbers(2))
+         outcome%seconds = numbers(3)
+         outcome%is_store_broken = numbers(4) > 0.5_dp
          self%running = self%running - 1
-         call keep(self, case, row)
+         call take_outcome(self, nint(numbers(1)), outcome)
       end select
    end subroutine serve_one
 
-   subroutine keep(self, case, row)
-      class(schedule_t), intent(inout) :: self
+   !> A case is finished, or could not be: then all stop.
+   subroutine take_outcome(self, case, outcome)
+      class(leader_t), intent(inout) :: self
       integer, intent(in) :: case
-      type(row_t), intent(in) :: row
-      self%rows(case) = row
-      call self%progress%finished(case, self%rows)
-   end subroutine keep
+      type(outcome_t), intent(in) :: outcome
 
-   !> Any other rank: ask, run, report.
-   subroutine work(comm, rank, sweep)
+      if (outcome%status == status_pending .or. outcome%status == status_interrupted) then
+         self%is_stopping = .true.
+         if (outcome%is_store_broken .and. .not. self%is_store_broken) self%reason = outcome%message
+         if (self%reason == '') self%reason = 'a signal asked for it'
+         self%is_store_broken = self%is_store_broken .or. outcome%is_store_broken
+      else
+         call self%queue%learn(case, outcome%seconds)
+         call self%progress%finished(case, outcome)
+      end if
+   end subroutine take_outcome
+
+   !> Any other rank: ask, run, report, until there is nothing left. Collective with `run_sweep`.
+   subroutine follow(comm, run, watch)
       type(mpi_comm), intent(in) :: comm
-      integer, intent(in) :: rank
-      type(sweep_t), intent(in) :: sweep
-      type(silent_monitor_t) :: monitor
-      type(row_t) :: row
-      integer :: case, i, unanswered
+      procedure(case_procedure) :: run
+      type(case_watch_t), intent(in) :: watch     !! store, limits and deadline
+      type(worker_t) :: worker
+      type(outcome_t) :: outcome
+      type(case_t) :: case
+      type(case_plan_t) :: plan
+      type(error_t), allocatable :: error
+      integer :: i, number, unanswered
 
+      worker%case_watch_t = watch
+      worker%comm = comm
       do i = 1, in_reserve
-         call mpi_send(no_case, 1, mpi_integer, 0, tag_ask, comm)
+         call mpi_send('', 0, mpi_character, 0, tag_ask, comm)
       end do
       unanswered = in_reserve
       do while (unanswered > 0)
-         call mpi_recv(case, 1, mpi_integer, 0, tag_case, comm, mpi_status_ignore)
+         if (allocated(error)) deallocate (error)
+         call receive_case(comm, number, case, plan, error)
          unanswered = unanswered - 1
-         if (case == no_case) cycle
-         call run_row(rank, sweep, case, monitor, row)
-         call send_row(comm, case, row)
-         call mpi_send(no_case, 1, mpi_integer, 0, tag_ask, comm)
+         if (number == no_case) cycle
+         call worker%look_at_clock()
+         call worker%exchange()
+         outcome = outcome_t()
+         if (allocated(error)) then
+            outcome = outcome_t(message=error%message, is_store_broken=.true.)
+         else if (.not. worker%is_stopping) then
+            call work_on_case(run, case, plan, worker, outcome)
+         end if
+         if (outcome%is_store_broken) worker%is_stopping = .true.
+         call mpi_send([real(dp) :: number, outcome%status, outcome%seconds, merge(1, 0, outcome%is_store_broken)], 4, &
+                       mpi_double_precision, 0, tag_numbers, comm)
+         call mpi_send(outcome%message, message_length, mpi_character, 0, tag_text, comm)
+         call mpi_send('', 0, mpi_character, 0, tag_ask, comm)
          unanswered = unanswered + 1
       end do
-   end subroutine work
+      if (.not. worker%has_heard) call receive_nothing(comm, 0, tag_stop)
+   end subroutine follow
 
-   subroutine run_row(rank, sweep, case, monitor, row)
-      integer, intent(in) :: rank
-      type(sweep_t), intent(in) :: sweep
-      integer, intent(in) :: case
-      class(monitor_t), intent(inout) :: monitor
-      type(row_t), intent(out) :: row
-      character(len=mpi_max_processor_name) :: host
+   !> Whether rank 0 wants all to stop.
+   subroutine hear(self)
+      class(worker_t), intent(inout) :: self
+      logical :: is_waiting
+      if (self%has_heard) return
+      call mpi_iprobe(0, tag_stop, self%comm, is_waiting, mpi_status_ignore)
+      if (.not. is_waiting) return
+      call receive_nothing(self%comm, 0, tag_stop)
+      self%has_heard = .true.
+      self%is_stopping = .true.
+   end subroutine hear
+
+   subroutine receive_nothing(comm, source, tag)
+      type(mpi_comm), intent(in) :: comm
+      integer, intent(in) :: source, tag
+      character(len=1) :: nothing
+      call mpi_recv(nothing, 0, mpi_character, source, tag, comm, mpi_status_ignore)
+   end subroutine receive_nothing
+
+   subroutine send_case(comm, rank, number, case)
+      type(mpi_comm), intent(in) :: comm
+      integer, intent(in) :: rank, number
+      type(case_t), intent(in), optional :: case
+      character(len=number_digits) :: digits
+      character(len=:), allocatable :: text
+
+      write (digits, '(i12)') number
+      text = digits
+      if (present(case)) text = digits//merge('T', 'F', case%fields)//effective_input(case)
+      call mpi_send(text, len(text), mpi_character, rank, tag_case, comm)
+   end subroutine send_case
+
+   !> Receive a case and plan it as rank 0 did. Fails when it does not come out the same.
+   subroutine receive_case(comm, number, case, plan, error)
+      type(mpi_comm), intent(in) :: comm
+      integer, intent(out) :: number
+      type(case_t), intent(out) :: case
+      type(case_plan_t), intent(out) :: plan
+      type(error_t), allocatable, intent(inout) :: error
+      type(mpi_status) :: status
+      type(namelist_t) :: file
+      character(len=:), allocatable :: text
       integer :: length
 
-      call mpi_get_processor_name(host, length)
-      row%host = host(:length)
-      row%rank = rank
-      row%started = time_stamp()
-      call run_case(sweep%cases(case), sweep%plans(case), monitor, row%result)
-      row%finished = time_stamp()
-      row%message = row%result%message
-   end subroutine run_row
-
-   subroutine send_row(comm, case, row)
-      type(mpi_comm), intent(in) :: comm
-      integer, intent(in) :: case
-      type(row_t), intent(in) :: row
-      real(dp) :: buffer(numbers)
-      character(len=2*text_length + 48) :: text
-
-      associate (r => row%result)
-         buffer = [real(dp) :: case, row%rank, r%status, merge(1, 0, r%is_resolved), r%central_film, r%minimum_film, &
-                   r%central_film_moes, r%max_pressure, r%amplitude_ratio, r%amplitude_ratio_fit, r%mean_film, r%v, &
-                   r%v2, r%f_r, r%formula_ratio, r%residual, r%load_error, r%time_steps, r%nonlinear_steps, &
-                   r%linear_steps, r%seconds, r%work_units, r%peak_memory_mib]
-      end associate
-      text = row%message//row%host//row%started//row%finished
-      call mpi_send(buffer, numbers, mpi_double_precision, 0, tag_numbers, comm)
-      call mpi_send(text, len(text), mpi_character, 0, tag_text, comm)
-   end subroutine send_row
-
-   subroutine receive_row(comm, source, case, row)
-      type(mpi_comm), intent(in) :: comm
-      integer, intent(in) :: source
-      integer, intent(out) :: case
-      type(row_t), intent(out) :: row
-      real(dp) :: buffer(numbers)
-      character(len=2*text_length + 48) :: text
-
-      call mpi_recv(buffer, numbers, mpi_double_precision, source, tag_numbers, comm, mpi_status_ignore)
-      call mpi_recv(text, len(text), mpi_character, source, tag_text, comm, mpi_status_ignore)
-      case = nint(buffer(1))
-      row%rank = nint(buffer(2))
-      row%result = case_result_t(status=nint(buffer(3)), is_resolved=buffer(4) > 0.5_dp, central_film=buffer(5), &
-         minimum_film=buffer(6), central_film_moes=buffer(7), max_pressure=buffer(8), amplitude_ratio=buffer(9), &
-         amplitude_ratio_fit=buffer(10), mean_film=buffer(11), v=buffer(12), v2=buffer(13), f_r=buffer(14), &
-         formula_ratio=buffer(15), residual=buffer(16), load_error=buffer(17), time_steps=nint(buffer(18)), &
-         nonlinear_steps=nint(buffer(19)), linear_steps=nint(buffer(20)), seconds=buffer(21), work_units=buffer(22), &
-         peak_memory_mib=buffer(23))
-      row%message = text(1:text_length)
-      row%host = text(text_length + 1:2*text_length)
-      row%started = text(2*text_length + 1:2*text_length + 24)
-      row%finished = text(2*text_length + 25:2*text_length + 48)
-   end subroutine receive_row
-
-   !> Numbers of the cases, largest cost first; equal costs in the order of the table.
-   pure function longest_first(cost) result(order)
-      real(dp), intent(in) :: cost(:)
-      integer :: order(size(cost))
-      integer :: merged(size(cost)), i, j, k, middle, n, stop_, start, width
-
-      n = size(cost)
-      order = [(i, i=1, n)]
-      width = 1
-      do while (width < n)                       ! merge sort, stable
-         do start = 1, n, 2*width
-            middle = min(start + width, n + 1)
-            stop_ = min(start + 2*width, n + 1)
-            i = start
-            j = middle
-            do k = start, stop_ - 1
-               if (j >= stop_ .or. (i < middle .and. cost(order(min(i, n))) >= cost(order(min(j, n))))) then
-                  merged(k) = order(i)
-                  i = i + 1
-               else
-                  merged(k) = order(j)
-                  j = j + 1
-               end if
-            end do
-         end do
-         order = merged
-         width = 2*width
-      end do
-   end function longest_first
+      call mpi_probe(0, tag_case, comm, status)
+      call mpi_get_count(status, mpi_character, length)
+      allocate (character(len=length) :: text)
+      call mpi_recv(text, length, mpi_character, 0, tag_case, comm, mpi_status_ignore)
+      read (text(:number_digits), *) number
+      if (number == no_case) return
+      call file%load_text('case', text(number_digits + 2:), error)
+      call read_case_groups(file, case, error)
+      if (.not. allocated(error)) call complete_case(case, '', error)
+      if (.not. allocated(error)) call make_plan(case, plan, error)
+      case%fields = text(number_digits + 1:number_digits + 1) == 'T'
+      if (.not. allocated(error)) then
+         if (effective_input(case) /= text(number_digits + 2:)) &
+            call raise(error, 'case '//to_text(number)//' arrived with another input')
+      end if
+   end subroutine receive_case
 
 end module ehlwave_scheduler

@@ -2,9 +2,8 @@
 module ehlwave_sweep_report
    use ehlwave_case_plan, only: run_march, run_smooth
    use ehlwave_case_table, only: sweep_t
-   use ehlwave_kinds, only: dp
-   use ehlwave_results_file, only: row_t
-   use ehlwave_status, only: is_success, status_name, status_pending
+   use ehlwave_status, only: last_status, status_name, status_pending
+   use ehlwave_sweep_progress, only: progress_t
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
@@ -36,21 +35,19 @@ contains
    end subroutine print_sweep_plan
 
    !> Counts by status and where the results are.
-   subroutine print_sweep_result(unit, sweep, rows)
+   subroutine print_sweep_result(unit, progress, output)
       integer, intent(in) :: unit
-      type(sweep_t), intent(in) :: sweep
-      type(row_t), intent(in) :: rows(:)
-      integer :: number, status
-      real(dp) :: total
+      type(progress_t), intent(in) :: progress
+      character(len=*), intent(in) :: output   !! results file
+      integer :: status
 
-      total = sum(rows%result%seconds)
-      do status = 0, status_pending
-         number = count(rows%result%status == status)
-         if (number > 0) write (unit, '(i7,1x,a)') number, status_name(status)
+      do status = 0, last_status
+         if (progress%counts(status) > 0) write (unit, '(i7,1x,a)') progress%counts(status), status_name(status)
       end do
-      write (unit, '(a)') to_text(total, 4)//' s of computing, results in '//sweep%output
-      if (any(.not. is_success(rows%result%status))) &
-         write (unit, '(a)') 'Cases that did not converge are rows with their status and message.'
+      if (progress%done() < progress%total) &
+         write (unit, '(i7,1x,a)') progress%total - progress%done(), status_name(status_pending)
+      write (unit, '(a)') to_text(progress%seconds, 4)//' s of computing, results in '//output
+      if (progress%failed() > 0) write (unit, '(a)') 'Cases that did not converge are rows with their status and message.'
    end subroutine print_sweep_result
 
 end module ehlwave_sweep_report

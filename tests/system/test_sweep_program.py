@@ -44,7 +44,7 @@ class SweepProgram(unittest.TestCase):
             outcome = self.sweep(SWEEP, "--output", f"results_{ranks}.h5", ranks=ranks)
             self.assertEqual(outcome.returncode, 0, outcome.stderr + outcome.stdout)
             self.assertIn("8/8 cases, 0 failed", outcome.stdout)
-        self.assertEqual(self.names(), ["results_0.h5", "results_2.h5", "sweep.nml"])
+        self.assertEqual(self.names(), ["results_0.h5", "results_0.store", "results_2.h5", "results_2.store", "sweep.nml"])
 
     def test_existing_results_are_kept(self):
         results = Path(self.folder, "results.h5")

@@ -127,6 +127,11 @@ def _labelled(path: Path, opened: xr.Dataset) -> xr.Dataset:
     origin = {key: _text(opened.attrs.get(key, "")) for key in PROVENANCE_ATTRIBUTES}
     origin["source_file"] = str(path)
     coordinates = {key: ((DIMENSION,), np.full(size, text)) for key, text in origin.items()}
+    # A sweep that several versions of the program worked on tells each case's own.
+    for key in PROVENANCE_ATTRIBUTES:
+        if key in columns:
+            own = columns.pop(key)[1].astype(str)
+            coordinates[key] = ((DIMENSION,), np.where(own == "", origin[key], own))
     coordinates["case_in_file"] = ((DIMENSION,), opened[DIMENSION].values)
     return xr.Dataset(columns, coords=coordinates)
 

@@ -1,0 +1,183 @@
+/* What a store of results needs of POSIX and Fortran cannot say: appending durably, locks, folders, signals.
+   Functions return 0 or an errno value unless they say otherwise. The interfaces are in posix.f90. */
+#define _DEFAULT_SOURCE
+#include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+/* CRC-32 of ISO 3309 (that of zlib and PNG). */
+uint32_t ehlwave_crc32(const unsigned char *text, long length)
+{
+   static uint32_t table[256];
+   uint32_t crc = 0xffffffffu;
+   if (table[1] == 0)
+      for (uint32_t i = 0; i < 256; i++) {
+         uint32_t value = i;
+         for (int bit = 0; bit < 8; bit++) value = value & 1 ? 0xedb88320u ^ (value >> 1) : value >> 1;
+         table[i] = value;
+      }
+   for (long i = 0; i < length; i++) crc = table[(crc ^ text[i]) & 255] ^ (crc >> 8);
+   return crc ^ 0xffffffffu;
+}
+
+/* Make the name of a new file durable, too. Some file systems refuse to sync a folder: not an error. */
+static void sync_folder_of(const char *path)
+{
+   char folder[4096];
+   const char *slash = strrchr(path, '/');
+   size_t length = slash ? (size_t)(slash - path) : 0;
+   if (length >= sizeof folder) return;
+   memcpy(folder, path, length);
+   strcpy(folder + length, length ? "" : ".");
+   int file = open(folder, O_RDONLY);
+   if (file < 0) return;
+   fsync(file);
+   close(file);
+}
+
+/* A new file for appending; a file that exists is an error (EEXIST). */
+int ehlwave_create(const char *path, int *file)
+{
+   *file = open(path, O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0666);
+   if (*file < 0) return errno;
+   sync_folder_of(path);
+   return 0;
+}
+
+/* Append all of a text in one call as long as the system takes it so. */
+int ehlwave_append(int file, const char *text, long length)
+{
+   while (length > 0) {
+      ssize_t written = write(file, text, (size_t)length);
+      if (written < 0 && errno == EINTR) continue;
+      if (written < 0) return errno;
+      if (written == 0) return ENOSPC;
+      text += written;
+      length -= written;
+   }
+   return 0;
+}
+
+int ehlwave_sync(int file) { return fsync(file) == 0 ? 0 : errno; }
+
+int ehlwave_close(int file) { return close(file) == 0 ? 0 : errno; }
+
+/* Replace `path` by a text: complete under another name first, then renamed. */
+int ehlwave_replace(const char *path, const char *temporary, const char *text, long length)
+{
+   int file = open(temporary, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666), status;
+   if (file < 0) return errno;
+   status = ehlwave_append(file, text, length);
+   if (status == 0) status = ehlwave_sync(file);
+   if (close(file) != 0 && status == 0) status = errno;
+   if (status == 0 && rename(temporary, path) != 0) status = errno;
+   if (status != 0) unlink(temporary);
+   else sync_folder_of(path);
+   return status;
+}
+
+int ehlwave_make_folder(const char *path)
+{
+   if (mkdir(path, 0777) == 0) return 0;
+   int status = errno;
+   struct stat there;
+   return stat(path, &there) == 0 && S_ISDIR(there.st_mode) ? 0 : status;
+}
+
+int ehlwave_remove(const char *path)
+{
+   return remove(path) == 0 || errno == ENOENT ? 0 : errno;
+}
+
+/* Names in a folder, a line each, into a buffer that may be too short. Returns the length of all, -1: no folder. */
+long ehlwave_list(const char *path, char *buffer, long size)
+{
+   DIR *folder = opendir(path);
+   long length = 0;
+   if (!folder) return -1;
+   for (struct dirent *entry; (entry = readdir(folder));) {
+      long n = (long)strlen(entry->d_name);
+      if (entry->d_name[0] == '.') continue;
+      if (length + n + 1 <= size) {
+         memcpy(buffer + length, entry->d_name, (size_t)n);
+         buffer[length + n] = '\n';
+      }
+      length += n + 1;
+   }
+   closedir(folder);
+   return length;
+}
+
+/* Lock a file against other processes, on all nodes where the file system has locks. The system gives the lock
+   back when the process ends, however it ends. 0: locked, 1: another has it, 2: cannot be locked, -1: no file. */
+int ehlwave_lock(const char *path, int *file)
+{
+   *file = open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+   if (*file < 0) return -1;
+   if (lockf(*file, F_TLOCK, 0) == 0) return 0;
+   return errno == EACCES || errno == EAGAIN ? 1 : 2;
+}
+
+/* Whether another process has locked a file: 1, else 0. */
+int ehlwave_is_locked(const char *path)
+{
+   int file = open(path, O_RDWR | O_CLOEXEC), status;
+   if (file < 0) return 0;
+   status = lockf(file, F_TEST, 0) != 0 && (errno == EACCES || errno == EAGAIN);
+   close(file);
+   return status;
+}
+
+int ehlwave_process_id(void) { return (int)getpid(); }
+
+static volatile sig_atomic_t caught = 0;
+static volatile sig_atomic_t note_length = 0;
+static int note_file = -1;
+static char note[256];
+
+static void catch_signal(int number)
+{
+   int kept = errno;
+   caught = number;
+   if (note_length > 0 && write(note_file, note, (size_t)note_length) >= 0) note_length = 0;
+   errno = kept;
+}
+
+/* From now on SIGTERM, SIGUSR1 and SIGINT are remembered; a second SIGINT ends the process as usual. */
+void ehlwave_catch_signals(void)
+{
+   struct sigaction action;
+   memset(&action, 0, sizeof action);
+   action.sa_handler = catch_signal;
+   action.sa_flags = SA_RESTART;
+   sigemptyset(&action.sa_mask);
+   sigaction(SIGTERM, &action, NULL);
+   sigaction(SIGUSR1, &action, NULL);
+   action.sa_flags = SA_RESTART | SA_RESETHAND;
+   sigaction(SIGINT, &action, NULL);
+}
+
+int ehlwave_signal_caught(void) { return caught; }
+
+/* What the first signal appends to a file, at once: whoever sends it may not wait. Length 0: nothing. */
+void ehlwave_set_note(int file, const char *text, long length)
+{
+   note_length = 0;
+   if (length <= 0 || length > (long)sizeof note) return;
+   memcpy(note, text, (size_t)length);
+   note_file = file;
+   note_length = (sig_atomic_t)length;
+}
+
+/* End this process by SIGALRM unless called again within some seconds; 0: never. */
+void ehlwave_watchdog(int seconds)
+{
+   signal(SIGALRM, SIG_DFL);
+   alarm((unsigned)(seconds > 0 ? seconds : 0));
+}

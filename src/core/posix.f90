@@ -1,0 +1,228 @@
+!> What a store of results needs of POSIX: appending durably, locks, folders, signals.
+!>
+!> Fortran's own output is not enough: compilers report a full disk late or never, and none can wait until a
+!> record is on the disk.
+module ehlwave_posix
+   use, intrinsic :: iso_c_binding, only: c_char, c_int, c_int32_t, c_long, c_null_char
+   implicit none (type, external)
+   private
+   public :: append_text, catch_signals, checksum, close_file, create_file, is_locked, lock_file, list_folder, &
+      make_folder, process_id, remove_file, replace_file, reason_text, set_note, signal_caught, sync_file, watchdog
+
+   integer, parameter, public :: lock_taken = 0, lock_refused = 1, lock_absent = 2, lock_unwritable = -1
+
+   interface
+      integer(c_int32_t) function c_crc32(text, length) bind(c, name='ehlwave_crc32')
+         import :: c_char, c_int32_t, c_long
+         implicit none (type, external)
+         character(kind=c_char), intent(in) :: text(*)
+         integer(c_long), value :: length
+      end function c_crc32
+      integer(c_int) function c_create(path, file) bind(c, name='ehlwave_create')
+         import :: c_char, c_int
+         implicit none (type, external)
+         character(kind=c_char), intent(in) :: path(*)
+         integer(c_int), intent(out) :: file
+      end function c_create
+      integer(c_int) function c_append(file, text, length) bind(c, name='ehlwave_append')
+         import :: c_char, c_int, c_long
+         implicit none (type, external)
+         integer(c_int), value :: file
+         character(kind=c_char), intent(in) :: text(*)
+         integer(c_long), value :: length
+      end function c_append
+      !> Wait until what was appended is on the disk. 0, or the system's error number.
+      integer(c_int) function sync_file(file) bind(c, name='ehlwave_sync')
+         import :: c_int
+         implicit none (type, external)
+         integer(c_int), value :: file
+      end function sync_file
+      !> Close a file. 0, or the system's error number.
+      integer(c_int) function close_file(file) bind(c, name='ehlwave_close')
+         import :: c_int
+         implicit none (type, external)
+         integer(c_int), value :: file
+      end function close_file
+      integer(c_int) function c_replace(path, temporary, text, length) bind(c, name='ehlwave_replace')
+         import :: c_char, c_int, c_long
+         implicit none (type, external)
+         character(kind=c_char), intent(in) :: path(*), temporary(*), text(*)
+         integer(c_long), value :: length
+      end function c_replace
+      integer(c_int) function c_make_folder(path) bind(c, name='ehlwave_make_folder')
+         import :: c_char, c_int
+         implicit none (type, external)
+         character(kind=c_char), intent(in) :: path(*)
+      end function c_make_folder
+      integer(c_int) function c_remove(path) bind(c, name='ehlwave_remove')
+         import :: c_char, c_int
+         implicit none (type, external)
+         character(kind=c_char), intent(in) :: path(*)
+      end function c_remove
+      integer(c_long) function c_list(path, buffer, size) bind(c, name='ehlwave_list')
+         import :: c_char, c_long
+         implicit none (type, external)
+         character(kind=c_char), intent(in) :: path(*)
+         character(kind=c_char), intent(inout) :: buffer(*)
+         integer(c_long), value :: size
+      end function c_list
+      integer(c_int) function c_lock(path, file) bind(c, name='ehlwave_lock')
+         import :: c_char, c_int
+         implicit none (type, external)
+         character(kind=c_char), intent(in) :: path(*)
+         integer(c_int), intent(out) :: file
+      end function c_lock
+      integer(c_int) function c_is_locked(path) bind(c, name='ehlwave_is_locked')
+         import :: c_char, c_int
+         implicit none (type, external)
+         character(kind=c_char), intent(in) :: path(*)
+      end function c_is_locked
+      !> Number of this process.
+      integer(c_int) function process_id() bind(c, name='ehlwave_process_id')
+         import :: c_int
+         implicit none (type, external)
+      end function process_id
+      !> From now on SIGTERM, SIGUSR1 and SIGINT are remembered; a second SIGINT ends the process as usual.
+      subroutine catch_signals() bind(c, name='ehlwave_catch_signals')
+         implicit none (type, external)
+      end subroutine catch_signals
+      !> The last signal caught, 0 for none.
+      integer(c_int) function signal_caught() bind(c, name='ehlwave_signal_caught')
+         import :: c_int
+         implicit none (type, external)
+      end function signal_caught
+      subroutine c_set_note(file, text, length) bind(c, name='ehlwave_set_note')
+         import :: c_char, c_int, c_long
+         implicit none (type, external)
+         integer(c_int), value :: file
+         character(kind=c_char), intent(in) :: text(*)
+         integer(c_long), value :: length
+      end subroutine c_set_note
+      !> End this process by SIGALRM unless called again within some seconds; 0: never.
+      subroutine watchdog(seconds) bind(c, name='ehlwave_watchdog')
+         import :: c_int
+         implicit none (type, external)
+         integer(c_int), value :: seconds
+      end subroutine watchdog
+      function c_strerror(number) result(text) bind(c, name='strerror')
+         use, intrinsic :: iso_c_binding, only: c_int, c_ptr
+         implicit none (type, external)
+         integer(c_int), value :: number
+         type(c_ptr) :: text
+      end function c_strerror
+      integer(c_long) function c_strlen(text) bind(c, name='strlen')
+         use, intrinsic :: iso_c_binding, only: c_long, c_ptr
+         implicit none (type, external)
+         type(c_ptr), value :: text
+      end function c_strlen
+   end interface
+
+contains
+
+   !> CRC-32 of a text (that of zlib), 8 hexadecimal digits in lower case.
+   function checksum(text) result(digits)
+      character(len=*), intent(in) :: text
+      character(len=8) :: digits
+      character(len=*), parameter :: hex = '0123456789abcdef'
+      integer(c_int32_t) :: value
+      integer :: i, place
+      value = c_crc32(text, int(len(text), c_long))
+      do i = 1, 8
+         place = ibits(value, 32 - 4*i, 4) + 1
+         digits(i:i) = hex(place:place)
+      end do
+   end function checksum
+
+   !> Create a file for appending. `status` is 0 or the system's error number, also when the file exists.
+   subroutine create_file(path, file, status)
+      character(len=*), intent(in) :: path
+      integer, intent(out) :: file, status
+      status = c_create(path//c_null_char, file)
+   end subroutine create_file
+
+   !> Append a text in one piece. `status` is 0 or the system's error number; then a part may be there.
+   subroutine append_text(file, text, status)
+      integer, intent(in) :: file
+      character(len=*), intent(in) :: text
+      integer, intent(out) :: status
+      status = c_append(file, text, int(len(text), c_long))
+   end subroutine append_text
+
+   !> Give a file a new text, all of it or nothing. `status` is 0 or the system's error number.
+   subroutine replace_file(path, text, status)
+      character(len=*), intent(in) :: path, text
+      integer, intent(out) :: status
+      status = c_replace(path//c_null_char, path//'.part'//c_null_char, text, int(len(text), c_long))
+   end subroutine replace_file
+
+   !> Make a folder unless it is there. `status` is 0 or the system's error number.
+   subroutine make_folder(path, status)
+      character(len=*), intent(in) :: path
+      integer, intent(out) :: status
+      status = c_make_folder(path//c_null_char)
+   end subroutine make_folder
+
+   !> Remove a file or an empty folder, if it is there. `status` is 0 or the system's error number.
+   subroutine remove_file(path, status)
+      character(len=*), intent(in) :: path
+      integer, intent(out) :: status
+      status = c_remove(path//c_null_char)
+   end subroutine remove_file
+
+   !> Names in a folder but for those that begin with a dot, one a line; not allocated when there is no folder.
+   subroutine list_folder(path, names)
+      character(len=*), intent(in) :: path
+      character(len=:), allocatable, intent(out) :: names
+      character(len=:), allocatable :: buffer
+      integer(c_long) :: length, room
+      room = 65536
+      do
+         allocate (character(len=room) :: buffer)
+         length = c_list(path//c_null_char, buffer, room)
+         if (length < 0) return
+         if (length <= room) exit
+         room = 2*length
+         deallocate (buffer)
+      end do
+      names = buffer(:length)
+   end subroutine list_folder
+
+   !> Lock a file until this process ends. `status` is one of lock_taken, lock_refused (another process has it),
+   !> lock_absent (this file system has no locks), lock_unwritable.
+   subroutine lock_file(path, status)
+      character(len=*), intent(in) :: path
+      integer, intent(out) :: status
+      integer(c_int) :: file
+      status = c_lock(path//c_null_char, file)
+   end subroutine lock_file
+
+   !> Whether another process holds the lock of a file.
+   logical function is_locked(path)
+      character(len=*), intent(in) :: path
+      is_locked = c_is_locked(path//c_null_char) /= 0
+   end function is_locked
+
+   !> What the next signal appends to a file by itself; an empty text: nothing. At most 256 bytes.
+   subroutine set_note(file, text)
+      integer, intent(in) :: file
+      character(len=*), intent(in) :: text
+      call c_set_note(file, text, int(len(text), c_long))
+   end subroutine set_note
+
+   !> The system's words for an error number.
+   function reason_text(status) result(text)
+      use, intrinsic :: iso_c_binding, only: c_f_pointer, c_ptr
+      integer, intent(in) :: status
+      character(len=:), allocatable :: text
+      type(c_ptr) :: words
+      character(kind=c_char), pointer :: letters(:)
+      integer :: i
+      words = c_strerror(status)
+      call c_f_pointer(words, letters, [c_strlen(words)])
+      allocate (character(len=size(letters)) :: text)
+      do i = 1, size(letters)
+         text(i:i) = letters(i)
+      end do
+   end function reason_text
+
+end module ehlwave_posix

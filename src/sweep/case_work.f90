@@ -1,0 +1,168 @@
+!> Works through one case of a sweep: run it, store what it came to.
+module ehlwave_case_work
+   use ehlwave_case_input, only: case_t
+   use ehlwave_case_plan, only: case_plan_t, run_march
+   use ehlwave_case_report, only: result_json
+   use ehlwave_case_result, only: case_result_t
+   use ehlwave_case_text, only: case_identity, effective_input
+   use ehlwave_checkpoint_file, only: checkpoint_t
+   use ehlwave_clock, only: time_stamp, wall_seconds
+   use ehlwave_errors, only: error_t
+   use ehlwave_field_file, only: write_case_file
+   use ehlwave_json, only: json_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_monitor, only: give_up, go_on, monitor_t, stop_now
+   use ehlwave_posix, only: signal_caught, watchdog
+   use ehlwave_status, only: status_interrupted, status_pending
+   use ehlwave_store, only: store_t
+   use ehlwave_time_march, only: steps_per_stretch
+   implicit none (type, external)
+   private
+   public :: case_procedure, store_result, work_on_case
+
+   integer, parameter, public :: message_length = 256   !! longest message told to rank 0
+
+   !> What a sweep asks of every case.
+   type, public :: case_limits_t
+      real(dp) :: largest_case_seconds = 0    !! a case that takes longer is given up; 0: no limit
+      real(dp) :: checkpoint_seconds = 600    !! between two checkpoints of a march
+   end type case_limits_t
+
+   !> What rank 0 is told of a case.
+   type, public :: outcome_t
+      integer :: status = status_pending      !! pending: not run, or not stored
+      real(dp) :: seconds = 0
+      character(len=message_length) :: message = ''
+      logical :: is_store_broken = .false.    !! the message says why
+   end type outcome_t
+
+   !> Watches the time while a case runs and keeps a rank in touch with the others.
+   type, extends(monitor_t), public :: case_watch_t
+      type(store_t), pointer :: store => null()
+      type(case_limits_t) :: limits
+      real(dp) :: deadline_s = huge(1.0_dp)   !! wall_seconds at which to stop
+      logical :: is_stopping = .false.        !! take no more cases, stop the one under way
+      character(len=message_length) :: reason = ''   !! of stopping
+      real(dp), private :: case_start_s = 0
+   contains
+      procedure :: step_done => look_up
+      procedure :: look_at_clock
+      procedure :: exchange
+   end type case_watch_t
+
+   abstract interface
+      !> The interface of `run_case`.
+      subroutine case_procedure(case, plan, monitor, result, checkpoint)
+         import :: case_plan_t, case_result_t, case_t, checkpoint_t, monitor_t
+         implicit none (type, external)
+         type(case_t), intent(in) :: case
+         type(case_plan_t), intent(in) :: plan
+         class(monitor_t), intent(inout) :: monitor
+         type(case_result_t), intent(out) :: result
+         type(checkpoint_t), intent(inout), optional :: checkpoint
+      end subroutine case_procedure
+   end interface
+
+contains
+
+   !> Run one case and put it into the store.
+   subroutine work_on_case(run, case, plan, watch, outcome)
+      procedure(case_procedure) :: run
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      class(case_watch_t), intent(inout) :: watch
+      type(outcome_t), intent(out) :: outcome
+      type(case_result_t) :: result
+      type(checkpoint_t) :: checkpoint
+      type(error_t), allocatable :: error
+      character(len=24) :: started
+      character(len=16) :: identity
+
+      identity = case_identity(case)
+      started = time_stamp()
+      watch%request = go_on
+      watch%case_start_s = wall_seconds()
+      call watch%store%start(identity, error)
+      if (.not. allocated(error)) then
+         checkpoint%path = watch%store%checkpoint_path(identity)
+         checkpoint%identity = identity
+         checkpoint%interval_s = watch%limits%checkpoint_seconds
+         checkpoint%start_s = watch%case_start_s
+         ! A case that does not even notice that its time is up hangs: this process ends itself.
+         if (watch%limits%largest_case_seconds > 0) call watchdog(ceiling(2*watch%limits%largest_case_seconds + 60))
+         call run(case, plan, watch, result, checkpoint)
+         call watchdog(0)
+         if (result%status == status_interrupted) then
+            call watch%store%stop(identity, error)
+         else
+            call store_result(case, plan, result, started, watch%store, error)
+            if (.not. allocated(error) .and. plan%kind == run_march .and. plan%steps >= steps_per_stretch) &
+               call checkpoint%discard()
+         end if
+         outcome%status = result%status
+         outcome%seconds = result%seconds
+         outcome%message = result%message
+      end if
+      if (allocated(error)) outcome = outcome_t(message=error%message, is_store_broken=.true.)
+   end subroutine work_on_case
+
+   !> Store a case that is done: all that its report offers, and where and when it ran.
+   subroutine store_result(case, plan, result, started, store, error)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      type(case_result_t), intent(in) :: result
+      character(len=*), intent(in) :: started
+      class(store_t), intent(inout) :: store
+      type(error_t), allocatable, intent(inout) :: error
+      type(json_t) :: record
+
+      if (case%fields) call write_case_file(store%fields_path(case_identity(case)), case, plan%conditions, result, error)
+      record = result_json(case, plan, result)
+      call record%add('host', store%host)
+      call record%add('rank', store%rank)
+      call record%add('started', trim(started))
+      call record%add('finished', trim(time_stamp()))
+      call store%keep(record, effective_input(case), error)
+   end subroutine store_result
+
+   !> Called between the steps of a case.
+   subroutine look_up(self, stage, done, total)
+      class(case_watch_t), intent(inout) :: self
+      character(len=*), intent(in) :: stage
+      integer, intent(in) :: done, total
+      type(error_t), allocatable :: error
+
+      call self%look_at_clock()
+      call self%exchange()
+      call self%store%sync(error)   ! an error shows again when the case is stored
+      self%request = go_on
+      if (self%limits%largest_case_seconds > 0) then
+         if (wall_seconds() - self%case_start_s > self%limits%largest_case_seconds) self%request = give_up
+      end if
+      if (self%is_stopping) self%request = stop_now
+      if (.false.) then   ! how far the case is, is of no interest here
+         associate (a => stage, b => done, c => total)
+         end associate
+      end if
+   end subroutine look_up
+
+   !> Notice signals and the time limit.
+   subroutine look_at_clock(self)
+      class(case_watch_t), intent(inout) :: self
+      if (self%is_stopping) return
+      if (signal_caught() /= 0) then
+         self%is_stopping = .true.
+         self%reason = 'a signal asked for it'
+      else if (wall_seconds() > self%deadline_s) then
+         self%is_stopping = .true.
+         self%reason = 'the time limit is reached'
+      end if
+   end subroutine look_at_clock
+
+   !> Messages from and to other ranks; with one process there are none.
+   subroutine exchange(self)
+      class(case_watch_t), intent(inout) :: self
+      if (.false.) self%request = go_on
+   end subroutine exchange
+
+end module ehlwave_case_work

@@ -1,0 +1,78 @@
+!> Expected wall time of cases, fitted to those that are finished.
+!>
+!>     ln(seconds) = a + b ln(cost) + c ln(M) + offset of the kind of run
+!>
+!> `cost` is the effort of the plan, in node updates. Priors (b = 1, c = 0, no offsets; weights as if known to a
+!> factor of e^0.5) keep the fit sane while few cases are finished: ridge regression.
+module ehlwave_cost_model
+   use ehlwave_case_plan, only: case_plan_t, run_march, run_smooth, run_standing
+   use ehlwave_kinds, only: dp
+   implicit none (type, external)
+   private
+   public :: cost_features, fit_cost_model
+
+   integer, parameter, public :: feature_count = 5
+   real(dp), parameter :: prior(feature_count) = [0.0_dp, 1.0_dp, 0.0_dp, 0.0_dp, 0.0_dp]
+   real(dp), parameter :: weight(feature_count) = [1e-6_dp, 4.0_dp, 4.0_dp, 4.0_dp, 4.0_dp]
+
+   type, public :: cost_model_t
+      logical :: is_fitted = .false.                    !! else `seconds` only orders cases
+      real(dp) :: coefficients(feature_count) = prior
+   contains
+      procedure :: seconds
+   end type cost_model_t
+
+contains
+
+   !> What the time of a case is told from.
+   pure function cost_features(plan) result(features)
+      type(case_plan_t), intent(in) :: plan
+      real(dp) :: features(feature_count)
+      features = [1.0_dp, log(plan%cost), log(plan%conditions%m), merge(1.0_dp, 0.0_dp, plan%kind == run_smooth), &
+                  merge(1.0_dp, 0.0_dp, plan%kind == run_standing)]
+      if (plan%kind == run_march) features(4:5) = 0
+   end function cost_features
+
+   !> Expected wall time in seconds.
+   pure real(dp) function seconds(self, features)
+      class(cost_model_t), intent(in) :: self
+      real(dp), intent(in) :: features(feature_count)
+      seconds = exp(min(100.0_dp, max(-100.0_dp, dot_product(self%coefficients, features))))
+   end function seconds
+
+   !> Fit to finished cases; those without a time are left out. Without any the model is the plan's cost.
+   pure function fit_cost_model(features, seconds) result(model)
+      real(dp), intent(in) :: features(:, :)   !! (feature_count, cases)
+      real(dp), intent(in) :: seconds(:)       !! wall times
+      type(cost_model_t) :: model
+      real(dp) :: normal(feature_count, feature_count), right(feature_count), factor
+      integer :: i, j
+
+      if (.not. any(seconds > 0)) return
+      normal = 0
+      do i = 1, feature_count
+         normal(i, i) = weight(i)
+      end do
+      right = 0                                ! for the difference from the prior
+      do i = 1, size(seconds)
+         if (.not. seconds(i) > 0) cycle
+         do j = 1, feature_count
+            normal(:, j) = normal(:, j) + features(:, i)*features(j, i)
+         end do
+         right = right + features(:, i)*(log(seconds(i)) - dot_product(prior, features(:, i)))
+      end do
+      do i = 1, feature_count                  ! elimination; the matrix is symmetric positive definite
+         do j = i + 1, feature_count
+            factor = normal(j, i)/normal(i, i)
+            normal(j, :) = normal(j, :) - factor*normal(i, :)
+            right(j) = right(j) - factor*right(i)
+         end do
+      end do
+      do i = feature_count, 1, -1
+         right(i) = (right(i) - dot_product(normal(i, i + 1:), right(i + 1:)))/normal(i, i)
+      end do
+      model%coefficients = prior + right
+      model%is_fitted = .true.
+   end function fit_cost_model
+
+end module ehlwave_cost_model

@@ -1,0 +1,241 @@
+!> What a store holds: every record that can be believed, read from the logs of all ranks of all runs.
+module ehlwave_store_contents
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+   use ehlwave_errors, only: error_t
+   use ehlwave_identity_index, only: identity_index_t, identity_length
+   use ehlwave_json_reader, only: json_number, json_string, split_list
+   use ehlwave_kinds, only: dp
+   use ehlwave_posix, only: list_folder
+   use ehlwave_record_file, only: next_record, read_whole_file
+   use ehlwave_status, only: status_of_name, status_pending
+   use ehlwave_store, only: check_store, log_name, records_name
+   implicit none (type, external)
+   private
+   public :: element, read_store, run_element
+
+   integer, parameter :: name_length = 64
+
+   !> Names and kinds of the values of a record.
+   type, public :: layout_t
+      character(len=:), allocatable :: text            !! as stored
+      character(len=name_length), allocatable :: names(:), kinds(:)
+   end type layout_t
+
+   !> The last record of a case. Value k, as JSON, is text(first(k):last(k)).
+   type, public :: stored_case_t
+      character(len=identity_length) :: identity = ''
+      integer :: status = status_pending
+      real(dp) :: seconds = 0
+      integer :: layout = 0, log = 0, run = 0
+      character(len=:), allocatable :: text
+      integer, allocatable :: first(:), last(:)
+   end type stored_case_t
+
+   !> One log: who wrote it and what it was at.
+   type, public :: log_t
+      integer :: run = 0, rank = 0
+      character(len=:), allocatable :: header, base_input
+      type(layout_t) :: columns                        !! of the header
+      character(len=identity_length) :: in_flight = '' !! case that was begun, and neither done nor stopped
+   end type log_t
+
+   type, public :: contents_t
+      type(layout_t), allocatable :: layouts(:)
+      type(stored_case_t), allocatable :: cases(:)     !! cases(:count)
+      type(log_t), allocatable :: logs(:)
+      integer :: count = 0
+      integer :: runs = 0                              !! number of the last run
+      integer :: bad_lines = 0                         !! passed over
+      type(identity_index_t) :: index                  !! from identity to place in `cases`
+   contains
+      procedure :: deaths
+   end type contents_t
+
+contains
+
+   !> Read a store; one that is not there is empty. Fails when it is something else.
+   subroutine read_store(folder, contents, error, ranks_of_last_run)
+      character(len=*), intent(in) :: folder
+      type(contents_t), intent(out) :: contents
+      type(error_t), allocatable, intent(inout) :: error
+      integer, intent(in), optional :: ranks_of_last_run   !! look for these logs by name, too: on network file
+                                                           !! systems a new file may be late in the listing
+      character(len=:), allocatable :: names, text
+      logical :: is_there
+      integer :: i, line_end, rank
+
+      allocate (contents%layouts(0), contents%cases(64), contents%logs(0))
+      if (allocated(error)) return
+      call check_store(folder, is_there, error)
+      if (allocated(error) .or. .not. is_there) return
+      call list_folder(folder//'/'//records_name, names)
+      if (.not. allocated(names)) return
+      i = 1
+      do while (i <= len(names))
+         line_end = i + index(names(i:), new_line('a')) - 1
+         call read_whole_file(folder//'/'//records_name//'/'//names(i:line_end - 1), text)
+         if (allocated(text)) call read_log(text, contents)
+         i = line_end + 1
+      end do
+      if (.not. present(ranks_of_last_run)) return
+      do rank = 0, ranks_of_last_run - 1
+         if (index(names, log_name(contents%runs, rank)) > 0) cycle
+         call read_whole_file(folder//'/'//records_name//'/'//log_name(contents%runs, rank), text)
+         if (allocated(text)) call read_log(text, contents)
+      end do
+   end subroutine read_store
+
+   subroutine read_log(text, contents)
+      character(len=*), intent(in) :: text
+      type(contents_t), intent(inout) :: contents
+      type(log_t) :: log
+      integer, allocatable :: first(:), last(:)
+      integer :: begins, blank, ends, layout, position
+
+      position = 1
+      layout = 0
+      do
+         call next_record(text, position, begins, ends, contents%bad_lines)
+         if (ends == 0) exit
+         blank = begins + index(text(begins:ends), ' ') - 1
+         associate (value => text(blank + 1:ends))
+            select case (text(begins:max(begins, blank - 1)))
+            case ('run')
+               call split_list(value, first, last)
+               if (size(first) /= 2) exit
+               log%columns = new_layout(value(first(1):last(1)))
+               log%header = value(first(2):last(2))
+               log%run = nint(json_number(run_element(log, 'run')))
+               log%rank = nint(json_number(run_element(log, 'rank')))
+            case ('input')
+               log%base_input = json_string(value(2:len(value) - 1))
+            case ('start')
+               log%in_flight = value
+            case ('stop')
+               log%in_flight = ''
+            case ('columns')
+               call find_layout(value, contents, layout)
+            case ('case')
+               log%in_flight = ''
+               if (layout > 0 .and. allocated(log%header)) call take_case(value, layout, log%run, contents)
+            end select
+         end associate
+      end do
+      contents%runs = max(contents%runs, log%run)
+      if (allocated(log%header)) contents%logs = [contents%logs, log]
+   end subroutine read_log
+
+   !> Keep the record of a case unless there is one of a later run.
+   subroutine take_case(text, layout, run, contents)
+      character(len=*), intent(in) :: text
+      integer, intent(in) :: layout, run
+      type(contents_t), intent(inout) :: contents
+      type(stored_case_t) :: record
+      type(stored_case_t), allocatable :: more(:)
+      integer :: before, place
+
+      call split_list(text, record%first, record%last)
+      if (size(record%first) /= size(contents%layouts(layout)%names)) then
+         contents%bad_lines = contents%bad_lines + 1
+         return
+      end if
+      record%layout = layout
+      record%run = run
+      record%log = size(contents%logs) + 1
+      record%text = text
+      record%identity = json_string(element(contents%layouts(layout), record, 'case_id'))
+      record%status = status_of_name(json_string(element(contents%layouts(layout), record, 'status')))
+      record%seconds = json_number(element(contents%layouts(layout), record, 'seconds'))
+      if (.not. ieee_is_finite(record%seconds)) record%seconds = 0
+
+      before = contents%index%count
+      call contents%index%add(record%identity, place)
+      if (place > size(contents%cases)) then
+         allocate (more(2*size(contents%cases)))
+         more(:before) = contents%cases(:before)
+         call move_alloc(more, contents%cases)
+      end if
+      contents%count = contents%index%count
+      if (place <= before) then
+         if (contents%cases(place)%run > run) return
+      end if
+      contents%cases(place) = record
+   end subroutine take_case
+
+   subroutine find_layout(text, contents, layout)
+      character(len=*), intent(in) :: text
+      type(contents_t), intent(inout) :: contents
+      integer, intent(out) :: layout
+      do layout = 1, size(contents%layouts)
+         if (contents%layouts(layout)%text == text) return
+      end do
+      contents%layouts = [contents%layouts, new_layout(text)]
+   end subroutine find_layout
+
+   function new_layout(text) result(layout)
+      character(len=*), intent(in) :: text   !! [[name, kind],...]
+      type(layout_t) :: layout
+      integer, allocatable :: first(:), last(:), a(:), b(:)
+      integer :: k
+      layout%text = text
+      call split_list(text, first, last)
+      allocate (layout%names(size(first)), layout%kinds(size(first)))
+      do k = 1, size(first)
+         associate (pair => text(first(k):last(k)))
+            call split_list(pair, a, b)
+            layout%names(k) = ''
+            layout%kinds(k) = ''
+            if (size(a) /= 2) cycle
+            layout%names(k) = json_string(pair(a(1):b(1)))
+            layout%kinds(k) = json_string(pair(a(2):b(2)))
+         end associate
+      end do
+   end function new_layout
+
+   !> Value of a column of a record as JSON; empty when it has no such column.
+   pure function element(layout, record, name) result(text)
+      type(layout_t), intent(in) :: layout
+      type(stored_case_t), intent(in) :: record
+      character(len=*), intent(in) :: name
+      character(len=:), allocatable :: text
+      integer :: k
+      text = ''
+      do k = 1, size(layout%names)
+         if (layout%names(k) /= name) cycle
+         text = record%text(record%first(k):record%last(k))
+         return
+      end do
+   end function element
+
+   !> Value of the header of a log as JSON; empty when it has no such value.
+   function run_element(log, name) result(text)
+      type(log_t), intent(in) :: log
+      character(len=*), intent(in) :: name
+      character(len=:), allocatable :: text
+      type(stored_case_t) :: record
+      record%text = log%header
+      call split_list(record%text, record%first, record%last)
+      text = ''
+      if (size(record%first) == size(log%columns%names)) text = element(log%columns, record, name)
+   end function run_element
+
+   !> In how many runs the death of one process, and of no other, happened in this case since it was last done.
+   !>
+   !> When a rank dies MPI ends the others, which say so in their logs before they go. Where several say nothing
+   !> (a node or mpirun was lost) no case is to blame.
+   integer function deaths(self, identity)
+      class(contents_t), intent(in) :: self
+      character(len=*), intent(in) :: identity
+      integer :: k, place, since
+
+      deaths = 0
+      since = 0
+      place = self%index%find(identity)
+      if (place > 0) since = self%cases(place)%run
+      do k = 1, size(self%logs)
+         if (self%logs(k)%in_flight /= identity .or. self%logs(k)%run <= since) cycle
+         if (count(self%logs%run == self%logs(k)%run .and. self%logs%in_flight /= '') == 1) deaths = deaths + 1
+      end do
+   end function deaths
+
+end module ehlwave_store_contents

@@ -1,0 +1,186 @@
+!> What a store holds, told without the sweep file and without disturbing a job at work.
+module ehlwave_sweep_status
+   use ehlwave_cost_model, only: cost_model_t, feature_count, fit_cost_model
+   use ehlwave_errors, only: error_t, raise
+   use ehlwave_identity_index, only: identity_length
+   use ehlwave_json_reader, only: json_string
+   use ehlwave_kinds, only: dp
+   use ehlwave_posix, only: is_locked
+   use ehlwave_record_file, only: read_whole_file
+   use ehlwave_status, only: is_success, last_status, status_name
+   use ehlwave_store, only: cases_name, check_store, lock_name, store_path
+   use ehlwave_store_contents, only: contents_t, element, read_store
+   use ehlwave_sweep_progress, only: duration
+   use ehlwave_text, only: to_text
+   implicit none (type, external)
+   private
+   public :: print_status
+
+   integer, parameter :: slowest_shown = 5, failed_shown = 20
+
+   !> The cases of the sweep: identity and features of the cost model.
+   type :: list_t
+      character(len=identity_length), allocatable :: identity(:)
+      real(dp), allocatable :: features(:, :)
+      integer, allocatable :: place(:)           !! in the contents, 0: not there
+   end type list_t
+
+contains
+
+   !> Print what the store of a results file holds. `is_finished`: no case is left to run; `failed`: number of
+   !> finished cases that did not converge. Fails when there is no store or it cannot be understood.
+   subroutine print_status(unit, path, is_finished, failed, error)
+      integer, intent(in) :: unit
+      character(len=*), intent(in) :: path       !! results file or store
+      logical, intent(out) :: is_finished
+      integer, intent(out) :: failed
+      type(error_t), allocatable, intent(out) :: error
+      type(contents_t) :: contents
+      type(list_t) :: list
+      character(len=:), allocatable :: folder
+      integer, allocatable :: found(:)
+      integer :: n, status
+      logical :: is_there, is_working
+
+      is_finished = .false.
+      failed = 0
+      allocate (list%identity(0), list%place(0))
+      folder = store_path(path)
+      call check_store(folder, is_there, error)
+      if (.not. (is_there .or. allocated(error))) &
+         call raise(error, 'there is no store '//folder//': give the results file of a sweep, or its store')
+      if (allocated(error)) return
+      is_working = is_locked(folder//'/'//lock_name)
+      call read_store(folder, contents, error)
+      if (.not. allocated(error)) call read_list(folder, contents, list, error)
+      if (allocated(error)) return
+
+      found = pack(list%place, list%place > 0)
+      n = size(list%identity)
+      is_finished = size(found) == n
+      failed = count(.not. is_success(contents%cases(found)%status))
+      write (unit, '(a)') 'Store        '//folder//', '//trim(merge('a job is at work ', 'no job is at work', is_working))
+      write (unit, '(a)') 'Cases        '//to_text(n)//': '//to_text(size(found))//' finished, '//to_text(n - size(found))// &
+         ' left'
+      do status = 0, last_status
+         if (any(contents%cases(found)%status == status)) &
+            write (unit, '(i16,1x,a)') count(contents%cases(found)%status == status), status_name(status)
+      end do
+      if (is_working) write (unit, '(a)') 'Under way    '//to_text(count(contents%logs%run == contents%runs .and. &
+         contents%logs%in_flight /= ''))//' cases on '//to_text(count(contents%logs%run == contents%runs))//' ranks'
+      if (contents%count > size(found)) write (unit, '(a)') 'Not listed   '//to_text(contents%count - size(found))// &
+         ' finished cases that the sweep file no longer lists'
+      if (contents%bad_lines > 0) write (unit, '(a)') 'Damaged      '//to_text(contents%bad_lines)// &
+         ' records were cut off; they count as not written'
+      call print_times(unit, contents, list, found)
+      call print_slowest(unit, contents, found)
+      call print_failed(unit, contents, found)
+   end subroutine print_status
+
+   subroutine read_list(folder, contents, list, error)
+      character(len=*), intent(in) :: folder
+      type(contents_t), intent(in) :: contents
+      type(list_t), intent(inout) :: list
+      type(error_t), allocatable, intent(inout) :: error
+      character(len=:), allocatable :: text
+      integer :: i, io, n, width
+
+      call read_whole_file(folder//'/'//cases_name, text)
+      width = 0
+      if (allocated(text)) width = index(text, new_line('a'))
+      if (width <= identity_length) then
+         call raise(error, folder//' has no list of cases yet: no job has begun to work on it')
+         return
+      end if
+      n = len(text)/width
+      deallocate (list%identity, list%place)
+      allocate (list%identity(n), list%place(n), list%features(feature_count, n))
+      do i = 1, n
+         associate (line => text((i - 1)*width + 1:i*width - 1))
+            list%identity(i) = line(:identity_length)
+            list%place(i) = contents%index%find(list%identity(i))
+            read (line(identity_length + 1:), '(*(1x,es12.5))', iostat=io) list%features(:, i)
+            if (io /= 0) list%features(:, i) = 0
+         end associate
+      end do
+   end subroutine read_list
+
+   !> Time so far and time left.
+   subroutine print_times(unit, contents, list, found)
+      integer, intent(in) :: unit
+      type(contents_t), intent(in) :: contents
+      type(list_t), intent(in) :: list
+      integer, intent(in) :: found(:)
+      type(cost_model_t) :: model
+      real(dp) :: left, seconds(size(list%place))
+      integer :: i, ranks
+
+      seconds = 0
+      do i = 1, size(list%place)
+         if (list%place(i) > 0) seconds(i) = contents%cases(list%place(i))%seconds
+      end do
+      write (unit, '(a)') 'Time         '//duration(sum(contents%cases(found)%seconds))//' of computing in '// &
+         to_text(contents%runs)//' runs of the program'
+      if (size(found) == size(list%place)) return
+      model = fit_cost_model(list%features, seconds)
+      left = 0
+      do i = 1, size(list%place)
+         if (list%place(i) == 0) left = left + model%seconds(list%features(:, i))
+      end do
+      ranks = max(1, count(contents%logs%run == contents%runs))
+      if (model%is_fitted) then
+         write (unit, '(a)') 'Time left    '//duration(left/ranks)//' on '//to_text(ranks)//' ranks, '//duration(left)// &
+            ' of computing'
+      else
+         write (unit, '(a)') 'Time left    unknown until a case is finished'
+      end if
+   end subroutine print_times
+
+   subroutine print_slowest(unit, contents, found)
+      integer, intent(in) :: unit
+      type(contents_t), intent(in) :: contents
+      integer, intent(in) :: found(:)
+      logical :: is_shown(size(found))
+      integer :: k, place
+
+      is_shown = .false.
+      do k = 1, min(slowest_shown, size(found))
+         place = maxloc(contents%cases(found)%seconds, 1, mask=.not. is_shown)
+         is_shown(place) = .true.
+         write (unit, '(a)') merge('Slowest      ', '             ', k == 1)//one_case(contents, found(place))//', '// &
+            to_text(contents%cases(found(place))%seconds, 4)//' s'
+      end do
+   end subroutine print_slowest
+
+   subroutine print_failed(unit, contents, found)
+      integer, intent(in) :: unit
+      type(contents_t), intent(in) :: contents
+      integer, intent(in) :: found(:)
+      integer :: i, shown
+
+      shown = 0
+      do i = 1, size(found)
+         associate (record => contents%cases(found(i)))
+            if (is_success(record%status)) cycle
+            shown = shown + 1
+            if (shown > failed_shown) cycle
+            write (unit, '(a)') merge('Failed       ', '             ', shown == 1)//one_case(contents, found(i))//', '// &
+               status_name(record%status)//': '//json_string(element(contents%layouts(record%layout), record, 'message'))
+         end associate
+      end do
+      if (shown > failed_shown) write (unit, '(a)') '             and '//to_text(shown - failed_shown)//' more'
+   end subroutine print_failed
+
+   !> Identity and conditions of a case.
+   function one_case(contents, place) result(text)
+      type(contents_t), intent(in) :: contents
+      integer, intent(in) :: place
+      character(len=:), allocatable :: text
+      associate (record => contents%cases(place), layout => contents%layouts(contents%cases(place)%layout))
+         text = record%identity//' (M = '//element(layout, record, 'load_parameter_m')//', L = '// &
+                element(layout, record, 'lubricant_parameter_l')//', D = '//element(layout, record, 'radius_ratio_d')// &
+                ', '//json_string(element(layout, record, 'orientation'))//')'
+      end associate
+   end function one_case
+
+end module ehlwave_sweep_status
