@@ -1,11 +1,12 @@
 !> March in time of one contact with moving waviness, from the smooth steady state.
 module ehlwave_time_march
+   use ehlwave_clock, only: wall_seconds
    use ehlwave_full_multigrid, only: level_t
    use ehlwave_kernel, only: cell_influence
    use ehlwave_kinds, only: dp
    use ehlwave_level_solver, only: solve_limits_t, solve_report_t
    use ehlwave_load_balance, only: equation_of_motion, force_balance
-   use ehlwave_monitor, only: go_on, monitor_t
+   use ehlwave_monitor, only: go_on, monitor_t, stop_now
    use ehlwave_reynolds, only: flow_t, new_flow
    use ehlwave_state, only: state_t
    use ehlwave_status, only: status_converged
@@ -16,7 +17,7 @@ module ehlwave_time_march
 
    !> Steps between two points where the march depends on its own fields alone, not on what the solver has kept:
    !> from there it can be taken up again, bit for bit. That costs one factorisation.
-   integer, parameter, public :: steps_per_stretch = 64
+   integer, parameter, public :: steps_per_stretch = 32
 
    !> What is marched and how.
    type, public :: march_settings_t
@@ -60,6 +61,8 @@ module ehlwave_time_march
       procedure :: advance
    end type march_t
 
+   !> Asked to stop, a march goes on to the end of its stretch if that takes no longer.
+   real(dp), parameter :: largest_delay_s = 10
    real(dp), parameter :: spread_weight = 1000   !! measured: fewest Newton steps between 100 and 10^4
 
 contains
@@ -110,13 +113,16 @@ contains
       type(level_t), intent(inout) :: level
       type(solve_limits_t), intent(in) :: limits
       class(monitor_t), intent(inout) :: monitor
-      real(dp) :: dt, t
-      integer :: k, n
+      real(dp) :: dt, start_s, t
+      integer :: first, k, last, n
 
       dt = time_step(self, level)
+      start_s = wall_seconds()
+      first = self%result%steps + 1
+      last = min(self%settings%steps, (self%result%steps/steps_per_stretch + 1)*steps_per_stretch)
       associate (grid => level%problem%grid, problem => level%problem, state => level%state, &
                  settings => self%settings, result => self%result, past => self%past, history => self%history)
-         do k = result%steps + 1, min(settings%steps, (result%steps/steps_per_stretch + 1)*steps_per_stretch)
+         do k = first, last
             t = k*dt
             call problem%set_rough(settings%amplitude*settings%waviness%shape_at(grid%x, grid%y, t))
             call problem%transport%carry(grid, history)
@@ -139,7 +145,9 @@ contains
             past%before = state
             if (modulo(k, steps_per_stretch) == 0) call level%solver%forget()
             call monitor%step_done('time step', k, settings%steps)
-            if (monitor%request /= go_on) exit
+            if (monitor%request == go_on) cycle
+            if (monitor%request /= stop_now) exit
+            if ((wall_seconds() - start_s)/(k - first + 1)*(last - k) > largest_delay_s) exit
          end do
       end associate
    end subroutine advance

@@ -4,16 +4,19 @@
 !> a record of the store has becomes a dataset, without being named here.
 module ehlwave_results_file
    use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
+   use ehlwave_case_report, only: result_json
+   use ehlwave_case_runner, only: blank_result
    use ehlwave_case_table, only: sweep_t
    use ehlwave_case_text, only: effective_input, effective_length, text_identity
    use ehlwave_column_names, only: describe_column
    use ehlwave_errors, only: error_t, raise
    use ehlwave_field_file, only: write_provenance
    use ehlwave_hdf5_file, only: hdf5_file_t
+   use ehlwave_json, only: json_t
    use ehlwave_json_reader, only: json_number, json_string, split_list
    use ehlwave_kinds, only: dp
    use ehlwave_status, only: status_name, status_pending
-   use ehlwave_store_contents, only: contents_t, element, layout_t, run_element
+   use ehlwave_store_contents, only: add_layout, contents_t, element, run_element
    use ehlwave_text_difference, only: text_from_difference
    implicit none (type, external)
    private
@@ -33,13 +36,16 @@ contains
       character(len=*), intent(in) :: path
       character(len=*), intent(in) :: sweep_text       !! the sweep file as it was
       type(sweep_t), intent(in) :: sweep
-      type(contents_t), intent(in) :: contents
+      type(contents_t), intent(inout) :: contents      !! gets the columns of a case that has not run, if missing
       type(error_t), allocatable, intent(inout) :: error
       type(hdf5_file_t) :: file
+      type(json_t) :: blank
       integer :: place(size(sweep%cases))              ! in the contents; 0: not there
-      integer :: i, n
+      integer :: i, layout, n
 
       n = size(sweep%cases)
+      blank = result_json(sweep%cases(1), sweep%plans(1), blank_result(sweep%cases(1), sweep%plans(1)))
+      call add_layout(blank%column_list(), contents, layout)
       do i = 1, n
          place(i) = contents%index%find(sweep%identity(i))
       end do

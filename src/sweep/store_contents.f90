@@ -11,7 +11,7 @@ module ehlwave_store_contents
    use ehlwave_store, only: check_store, log_name, records_name
    implicit none (type, external)
    private
-   public :: element, read_store, run_element
+   public :: add_layout, element, read_store, run_element
 
    integer, parameter :: name_length = 64
 
@@ -114,7 +114,7 @@ contains
             case ('stop')
                log%in_flight = ''
             case ('columns')
-               call find_layout(value, contents, layout)
+               call add_layout(value, contents, layout)
             case ('case')
                log%in_flight = ''
                if (layout > 0 .and. allocated(log%header)) call take_case(value, layout, log%run, contents)
@@ -162,7 +162,8 @@ contains
       contents%cases(place) = record
    end subroutine take_case
 
-   subroutine find_layout(text, contents, layout)
+   !> Number of a layout among those of the contents; a new one is added.
+   subroutine add_layout(text, contents, layout)
       character(len=*), intent(in) :: text
       type(contents_t), intent(inout) :: contents
       integer, intent(out) :: layout
@@ -170,7 +171,7 @@ contains
          if (contents%layouts(layout)%text == text) return
       end do
       contents%layouts = [contents%layouts, new_layout(text)]
-   end subroutine find_layout
+   end subroutine add_layout
 
    function new_layout(text) result(layout)
       character(len=*), intent(in) :: text   !! [[name, kind],...]

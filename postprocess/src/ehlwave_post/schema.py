@@ -27,8 +27,8 @@ REQUIRED_COLUMNS = (
 """Datasets this package computes with. Others are read, kept and exported when they are there."""
 
 PROVENANCE_ATTRIBUTES = ("program_version", "git_revision", "compiler")
-"""Kept with every case, so that results of different origin can be told apart: a column of this name, else the
-root attribute."""
+"""Kept with every case, so that results of different origin can be told apart: a column of this
+name, else the root attribute."""
 
 ORIENTATIONS = ("transverse", "isotropic", "longitudinal")
 """The orientations of the paper, in the order of the panels of its Figures 1 and 2."""
