@@ -3,9 +3,10 @@ program ehlwave_sweep
    use, intrinsic :: iso_fortran_env, only: error_unit, output_unit
    use ehlwave_arguments, only: arguments_t, read_arguments
    use ehlwave_case_runner, only: run_case
-   use ehlwave_case_table, only: read_sweep, sweep_t
+   use ehlwave_case_table, only: read_output_name, read_sweep, sweep_t
    use ehlwave_errors, only: error_t
    use ehlwave_petsc_solver, only: finish_petsc
+   use ehlwave_posix, only: catch_signals
    use ehlwave_provenance, only: program_version
    use ehlwave_sweep_job, only: exit_bad_input, exit_done, exit_failed, exit_unfinished, job_options_t, run_job
    use ehlwave_sweep_report, only: print_sweep_plan
@@ -17,7 +18,7 @@ program ehlwave_sweep
    character(len=*), parameter :: usage(32) = [character(len=104) :: &
       'Usage: mpirun -n RANKS ehlwave-sweep SWEEP.nml [--plan] [--output FILE.h5] [--time-limit TIME]', &
       '                                     [--retry failed|version] [--overwrite]', &
-      '       ehlwave-sweep --status FILE.h5', &
+      '       ehlwave-sweep --status FILE.h5|SWEEP.nml', &
       '', &
       'Runs every combination of the lists in a sweep file, or every row of its CSV file; ranks take', &
       'cases as they become free, the longest expected first. A case that does not converge is a row', &
@@ -37,8 +38,8 @@ program ehlwave_sweep
       '  --version         version of the program', &
       '  --help            this text', &
       '', &
-      'SIGTERM, SIGUSR1 and SIGINT stop a run as --time-limit does. scripts/run-sweep starts a sweep again', &
-      'when a rank died.', &
+      'SIGTERM, SIGUSR1 and SIGINT stop a run as --time-limit does. scripts/run-sweep starts the rest of a', &
+      'sweep again when a rank died.', &
       '', &
       'Exit status: 0 all cases converged (or are flagged unresolved); 1 all cases ran, some did not converge;', &
       '             2 bad input or usage; 3 results could not be written;', &
@@ -68,6 +69,7 @@ program ehlwave_sweep
    if (size(arguments%files) /= 1) call refuse('give one sweep file; see ehlwave-sweep --help')
    call read_options()
 
+   if (.not. arguments%has('--plan')) call catch_signals()
    if (rank == 0) call read_sweep(trim(arguments%files(1)), sweep, error)
    call refuse_together()
    if (arguments%has('--output')) sweep%output = arguments%value('--output')
@@ -81,11 +83,15 @@ program ehlwave_sweep
 contains
 
    subroutine show_status()
+      character(len=:), allocatable :: path
       integer :: failed, status
       logical :: is_finished
       status = exit_done
       if (rank == 0) then
-         call print_status(output_unit, arguments%value('--status'), is_finished, failed, error)
+         path = arguments%value('--status')
+         if (index(path, '.nml') > 0 .and. index(path, '.nml') == len(path) - 3) &
+            call read_output_name(arguments%value('--status'), path, error)
+         if (.not. allocated(error)) call print_status(output_unit, path, is_finished, failed, error)
          if (.not. allocated(error)) status = merge(merge(exit_failed, exit_done, failed > 0), exit_unfinished, &
                                                      is_finished)
       end if

@@ -1,18 +1,19 @@
 !> One HDF5 file being written: datasets with units, names and dimensions that xarray reads.
 !>
-!> Every status is kept; `finish` closes the file, opens it again, and only then gives it its name, so that
-!> a reader never sees a broken file and a full disk is noticed.
+!> Every status is kept. The file is made in memory; `finish` writes it, waits for the disk and only then gives it its
+!> name, so that a reader never sees a broken file. (The library itself notices a full disk late, and can crash then.)
 module ehlwave_hdf5_file
-   use, intrinsic :: iso_c_binding, only: c_char, c_int, c_loc, c_null_char
+   use, intrinsic :: iso_c_binding, only: c_loc, c_null_ptr, c_ptr
    use ehlwave_errors, only: error_t, raise
    use ehlwave_kinds, only: dp
+   use ehlwave_posix, only: reason_text, replace_file
    use h5ds, only: h5dsattach_scale_f, h5dsset_scale_f
    use hdf5, only: h5aclose_f, h5acreate_f, h5awrite_f, h5close_f, h5dclose_f, h5dcreate_f, h5dopen_f, h5dwrite_f, &
-      h5eset_auto_f, h5f_acc_rdonly_f, h5f_acc_trunc_f, h5f_scope_global_f, h5fclose_f, h5fcreate_f, h5fflush_f, &
-      h5fopen_f, h5lexists_f, h5open_f, h5p_dataset_create_f, h5pclose_f, h5pcreate_f, h5pset_chunk_f, &
-      h5pset_deflate_f, h5pset_shuffle_f, h5s_scalar_f, h5sclose_f, h5screate_f, h5screate_simple_f, h5t_c_s1, &
-      h5t_fortran_s1, h5t_native_double, h5t_native_integer, h5t_str_nullpad_f, h5tclose_f, h5tcopy_f, &
-      h5tset_size_f, h5tset_strpad_f, hid_t, hsize_t, size_t
+      h5eset_auto_f, h5f_acc_trunc_f, h5f_scope_global_f, h5fclose_f, h5fcreate_f, h5fflush_f, h5fget_file_image_f, &
+      h5lexists_f, h5open_f, h5p_dataset_create_f, h5p_file_access_f, h5pclose_f, h5pcreate_f, h5pset_chunk_f, &
+      h5pset_deflate_f, h5pset_fapl_core_f, h5pset_shuffle_f, h5s_scalar_f, h5sclose_f, h5screate_f, &
+      h5screate_simple_f, h5t_c_s1, h5t_fortran_s1, h5t_native_double, h5t_native_integer, h5t_str_nullpad_f, &
+      h5tclose_f, h5tcopy_f, h5tset_size_f, h5tset_strpad_f, hid_t, hsize_t, size_t
    implicit none (type, external)
    private
 
@@ -21,7 +22,7 @@ module ehlwave_hdf5_file
 
    type, public :: hdf5_file_t
       private
-      character(len=:), allocatable :: path, temporary
+      character(len=:), allocatable :: path
       integer(hid_t) :: id = -1
       logical :: is_good = .true.
    contains
@@ -36,14 +37,6 @@ module ehlwave_hdf5_file
       procedure, private :: note, complete, attach, make_dataset
    end type hdf5_file_t
 
-   interface
-      integer(c_int) function c_rename(old, new) bind(c, name='rename')
-         import :: c_char, c_int
-         implicit none (type, external)
-         character(kind=c_char), intent(in) :: old(*), new(*)
-      end function c_rename
-   end interface
-
 contains
 
    !> Begin a file that will be called `path` once it is complete.
@@ -51,37 +44,51 @@ contains
       class(hdf5_file_t), intent(inout) :: self
       character(len=*), intent(in) :: path
       type(error_t), allocatable, intent(out) :: error
+      integer(size_t), parameter :: increment = 1048576   ! bytes by which the memory grows
+      integer(hid_t) :: properties
       integer :: status
 
       self%path = path
-      self%temporary = path//'.part'
       self%is_good = .true.
       call h5open_f(status)
       call h5eset_auto_f(0, status)      ! our own messages, not the library's stack
-      call h5fcreate_f(self%temporary, h5f_acc_trunc_f, self%id, status)
-      if (status < 0) call raise(error, 'cannot write '//self%temporary//': does the folder exist, is it writable, '// &
-                                 'is the disk full?')
+      call h5pcreate_f(h5p_file_access_f, properties, status)
+      call h5pset_fapl_core_f(properties, increment, .false., status)
+      call self%note(status)
+      call h5fcreate_f(path, h5f_acc_trunc_f, self%id, status, access_prp=properties)
+      call h5pclose_f(properties, status)
+      if (self%id < 0) call raise(error, 'cannot make '//path//' in memory: is there too little of it?')
    end subroutine create
 
-   !> Close, verify and rename. Fails when anything since `create` did.
+   !> Write the file and give it its name. Fails when anything since `create` did.
    subroutine finish(self, error)
       class(hdf5_file_t), intent(inout) :: self
       type(error_t), allocatable, intent(out) :: error
-      integer :: status
+      character(len=:), allocatable, target :: image
+      type(c_ptr) :: buffer
+      integer(size_t) :: length
+      integer :: status, written
 
+      length = 0
       call h5fflush_f(self%id, h5f_scope_global_f, status)
+      call self%note(status)
+      buffer = c_null_ptr
+      call h5fget_file_image_f(self%id, buffer, 0_size_t, status, length)
+      call self%note(status)
+      allocate (character(len=length) :: image)
+      buffer = c_loc(image)
+      call h5fget_file_image_f(self%id, buffer, length, status)
       call self%note(status)
       call h5fclose_f(self%id, status)
       call self%note(status)
-      call h5fopen_f(self%temporary, h5f_acc_rdonly_f, self%id, status)
-      call self%note(status)
-      if (status >= 0) call h5fclose_f(self%id, status)
       call h5close_f(status)
-      if (self%is_good) then
-         if (c_rename(self%temporary//c_null_char, self%path//c_null_char) /= 0) self%is_good = .false.
+      if (.not. self%is_good) then
+         call raise(error, 'making '//self%path//' failed: is there too little memory? What was there before is unchanged')
+         return
       end if
-      if (.not. self%is_good) call raise(error, 'writing '//self%path//' failed: is the disk full? What was there '// &
-                                         'before is unchanged')
+      call replace_file(self%path, image, written)
+      if (written /= 0) call raise(error, 'cannot write '//self%path//': '//reason_text(written)// &
+                                   '. What was there before is unchanged')
    end subroutine finish
 
    subroutine note(self, status)

@@ -14,7 +14,8 @@ module ehlwave_case_table
    use ehlwave_text, only: lower_case, to_text
    implicit none (type, external)
    private
-   public :: read_sweep
+   public :: read_output_name, read_sweep
+   character(len=*), parameter :: usual_output = 'results.h5'
 
    type, public :: sweep_t
       character(len=:), allocatable :: output      !! results file
@@ -74,6 +75,17 @@ contains
          merge(' (all are unresolved)', '                     ', sweep%skipped > 0))
    end subroutine read_sweep
 
+   !> The results file that a sweep file names.
+   subroutine read_output_name(path, output, error)
+      character(len=*), intent(in) :: path
+      character(len=:), allocatable, intent(out) :: output
+      type(error_t), allocatable, intent(inout) :: error
+      type(namelist_t) :: file
+      output = usual_output
+      call file%load(path, error)
+      call file%get('sweep', 'output', output, error)
+   end subroutine read_output_name
+
    subroutine read_lists(file, lists, error)
       type(namelist_t), intent(inout) :: file
       type(lists_t), intent(inout) :: lists
@@ -81,7 +93,7 @@ contains
       character(len=*), parameter :: group = 'sweep'
 
       lists%case_file = ''
-      lists%output = 'results.h5'
+      lists%output = usual_output
       lists%unresolved = 'run'
       call file%get_list(group, 'load_parameter_m', lists%m, error, above=0.0_dp)
       call file%get_list(group, 'lubricant_parameter_l', lists%l, error, minimum=0.0_dp)

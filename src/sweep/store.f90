@@ -141,7 +141,8 @@ contains
          call make_folder(folder//'/'//trim(folders(i)), status)
          if (status /= 0) call raise(error, 'cannot write '//folder//'/'//trim(folders(i))//': '//reason_text(status))
       end do
-      call replace_file(folder//'/store', format_name//' '//format_version//new_line('a'), status)
+      inquire (file=folder//'/store', exist=is_there)
+      if (.not. is_there) call replace_file(folder//'/store', format_name//' '//format_version//new_line('a'), status)
       if (status /= 0 .and. .not. allocated(error)) &
          call raise(error, 'cannot write '//folder//'/store: '//reason_text(status))
       if (.not. allocated(error)) call claim_run(store, error)

@@ -7,7 +7,6 @@ module ehlwave_sweep_job
    use ehlwave_errors, only: error_t, raise
    use ehlwave_field_file, only: check_writable
    use ehlwave_kinds, only: dp
-   use ehlwave_posix, only: catch_signals
    use ehlwave_provenance, only: program_version
    use ehlwave_scheduler, only: follow, leader_t, run_sweep
    use ehlwave_status, only: last_status
@@ -60,7 +59,6 @@ contains
          return
       end if
       call share(comm, sweep, store, watch%limits)
-      call catch_signals()
       watch%store => store
       watch%deadline_s = wall_seconds() + options%time_limit_s
       if (rank == 0) then
