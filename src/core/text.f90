@@ -31,51 +31,43 @@ contains
       real(dp), intent(in) :: value
       integer, intent(in), optional :: digits
       character(len=:), allocatable :: text
-      character(len=40) :: buffer, form
-      integer :: n, e, last
+      character(len=40) :: buffer, figures
+      character(len=1) :: sign
+      integer :: e, exponent, first, i, kept, n
 
       n = 17
       if (present(digits)) n = digits
-      write (form, '(a,i0,a,i0,a)') '(es', n + 9, '.', n - 1, 'e3)'
-      write (buffer, form) value
+      if (n == 17) then
+         write (buffer, '(es26.16e3)') value
+      else
+         write (buffer, '(es'//long_text(int(n + 9, i8))//'.'//long_text(int(n - 1, i8))//'e3)') value
+      end if
       buffer = adjustl(buffer)
       e = index(buffer, 'E')
       if (e == 0) then                       ! NaN or infinity
          text = trim(buffer)
          return
       end if
-      block
-         integer :: exponent
-         read (buffer(e + 1:), *) exponent
-         if (exponent >= -4 .and. exponent < n) then
-            write (form, '(a,i0,a)') '(f40.', max(0, n - 1 - exponent), ')'
-            write (buffer, form) value
-            buffer = adjustl(buffer)
-            last = len_trim(buffer)
-            if (index(buffer, '.') > 0) then
-               do while (buffer(last:last) == '0')
-                  last = last - 1
-               end do
-               if (buffer(last:last) == '.') last = last - 1
-            end if
-            text = buffer(:last)
-            if (text(1:1) == '.') text = '0'//text
-            if (len(text) > 1) then
-               if (text(1:2) == '-.') text = '-0'//text(2:)
-            end if
-            return
-         end if
-      end block
-      last = e - 1
-      do while (buffer(last:last) == '0')
-         last = last - 1
+      sign = buffer(1:1)
+      first = merge(2, 1, sign == '-')
+      figures = buffer(first:first)//buffer(first + 2:e - 1)
+      exponent = 0
+      do i = e + 2, len_trim(buffer)
+         exponent = 10*exponent + iachar(buffer(i:i)) - iachar('0')
       end do
-      if (buffer(last:last) == '.') last = last - 1
-      block
-         integer :: exponent
-         read (buffer(e + 1:), *) exponent
-         text = buffer(:last)//'e'//integer_text(exponent)
-      end block
+      if (buffer(e + 1:e + 1) == '-') exponent = -exponent
+      kept = max(1, verify(figures, '0 ', back=.true.))
+      if (exponent >= -4 .and. exponent < 0) then
+         text = '0.'//repeat('0', -exponent - 1)//figures(:kept)
+      else if (exponent >= 0 .and. exponent < n) then
+         text = figures(:exponent + 1)
+         if (kept > exponent + 1) text = text//'.'//figures(exponent + 2:kept)
+      else
+         text = figures(1:1)
+         if (kept > 1) text = text//'.'//figures(2:kept)
+         text = text//'e'//integer_text(exponent)
+      end if
+      if (sign == '-') text = '-'//text
    end function real_text
 
    pure function logical_text(value) result(text)

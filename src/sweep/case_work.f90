@@ -4,7 +4,7 @@ module ehlwave_case_work
    use ehlwave_case_plan, only: case_plan_t, run_march
    use ehlwave_case_report, only: result_json
    use ehlwave_case_result, only: case_result_t
-   use ehlwave_case_text, only: case_identity, effective_input
+   use ehlwave_case_text, only: text_identity
    use ehlwave_checkpoint_file, only: checkpoint_t
    use ehlwave_clock, only: time_stamp, wall_seconds
    use ehlwave_errors, only: error_t
@@ -66,10 +66,11 @@ module ehlwave_case_work
 contains
 
    !> Run one case and put it into the store.
-   subroutine work_on_case(run, case, plan, watch, outcome)
+   subroutine work_on_case(run, case, plan, input, watch, outcome)
       procedure(case_procedure) :: run
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
+      character(len=*), intent(in) :: input      !! effective input of the case
       class(case_watch_t), intent(inout) :: watch
       type(outcome_t), intent(out) :: outcome
       type(case_result_t) :: result
@@ -78,7 +79,7 @@ contains
       character(len=24) :: started
       character(len=16) :: identity
 
-      identity = case_identity(case)
+      identity = text_identity(input)
       started = time_stamp()
       watch%request = go_on
       watch%case_start_s = wall_seconds()
@@ -95,7 +96,7 @@ contains
          if (result%status == status_interrupted) then
             call watch%store%stop(identity, error)
          else
-            call store_result(case, plan, result, started, watch%store, error)
+            call store_result(case, plan, input, result, started, watch%store, error)
             if (.not. allocated(error) .and. plan%kind == run_march .and. plan%steps >= steps_per_stretch) &
                call checkpoint%discard()
          end if
@@ -107,22 +108,23 @@ contains
    end subroutine work_on_case
 
    !> Store a case that is done: all that its report offers, and where and when it ran.
-   subroutine store_result(case, plan, result, started, store, error)
+   subroutine store_result(case, plan, input, result, started, store, error)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
+      character(len=*), intent(in) :: input      !! effective input of the case
       type(case_result_t), intent(in) :: result
       character(len=*), intent(in) :: started
       class(store_t), intent(inout) :: store
       type(error_t), allocatable, intent(inout) :: error
       type(json_t) :: record
 
-      if (case%fields) call write_case_file(store%fields_path(case_identity(case)), case, plan%conditions, result, error)
+      if (case%fields) call write_case_file(store%fields_path(text_identity(input)), case, plan%conditions, result, error)
       record = result_json(case, plan, result)
       call record%add('host', store%host)
       call record%add('rank', store%rank)
       call record%add('started', trim(started))
       call record%add('finished', trim(time_stamp()))
-      call store%keep(record, effective_input(case), error)
+      call store%keep(record, input, error)
    end subroutine store_result
 
    !> Called between the steps of a case.

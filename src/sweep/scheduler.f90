@@ -74,7 +74,8 @@ contains
          call leader%exchange()
          if (leader%is_stopping .or. leader%queue%is_empty()) exit
          call leader%queue%take(case)
-         call work_on_case(run, leader%sweep%cases(case), leader%sweep%plans(case), leader, outcome)
+         call work_on_case(run, leader%sweep%cases(case), leader%sweep%plans(case), &
+                           effective_input(leader%sweep%cases(case)), leader, outcome)
          call take_outcome(leader, case, outcome)
       end do
       do while (leader%running > 0 .or. leader%asking > 0)
@@ -172,6 +173,7 @@ contains
       type(case_t) :: case
       type(case_plan_t) :: plan
       type(error_t), allocatable :: error
+      character(len=:), allocatable :: input
       integer :: i, number, unanswered
 
       worker%case_watch_t = watch
@@ -182,7 +184,7 @@ contains
       unanswered = in_reserve
       do while (unanswered > 0)
          if (allocated(error)) deallocate (error)
-         call receive_case(comm, number, case, plan, error)
+         call receive_case(comm, number, case, plan, input, error)
          unanswered = unanswered - 1
          if (number == no_case) cycle
          call worker%look_at_clock()
@@ -191,7 +193,7 @@ contains
          if (allocated(error)) then
             outcome = outcome_t(message=error%message, is_store_broken=.true.)
          else if (.not. worker%is_stopping) then
-            call work_on_case(run, case, plan, worker, outcome)
+            call work_on_case(run, case, plan, input, worker, outcome)
          end if
          if (outcome%is_store_broken) worker%is_stopping = .true.
          call mpi_send([real(dp) :: number, outcome%status, outcome%seconds, merge(1, 0, outcome%is_store_broken)], 4, &
@@ -236,11 +238,12 @@ contains
    end subroutine send_case
 
    !> Receive a case and plan it as rank 0 did. Fails when it does not come out the same.
-   subroutine receive_case(comm, number, case, plan, error)
+   subroutine receive_case(comm, number, case, plan, input, error)
       type(mpi_comm), intent(in) :: comm
       integer, intent(out) :: number
       type(case_t), intent(out) :: case
       type(case_plan_t), intent(out) :: plan
+      character(len=:), allocatable, intent(out) :: input   !! its effective input
       type(error_t), allocatable, intent(inout) :: error
       type(mpi_status) :: status
       type(namelist_t) :: file
@@ -253,13 +256,14 @@ contains
       call mpi_recv(text, length, mpi_character, 0, tag_case, comm, mpi_status_ignore)
       read (text(:number_digits), *) number
       if (number == no_case) return
-      call file%load_text('case', text(number_digits + 2:), error)
+      input = text(number_digits + 2:)
+      call file%load_text('case', input, error)
       call read_case_groups(file, case, error)
       if (.not. allocated(error)) call complete_case(case, '', error)
       if (.not. allocated(error)) call make_plan(case, plan, error)
       case%fields = text(number_digits + 1:number_digits + 1) == 'T'
       if (.not. allocated(error)) then
-         if (effective_input(case) /= text(number_digits + 2:)) &
+         if (effective_input(case) /= input) &
             call raise(error, 'case '//to_text(number)//' arrived with another input')
       end if
    end subroutine receive_case

@@ -161,7 +161,8 @@ contains
          result = blank_result(sweep%cases(case), sweep%plans(case))
          result%status = status_crashed
          result%message = 'its process died in '//to_text(deaths)//' runs; --retry failed tries it again'
-         call store_result(sweep%cases(case), sweep%plans(case), result, time_stamp(), store, error)
+         call store_result(sweep%cases(case), sweep%plans(case), effective_input(sweep%cases(case)), result, &
+                           time_stamp(), store, error)
          to_run(case) = .false.
          status(case) = status_crashed
          write (output_unit, '(a)') 'NOTICE: case '//to_text(case)//' is set aside: '//result%message

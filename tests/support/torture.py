@@ -72,10 +72,24 @@ class Torture:
         """Exit status of a run."""
         return process.wait(timeout=600)
 
+    def log_length(self):
+        """Bytes in the log of all runs."""
+        log = self.folder/"run.log"
+        return log.stat().st_size if log.exists() else 0
+
+    def wait_until_begun(self, process, before):
+        """Wait for the first line of a run."""
+        end = time.monotonic() + 60
+        while self.log_length() <= before and process.poll() is None and time.monotonic() < end:
+            time.sleep(0.02)
+
     def disturb(self):
         """Start a run, disturb it once at a random moment, check the store."""
+        begun = self.log_length()
         process = self.start("disk/results.h5")
-        time.sleep(self.random.uniform(0.3, 2.2))
+        if self.random.random() < 0.85:   # else also while the run is not yet under way
+            self.wait_until_begun(process, begun)
+        time.sleep(self.random.uniform(0.0, 1.5))
         ranks = _descendants(process.pid)
         kinds = ["kill -9 rank"]*3 + ["kill -9 mpirun", "TERM mpirun", "TERM rank", "USR1 mpirun", "USR1 rank"]
         if self.has_small_disk:

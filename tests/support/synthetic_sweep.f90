@@ -1,0 +1,155 @@
+!> Cases that only take time.
+module synthetic_case
+   use, intrinsic :: iso_c_binding, only: c_int
+   use ehlwave_case_input, only: case_t
+   use ehlwave_case_plan, only: case_plan_t
+   use ehlwave_case_result, only: case_result_t
+   use ehlwave_case_runner, only: blank_result
+   use ehlwave_case_text, only: case_identity
+   use ehlwave_checkpoint_file, only: checkpoint_t
+   use ehlwave_clock, only: wall_seconds
+   use ehlwave_kinds, only: dp, i8, pi
+   use ehlwave_monitor, only: monitor_t
+   use ehlwave_status, only: status_converged
+   implicit none (type, external)
+   private
+   public :: sleep_through
+
+   real(dp), parameter :: spread = 0.5_dp, slice_s = 0.02_dp
+   real(dp), public :: mean_s = 0, mean_cost = 1   !! mean time of a case, mean cost of a plan
+   real(dp), public :: in_cases = 0                !! time that this rank spent in cases
+
+   interface
+      integer(c_int) function usleep(microseconds) bind(c)
+         import :: c_int
+         implicit none (type, external)
+         integer(c_int), value :: microseconds
+      end function usleep
+   end interface
+
+contains
+
+   !> Stands for run_case.
+   subroutine sleep_through(case, plan, monitor, result, checkpoint)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      class(monitor_t), intent(inout) :: monitor
+      type(case_result_t), intent(out) :: result
+      type(checkpoint_t), intent(inout), optional :: checkpoint
+      real(dp) :: begin, normal, uniform(2), wanted
+      integer(i8) :: bits
+      character(len=16) :: identity
+      integer :: status
+
+      begin = wall_seconds()
+      identity = case_identity(case)
+      read (identity, '(z16)') bits
+      uniform = [ibits(bits, 0, 24) + 1, ibits(bits, 24, 24)]/2.0_dp**24
+      normal = sqrt(-2*log(uniform(1)))*cos(2*pi*uniform(2))
+      wanted = mean_s*plan%cost/mean_cost*exp(spread*normal - 0.5_dp*spread**2)
+      result = blank_result(case, plan)
+      do while (wanted > wall_seconds() - begin)
+         status = usleep(int(1e6_dp*min(slice_s, max(0.0_dp, wanted - (wall_seconds() - begin)))))
+         call monitor%step_done('sleep', 1, 1)
+      end do
+      result%status = status_converged
+      result%central_film = uniform(1)
+      result%amplitude_ratio = uniform(2)
+      result%amplitude_ratio_fit = uniform(2)
+      result%seconds = max(1e-6_dp, wall_seconds() - begin)
+      in_cases = in_cases + result%seconds
+      if (present(checkpoint)) checkpoint%seconds_before = 0
+   end subroutine sleep_through
+
+end module synthetic_case
+
+!> A sweep whose cases only take time: measures scheduler and store by themselves, with real MPI and real files.
+!>
+!>     mpirun -n RANKS synthetic_sweep CASES SECONDS OUTPUT.h5
+!>
+!> CASES cases over M, wavelength and orientation; a case sleeps (so that there may be more ranks than cores) a time
+!> in proportion to the cost of its plan, times a lognormal factor that the plan does not know; SECONDS is the mean,
+!> 0: no time at all. Prints the wall time, that of the cases alone, and what lies between.
+program synthetic_sweep
+   use, intrinsic :: iso_fortran_env, only: error_unit, output_unit
+   use ehlwave_case_input, only: complete_case
+   use ehlwave_case_plan, only: make_plan
+   use ehlwave_case_table, only: sweep_t
+   use ehlwave_case_text, only: case_identity
+   use ehlwave_clock, only: wall_seconds
+   use ehlwave_errors, only: error_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_sweep_job, only: job_options_t, run_job
+   use ehlwave_text, only: to_text
+   use mpi_f08, only: mpi_allreduce, mpi_barrier, mpi_bcast, mpi_comm_rank, mpi_comm_size, mpi_comm_world, mpi_double_precision, &
+      mpi_finalize, mpi_init, mpi_sum
+   use synthetic_case, only: in_cases, mean_cost, mean_s, sleep_through
+   implicit none (type, external)
+
+   character(len=*), parameter :: input_path = 'synthetic_sweep.nml'
+   type(sweep_t), target :: sweep
+   character(len=256) :: argument
+   real(dp) :: sums(1), start
+   integer :: cases, code, io, rank, ranks, unit
+
+   call mpi_init()
+   call mpi_comm_rank(mpi_comm_world, rank)
+   call mpi_comm_size(mpi_comm_world, ranks)
+   call get_command_argument(1, argument)
+   read (argument, *, iostat=io) cases
+   call get_command_argument(2, argument)
+   if (io == 0) read (argument, *, iostat=io) mean_s
+   call get_command_argument(3, argument)
+   if (io /= 0 .or. argument == '') then
+      if (rank == 0) write (error_unit, '(a)') 'Usage: synthetic_sweep CASES SECONDS OUTPUT.h5'
+      stop 2
+   end if
+   sweep%output = trim(argument)
+   if (rank == 0) then
+      open (newunit=unit, file=input_path, status='replace')
+      write (unit, '(a)') '&sweep /'
+      close (unit)
+      call make_cases()
+   end if
+   call mpi_bcast(mean_cost, 1, mpi_double_precision, 0, mpi_comm_world)
+   start = wall_seconds()
+   call run_job(mpi_comm_world, sleep_through, input_path, sweep, job_options_t(), code)
+   call mpi_barrier(mpi_comm_world)
+   sums = in_cases
+   call mpi_allreduce([in_cases], sums, 1, mpi_double_precision, mpi_sum, mpi_comm_world)
+   if (rank == 0) call report(wall_seconds() - start, sums(1))
+   call mpi_finalize()
+   stop code, quiet=.true.
+
+contains
+
+   subroutine make_cases()
+      character(len=12), parameter :: orientations(3) = [character(len=12) :: 'transverse', 'isotropic', 'longitudinal']
+      type(error_t), allocatable :: error
+      integer :: i
+      allocate (sweep%cases(cases), sweep%plans(cases), sweep%identity(cases))
+      do i = 1, cases
+         associate (case => sweep%cases(i))
+            case%load_parameter_m = 50 + 0.01_dp*i
+            case%lubricant_parameter_l = 12.05_dp
+            case%radius_ratio_d = 1
+            case%orientation = orientations(1 + modulo(i, 3))
+            case%wavelength_over_a = 0.5_dp + 0.25_dp*modulo(i, 11)
+            call complete_case(case, 'synthetic', error)
+            if (.not. allocated(error)) call make_plan(case, sweep%plans(i), error)
+            if (allocated(error)) stop 1
+            sweep%identity(i) = case_identity(case)
+            call sweep%index%add(sweep%identity(i), io)
+         end associate
+      end do
+      mean_cost = sum(sweep%plans%cost)/cases
+   end subroutine make_cases
+
+   subroutine report(wall_s, cases_s)
+      real(dp), intent(in) :: wall_s, cases_s
+      write (output_unit, '(a)') 'synthetic '//to_text(cases)//' cases, '//to_text(ranks)//' ranks: '//to_text(wall_s, 4)// &
+         ' s wall, '//to_text(cases_s, 4)//' s in cases, efficiency '//to_text(cases_s/(ranks*wall_s), 4)//', overhead '// &
+         to_text(1e3_dp*(wall_s*ranks - cases_s)/cases, 4)//' ms of a rank per case'
+   end subroutine report
+
+end program synthetic_sweep
