@@ -80,6 +80,7 @@ contains
       end do
       do while (leader%running > 0 .or. leader%asking > 0)
          call serve_one(leader)
+         call look_after(leader)
       end do
       do rank = 1, ranks - 1
          call tell_stop(leader, rank)
@@ -90,13 +91,21 @@ contains
    subroutine serve_waiting(self)
       class(leader_t), intent(inout) :: self
       logical :: is_waiting
-      integer :: rank
 
       do
          call mpi_iprobe(mpi_any_source, mpi_any_tag, self%comm, is_waiting, mpi_status_ignore)
          if (.not. is_waiting) exit
          call serve_one(self)
+         call look_after(self)   ! with very short cases there is always another message
       end do
+      call look_after(self)
+   end subroutine serve_waiting
+
+   !> What rank 0 does besides: stop the others, tell the progress, renew the results file.
+   subroutine look_after(self)
+      class(leader_t), intent(inout) :: self
+      integer :: rank
+      call self%look_at_clock()
       if (self%is_stopping) then
          do rank = 1, size(self%has_stopped)
             call tell_stop(self, rank)
@@ -104,7 +113,7 @@ contains
       end if
       call self%progress%tick(self%queue%seconds_left())
       call self%writer%renew(self%progress%done())
-   end subroutine serve_waiting
+   end subroutine look_after
 
    subroutine tell_stop(self, rank)
       class(leader_t), intent(inout) :: self

@@ -1,0 +1,252 @@
+"""A sweep is stopped, killed, changed and started again: what is done stays done, the rest goes on, the user is told."""
+
+import os
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+from ehlwave_program import MPI_ARGUMENTS, MPI_ENVIRONMENT, namelist, run
+from hdf5_reading import read
+from store_reading import count_records, finished
+from torture import CIRCUMSTANCES
+
+QUICK = {"sweep": {"load_parameter_m": [100, 200], "lubricant_parameter_l": 12.05, "radius_ratio_d": 1,
+                   "orientation": ["longitudinal", "transverse"], "wavelength_over_a": 1},
+         "grid": {"cells_x": 32, "cells_y": 32}}
+# 72 time steps and two checkpoints
+LONG = {"sweep": {"load_parameter_m": 100, "lubricant_parameter_l": 12.05, "radius_ratio_d": 1,
+                  "orientation": "transverse", "wavelength_over_a": 0.5},
+        "grid": {"cells_x": 64, "cells_y": 64}}
+# 288 time steps, long enough to be killed in
+SLOW = {**LONG, "grid": {"cells_x": 256, "cells_y": 128}}
+UNFINISHED = 85
+
+
+class SweepResume(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def sweep(self, groups, *arguments, status=0, ranks=0):
+        (self.folder/"sweep.nml").write_text(namelist(groups))
+        outcome = run("sweep", "sweep.nml", *arguments, ranks=ranks, folder=self.folder)
+        self.assertEqual(outcome.returncode, status, outcome.stderr + outcome.stdout)
+        return outcome.stdout + outcome.stderr
+
+    def start(self, *arguments, ranks=0):
+        """Start a sweep in the background."""
+        command = [os.environ["EHLWAVE_SWEEP"], "sweep.nml", *arguments]
+        if ranks:
+            command = [os.environ.get("EHLWAVE_MPIEXEC") or "mpiexec", "-n", str(ranks), *MPI_ARGUMENTS, *command]
+        process = subprocess.Popen(command, cwd=self.folder, env={**os.environ, **MPI_ENVIRONMENT},
+                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        self.addCleanup(process.kill)
+        self.addCleanup(process.stdout.close)
+        return process
+
+    def wait_for(self, condition):
+        end = time.monotonic() + 60
+        while not condition():
+            self.assertLess(time.monotonic(), end, "nothing happens")
+            time.sleep(0.02)
+
+    def store(self):
+        return self.folder/"results.store"
+
+    def check_same(self, first, second):
+        _, a = read(self.folder/first)
+        _, b = read(self.folder/second)
+        self.assertEqual(set(a), set(b))
+        for name in set(a) - CIRCUMSTANCES:
+            same = a[name] == b[name] if isinstance(a[name], list) else a[name].tobytes() == b[name].tobytes()
+            self.assertTrue(same, f"{name}: {a[name]} against {b[name]}")
+
+    def test_only_what_is_new_runs(self):
+        self.sweep(QUICK)
+        text = self.sweep(QUICK, ranks=2)
+        self.assertIn("4 of 4 cases are in the store already, 0 to run", text)
+        more = {**QUICK, "sweep": {**QUICK["sweep"], "load_parameter_m": [50, 200]}}
+        text = self.sweep(more, ranks=2)
+        self.assertIn("2 of 4 cases are in the store already, 2 to run", text)
+        self.assertIn("2 finished cases that this sweep file does not list", text)
+        _, data = read(self.folder/"results.h5")
+        self.assertEqual(list(data["load_parameter_m"]), [50, 50, 200, 200])
+        self.assertEqual(list(data["run"]), [3, 3, 1, 1])
+        self.assertEqual(count_records(self.store(), "case"), 6)
+
+    def test_changed_settings_are_said(self):
+        self.sweep(QUICK)
+        text = self.sweep({**QUICK, "solver": {"tolerance": 1e-5}})
+        self.assertIn("4 finished cases that this sweep file does not list", text)
+        self.assertIn("an earlier run had tolerance = 9.99", text)
+        self.assertNotIn("an earlier run had method", text)
+
+    def test_other_versions_are_said(self):
+        self.sweep(QUICK)
+        log = next((self.store()/"records").glob("*.log"))
+        rewrite_records(log, lambda text: text.replace('"0.1.0"', '"0.0.9"') if text.startswith("run ") else text)
+        text = self.sweep(QUICK)
+        self.assertIn("4 finished cases were computed by ehlwave 0.0.9", text)
+        self.assertIn("0 to run", text)
+        _, data = read(self.folder/"results.h5")
+        self.assertEqual(set(data["program_version"]), {"0.0.9"})
+        self.assertIn("4 to run", self.sweep(QUICK, "--retry", "version"))
+        _, data = read(self.folder/"results.h5")
+        self.assertEqual(set(data["program_version"]), {"0.1.0"})
+
+    def test_failed_cases_are_kept_until_asked_for(self):
+        failing = {**QUICK, "solver": {"largest_steps": 1}}
+        self.sweep(failing, status=1)
+        self.assertIn("0 to run", self.sweep(failing, status=1))
+        row = next(iter(finished(self.store()).values()))
+        self.assertEqual(row["status"], "stalled")
+        self.assertEqual(len(row["residual_history"]), 2)
+        self.assertIn("4 to run", self.sweep(failing, "--retry", "failed", status=1))
+        _, data = read(self.folder/"results.h5")
+        self.assertEqual(data["residual_history"].shape, (4, 2))
+        self.assertIn("stalled", self.sweep(failing, "--status", "results.h5", status=1))
+
+    def test_stopped_march_goes_on_bit_for_bit(self):
+        self.sweep(LONG, "--output", "whole.h5")
+        for _ in range(20):
+            (self.folder/"sweep.nml").write_text(namelist(LONG))
+            outcome = run("sweep", "sweep.nml", "--time-limit", "0.05", folder=self.folder)
+            if outcome.returncode == 0:
+                break
+            self.assertEqual(outcome.returncode, UNFINISHED, outcome.stderr)
+            self.assertIn("the time limit is reached", outcome.stdout)
+            self.assertEqual(len(list((self.store()/"checkpoints").iterdir())), 1)
+        self.assertEqual(outcome.returncode, 0)
+        self.assertGreaterEqual(count_records(self.store(), "stop"), 2)
+        self.check_same("whole.h5", "results.h5")
+        self.assertEqual(list((self.store()/"checkpoints").iterdir()), [])
+
+    def test_damaged_checkpoint_is_not_used(self):
+        self.sweep(LONG, "--output", "whole.h5")
+        self.sweep(LONG, "--time-limit", "0.05", status=UNFINISHED)
+        checkpoint = next((self.store()/"checkpoints").iterdir())
+        text = bytearray(checkpoint.read_bytes())
+        text[len(text)//2] ^= 1
+        checkpoint.write_bytes(text)
+        self.sweep(LONG)
+        self.check_same("whole.h5", "results.h5")
+
+    def test_signals_stop_in_good_order(self):
+        (self.folder/"sweep.nml").write_text(namelist(SLOW))
+        for ranks, number in [(0, signal.SIGTERM), (2, signal.SIGUSR1)]:
+            output = f"results_{ranks}"
+            process = self.start("--output", output + ".h5", ranks=ranks)
+            self.wait_for(lambda: count_records(self.folder/(output + ".store"), "start") == 1)
+            process.send_signal(number)
+            text = process.communicate(timeout=60)[0]
+            self.assertEqual(process.returncode, UNFINISHED, text)
+            self.assertIn("a signal asked for it", text)
+            _, data = read(self.folder/(output + ".h5"))
+            self.assertEqual(data["status"], ["pending"])
+            self.assertIn("1 left", self.sweep(SLOW, "--status", output + ".h5", status=UNFINISHED))
+
+    def test_two_jobs_on_one_store(self):
+        (self.folder/"sweep.nml").write_text(namelist(SLOW))
+        process = self.start()
+        self.wait_for(lambda: count_records(self.store(), "start") == 1)
+        self.assertIn("in use by another job", self.sweep(SLOW, status=2))
+        self.assertIn("in use by another job", self.sweep(SLOW, "--overwrite", status=2, ranks=2))
+        self.assertIn("a job is at work", self.sweep(SLOW, "--status", "sweep.nml", status=UNFINISHED))
+        process.kill()
+        process.communicate()
+        self.assertIn("no job is at work", self.sweep(SLOW, "--status", "results.store", status=UNFINISHED))
+
+    def test_case_that_kills_its_rank_twice_is_set_aside(self):
+        rows = ["load_parameter_m,lubricant_parameter_l,radius_ratio_d,orientation,wavelength_over_a,cells_x,cells_y",
+                "100,12.05,1,transverse,0.5,256,128", "100,12.05,1,longitudinal,1,32,32"]
+        (self.folder/"cases.csv").write_text("\n".join(rows) + "\n")
+        groups = {"sweep": {"case_file": "cases.csv"}}
+        (self.folder/"sweep.nml").write_text(namelist(groups))
+        for deaths in [1, 2]:
+            process = self.start()
+            self.wait_for(lambda: count_records(self.store(), "start") == deaths)
+            process.kill()
+            process.communicate()
+        text = self.sweep(groups, status=1, ranks=2)
+        self.assertIn("case 1 is set aside", text)
+        _, data = read(self.folder/"results.h5")
+        self.assertEqual(data["status"][0], "crashed")
+        self.assertIn(data["status"][1], ["converged", "unresolved"])
+        self.assertIn("0 to run", self.sweep(groups, status=1))
+        self.sweep(groups, "--retry", "failed")
+        _, data = read(self.folder/"results.h5")
+        self.assertNotIn("crashed", data["status"])
+
+    def test_case_over_its_budget(self):
+        groups = {**SLOW, "sweep": {**SLOW["sweep"], "wavelength_over_a": [0.5, 2], "largest_case_seconds": 0.01}}
+        text = self.sweep(groups, status=1)
+        _, data = read(self.folder/"results.h5")
+        self.assertEqual(data["status"], ["over_budget", "over_budget"])
+        self.assertIn("time step 1 of", data["message"][0])
+        self.assertIn("2 over_budget", text)
+        self.assertGreater(data["residual_history"].shape[1], 1)
+
+    def test_stores_that_are_refused(self):
+        self.sweep(QUICK)
+        (self.store()/"store").write_text("ehlwave-store 2\n")
+        self.assertIn("ehlwave-store 2", self.sweep(QUICK, status=2))
+        self.assertIn("ehlwave-store 2", self.sweep(QUICK, "--status", "results.h5", status=2))
+        (self.folder/"other.store").mkdir()
+        (self.folder/"other.store"/"precious").write_text("")
+        self.assertIn("not the store of a sweep", self.sweep(QUICK, "--output", "other.h5", "--overwrite", status=2))
+        self.assertTrue((self.folder/"other.store"/"precious").exists())
+        self.assertIn("there is no store", self.sweep(QUICK, "--status", "missing.h5", status=2))
+        self.assertIn("H:MM:SS", self.sweep(QUICK, "--time-limit", "soon", status=2))
+        self.assertIn("failed, version", self.sweep(QUICK, "--retry", "all", status=2))
+
+    def test_damaged_records_count_as_not_written(self):
+        self.sweep(QUICK)
+        log = next((self.store()/"records").glob("*.log"))
+        text = log.read_bytes()
+        last = text.rstrip(b"\n").rfind(b"\n") + 1
+        for broken in [text[:-1], text[:last + 40], text[:last + 60] + b"x" + text[last + 61:], text[:last] + b"\n\0\n"]:
+            log.write_bytes(broken)
+            self.assertIn("3 finished, 1 left", self.sweep(QUICK, "--status", "results.h5", status=UNFINISHED))
+        self.assertIn("3 of 4 cases are in the store already, 1 to run", self.sweep(QUICK))
+        self.assertIn("4 finished, 0 left", self.sweep(QUICK, "--status", "results.h5"))
+
+    def test_launcher_goes_on_after_a_death(self):
+        script = Path(__file__).parents[2]/"scripts"/"run-sweep"
+        (self.folder/"sweep.nml").write_text(namelist(SLOW))
+        environment = {**os.environ, **MPI_ENVIRONMENT, "OMPI_MCA_oob_tcp_if_include": "lo",
+                       "OMPI_MCA_btl_tcp_if_include": "lo"}
+        process = subprocess.Popen(["bash", script, "--ranks", "1", "--restarts", "1", "sweep.nml"], cwd=self.folder,
+                                   env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        self.addCleanup(process.kill)
+        self.addCleanup(process.stdout.close)
+        for deaths in [1, 2]:
+            self.wait_for(lambda: count_records(self.store(), "start") == deaths)
+            header = next(record for record in self.records(deaths) if record.startswith("run "))
+            os.kill(int(header.split("]],[")[1].split(",")[4]), signal.SIGKILL)
+        text = process.communicate(timeout=60)[0]
+        self.assertEqual(process.returncode, 4, text)
+        self.assertIn("start 1 of at most 1 again", text)
+        self.assertIn("ranks died 2 times", text)
+
+    def records(self, number):
+        from store_reading import records
+        return records(self.store()/"records"/f"{number:06}-000000.log")
+
+
+def rewrite_records(path, change):
+    """Change records of a log, checksums made to fit."""
+    import zlib
+    from store_reading import records
+    lines = []
+    for record in records(path):
+        text = change(record).encode()
+        lines.append(b"%08x %d %s\n" % (zlib.crc32(text), len(text), text))
+    path.write_bytes(b"".join(lines))
+
+
+if __name__ == "__main__":
+    unittest.main()
