@@ -138,7 +138,7 @@ contains
          if (last < start) cycle                 ! the end put after a torn line
          blank = index(text(min(start + 9, last):last), ' ')
          first = start + 9 + blank
-         if (blank > 1 .and. first <= last + 1) then
+         if (blank > 1 .and. first <= last + 1 .and. text(min(start + 8, last):min(start + 8, last)) == ' ') then
             read (text(start + 9:first - 2), *, iostat=io) length
             if (io == 0 .and. length == last - first + 1) then
                if (checksum(text(first:last)) == text(start:start + 7)) return

@@ -1,0 +1,77 @@
+"""The batch script in a real Slurm: a job array over two nodes is stopped by its time limit, requeues, completes.
+
+Needs slurmctld, slurmd, sbatch (Debian: slurm-wlm) and munge; scripts/install-requirements does not install them.
+"""
+
+import os
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+import private_slurm
+from ehlwave_program import MPI_ENVIRONMENT, SKIPPED, namelist
+from hdf5_reading import read
+from store_reading import count_records, finished
+
+ROOT = Path(__file__).parents[2]
+TASKS = 2
+
+
+class Slurm(unittest.TestCase):
+    def setUp(self):
+        place = tempfile.TemporaryDirectory()
+        self.addCleanup(place.cleanup)
+        self.folder = Path(place.name)
+        (self.folder/"slurm").mkdir()
+        self.slurm = private_slurm.PrivateSlurm(self.folder/"slurm")
+        self.addCleanup(self.slurm.stop)
+        loopback = {"OMPI_MCA_oob_tcp_if_include": "lo", "OMPI_MCA_btl_tcp_if_include": "lo"}
+        self.slurm.environment.update(MPI_ENVIRONMENT, **loopback, EHLWAVE_SWEEP=os.environ["EHLWAVE_SWEEP"])
+        if not self.slurm.start():
+            self.skipTest("the private Slurm did not come up")
+
+    def test_array_requeues_until_it_is_done(self):
+        sweeps = []
+        for task in range(TASKS):
+            rows = ["load_parameter_m,lubricant_parameter_l,radius_ratio_d,orientation,wavelength_over_a,cells_x,cells_y"]
+            rows += [f"{100 + 10*n + task},12.05,1,transverse,0.5,256,128" for n in range(3)]
+            (self.folder/f"cases_{task}.csv").write_text("\n".join(rows) + "\n")
+            sweeps.append(self.folder/f"sweep_{task}.nml")
+            sweeps[-1].write_text(namelist({"sweep": {"case_file": f"{self.folder}/cases_{task}.csv",
+                                                      "output": f"{self.folder}/results_{task}.h5"}}))
+        # Slurm sends the signal up to a minute earlier than asked for: with a limit of a minute, early in the job.
+        job = self.slurm.call("sbatch", "--parsable", "--nodes=2", "--ntasks=2", "--ntasks-per-node=1",
+                              "--time=1", "--signal=B:USR1@50", f"--array=0-{TASKS - 1}",
+                              f"--output={self.folder}/job-%a.log", ROOT/"scripts"/"batch"/"slurm.sh", *sweeps, cwd=ROOT).strip()
+        end = time.monotonic() + 420
+        while time.monotonic() < end:
+            queue = self.slurm.call("squeue", "-h", "-o", "%i %T").split("\n")
+            for line in filter(None, queue):
+                identity, state = line.split()
+                if state == "PENDING":   # a requeued job waits two minutes, which the test does not
+                    self.slurm.call("scontrol", "update", f"jobid={identity}", "StartTime=now", check=False)
+            if not any(queue):
+                break
+            time.sleep(2)
+        for task in range(TASKS):
+            log = (self.folder/f"job-{task}.log").read_text()
+            print(f"job {job}, task {task}:\n{log}", file=sys.stderr)
+            self.assertIn("asked to stop", log)
+            self.assertIn("will go on in another start", log)
+            self.assertRegex(log, r"start \d+ on n\[1-2\], 2 ranks")
+            self.assertIn("exit status 0", log.rstrip().split("\n")[-1])
+            _, data = read(self.folder/f"results_{task}.h5")
+            self.assertEqual(len(data["case_id"]), 3)
+            self.assertTrue(set(data["status"]) <= {"converged", "unresolved"}, data["status"])
+            self.assertGreater(max(data["run"]), 1)
+            self.assertEqual(len(finished(self.folder/f"results_{task}.store")), 3)
+            self.assertGreaterEqual(count_records(self.folder/f"results_{task}.store", "stop"), 1)
+
+
+if __name__ == "__main__":
+    if private_slurm.missing():
+        print("SKIPPED: no Slurm here, missing " + ", ".join(private_slurm.missing()) + " (Debian: slurm-wlm munge)")
+        sys.exit(SKIPPED)
+    unittest.main()

@@ -1,0 +1,91 @@
+!> Append-only records: what is cut off or damaged is passed over, everything else is read.
+program test_record_file
+   use ehlwave_errors, only: error_t
+   use ehlwave_posix, only: checksum, remove_file
+   use ehlwave_record_file, only: next_record, read_whole_file, record_writer_t
+   use ehlwave_text, only: to_text
+   use testing, only: test_t
+   implicit none (type, external)
+
+   character(len=*), parameter :: path = 'test_record_file.log'
+   character(len=5), parameter :: texts(4) = ['case ', 'a b c', '[1,2]', '"x"  ']
+   type(test_t) :: test
+   character(len=:), allocatable :: text
+
+   call test%check_equal(checksum('123456789'), 'cbf43926', 'check value of CRC-32')
+   call test%check_equal(checksum(''), '00000000', 'CRC-32 of nothing')
+   call write_records()
+   call read_whole_file(path, text)
+   call test%check(allocated(text), 'the file can be read')
+   call test%check_equal(good_records(text), 4, 'all records')
+   call check_cut_at_every_byte()
+   call check_every_damaged_byte()
+   call check_existing_file()
+   call test%finish()
+
+contains
+
+   subroutine write_records()
+      type(record_writer_t) :: writer
+      type(error_t), allocatable :: error
+      integer :: i, status
+      call remove_file(path, status)
+      call writer%create(path, error)
+      do i = 1, size(texts)
+         call writer%append(texts(i), error)
+      end do
+      call writer%close(error)
+      call test%check_no_error(error, 'write')
+   end subroutine write_records
+
+   !> Number of good records; each must be one of those written.
+   integer function good_records(file) result(number)
+      character(len=*), intent(in) :: file
+      integer :: bad, first, last, position
+      number = 0
+      bad = 0
+      position = 1
+      do
+         call next_record(file, position, first, last, bad)
+         if (last == 0) exit
+         number = number + 1
+         if (.not. any(texts == file(first:last))) call test%check(.false., 'a record that was never written: '//file(first:last))
+      end do
+   end function good_records
+
+   !> A writer killed after any byte, and another one that goes on after it.
+   subroutine check_cut_at_every_byte()
+      integer :: ends(4), i, n
+      n = 0
+      do i = 1, len(text)
+         if (text(i:i) /= new_line('a')) cycle
+         n = n + 1
+         ends(n) = i
+      end do
+      do i = 0, len(text)
+         call test%check_equal(good_records(text(:i)), count(ends <= i), 'cut after byte '//to_text(i))
+         call test%check_equal(good_records(text(:i)//new_line('a')//text), 4 + count(ends - 1 <= i), &
+                               'cut after byte '//to_text(i)//', then more')
+      end do
+   end subroutine check_cut_at_every_byte
+
+   subroutine check_every_damaged_byte()
+      character(len=:), allocatable :: damaged
+      integer :: good, i
+      do i = 1, len(text)
+         damaged = text
+         damaged(i:i) = achar(ieor(iachar(text(i:i)), 1))
+         good = good_records(damaged)
+         ! a damaged end of line takes the next line with it
+         call test%check(good == 3 .or. (good == 2 .and. text(i:i) == new_line('a')), 'damaged byte '//to_text(i))
+      end do
+   end subroutine check_every_damaged_byte
+
+   subroutine check_existing_file()
+      type(record_writer_t) :: writer
+      type(error_t), allocatable :: error
+      call writer%create(path, error)
+      call test%check_error(error, path, 'a file that exists is not written')
+   end subroutine check_existing_file
+
+end program test_record_file
