@@ -42,6 +42,7 @@ contains
       case ('run'); long_name = 'run of the program, counted from 1 in its store; -1: not run'
       case ('host'); long_name = 'machine the case ran on'
       case ('job'); long_name = 'batch job the case ran in'
+      case ('mpi_library'); long_name = 'MPI library, as it names itself'
       case ('started', 'finished'); long_name = 'local time'
       case ('effective_input'); long_name = 'case file that reproduces the case'
       case default

@@ -25,8 +25,8 @@ module ehlwave_results_file
    integer, parameter :: longest_text = 4096      !! of a column; what is longer is cut
 
    !> What of the header of a log goes into the rows of its cases.
-   character(len=*), parameter :: run_columns(7) = [character(len=16) :: 'run', 'job', 'program_version', 'git_revision', &
-                                                   'compiler', 'compiler_flags', 'library_versions']
+   character(len=*), parameter :: run_columns(8) = [character(len=16) :: 'run', 'job', 'program_version', 'git_revision', &
+                                                   'compiler', 'compiler_flags', 'library_versions', 'mpi_library']
 
 contains
 

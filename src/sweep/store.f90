@@ -37,7 +37,7 @@ module ehlwave_store
    !> What one rank writes to the store.
    type, public :: store_t
       character(len=:), allocatable :: folder
-      character(len=:), allocatable :: host, job
+      character(len=:), allocatable :: host, job, mpi_library
       integer :: run = 0                   !! number of this run of the program on the store
       integer :: rank = 0
       type(record_writer_t), private :: log
@@ -114,7 +114,7 @@ contains
    !> Fails when the folder cannot be written, is something else, or when another job is at work on it.
    subroutine prepare_store(folder, store, warning, error)
       character(len=*), intent(in) :: folder
-      type(store_t), intent(inout) :: store              !! rank, host and job are set
+      type(store_t), intent(inout) :: store              !! rank, host, job and MPI library are set
       character(len=:), allocatable, intent(out) :: warning   !! allocated: what the user should know
       type(error_t), allocatable, intent(inout) :: error
       logical :: is_there
@@ -192,6 +192,7 @@ contains
       call json%add('compiler', compiler)
       call json%add('compiler_flags', compiler_flags)
       call json%add('library_versions', library_versions)
+      call json%add('mpi_library', self%mpi_library)
       call self%log%append('run ['//json%column_list()//','//json%value_list()//']', error)
       self%is_open = .not. allocated(error)
       self%columns = ''

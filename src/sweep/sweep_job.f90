@@ -18,7 +18,8 @@ module ehlwave_sweep_job
    use ehlwave_text, only: to_text
    use ehlwave_text_file, only: read_text
    use mpi_f08, only: mpi_allreduce, mpi_bcast, mpi_character, mpi_comm, mpi_comm_rank, mpi_comm_size, &
-      mpi_double_precision, mpi_get_processor_name, mpi_integer, mpi_logical, mpi_lor, mpi_max_processor_name
+      mpi_double_precision, mpi_get_library_version, mpi_get_processor_name, mpi_integer, mpi_logical, mpi_lor, &
+      mpi_max_library_version_string, mpi_max_processor_name
    implicit none (type, external)
    private
    public :: run_job
@@ -77,6 +78,7 @@ contains
       integer, intent(in) :: rank
       type(store_t), intent(inout) :: store
       character(len=mpi_max_processor_name) :: host
+      character(len=mpi_max_library_version_string) :: library
       character(len=64) :: job
       integer :: length
 
@@ -86,6 +88,8 @@ contains
       call get_environment_variable('SLURM_JOB_ID', job)
       if (job == '') call get_environment_variable('PBS_JOBID', job)
       store%job = trim(job)
+      call mpi_get_library_version(library, length)
+      store%mpi_library = library(:scan(library(:length)//',', ','//achar(10)//achar(0)) - 1)
    end subroutine describe_process
 
    !> Rank 0: take over the store, find out what is left to run, say so.

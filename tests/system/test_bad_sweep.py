@@ -77,6 +77,11 @@ class BadSweep(unittest.TestCase):
                 # a comment, the header, three rows, an empty line: the typo stands in line 7
                 self.write("cases.csv", "\n".join(["# cases", HEADER, ROW, ROW, ROW, "", row, ROW]) + "\n")
                 self.refuse(needles, "sweep.nml")
+        with self.subTest(what="line 731"):
+            rows = [f"{100 + n},12.05,1,transverse,1" for n in range(1000)]
+            rows[729] = rows[729].replace("12.05", "12.O5")
+            self.write("cases.csv", "\n".join([HEADER, *rows]) + "\n")
+            self.refuse(["cases.csv:731:", "lubricant_parameter_l", "12.O5"], "sweep.nml", ranks=2)
         with self.subTest(what="unknown column"):
             self.write("cases.csv", HEADER.replace("wavelength_over_a", "wavelength") + "\n" + ROW + "\n")
             self.refuse(["cases.csv", "wavelength"], "sweep.nml")
