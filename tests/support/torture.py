@@ -99,11 +99,10 @@ class Torture:
             kind = "none: it was over"
         elif kind == "full disk":
             filler = self.disk/"filler"
-            with filler.open("wb") as file:
+            with filler.open("wb", buffering=0) as file:
                 try:
-                    while True:
-                        file.write(b"\0"*65536)
-                        file.flush()
+                    while file.write(b"\0"*4096):
+                        pass
                 except OSError:
                     pass
             time.sleep(self.random.uniform(0.2, 1.0))
