@@ -3,7 +3,7 @@
 !> The rows are made from the sweep file (what each case is) and from the store (what it came to). Every column that
 !> a record of the store has becomes a dataset, without being named here.
 module ehlwave_results_file
-   use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_quiet_nan, ieee_value
    use ehlwave_case_report, only: result_json
    use ehlwave_case_runner, only: blank_result
    use ehlwave_case_table, only: sweep_t
@@ -207,7 +207,7 @@ contains
          if (kind == 'real') then
             call file%write(name, numbers, 'case', units, long_name)
          else
-            where (.not. abs(numbers) <= huge(1)) numbers = -1
+            where (.not. ieee_is_finite(numbers)) numbers = -1
             call file%write(name, nint(numbers), 'case', units, long_name)
          end if
       case ('list')
