@@ -43,6 +43,7 @@ module ehlwave_store_contents
       type(layout_t), allocatable :: layouts(:)
       type(stored_case_t), allocatable :: cases(:)     !! cases(:count)
       type(log_t), allocatable :: logs(:)
+      integer, private :: log_count = 0                ! while they are being read
       integer :: count = 0
       integer :: runs = 0                              !! number of the last run
       integer :: bad_lines = 0                         !! passed over
@@ -64,12 +65,11 @@ contains
       logical :: is_there
       integer :: i, line_end, rank
 
-      allocate (contents%layouts(0), contents%cases(64), contents%logs(0))
-      if (allocated(error)) return
-      call check_store(folder, is_there, error)
-      if (allocated(error) .or. .not. is_there) return
-      call list_folder(folder//'/'//records_name, names)
-      if (.not. allocated(names)) return
+      allocate (contents%layouts(0), contents%cases(64), contents%logs(16))
+      names = ''
+      if (.not. allocated(error)) call check_store(folder, is_there, error)
+      if (.not. allocated(error)) call list_folder(folder//'/'//records_name, names)
+      if (.not. allocated(names)) names = ''
       i = 1
       do while (i <= len(names))
          line_end = i + index(names(i:), new_line('a')) - 1
@@ -77,18 +77,21 @@ contains
          if (allocated(text)) call read_log(text, contents)
          i = line_end + 1
       end do
-      if (.not. present(ranks_of_last_run)) return
-      do rank = 0, ranks_of_last_run - 1
-         if (index(names, log_name(contents%runs, rank)) > 0) cycle
-         call read_whole_file(folder//'/'//records_name//'/'//log_name(contents%runs, rank), text)
-         if (allocated(text)) call read_log(text, contents)
-      end do
+      if (present(ranks_of_last_run)) then
+         do rank = 0, ranks_of_last_run - 1
+            if (index(names, log_name(contents%runs, rank)) > 0) cycle
+            call read_whole_file(folder//'/'//records_name//'/'//log_name(contents%runs, rank), text)
+            if (allocated(text)) call read_log(text, contents)
+         end do
+      end if
+      contents%logs = contents%logs(:contents%log_count)
    end subroutine read_store
 
    subroutine read_log(text, contents)
       character(len=*), intent(in) :: text
       type(contents_t), intent(inout) :: contents
       type(log_t) :: log
+      type(log_t), allocatable :: more(:)
       integer, allocatable :: first(:), last(:)
       integer :: begins, blank, ends, layout, position
 
@@ -122,7 +125,14 @@ contains
          end associate
       end do
       contents%runs = max(contents%runs, log%run)
-      if (allocated(log%header)) contents%logs = [contents%logs, log]
+      if (.not. allocated(log%header)) return
+      if (contents%log_count == size(contents%logs)) then
+         allocate (more(2*contents%log_count))
+         more(:contents%log_count) = contents%logs
+         call move_alloc(more, contents%logs)
+      end if
+      contents%log_count = contents%log_count + 1
+      contents%logs(contents%log_count) = log
    end subroutine read_log
 
    !> Keep the record of a case unless there is one of a later run.
@@ -141,7 +151,7 @@ contains
       end if
       record%layout = layout
       record%run = run
-      record%log = size(contents%logs) + 1
+      record%log = contents%log_count + 1
       record%text = text
       record%identity = json_string(element(contents%layouts(layout), record, 'case_id'))
       record%status = status_of_name(json_string(element(contents%layouts(layout), record, 'status')))

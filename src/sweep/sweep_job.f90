@@ -122,7 +122,7 @@ contains
       if (allocated(warning)) write (output_unit, '(a)') 'NOTICE: '//warning
       if (sweep%skipped > 0) write (output_unit, '(a)') to_text(sweep%skipped)//' unresolved cases are left out as asked'
       allocate (to_run(size(sweep%cases)), status(size(sweep%cases)), seconds(size(sweep%cases)))
-      call choose_cases(sweep, contents, options%retry, to_run, status, seconds)
+      call choose_cases(sweep, store, contents, options%retry, to_run, status, seconds)
       call print_notices(sweep, contents, to_run, options%retry)
       call write_case_list(sweep, store, error)
       call set_aside_crashed(sweep, contents, store, to_run, status, error)

@@ -28,14 +28,15 @@ module ehlwave_sweep_start
 contains
 
    !> Which cases are to run, and what is known of the others.
-   subroutine choose_cases(sweep, contents, retry, to_run, status, seconds)
+   subroutine choose_cases(sweep, store, contents, retry, to_run, status, seconds)
       type(sweep_t), intent(in) :: sweep
+      class(store_t), intent(in) :: store
       type(contents_t), intent(in) :: contents
       character(len=*), intent(in) :: retry          !! '', 'failed' or 'version': what to run again
       logical, intent(out) :: to_run(:)
       integer, intent(out) :: status(:)              !! of the last record, else pending
       real(dp), intent(out) :: seconds(:)            !! wall time, 0: none
-      logical :: is_same(size(contents%logs))
+      logical :: has_fields, is_same(size(contents%logs))
       integer :: i, place
 
       is_same = by_this_build(contents)
@@ -49,6 +50,10 @@ contains
          seconds(i) = contents%cases(place)%seconds
          to_run(i) = status(i) == status_pending .or. (retry == 'failed' .and. .not. is_success(status(i))) .or. &
                      (retry == 'version' .and. .not. is_same(contents%cases(place)%log))
+         if (sweep%cases(i)%fields .and. .not. to_run(i)) then
+            inquire (file=store%fields_path(sweep%identity(i)), exist=has_fields)
+            to_run(i) = is_success(status(i)) .and. .not. has_fields
+         end if
       end do
    end subroutine choose_cases
 

@@ -78,6 +78,16 @@ class SweepResume(unittest.TestCase):
         self.assertEqual(list(data["run"]), [3, 3, 1, 1])
         self.assertEqual(count_records(self.store(), "case"), 6)
 
+    def test_fields_are_made_when_they_are_asked_for(self):
+        self.sweep(QUICK)
+        text = self.sweep({**QUICK, "output": {"fields": True}}, ranks=2)
+        self.assertIn("4 to run", text)
+        fields = sorted((self.store()/"fields").iterdir())
+        self.assertEqual([path.stem for path in fields], sorted(finished(self.store())))
+        _, data = read(fields[0])
+        self.assertEqual(data["pressure"].shape, (17, 33))   # half of the domain
+        self.assertIn("0 to run", self.sweep({**QUICK, "output": {"fields": True}}))
+
     def test_changed_settings_are_said(self):
         self.sweep(QUICK)
         text = self.sweep({**QUICK, "solver": {"tolerance": 1e-5}})
