@@ -40,6 +40,18 @@ def test_files_are_joined_and_origin_is_kept(tmp_path: Path) -> None:
     assert np.isnan(results["cells_x"].values[119])
 
 
+def test_a_case_tells_its_own_version(tmp_path: Path) -> None:
+    columns = make_columns()
+    versions = np.full(len(columns["case_id"]), "0.2.0")
+    versions[:3] = ["0.1.0", "", "0.1.0"]
+    path = write_results(
+        tmp_path / "r.h5", {**columns, "program_version": versions}, program_version="0.2.0"
+    )
+    found = read_results([path])["program_version"]
+    assert found.dims == ("case",)
+    assert found.values.tolist()[:4] == ["0.1.0", "0.2.0", "0.1.0", "0.2.0"]
+
+
 def test_scalars_are_repeated_and_other_shapes_left_out(results_file: Path) -> None:
     with h5py.File(results_file, "a") as file:
         file["batch"] = np.bytes_("night ")
