@@ -8,7 +8,7 @@ module ehlwave_store_contents
    use ehlwave_posix, only: list_folder
    use ehlwave_record_file, only: next_record, read_whole_file
    use ehlwave_status, only: status_of_name, status_pending
-   use ehlwave_store, only: check_store, log_name, records_name
+   use ehlwave_store_folder, only: check_store, log_name, records_name
    implicit none (type, external)
    private
    public :: add_layout, element, read_store, run_element

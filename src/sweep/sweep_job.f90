@@ -10,8 +10,9 @@ module ehlwave_sweep_job
    use ehlwave_provenance, only: program_version
    use ehlwave_scheduler, only: follow, leader_t, run_sweep
    use ehlwave_status, only: last_status
-   use ehlwave_store, only: check_store, discard_store, prepare_store, store_path, store_t
+   use ehlwave_store, only: prepare_store, store_t
    use ehlwave_store_contents, only: contents_t, read_store
+   use ehlwave_store_folder, only: check_store, discard_store, store_path
    use ehlwave_sweep_queue, only: new_queue
    use ehlwave_sweep_report, only: print_sweep_result
    use ehlwave_sweep_start, only: choose_cases, print_notices, set_aside_crashed, write_case_list

@@ -15,8 +15,9 @@ module ehlwave_sweep_start
    use ehlwave_posix, only: reason_text, replace_file
    use ehlwave_provenance, only: git_revision, program_version
    use ehlwave_status, only: is_success, status_crashed, status_pending
-   use ehlwave_store, only: cases_name, store_t
+   use ehlwave_store, only: store_t
    use ehlwave_store_contents, only: contents_t, log_t, run_element
+   use ehlwave_store_folder, only: cases_name
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private

@@ -8,7 +8,7 @@ module ehlwave_sweep_status
    use ehlwave_posix, only: is_locked
    use ehlwave_record_file, only: read_whole_file
    use ehlwave_status, only: is_success, last_status, status_name
-   use ehlwave_store, only: cases_name, check_store, lock_name, store_path
+   use ehlwave_store_folder, only: cases_name, check_store, lock_name, store_path
    use ehlwave_store_contents, only: contents_t, element, read_store
    use ehlwave_sweep_progress, only: duration
    use ehlwave_text, only: to_text

@@ -220,7 +220,7 @@ def torture(cases, disturbances, ranks, seed, folder=None, say=print):
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--cases", type=int, default=1600)
+    parser.add_argument("--cases", type=int, default=2500)
     parser.add_argument("--disturbances", type=int, default=60)
     parser.add_argument("--ranks", type=int, default=4)
     parser.add_argument("--seed", type=int, default=int(time.time()))

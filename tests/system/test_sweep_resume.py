@@ -205,6 +205,11 @@ class SweepResume(unittest.TestCase):
         (self.store()/"store").write_text("ehlwave-store 2\n")
         self.assertIn("ehlwave-store 2", self.sweep(QUICK, status=2))
         self.assertIn("ehlwave-store 2", self.sweep(QUICK, "--status", "results.h5", status=2))
+        (self.store()/"store").unlink()   # as by a kill at the very first moment, but with results in it
+        self.assertIn("not the store of a sweep", self.sweep(QUICK, status=2))
+        (self.folder/"new.store"/"records").mkdir(parents=True)
+        (self.folder/"new.store"/"lock").write_text("")
+        self.sweep(QUICK, "--output", "new.h5")
         (self.folder/"other.store").mkdir()
         (self.folder/"other.store"/"precious").write_text("")
         self.assertIn("not the store of a sweep", self.sweep(QUICK, "--output", "other.h5", "--overwrite", status=2))
@@ -241,6 +246,26 @@ class SweepResume(unittest.TestCase):
         self.assertEqual(process.returncode, 4, text)
         self.assertIn("start 1 of at most 1 again", text)
         self.assertIn("ranks died 2 times", text)
+
+    def test_pbs_job_submits_its_successor(self):
+        root = Path(__file__).parents[2]
+        (self.folder/"sweep.nml").write_text(namelist(LONG))
+        script = (root/"scripts"/"batch"/"pbs.sh").read_text()
+        self.assertIn("time_limit=3:50:00", script)
+        (self.folder/"pbs.sh").write_text(script.replace("time_limit=3:50:00", "time_limit=0.05"))
+        qsub = self.folder/"qsub"   # there is no PBS here; that it is asked for the right thing can be seen
+        qsub.write_text("#!/bin/sh\necho \"$@\" >>\"$QSUB_LOG\"\n")
+        qsub.chmod(0o755)
+        environment = {**os.environ, **MPI_ENVIRONMENT, "PBS_JOBID": "7.server", "PBS_O_WORKDIR": str(root), "starts": "3",
+                       "EHLWAVE_RANKS": "1", "PATH": f"{self.folder}:{os.environ['PATH']}", "QSUB_LOG": str(self.folder/"log"),
+                       "sweep": str(self.folder/"sweep.nml"), "results": str(self.folder/"results.h5")}
+        outcome = subprocess.run(["bash", self.folder/"pbs.sh"], env=environment, capture_output=True, text=True, check=False)
+        self.assertEqual(outcome.returncode, UNFINISHED, outcome.stdout + outcome.stderr)
+        self.assertIn("job 7.server: start 4 on", outcome.stdout)
+        self.assertEqual((self.folder/"log").read_text(), f"-v sweep={self.folder}/sweep.nml,results={self.folder}/results.h5,"
+                         "starts=4 scripts/batch/pbs.sh\n")
+        _, data = read(self.folder/"results.h5")
+        self.assertEqual((data["job"], data["status"]), ([""], ["pending"]))
 
     def records(self, number):
         from store_reading import records

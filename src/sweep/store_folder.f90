@@ -1,0 +1,168 @@
+!> The folder of a store: where it is, whether it is one, the lock that keeps other jobs away.
+module ehlwave_store_folder
+   use ehlwave_errors, only: error_t, raise
+   use ehlwave_posix, only: list_folder, lock_absent, lock_file, lock_refused, lock_taken, make_folder, reason_text, &
+      remove_file, replace_file
+   use ehlwave_record_file, only: read_whole_file
+   implicit none (type, external)
+   private
+   public :: check_store, discard_store, log_name, store_path, take_folder
+
+   character(len=*), parameter :: format_name = 'ehlwave-store', format_version = '1'
+   character(len=*), parameter, public :: cases_name = 'cases', lock_name = 'lock', records_name = 'records'
+   character(len=*), parameter :: folders(3) = [character(len=11) :: records_name, 'checkpoints', 'fields']
+
+contains
+
+   !> Folder of the store of a results file: results.h5 has results.store. A store is its own.
+   pure function store_path(output) result(path)
+      character(len=*), intent(in) :: output
+      character(len=:), allocatable :: path
+      integer :: n
+      n = len_trim(output)
+      path = output(:n)
+      if (n > 1 .and. output(n:n) == '/') path = output(:n - 1)
+      n = len(path)
+      if (n > 6) then
+         if (path(n - 5:) == '.store') return
+      end if
+      if (n > 3) then
+         if (path(n - 2:) == '.h5') path = path(:n - 3)
+      end if
+      path = path//'.store'
+   end function store_path
+
+   !> Name of the log of a rank in a run.
+   pure function log_name(run, rank) result(name)
+      integer, intent(in) :: run, rank
+      character(len=17) :: name
+      write (name, '(i6.6,a,i6.6,a)') run, '-', rank, '.log'
+   end function log_name
+
+   !> Whether a folder is a store that this program understands; `is_there` tells whether there is anything.
+   subroutine check_store(folder, is_there, error)
+      character(len=*), intent(in) :: folder
+      logical, intent(out) :: is_there
+      type(error_t), allocatable, intent(inout) :: error
+      character(len=:), allocatable :: names, text
+
+      call list_folder(folder, names)
+      is_there = allocated(names)
+      if (.not. is_there) then
+         inquire (file=folder, exist=is_there)
+         if (is_there) call raise(error, folder//' is not a folder: move it away, or name another results file')
+         return
+      end if
+      call read_whole_file(folder//'/store', text)
+      if (.not. allocated(text)) then
+         ! a run that was killed right after making the folder left it without its first line
+         is_there = len(names) > 0
+         if (.not. has_known_names(names)) &
+            call raise(error, folder//' is a folder but not the store of a sweep: move it away, or name another '// &
+                       'results file')
+         return
+      end if
+      if (text /= format_name//' '//format_version//new_line('a')) call raise(error, folder//" has the format '"// &
+         first_line(text)//"', this program reads and writes '"//format_name//' '//format_version// &
+         "': use the program that made it, or name another results file")
+   end subroutine check_store
+
+   !> Whether a folder holds nothing but what a store has besides its first line.
+   pure logical function has_known_names(names)
+      character(len=*), intent(in) :: names   !! one a line
+      integer :: i, n
+      has_known_names = .true.
+      i = 1
+      do while (i <= len(names))
+         n = index(names(i:), new_line('a'))
+         associate (name => names(i:i + n - 2))
+            has_known_names = has_known_names .and. (any(folders == name) .or. name == lock_name .or. name == 'store.part')
+         end associate
+         i = i + n
+      end do
+   end function has_known_names
+
+   pure function first_line(text) result(line)
+      character(len=*), intent(in) :: text
+      character(len=:), allocatable :: line
+      line = text(:index(text//new_line('a'), new_line('a')) - 1)
+      if (len(line) > 60) line = line(:60)
+   end function first_line
+
+   !> Make or take over the folder of a store for this job, and lock it.
+   !>
+   !> Fails when the folder cannot be written, is something else, or when another job is at work on it.
+   subroutine take_folder(folder, warning, error)
+      character(len=*), intent(in) :: folder
+      character(len=:), allocatable, intent(out) :: warning   !! allocated: what the user should know
+      type(error_t), allocatable, intent(inout) :: error
+      logical :: is_there
+      integer :: i, status
+
+      if (allocated(error)) return
+      call check_store(folder, is_there, error)
+      if (allocated(error)) return
+      call make_folder(folder, status)
+      if (status == 0) call lock_file(folder//'/'//lock_name, status)
+      select case (status)
+      case (lock_taken)
+      case (lock_refused)
+         call raise(error, folder//' is in use by another job, which holds its lock: wait for its end, or name another '// &
+                    'results file')
+      case (lock_absent)
+         warning = 'the file system of '//folder//' has no locks: make sure that no other job uses it at the same time'
+      case default
+         call raise(error, 'cannot write '//folder//': does the folder above exist, is it writable, is the disk full?')
+      end select
+      do i = 1, size(folders)
+         if (allocated(error)) return
+         call make_folder(folder//'/'//trim(folders(i)), status)
+         if (status /= 0) call raise(error, 'cannot write '//folder//'/'//trim(folders(i))//': '//reason_text(status))
+      end do
+      inquire (file=folder//'/store', exist=is_there)
+      if (.not. is_there) call replace_file(folder//'/store', format_name//' '//format_version//new_line('a'), status)
+      if (status /= 0 .and. .not. allocated(error)) &
+         call raise(error, 'cannot write '//folder//'/store: '//reason_text(status))
+   end subroutine take_folder
+
+   !> Remove a store and all that is in it. Fails when it is in use, or cannot be removed.
+   subroutine discard_store(folder, error)
+      character(len=*), intent(in) :: folder
+      type(error_t), allocatable, intent(inout) :: error
+      logical :: is_there
+      integer :: i, status
+
+      if (allocated(error)) return
+      call check_store(folder, is_there, error)
+      if (allocated(error) .or. .not. is_there) return
+      call lock_file(folder//'/'//lock_name, status)
+      if (status == lock_refused) then
+         call raise(error, folder//' is in use by another job: it is not overwritten')
+         return
+      end if
+      do i = 1, size(folders)
+         call remove_folder(folder//'/'//trim(folders(i)), error)
+      end do
+      call remove_folder(folder, error)
+   end subroutine discard_store
+
+   !> Remove a folder of files.
+   subroutine remove_folder(path, error)
+      character(len=*), intent(in) :: path
+      type(error_t), allocatable, intent(inout) :: error
+      character(len=:), allocatable :: names
+      integer :: i, n, status
+
+      call list_folder(path, names)
+      if (allocated(error) .or. .not. allocated(names)) return
+      i = 1
+      do while (i <= len(names))
+         n = index(names(i:), new_line('a'))
+         call remove_file(path//'/'//names(i:i + n - 2), status)
+         i = i + n
+      end do
+      call remove_file(path, status)
+      if (status /= 0) call raise(error, 'cannot remove '//path//': '//reason_text(status))
+   end subroutine remove_folder
+
+end module ehlwave_store_folder
