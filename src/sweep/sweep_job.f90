@@ -49,8 +49,10 @@ contains
       type(leader_t) :: leader
       type(case_watch_t) :: watch
       type(error_t), allocatable :: error
+      real(dp) :: start_s
       integer :: rank, ranks
 
+      start_s = wall_seconds()
       call mpi_comm_rank(comm, rank)
       call mpi_comm_size(comm, ranks)
       call describe_process(rank, store)
@@ -62,7 +64,7 @@ contains
       end if
       call share(comm, sweep, store, watch%limits)
       watch%store => store
-      watch%deadline_s = wall_seconds() + options%time_limit_s
+      watch%deadline_s = start_s + options%time_limit_s
       if (rank == 0) then
          leader%case_watch_t = watch
          call run_sweep(comm, run, leader)
