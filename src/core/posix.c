@@ -127,7 +127,7 @@ int ehlwave_lock(const char *path, int *file)
 /* Whether another process has locked a file: 1, else 0. */
 int ehlwave_is_locked(const char *path)
 {
-   int file = open(path, O_RDWR | O_CLOEXEC), status;
+   int file = open(path, O_RDONLY | O_CLOEXEC), status;
    if (file < 0) return 0;
    status = lockf(file, F_TEST, 0) != 0 && (errno == EACCES || errno == EAGAIN);
    close(file);

@@ -234,8 +234,9 @@ class SweepResume(unittest.TestCase):
         (self.folder/"sweep.nml").write_text(namelist(SLOW))
         environment = {**os.environ, **MPI_ENVIRONMENT, "OMPI_MCA_oob_tcp_if_include": "lo",
                        "OMPI_MCA_btl_tcp_if_include": "lo"}
-        process = subprocess.Popen(["bash", script, "--ranks", "1", "--restarts", "1", "sweep.nml", "--time-limit", "1:00:00"], cwd=self.folder,
-                                   env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        command = ["bash", script, "--ranks", "1", "--restarts", "1", "sweep.nml", "--time-limit", "1:00:00"]
+        process = subprocess.Popen(command, cwd=self.folder, env=environment, stdout=subprocess.PIPE,
+                                   stderr=subprocess.STDOUT, text=True)
         self.addCleanup(process.kill)
         self.addCleanup(process.stdout.close)
         for deaths in [1, 2]:
