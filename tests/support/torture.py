@@ -83,14 +83,22 @@ class Torture:
         while self.log_length() <= before and process.poll() is None and time.monotonic() < end:
             time.sleep(0.02)
 
-    def disturb(self):
-        """Start a run, disturb it once at a random moment, check the store."""
+    def wait_for_cases(self, process, number):
+        """Wait until a run has stored some more cases: on a fast machine sooner than on a busy one."""
+        end = time.monotonic() + 60
+        while len(finished(self.disk/"results.store")) < len(self.held) + number and process.poll() is None \
+                and time.monotonic() < end:
+            time.sleep(0.01)
+
+    def disturb(self, left):
+        """Start a run, disturb it once at a random moment, check the store; `left` more disturbances are to come."""
         begun = self.log_length()
         process = self.start("disk/results.h5")
         is_begun = self.random.random() < 0.85
         if is_begun:
             self.wait_until_begun(process, begun)
-        time.sleep(self.random.uniform(0.0, 1.5))
+            self.wait_for_cases(process, self.random.randint(0, (self.cases - len(self.held))//(left + 2)))
+        time.sleep(self.random.uniform(0.0, 0.1 if is_begun else 1.0))
         ranks = _descendants(process.pid)
         kinds = ["kill -9 rank"]*3 + ["kill -9 mpirun", "TERM mpirun", "TERM rank", "USR1 mpirun", "USR1 rank"]
         if self.has_small_disk:
@@ -209,7 +217,7 @@ def torture(cases, disturbances, ranks, seed, folder=None, say=print):
         try:
             done = 0
             while done < disturbances and not run.is_finished():
-                done += not run.disturb().startswith("none")
+                done += not run.disturb(disturbances - done).startswith("none")
             columns = run.finish()
         finally:
             run.close()
