@@ -17,6 +17,7 @@ from store_reading import count_records, finished
 
 ROOT = Path(__file__).parents[2]
 TASKS = 2
+CASES = 10   # so many that a task is not over before the signal comes
 
 
 class Slurm(unittest.TestCase):
@@ -36,7 +37,7 @@ class Slurm(unittest.TestCase):
         sweeps = []
         for task in range(TASKS):
             rows = ["load_parameter_m,lubricant_parameter_l,radius_ratio_d,orientation,wavelength_over_a,cells_x,cells_y"]
-            rows += [f"{100 + 10*n + task},12.05,1,transverse,0.5,256,128" for n in range(3)]
+            rows += [f"{100 + 10*n + task},12.05,1,transverse,0.5,256,128" for n in range(CASES)]
             (self.folder/f"cases_{task}.csv").write_text("\n".join(rows) + "\n")
             sweeps.append(self.folder/f"sweep_{task}.nml")
             sweeps[-1].write_text(namelist({"sweep": {"case_file": f"{self.folder}/cases_{task}.csv",
@@ -63,10 +64,10 @@ class Slurm(unittest.TestCase):
             self.assertRegex(log, r"start \d+ on n\[1-2\], 2 ranks")
             self.assertIn("exit status 0", log.rstrip().split("\n")[-1])
             _, data = read(self.folder/f"results_{task}.h5")
-            self.assertEqual(len(data["case_id"]), 3)
+            self.assertEqual(len(data["case_id"]), CASES)
             self.assertTrue(set(data["status"]) <= {"converged", "unresolved"}, data["status"])
             self.assertGreater(max(data["run"]), 1)
-            self.assertEqual(len(finished(self.folder/f"results_{task}.store")), 3)
+            self.assertEqual(len(finished(self.folder/f"results_{task}.store")), CASES)
             self.assertGreaterEqual(count_records(self.folder/f"results_{task}.store", "stop"), 1)
 
 
