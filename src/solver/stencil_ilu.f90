@@ -16,7 +16,9 @@ module ehlwave_stencil_ilu
       integer, allocatable :: shift(:)     !! (entries) offset in the padded vector
       integer :: reach_fast = 0, reach_slow = 0
       real(dp), allocatable :: a(:, :, :)  !! (entries, fast, slow) matrix, then its factors (diagonal inverted)
-      integer, allocatable, private :: fill(:, :)  ! (entries, lower) where a product of factors lands, or 0
+      integer, allocatable, private :: fills(:)    ! (lower) how many products of factors with entry m land in the pattern,
+      integer, allocatable, private :: from(:, :)  ! (entries, lower) which upper entries they come from
+      integer, allocatable, private :: into(:, :)  ! (entries, lower) and where they land
       real(dp), allocatable, private :: x(:)       ! padded vector
    contains
       procedure :: factorise
@@ -56,13 +58,16 @@ contains
             end block
          end do
       end do
-      allocate (self%fill(n, self%lower), source=0)
+      allocate (self%fills(self%lower), self%from(n, self%lower), self%into(n, self%lower), source=0)
       do m = 1, self%lower
          do s = self%lower + 2, n
             do f = 1, n
                if (offset_fast(self%order(f)) == offset_fast(self%order(m)) + offset_fast(self%order(s)) .and. &
-                   offset_slow(self%order(f)) == offset_slow(self%order(m)) + offset_slow(self%order(s))) &
-                  self%fill(s, m) = f
+                   offset_slow(self%order(f)) == offset_slow(self%order(m)) + offset_slow(self%order(s))) then
+                  self%fills(m) = self%fills(m) + 1
+                  self%from(self%fills(m), m) = s
+                  self%into(self%fills(m), m) = f
+               end if
             end do
          end do
       end do
@@ -97,9 +102,8 @@ contains
                if (abs(self%a(m, f, s)) <= 0) cycle
                factor = self%a(m, f, s)*self%a(d, pf, ps)
                self%a(m, f, s) = factor
-               do t = d + 1, n
-                  if (self%fill(t, m) > 0) &
-                     self%a(self%fill(t, m), f, s) = self%a(self%fill(t, m), f, s) - factor*self%a(t, pf, ps)
+               do t = 1, self%fills(m)
+                  self%a(self%into(t, m), f, s) = self%a(self%into(t, m), f, s) - factor*self%a(self%from(t, m), pf, ps)
                end do
             end do
             if (.not. self%a(d, f, s)/diagonal > smallest_pivot) self%a(d, f, s) = smallest_pivot*diagonal

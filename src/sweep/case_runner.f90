@@ -172,7 +172,6 @@ contains
          call level%problem%set_rough(amplitude*plan%waviness%shape_fixed(level%problem%grid%x, level%problem%grid%y, &
                                                                           2*pi*turn(n)))
          level%state = smooth
-         call level%solver%forget()
          call level%solver%solve(level%problem, level%state, limits, level%report)
          call take_report(level%report, 'steady state '//to_text(n)//' of '//to_text(plan%phases)//' of the pattern', result)
          if (result%status /= status_converged) return
