@@ -44,6 +44,7 @@ module ehlwave_time_march
    end type past_t
 
    real(dp), parameter :: spread_weight = 1000   !! measured: fewest Newton steps between 100 and 10^4
+   real(dp), parameter :: guess_margin = 0.02_dp !! measured: the same between 0.005 and 0.05
 
 contains
 
@@ -126,7 +127,9 @@ contains
 
    !> First guess. Where the film is carried along, what deviates from the steady state P0 is extrapolated
    !> along the characteristic: P0(i) + 2 p(i-m, k-1) - p(i-2m, k-2), p = P - P0; elsewhere in time at fixed X:
-   !> 3 P(k-1) - 3 P(k-2) + P(k-3); in between, by share.
+   !> 3 P(k-1) - 3 P(k-2) + P(k-3); in between, by share. What is extrapolated in time stays within the range of the
+   !> neighbours at the step before and a small margin: the steep end of the pressure moves by less than a cell in one step, and
+   !> an extrapolation across it would be off by half the Hertz pressure.
    pure subroutine extrapolate(m, share, past, state)
       integer, intent(in) :: m                       !! cells that a feature travels in one step
       real(dp), intent(in) :: share(0:, 0:)          !! (0:nx, 0:ny)
@@ -139,6 +142,9 @@ contains
             do i = 2*m + 1, ubound(state%p, 1) - 1
                moved = p0(i, j) + 2*(p1(i - m, j) - p0(i - m, j)) - (p2(i - 2*m, j) - p0(i - 2*m, j))
                still = 3*(p1(i, j) - p2(i, j)) + p3(i, j)
+               associate (near => p1(i - 1:i + 1, max(j - 1, 0):min(j + 1, ubound(p1, 2))))
+                  still = min(max(still, minval(near) - guess_margin), maxval(near) + guess_margin)
+               end associate
                state%p(i, j) = max(0.0_dp, share(i, j)*moved + (1 - share(i, j))*still)
             end do
          end do
