@@ -7,7 +7,7 @@ module ehlwave_near_stencil
    use ehlwave_transport, only: transport_t
    implicit none (type, external)
    private
-   public :: new_near_stencil
+   public :: new_near_stencil, row_links
 
    !> Pattern of the sparse operator and the influence coefficients it needs.
    type, public :: near_stencil_t
@@ -20,9 +20,9 @@ module ehlwave_near_stencil
       procedure :: fill_row
    end type near_stencil_t
 
-   integer, parameter :: links = 6   !! nodes whose film enters the residual of a node, itself included
-   integer, parameter :: link_i(links) = [0, 1, -1, 0, 0, -2]
-   integer, parameter :: link_j(links) = [0, 0, 0, 1, -1, 0]
+   integer, parameter, public :: links = 6   !! nodes whose pressure and film enter the residual of a node, itself included
+   integer, parameter, public :: link_i(links) = [0, 1, -1, 0, 0, -2]   !! centre, east, west, north, south, second upstream
+   integer, parameter, public :: link_j(links) = [0, 0, 0, 1, -1, 0]
 
 contains
 
@@ -74,14 +74,52 @@ contains
       real(dp), intent(in) :: p(0:, 0:)       !! its pressure
       integer, intent(in) :: i, j             !! node
       real(dp), intent(out) :: row(:)         !! (entries)
-      real(dp) :: by_p(links), by_h(links), cx, cy, value
+      real(dp) :: by_p(links), by_h(links), value
       real(dp) :: raw(-self%reach_x:self%reach_x, -self%reach_y:self%reach_y)
-      integer :: di, dj, n, jm, target_row
+      integer :: di, dj, n, target_row
+
+      call row_links(grid, transport, kappa, flow, p, i, j, by_p, by_h)
+      do dj = -self%reach_y, self%reach_y
+         do di = -self%reach_x, self%reach_x
+            raw(di, dj) = by_h(1)*self%influence(di, dj) &
+                          + by_h(2)*self%influence(di - 1, dj) + by_h(3)*self%influence(di + 1, dj) &
+                          + by_h(4)*self%influence(di, dj - 1) + by_h(5)*self%influence(di, dj + 1) &
+                          + by_h(6)*self%influence(di + 2, dj)
+         end do
+      end do
+      do n = 1, links
+         raw(link_i(n), link_j(n)) = raw(link_i(n), link_j(n)) + by_p(n)
+      end do
+
+      row = 0
+      do dj = -self%reach_y, self%reach_y
+         target_row = j + dj
+         if (target_row < 0) target_row = -target_row
+         if (target_row < grid%first_row .or. target_row > grid%ny - 1) cycle
+         if (target_row - j > self%reach_y) cycle
+         do di = max(-self%reach_x, 1 - i), min(self%reach_x, grid%nx - 1 - i)
+            value = raw(di, dj)
+            n = self%entry_at(di, target_row - j)
+            row(n) = row(n) + value
+         end do
+      end do
+   end subroutine fill_row
+
+   !> Derivatives of the residual of one node by the pressure (at fixed film) and by the film of its links.
+   pure subroutine row_links(grid, transport, kappa, flow, p, i, j, by_p, by_h)
+      type(grid_t), intent(in) :: grid
+      type(transport_t), intent(in) :: transport
+      real(dp), intent(in) :: kappa
+      type(flow_t), intent(in) :: flow        !! evaluated at the point of linearisation
+      real(dp), intent(in) :: p(0:, 0:)       !! its pressure
+      integer, intent(in) :: i, j             !! node
+      real(dp), intent(out) :: by_p(links), by_h(links)
+      real(dp) :: cx, cy
+      integer :: jm
 
       cx = 0.5_dp/grid%hx**2
       cy = 0.5_dp*kappa**2/grid%hy**2
       jm = grid%below(j)
-      ! links in the order centre, east, west, north, south, second upstream
       by_p(2) = cx*(flow%eps(i, j) + flow%eps(i + 1, j))
       by_p(3) = cx*(flow%eps(i - 1, j) + flow%eps(i, j))
       by_p(4) = cy*(flow%eps(i, j) + flow%eps(i, j + 1))
@@ -108,31 +146,6 @@ contains
          by_p(6) = -transport%w2(i)*flow%f_p(i - 2, j)
          by_h(6) = -transport%w2(i)*flow%f_h(i - 2, j)
       end if
-
-      do dj = -self%reach_y, self%reach_y
-         do di = -self%reach_x, self%reach_x
-            raw(di, dj) = by_h(1)*self%influence(di, dj) &
-                          + by_h(2)*self%influence(di - 1, dj) + by_h(3)*self%influence(di + 1, dj) &
-                          + by_h(4)*self%influence(di, dj - 1) + by_h(5)*self%influence(di, dj + 1) &
-                          + by_h(6)*self%influence(di + 2, dj)
-         end do
-      end do
-      do n = 1, links
-         raw(link_i(n), link_j(n)) = raw(link_i(n), link_j(n)) + by_p(n)
-      end do
-
-      row = 0
-      do dj = -self%reach_y, self%reach_y
-         target_row = j + dj
-         if (target_row < 0) target_row = -target_row
-         if (target_row < grid%first_row .or. target_row > grid%ny - 1) cycle
-         if (target_row - j > self%reach_y) cycle
-         do di = max(-self%reach_x, 1 - i), min(self%reach_x, grid%nx - 1 - i)
-            value = raw(di, dj)
-            n = self%entry_at(di, target_row - j)
-            row(n) = row(n) + value
-         end do
-      end do
-   end subroutine fill_row
+   end subroutine row_links
 
 end module ehlwave_near_stencil

@@ -3,6 +3,7 @@ module ehlwave_full_multigrid
    use ehlwave_conditions, only: conditions_t
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_deformation_mlmi, only: deformation_mlmi_t
+   use ehlwave_fas_multigrid, only: fas_t
    use ehlwave_formula, only: moes_film_formula
    use ehlwave_grid, only: grid_t, new_grid
    use ehlwave_kinds, only: dp
@@ -60,6 +61,8 @@ contains
             level%state = new_state(level%problem%grid)
             if (method == 'petsc' .and. l == n) then
                allocate (petsc_solver_t :: level%solver)
+            else if (method == 'fas') then
+               allocate (fas_t :: level%solver)
             else
                allocate (newton_t :: level%solver)
             end if
@@ -77,6 +80,11 @@ contains
       type is (newton_t)
          select type (coarser)
          type is (newton_t)
+            solver%coarser => coarser
+         end select
+      type is (fas_t)
+         select type (coarser)
+         type is (fas_t)
             solver%coarser => coarser
          end select
       end select
