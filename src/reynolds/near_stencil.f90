@@ -74,21 +74,21 @@ contains
       real(dp), intent(in) :: p(0:, 0:)       !! its pressure
       integer, intent(in) :: i, j             !! node
       real(dp), intent(out) :: row(:)         !! (entries)
-      real(dp) :: by_p(links), by_h(links), value
+      real(dp) :: by_p(1, links), by_h(1, links), value
       real(dp) :: raw(-self%reach_x:self%reach_x, -self%reach_y:self%reach_y)
       integer :: di, dj, n, target_row
 
-      call row_links(grid, transport, kappa, flow, p, i, j, by_p, by_h)
+      call row_links(grid, transport, kappa, flow, p, i, i, j, by_p, by_h)
       do dj = -self%reach_y, self%reach_y
          do di = -self%reach_x, self%reach_x
-            raw(di, dj) = by_h(1)*self%influence(di, dj) &
-                          + by_h(2)*self%influence(di - 1, dj) + by_h(3)*self%influence(di + 1, dj) &
-                          + by_h(4)*self%influence(di, dj - 1) + by_h(5)*self%influence(di, dj + 1) &
-                          + by_h(6)*self%influence(di + 2, dj)
+            raw(di, dj) = by_h(1, 1)*self%influence(di, dj) &
+                          + by_h(1, 2)*self%influence(di - 1, dj) + by_h(1, 3)*self%influence(di + 1, dj) &
+                          + by_h(1, 4)*self%influence(di, dj - 1) + by_h(1, 5)*self%influence(di, dj + 1) &
+                          + by_h(1, 6)*self%influence(di + 2, dj)
          end do
       end do
       do n = 1, links
-         raw(link_i(n), link_j(n)) = raw(link_i(n), link_j(n)) + by_p(n)
+         raw(link_i(n), link_j(n)) = raw(link_i(n), link_j(n)) + by_p(1, n)
       end do
 
       row = 0
@@ -105,47 +105,49 @@ contains
       end do
    end subroutine fill_row
 
-   !> Derivatives of the residual of one node by the pressure (at fixed film) and by the film of its links.
-   pure subroutine row_links(grid, transport, kappa, flow, p, i, j, by_p, by_h)
+   !> Derivatives of the residuals of nodes first..last of a row by the pressure (at fixed film) and by the film of
+   !> their links.
+   pure subroutine row_links(grid, transport, kappa, flow, p, first, last, j, by_p, by_h)
       type(grid_t), intent(in) :: grid
       type(transport_t), intent(in) :: transport
       real(dp), intent(in) :: kappa
       type(flow_t), intent(in) :: flow        !! evaluated at the point of linearisation
       real(dp), intent(in) :: p(0:, 0:)       !! its pressure
-      integer, intent(in) :: i, j             !! node
-      real(dp), intent(out) :: by_p(links), by_h(links)
-      real(dp) :: cx, cy
-      integer :: jm
+      integer, intent(in) :: first, last, j   !! nodes
+      real(dp), intent(out) :: by_p(first:, :), by_h(first:, :)   !! (first:last, links)
+      real(dp) :: cx, cy, east, north, south, west
+      integer :: i, jm
 
       cx = 0.5_dp/grid%hx**2
       cy = 0.5_dp*kappa**2/grid%hy**2
       jm = grid%below(j)
-      by_p(2) = cx*(flow%eps(i, j) + flow%eps(i + 1, j))
-      by_p(3) = cx*(flow%eps(i - 1, j) + flow%eps(i, j))
-      by_p(4) = cy*(flow%eps(i, j) + flow%eps(i, j + 1))
-      by_p(5) = cy*(flow%eps(i, jm) + flow%eps(i, j))
-      by_p(1) = -sum(by_p(2:5))
-      by_p(6) = 0
-      by_h(2) = cx*(p(i + 1, j) - p(i, j))
-      by_h(3) = cx*(p(i - 1, j) - p(i, j))
-      by_h(4) = cy*(p(i, j + 1) - p(i, j))
-      by_h(5) = cy*(p(i, jm) - p(i, j))
-      by_h(1) = sum(by_h(2:5))
-      by_h(6) = 0
-      by_p(1) = by_p(1) + by_h(1)*flow%eps_p(i, j) - transport%w0(i)*flow%f_p(i, j)
-      by_p(2) = by_p(2) + by_h(2)*flow%eps_p(i + 1, j)
-      by_p(3) = by_p(3) + by_h(3)*flow%eps_p(i - 1, j) - transport%w1(i)*flow%f_p(i - 1, j)
-      by_p(4) = by_p(4) + by_h(4)*flow%eps_p(i, j + 1)
-      by_p(5) = by_p(5) + by_h(5)*flow%eps_p(i, jm)
-      by_h(1) = by_h(1)*flow%eps_h(i, j) - transport%w0(i)*flow%f_h(i, j)
-      by_h(2) = by_h(2)*flow%eps_h(i + 1, j)
-      by_h(3) = by_h(3)*flow%eps_h(i - 1, j) - transport%w1(i)*flow%f_h(i - 1, j)
-      by_h(4) = by_h(4)*flow%eps_h(i, j + 1)
-      by_h(5) = by_h(5)*flow%eps_h(i, jm)
-      if (i >= 2) then
-         by_p(6) = -transport%w2(i)*flow%f_p(i - 2, j)
-         by_h(6) = -transport%w2(i)*flow%f_h(i - 2, j)
-      end if
+      do i = first, last
+         east = cx*(p(i + 1, j) - p(i, j))
+         west = cx*(p(i - 1, j) - p(i, j))
+         north = cy*(p(i, j + 1) - p(i, j))
+         south = cy*(p(i, jm) - p(i, j))
+         by_p(i, 2) = cx*(flow%eps(i, j) + flow%eps(i + 1, j))
+         by_p(i, 3) = cx*(flow%eps(i - 1, j) + flow%eps(i, j))
+         by_p(i, 4) = cy*(flow%eps(i, j) + flow%eps(i, j + 1))
+         by_p(i, 5) = cy*(flow%eps(i, jm) + flow%eps(i, j))
+         by_p(i, 1) = -(by_p(i, 2) + by_p(i, 3) + by_p(i, 4) + by_p(i, 5)) &
+                      + (east + west + north + south)*flow%eps_p(i, j) - transport%w0(i)*flow%f_p(i, j)
+         by_p(i, 2) = by_p(i, 2) + east*flow%eps_p(i + 1, j)
+         by_p(i, 3) = by_p(i, 3) + west*flow%eps_p(i - 1, j) - transport%w1(i)*flow%f_p(i - 1, j)
+         by_p(i, 4) = by_p(i, 4) + north*flow%eps_p(i, j + 1)
+         by_p(i, 5) = by_p(i, 5) + south*flow%eps_p(i, jm)
+         by_h(i, 1) = (east + west + north + south)*flow%eps_h(i, j) - transport%w0(i)*flow%f_h(i, j)
+         by_h(i, 2) = east*flow%eps_h(i + 1, j)
+         by_h(i, 3) = west*flow%eps_h(i - 1, j) - transport%w1(i)*flow%f_h(i - 1, j)
+         by_h(i, 4) = north*flow%eps_h(i, j + 1)
+         by_h(i, 5) = south*flow%eps_h(i, jm)
+      end do
+      by_p(:, 6) = 0
+      by_h(:, 6) = 0
+      do i = max(first, 2), last
+         by_p(i, 6) = -transport%w2(i)*flow%f_p(i - 2, j)
+         by_h(i, 6) = -transport%w2(i)*flow%f_h(i - 2, j)
+      end do
    end subroutine row_links
 
 end module ehlwave_near_stencil

@@ -29,10 +29,11 @@ module ehlwave_line_relaxation
       real(dp), private :: share_x = 0, share_y = 0     ! of a distributive change at its neighbours
       real(dp), allocatable, private :: shape(:, :, :)      ! pressure of a change, (-reach-2:reach+2, 0:1, kind)
       real(dp), allocatable, private :: influence(:, :, :)  ! its deformation
-      real(dp), allocatable, private :: strength(:, :)      ! of the distributive changes
-      real(dp), allocatable, private :: south(:)            ! changes made in the line before
-      real(dp), allocatable, private :: band(:, :), delta(:)
-      integer, allocatable, private :: kind(:)
+      real(dp), allocatable, private :: change(:, :)        ! of P in this sweep
+      real(dp), allocatable, private :: band(:, :)          ! system of one line: (node, offset)
+      real(dp), allocatable, private :: delta(:)            ! its right side, then its solution
+      real(dp), allocatable, private :: by_p(:, :), by_h(:, :)  ! derivatives, (node, link)
+      integer, allocatable, private :: kind(:)              ! of the change of each node
    contains
       procedure :: init
       procedure :: evaluate
@@ -50,7 +51,7 @@ contains
 
       associate (grid => problem%grid, kappa => problem%conditions%elliptic%kappa, k => problem%conditions%elliptic%k)
          aspect = grid%hy/(kappa*grid%hx)
-         self%reach = max(3, min(8, nint(2*aspect)))
+         self%reach = max(3, min(5, nint(aspect)))
          self%share_x = 0.5_dp*aspect**2/(1 + aspect**2)
          self%share_y = 0.5_dp - self%share_x
          r = self%reach + 2
@@ -69,11 +70,11 @@ contains
          self%self_influence = at(0, 0)
          self%flow = new_flow(grid)
          allocate (self%residual(0:grid%nx, 0:grid%ny), self%scale(0:grid%nx, 0:grid%ny), &
-                   self%strength(0:grid%nx, 0:grid%ny), source=0.0_dp)
+                   self%change(0:grid%nx, 0:grid%ny), source=0.0_dp)
          allocate (self%is_cavitated(0:grid%nx, 0:grid%ny), source=.false.)
-         allocate (self%south(0:grid%nx), self%delta(0:grid%nx), source=0.0_dp)
-         allocate (self%band(-self%reach:self%reach, 1 - self%reach:grid%nx - 1 + self%reach), source=0.0_dp)
-         allocate (self%kind(0:grid%nx), source=single)
+         allocate (self%delta(grid%nx - 1), self%band(grid%nx - 1, -self%reach:self%reach), &
+                   self%by_p(grid%nx - 1, links), self%by_h(grid%nx - 1, links), source=0.0_dp)
+         allocate (self%kind(grid%nx - 1), source=single)
       end associate
 
    contains
@@ -105,97 +106,132 @@ contains
       class(line_relaxation_t), intent(inout) :: self
       type(contact_problem_t), intent(inout) :: problem
       type(state_t), intent(inout) :: state
-      integer :: i, j, jm
+      real(dp) :: strength
+      integer :: i, image, j, jm
 
-      associate (grid => problem%grid, p => state%p)
-         self%strength = 0
-         self%south = 0
-         do j = grid%first_row, grid%ny - 1
-            call solve_line(self, problem, p, j)
-            do i = 1, grid%nx - 1
-               self%south(i) = 0
-               if (self%kind(i) == distributed) then
-                  self%strength(i, j) = self%damping(distributed)*self%delta(i)
-               else
-                  self%south(i) = max(p(i, j) + self%damping(single)*self%delta(i), 0.0_dp) - p(i, j)
-                  p(i, j) = p(i, j) + self%south(i)
-               end if
-            end do
-         end do
+      associate (grid => problem%grid, change => self%change)
+         change = 0
          do j = grid%first_row, grid%ny - 1
             jm = grid%below(j)
+            image = merge(2, 1, j == 1 .and. grid%is_half)      ! row 0 has row 1 on either side
+            call set_up_line(self, problem, state%p, j)
+            call solve_band(self%reach, grid%nx - 1, self%band, self%delta)
             do i = 1, grid%nx - 1
-               p(i, j) = max(0.0_dp, p(i, j) + self%strength(i, j) &
-                             - self%share_x*(self%strength(i - 1, j) + self%strength(i + 1, j)) &
-                             - self%share_y*(self%strength(i, jm) + self%strength(i, j + 1)))
+               if (self%kind(i) == single) then
+                  change(i, j) = change(i, j) + self%damping(single)*self%delta(i)
+               else
+                  strength = self%damping(distributed)*self%delta(i)
+                  change(i, j) = change(i, j) + strength
+                  change(i - 1, j) = change(i - 1, j) - self%share_x*strength
+                  change(i + 1, j) = change(i + 1, j) - self%share_x*strength
+                  change(i, j + 1) = change(i, j + 1) - self%share_y*strength
+                  if (jm < j) change(i, jm) = change(i, jm) - image*self%share_y*strength
+               end if
+            end do
+            change(0, j) = 0
+            change(grid%nx, j) = 0
+         end do
+         do j = grid%first_row, grid%ny - 1
+            do i = 1, grid%nx - 1
+               state%p(i, j) = max(0.0_dp, state%p(i, j) + change(i, j))
             end do
          end do
          call problem%film(state%p, state%delta, state%h)
       end associate
    end subroutine relax
 
-   !> Changes of one line that make its residuals vanish, those of the deformation within reach included.
-   subroutine solve_line(self, problem, p, j)
+   !> Linear system of one line: changes that make its residuals vanish. The pressure changes of earlier lines are
+   !> taken into account (Gauss-Seidel), their deformation is not; that of the line itself is, within reach.
+   subroutine set_up_line(self, problem, p, j)
       class(line_relaxation_t), intent(inout) :: self
       type(contact_problem_t), intent(in) :: problem
       real(dp), intent(in) :: p(0:, 0:)
       integer, intent(in) :: j
-      real(dp) :: by_p(links), by_h(links), entry, poiseuille, wedge
-      integer :: d, i, n
+      real(dp) :: self_wedge
+      integer :: d, first, i, jm, last, n
 
-      associate (grid => problem%grid, flow => self%flow)
-         do i = 1, grid%nx - 1
-            wedge = problem%transport%w0(i)*flow%f_h(i, j)*self%self_influence
-            poiseuille = 1/self%scale(i, j) - problem%transport%w0(i)*(flow%f_h(i, j)*self%self_influence + flow%f_p(i, j))
-            self%kind(i) = merge(distributed, single, poiseuille < self%switch*wedge .and. .not. self%is_cavitated(i, j))
+      associate (grid => problem%grid, flow => self%flow, change => self%change, by_p => self%by_p, by_h => self%by_h)
+         n = grid%nx - 1
+         jm = grid%below(j)
+         do i = 1, n
+            self_wedge = problem%transport%w0(i)*flow%f_h(i, j)*self%self_influence
+            self%kind(i) = merge(distributed, single, .not. self%is_cavitated(i, j) .and. &
+               1/self%scale(i, j) - problem%transport%w0(i)*flow%f_p(i, j) < (1 + self%switch)*self_wedge)
          end do
-         do i = 1, grid%nx - 1
-            self%band(:, i) = 0
-            if (self%is_cavitated(i, j)) then
-               self%band(0, i) = 1
-               self%delta(i) = -p(i, j)
-               cycle
-            end if
-            call row_links(grid, problem%transport, problem%conditions%elliptic%kappa, flow, p, i, j, by_p, by_h)
-            self%delta(i) = -self%residual(i, j) - by_p(5)*self%south(i)
-            do d = max(-self%reach, 1 - i), min(self%reach, grid%nx - 1 - i)
-               associate (shape => self%shape(:, :, self%kind(i + d)), influence => self%influence(:, :, self%kind(i + d)), &
-                          m => self%reach + 3)
-                  entry = 0
-                  do n = 1, links
-                     entry = entry + by_p(n)*shape(m + link_i(n) - d, 1 + abs(link_j(n))) &
-                             + by_h(n)*influence(m + link_i(n) - d, 1 + abs(link_j(n)))
-                  end do
-               end associate
-               self%band(d, i) = entry
+         call row_links(grid, problem%transport, problem%conditions%elliptic%kappa, flow, p, 1, n, j, by_p, by_h)
+         self%delta(1) = 0
+         do i = 1, n
+            self%delta(i) = -self%residual(i, j) - by_p(i, 1)*change(i, j) - by_p(i, 2)*change(i + 1, j) &
+                            - by_p(i, 3)*change(i - 1, j) - by_p(i, 4)*change(i, j + 1) - by_p(i, 5)*change(i, jm)
+            if (i > 1) self%delta(i) = self%delta(i) - by_p(i, 6)*change(i - 2, j)
+         end do
+         by_h(:, 4) = by_h(:, 4) + by_h(:, 5)
+         by_p(:, 4) = by_p(:, 4) + by_p(:, 5)
+         first = 1
+         do while (first <= n)      ! runs of columns of one kind
+            last = first
+            do while (last < n)
+               if (self%kind(last + 1) /= self%kind(first)) exit
+               last = last + 1
             end do
+            do d = -self%reach, self%reach
+               call add_column(max(1, first - d), min(n, last - d), d, self%kind(first))
+            end do
+            first = last + 1
          end do
-         call solve_band(self%reach, grid%nx - 1, self%band, self%delta(1:))
+         do i = 1, n
+            if (.not. self%is_cavitated(i, j)) cycle
+            self%band(i, :) = 0
+            self%band(i, 0) = 1
+            self%delta(i) = -p(i, j) - change(i, j)
+         end do
       end associate
-   end subroutine solve_line
 
-   !> Gauss elimination without pivoting; band(d, i) is the coefficient of unknown i + d in row i.
+   contains
+
+      subroutine add_column(i1, i2, d, kind)
+         integer, intent(in) :: i1, i2, d, kind
+         real(dp) :: g(links), s
+         integer :: i, link
+         do link = 1, links
+            g(link) = self%influence(link_i(link) - d, abs(link_j(link)), kind)
+         end do
+         do i = i1, i2
+            self%band(i, d) = self%by_h(i, 1)*g(1) + self%by_h(i, 2)*g(2) + self%by_h(i, 3)*g(3) + self%by_h(i, 4)*g(4) &
+                              + self%by_h(i, 6)*g(6)
+         end do
+         do link = 1, links
+            if (link == 5) cycle      ! added to 4
+            s = self%shape(link_i(link) - d, abs(link_j(link)), kind)
+            if (abs(s) > 0) self%band(i1:i2, d) = self%band(i1:i2, d) + s*self%by_p(i1:i2, link)
+         end do
+      end subroutine add_column
+   end subroutine set_up_line
+
+   !> Gauss elimination without pivoting; band(i, d) is the coefficient of unknown i + d in row i.
    pure subroutine solve_band(reach, n, band, x)
       integer, intent(in) :: reach, n
-      real(dp), intent(inout) :: band(-reach:, 1 - reach:)
+      real(dp), intent(inout) :: band(1:, -reach:)
       real(dp), intent(inout) :: x(:)   !! right side, then solution
-      real(dp) :: factor
+      real(dp) :: factor, inverse
       integer :: d, i, k
 
       do i = 1, n
+         inverse = 1/band(i, 0)
+         band(i, 0) = inverse
          do k = i + 1, min(i + reach, n)
-            factor = band(i - k, k)/band(0, i)
+            factor = band(k, i - k)*inverse
             do d = 1, reach
-               band(i - k + d, k) = band(i - k + d, k) - factor*band(d, i)
+               band(k, i - k + d) = band(k, i - k + d) - factor*band(i, d)
             end do
             x(k) = x(k) - factor*x(i)
          end do
       end do
       do i = n, 1, -1
          do d = 1, min(reach, n - i)
-            x(i) = x(i) - band(d, i)*x(i + d)
+            x(i) = x(i) - band(i, d)*x(i + d)
          end do
-         x(i) = x(i)/band(0, i)
+         x(i) = x(i)*band(i, 0)
       end do
    end subroutine solve_band
 
