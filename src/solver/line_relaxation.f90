@@ -18,8 +18,10 @@ module ehlwave_line_relaxation
    integer, parameter :: single = 0, distributed = 1   ! kinds of change
 
    type, public :: line_relaxation_t
-      real(dp) :: switch = 0.3_dp                 !! Poiseuille over wedge coefficient below which changes are distributed
-      real(dp) :: damping(0:1) = [0.8_dp, 0.5_dp] !! of single and of distributive changes
+      real(dp) :: switch = 1.5_dp                  !! times the square of the cell aspect: Poiseuille over wedge
+                                                  !! coefficient below which changes are distributed
+      real(dp) :: damping(0:1) = [0.8_dp, 0.85_dp] !! of single and of distributive changes
+      real(dp), private :: aspect2 = 1
       type(flow_t) :: flow                        !! coefficients at the state last evaluated
       real(dp), allocatable :: residual(:, :)     !! R at the state last evaluated, (0:nx, 0:ny)
       logical, allocatable :: is_cavitated(:, :)  !! P + R/|A_ii| <= 0
@@ -51,6 +53,7 @@ contains
 
       associate (grid => problem%grid, kappa => problem%conditions%elliptic%kappa, k => problem%conditions%elliptic%k)
          aspect = grid%hy/(kappa*grid%hx)
+         self%aspect2 = max(aspect, 1/aspect)**2
          self%reach = max(3, min(5, nint(aspect)))
          self%share_x = 0.5_dp*aspect**2/(1 + aspect**2)
          self%share_y = 0.5_dp - self%share_x
@@ -156,7 +159,7 @@ contains
          do i = 1, n
             self_wedge = problem%transport%w0(i)*flow%f_h(i, j)*self%self_influence
             self%kind(i) = merge(distributed, single, .not. self%is_cavitated(i, j) .and. &
-               1/self%scale(i, j) - problem%transport%w0(i)*flow%f_p(i, j) < (1 + self%switch)*self_wedge)
+               1/self%scale(i, j) - problem%transport%w0(i)*flow%f_p(i, j) < (1 + self%switch*self%aspect2)*self_wedge)
          end do
          call row_links(grid, problem%transport, problem%conditions%elliptic%kappa, flow, p, 1, n, j, by_p, by_h)
          self%delta(1) = 0
