@@ -42,6 +42,7 @@ module ehlwave_case_input
       integer :: largest_steps = 60
       integer :: settling_periods = 1
       character(len=name_length) :: method = 'newton'
+      character(len=name_length) :: cycle = 'w'          !! of method = 'fas'
       character(len=name_length) :: deformation = 'fft'
       ! &dynamics
       character(len=name_length) :: load_balance = 'force_balance'
@@ -110,7 +111,9 @@ contains
       call file%get(file_group, 'time_step_over_cell', case%time_step_over_cell, error, above=0.0_dp)
       call file%get(file_group, 'largest_steps', case%largest_steps, error, minimum=1, maximum=10000)
       call file%get(file_group, 'settling_periods', case%settling_periods, error, minimum=0, maximum=1000)
-      call file%get_fixed(file_group, 'method', case%method, error, [character(len=name_length) :: 'newton', 'petsc'])
+      call file%get_fixed(file_group, 'method', case%method, error, &
+                          [character(len=name_length) :: 'newton', 'fas', 'petsc'])
+      call file%get_fixed(file_group, 'cycle', case%cycle, error, [character(len=name_length) :: 'v', 'w', 'f'])
       call file%get_fixed(file_group, 'deformation', case%deformation, error, [character(len=name_length) :: 'fft', 'mlmi'])
 
       file_group = 'dynamics'

@@ -41,17 +41,21 @@ contains
 
    !> Hierarchy down from the finest grid, cells halved as long as they are even and enough.
    subroutine init(self, conditions, rheology, x_min, x_max, y_max, cells_x, cells_y, is_half, &
-                   method, deformation)
+                   method, deformation, cycle)
       class(full_multigrid_t), intent(inout), target :: self
       type(conditions_t), intent(in) :: conditions
       type(rheology_t), intent(in) :: rheology
       real(dp), intent(in) :: x_min, x_max, y_max   !! domain in X and Y
       integer, intent(in) :: cells_x, cells_y       !! cells of the finest grid over the whole domain
       logical, intent(in) :: is_half                !! store Y >= 0 only
-      character(len=*), intent(in) :: method        !! solver of the finest level: 'newton' or 'petsc'
+      character(len=*), intent(in) :: method        !! 'newton', 'fas', or 'petsc' for the finest level
       character(len=*), intent(in) :: deformation   !! 'fft' or 'mlmi'
+      character(len=*), intent(in), optional :: cycle   !! of FAS: 'v', 'w' (default) or 'f'
+      character(len=1) :: cycle_of_fas
       integer :: l, n
 
+      cycle_of_fas = 'w'
+      if (present(cycle)) cycle_of_fas = cycle(1:1)
       n = level_count(cells_x, cells_y, is_half)
       allocate (self%levels(n))
       do l = 1, n
@@ -63,7 +67,7 @@ contains
             if (method == 'petsc' .and. l == n) then
                allocate (petsc_solver_t :: level%solver)
             else if (method == 'fas') then
-               allocate (fas_t :: level%solver)
+               allocate (level%solver, source=fas_t(cycle=cycle_of_fas))
             else
                allocate (newton_t :: level%solver)
             end if

@@ -55,7 +55,7 @@ contains
          aspect = grid%hy/(kappa*grid%hx)
          self%aspect2 = max(aspect, 1/aspect)**2
          self%reach = max(3, min(5, nint(aspect)))
-         self%share_x = 0.5_dp*aspect**2/(1 + aspect**2)
+         self%share_x = 0.5_dp*max(0.5_dp, aspect**2/(1 + aspect**2))
          self%share_y = 0.5_dp - self%share_x
          r = self%reach + 2
          allocate (self%shape(-r:r, 0:1, 0:1), self%influence(-r:r, 0:1, 0:1), source=0.0_dp)
