@@ -18,9 +18,9 @@ module ehlwave_line_relaxation
    integer, parameter :: single = 0, distributed = 1   ! kinds of change
 
    type, public :: line_relaxation_t
-      real(dp) :: switch = 1.5_dp                  !! times the square of the cell aspect: Poiseuille over wedge
+      real(dp) :: switch = 3                  !! times the square of the cell aspect: Poiseuille over wedge
                                                   !! coefficient below which changes are distributed
-      real(dp) :: damping(0:1) = [0.8_dp, 0.85_dp] !! of single and of distributive changes
+      real(dp) :: damping(0:1) = [0.9_dp, 0.9_dp] !! of single and of distributive changes
       real(dp), private :: aspect2 = 1
       type(flow_t) :: flow                        !! coefficients at the state last evaluated
       real(dp), allocatable :: residual(:, :)     !! R at the state last evaluated, (0:nx, 0:ny)
