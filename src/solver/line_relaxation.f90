@@ -214,8 +214,8 @@ contains
    !> Gauss elimination without pivoting; band(i, d) is the coefficient of unknown i + d in row i.
    pure subroutine solve_band(reach, n, band, x)
       integer, intent(in) :: reach, n
-      real(dp), intent(inout) :: band(1:, -reach:)
-      real(dp), intent(inout) :: x(:)   !! right side, then solution
+      real(dp), intent(inout) :: band(n, -reach:reach)
+      real(dp), intent(inout) :: x(n)   !! right side, then solution
       real(dp) :: factor, inverse
       integer :: d, i, k
 
