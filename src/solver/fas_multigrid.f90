@@ -16,6 +16,10 @@ module ehlwave_fas_multigrid
    implicit none (type, external)
    private
 
+   integer, parameter :: direct_steps = 10           !! Newton steps per visit of the coarsest level
+   real(dp), parameter :: direct_share = 0.01_dp     !! of the residual of the finest level, to be left there
+   real(dp), parameter :: divergence = 1e3_dp        !! growth of the residual that ends a solve
+
    !> What a coarse problem was before a finer level put its right sides into it.
    type :: problem_terms_t
       type(transport_t) :: transport
@@ -30,7 +34,7 @@ module ehlwave_fas_multigrid
       type(fas_t), pointer :: coarser => null()
       type(line_relaxation_t) :: relaxation
       type(contact_problem_t), pointer, private :: own_problem => null()
-      type(newton_t), private :: coarsest         ! solves the coarsest level
+      type(newton_t), allocatable, private :: direct   ! solves the coarsest level; made when it is needed
       type(state_t), private :: state, restricted ! of this level as a coarser one: present, and as it came
       type(problem_terms_t), private :: kept
       integer, private :: sweeps = 0
@@ -48,7 +52,6 @@ contains
       type(contact_problem_t), intent(in), target :: problem
       self%own_problem => problem
       call self%relaxation%init(problem)
-      call self%coarsest%init(problem)
       self%state = new_state(problem%grid)
       self%restricted = self%state
    end subroutine init
@@ -56,7 +59,7 @@ contains
    !> Nothing is kept between solves.
    subroutine forget(self)
       class(fas_t), intent(inout) :: self
-      call self%coarsest%forget()
+      if (allocated(self%direct)) call self%direct%forget()
    end subroutine forget
 
    !> See the interface. A nonlinear step is a cycle, a linear one a sweep on this level.
@@ -69,7 +72,7 @@ contains
       integer :: k
 
       if (.not. associated(self%coarser)) then
-         call self%coarsest%solve(problem, state, limits, report)
+         call solve_directly(self, problem, state, limits, report)
          return
       end if
       call keep_terms(self%coarser)
@@ -88,9 +91,11 @@ contains
             report%status = status_converged
             exit
          end if
+         report%status = status_diverged
+         if (report%residual > divergence*report%history(1)) exit
          report%status = status_stalled
          if (k == limits%largest_steps) exit
-         call fas_cycle(self, problem, state, self%cycle, 0.01_dp*report%residual)
+         call fas_cycle(self, problem, state, self%cycle, direct_share*report%residual)
          report%nonlinear_steps = k + 1
       end do
       report%linear_steps = self%sweeps
@@ -108,9 +113,8 @@ contains
       type(solve_report_t) :: report
 
       if (.not. associated(self%coarser)) then
-         call self%coarsest%forget()
-         call self%coarsest%solve(problem, state, solve_limits_t(tolerance=tolerance, largest_steps=10), report)
-         if (report%status /= status_converged) print '(a,i3,*(es9.1))', 'coarsest', report%status, report%history
+         call solve_directly(self, problem, state, solve_limits_t(tolerance=tolerance, largest_steps=direct_steps), report)
+         if (.not. report%residual <= report%history(1)) state = self%restricted    ! better no correction
          return
       end if
       call relax(self, problem, state, self%sweeps_before)
@@ -127,6 +131,22 @@ contains
       call relax(self, problem, state, self%sweeps_after)
    end subroutine fas_cycle
 
+   !> Newton's method, for the coarsest level.
+   subroutine solve_directly(self, problem, state, limits, report)
+      class(fas_t), intent(inout) :: self
+      type(contact_problem_t), intent(inout), target :: problem
+      type(state_t), intent(inout), target :: state
+      type(solve_limits_t), intent(in) :: limits
+      type(solve_report_t), intent(out) :: report
+      if (.not. allocated(self%direct)) then
+         allocate (self%direct)
+         call self%direct%init(problem)
+      end if
+      call self%direct%forget()
+      call self%direct%solve(problem, state, limits, report)
+   end subroutine solve_directly
+
+   !> Sweeps from an evaluated state to an evaluated state.
    subroutine relax(self, problem, state, sweeps)
       class(fas_t), intent(inout) :: self
       type(contact_problem_t), intent(inout) :: problem

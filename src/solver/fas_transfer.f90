@@ -4,6 +4,7 @@ module ehlwave_fas_transfer
    use ehlwave_kinds, only: dp
    use ehlwave_line_relaxation, only: line_relaxation_t
    use ehlwave_state, only: state_t
+   use ehlwave_step_limit, only: limit_step
    use ehlwave_transfer, only: full_weighting => restrict, inject, prolong
    use ehlwave_transport, only: implicit_part
    implicit none (type, external)
@@ -69,7 +70,9 @@ contains
       logical, intent(in) :: is_cavitated(0:, 0:)         !! fine nodes that keep their pressure
       type(state_t), intent(inout) :: state
       real(dp), allocatable :: change(:, :)
+      type(state_t) :: before_step
 
+      before_step = state
       allocate (change, mold=state%p)
       call prolong(coarse%grid, after%p - before%p, change)
       where (.not. is_cavitated) state%p = max(0.0_dp, state%p + change)
@@ -79,6 +82,7 @@ contains
       if (fine%grid%first_row > 0) state%p(:, 0) = 0
       state%delta = state%delta + after%delta - before%delta
       call fine%film(state%p, state%delta, state%h)
+      call limit_step(before_step, state)
    end subroutine correct
 
 end module ehlwave_fas_transfer

@@ -11,7 +11,8 @@ module ehlwave_line_relaxation
    use ehlwave_kinds, only: dp
    use ehlwave_near_stencil, only: link_i, link_j, links, row_links
    use ehlwave_reynolds, only: diagonal_scale, flow_t, new_flow, reynolds_residual
-   use ehlwave_state, only: state_t
+   use ehlwave_state, only: new_state, state_t
+   use ehlwave_step_limit, only: limit_step
    implicit none (type, external)
    private
 
@@ -35,6 +36,7 @@ module ehlwave_line_relaxation
       real(dp), allocatable, private :: band(:, :)          ! system of one line: (node, offset)
       real(dp), allocatable, private :: delta(:)            ! its right side, then its solution
       real(dp), allocatable, private :: by_p(:, :), by_h(:, :)  ! derivatives, (node, link)
+      type(state_t), private :: before                      ! the sweep
       integer, allocatable, private :: kind(:)              ! of the change of each node
    contains
       procedure :: init
@@ -72,6 +74,7 @@ contains
          end do
          self%self_influence = at(0, 0)
          self%flow = new_flow(grid)
+         self%before = new_state(grid)
          allocate (self%residual(0:grid%nx, 0:grid%ny), self%scale(0:grid%nx, 0:grid%ny), &
                    self%change(0:grid%nx, 0:grid%ny), source=0.0_dp)
          allocate (self%is_cavitated(0:grid%nx, 0:grid%ny), source=.false.)
@@ -113,6 +116,7 @@ contains
       integer :: i, image, j, jm
 
       associate (grid => problem%grid, change => self%change)
+         self%before = state
          change = 0
          do j = grid%first_row, grid%ny - 1
             jm = grid%below(j)
@@ -140,6 +144,7 @@ contains
             end do
          end do
          call problem%film(state%p, state%delta, state%h)
+         call limit_step(self%before, state)
       end associate
    end subroutine relax
 
