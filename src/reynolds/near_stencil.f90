@@ -142,8 +142,8 @@ contains
          by_h(i, 4) = north*flow%eps_h(i, j + 1)
          by_h(i, 5) = south*flow%eps_h(i, jm)
       end do
-      by_p(:, 6) = 0
-      by_h(:, 6) = 0
+      by_p(first:last, 6) = 0
+      by_h(first:last, 6) = 0
       do i = max(first, 2), last
          by_p(i, 6) = -transport%w2(i)*flow%f_p(i - 2, j)
          by_h(i, 6) = -transport%w2(i)*flow%f_h(i - 2, j)

@@ -29,8 +29,8 @@ module ehlwave_fas_multigrid
 
    !> Solver of one level; `coarser` is that of the next coarser one, or null on the coarsest.
    type, extends(level_solver_t), public :: fas_t
-      character(len=1) :: cycle = 'w'             !! 'v', 'w' or 'f'
-      integer :: sweeps_before = 2, sweeps_after = 1
+      character(len=1) :: cycle = 'f'             !! 'v', 'w' or 'f'
+      integer :: sweeps_before = 1, sweeps_after = 2
       type(fas_t), pointer :: coarser => null()
       type(line_relaxation_t) :: relaxation
       type(contact_problem_t), pointer, private :: own_problem => null()

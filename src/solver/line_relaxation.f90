@@ -113,7 +113,7 @@ contains
       type(contact_problem_t), intent(inout) :: problem
       type(state_t), intent(inout) :: state
       real(dp) :: strength
-      integer :: i, image, j, jm
+      integer :: i, image, j, jm, n
 
       associate (grid => problem%grid, change => self%change)
          self%before = state
@@ -121,9 +121,12 @@ contains
          do j = grid%first_row, grid%ny - 1
             jm = grid%below(j)
             image = merge(2, 1, j == 1 .and. grid%is_half)      ! row 0 has row 1 on either side
-            call set_up_line(self, problem, state%p, j)
-            call solve_band(self%reach, grid%nx - 1, self%band, self%delta)
-            do i = 1, grid%nx - 1
+            n = last_wet(self%is_cavitated(1:grid%nx - 1, j))
+            change(n + 1:grid%nx - 1, j) = -state%p(n + 1:grid%nx - 1, j)
+            if (n == 0) cycle
+            call set_up_line(self, problem, state%p, j, n)
+            call solve_band(self%reach, n, size(self%band, 1), self%band, self%delta)
+            do i = 1, n
                if (self%kind(i) == single) then
                   change(i, j) = change(i, j) + self%damping(single)*self%delta(i)
                else
@@ -148,18 +151,25 @@ contains
       end associate
    end subroutine relax
 
+   !> Number of nodes of a line up to the last that is not cavitated.
+   pure integer function last_wet(is_cavitated)
+      logical, intent(in) :: is_cavitated(:)
+      do last_wet = size(is_cavitated), 1, -1
+         if (.not. is_cavitated(last_wet)) exit
+      end do
+   end function last_wet
+
    !> Linear system of one line: changes that make its residuals vanish. The pressure changes of earlier lines are
    !> taken into account (Gauss-Seidel), their deformation is not; that of the line itself is, within reach.
-   subroutine set_up_line(self, problem, p, j)
+   subroutine set_up_line(self, problem, p, j, n)
       class(line_relaxation_t), intent(inout) :: self
       type(contact_problem_t), intent(in) :: problem
       real(dp), intent(in) :: p(0:, 0:)
-      integer, intent(in) :: j
+      integer, intent(in) :: j, n              !! line; its first nodes, the others are cavitated
       real(dp) :: self_wedge
-      integer :: d, first, i, jm, last, n
+      integer :: d, first, i, jm, last
 
       associate (grid => problem%grid, flow => self%flow, change => self%change, by_p => self%by_p, by_h => self%by_h)
-         n = grid%nx - 1
          jm = grid%below(j)
          do i = 1, n
             self_wedge = problem%transport%w0(i)*flow%f_h(i, j)*self%self_influence
@@ -167,14 +177,13 @@ contains
                1/self%scale(i, j) - problem%transport%w0(i)*flow%f_p(i, j) < (1 + self%switch*self%aspect2)*self_wedge)
          end do
          call row_links(grid, problem%transport, problem%conditions%elliptic%kappa, flow, p, 1, n, j, by_p, by_h)
-         self%delta(1) = 0
          do i = 1, n
             self%delta(i) = -self%residual(i, j) - by_p(i, 1)*change(i, j) - by_p(i, 2)*change(i + 1, j) &
                             - by_p(i, 3)*change(i - 1, j) - by_p(i, 4)*change(i, j + 1) - by_p(i, 5)*change(i, jm)
             if (i > 1) self%delta(i) = self%delta(i) - by_p(i, 6)*change(i - 2, j)
          end do
-         by_h(:, 4) = by_h(:, 4) + by_h(:, 5)
-         by_p(:, 4) = by_p(:, 4) + by_p(:, 5)
+         by_h(:n, 4) = by_h(:n, 4) + by_h(:n, 5)
+         by_p(:n, 4) = by_p(:n, 4) + by_p(:n, 5)
          first = 1
          do while (first <= n)      ! runs of columns of one kind
             last = first
@@ -217,9 +226,9 @@ contains
    end subroutine set_up_line
 
    !> Gauss elimination without pivoting; band(i, d) is the coefficient of unknown i + d in row i.
-   pure subroutine solve_band(reach, n, band, x)
-      integer, intent(in) :: reach, n
-      real(dp), intent(inout) :: band(n, -reach:reach)
+   pure subroutine solve_band(reach, n, rows, band, x)
+      integer, intent(in) :: reach, n, rows                 !! unknowns n <= rows
+      real(dp), intent(inout) :: band(rows, -reach:reach)
       real(dp), intent(inout) :: x(n)   !! right side, then solution
       real(dp) :: factor, inverse
       integer :: d, i, k
