@@ -50,12 +50,9 @@ contains
       logical, intent(in) :: is_half                !! store Y >= 0 only
       character(len=*), intent(in) :: method        !! 'newton', 'fas', or 'petsc' for the finest level
       character(len=*), intent(in) :: deformation   !! 'fft' or 'mlmi'
-      character(len=*), intent(in), optional :: cycle   !! of FAS: 'v', 'w' (default) or 'f'
-      character(len=1) :: cycle_of_fas
+      character(len=*), intent(in), optional :: cycle   !! of FAS: 'v', 'w' or 'f'
       integer :: l, n
 
-      cycle_of_fas = 'w'
-      if (present(cycle)) cycle_of_fas = cycle(1:1)
       n = level_count(cells_x, cells_y, is_half)
       allocate (self%levels(n))
       do l = 1, n
@@ -67,12 +64,18 @@ contains
             if (method == 'petsc' .and. l == n) then
                allocate (petsc_solver_t :: level%solver)
             else if (method == 'fas') then
-               allocate (level%solver, source=fas_t(cycle=cycle_of_fas))
+               allocate (fas_t :: level%solver)
             else
                allocate (newton_t :: level%solver)
             end if
             call level%solver%init(level%problem)
             if (l > 1) call connect_levels(level%solver, self%levels(l - 1))
+            associate (solver => level%solver)
+               select type (solver)
+               type is (fas_t)
+                  if (present(cycle)) solver%cycle = cycle(1:1)
+               end select
+            end associate
          end associate
       end do
    end subroutine init
