@@ -22,7 +22,8 @@ program test_four_routes
 
    integer, parameter :: cells = 128
    real(dp), parameter :: agreement = 1e-6_dp      !! relative, of Hc, Hmin and the pressure field
-   real(dp), parameter :: mlmi_error = 2e-4_dp     !! relative, a tenth of the discretisation error on this grid
+   real(dp), parameter :: mlmi_film = 1.5e-3_dp    !! relative: a tenth of the discretisation error on this grid
+   real(dp), parameter :: mlmi_pressure = 3e-3_dp  !! relative to the largest, at the pressure spike
    type(solve_limits_t), parameter :: limits = solve_limits_t(tolerance=1e-8_dp, largest_steps=40)
    type(test_t) :: test
    type(error_t), allocatable :: error
@@ -46,15 +47,15 @@ contains
 
       call solve(name//', Newton', m, l, d, 'newton', 'fft', newton)
       call solve(name//', FAS', m, l, d, 'fas', 'fft', fas)
-      call compare(name//', FAS and Newton', fas, newton, agreement)
+      call compare(name//', FAS and Newton', fas, newton, agreement, agreement)
       if (has_petsc) then
          call solve(name//', PETSc', m, l, d, 'petsc', 'fft', petsc)
-         call compare(name//', FAS and PETSc', fas, petsc, agreement)
+         call compare(name//', FAS and PETSc', fas, petsc, agreement, agreement)
       end if
       call solve(name//', Newton with MLMI', m, l, d, 'newton', 'mlmi', newton_mlmi)
       call solve(name//', FAS with MLMI', m, l, d, 'fas', 'mlmi', fas_mlmi)
-      call compare(name//', FAS and Newton with MLMI', fas_mlmi, newton_mlmi, agreement)
-      call compare(name//', FAS with MLMI and FFT', fas_mlmi, fas, mlmi_error)
+      call compare(name//', FAS and Newton with MLMI', fas_mlmi, newton_mlmi, agreement, agreement)
+      call compare(name//', FAS with MLMI and FFT', fas_mlmi, fas, mlmi_film, mlmi_pressure)
    end subroutine compare_contact
 
    subroutine make_levels(levels, m, l, d, method, deformation)
@@ -111,26 +112,27 @@ contains
          call flow%evaluate(problem%rheology, problem%conditions%lambdabar, state%p, h)
          call reynolds_residual(grid, problem%transport, elliptic%kappa, flow, state%p, r)
          unit = grid%hx/grid%value_at_centre(h)
-         call test%check_close(maxval(abs(r), mask=state%p > 0)*unit, 0.0_dp, name//': mass where there is pressure', &
+         call test%check_close(maxval(abs(r), mask=state%p > limits%tolerance)*unit, 0.0_dp, &
+                               name//': mass where there is pressure', &
                                absolute=1.1_dp*limits%tolerance)
-         call test%check(maxval(r, mask=.not. state%p > 0)*unit <= 1.1_dp*limits%tolerance, &
+         call test%check(maxval(r, mask=.not. state%p > limits%tolerance)*unit <= 1.1_dp*limits%tolerance, &
                          name//': mass where it is cavitated')
       end associate
    end subroutine check_balances
 
-   subroutine compare(name, a, b, allowed)
+   subroutine compare(name, a, b, film, pressure)
       character(len=*), intent(in) :: name
       type(state_t), intent(in) :: a, b
-      real(dp), intent(in) :: allowed
+      real(dp), intent(in) :: film, pressure     !! allowed relative differences
       real(dp) :: difference(3)
 
       difference = [abs(a%h(80, 0)/b%h(80, 0) - 1), abs(minval(a%h)/minval(b%h) - 1), maxval(abs(a%p - b%p))/maxval(b%p)]
       print '(a)', name//': Hc '//to_text(difference(1), 2)//', Hmin '//to_text(difference(2), 2)//', pressure '// &
          to_text(difference(3), 2)
       call test%check(all(ieee_is_finite(difference)), name//': finite')
-      call test%check_close(difference(1), 0.0_dp, name//': Hc', absolute=allowed)
-      call test%check_close(difference(2), 0.0_dp, name//': Hmin', absolute=allowed)
-      call test%check_close(difference(3), 0.0_dp, name//': pressure', absolute=merge(allowed, 20*allowed, allowed < 1e-5_dp))
+      call test%check_close(difference(1), 0.0_dp, name//': Hc', absolute=film)
+      call test%check_close(difference(2), 0.0_dp, name//': Hmin', absolute=film)
+      call test%check_close(difference(3), 0.0_dp, name//': pressure', absolute=pressure)
    end subroutine compare
 
    !> Eight time steps with a wave in the gap.
@@ -138,7 +140,7 @@ contains
       type(state_t) :: newton, fas
       call march('newton', newton)
       call march('fas', fas)
-      call compare('time steps, FAS and Newton', fas, newton, agreement)
+      call compare('time steps, FAS and Newton', fas, newton, agreement, agreement)
    end subroutine compare_march
 
    subroutine march(method, state)
