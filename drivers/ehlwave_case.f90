@@ -78,7 +78,7 @@ program ehlwave_case
    flush (output_unit)
    call run_case(case, plan, monitor, result)
    call finish_petsc()
-   call print_result(output_unit, plan, result)
+   call print_result(output_unit, case, plan, result)
    if (arguments%has('--output')) then
       call write_case_file(arguments%value('--output'), case, plan%conditions, result, error)
       if (allocated(error)) write (error_unit, '(a)') 'ehlwave-case: '//error%message

@@ -42,6 +42,7 @@ module ehlwave_case_input
       integer :: largest_steps = 60
       integer :: settling_periods = 1
       character(len=name_length) :: method = 'newton'
+      character(len=name_length) :: cycle = ''           !! of method = 'fas', completed
       character(len=name_length) :: deformation = 'fft'
       ! &dynamics
       character(len=name_length) :: load_balance = 'force_balance'
@@ -110,7 +111,9 @@ contains
       call file%get(file_group, 'time_step_over_cell', case%time_step_over_cell, error, above=0.0_dp)
       call file%get(file_group, 'largest_steps', case%largest_steps, error, minimum=1, maximum=10000)
       call file%get(file_group, 'settling_periods', case%settling_periods, error, minimum=0, maximum=1000)
-      call file%get_fixed(file_group, 'method', case%method, error, [character(len=name_length) :: 'newton', 'petsc'])
+      call file%get_fixed(file_group, 'method', case%method, error, &
+                          [character(len=name_length) :: 'newton', 'fas', 'petsc'])
+      call file%get_fixed(file_group, 'cycle', case%cycle, error, [character(len=name_length) :: 'f', 'v', 'w'])
       call file%get_fixed(file_group, 'deformation', case%deformation, error, [character(len=name_length) :: 'fft', 'mlmi'])
 
       file_group = 'dynamics'
@@ -161,9 +164,21 @@ contains
       call case_conditions(case, conditions, error)
       if (.not. allocated(error)) call complete_waviness(case, error)
       if (.not. allocated(error)) call check_grid_and_time(case, error)
-      if (.not. allocated(error) .and. case%method == 'petsc') call require_petsc(error)
+      if (.not. allocated(error)) call complete_method(case, error)
       if (allocated(error)) error%message = place//error%message
    end subroutine complete_case
+
+   !> The method must be there, and a cycle is one of FAS: F cycles when none is given.
+   subroutine complete_method(case, error)
+      type(case_t), intent(inout) :: case
+      type(error_t), allocatable, intent(inout) :: error
+      if (case%method == 'petsc') call require_petsc(error)
+      if (case%method == 'fas') then
+         if (case%cycle == '') case%cycle = 'f'
+      else if (case%cycle /= '') then
+         call raise(error, 'cycle = '''//trim(case%cycle)//''' is of method = ''fas'' only: leave it out or set method = ''fas''')
+      end if
+   end subroutine complete_method
 
    !> Operating conditions of a case; also sets M, L, D of a case given by dimensional data.
    subroutine case_conditions(case, conditions, error)

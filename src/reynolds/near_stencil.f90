@@ -7,7 +7,7 @@ module ehlwave_near_stencil
    use ehlwave_transport, only: transport_t
    implicit none (type, external)
    private
-   public :: new_near_stencil
+   public :: new_near_stencil, row_links
 
    !> Pattern of the sparse operator and the influence coefficients it needs.
    type, public :: near_stencil_t
@@ -20,9 +20,9 @@ module ehlwave_near_stencil
       procedure :: fill_line
    end type near_stencil_t
 
-   integer, parameter :: links = 6   !! nodes whose film enters the residual of a node, itself included
-   integer, parameter :: link_i(links) = [0, 1, -1, 0, 0, -2]
-   integer, parameter :: link_j(links) = [0, 0, 0, 1, -1, 0]
+   integer, parameter, public :: links = 6   !! nodes whose pressure and film enter the residual of a node, itself included
+   integer, parameter, public :: link_i(links) = [0, 1, -1, 0, 0, -2]   !! centre, east, west, north, south, second upstream
+   integer, parameter, public :: link_j(links) = [0, 0, 0, 1, -1, 0]
 
 contains
 
@@ -84,7 +84,7 @@ contains
       real(dp) :: by_p(grid%nx - 1, links), by_h(grid%nx - 1, links), value(grid%nx - 1)
       integer :: di, dj, first, last, link, n, target_line
 
-      call fill_links(grid, transport, kappa, flow, p, j, by_p, by_h)
+      call row_links(grid, transport, kappa, flow, p, 1, grid%nx - 1, j, by_p, by_h)
       line = 0
       do dj = -self%reach_y, self%reach_y
          target_line = j + dj
@@ -105,51 +105,49 @@ contains
       end do
    end subroutine fill_line
 
-   !> Derivatives of the residual at the nodes of one line by the pressures and the films they are linked with.
-   pure subroutine fill_links(grid, transport, kappa, flow, p, j, by_p, by_h)
+   !> Derivatives of the residuals of nodes first..last of a row by the pressure (at fixed film) and by the film of
+   !> their links.
+   pure subroutine row_links(grid, transport, kappa, flow, p, first, last, j, by_p, by_h)
       type(grid_t), intent(in) :: grid
       type(transport_t), intent(in) :: transport
       real(dp), intent(in) :: kappa
-      type(flow_t), intent(in) :: flow
-      real(dp), intent(in) :: p(0:, 0:)
-      integer, intent(in) :: j
-      real(dp), intent(out) :: by_p(:, :)   !! (nx-1, links)
-      real(dp), intent(out) :: by_h(:, :)   !! (nx-1, links)
-      real(dp) :: cx, cy
+      type(flow_t), intent(in) :: flow        !! evaluated at the point of linearisation
+      real(dp), intent(in) :: p(0:, 0:)       !! its pressure
+      integer, intent(in) :: first, last, j   !! nodes
+      real(dp), intent(out) :: by_p(first:, :), by_h(first:, :)   !! (first:last, links)
+      real(dp) :: cx, cy, east, north, south, west
       integer :: i, jm
 
       cx = 0.5_dp/grid%hx**2
       cy = 0.5_dp*kappa**2/grid%hy**2
       jm = grid%below(j)
-      do i = 1, grid%nx - 1
-         ! in the order centre, east, west, north, south, second upstream
+      do i = first, last
+         east = cx*(p(i + 1, j) - p(i, j))
+         west = cx*(p(i - 1, j) - p(i, j))
+         north = cy*(p(i, j + 1) - p(i, j))
+         south = cy*(p(i, jm) - p(i, j))
          by_p(i, 2) = cx*(flow%eps(i, j) + flow%eps(i + 1, j))
          by_p(i, 3) = cx*(flow%eps(i - 1, j) + flow%eps(i, j))
          by_p(i, 4) = cy*(flow%eps(i, j) + flow%eps(i, j + 1))
          by_p(i, 5) = cy*(flow%eps(i, jm) + flow%eps(i, j))
-         by_p(i, 1) = -(by_p(i, 2) + by_p(i, 3) + by_p(i, 4) + by_p(i, 5))
-         by_h(i, 2) = cx*(p(i + 1, j) - p(i, j))
-         by_h(i, 3) = cx*(p(i - 1, j) - p(i, j))
-         by_h(i, 4) = cy*(p(i, j + 1) - p(i, j))
-         by_h(i, 5) = cy*(p(i, jm) - p(i, j))
-         by_h(i, 1) = by_h(i, 2) + by_h(i, 3) + by_h(i, 4) + by_h(i, 5)
-         by_p(i, 1) = by_p(i, 1) + by_h(i, 1)*flow%eps_p(i, j) - transport%w0(i)*flow%f_p(i, j)
-         by_p(i, 2) = by_p(i, 2) + by_h(i, 2)*flow%eps_p(i + 1, j)
-         by_p(i, 3) = by_p(i, 3) + by_h(i, 3)*flow%eps_p(i - 1, j) - transport%w1(i)*flow%f_p(i - 1, j)
-         by_p(i, 4) = by_p(i, 4) + by_h(i, 4)*flow%eps_p(i, j + 1)
-         by_p(i, 5) = by_p(i, 5) + by_h(i, 5)*flow%eps_p(i, jm)
-         by_h(i, 1) = by_h(i, 1)*flow%eps_h(i, j) - transport%w0(i)*flow%f_h(i, j)
-         by_h(i, 2) = by_h(i, 2)*flow%eps_h(i + 1, j)
-         by_h(i, 3) = by_h(i, 3)*flow%eps_h(i - 1, j) - transport%w1(i)*flow%f_h(i - 1, j)
-         by_h(i, 4) = by_h(i, 4)*flow%eps_h(i, j + 1)
-         by_h(i, 5) = by_h(i, 5)*flow%eps_h(i, jm)
+         by_p(i, 1) = -(by_p(i, 2) + by_p(i, 3) + by_p(i, 4) + by_p(i, 5)) &
+                      + (east + west + north + south)*flow%eps_p(i, j) - transport%w0(i)*flow%f_p(i, j)
+         by_p(i, 2) = by_p(i, 2) + east*flow%eps_p(i + 1, j)
+         by_p(i, 3) = by_p(i, 3) + west*flow%eps_p(i - 1, j) - transport%w1(i)*flow%f_p(i - 1, j)
+         by_p(i, 4) = by_p(i, 4) + north*flow%eps_p(i, j + 1)
+         by_p(i, 5) = by_p(i, 5) + south*flow%eps_p(i, jm)
+         by_h(i, 1) = (east + west + north + south)*flow%eps_h(i, j) - transport%w0(i)*flow%f_h(i, j)
+         by_h(i, 2) = east*flow%eps_h(i + 1, j)
+         by_h(i, 3) = west*flow%eps_h(i - 1, j) - transport%w1(i)*flow%f_h(i - 1, j)
+         by_h(i, 4) = north*flow%eps_h(i, j + 1)
+         by_h(i, 5) = south*flow%eps_h(i, jm)
       end do
-      by_p(:, 6) = 0
-      by_h(:, 6) = 0
-      do i = 2, grid%nx - 1
+      by_p(first:last, 6) = 0
+      by_h(first:last, 6) = 0
+      do i = max(first, 2), last
          by_p(i, 6) = -transport%w2(i)*flow%f_p(i - 2, j)
          by_h(i, 6) = -transport%w2(i)*flow%f_h(i - 2, j)
       end do
-   end subroutine fill_links
+   end subroutine row_links
 
 end module ehlwave_near_stencil

@@ -3,6 +3,7 @@ module ehlwave_full_multigrid
    use ehlwave_conditions, only: conditions_t
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_deformation_mlmi, only: deformation_mlmi_t
+   use ehlwave_fas_multigrid, only: fas_t
    use ehlwave_formula, only: moes_film_formula
    use ehlwave_grid, only: grid_t, new_grid
    use ehlwave_kinds, only: dp
@@ -34,20 +35,22 @@ module ehlwave_full_multigrid
    end type full_multigrid_t
 
    integer, parameter :: fewest_cells = 24   !! along X or over the whole width, on the coarsest grid
+   real(dp), parameter :: coarsest_inlet = 0.6_dp   !! hX sqrt(gamma M/L) of the coarsest grid that FAS makes use of
 
 contains
 
    !> Hierarchy down from the finest grid, cells halved as long as they are even and enough.
    subroutine init(self, conditions, rheology, x_min, x_max, y_max, cells_x, cells_y, is_half, &
-                   method, deformation)
+                   method, deformation, cycle)
       class(full_multigrid_t), intent(inout), target :: self
       type(conditions_t), intent(in) :: conditions
       type(rheology_t), intent(in) :: rheology
       real(dp), intent(in) :: x_min, x_max, y_max   !! domain in X and Y
       integer, intent(in) :: cells_x, cells_y       !! cells of the finest grid over the whole domain
       logical, intent(in) :: is_half                !! store Y >= 0 only
-      character(len=*), intent(in) :: method        !! solver of the finest level: 'newton' or 'petsc'
+      character(len=*), intent(in) :: method        !! 'newton', 'fas', or 'petsc' for the finest level
       character(len=*), intent(in) :: deformation   !! 'fft' or 'mlmi'
+      character(len=*), intent(in), optional :: cycle   !! of FAS: 'v', 'w' or 'f'
       integer :: l, n
 
       n = level_count(cells_x, cells_y, is_half)
@@ -60,24 +63,40 @@ contains
             level%state = new_state(level%problem%grid)
             if (method == 'petsc' .and. l == n) then
                allocate (petsc_solver_t :: level%solver)
+            else if (method == 'fas') then
+               allocate (fas_t :: level%solver)
             else
                allocate (newton_t :: level%solver)
             end if
             call level%solver%init(level%problem)
-            if (l > 1) call connect_levels(level%solver, self%levels(l - 1)%solver)
+            if (l > 1) call connect_levels(level%solver, self%levels(l - 1))
+            associate (solver => level%solver)
+               select type (solver)
+               type is (fas_t)
+                  if (present(cycle)) solver%cycle = cycle(1:1)
+               end select
+            end associate
          end associate
       end do
    end subroutine init
 
-   !> Let a solver use that of the next coarser level in its preconditioner.
+   !> Let a solver use that of the next coarser level: Newton's method in its preconditioner, FAS as its coarse
+   !> problem unless that grid is too coarse to be one.
    subroutine connect_levels(solver, coarser)
       class(level_solver_t), intent(inout) :: solver
-      class(level_solver_t), intent(in), target :: coarser
+      class(level_t), intent(in), target :: coarser
       select type (solver)
       type is (newton_t)
-         select type (coarser)
+         select type (below => coarser%solver)
          type is (newton_t)
-            solver%coarser => coarser
+            solver%coarser => below
+         end select
+      type is (fas_t)
+         select type (below => coarser%solver)
+         type is (fas_t)
+            associate (c => coarser%problem%conditions)
+               if (coarser%problem%grid%hx*sqrt(c%gamma*c%m) <= coarsest_inlet*sqrt(c%l)) solver%coarser => below
+            end associate
          end select
       end select
    end subroutine connect_levels

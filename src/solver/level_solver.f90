@@ -58,7 +58,7 @@ contains
 
    !> Mass that the oil of a cell gains or loses, in units of the flow through that cell or through the contact centre,
    !> whichever is larger: |R| hX/max(H, H(0,0)).
-   pure real(dp) function mass_gain(r, hx, h, h_centre)
+   elemental real(dp) function mass_gain(r, hx, h, h_centre)
       real(dp), intent(in) :: r          !! Reynolds residual
       real(dp), intent(in) :: hx         !! mesh size in X
       real(dp), intent(in) :: h          !! film of the cell

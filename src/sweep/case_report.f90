@@ -32,6 +32,7 @@ contains
          write (unit, '(a)') 'Lubricant    '//trim(case%viscosity_law)//', '//trim(case%density_law)
          write (unit, '(a)') 'Waviness     '//waviness_text(case)
          write (unit, '(a)') 'Run          '//run_text(case, plan)
+         write (unit, '(a)') 'Solver       '//solver_text(case)
          write (unit, '(a)') 'Domain       '//to_text(case%x_min, 4)//' <= X <= '//to_text(case%x_max, 4)//', '// &
             merge('0 <= Y <= ', '|Y| <=    ', plan%is_half)//to_text(case%y_max, 4)// &
             merge(' (half: the case is even in Y)', ' (whole)                      ', plan%is_half)
@@ -79,6 +80,17 @@ contains
       end select
    end function run_text
 
+   function solver_text(case) result(text)
+      type(case_t), intent(in) :: case
+      character(len=:), allocatable :: text
+      select case (case%method)
+      case ('fas'); text = 'FAS multigrid, '//trim(case%cycle)//' cycles'
+      case ('petsc'); text = 'PETSc on the finest grid'
+      case default; text = 'Newton''s method'
+      end select
+      text = text//', deformation by '//trim(case%deformation)
+   end function solver_text
+
    function resolution_text(plan) result(text)
       type(case_plan_t), intent(in) :: plan
       character(len=:), allocatable :: text
@@ -89,8 +101,9 @@ contains
    end function resolution_text
 
    !> The result, to a unit.
-   subroutine print_result(unit, plan, result)
+   subroutine print_result(unit, case, plan, result)
       integer, intent(in) :: unit
+      type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       type(case_result_t), intent(in) :: result
 
@@ -106,10 +119,19 @@ contains
       write (unit, '(a)') 'Errors       mass residual '//to_text(result%residual, 3)//', load error '// &
          to_text(result%load_error, 3)
       write (unit, '(a)') 'Effort       '//to_text(result%seconds, 4)//' s, '//to_text(result%work_units, 4)//' work units, '// &
-         to_text(result%time_steps)//' time steps, '//to_text(result%nonlinear_steps)//' Newton and '// &
-         to_text(result%linear_steps)//' GMRES steps on the finest grid, '//to_text(result%peak_memory_mib, 4)//' MiB'
+         to_text(result%time_steps)//' time steps, '//iterations()//' on the finest grid, '// &
+         to_text(result%peak_memory_mib, 4)//' MiB'
 
    contains
+
+      function iterations() result(text)
+         character(len=:), allocatable :: text
+         if (case%method == 'fas') then
+            text = to_text(result%nonlinear_steps)//' cycles and '//to_text(result%linear_steps)//' sweeps'
+         else
+            text = to_text(result%nonlinear_steps)//' Newton and '//to_text(result%linear_steps)//' GMRES steps'
+         end if
+      end function iterations
 
       subroutine print_smooth_film()
          write (unit, '(a)') 'Smooth film  H(0,0) = '//to_text(result%central_film, 6)//', smallest H = '// &

@@ -53,7 +53,7 @@ contains
       end if
 
       call multigrid%init(plan%conditions, plan%rheology, case%x_min, case%x_max, case%y_max, &
-                          plan%cells_x, plan%cells_y, plan%is_half, trim(case%method), trim(case%deformation))
+                          plan%cells_x, plan%cells_y, plan%is_half, trim(case%method), trim(case%deformation), trim(case%cycle))
       limits = solve_limits_t(tolerance=case%tolerance, largest_steps=case%largest_steps)
       call multigrid%solve(limits, coarse_tolerance)
       associate (level => multigrid%levels(size(multigrid%levels)))
