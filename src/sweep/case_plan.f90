@@ -31,6 +31,7 @@ module ehlwave_case_plan
       real(dp) :: dt = 0                             !! time step, 0 without march
       integer :: steps = 0                           !! time steps
       integer :: first_sample = 0                    !! step from which the amplitude is measured
+      integer :: largest_total_steps = 0             !! cap on the nonlinear steps of the finest grid
       integer :: phases = 0                          !! steady solutions of a standing pattern
       type(resolution_t) :: resolution
       real(dp) :: cost = 0                           !! expected effort, node updates of the finest grid
@@ -38,6 +39,7 @@ module ehlwave_case_plan
 
    integer, parameter :: grid_sizes(15) = [64, 96, 128, 192, 256, 384, 512, 768, 1024, 1536, 2048, 3072, 4096, 6144, 8192]
    integer, parameter :: most_steps = 1000000
+   integer, parameter :: steps_per_time_step = 15    !! nonlinear steps that a time step may take on average
    real(dp), parameter :: outlet_end = 1             !! X of the outlet end of the Hertzian contact
 
 contains
@@ -73,6 +75,10 @@ contains
       plan%resolution = judge_resolution(plan%conditions, plan%waviness, plan%hx, plan%hy, plan%dt)
       plan%cost = real(plan%cells_x, dp)*plan%cells_y*(15 + 6*plan%phases + 4*plan%steps)
       if (plan%is_half) plan%cost = 0.5_dp*plan%cost
+      plan%largest_total_steps = case%largest_total_steps
+      ! a steady state takes 5 to 20 steps, a time step 2 to 5: room for the rescue ladder
+      if (plan%largest_total_steps == 0) &
+         plan%largest_total_steps = case%largest_steps*(10 + 5*plan%phases) + steps_per_time_step*plan%steps
    end subroutine make_plan
 
    pure integer function viscosity_number(case)
@@ -105,7 +111,7 @@ contains
       why_x = 'asked for'
       if (plan%cells_x == 0) then
          wanted_x = length_x*inlet_length(plan%conditions)**(-1)/wanted_inlet
-         why_x = 'for hX sqrt(gamma M/L) <= '//to_text(wanted_inlet, 2)
+         why_x = 'for hX over the inlet length <= '//to_text(wanted_inlet, 2)
          if (plan%waviness%wavelength_x > 0) then
             if (wanted_points_per_wave*length_x*max(1.0_dp, plan%waviness%slip)/plan%waviness%wavelength_x > wanted_x) then
                wanted_x = wanted_points_per_wave*length_x*max(1.0_dp, plan%waviness%slip)/plan%waviness%wavelength_x

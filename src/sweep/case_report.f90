@@ -37,7 +37,7 @@ contains
             merge(' (half: the case is even in Y)', ' (whole)                      ', plan%is_half)
          write (unit, '(a)') 'Grid         '//to_text(plan%cells_x)//' x '//to_text(plan%cells_y)//' cells on the whole '// &
             'domain, hX = '//to_text(plan%hx, 5)//', hY = '//to_text(plan%hy, 5)//' ('//plan%grid_reason//')'
-         write (unit, '(a)') 'Resolution   hX sqrt(gamma M/L) = '//to_text(plan%resolution%inlet, 3)//resolution_text(plan)
+         write (unit, '(a)') 'Resolution   hX over the inlet length = '//to_text(plan%resolution%inlet, 3)//resolution_text(plan)
          if (plan%resolution%is_resolved) then
             write (unit, '(a)') '             resolved'
          else
@@ -96,6 +96,8 @@ contains
 
       write (unit, '(a)') 'Status       '//status_name(result%status)
       if (len(result%message) > 0) write (unit, '(a)') '             '//result%message
+      if (result%rung /= 'direct') write (unit, '(a)') 'Rescue       '//trim(result%rung)//', '// &
+         to_text(result%rescued_solutions)//' solutions rescued'
       if (ieee_is_finite(result%central_film)) call print_smooth_film()
       if (plan%waviness%is_present .and. is_success(result%status)) then
          write (unit, '(a)') 'Amplitude    Ad/Ai = '//to_text(result%amplitude_ratio, 5)//' (samples), '// &
@@ -171,6 +173,8 @@ contains
       call json%add('time_steps', result%time_steps)
       call json%add('nonlinear_steps', result%nonlinear_steps)
       call json%add('linear_steps', result%linear_steps)
+      call json%add('rung', trim(result%rung))
+      call json%add('rescued_solutions', result%rescued_solutions)
       call json%add('seconds', result%seconds)
       call json%add('work_units', result%work_units)
       call json%add('peak_memory_mib', result%peak_memory_mib)
