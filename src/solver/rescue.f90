@@ -91,13 +91,19 @@ contains
       type(given_t), intent(in) :: given_before        !! and what it was given
       type(solve_limits_t), intent(in) :: limits
 
+      logical :: starts_there
+
       level%report = solve_report_t()
+      starts_there = maxval(abs(level%state%p - before%p)) <= 0
       call self%attempt(level, limits)
       if (level%report%status == status_converged) return
-      level%state = before
-      call self%attempt(level, limits)
-      call self%note(level%report, rung_restart)
-      if (level%report%status == status_converged .or. .not. self%is_ready) return
+      if (.not. starts_there) then
+         level%state = before
+         call self%attempt(level, limits)
+         call self%note(level%report, rung_restart)
+         if (level%report%status == status_converged) return
+      end if
+      if (.not. self%is_ready) return
       call self%continue_step(level, before, given_before, limits)
       call self%note(level%report, rung_continuation)
       if (level%report%status == status_converged) return

@@ -1,6 +1,6 @@
 !> Runs one planned case.
 module ehlwave_case_runner
-   use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan, ieee_quiet_nan, ieee_value
    use ehlwave_amplitude, only: fitted_amplitude, sampled_amplitude
    use ehlwave_case_input, only: case_t
    use ehlwave_case_plan, only: case_plan_t, run_march, run_standing
@@ -112,14 +112,22 @@ contains
       character(len=*), intent(in) :: what
       type(case_result_t), intent(inout) :: result
       result%status = report%status
-      result%residual = max(result%residual, report%residual)
-      result%load_error = max(result%load_error, report%load_error)
+      result%residual = worse(result%residual, report%residual)
+      result%load_error = worse(result%load_error, report%load_error)
       result%nonlinear_steps = result%nonlinear_steps + report%nonlinear_steps
       result%linear_steps = result%linear_steps + report%linear_steps
       if (.not. is_success(report%status)) result%message = what//' '//status_name(report%status)//' after '// &
          to_text(report%nonlinear_steps)//' steps, residual '//to_text(report%residual, 3)// &
          ', load error '//to_text(report%load_error, 3)
    end subroutine take_report
+
+   !> The larger of two errors; NaN, which max() passes over, is the largest.
+   pure real(dp) function worse(first, second)
+      real(dp), intent(in) :: first, second
+      worse = max(first, second)
+      if (ieee_is_nan(first)) worse = first
+      if (ieee_is_nan(second)) worse = second
+   end function worse
 
    !> Moving pattern: march in time, then measure over the last period.
    subroutine run_moving(case, plan, level, rescue, monitor, result)
@@ -144,8 +152,8 @@ contains
       call march(level, settings, limits, rescue, monitor, history)
       result%status = history%status
       result%time_steps = history%steps
-      result%residual = max(result%residual, history%worst_residual)
-      result%load_error = max(result%load_error, history%worst_load_error)
+      result%residual = worse(worse(result%residual, history%worst_residual), level%report%residual)
+      result%load_error = worse(worse(result%load_error, history%worst_load_error), level%report%load_error)
       result%nonlinear_steps = result%nonlinear_steps + history%nonlinear_steps
       result%linear_steps = result%linear_steps + history%linear_steps
       result%time = history%time(:history%steps)
@@ -155,7 +163,7 @@ contains
          result%message = 'time step '//to_text(history%steps + 1)//' of '//to_text(plan%steps)//' '// &
                           status_name(history%status)//', residual '//to_text(level%report%residual, 3)// &
                           ', load error '//to_text(level%report%load_error, 3)
-      else if (plan%waviness%moves()) then
+      else if (plan%waviness%moves() .and. plan%measures) then
          associate (film => history%central_film(plan%first_sample:), time => history%time(plan%first_sample:))
             result%amplitude_ratio = sampled_amplitude(film)/amplitude
             result%amplitude_ratio_fit = fitted_amplitude(time, film, plan%waviness%period())/amplitude
