@@ -116,6 +116,7 @@ contains
       do l = 1, n
          associate (level => self%levels(l))
             call self%start_level(l)
+            call level%solver%forget()   ! factors of an earlier call, which rest on coarser levels as they were
             if (l == n) then
                call level%solver%solve(level%problem, level%state, limits, level%report)
             else

@@ -99,6 +99,7 @@ contains
       if (level%report%status == status_converged) return
       if (.not. starts_there) then
          level%state = before
+         call level%solver%forget()
          call self%attempt(level, limits)
          call self%note(level%report, rung_restart)
          if (level%report%status == status_converged) return
@@ -147,6 +148,7 @@ contains
       end if
       if (present(solver)) then
          call solver%solve(level%problem, level%state, bounded(limits, self%steps_left), report)
+         call level%solver%forget()   ! both use the coarser levels
       else
          call level%solver%solve(level%problem, level%state, bounded(limits, self%steps_left), report)
       end if

@@ -7,9 +7,19 @@ from itertools import product
 STIFF_CORNER = ((2000.0, 12.05, 1.0), (2000.0, 12.05, 0.04))
 """The stiffest conditions (M, L, D) of Venner, Kaneta and Lubrecht (2000)."""
 
-# Conditions (M, L) of the wavy and dynamic cases: light, the paper's, heavy, isoviscous, viscous.
-_CONDITIONS = ((3.0, 12.05), (100.0, 12.05), (1000.0, 12.05), (300.0, 0.0), (300.0, 30.0))
-_DYNAMICS = {"load_balance": "equation_of_motion", "natural_frequency": 5.0, "end_time": 2.0}
+# Conditions of the wavy and dynamic cases, and the cells along X that resolve their inlet.
+_CONDITIONS = (
+    (10.0, 12.05, 128),  # light
+    (100.0, 12.05, 128),  # the paper's
+    (1000.0, 12.05, 192),
+    (300.0, 0.0, 192),  # isoviscous
+    (300.0, 30.0, 128),  # very viscous
+)
+_CELLS_Y = 64
+_POINTS_PER_WAVE = 8
+_LENGTH = 4.0  # of the default domain along X
+_MOTION = {"load_balance": "equation_of_motion", "natural_frequency": 5.0}
+_Condition = tuple[float, float, int]
 
 
 @dataclass(frozen=True)
@@ -36,34 +46,42 @@ class Case:
         return "".join(lines)
 
 
-def quick_cases(cells: int = 128) -> list[Case]:
-    """Return cases on coarse grids that take a few minutes together."""
-    steady = _steady((3.0, 100.0, 1000.0, 10000.0), (0.0, 3.0, 12.05, 30.0), (0.005, 0.04, 1.0), cells)
-    conditions = ((100.0, 12.05), (1000.0, 12.05), (300.0, 30.0))
+def quick_cases() -> list[Case]:
+    """Return some of the cases, on grids of at most 128 cells: a few minutes on two cores."""
+    conditions = tuple(condition for condition in _CONDITIONS if condition[2] == 128)
+    steady = (0.0, 3.0, 12.05, 30.0), (0.005, 0.04, 1.0), 128
     return [
-        *steady,
-        *_waves(conditions, (0.25, 1.0, 4.0), (0.2, 0.9), cells // 2),
-        *_time_steps(conditions[:2], (0.25, 4.0), cells // 2),
-        *_slip(conditions[:2], (0.0, 0.5, 2.0), cells // 2),
-        *_lubricant(conditions[1:], cells // 2),
-        *_dynamic(conditions[:2], cells // 2),
-        *_coarse(cells // 4),
+        *_steady((3.0, 100.0, 1000.0, 10000.0), *steady),
+        *_waves(conditions, (0.25, 1.0, 4.0), (0.2, 0.9)),
+        *_unresolved_waves(conditions[:2], (0.05,)),
+        *_orientations(conditions[1:2], (0.04, 1.0)),
+        *_time_steps(conditions[1:], (0.25, 4.0)),
+        *_slip(conditions[1:], (0.0, 2.0)),
+        *_lubricant(conditions[1:]),
+        *_dynamic(conditions[1:]),
+        *_coarse(),
         *_outside(),
     ]
 
 
-def full_cases(largest_steady: int = 512, cells: int = 128) -> list[Case]:
-    """Return all cases: steady ones on grids up to `largest_steady`, the others on `cells`."""
+def full_cases() -> list[Case]:
+    """Return all cases but those of the corner: steady states on grids of up to 512 cells."""
     loads = (3.0, 10.0, 30.0, 100.0, 300.0, 1000.0, 3000.0, 10000.0)
-    ratios = (0.005, 0.04, 0.12, 0.35, 1.0)
+    viscous = (0.0, 1.0, 3.0, 6.0, 12.05, 20.0, 30.0)
     return [
-        *_steady(loads, (0.0, 1.0, 3.0, 6.0, 12.05, 20.0, 30.0), ratios, largest_steady),
-        *_waves(_CONDITIONS, (0.05, 0.125, 0.25, 0.5, 1.0, 2.0, 4.0), (0.01, 0.2, 0.5, 0.9), cells),
-        *_time_steps(_CONDITIONS, (0.25, 0.5, 2.0, 4.0), cells),
-        *_slip(_CONDITIONS, (0.0, 0.25, 0.5, 1.5, 2.0), cells),
-        *_lubricant(_CONDITIONS, cells),
-        *_dynamic(_CONDITIONS, cells),
-        *_coarse(32),
+        *_steady(loads, viscous, (0.005, 0.04, 0.12, 0.35, 1.0), 512),
+        *_wide((3.0, 10.0), (0.0, 12.05, 30.0), (0.35, 1.0)),
+        *_waves(_CONDITIONS, (0.25, 0.5, 1.0, 2.0, 4.0), (0.2, 0.9)),
+        *_waves(_CONDITIONS, (1.0,), (0.01, 0.5)),
+        *_waves(_CONDITIONS[1:2], (0.05,), (0.2, 0.9)),
+        *_waves(_CONDITIONS[1:3], (0.125,), (0.2, 0.9)),
+        *_unresolved_waves(_CONDITIONS, (0.05, 0.125)),
+        *_orientations(_CONDITIONS, (0.04, 1.0)),
+        *_time_steps(_CONDITIONS, (0.25, 0.5, 2.0, 4.0)),
+        *_slip(_CONDITIONS, (0.0, 0.25, 0.5, 1.5, 2.0)),
+        *_lubricant(_CONDITIONS),
+        *_dynamic(_CONDITIONS),
+        *_coarse(),
         *_outside(),
     ]
 
@@ -75,7 +93,7 @@ def corner_cases(cells: int = 512) -> list[Case]:
     ]
 
 
-def _case(family: str, variant: str, m: float, l: float, d: float, **groups: object) -> Case:  # noqa: E741
+def _case(family: str, variant: str, m: float, l: float, d: float, **groups: object) -> Case:
     conditions = {"load_parameter_m": m, "lubricant_parameter_l": l, "radius_ratio_d": d}
     extra = groups.pop("conditions", {})
     given = {name: keys for name, keys in groups.items() if keys}
@@ -91,93 +109,92 @@ def _steady(
 ) -> Iterator[Case]:
     """Yield smooth steady states on the grid that the program chooses, up to `largest` cells."""
     grid = {"cells_x": 0, "cells_y": 0, "largest_cells": largest}
-    for d, l, m in product(ratios, viscous, loads):  # noqa: E741
+    for d, l, m in product(ratios, viscous, loads):
         yield _case("steady", "smooth", m, l, d, grid=grid)
 
 
+def _wide(
+    loads: Sequence[float], viscous: Sequence[float], ratios: Sequence[float]
+) -> Iterator[Case]:
+    """Yield light contacts, whose thick film needs a longer and wider domain."""
+    grid = {"x_min": -8.0, "x_max": 2.0, "y_max": 4.0, "cells_x": 256, "cells_y": 192}
+    for d, l, m in product(ratios, viscous, loads):
+        yield _case("steady", "wide domain", m, l, d, grid=grid)
+
+
 def _waves(
-    conditions: Sequence[tuple[float, float]],
-    wavelengths: Sequence[float],
-    amplitudes: Sequence[float],
-    cells: int,
+    conditions: Sequence[_Condition], wavelengths: Sequence[float], amplitudes: Sequence[float]
 ) -> Iterator[Case]:
-    """Yield moving waves; the shortest ones are not resolved. Standing and slender ones too."""
-    for (m, l), wave, amplitude in product(conditions, wavelengths, amplitudes):  # noqa: E741
-        waviness = _transverse(wave, amplitude)
-        variant = f"wave {wave:g} a, {100 * amplitude:g} %"
-        yield _case("waves", variant, m, l, 1.0, waviness=waviness, grid=_grid(cells))
-    for (m, l), d, orientation in product(  # noqa: E741
-        conditions, (0.04, 1.0), ("isotropic", "longitudinal")
-    ):
-        waviness = {"orientation": orientation, "wavelength_over_a": 1.0, "amplitude_over_film": 0.9}
-        grid = {"cells_x": cells, "cells_y": 0, "largest_cells": 2 * cells}
-        yield _case(
-            "orientation", f"{orientation}, D {d:g}", m, l, d, waviness=waviness, grid=grid
-        )
+    """Yield moving waves on grids that resolve them."""
+    for (m, l, cells), wave, amplitude in product(conditions, wavelengths, amplitudes):
+        fine = max(cells, round(_POINTS_PER_WAVE * _LENGTH / wave))
+        yield _wavy("waves", f"{wave:g} a, {_percent(amplitude)}", (m, l, fine), wave, amplitude)
 
 
-def _time_steps(
-    conditions: Sequence[tuple[float, float]], steps: Sequence[float], cells: int
+def _unresolved_waves(
+    conditions: Sequence[_Condition], wavelengths: Sequence[float]
 ) -> Iterator[Case]:
-    for (m, l), step, amplitude in product(conditions, steps, (0.2, 0.9)):  # noqa: E741
-        yield _case(
-            "time step", f"{step:g} hX, {100 * amplitude:g} %", m, l, 1.0,
-            waviness=_transverse(1.0, amplitude), grid=_grid(cells),
-            solver={"time_step_over_cell": step},
-        )  # fmt: skip
+    for condition, wave in product(conditions, wavelengths):
+        yield _wavy("waves", f"{wave:g} a, coarse", condition, wave, 0.2)
 
 
-def _slip(
-    conditions: Sequence[tuple[float, float]], slips: Sequence[float], cells: int
-) -> Iterator[Case]:
-    for (m, l), slip, amplitude in product(conditions, slips, (0.2, 0.9)):  # noqa: E741
-        yield _case(
-            "slip", f"slip {slip:g}, {100 * amplitude:g} %", m, l, 1.0,
-            conditions={"slip_parameter": slip}, waviness=_transverse(1.0, amplitude),
-            grid=_grid(cells),
-        )  # fmt: skip
+def _orientations(conditions: Sequence[_Condition], ratios: Sequence[float]) -> Iterator[Case]:
+    """Yield patterns that vary across, resolved in Y too."""
+    orientations = ("isotropic", "longitudinal")
+    for (m, l, cells), d, orientation in product(conditions, ratios, orientations):
+        waviness = {
+            "orientation": orientation,
+            "wavelength_over_a": 1.0,
+            "amplitude_over_film": 0.9,
+        }
+        across = 4 * _CELLS_Y if d < 0.1 else _CELLS_Y
+        grid = {"cells_x": cells, "cells_y": across}
+        variant = f"{orientation}, D {d:g}"
+        yield _case("orientation", variant, m, l, d, waviness=waviness, grid=grid)
 
 
-def _lubricant(conditions: Sequence[tuple[float, float]], cells: int) -> Iterator[Case]:
-    laws = {
-        "Barus": {"viscosity_law": "barus"},
-        "incompressible": {"density_law": "incompressible"},
-        "Barus, incompressible": {"viscosity_law": "barus", "density_law": "incompressible"},
-    }
-    for (m, l), (name, lubricant) in product(conditions, laws.items()):  # noqa: E741
-        for amplitude in (0.2, 0.9):
-            yield _case(
-                "lubricant", f"{name}, {100 * amplitude:g} %", m, l, 1.0, lubricant=lubricant,
-                waviness=_transverse(1.0, amplitude), grid=_grid(cells),
-            )  # fmt: skip
+def _time_steps(conditions: Sequence[_Condition], steps: Sequence[float]) -> Iterator[Case]:
+    for condition, step, amplitude in product(conditions, steps, (0.2, 0.9)):
+        variant = f"{step:g} hX, {_percent(amplitude)}"
+        solver = {"time_step_over_cell": step}
+        yield _wavy("time step", variant, condition, 1.0, amplitude, solver=solver)
 
 
-def _dynamic(conditions: Sequence[tuple[float, float]], cells: int) -> Iterator[Case]:
-    """Yield load steps of smooth and wavy contacts, with and without inertia."""
-    for (m, l), factor in product(conditions, (0.5, 2.0)):  # noqa: E741
+def _slip(conditions: Sequence[_Condition], slips: Sequence[float]) -> Iterator[Case]:
+    for condition, slip, amplitude in product(conditions, slips, (0.2, 0.9)):
+        variant = f"S {slip:g}, {_percent(amplitude)}"
+        keys = {"slip_parameter": slip}
+        yield _wavy("slip", variant, condition, 1.0, amplitude, conditions=keys)
+
+
+def _lubricant(conditions: Sequence[_Condition]) -> Iterator[Case]:
+    barus = {"viscosity_law": "barus"}
+    incompressible = {"density_law": "incompressible"}
+    laws = {"B.": barus, "inc.": incompressible, "B. inc.": {**barus, **incompressible}}
+    for condition, (name, lubricant), amplitude in product(conditions, laws.items(), (0.2, 0.9)):
+        variant = f"{name} {_percent(amplitude)}"
+        yield _wavy("lubricant", variant, condition, 1.0, amplitude, lubricant=lubricant)
+
+
+def _dynamic(conditions: Sequence[_Condition]) -> Iterator[Case]:
+    """Yield load steps of smooth and wavy contacts, without inertia and with it."""
+    for condition, factor in product(conditions, (0.5, 2.0)):
+        m, l, cells = condition
+        grid = {"cells_x": cells, "cells_y": _CELLS_Y}
         step = {"load_factor": factor, "end_time": 2.0}
-        yield _case(
-            "dynamics", f"force x {factor:g}", m, l, 1.0, grid=_grid(cells), dynamics=step
-        )
-        yield _case(
-            "dynamics", f"motion, force x {factor:g}", m, l, 1.0, grid=_grid(cells),
-            dynamics={**_DYNAMICS, **step},
-        )  # fmt: skip
-        yield _case(
-            "dynamics", f"motion, force x {factor:g}, wave", m, l, 1.0, grid=_grid(cells),
-            waviness=_transverse(1.0, 0.5), dynamics={**_DYNAMICS, **step},
-        )  # fmt: skip
+        name = f"F x {factor:g}"
+        yield _case("dynamics", name, m, l, 1.0, grid=grid, dynamics=step)
+        motion = {**_MOTION, **step}
+        yield _case("dynamics", f"{name}, motion", m, l, 1.0, grid=grid, dynamics=motion)
+        yield _wavy("dynamics", f"{name}, m., wave", condition, 1.0, 0.5, dynamics=motion)
 
 
-def _coarse(cells: int) -> Iterator[Case]:
+def _coarse(cells: int = 32) -> Iterator[Case]:
     """Yield cases on a grid far too coarse for them: they must say so."""
-    for m, l, d in product((100.0, 2000.0, 10000.0), (0.0, 12.05, 30.0), (0.04, 1.0)):  # noqa: E741
-        yield _case("coarse", f"{cells} cells", m, l, d, grid=_grid(cells))
-    for m, l in ((2000.0, 12.05), (1000.0, 30.0)):  # noqa: E741
-        yield _case(
-            "coarse", f"{cells} cells, wave", m, l, 1.0, grid=_grid(cells),
-            waviness=_transverse(0.25, 0.5),
-        )  # fmt: skip
+    for m, l in product((300.0, 2000.0, 10000.0), (0.0, 12.05, 30.0)):
+        yield _case("coarse", f"{cells} cells", m, l, 1.0, grid=_grid(cells))
+    for m, l in ((100.0, 12.05), (2000.0, 12.05), (2000.0, 30.0)):
+        yield _wavy("coarse", f"{cells} cells, wave", (m, l, cells), 0.25, 0.5)
 
 
 def _outside() -> Iterator[Case]:
@@ -188,20 +205,33 @@ def _outside() -> Iterator[Case]:
     yield _case("outside", "L = -1", 100.0, -1.0, 1.0)
     yield _case("outside", "M = 1e30", 1e30, 12.05, 1.0)
     yield _case("outside", "L = 1e6", 100.0, 1e6, 1.0)
-    yield _case("outside", "slip 3", 100.0, 12.05, 1.0, conditions={"slip_parameter": 3.0})
-    yield _case("outside", "amplitude 2", 100.0, 12.05, 1.0, waviness=_transverse(1.0, 2.0))
-    yield _case(
-        "outside", "slip 1e-9", 100.0, 12.05, 1.0, conditions={"slip_parameter": 1e-9},
-        waviness=_transverse(1.0, 0.2),
-    )  # fmt: skip
+    yield _case("outside", "S = 3", 100.0, 12.05, 1.0, conditions={"slip_parameter": 3.0})
+    usual = (100.0, 12.05, 128)
+    yield _wavy("outside", "amplitude 200 %", usual, 1.0, 2.0)
+    yield _wavy("outside", "S = 1e-9", usual, 1.0, 0.2, conditions={"slip_parameter": 1e-9})
 
 
-def _transverse(wavelength: float, amplitude: float) -> dict[str, float | str]:
-    return {
+def _wavy(
+    family: str,
+    variant: str,
+    condition: _Condition,
+    wavelength: float,
+    amplitude: float,
+    **groups: dict[str, float | str],
+) -> Case:
+    """Return a circular contact with transverse waves."""
+    m, l, cells = condition
+    waviness = {
         "orientation": "transverse",
         "wavelength_over_a": wavelength,
         "amplitude_over_film": amplitude,
     }
+    grid = {"cells_x": cells, "cells_y": _CELLS_Y if cells > 32 else cells}
+    return _case(family, variant, m, l, 1.0, waviness=waviness, grid=grid, **groups)
+
+
+def _percent(amplitude: float) -> str:
+    return f"{100 * amplitude:g} %"
 
 
 def _literal(value: float | str) -> str:

@@ -93,7 +93,9 @@ def _faults(result: dict[str, Any], exit_code: int) -> list[str]:
     if status in ("converged", "unresolved"):
         faults += _wrong_numbers(result)
     else:
-        faults += [f"not converged, yet {name} given" for name in _RATIOS if _is_number(result[name])]
+        faults += [
+            f"not converged, yet {name} given" for name in _RATIOS if _is_number(result[name])
+        ]
         if "smooth surfaces" in result["message"]:
             faults += [
                 f"no steady state, yet {name} given" for name in _FILMS if _is_number(result[name])
@@ -123,7 +125,7 @@ def _wrong_numbers(result: dict[str, Any]) -> list[str]:
     return faults
 
 
-def film_formula(m: float, l: float, d: float) -> float:  # noqa: E741
+def film_formula(m: float, l: float, d: float) -> float:
     """Return the central film thickness in the Moes scale, Nijenbanning, Venner and Moes (1994)."""
     rigid_isoviscous = 145 * (1 + 0.796 * d ** (14 / 15)) ** (-15 / 7) / d / m**2
     rigid_piezoviscous = 1.29 * (1 + 0.691 * d) ** (-2 / 3) * l ** (2 / 3)
@@ -134,9 +136,7 @@ def film_formula(m: float, l: float, d: float) -> float:  # noqa: E741
     ratio = elastic_isoviscous / elastic_piezoviscous if l > 0 else math.inf
     s = 1.5 * (1 + math.exp(-1.2 * ratio))
     left = rigid_isoviscous**1.5 + (elastic_isoviscous**-4 + limit**-4) ** (-3 / 8)
-    right = (
-        (rigid_piezoviscous**-8 + elastic_piezoviscous**-8) ** (-s / 8) if l > 0 else 0.0
-    )
+    right = (rigid_piezoviscous**-8 + elastic_piezoviscous**-8) ** (-s / 8) if l > 0 else 0.0
     return (left ** (2 * s / 3) + right) ** (1 / s)
 
 
