@@ -28,6 +28,7 @@ module ehlwave_rescue
       integer :: steps_left = huge(1)    !! nonlinear steps of the finest level that the case may still take
       integer :: rung = rung_direct      !! the highest one that a solution needed, or that was tried in vain
       integer :: rescued = 0             !! solutions that took more than the direct solve
+      real(dp) :: thinnest = huge(1.0_dp)  !! smallest H of all that was solved on the way, with places of a continuation
    contains
       procedure :: solve_steady
       procedure :: solve_step
@@ -153,6 +154,7 @@ contains
          call level%solver%solve(level%problem, level%state, bounded(limits, self%steps_left), report)
       end if
       call check(level%state, report)
+      if (report%status == status_converged) self%thinnest = min(self%thinnest, minval(level%state%h))
       self%steps_left = self%steps_left - report%nonlinear_steps
       call add_steps(report, level%report)
       level%report = report

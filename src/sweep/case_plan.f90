@@ -40,7 +40,7 @@ module ehlwave_case_plan
 
    integer, parameter :: grid_sizes(15) = [64, 96, 128, 192, 256, 384, 512, 768, 1024, 1536, 2048, 3072, 4096, 6144, 8192]
    integer, parameter :: most_steps = 1000000
-   integer, parameter :: steps_per_time_step = 15    !! nonlinear steps that a time step may take on average
+   integer, parameter :: steps_per_time_step = 40    !! nonlinear steps that a time step may take on average
    real(dp), parameter :: outlet_end = 1             !! X of the outlet end of the Hertzian contact
 
 contains

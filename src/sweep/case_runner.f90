@@ -12,6 +12,7 @@ module ehlwave_case_runner
    use ehlwave_kinds, only: dp, pi
    use ehlwave_level_solver, only: solve_limits_t, solve_report_t
    use ehlwave_monitor, only: monitor_t
+   use ehlwave_resolution, only: touching_reason
    use ehlwave_rescue, only: rescue_t, rung_name
    use ehlwave_state, only: state_t
    use ehlwave_status, only: is_success, status_converged, status_name, status_unresolved
@@ -36,6 +37,7 @@ contains
       type(full_multigrid_t), target :: multigrid
       type(solve_limits_t) :: limits
       type(rescue_t) :: rescue
+      character(len=:), allocatable :: unresolved
       real(dp) :: start
 
       start = wall_seconds()
@@ -81,6 +83,9 @@ contains
          end if
       end associate
 
+      unresolved = plan%resolution%reason
+      if (plan%waviness%is_present) unresolved = unresolved//touching_reason(rescue%thinnest, result%central_film)
+      result%is_resolved = len(unresolved) == 0
       result%rung = rung_name(rescue%rung)
       result%rescued_solutions = rescue%rescued
       if (.not. is_success(result%status) .and. rescue%steps_left <= 0) result%message = result%message// &
@@ -88,7 +93,7 @@ contains
       if (.not. result%is_resolved) then
          if (.not. is_success(result%status)) result%message = result%message//'; not resolved: '
          if (is_success(result%status)) result%status = status_unresolved
-         result%message = result%message//plan%resolution%reason
+         result%message = result%message//unresolved
       end if
       result%seconds = wall_seconds() - start
       result%work_units = result%seconds/work_unit_seconds(plan%cells_x, plan%cells_y)

@@ -112,7 +112,8 @@ contains
          call reals('points_per_wave_y', plans%resolution%points_y, '1', 'mesh sizes per wave along Y')
          call reals('inlet_resolution', plans%resolution%inlet, '1', 'hX over the length of the inlet pressure sweep')
          call reals('inlet_gap_over_film', plans%resolution%inlet_gap, '1', 'gap at x_min over the film of the formula')
-         call integers('is_resolved', merge(1, 0, plans%resolution%is_resolved), '1 when the grid resolves the case')
+         call integers('is_resolved', merge(1, 0, plans%resolution%is_resolved .and. rows%result%is_resolved), &
+                       '1 when the grid resolves the case')
       end subroutine write_inputs
 
       subroutine write_outcomes()

@@ -3,7 +3,7 @@ program test_resolution
    use ehlwave_conditions, only: conditions_from_moes, conditions_t
    use ehlwave_errors, only: error_t
    use ehlwave_kinds, only: dp
-   use ehlwave_resolution, only: inlet_gap, inlet_length, judge_resolution, resolution_t
+   use ehlwave_resolution, only: inlet_gap, inlet_length, judge_resolution, resolution_t, touching_reason
    use ehlwave_waviness, only: new_waviness, no_waviness
    use sample_contact, only: make_conditions
    use testing, only: test_t
@@ -16,6 +16,7 @@ program test_resolution
    conditions = make_conditions(100.0_dp, 1.0_dp)
    call check_inlet()
    call check_domain()
+   call check_touching()
    call check_waves()
    call test%finish()
 
@@ -57,6 +58,11 @@ contains
       r = judge_resolution(make_conditions(50.0_dp, 0.04_dp), no_waviness(), -2.5_dp, 0.1_dp*h, h, 0.0_dp)
       call test%check(r%is_resolved .and. r%inlet_gap < 8, 'not flooded but usable: the lightest contact of the paper')
    end subroutine check_domain
+
+   subroutine check_touching()
+      call test%check(touching_reason(0.004_dp, 0.1_dp) == '', 'a film of 4 per cent')
+      call test%check(index(touching_reason(0.002_dp, 0.1_dp), 'falls to 2 per cent') > 0, 'a film of 2 per cent')
+   end subroutine check_touching
 
    subroutine check_waves()
       type(resolution_t) :: r
