@@ -15,6 +15,7 @@ program test_resolution
 
    conditions = make_conditions(100.0_dp, 1.0_dp)
    call check_inlet()
+   call check_sides()
    call check_domain()
    call check_touching()
    call check_waves()
@@ -43,6 +44,16 @@ contains
       r = judge_resolution(conditions, no_waviness(), -2.5_dp, 2*h, h, 0.0_dp)
       call test%check(.not. r%is_resolved .and. index(r%reason, 'hX') > 0, 'coarse inlet')
    end subroutine check_inlet
+
+   subroutine check_sides()
+      type(resolution_t) :: r
+      real(dp) :: inlet
+      inlet = inlet_length(conditions)
+      r = judge_resolution(conditions, no_waviness(), -2.5_dp, 0.2_dp*inlet, 0.39_dp*inlet, 0.0_dp)
+      call test%check(r%is_resolved, 'sides fine enough')
+      r = judge_resolution(conditions, no_waviness(), -2.5_dp, 0.2_dp*inlet, 0.41_dp*inlet, 0.0_dp)
+      call test%check(.not. r%is_resolved .and. index(r%reason, 'hY') > 0, 'coarse sides')
+   end subroutine check_sides
 
    subroutine check_domain()
       type(conditions_t) :: light

@@ -70,14 +70,17 @@ def parameter_map(rows: Sequence[Row]) -> Figure:
     families = list(dict.fromkeys(row.case.family for row in others))
     tables = {name: [row for row in others if row.case.family == name] for name in families}
     shapes = {
-        name: (_unique(map(_condition, t)), _unique(_variants(t))) for name, t in tables.items()
+        name: (_unique(map(_condition, sorted(t, key=_load_and_viscosity))), _unique(_variants(t)))
+        for name, t in tables.items()
     }
     with rc_context(_STYLE):
         figure = Figure(figsize=(11, 0.5 + _column_height(shapes.values())), layout="constrained")
         columns = [[], []]
         for name in sorted(families, key=lambda name: -len(shapes[name][1])):
             min(columns, key=lambda column: sum(len(shapes[n][1]) + 3 for n in column)).append(name)
-        for part, names in zip(figure.subfigures(1, 2), columns, strict=True):
+        columns = [names for names in columns if names]
+        parts = figure.subfigures(1, len(columns), squeeze=False)[0]
+        for part, names in zip(parts, columns, strict=True):
             ratios = [len(shapes[name][1]) + 1 for name in names]
             panels = part.subplots(len(names), 1, height_ratios=ratios, squeeze=False)[:, 0]
             for axes, name in zip(panels, names, strict=True):
@@ -130,6 +133,10 @@ def _legend(figure: Figure, rows: Sequence[Row]) -> None:
     rim = {"markerfacecolor": "white", "markeredgecolor": _RESCUED_EDGE, "markeredgewidth": 1.4}
     handles.append(Line2D([], [], marker="s", linestyle="", markersize=9, label="rescued", **rim))
     figure.legend(handles=handles, loc="outside lower center", ncols=3, frameon=False)
+
+
+def _load_and_viscosity(row: Row) -> tuple[float, float]:
+    return row.case.value("load_parameter_m"), row.case.value("lubricant_parameter_l")
 
 
 def _condition(row: Row) -> str:
