@@ -17,6 +17,7 @@ module ehlwave_resolution
 
    real(dp), parameter, public :: narrowest_inlet_gap = 4/3.0_dp    !! gap at the inlet boundary over the film thickness
    real(dp), parameter, public :: flooded_inlet_gap = 8             !! from which on the film does not feel the boundary
+   real(dp), parameter, public :: thick_film_gap = 40               !! the gap wanted on all sides of a film above 1
 
    real(dp), parameter, public :: touching_film = 0.03_dp           !! smallest film over the smooth central one, see there
 
@@ -49,13 +50,15 @@ contains
    !>
    !> the gap beside a line contact (a circular one is 10 per cent wider there). Measured against domains four times
    !> as long, L = 0 and 12.05, D = 0.005 to 1: the film is 5 per cent too thin at 8, 8 to 20 per cent at 2 to 3,
-   !> 20 to 25 per cent at 1.2, and has nothing to do with the flooded one below 0.1.
+   !> 20 to 25 per cent at 1.2, and has nothing to do with the flooded one below 0.1. That holds for H < 1. A thicker
+   !> film hardly deforms the surfaces, and pressure spreads far: M = 3, D = 1 is still 34 per cent off at 3.5 on the
+   !> sides and 12 per cent at 37.
    pure real(dp) function inlet_gap(conditions, x_min)
       type(conditions_t), intent(in) :: conditions
       real(dp), intent(in) :: x_min   !! X of the inlet boundary, -1 or less
       real(dp) :: root
       root = sqrt(max(0.0_dp, x_min**2 - 1))
-      inlet_gap = conditions%s*(-x_min*root - log(-x_min + root))*conditions%moes_film_factor/moes_film_formula(conditions)
+      inlet_gap = conditions%s*(-x_min*root - log(-x_min + root))/expected_film(conditions)
    end function inlet_gap
 
    !> Why a solution with this smallest film is not resolved; '' when it is.
@@ -73,11 +76,29 @@ contains
          to_text(100*touching_film, 2)//' needed: reduce amplitude_over_film; '
    end function touching_reason
 
+   !> H(0,0) by the formula.
+   pure real(dp) function expected_film(conditions)
+      type(conditions_t), intent(in) :: conditions
+      expected_film = moes_film_formula(conditions)/conditions%moes_film_factor
+   end function expected_film
+
+   !> Whether a film above 1 has all the domain that it needs: X = x_min, and Y = y_max with 1 - S in place of S.
+   pure logical function has_room(conditions, x_min, y_max)
+      type(conditions_t), intent(in) :: conditions
+      real(dp), intent(in) :: x_min, y_max
+      real(dp) :: side
+      has_room = .true.
+      if (expected_film(conditions) <= 1) return
+      side = (1 - conditions%s)/conditions%s*inlet_gap(conditions, -y_max)
+      has_room = min(side, inlet_gap(conditions, x_min)) >= thick_film_gap
+   end function has_room
+
    !> Points per wave and per inlet sweep, the length of the inlet, and the verdict on them.
-   pure function judge_resolution(conditions, waviness, x_min, hx, hy, dt) result(self)
+   pure function judge_resolution(conditions, waviness, x_min, y_max, hx, hy, dt) result(self)
       type(conditions_t), intent(in) :: conditions
       type(waviness_t), intent(in) :: waviness
       real(dp), intent(in) :: x_min    !! X of the inlet boundary
+      real(dp), intent(in) :: y_max    !! half the width of the domain
       real(dp), intent(in) :: hx, hy   !! mesh sizes in X and Y
       real(dp), intent(in) :: dt       !! time step, 0 in steady cases
       type(resolution_t) :: self
@@ -95,6 +116,9 @@ contains
       if (.not. self%inlet_gap >= narrowest_inlet_gap) self%reason = self%reason//'the film is as thick as the gap at x_min'// &
          ' (ratio '//to_text(self%inlet_gap, 3)//', at least '//to_text(narrowest_inlet_gap, 3)// &
          ' needed): take x_min farther out; '
+      if (.not. has_room(conditions, x_min, y_max)) self%reason = self%reason//'the film, H = '// &
+         to_text(expected_film(conditions), 3)//' by the formula, is thicker than the Hertzian approach and needs a gap of '// &
+         to_text(thick_film_gap, 3)//' times that at x_min and y_max: such a contact is better solved as rigid; '
       if (waviness%is_present .and. waviness%wavelength_x > 0) then
          ! with slip the pattern also excites waves of length lambda/S that travel with the mean speed
          self%points_x = waviness%wavelength_x/hx/max(1.0_dp, abs(waviness%slip))

@@ -73,7 +73,7 @@ contains
          plan%phases = merge(8, 2, plan%waviness%wavelength_x > 0)
       end if
       if (allocated(error)) return
-      plan%resolution = judge_resolution(plan%conditions, plan%waviness, case%x_min, plan%hx, plan%hy, plan%dt)
+      plan%resolution = judge_resolution(plan%conditions, plan%waviness, case%x_min, case%y_max, plan%hx, plan%hy, plan%dt)
       plan%cost = real(plan%cells_x, dp)*plan%cells_y*(15 + 6*plan%phases + 4*plan%steps)
       if (plan%is_half) plan%cost = 0.5_dp*plan%cost
       plan%largest_total_steps = case%largest_total_steps
