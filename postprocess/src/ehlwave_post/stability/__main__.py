@@ -7,13 +7,23 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from ehlwave_post.figures import write_figure
-from ehlwave_post.stability import corner_cases, full_cases, parameter_map, quick_cases, steady_map
+from ehlwave_post.stability import (
+    corner_cases,
+    full_cases,
+    parameter_map,
+    quick_cases,
+    steady_cases,
+    steady_map,
+    wavy_cases,
+)
 from ehlwave_post.stability.outcome import Row
 from ehlwave_post.stability.run import run_cases
-from ehlwave_post.stability.table import summary, write_table
+from ehlwave_post.stability.table import bad_line, summary, write_table
 
 _SETS = {
     "quick": quick_cases,
+    "steady": steady_cases,
+    "wavy": wavy_cases,
     "full": lambda: [*full_cases(), *corner_cases()],
     "corner": corner_cases,
 }
@@ -26,13 +36,18 @@ def main(arguments: Sequence[str] | None = None) -> int:
     options.output.mkdir(parents=True, exist_ok=True)
     start = time.monotonic()
 
+    rows: list[Row] = []
+
     def report(done: int, row: Row) -> None:
-        if row.is_bad or done % 25 == 0 or done == len(cases):
+        rows.append(row)
+        write_table(options.output / "stability.csv", rows)  # a long run may be cut short
+        if row.is_bad:
+            print(bad_line(row), flush=True)
+        if done % 25 == 0 or done == len(cases):
             elapsed = time.monotonic() - start
             print(f"{done}/{len(cases)} cases, {elapsed:.0f} s", flush=True)
 
-    rows = run_cases(options.program, cases, options.limit, options.at_once, report)
-    write_table(options.output / "stability.csv", rows)
+    run_cases(options.program, cases, options.limit, options.at_once, report)
     text = summary(rows)
     (options.output / "summary.txt").write_text(text + "\n", encoding="utf-8")
     if any(row.case.family == "steady" for row in rows):

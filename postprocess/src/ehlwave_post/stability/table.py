@@ -72,11 +72,12 @@ def summary(rows: Sequence[Row]) -> str:
         + ", ".join(f"{name} {count}" for name, count in rungs.most_common()),
         f"{sum(bool(row.faults) for row in rows)} results that claim what they should not",
     ]
-    lines += [_bad_line(row) for row in rows if row.is_bad]
+    lines += [bad_line(row) for row in rows if row.is_bad]
     return "\n".join(lines)
 
 
-def _bad_line(row: Row) -> str:
+def bad_line(row: Row) -> str:
+    """Return what the case was and what is wrong with it."""
     case = row.case
     keys = ("load_parameter_m", "lubricant_parameter_l", "radius_ratio_d")
     m, l, d = (case.value(key) for key in keys)
