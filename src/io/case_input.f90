@@ -40,6 +40,7 @@ module ehlwave_case_input
       real(dp) :: step_tolerance = 1e-3_dp
       real(dp) :: time_step_over_cell = 1
       integer :: largest_steps = 60
+      integer :: largest_total_steps = 0                 !! 0: chosen by the plan
       integer :: settling_periods = 1
       character(len=name_length) :: method = 'newton'
       character(len=name_length) :: cycle = ''           !! of method = 'fas', completed
@@ -110,6 +111,7 @@ contains
       call file%get(file_group, 'step_tolerance', case%step_tolerance, error, minimum=1e-12_dp, maximum=0.1_dp)
       call file%get(file_group, 'time_step_over_cell', case%time_step_over_cell, error, above=0.0_dp)
       call file%get(file_group, 'largest_steps', case%largest_steps, error, minimum=1, maximum=10000)
+      call file%get(file_group, 'largest_total_steps', case%largest_total_steps, error, minimum=0, maximum=1000000000)
       call file%get(file_group, 'settling_periods', case%settling_periods, error, minimum=0, maximum=1000)
       call file%get_fixed(file_group, 'method', case%method, error, &
                           [character(len=name_length) :: 'newton', 'fas', 'petsc'])

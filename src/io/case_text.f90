@@ -49,7 +49,7 @@ contains
              //'&solver'//line_end//number('tolerance', case%tolerance) &
              //number('step_tolerance', case%step_tolerance)//number('time_step_over_cell', case%time_step_over_cell) &
              //whole('largest_steps', case%largest_steps)//whole('settling_periods', case%settling_periods) &
-             //word('method', case%method)
+             //optional_whole('largest_total_steps', case%largest_total_steps)//word('method', case%method)
       if (case%method == 'fas') text = text//word('cycle', case%cycle)
       text = text//word('deformation', case%deformation)//'/'//line_end &
              //'&dynamics'//line_end//word('load_balance', case%load_balance)
@@ -72,6 +72,15 @@ contains
       character(len=:), allocatable :: line
       line = '  '//key//' = '//to_text(value)//line_end
    end function whole
+
+   !> Nothing for 0, which stands for a choice of the plan.
+   pure function optional_whole(key, value) result(line)
+      character(len=*), intent(in) :: key
+      integer, intent(in) :: value
+      character(len=:), allocatable :: line
+      line = ''
+      if (value > 0) line = whole(key, value)
+   end function optional_whole
 
    pure function word(key, value) result(line)
       character(len=*), intent(in) :: key, value

@@ -55,6 +55,7 @@ contains
       call file%attribute('', 'effective_input', effective_input(case))
       call file%attribute('', 'status', status_name(result%status))
       call file%attribute('', 'message', result%message)
+      call file%attribute('', 'rung', trim(result%rung))
 
       call file%write('central_film', result%central_film, '1', 'smooth central film thickness H(0,0)')
       call file%write('minimum_film', result%minimum_film, '1', 'smallest film thickness H of the smooth contact')

@@ -5,6 +5,8 @@ module ehlwave_case_result
    implicit none (type, external)
    private
 
+   integer, parameter, public :: rung_length = 12
+
    type, public :: case_result_t
       integer :: status = status_pending
       logical :: is_resolved = .true.
@@ -26,6 +28,8 @@ module ehlwave_case_result
       ! effort
       integer :: time_steps = 0                      !! steps done
       integer :: nonlinear_steps = 0, linear_steps = 0
+      character(len=rung_length) :: rung = 'direct'  !! highest rung of the rescue ladder used, see solver/rescue
+      integer :: rescued_solutions = 0               !! solutions that took more than the direct solve
       real(dp) :: seconds = 0                        !! wall time of the case
       real(dp) :: work_units = 0                     !! the same in plain FFT convolutions of the whole grid
       real(dp) :: peak_memory_mib = 0                !! of the process so far

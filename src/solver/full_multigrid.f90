@@ -32,6 +32,7 @@ module ehlwave_full_multigrid
    contains
       procedure :: init
       procedure :: solve
+      procedure :: start_level
    end type full_multigrid_t
 
    integer, parameter :: fewest_cells = 24   !! along X or over the whole width, on the coarsest grid
@@ -133,14 +134,7 @@ contains
       coarse_limits%tolerance = max(limits%tolerance, coarse_tolerance)
       do l = 1, n
          associate (level => self%levels(l))
-            if (l == 1) then
-               call hertz_guess(level%problem, level%state)
-            else
-               call interpolate(self%levels(l - 1)%problem%grid, level%problem%grid, &
-                                self%levels(l - 1)%state%p, level%state%p)
-               level%state%p = max(level%state%p, 0.0_dp)
-               level%state%delta = self%levels(l - 1)%state%delta
-            end if
+            call self%start_level(l)
             if (l == n) then
                call level%solver%solve(level%problem, level%state, limits, level%report)
             else
@@ -150,6 +144,23 @@ contains
          end associate
       end do
    end subroutine solve
+
+   !> First guess of a level: the solution of the next coarser one, on the coarsest that of Hertz.
+   subroutine start_level(self, l)
+      class(full_multigrid_t), intent(inout) :: self
+      integer, intent(in) :: l
+
+      associate (level => self%levels(l))
+         if (l == 1) then
+            call hertz_guess(level%problem, level%state)
+         else
+            call interpolate(self%levels(l - 1)%problem%grid, level%problem%grid, &
+                             self%levels(l - 1)%state%p, level%state%p)
+            level%state%p = max(level%state%p, 0.0_dp)
+            level%state%delta = self%levels(l - 1)%state%delta
+         end if
+      end associate
+   end subroutine start_level
 
    !> Hertz pressure, and the approach that leaves the formula's central film thickness.
    subroutine hertz_guess(problem, state)

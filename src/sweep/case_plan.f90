@@ -30,7 +30,9 @@ module ehlwave_case_plan
       integer :: cells_per_step = 1, steps_per_cell = 1
       real(dp) :: dt = 0                             !! time step, 0 without march
       integer :: steps = 0                           !! time steps
-      integer :: first_sample = 0                    !! step from which the amplitude is measured
+      integer :: first_sample = 0                    !! step from which the amplitude is measured,
+      logical :: measures = .true.                   !! if the march is long enough for that
+      integer :: largest_total_steps = 0             !! cap on the nonlinear steps of the finest grid
       integer :: phases = 0                          !! steady solutions of a standing pattern
       type(resolution_t) :: resolution
       real(dp) :: cost = 0                           !! expected effort, node updates of the finest grid
@@ -38,6 +40,7 @@ module ehlwave_case_plan
 
    integer, parameter :: grid_sizes(15) = [64, 96, 128, 192, 256, 384, 512, 768, 1024, 1536, 2048, 3072, 4096, 6144, 8192]
    integer, parameter :: most_steps = 1000000
+   integer, parameter :: steps_per_time_step = 40    !! nonlinear steps that a time step may take on average
    real(dp), parameter :: outlet_end = 1             !! X of the outlet end of the Hertzian contact
 
 contains
@@ -70,9 +73,13 @@ contains
          plan%phases = merge(8, 2, plan%waviness%wavelength_x > 0)
       end if
       if (allocated(error)) return
-      plan%resolution = judge_resolution(plan%conditions, plan%waviness, plan%hx, plan%hy, plan%dt)
+      plan%resolution = judge_resolution(plan%conditions, plan%waviness, case%x_min, case%y_max, plan%hx, plan%hy, plan%dt)
       plan%cost = real(plan%cells_x, dp)*plan%cells_y*(15 + 6*plan%phases + 4*plan%steps)
       if (plan%is_half) plan%cost = 0.5_dp*plan%cost
+      plan%largest_total_steps = case%largest_total_steps
+      ! a steady state takes 5 to 20 steps, a time step 2 to 5: room for the rescue ladder
+      if (plan%largest_total_steps == 0) &
+         plan%largest_total_steps = case%largest_steps*(10 + 5*plan%phases) + steps_per_time_step*plan%steps
    end subroutine make_plan
 
    pure integer function viscosity_number(case)
@@ -105,7 +112,7 @@ contains
       why_x = 'asked for'
       if (plan%cells_x == 0) then
          wanted_x = length_x*inlet_length(plan%conditions)**(-1)/wanted_inlet
-         why_x = 'for hX sqrt(gamma M/L) <= '//to_text(wanted_inlet, 2)
+         why_x = 'for hX over the inlet length <= '//to_text(wanted_inlet, 2)
          if (plan%waviness%wavelength_x > 0) then
             if (wanted_points_per_wave*length_x*max(1.0_dp, plan%waviness%slip)/plan%waviness%wavelength_x > wanted_x) then
                wanted_x = wanted_points_per_wave*length_x*max(1.0_dp, plan%waviness%slip)/plan%waviness%wavelength_x
@@ -146,12 +153,13 @@ contains
 
    !> Steps until the slower of the surface pattern (speed S) and of the pattern in the lubricant (speed 1) has
    !> passed the outlet end, `settling_periods` more (measured: long waves, lambda = 2 a, are 2 per cent off in the
-   !> first period and below 0.1 per cent in the second), then one period. An `end_time` overrides this.
+   !> first period and below 0.1 per cent in the second), then one period. An `end_time` overrides this; where it comes
+   !> before the patterns have passed and one period more, no amplitude is measured.
    subroutine plan_march(case, plan, error)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(inout) :: plan
       type(error_t), allocatable, intent(inout) :: error
-      real(dp) :: settled, total
+      real(dp) :: passed, settled, total
 
       plan%kind = run_march
       if (case%time_step_over_cell >= 1) then
@@ -161,11 +169,12 @@ contains
       end if
       plan%dt = plan%hx*plan%cells_per_step/plan%steps_per_cell
       if (plan%waviness%moves()) then
-         settled = (outlet_end - case%x_min)/min(1.0_dp, plan%waviness%slip) &
-                   + case%settling_periods*plan%waviness%period()
+         passed = (outlet_end - case%x_min)/min(1.0_dp, plan%waviness%slip)
+         settled = passed + case%settling_periods*plan%waviness%period()
          total = settled + plan%waviness%period()
          if (case%end_time > 0) then
             total = case%end_time
+            plan%measures = total - plan%waviness%period() > passed - 0.5_dp*plan%dt
             settled = max(0.0_dp, total - plan%waviness%period())
          end if
       else

@@ -7,6 +7,7 @@ module ehlwave_case_report
    use ehlwave_case_text, only: case_identity
    use ehlwave_json, only: json_t
    use ehlwave_kinds, only: dp
+   use ehlwave_resolution, only: flooded_inlet_gap
    use ehlwave_status, only: is_success, status_name
    use ehlwave_text, only: to_text
    implicit none (type, external)
@@ -38,7 +39,10 @@ contains
             merge(' (half: the case is even in Y)', ' (whole)                      ', plan%is_half)
          write (unit, '(a)') 'Grid         '//to_text(plan%cells_x)//' x '//to_text(plan%cells_y)//' cells on the whole '// &
             'domain, hX = '//to_text(plan%hx, 5)//', hY = '//to_text(plan%hy, 5)//' ('//plan%grid_reason//')'
-         write (unit, '(a)') 'Resolution   hX sqrt(gamma M/L) = '//to_text(plan%resolution%inlet, 3)//resolution_text(plan)
+         write (unit, '(a)') 'Resolution   hX over the inlet length = '//to_text(plan%resolution%inlet, 3)//resolution_text(plan)
+         write (unit, '(a)') '             gap at x_min over film = '//to_text(plan%resolution%inlet_gap, 3)// &
+            merge(' (flooded)                                              ', &
+                  ' (below 8 the boundary makes the film somewhat thinner) ', plan%resolution%inlet_gap >= flooded_inlet_gap)
          if (plan%resolution%is_resolved) then
             write (unit, '(a)') '             resolved'
          else
@@ -71,7 +75,11 @@ contains
                 ' steady states of the pattern (it stands still: no time stepping)'
       case default
          text = 'steady state of smooth surfaces, then '//to_text(plan%steps)//' time steps of dT = '//to_text(plan%dt, 5)
-         if (plan%waviness%moves()) text = text//', amplitude measured from step '//to_text(plan%first_sample)
+         if (plan%waviness%moves() .and. plan%measures) then
+            text = text//', amplitude measured from step '//to_text(plan%first_sample)
+         else if (plan%waviness%moves()) then
+            text = text//', too few to measure the amplitude'
+         end if
          if (case%load_balance == 'equation_of_motion') then
             text = text//', equation of motion with Omega = '//to_text(case%natural_frequency, 5)
          else
@@ -109,9 +117,12 @@ contains
 
       write (unit, '(a)') 'Status       '//status_name(result%status)
       if (len(result%message) > 0) write (unit, '(a)') '             '//result%message
+      if (result%rung /= 'direct') write (unit, '(a)') 'Rescue       '//trim(result%rung)//', '// &
+         to_text(result%rescued_solutions)//' solutions rescued'
       if (ieee_is_finite(result%central_film)) call print_smooth_film()
       if (plan%waviness%is_present .and. is_success(result%status)) then
-         write (unit, '(a)') 'Amplitude    Ad/Ai = '//to_text(result%amplitude_ratio, 5)//' (samples), '// &
+         if (ieee_is_finite(result%amplitude_ratio)) write (unit, '(a)') 'Amplitude    Ad/Ai = '// &
+            to_text(result%amplitude_ratio, 5)//' (samples), '// &
             to_text(result%amplitude_ratio_fit, 5)//' (harmonic fit); formula '//to_text(result%formula_ratio, 5)
          write (unit, '(a)') '             f(r) V = '//to_text(result%f_r*result%v, 5)//', f(r) V2 = '// &
             to_text(result%f_r*result%v2, 5)//', f(r) = '//to_text(result%f_r, 5)
@@ -193,6 +204,8 @@ contains
       call json%add('time_steps', result%time_steps)
       call json%add('nonlinear_steps', result%nonlinear_steps)
       call json%add('linear_steps', result%linear_steps)
+      call json%add('rung', trim(result%rung))
+      call json%add('rescued_solutions', result%rescued_solutions)
       call json%add('seconds', result%seconds)
       call json%add('work_units', result%work_units)
       call json%add('peak_memory_mib', result%peak_memory_mib)
@@ -217,6 +230,7 @@ contains
       call json%add('cells_x', plan%cells_x)
       call json%add('cells_y', plan%cells_y)
       call json%add('inlet_resolution', plan%resolution%inlet)
+      call json%add('inlet_gap_over_film', plan%resolution%inlet_gap)
       call json%add('points_per_wave_x', plan%resolution%points_x)
       call json%add('points_per_wave_y', plan%resolution%points_y)
    end subroutine add_case

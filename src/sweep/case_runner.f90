@@ -1,6 +1,6 @@
 !> Runs one planned case.
 module ehlwave_case_runner
-   use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan, ieee_quiet_nan, ieee_value
    use ehlwave_amplitude, only: fitted_amplitude, sampled_amplitude
    use ehlwave_case_input, only: case_t
    use ehlwave_case_plan, only: case_plan_t, run_march, run_standing
@@ -8,9 +8,12 @@ module ehlwave_case_runner
    use ehlwave_clock, only: peak_memory_mib, wall_seconds
    use ehlwave_formula, only: amplitude_formula, anisotropy_factor, wave_parameter_v, wave_parameter_v2
    use ehlwave_full_multigrid, only: full_multigrid_t, level_t
+   use ehlwave_continuation, only: given_t
    use ehlwave_kinds, only: dp, pi
    use ehlwave_level_solver, only: solve_limits_t, solve_report_t
    use ehlwave_monitor, only: monitor_t
+   use ehlwave_resolution, only: touching_reason
+   use ehlwave_rescue, only: rescue_t, rung_name
    use ehlwave_state, only: state_t
    use ehlwave_status, only: is_success, status_converged, status_name, status_unresolved
    use ehlwave_text, only: to_text
@@ -33,6 +36,8 @@ contains
       type(case_result_t), intent(out) :: result
       type(full_multigrid_t), target :: multigrid
       type(solve_limits_t) :: limits
+      type(rescue_t) :: rescue
+      character(len=:), allocatable :: unresolved
       real(dp) :: start
 
       start = wall_seconds()
@@ -55,7 +60,9 @@ contains
       call multigrid%init(plan%conditions, plan%rheology, case%x_min, case%x_max, case%y_max, &
                           plan%cells_x, plan%cells_y, plan%is_half, trim(case%method), trim(case%deformation), trim(case%cycle))
       limits = solve_limits_t(tolerance=case%tolerance, largest_steps=case%largest_steps)
-      call multigrid%solve(limits, coarse_tolerance)
+      rescue%is_ready = plan%resolution%is_resolved   ! elsewhere the result would not be worth the effort
+      rescue%steps_left = plan%largest_total_steps
+      call rescue%solve_steady(multigrid, limits, coarse_tolerance)
       associate (level => multigrid%levels(size(multigrid%levels)))
          call take_report(level%report, 'steady state of smooth surfaces', result)
          call monitor%step_done('steady state', 1, 1)
@@ -63,9 +70,9 @@ contains
             call take_smooth_film(plan, level, result)
             select case (plan%kind)
             case (run_march)
-               call run_moving(case, plan, level, monitor, result)
+               call run_moving(case, plan, level, rescue, monitor, result)
             case (run_standing)
-               call run_standing_pattern(case, plan, level, limits, monitor, result)
+               call run_standing_pattern(case, plan, level, limits, rescue, monitor, result)
             end select
          end if
          if (case%fields) then
@@ -76,9 +83,17 @@ contains
          end if
       end associate
 
-      if (result%status == status_converged .and. .not. result%is_resolved) then
-         result%status = status_unresolved
-         result%message = plan%resolution%reason
+      unresolved = plan%resolution%reason
+      if (plan%waviness%is_present) unresolved = unresolved//touching_reason(rescue%thinnest, result%central_film)
+      result%is_resolved = len(unresolved) == 0
+      result%rung = rung_name(rescue%rung)
+      result%rescued_solutions = rescue%rescued
+      if (.not. is_success(result%status) .and. rescue%steps_left <= 0) result%message = result%message// &
+         '; the cap of '//to_text(plan%largest_total_steps)//' steps (&solver largest_total_steps) is used up'
+      if (.not. result%is_resolved) then
+         if (.not. is_success(result%status)) result%message = result%message//'; not resolved: '
+         if (is_success(result%status)) result%status = status_unresolved
+         result%message = result%message//unresolved
       end if
       result%seconds = wall_seconds() - start
       result%work_units = result%seconds/work_unit_seconds(plan%cells_x, plan%cells_y)
@@ -102,8 +117,8 @@ contains
       character(len=*), intent(in) :: what
       type(case_result_t), intent(inout) :: result
       result%status = report%status
-      result%residual = max(result%residual, report%residual)
-      result%load_error = max(result%load_error, report%load_error)
+      result%residual = worse(result%residual, report%residual)
+      result%load_error = worse(result%load_error, report%load_error)
       result%nonlinear_steps = result%nonlinear_steps + report%nonlinear_steps
       result%linear_steps = result%linear_steps + report%linear_steps
       if (.not. is_success(report%status)) result%message = what//' '//status_name(report%status)//' after '// &
@@ -111,11 +126,20 @@ contains
          ', load error '//to_text(report%load_error, 3)
    end subroutine take_report
 
+   !> The larger of two errors; NaN, which max() passes over, is the largest.
+   pure real(dp) function worse(first, second)
+      real(dp), intent(in) :: first, second
+      worse = max(first, second)
+      if (ieee_is_nan(first)) worse = first
+      if (ieee_is_nan(second)) worse = second
+   end function worse
+
    !> Moving pattern: march in time, then measure over the last period.
-   subroutine run_moving(case, plan, level, monitor, result)
+   subroutine run_moving(case, plan, level, rescue, monitor, result)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
-      type(level_t), intent(inout) :: level
+      type(level_t), intent(inout), target :: level
+      type(rescue_t), intent(inout) :: rescue
       class(monitor_t), intent(inout) :: monitor
       type(case_result_t), intent(inout) :: result
       type(march_settings_t) :: settings
@@ -130,11 +154,11 @@ contains
       ! the tolerance is relative to the film; for small waves it has to follow their amplitude
       limits = solve_limits_t(tolerance=case%step_tolerance*min(1.0_dp, case%amplitude_over_film/usual_amplitude), &
                               largest_steps=case%largest_steps)
-      call march(level, settings, limits, monitor, history)
+      call march(level, settings, limits, rescue, monitor, history)
       result%status = history%status
       result%time_steps = history%steps
-      result%residual = max(result%residual, history%worst_residual)
-      result%load_error = max(result%load_error, history%worst_load_error)
+      result%residual = worse(worse(result%residual, history%worst_residual), level%report%residual)
+      result%load_error = worse(worse(result%load_error, history%worst_load_error), level%report%load_error)
       result%nonlinear_steps = result%nonlinear_steps + history%nonlinear_steps
       result%linear_steps = result%linear_steps + history%linear_steps
       result%time = history%time(:history%steps)
@@ -144,7 +168,7 @@ contains
          result%message = 'time step '//to_text(history%steps + 1)//' of '//to_text(plan%steps)//' '// &
                           status_name(history%status)//', residual '//to_text(level%report%residual, 3)// &
                           ', load error '//to_text(level%report%load_error, 3)
-      else if (plan%waviness%moves()) then
+      else if (plan%waviness%moves() .and. plan%measures) then
          associate (film => history%central_film(plan%first_sample:), time => history%time(plan%first_sample:))
             result%amplitude_ratio = sampled_amplitude(film)/amplitude
             result%amplitude_ratio_fit = fitted_amplitude(time, film, plan%waviness%period())/amplitude
@@ -154,25 +178,28 @@ contains
    end subroutine run_moving
 
    !> Pattern that stands still: one steady state for each phase, no time stepping.
-   subroutine run_standing_pattern(case, plan, level, limits, monitor, result)
+   subroutine run_standing_pattern(case, plan, level, limits, rescue, monitor, result)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
-      type(level_t), intent(inout) :: level
+      type(level_t), intent(inout), target :: level
       type(solve_limits_t), intent(in) :: limits
+      type(rescue_t), intent(inout) :: rescue
       class(monitor_t), intent(inout) :: monitor
       type(case_result_t), intent(inout) :: result
       type(state_t) :: smooth
+      type(given_t) :: given_smooth
       real(dp) :: amplitude, film(plan%phases), turn(plan%phases)
       integer :: n
 
       smooth = level%state
+      call given_smooth%take(level%problem)
       amplitude = case%amplitude_over_film*result%central_film
       do n = 1, plan%phases
          turn(n) = real(n - 1, dp)/plan%phases
          call level%problem%set_rough(amplitude*plan%waviness%shape_fixed(level%problem%grid%x, level%problem%grid%y, &
                                                                           2*pi*turn(n)))
          level%state = smooth
-         call level%solver%solve(level%problem, level%state, limits, level%report)
+         call rescue%solve_step(level, smooth, given_smooth, limits)
          call take_report(level%report, 'steady state '//to_text(n)//' of '//to_text(plan%phases)//' of the pattern', result)
          if (result%status /= status_converged) return
          film(n) = level%problem%grid%value_at_centre(level%state%h)

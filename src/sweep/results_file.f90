@@ -110,8 +110,10 @@ contains
          call integers('cells_y', plans%cells_y, 'cells along Y, whole domain')
          call reals('points_per_wave_x', plans%resolution%points_x, '1', 'mesh sizes per wave along X')
          call reals('points_per_wave_y', plans%resolution%points_y, '1', 'mesh sizes per wave along Y')
-         call reals('inlet_resolution', plans%resolution%inlet, '1', 'hX sqrt(gamma M/L)')
-         call integers('is_resolved', merge(1, 0, plans%resolution%is_resolved), '1 when the grid resolves the case')
+         call reals('inlet_resolution', plans%resolution%inlet, '1', 'hX over the length of the inlet pressure sweep')
+         call reals('inlet_gap_over_film', plans%resolution%inlet_gap, '1', 'gap at x_min over the film of the formula')
+         call integers('is_resolved', merge(1, 0, plans%resolution%is_resolved .and. rows%result%is_resolved), &
+                       '1 when the grid resolves the case')
       end subroutine write_inputs
 
       subroutine write_outcomes()
@@ -135,6 +137,8 @@ contains
             call integers('time_steps', r%time_steps, 'time steps done')
             call integers('nonlinear_steps', r%nonlinear_steps, 'Newton steps on the finest grid')
             call integers('linear_steps', r%linear_steps, 'GMRES steps on the finest grid')
+            call texts('rung', r%rung, 'highest rung of the rescue ladder used')
+            call integers('rescued_solutions', r%rescued_solutions, 'solutions that took more than the direct solve')
          end associate
          call integers('rank', rows%rank, 'MPI rank the case ran on, -1: not run')
       end subroutine write_outcomes

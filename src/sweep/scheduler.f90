@@ -3,7 +3,7 @@
 !> Rank 0 schedules and computes: it answers messages between the steps of its own cases. Every other rank
 !> keeps one case in reserve, so that nobody waits for rank 0. One rank runs the same code without messages.
 module ehlwave_scheduler
-   use ehlwave_case_result, only: case_result_t
+   use ehlwave_case_result, only: case_result_t, rung_length
    use ehlwave_case_runner, only: run_case
    use ehlwave_case_table, only: sweep_t
    use ehlwave_clock, only: time_stamp
@@ -20,7 +20,7 @@ module ehlwave_scheduler
 
    integer, parameter :: tag_ask = 1, tag_case = 2, tag_numbers = 3, tag_text = 4
    integer, parameter :: no_case = 0
-   integer, parameter :: numbers = 23
+   integer, parameter :: numbers = 24
    integer, parameter :: in_reserve = 2   !! unanswered requests of a worker: the case it runs and the next
 
    !> Rank 0: the queue and the rows, served whenever a case of its own reports progress.
@@ -187,15 +187,15 @@ contains
       integer, intent(in) :: case
       type(row_t), intent(in) :: row
       real(dp) :: buffer(numbers)
-      character(len=2*text_length + 48) :: text
+      character(len=2*text_length + 48 + rung_length) :: text
 
       associate (r => row%result)
          buffer = [real(dp) :: case, row%rank, r%status, merge(1, 0, r%is_resolved), r%central_film, r%minimum_film, &
                    r%central_film_moes, r%max_pressure, r%amplitude_ratio, r%amplitude_ratio_fit, r%mean_film, r%v, &
                    r%v2, r%f_r, r%formula_ratio, r%residual, r%load_error, r%time_steps, r%nonlinear_steps, &
-                   r%linear_steps, r%seconds, r%work_units, r%peak_memory_mib]
+                   r%linear_steps, r%seconds, r%work_units, r%peak_memory_mib, r%rescued_solutions]
       end associate
-      text = row%message//row%host//row%started//row%finished
+      text = row%message//row%host//row%started//row%finished//row%result%rung
       call mpi_send(buffer, numbers, mpi_double_precision, 0, tag_numbers, comm)
       call mpi_send(text, len(text), mpi_character, 0, tag_text, comm)
    end subroutine send_row
@@ -206,7 +206,7 @@ contains
       integer, intent(out) :: case
       type(row_t), intent(out) :: row
       real(dp) :: buffer(numbers)
-      character(len=2*text_length + 48) :: text
+      character(len=2*text_length + 48 + rung_length) :: text
 
       call mpi_recv(buffer, numbers, mpi_double_precision, source, tag_numbers, comm, mpi_status_ignore)
       call mpi_recv(text, len(text), mpi_character, source, tag_text, comm, mpi_status_ignore)
@@ -217,7 +217,7 @@ contains
          amplitude_ratio_fit=buffer(10), mean_film=buffer(11), v=buffer(12), v2=buffer(13), f_r=buffer(14), &
          formula_ratio=buffer(15), residual=buffer(16), load_error=buffer(17), time_steps=nint(buffer(18)), &
          nonlinear_steps=nint(buffer(19)), linear_steps=nint(buffer(20)), seconds=buffer(21), work_units=buffer(22), &
-         peak_memory_mib=buffer(23))
+         peak_memory_mib=buffer(23), rescued_solutions=nint(buffer(24)), rung=text(2*text_length + 49:))
       row%message = text(1:text_length)
       row%host = text(text_length + 1:2*text_length)
       row%started = text(2*text_length + 1:2*text_length + 24)

@@ -102,7 +102,7 @@ class CaseProgram(unittest.TestCase):
             self.assertIn("stalled", result["message"])
 
     def test_march_that_stalls_fails(self):
-        groups = {**WAVY, "solver": {"largest_steps": 6, "step_tolerance": 1e-12, "tolerance": 1e-4}}
+        groups = {**WAVY, "solver": {"largest_total_steps": 30, "step_tolerance": 1e-12, "tolerance": 1e-4}}
         outcome = self.run_case(groups, "--json", "--quiet")
         result = last_line(outcome)
         self.assertEqual((outcome.returncode, result["status"]), (1, "stalled"), result)
