@@ -43,6 +43,7 @@ module ehlwave_case_input
       integer :: settling_periods = 1
       character(len=name_length) :: method = 'newton'
       character(len=name_length) :: deformation = 'fft'
+      character(len=name_length) :: error_estimate = 'coarse_grid'
       ! &dynamics
       character(len=name_length) :: load_balance = 'force_balance'
       real(dp) :: natural_frequency = 0
@@ -112,6 +113,8 @@ contains
       call file%get(file_group, 'settling_periods', case%settling_periods, error, minimum=0, maximum=1000)
       call file%get_fixed(file_group, 'method', case%method, error, [character(len=name_length) :: 'newton', 'petsc'])
       call file%get_fixed(file_group, 'deformation', case%deformation, error, [character(len=name_length) :: 'fft', 'mlmi'])
+      call file%get_fixed(file_group, 'error_estimate', case%error_estimate, error, &
+                          [character(len=name_length) :: 'coarse_grid', 'model'])
 
       file_group = 'dynamics'
       call file%get_fixed(file_group, 'load_balance', case%load_balance, error, &

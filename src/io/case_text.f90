@@ -49,7 +49,8 @@ contains
              //'&solver'//line_end//number('tolerance', case%tolerance) &
              //number('step_tolerance', case%step_tolerance)//number('time_step_over_cell', case%time_step_over_cell) &
              //whole('largest_steps', case%largest_steps)//whole('settling_periods', case%settling_periods) &
-             //word('method', case%method)//word('deformation', case%deformation)//'/'//line_end &
+             //word('method', case%method)//word('deformation', case%deformation) &
+             //word('error_estimate', case%error_estimate)//'/'//line_end &
              //'&dynamics'//line_end//word('load_balance', case%load_balance)
       if (case%natural_frequency > 0) text = text//number('natural_frequency', case%natural_frequency)
       text = text//number('load_factor', case%load_factor)

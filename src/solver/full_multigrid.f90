@@ -1,5 +1,6 @@
 !> Full multigrid (FMG): solve on the coarsest grid, interpolate, solve on the next finer one, and so on.
 module ehlwave_full_multigrid
+   use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
    use ehlwave_conditions, only: conditions_t
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_deformation_mlmi, only: deformation_mlmi_t
@@ -22,6 +23,7 @@ module ehlwave_full_multigrid
       class(level_solver_t), allocatable :: solver
       type(state_t) :: state
       type(solve_report_t) :: report
+      real(dp) :: central_film = 0, minimum_film = 0   !! of its own steady solution, NaN where it did not converge
    end type level_t
 
    !> Hierarchy of grids of one contact. Its solvers point at each other and at their problems: declare it a
@@ -127,6 +129,12 @@ contains
             else
                call level%solver%solve(level%problem, level%state, coarse_limits, level%report)
                if (level%report%status /= status_converged) call hertz_guess(level%problem, level%state)
+            end if
+            level%central_film = ieee_value(1.0_dp, ieee_quiet_nan)
+            level%minimum_film = level%central_film
+            if (level%report%status == status_converged) then
+               level%central_film = level%problem%grid%value_at_centre(level%state%h)
+               level%minimum_film = minval(level%state%h)
             end if
          end associate
       end do

@@ -5,6 +5,7 @@ module ehlwave_case_report
    use ehlwave_case_plan, only: case_plan_t, run_march, run_smooth, run_standing
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_text, only: case_identity
+   use ehlwave_error_estimate, only: basis_coarse_grid, basis_name
    use ehlwave_json, only: json_t
    use ehlwave_kinds, only: dp
    use ehlwave_status, only: is_success, status_name
@@ -103,6 +104,8 @@ contains
          write (unit, '(a)') '             f(r) V = '//to_text(result%f_r*result%v, 5)//', f(r) V2 = '// &
             to_text(result%f_r*result%v2, 5)//', f(r) = '//to_text(result%f_r, 5)
       end if
+      if (ieee_is_finite(result%central_film_error)) write (unit, '(a)') 'Estimated    relative errors of the grid: H(0,0) '// &
+         to_text(result%central_film_error, 2)//', smallest H '//to_text(result%minimum_film_error, 2)//amplitude_error()
       write (unit, '(a)') 'Errors       mass residual '//to_text(result%residual, 3)//', load error '// &
          to_text(result%load_error, 3)
       write (unit, '(a)') 'Effort       '//to_text(result%seconds, 4)//' s, '//to_text(result%work_units, 4)//' work units, '// &
@@ -110,6 +113,13 @@ contains
          to_text(result%linear_steps)//' GMRES steps on the finest grid, '//to_text(result%peak_memory_mib, 4)//' MiB'
 
    contains
+
+      function amplitude_error() result(text)
+         character(len=:), allocatable :: text
+         text = ''
+         if (ieee_is_finite(result%amplitude_ratio_error)) text = ', Ad/Ai '//to_text(result%amplitude_ratio_error, 2)// &
+            merge(' (coarser grids)', ' (model)        ', result%amplitude_error_basis == basis_coarse_grid)
+      end function amplitude_error
 
       subroutine print_smooth_film()
          write (unit, '(a)') 'Smooth film  H(0,0) = '//to_text(result%central_film, 6)//', smallest H = '// &
@@ -164,6 +174,11 @@ contains
       call json%add('amplitude_ratio', result%amplitude_ratio)
       call json%add('amplitude_ratio_fit', result%amplitude_ratio_fit)
       call json%add('mean_film', result%mean_film)
+      call json%add('central_film_error', result%central_film_error)
+      call json%add('minimum_film_error', result%minimum_film_error)
+      call json%add('film_order', result%film_order)
+      call json%add('amplitude_ratio_error', result%amplitude_ratio_error)
+      call json%add('amplitude_error_basis', trim(basis_name(result%amplitude_error_basis)))
       call json%add('v', result%v)
       call json%add('v2', result%v2)
       call json%add('f_r', result%f_r)
