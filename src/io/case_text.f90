@@ -50,7 +50,9 @@ contains
              //number('step_tolerance', case%step_tolerance)//number('time_step_over_cell', case%time_step_over_cell) &
              //whole('largest_steps', case%largest_steps)//whole('settling_periods', case%settling_periods) &
              //word('method', case%method)//word('deformation', case%deformation) &
-             //word('error_estimate', case%error_estimate)//'/'//line_end &
+             //word('error_estimate', case%error_estimate)
+      if (case%accuracy > 0) text = text//number('accuracy', case%accuracy)
+      text = text//'/'//line_end &
              //'&dynamics'//line_end//word('load_balance', case%load_balance)
       if (case%natural_frequency > 0) text = text//number('natural_frequency', case%natural_frequency)
       text = text//number('load_factor', case%load_factor)

@@ -10,6 +10,7 @@ module ehlwave_case_report
    use ehlwave_kinds, only: dp
    use ehlwave_status, only: is_success, status_name
    use ehlwave_text, only: to_text
+   use ehlwave_work_unit, only: work_unit_seconds
    implicit none (type, external)
    private
    public :: print_plan, print_result, result_json, plan_json
@@ -44,8 +45,20 @@ contains
          else
             write (unit, '(a)') '             NOT RESOLVED: '//plan%resolution%reason//'the result will be flagged'
          end if
+         write (unit, '(a)') 'Expected     relative error of '//trim(merge('Ad/Ai ', 'H(0,0)', plan%waviness%is_present))// &
+            ' about '//to_text(plan%expected_error, 2)//' and '//to_text(expected_seconds(plan), 2)//' s, '// &
+            to_text(plan%expected_work_units, 2)//' work units (models; usually right within a factor 2)'
+         if (case%accuracy > 0 .and. plan%expected_error > case%accuracy) write (unit, '(a)') &
+            '             ACCURACY '//to_text(case%accuracy, 3)//' NOT TO BE REACHED with largest_cells = '// &
+            to_text(case%largest_cells)//': expect '//to_text(plan%expected_error, 2)
       end associate
    end subroutine print_plan
+
+   !> Run time to expect here and now, from the model of the work and a work unit measured on the spot.
+   real(dp) function expected_seconds(plan)
+      type(case_plan_t), intent(in) :: plan
+      expected_seconds = plan%expected_work_units*work_unit_seconds(plan%cells_x, plan%cells_y)
+   end function expected_seconds
 
    function waviness_text(case) result(text)
       type(case_t), intent(in) :: case
@@ -118,7 +131,7 @@ contains
          character(len=:), allocatable :: text
          text = ''
          if (ieee_is_finite(result%amplitude_ratio_error)) text = ', Ad/Ai '//to_text(result%amplitude_ratio_error, 2)// &
-            merge(' (coarser grids)', ' (model)        ', result%amplitude_error_basis == basis_coarse_grid)
+            trim(merge(' (from coarser grids)', ' (from a model)      ', result%amplitude_error_basis == basis_coarse_grid))
       end function amplitude_error
 
       subroutine print_smooth_film()
@@ -147,6 +160,10 @@ contains
       call json%add('is_half_domain', plan%is_half)
       call json%add('is_resolved', plan%resolution%is_resolved)
       call json%add('message', plan%resolution%reason)
+      call json%add('accuracy', case%accuracy)
+      call json%add('expected_seconds', expected_seconds(plan))
+      call json%add('step_tolerance', case%step_tolerance)
+      call json%add('tolerance', case%tolerance)
    end function plan_json
 
    !> The result as one JSON object.
@@ -207,6 +224,8 @@ contains
       call json%add('orientation', trim(case%orientation))
       call json%add('wavelength_x_over_a', case%wavelength_x_over_a)
       call json%add('wavelength_y_over_a', case%wavelength_y_over_a)
+      call json%add('expected_error', plan%expected_error)
+      call json%add('expected_work_units', plan%expected_work_units)
       call json%add('cells_x', plan%cells_x)
       call json%add('cells_y', plan%cells_y)
       call json%add('inlet_resolution', plan%resolution%inlet)

@@ -5,7 +5,7 @@ module ehlwave_estimated_case
    use ehlwave_case_plan, only: case_plan_t, make_plan
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_runner, only: run_case
-   use ehlwave_error_estimate, only: basis_coarse_grid, estimate_error
+   use ehlwave_error_estimate, only: basis_coarse_grid, basis_model, estimate_error
    use ehlwave_errors, only: error_t
    use ehlwave_kinds, only: dp
    use ehlwave_monitor, only: monitor_t, silent_monitor_t
@@ -21,25 +21,30 @@ module ehlwave_estimated_case
 contains
 
    !> Run a case as planned; with `error_estimate = 'coarse_grid'` also on grids of two and four times the mesh
-   !> size and time step (about a tenth of the cost), where these can tell anything, for a Richardson estimate.
+   !> size and time step (about a tenth of the cost), where these can tell anything, for a Richardson estimate. Otherwise the estimate is the expected error of the plan.
    subroutine run_estimated_case(case, plan, monitor, result)
       type(case_t), intent(in) :: case              !! completed input
       type(case_plan_t), intent(in) :: plan
       class(monitor_t), intent(inout) :: monitor
       type(case_result_t), intent(out) :: result
       real(dp), allocatable :: ratios(:)
-      real(dp) :: seconds
+      real(dp) :: estimate, seconds
 
       call run_case(case, plan, monitor, result)
       if (.not. plan%waviness%is_present .or. .not. is_success(result%status)) return
       if (.not. ieee_is_finite(result%amplitude_ratio_fit)) return
+      result%amplitude_ratio_error = plan%expected_error
+      result%amplitude_error_basis = basis_model
       if (case%error_estimate /= 'coarse_grid') return
 
       call coarse_ratios(case, plan, ratios, seconds)
       result%work_units = result%work_units*(1 + seconds/result%seconds)
       result%seconds = result%seconds + seconds
-      result%amplitude_ratio_error = estimate_error([result%amplitude_ratio_fit, ratios])
-      if (ieee_is_finite(result%amplitude_ratio_error)) result%amplitude_error_basis = basis_coarse_grid
+      estimate = estimate_error([result%amplitude_ratio_fit, ratios])
+      if (ieee_is_finite(estimate)) then
+         result%amplitude_ratio_error = estimate
+         result%amplitude_error_basis = basis_coarse_grid
+      end if
    end subroutine run_estimated_case
 
    !> Ad/Ai of the same case on grids of two and four times the mesh size, as far as they converge and are not
@@ -60,6 +65,7 @@ contains
       seconds = 0
       coarse_case = case
       coarse_case%fields = .false.
+      coarse_case%accuracy = 0                    ! is that of the case itself
       factor = 1
       do while (factor < 4)
          factor = 2*factor
