@@ -42,7 +42,7 @@ module ehlwave_case_input
       integer :: largest_steps = 60
       integer :: settling_periods = 1
       character(len=name_length) :: method = 'newton'
-      character(len=name_length) :: deformation = 'fft'
+      character(len=name_length) :: deformation = 'auto'
       character(len=name_length) :: error_estimate = 'coarse_grid'
       real(dp) :: accuracy = 0                           !! relative error asked for; 0: none
       ! &dynamics
@@ -113,7 +113,8 @@ contains
       call file%get(file_group, 'largest_steps', case%largest_steps, error, minimum=1, maximum=10000)
       call file%get(file_group, 'settling_periods', case%settling_periods, error, minimum=0, maximum=1000)
       call file%get_fixed(file_group, 'method', case%method, error, [character(len=name_length) :: 'newton', 'petsc'])
-      call file%get_fixed(file_group, 'deformation', case%deformation, error, [character(len=name_length) :: 'fft', 'mlmi'])
+      call file%get_fixed(file_group, 'deformation', case%deformation, error, &
+                          [character(len=name_length) :: 'auto', 'fft', 'mlmi'])
       call file%get_fixed(file_group, 'error_estimate', case%error_estimate, error, &
                           [character(len=name_length) :: 'coarse_grid', 'model'])
       call file%get(file_group, 'accuracy', case%accuracy, error, above=0.0_dp, maximum=0.2_dp)

@@ -3,6 +3,7 @@ module ehlwave_full_multigrid
    use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
    use ehlwave_conditions, only: conditions_t
    use ehlwave_contact_problem, only: contact_problem_t
+   use ehlwave_deformation_choice, only: chosen_deformation
    use ehlwave_deformation_mlmi, only: deformation_mlmi_t
    use ehlwave_formula, only: moes_film_formula
    use ehlwave_grid, only: grid_t, new_grid
@@ -49,14 +50,16 @@ contains
       integer, intent(in) :: cells_x, cells_y       !! cells of the finest grid over the whole domain
       logical, intent(in) :: is_half                !! store Y >= 0 only
       character(len=*), intent(in) :: method        !! solver of the finest level: 'newton' or 'petsc'
-      character(len=*), intent(in) :: deformation   !! 'fft' or 'mlmi'
+      character(len=*), intent(in) :: deformation   !! 'fft', 'mlmi' or 'auto', level by level
       integer :: l, n
 
       n = level_count(cells_x, cells_y, is_half)
       allocate (self%levels(n))
       do l = 1, n
          associate (level => self%levels(l))
-            if (deformation == 'mlmi') allocate (deformation_mlmi_t :: level%problem%deformation)
+            if (chosen_deformation(deformation, cells_x/2**(n - l), cells_y/2**(n - l), is_half, &
+                                   conditions%elliptic%kappa) == 'mlmi') &
+               allocate (deformation_mlmi_t :: level%problem%deformation)
             call level%problem%init(new_grid(x_min, x_max, y_max, cells_x/2**(n - l), cells_y/2**(n - l), is_half), &
                                     conditions, rheology)
             level%state = new_state(level%problem%grid)

@@ -4,6 +4,7 @@ module ehlwave_case_plan
       steady_work_units, step_work_units
    use ehlwave_case_input, only: case_conditions, case_t
    use ehlwave_conditions, only: conditions_t
+   use ehlwave_deformation_choice, only: chosen_deformation
    use ehlwave_errors, only: error_t, raise
    use ehlwave_formula, only: amplitude_formula, anisotropy_factor, wave_parameter_v
    use ehlwave_kinds, only: dp
@@ -30,6 +31,7 @@ module ehlwave_case_plan
       integer :: cells_x = 0, cells_y = 0            !! of the whole domain
       character(len=:), allocatable :: grid_reason
       real(dp) :: hx = 0, hy = 0
+      character(len=4) :: deformation = ''           !! 'fft' or 'mlmi' on the finest grid
       integer :: cells_per_step = 1, steps_per_cell = 1
       real(dp) :: dt = 0                             !! time step, 0 without march
       integer :: steps = 0                           !! time steps
@@ -68,6 +70,7 @@ contains
                                       case%x_min, case%slip_parameter)
       plan%is_half = case%domain == 'auto' .and. plan%waviness%is_symmetric()
       call choose_grid(case, plan)
+      plan%deformation = chosen_deformation(case%deformation, plan%cells_x, plan%cells_y, plan%is_half, kappa)
 
       if (plan%waviness%moves() .or. case%end_time > 0) then
          call plan_march(case, plan, error)

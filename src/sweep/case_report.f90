@@ -39,6 +39,8 @@ contains
             merge(' (half: the case is even in Y)', ' (whole)                      ', plan%is_half)
          write (unit, '(a)') 'Grid         '//to_text(plan%cells_x)//' x '//to_text(plan%cells_y)//' cells on the whole '// &
             'domain, hX = '//to_text(plan%hx, 5)//', hY = '//to_text(plan%hy, 5)//' ('//plan%grid_reason//')'
+         write (unit, '(a)') 'Deformation  '//trim(merge('FFT ', 'MLMI', plan%deformation == 'fft'))//' on the finest grid ('// &
+            trim(merge('the faster one', 'asked for     ', case%deformation == 'auto'))//'), method '//trim(case%method)
          write (unit, '(a)') 'Resolution   hX sqrt(gamma M/L) = '//to_text(plan%resolution%inlet, 3)//resolution_text(plan)
          if (plan%resolution%is_resolved) then
             write (unit, '(a)') '             resolved'
@@ -224,6 +226,7 @@ contains
       call json%add('orientation', trim(case%orientation))
       call json%add('wavelength_x_over_a', case%wavelength_x_over_a)
       call json%add('wavelength_y_over_a', case%wavelength_y_over_a)
+      call json%add('deformation', trim(plan%deformation))
       call json%add('expected_error', plan%expected_error)
       call json%add('expected_work_units', plan%expected_work_units)
       call json%add('cells_x', plan%cells_x)

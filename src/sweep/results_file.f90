@@ -109,6 +109,7 @@ contains
          call reals('lambdabar', plans%conditions%lambdabar, '1', 'dimensionless speed parameter')
          call integers('cells_x', plans%cells_x, 'cells along X')
          call integers('cells_y', plans%cells_y, 'cells along Y, whole domain')
+         call texts('deformation', plans%deformation, 'fft or mlmi on the finest grid')
          call reals('points_per_wave_x', plans%resolution%points_x, '1', 'mesh sizes per wave along X')
          call reals('points_per_wave_y', plans%resolution%points_y, '1', 'mesh sizes per wave along Y')
          call reals('inlet_resolution', plans%resolution%inlet, '1', 'hX sqrt(gamma M/L)')
