@@ -78,7 +78,7 @@ def test_richardson_does_not_trust_odd_orders() -> None:
 def test_models_are_found_again(table: list[Row]) -> None:
     fits = {fit.name: fit for fit in model.fit_models(table)}
     assert fits["film"].coefficients[0] == pytest.approx(0.02, rel=1e-6)
-    assert fits["ratio"].coefficients[0] == pytest.approx(0.02, rel=1e-6)
+    assert fits["moving_ratio"].coefficients[0] == pytest.approx(0.02, rel=1e-6)
     assert fits["step_cost"].coefficients == pytest.approx((100.0, 0.5, 0.0), abs=1e-5)
     assert fits["film"].largest_factor == pytest.approx(1.0)
 

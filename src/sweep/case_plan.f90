@@ -128,7 +128,7 @@ contains
          if (case%accuracy > 0) then
             mesh = largest_mesh(plan%conditions, case%accuracy)
             if (plan%waviness%is_present) &
-               mesh = largest_mesh(plan%conditions, share_of_mesh*case%accuracy, formula_ratio(case, plan))
+               mesh = largest_mesh(plan%conditions, share_of_mesh*case%accuracy, formula_ratio(case, plan), plan%waviness%moves())
             if (length_x/mesh > wanted_x) then
                wanted_x = length_x/mesh
                why_x = 'for an accuracy of '//to_text(case%accuracy, 3)

@@ -56,9 +56,10 @@ def fit_models(table: Sequence[Row]) -> list[Fit]:
     moving = [row for row in table if row["time_steps"] > 0 and has_defaults(row) and _is_good(row)]
     fits = [
         _fit("film", [0.2], film, _film_error),
-        _fit("ratio", [0.2], ratio, _ratio_error),
+        _fit("moving_ratio", [0.2], [r for r in ratio if r[0]["time_steps"] > 0], _ratio_error),
+        _fit("standing_ratio", [0.1], [r for r in ratio if not r[0]["time_steps"]], _ratio_error),
         _fit("time_step", [1.0], _time_step_errors(table), _time_step_error),
-        _fit("step_tolerance", [0.3], _tolerance_errors(table), _tolerance_error),
+        _share("step_tolerance", _tolerance_errors(table)),
         _fit("steady_cost", [300.0, 0.0, 0.2], [(r, r["work_units"]) for r in steady], _cost),
         _fit(
             "step_cost", [50.0, 0.5, 0.2],
@@ -107,10 +108,6 @@ def _time_step_error(c: np.ndarray, row: Row) -> float:
     return c[0] * (1 - row["time_step_over_cell"] ** -2) / steps**2
 
 
-def _tolerance_error(c: np.ndarray, row: Row) -> float:
-    return c[0] * row["step_tolerance"]
-
-
 def _cost(c: np.ndarray, row: Row) -> float:
     return c[0] * (row["cells"] / 128) ** c[1] * (row["gamma"] * row["m"] / 100) ** c[2]
 
@@ -130,7 +127,7 @@ def _time_step_errors(table: Sequence[Row]) -> list[tuple[Row, float]]:
 
 
 def _tolerance_errors(table: Sequence[Row]) -> list[tuple[Row, float]]:
-    """Return the change of Ad/Ai from that of the tightest step tolerance on the same grid."""
+    """Return the change of Ad/Ai by the step tolerance, over that tolerance."""
     found = []
     for rows in by_contact(table).values():
         same = [row for row in rows if has_defaults(row, "step_tolerance") and _is_good(row)]
@@ -140,8 +137,18 @@ def _tolerance_errors(table: Sequence[Row]) -> list[tuple[Row, float]]:
                 key=lambda other: other["step_tolerance"],
             )
             if 1e-4 <= row["step_tolerance"] <= 1e-2 and tightest["step_tolerance"] <= 1e-6:
-                found.append((row, max(abs(row[RATIO] / tightest[RATIO] - 1), 1e-6)))
+                change = abs(row[RATIO] / tightest[RATIO] - 1)
+                found.append((row, change / row["step_tolerance"]))
     return found
+
+
+def _share(name: str, data: Sequence[tuple[Row, float]]) -> Fit | None:
+    """Return the value that four of five of the data stay below; they scatter by decades."""
+    if not data:
+        return None
+    values = np.array([value for _, value in data])
+    high = float(np.quantile(values, 0.8))
+    return Fit(name, (high,), len(values), math.nan, float(values.max() / high))
 
 
 def _fit(
