@@ -46,6 +46,7 @@ module ehlwave_case_plan
    integer, parameter :: grid_sizes(15) = [64, 96, 128, 192, 256, 384, 512, 768, 1024, 1536, 2048, 3072, 4096, 6144, 8192]
    integer, parameter :: most_steps = 1000000
    real(dp), parameter :: share_of_mesh = 0.75_dp, share_of_waves = 0.2_dp   !! of the accuracy: mesh in X, waves along Y
+   real(dp), parameter :: cost_of_estimate = 1.15_dp !! of a case with its coarser grids over that without
    real(dp), parameter :: outlet_end = 1             !! X of the outlet end of the Hertzian contact
 
 contains
@@ -177,6 +178,8 @@ contains
       plan%expected_work_units = (1 + 0.5_dp*plan%phases)*steady_work_units(plan%conditions, plan%cells_x) &
                                  + plan%steps*step_work_units(plan%conditions, plan%cells_x)
       if (.not. plan%is_half) plan%expected_work_units = 2*plan%expected_work_units
+      if (plan%waviness%is_present .and. case%error_estimate == 'coarse_grid') &
+         plan%expected_work_units = cost_of_estimate*plan%expected_work_units
    end subroutine expect
 
    !> Refuse keys that contradict the accuracy asked for. A grid that only `largest_cells` limits is no contradiction:

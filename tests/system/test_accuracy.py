@@ -1,11 +1,13 @@
 """The accuracy key, the expected error and the estimates that come with a result."""
 
+import csv
 import tempfile
 import unittest
 from pathlib import Path
 
 from ehlwave_program import TestCase, last_line, namelist, run
 
+MODELS = Path(__file__).resolve().parents[2] / "postprocess" / "record" / "error-vs-time" / "models.csv"
 CONDITIONS = {"load_parameter_m": 100, "lubricant_parameter_l": 12.05, "radius_ratio_d": 1}
 SMOOTH = {"conditions": CONDITIONS}
 WAVY = {"conditions": CONDITIONS, "waviness": {"orientation": "transverse", "wavelength_over_a": 0.5}}
@@ -51,6 +53,23 @@ class Accuracy(TestCase):
             self.assertEqual(cells, sorted(cells))
             # second order: a tenth of the error wants about three times the cells
             self.assertTrue(2 <= cells[3]/cells[1] <= 4.5, cells)
+
+    def test_coefficients_are_the_recorded_ones(self):
+        with MODELS.open(newline="") as file:
+            recorded = {row["model"]: [float(row[f"coefficient_{n}"]) for n in (1, 2, 3)] for row in csv.DictReader(file)}
+        grid = {"grid": {"cells_x": 128, "cells_y": 128}, "solver": {"error_estimate": "model"}}
+        gamma_m, mesh = 100, 4/128
+        smooth, _ = self.plan(changed(SMOOTH, grid))
+        self.check_close(smooth["expected_error"], recorded["film"][0]*mesh**2*gamma_m, 0.01, "H(0,0)")
+        self.check_close(smooth["expected_work_units"], recorded["steady_cost"][0], 0.01, "steady cost")
+        left = (1 - 0.801811)**0.5       # eq. (18) at V = 1.4404
+        for step in [1, 2]:
+            moving, _ = self.plan(changed(changed(WAVY, grid), {"solver": {"time_step_over_cell": step}}))
+            expected = (recorded["moving_ratio"][0]*mesh**2*gamma_m*left + recorded["step_tolerance"][0]*1e-3
+                        + recorded["time_step"][0]*(1 - 1/step**2)/(16/step)**2)
+            self.check_close(moving["expected_error"], expected, 0.01, "Ad/Ai")
+        steps = moving["time_steps"]*recorded["step_cost"][0]
+        self.check_close(moving["expected_work_units"] - smooth["expected_work_units"], steps, 0.01, "cost of the march")
 
     def test_keys_that_are_given_stay(self):
         groups = changed(WAVY, {"solver": {"accuracy": 0.05, "step_tolerance": 1e-5, "tolerance": 1e-9},

@@ -54,6 +54,16 @@ class ErrorEstimates(TestCase):
             self.assertGreaterEqual(len(ratios), 14)
             report(f"{what} error over error: {min(ratios):.2f} to {max(ratios):.2f} in {len(ratios)} results")
 
+    def test_accuracy_is_kept(self):
+        recorded = references()
+        for m, d, wave, accuracy in [(100, 1, 0.5, 0.03), (100, 0.12, 2, 0.03), (1000, 0.12, 2, 0.1)]:
+            result = solve(m=m, d=d, waviness={"orientation": "transverse", "wavelength_over_a": wave},
+                           solver={"accuracy": accuracy})
+            reference = recorded[(m, d, wave, "transverse", 12.05, "amplitude_ratio_fit")]
+            error = self.check_close(result["amplitude_ratio_fit"], reference, accuracy, "Ad/Ai")
+            report(f"M = {m}, D = {d}, lambda = {wave} a: accuracy {accuracy} asked for, {error:.3f} on "
+                   f"{result['cells_x']} x {result['cells_y']} cells")
+
 
 if __name__ == "__main__":
     unittest.main()
