@@ -38,7 +38,7 @@ module ehlwave_case_input
       ! &solver
       real(dp) :: tolerance = 1e-6_dp
       real(dp) :: step_tolerance = 1e-3_dp
-      real(dp) :: time_step_over_cell = 1
+      real(dp) :: time_step_over_cell = 1                !! 0: chosen by the plan
       integer :: largest_steps = 60
       integer :: settling_periods = 1
       character(len=name_length) :: method = 'newton'
@@ -130,7 +130,7 @@ contains
       call file%get('output', 'fields', case%fields, error)
    end subroutine read_case_groups
 
-   !> What `accuracy` chooses, unless the file gives it: cells by the plan, tolerances well below the accuracy.
+   !> What `accuracy` chooses, unless the file gives it: cells and time step by the plan, tolerances well below the accuracy.
    !> Measured: a step tolerance of 1e-3 leaves up to 1e-3 of Ad/Ai, mostly below 1e-4; steady states are exact to
    !> a tenth of their tolerance or better.
    subroutine choose_for_accuracy(file, case)
@@ -139,6 +139,7 @@ contains
       type(case_t) :: usual
       if (.not. file%has('grid', 'cells_x')) case%cells_x = 0
       if (.not. file%has('grid', 'cells_y')) case%cells_y = 0
+      if (.not. file%has('solver', 'time_step_over_cell')) case%time_step_over_cell = 0
       if (.not. file%has('solver', 'step_tolerance')) case%step_tolerance = min(usual%step_tolerance, 0.1_dp*case%accuracy)
       if (.not. file%has('solver', 'tolerance')) case%tolerance = min(usual%tolerance, 1e-3_dp*case%accuracy)
    end subroutine choose_for_accuracy
@@ -287,6 +288,7 @@ contains
       end if
       if (allocated(error)) return
       ratio = case%time_step_over_cell
+      if (ratio <= 0) ratio = 1
       if (ratio < 1) ratio = 1/ratio
       if (abs(ratio - nint(ratio)) > 1e-6_dp*ratio .or. ratio > 64) &
          call raise(error, '&solver time_step_over_cell = '//to_text(case%time_step_over_cell, 6)// &

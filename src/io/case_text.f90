@@ -47,8 +47,9 @@ contains
       if (min(case%cells_x, case%cells_y) == 0) text = text//whole('largest_cells', case%largest_cells)
       text = text//word('domain', case%domain)//'/'//line_end &
              //'&solver'//line_end//number('tolerance', case%tolerance) &
-             //number('step_tolerance', case%step_tolerance)//number('time_step_over_cell', case%time_step_over_cell) &
-             //whole('largest_steps', case%largest_steps)//whole('settling_periods', case%settling_periods) &
+             //number('step_tolerance', case%step_tolerance)
+      if (case%time_step_over_cell > 0) text = text//number('time_step_over_cell', case%time_step_over_cell)
+      text = text//whole('largest_steps', case%largest_steps)//whole('settling_periods', case%settling_periods) &
              //word('method', case%method)//word('deformation', case%deformation) &
              //word('error_estimate', case%error_estimate)
       if (case%accuracy > 0) text = text//number('accuracy', case%accuracy)

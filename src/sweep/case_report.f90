@@ -158,6 +158,7 @@ contains
       call add_case(json, case, plan)
       call json%add('run', trim(kinds(plan%kind)))
       call json%add('time_steps', plan%steps)
+      call json%add('time_step', plan%dt)
       call json%add('steady_states', 1 + plan%phases)
       call json%add('is_half_domain', plan%is_half)
       call json%add('is_resolved', plan%resolution%is_resolved)

@@ -70,6 +70,7 @@ contains
       coarse_case = case
       coarse_case%fields = .false.
       coarse_case%accuracy = 0                    ! is that of the case itself
+      coarse_case%time_step_over_cell = real(plan%cells_per_step, dp)/plan%steps_per_cell
       factor = 1
       do while (factor < 4)
          factor = 2*factor

@@ -71,6 +71,16 @@ class Accuracy(TestCase):
         steps = moving["time_steps"]*recorded["step_cost"][0]
         self.check_close(moving["expected_work_units"] - smooth["expected_work_units"], steps, 0.01, "cost of the march")
 
+    def test_long_waves_take_longer_steps(self):
+        steps = {}
+        for wavelength in [0.5, 2]:
+            groups = changed(WAVY, {"waviness": {"wavelength_over_a": wavelength}, "solver": {"accuracy": 0.01}})
+            plan, _ = self.plan(groups)
+            steps[wavelength] = plan["time_step"]/(4/plan["cells_x"])
+            fixed, _ = self.plan(changed(groups, {"solver": {"time_step_over_cell": 1}}))
+            self.assertEqual((fixed["time_step"], fixed["cells_x"]), (4/plan["cells_x"], plan["cells_x"]))
+        self.assertEqual(steps, {0.5: 1, 2: 2})
+
     def test_keys_that_are_given_stay(self):
         groups = changed(WAVY, {"solver": {"accuracy": 0.05, "step_tolerance": 1e-5, "tolerance": 1e-9},
                                 "grid": {"cells_x": 192, "cells_y": 96}})
