@@ -47,11 +47,14 @@ contains
       if (min(case%cells_x, case%cells_y) == 0) text = text//whole('largest_cells', case%largest_cells)
       text = text//word('domain', case%domain)//'/'//line_end &
              //'&solver'//line_end//number('tolerance', case%tolerance) &
-             //number('step_tolerance', case%step_tolerance)//number('time_step_over_cell', case%time_step_over_cell) &
-             //whole('largest_steps', case%largest_steps)//whole('settling_periods', case%settling_periods) &
+             //number('step_tolerance', case%step_tolerance)
+      if (case%time_step_over_cell > 0) text = text//number('time_step_over_cell', case%time_step_over_cell)
+      text = text//whole('largest_steps', case%largest_steps)//whole('settling_periods', case%settling_periods) &
              //optional_whole('largest_total_steps', case%largest_total_steps)//word('method', case%method)
       if (case%method == 'fas') text = text//word('cycle', case%cycle)
-      text = text//word('deformation', case%deformation)//'/'//line_end &
+      text = text//word('deformation', case%deformation)//word('error_estimate', case%error_estimate)
+      if (case%accuracy > 0) text = text//number('accuracy', case%accuracy)
+      text = text//'/'//line_end &
              //'&dynamics'//line_end//word('load_balance', case%load_balance)
       if (case%natural_frequency > 0) text = text//number('natural_frequency', case%natural_frequency)
       text = text//number('load_factor', case%load_factor)

@@ -61,6 +61,9 @@ contains
       call file%write('minimum_film', result%minimum_film, '1', 'smallest film thickness H of the smooth contact')
       call file%write('amplitude_ratio', result%amplitude_ratio, '1', 'Ad/Ai from the samples')
       call file%write('amplitude_ratio_fit', result%amplitude_ratio_fit, '1', 'Ad/Ai from a harmonic fit')
+      call file%write('central_film_error', result%central_film_error, '1', 'estimated relative error of central_film')
+      call file%write('minimum_film_error', result%minimum_film_error, '1', 'estimated relative error of minimum_film')
+      call file%write('amplitude_ratio_error', result%amplitude_ratio_error, '1', 'estimated relative error of Ad/Ai')
       if (conditions%has_dimensions) then
          call file%write('length_a_m', conditions%a_m, 'm', 'Hertz semi-axis in x')
          call file%write('length_b_m', conditions%b_m, 'm', 'Hertz semi-axis in y')

@@ -1,5 +1,6 @@
 !> What one case came to.
 module ehlwave_case_result
+   use ehlwave_error_estimate, only: basis_none
    use ehlwave_kinds, only: dp
    use ehlwave_status, only: status_pending
    implicit none (type, external)
@@ -16,6 +17,12 @@ module ehlwave_case_result
       real(dp) :: minimum_film = 0                   !! smallest H on the grid
       real(dp) :: central_film_moes = 0              !! H(0,0) in the scale of theory eq. (6)
       real(dp) :: max_pressure = 0                   !! largest P
+      ! estimated relative discretisation errors; NaN where there is no estimate
+      real(dp) :: central_film_error = 0             !! of H(0,0), from the multigrid levels
+      real(dp) :: minimum_film_error = 0             !! of the smallest H, likewise
+      real(dp) :: film_order = 0                     !! observed order of H(0,0) on the three finest levels
+      real(dp) :: amplitude_ratio_error = 0          !! of Ad/Ai
+      integer :: amplitude_error_basis = basis_none  !! what that is from, see ehlwave_error_estimate
       ! waviness; the three measured numbers are NaN until measured
       real(dp) :: amplitude_ratio = 0                !! Ad/Ai by theory eq. (14)
       real(dp) :: amplitude_ratio_fit = 0            !! Ad/Ai by harmonic fit

@@ -1,7 +1,9 @@
 !> Full multigrid (FMG): solve on the coarsest grid, interpolate, solve on the next finer one, and so on.
 module ehlwave_full_multigrid
+   use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
    use ehlwave_conditions, only: conditions_t
    use ehlwave_contact_problem, only: contact_problem_t
+   use ehlwave_deformation_choice, only: chosen_deformation
    use ehlwave_deformation_mlmi, only: deformation_mlmi_t
    use ehlwave_fas_multigrid, only: fas_t
    use ehlwave_formula, only: moes_film_formula
@@ -23,6 +25,7 @@ module ehlwave_full_multigrid
       class(level_solver_t), allocatable :: solver
       type(state_t) :: state
       type(solve_report_t) :: report
+      real(dp) :: central_film = 0, minimum_film = 0   !! of its own steady solution, NaN where it did not converge
    end type level_t
 
    !> Hierarchy of grids of one contact. Its solvers point at each other and at their problems: declare it a
@@ -50,7 +53,7 @@ contains
       integer, intent(in) :: cells_x, cells_y       !! cells of the finest grid over the whole domain
       logical, intent(in) :: is_half                !! store Y >= 0 only
       character(len=*), intent(in) :: method        !! 'newton', 'fas', or 'petsc' for the finest level
-      character(len=*), intent(in) :: deformation   !! 'fft' or 'mlmi'
+      character(len=*), intent(in) :: deformation   !! 'fft', 'mlmi' or 'auto', level by level
       character(len=*), intent(in), optional :: cycle   !! of FAS: 'v', 'w' or 'f'
       integer :: l, n
 
@@ -58,7 +61,9 @@ contains
       allocate (self%levels(n))
       do l = 1, n
          associate (level => self%levels(l))
-            if (deformation == 'mlmi') allocate (deformation_mlmi_t :: level%problem%deformation)
+            if (chosen_deformation(deformation, cells_x/2**(n - l), cells_y/2**(n - l), is_half, &
+                                   conditions%elliptic%kappa) == 'mlmi') &
+               allocate (deformation_mlmi_t :: level%problem%deformation)
             call level%problem%init(new_grid(x_min, x_max, y_max, cells_x/2**(n - l), cells_y/2**(n - l), is_half), &
                                     conditions, rheology)
             level%state = new_state(level%problem%grid)
@@ -140,6 +145,12 @@ contains
             else
                call level%solver%solve(level%problem, level%state, coarse_limits, level%report)
                if (level%report%status /= status_converged) call hertz_guess(level%problem, level%state)
+            end if
+            level%central_film = ieee_value(1.0_dp, ieee_quiet_nan)
+            level%minimum_film = level%central_film
+            if (level%report%status == status_converged) then
+               level%central_film = level%problem%grid%value_at_centre(level%state%h)
+               level%minimum_film = minval(level%state%h)
             end if
          end associate
       end do

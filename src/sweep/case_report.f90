@@ -5,11 +5,13 @@ module ehlwave_case_report
    use ehlwave_case_plan, only: case_plan_t, run_march, run_smooth, run_standing
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_text, only: case_identity
+   use ehlwave_error_estimate, only: basis_coarse_grid, basis_name
    use ehlwave_json, only: json_t
    use ehlwave_kinds, only: dp
    use ehlwave_resolution, only: flooded_inlet_gap
    use ehlwave_status, only: is_success, status_name
    use ehlwave_text, only: to_text
+   use ehlwave_work_unit, only: work_unit_seconds
    implicit none (type, external)
    private
    public :: print_plan, print_result, result_json, plan_json
@@ -39,6 +41,8 @@ contains
             merge(' (half: the case is even in Y)', ' (whole)                      ', plan%is_half)
          write (unit, '(a)') 'Grid         '//to_text(plan%cells_x)//' x '//to_text(plan%cells_y)//' cells on the whole '// &
             'domain, hX = '//to_text(plan%hx, 5)//', hY = '//to_text(plan%hy, 5)//' ('//plan%grid_reason//')'
+         write (unit, '(a)') 'Deformation  '//trim(merge('FFT ', 'MLMI', plan%deformation == 'fft'))//' on the finest grid ('// &
+            trim(merge('the faster one', 'asked for     ', case%deformation == 'auto'))//'), method '//trim(case%method)
          write (unit, '(a)') 'Resolution   hX over the inlet length = '//to_text(plan%resolution%inlet, 3)//resolution_text(plan)
          write (unit, '(a)') '             gap at x_min over film = '//to_text(plan%resolution%inlet_gap, 3)// &
             merge(' (flooded)                                              ', &
@@ -48,8 +52,20 @@ contains
          else
             write (unit, '(a)') '             NOT RESOLVED: '//plan%resolution%reason//'the result will be flagged'
          end if
+         write (unit, '(a)') 'Expected     relative error of '//trim(merge('Ad/Ai ', 'H(0,0)', plan%waviness%is_present))// &
+            ' about '//to_text(plan%expected_error, 2)//' and '//to_text(expected_seconds(plan), 2)//' s, '// &
+            to_text(plan%expected_work_units, 2)//' work units (models; usually right within a factor 2)'
+         if (case%accuracy > 0 .and. plan%expected_error > case%accuracy) write (unit, '(a)') &
+            '             ACCURACY '//to_text(case%accuracy, 3)//' NOT TO BE REACHED with largest_cells = '// &
+            to_text(case%largest_cells)//': expect '//to_text(plan%expected_error, 2)
       end associate
    end subroutine print_plan
+
+   !> Run time to expect here and now, from the model of the work and a work unit measured on the spot.
+   real(dp) function expected_seconds(plan)
+      type(case_plan_t), intent(in) :: plan
+      expected_seconds = plan%expected_work_units*work_unit_seconds(plan%cells_x, plan%cells_y)
+   end function expected_seconds
 
    function waviness_text(case) result(text)
       type(case_t), intent(in) :: case
@@ -127,6 +143,8 @@ contains
          write (unit, '(a)') '             f(r) V = '//to_text(result%f_r*result%v, 5)//', f(r) V2 = '// &
             to_text(result%f_r*result%v2, 5)//', f(r) = '//to_text(result%f_r, 5)
       end if
+      if (ieee_is_finite(result%central_film_error)) write (unit, '(a)') 'Estimated    relative errors of the grid: H(0,0) '// &
+         to_text(result%central_film_error, 2)//', smallest H '//to_text(result%minimum_film_error, 2)//amplitude_error()
       write (unit, '(a)') 'Errors       mass residual '//to_text(result%residual, 3)//', load error '// &
          to_text(result%load_error, 3)
       write (unit, '(a)') 'Effort       '//to_text(result%seconds, 4)//' s, '//to_text(result%work_units, 4)//' work units, '// &
@@ -143,6 +161,13 @@ contains
             text = to_text(result%nonlinear_steps)//' Newton and '//to_text(result%linear_steps)//' GMRES steps'
          end if
       end function iterations
+
+      function amplitude_error() result(text)
+         character(len=:), allocatable :: text
+         text = ''
+         if (ieee_is_finite(result%amplitude_ratio_error)) text = ', Ad/Ai '//to_text(result%amplitude_ratio_error, 2)// &
+            trim(merge(' (from coarser grids)', ' (from a model)      ', result%amplitude_error_basis == basis_coarse_grid))
+      end function amplitude_error
 
       subroutine print_smooth_film()
          write (unit, '(a)') 'Smooth film  H(0,0) = '//to_text(result%central_film, 6)//', smallest H = '// &
@@ -166,10 +191,15 @@ contains
       call add_case(json, case, plan)
       call json%add('run', trim(kinds(plan%kind)))
       call json%add('time_steps', plan%steps)
+      call json%add('time_step', plan%dt)
       call json%add('steady_states', 1 + plan%phases)
       call json%add('is_half_domain', plan%is_half)
       call json%add('is_resolved', plan%resolution%is_resolved)
       call json%add('message', plan%resolution%reason)
+      call json%add('accuracy', case%accuracy)
+      call json%add('expected_seconds', expected_seconds(plan))
+      call json%add('step_tolerance', case%step_tolerance)
+      call json%add('tolerance', case%tolerance)
    end function plan_json
 
    !> The result as one JSON object.
@@ -197,6 +227,11 @@ contains
       call json%add('amplitude_ratio', result%amplitude_ratio)
       call json%add('amplitude_ratio_fit', result%amplitude_ratio_fit)
       call json%add('mean_film', result%mean_film)
+      call json%add('central_film_error', result%central_film_error)
+      call json%add('minimum_film_error', result%minimum_film_error)
+      call json%add('film_order', result%film_order)
+      call json%add('amplitude_ratio_error', result%amplitude_ratio_error)
+      call json%add('amplitude_error_basis', trim(basis_name(result%amplitude_error_basis)))
       call json%add('v', result%v)
       call json%add('v2', result%v2)
       call json%add('f_r', result%f_r)
@@ -227,6 +262,9 @@ contains
       call json%add('orientation', trim(case%orientation))
       call json%add('wavelength_x_over_a', case%wavelength_x_over_a)
       call json%add('wavelength_y_over_a', case%wavelength_y_over_a)
+      call json%add('deformation', trim(plan%deformation))
+      call json%add('expected_error', plan%expected_error)
+      call json%add('expected_work_units', plan%expected_work_units)
       call json%add('cells_x', plan%cells_x)
       call json%add('cells_y', plan%cells_y)
       call json%add('inlet_resolution', plan%resolution%inlet)

@@ -5,6 +5,7 @@ module ehlwave_results_file
    use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_text, only: case_identity, effective_input, effective_length
+   use ehlwave_error_estimate, only: basis_name
    use ehlwave_errors, only: error_t
    use ehlwave_field_file, only: write_provenance
    use ehlwave_hdf5_file, only: hdf5_file_t
@@ -108,6 +109,7 @@ contains
          call reals('lambdabar', plans%conditions%lambdabar, '1', 'dimensionless speed parameter')
          call integers('cells_x', plans%cells_x, 'cells along X')
          call integers('cells_y', plans%cells_y, 'cells along Y, whole domain')
+         call texts('deformation', plans%deformation, 'fft or mlmi on the finest grid')
          call reals('points_per_wave_x', plans%resolution%points_x, '1', 'mesh sizes per wave along X')
          call reals('points_per_wave_y', plans%resolution%points_y, '1', 'mesh sizes per wave along Y')
          call reals('inlet_resolution', plans%resolution%inlet, '1', 'hX over the length of the inlet pressure sweep')
@@ -125,6 +127,12 @@ contains
             call outcomes('amplitude_ratio', r%amplitude_ratio, '1', 'Ad/Ai from the samples')
             call outcomes('amplitude_ratio_fit', r%amplitude_ratio_fit, '1', 'Ad/Ai from a harmonic fit')
             call outcomes('mean_film', r%mean_film, '1', 'mean of H(0,0) over the measured period')
+            call outcomes('central_film_error', r%central_film_error, '1', 'estimated relative error of central_film')
+            call outcomes('minimum_film_error', r%minimum_film_error, '1', 'estimated relative error of minimum_film')
+            call outcomes('film_order', r%film_order, '1', 'observed order of central_film on three levels')
+            call outcomes('amplitude_ratio_error', r%amplitude_ratio_error, '1', 'estimated relative error of Ad/Ai')
+            call texts('amplitude_error_basis', basis_name(r%amplitude_error_basis), &
+                       'what amplitude_ratio_error is from')
             call outcomes('v', r%v, '1', 'V of theory eq. (17)')
             call outcomes('v2', r%v2, '1', 'V2 of theory eq. (16)')
             call outcomes('f_r', r%f_r, '1', 'f(r) of theory eq. (15)')

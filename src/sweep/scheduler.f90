@@ -4,9 +4,9 @@
 !> keeps one case in reserve, so that nobody waits for rank 0. One rank runs the same code without messages.
 module ehlwave_scheduler
    use ehlwave_case_result, only: case_result_t, rung_length
-   use ehlwave_case_runner, only: run_case
    use ehlwave_case_table, only: sweep_t
    use ehlwave_clock, only: time_stamp
+   use ehlwave_estimated_case, only: run_estimated_case
    use ehlwave_kinds, only: dp
    use ehlwave_monitor, only: monitor_t, silent_monitor_t
    use ehlwave_results_file, only: row_t, text_length
@@ -20,7 +20,7 @@ module ehlwave_scheduler
 
    integer, parameter :: tag_ask = 1, tag_case = 2, tag_numbers = 3, tag_text = 4
    integer, parameter :: no_case = 0
-   integer, parameter :: numbers = 24
+   integer, parameter :: numbers = 29
    integer, parameter :: in_reserve = 2   !! unanswered requests of a worker: the case it runs and the next
 
    !> Rank 0: the queue and the rows, served whenever a case of its own reports progress.
@@ -177,7 +177,7 @@ contains
       row%host = host(:length)
       row%rank = rank
       row%started = time_stamp()
-      call run_case(sweep%cases(case), sweep%plans(case), monitor, row%result)
+      call run_estimated_case(sweep%cases(case), sweep%plans(case), monitor, row%result)
       row%finished = time_stamp()
       row%message = row%result%message
    end subroutine run_row
@@ -193,7 +193,9 @@ contains
          buffer = [real(dp) :: case, row%rank, r%status, merge(1, 0, r%is_resolved), r%central_film, r%minimum_film, &
                    r%central_film_moes, r%max_pressure, r%amplitude_ratio, r%amplitude_ratio_fit, r%mean_film, r%v, &
                    r%v2, r%f_r, r%formula_ratio, r%residual, r%load_error, r%time_steps, r%nonlinear_steps, &
-                   r%linear_steps, r%seconds, r%work_units, r%peak_memory_mib, r%rescued_solutions]
+                   r%linear_steps, r%seconds, r%work_units, r%peak_memory_mib, r%central_film_error, &
+                   r%minimum_film_error, r%film_order, r%amplitude_ratio_error, r%amplitude_error_basis, &
+                   r%rescued_solutions]
       end associate
       text = row%message//row%host//row%started//row%finished//row%result%rung
       call mpi_send(buffer, numbers, mpi_double_precision, 0, tag_numbers, comm)
@@ -217,7 +219,9 @@ contains
          amplitude_ratio_fit=buffer(10), mean_film=buffer(11), v=buffer(12), v2=buffer(13), f_r=buffer(14), &
          formula_ratio=buffer(15), residual=buffer(16), load_error=buffer(17), time_steps=nint(buffer(18)), &
          nonlinear_steps=nint(buffer(19)), linear_steps=nint(buffer(20)), seconds=buffer(21), work_units=buffer(22), &
-         peak_memory_mib=buffer(23), rescued_solutions=nint(buffer(24)), rung=text(2*text_length + 49:))
+         peak_memory_mib=buffer(23), central_film_error=buffer(24), minimum_film_error=buffer(25), film_order=buffer(26), &
+         amplitude_ratio_error=buffer(27), amplitude_error_basis=nint(buffer(28)), &
+         rescued_solutions=nint(buffer(29)), rung=text(2*text_length + 49:))
       row%message = text(1:text_length)
       row%host = text(text_length + 1:2*text_length)
       row%started = text(2*text_length + 1:2*text_length + 24)
