@@ -12,6 +12,7 @@ from ehlwave_post.deform.harmonics import harmonic_table
 from ehlwave_post.deform.predict import Deformed, deform_surface
 from ehlwave_post.deform.read import ReadOptions, read_surface
 from ehlwave_post.deform.report import report_json, report_text, to_dataset, write_results
+from ehlwave_post.deform.simulation import simulation_surface, write_simulation_surface
 from ehlwave_post.deform.surface import Surface, map_surface, trace_surface
 from ehlwave_post.deform.table import TableTransfer, read_table
 from ehlwave_post.deform.transfer import FormulaTransfer, Transfer
@@ -35,8 +36,10 @@ __all__ = [
     "read_table",
     "report_json",
     "report_text",
+    "simulation_surface",
     "spectrum_figure",
     "to_dataset",
     "trace_surface",
     "write_results",
+    "write_simulation_surface",
 ]

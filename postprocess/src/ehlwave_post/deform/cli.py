@@ -13,6 +13,7 @@ from ehlwave_post.deform.predict import deform_surface
 from ehlwave_post.deform.prepare import FORMS, WINDOWS
 from ehlwave_post.deform.read import ReadOptions, read_surface
 from ehlwave_post.deform.report import report_json, report_text, write_results
+from ehlwave_post.deform.simulation import simulation_surface, write_simulation_surface
 from ehlwave_post.deform.table import TableTransfer, read_table
 from ehlwave_post.deform.transfer import FormulaTransfer, Transfer
 from ehlwave_post.figures import write_figure
@@ -45,6 +46,14 @@ Examples:
   ehlwave-post deform map.sdf --conditions contact.nml --rolling-axis y --form quadratic"""
 
 
+SURFACE_DESCRIPTION = """\
+Write a trace or map for the full simulation: remove its form, fade the outer tenth at each end to
+zero so that nothing enters the contact as a step, and put it in metres, rolling direction first.
+
+The input of ehlwave-case names the file:   &surface file = 'FILE.h5' /
+ehlwave-post deform reads the same file, so that prediction and simulation stand side by side."""
+
+
 def add_commands(commands: Any) -> None:  # noqa: ANN401 - argparse does not name this type
     """Add the commands of this package to the parsers of ``ehlwave-post``."""
     deform = commands.add_parser(
@@ -60,7 +69,13 @@ def add_commands(commands: Any) -> None:  # noqa: ANN401 - argparse does not nam
         metavar="PROFILE",
         help="trace or map: CSV, NumPy, HDF5, SDF, X3P, ...",
     )
+    deform.add_argument(
+        "--conditions", nargs="+", required=True, metavar="FILE|KEY=VALUE", help="see below"
+    )
     add_reading(deform)
+    deform.add_argument(
+        "--ends", choices=WINDOWS, default="mirror", help="what is done about the ends; see below"
+    )
     source = deform.add_mutually_exclusive_group()
     source.add_argument(
         "--refit", type=Path, metavar="FILE", help="coefficients from refit.csv or refit.json"
@@ -71,13 +86,29 @@ def add_commands(commands: Any) -> None:  # noqa: ANN401 - argparse does not nam
     deform.add_argument("--output", type=Path, metavar="DIR", help="write files and figures there")
     deform.add_argument("--json", action="store_true", help="print JSON instead of text")
     deform.set_defaults(run=_deform)
+    surface = commands.add_parser(
+        "surface",
+        help="write a measured surface for ehlwave-case",
+        description=SURFACE_DESCRIPTION,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    surface.add_argument("surface", type=Path, metavar="PROFILE", help="as for deform")
+    add_reading(surface)
+    surface.add_argument(
+        "--repeat",
+        type=int,
+        default=1,
+        metavar="N",
+        help="so many copies along the rolling direction",
+    )
+    surface.add_argument(
+        "--output", type=Path, required=True, metavar="FILE.h5", help="file to write"
+    )
+    surface.set_defaults(run=_surface)
 
 
 def add_reading(parser: argparse.ArgumentParser) -> None:
     """Add the options that say what a surface file does not."""
-    parser.add_argument(
-        "--conditions", nargs="+", required=True, metavar="FILE|KEY=VALUE", help="see below"
-    )
     parser.add_argument(
         "--length-unit", metavar="UNIT", help="of positions and steps: m, mm, um, nm"
     )
@@ -99,10 +130,10 @@ def add_reading(parser: argparse.ArgumentParser) -> None:
         "--fill-missing", action="store_true", help="give missing heights their neighbour's"
     )
     parser.add_argument(
-        "--form", choices=tuple(FORMS), default="plane", help="polynomial to remove; see below"
-    )
-    parser.add_argument(
-        "--ends", choices=WINDOWS, default="mirror", help="what is done about the ends; see below"
+        "--form",
+        choices=tuple(FORMS),
+        default="plane",
+        help="polynomial to remove: nothing, offset, tilt (default), tilt and curvature",
     )
 
 
@@ -130,6 +161,14 @@ def _deform(options: argparse.Namespace) -> None:
         written += write_figure(spectrum_figure(result), options.output, "spectrum")
         listing = sys.stderr if options.json else sys.stdout
         print("\n".join(str(path) for path in written), file=listing)
+
+
+def _surface(options: argparse.Namespace) -> None:
+    surface = read_surface(options.surface, read_options(options))
+    prepared = simulation_surface(surface, options.form, options.repeat)
+    write_simulation_surface(prepared, options.output)
+    nx, ny = prepared.height.shape
+    print(f"{options.output}: {nx} x {ny} points, {(nx - 1) * prepared.step_x_m * 1e6:.5g} um long")
 
 
 def _transfer(options: argparse.Namespace, conditions: Conditions) -> Transfer:

@@ -1,6 +1,6 @@
 """Read measured surfaces: CSV, NumPy, HDF5, and the formats of instruments."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -63,6 +63,8 @@ class RawSurface:
     height_unit: str | None = None
     step: float | None = None
     step_across: float | None = None
+    is_across: bool = False
+    """Whether a trace is known to run along y of its file."""
 
 
 def read_surface(path: str | Path, options: ReadOptions | None = None) -> Surface:
@@ -93,7 +95,7 @@ def read_surface(path: str | Path, options: ReadOptions | None = None) -> Surfac
     file, chosen = Path(path), options or ReadOptions()
     if not file.is_file():
         raise SurfaceError(f"{file}: no such file")
-    raw = _read_raw(file)
+    raw = _without_single_line(_read_raw(file))
     if raw.height.ndim not in (1, 2):
         raise SurfaceError(f"{file}: heights have {raw.height.ndim} dimensions, not one or two")
     height_metres = _unit(file, chosen.height_unit or raw.height_unit, "heights", "--height-unit")
@@ -108,10 +110,22 @@ def read_surface(path: str | Path, options: ReadOptions | None = None) -> Surfac
             raise SurfaceError(f"{file}: {error}") from None
     along, across = _steps(file, raw, chosen)
     if height.ndim == 1:
-        return trace_surface(height, along, chosen.rolling_axis, file.name)
+        axis = "y" if raw.is_across else chosen.rolling_axis
+        return trace_surface(height, along, axis, file.name)
     if chosen.rolling_axis == "x":
         return map_surface(height.T, along, across, file.name)
     return map_surface(height, across, along, file.name)
+
+
+def _without_single_line(raw: RawSurface) -> RawSurface:
+    """Return a map of one row or one column as the trace it is."""
+    if raw.height.ndim != 2 or 1 not in raw.height.shape:
+        return raw
+    if raw.height.shape[0] == 1:
+        return replace(raw, height=raw.height.ravel(), y=None)
+    return replace(
+        raw, height=raw.height.ravel(), x=raw.y, y=None, step=raw.step_across, is_across=True
+    )
 
 
 def _read_raw(file: Path) -> RawSurface:
@@ -167,7 +181,7 @@ def _from_hdf5(file: Path, opened: h5py.File) -> RawSurface:
     if not arrays:
         arrays = {name: None for name in opened if name != "height"}
     raw = _from_arrays(file, arrays, {name: unit for name, unit in units.items() if unit})
-    # xarray writes (x, y) when told so; dimension scales say which is which.
+    # Files of `ehlwave-post deform` hold (x, y): dimension scales say which is which.
     if raw.height.ndim == 2 and "x" in opened["height"].dims[0].keys():  # noqa: SIM118
         raw.height = raw.height.T
     return raw
