@@ -60,18 +60,14 @@ class Comparison:
     undeformed: np.ndarray
     simulated: np.ndarray
     by_formula: np.ndarray
+    by_amplitudes: np.ndarray
     by_table: np.ndarray
     simulation_seconds: float
     prediction_seconds: float
 
     def error(self, predicted):
         """Root mean square error over the undeformed Rq."""
-        return rms(predicted - self.simulated)/rms(self.undeformed)
-
-
-def rms(values):
-    """Root mean square about the mean."""
-    return float(np.std(values))
+        return float(np.sqrt(np.mean((predicted - self.simulated)**2))/np.std(self.undeformed))
 
 
 def surfaces(a_m):
@@ -128,11 +124,11 @@ def solve(folder, name, speed, cells, **groups):
     return json.loads(outcome.stdout.splitlines()[-1]), result
 
 
-def compute_table(path, folder, speed, cells, conditions):
+def compute_table(path, folder, speed, cells, conditions, ratios=TABLE_RATIOS, waves=TABLE_WAVES):
     """Transfers of single waves by the transient on the grid of the comparison."""
     rows = []
-    for ratio in TABLE_RATIOS:
-        for wave in TABLE_WAVES:
+    for ratio in ratios:
+        for wave in waves:
             wave_x = 0.0 if np.isinf(ratio) else wave*max(1.0, ratio)
             wave_y = 0.0 if ratio == 0 else wave if np.isinf(ratio) else wave_x/ratio
             waviness = {"orientation": "custom", "wavelength_x_over_a": wave_x, "wavelength_y_over_a": wave_y,
@@ -168,16 +164,22 @@ def compare(name, surface, folder, speed, cells, conditions, table):
     by_formula = deform_surface(moved, known, FormulaTransfer(known), "none", "none")
     seconds = time.perf_counter() - start
     by_table = deform_surface(moved, known, TableTransfer(known, table), "none", "none")
+    by_amplitudes = deform_surface(moved, known, TableTransfer(known, without_phase(table)), "none", "none")
     with h5py.File(result) as opened:
         at_centre, film = opened["surface_position_m"][()], opened["film_at_centre"][()]*scale
     length = (moved.height.shape[0] - 1)*moved.step_x_m
     inside = (at_centre >= TAPERED_SHARE*length) & (at_centre <= (1 - TAPERED_SHARE)*length)
     at_centre, film = at_centre[inside], film[inside]
     lines = [np.interp(at_centre, np.arange(moved.height.shape[0])*moved.step_x_m, centre_line(heights))
-             for heights in (moved.height, by_formula.height, by_table.height)]
+             for heights in (moved.height, by_formula.height, by_amplitudes.height, by_table.height)]
     amplitude = amplitude_of(name, moved)/film_m
-    return Comparison(name, speed, amplitude, at_centre/conditions.semi_axis_a_m, lines[0], film_m - film, lines[1],
-                      lines[2], found["seconds"], seconds)
+    return Comparison(name, speed, amplitude, at_centre/conditions.semi_axis_a_m, lines[0], film_m - film, *lines[1:],
+                      found["seconds"], seconds)
+
+
+def without_phase(table):
+    """The table with amplitudes alone, as a formula for amplitudes could give them at best."""
+    return table.assign(transfer_real=np.hypot(table["transfer_real"], table["transfer_imag"]), transfer_imag=0.0)
 
 
 def amplitude_of(name, surface: Surface):
@@ -219,10 +221,10 @@ def draw(comparisons):
 def write_table(comparisons, path):
     """One row for each surface and condition."""
     headings = ["surface", "speed_m_per_s", "amplitude_over_film", "rq_undeformed_nm", "rq_simulated_nm", "rq_formula_nm",
-                "rq_table_nm", "error_formula_over_rq", "error_table_over_rq", "simulation_s", "prediction_s", "time_ratio"]
+                "rq_table_nm", "error_formula_over_rq", "error_amplitudes_over_rq", "error_table_over_rq", "simulation_s", "prediction_s", "time_ratio"]
     rows = [[one.surface, f"{one.speed:g}", f"{one.amplitude_over_film:.3f}",
-             *(f"{1e9*rms(line):.2f}" for line in (one.undeformed, one.simulated, one.by_formula, one.by_table)),
-             f"{one.error(one.by_formula):.3f}", f"{one.error(one.by_table):.3f}", f"{one.simulation_seconds:.2f}",
+             *(f"{1e9*np.std(line):.2f}" for line in (one.undeformed, one.simulated, one.by_formula, one.by_table)),
+             *(f"{one.error(line):.3f}" for line in (one.by_formula, one.by_amplitudes, one.by_table)), f"{one.simulation_seconds:.2f}",
              f"{one.prediction_seconds:.4f}", f"{one.simulation_seconds/one.prediction_seconds:.0f}"]
             for one in comparisons]
     with path.with_suffix(".csv").open("w", newline="", encoding="utf-8") as file:

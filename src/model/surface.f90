@@ -1,5 +1,6 @@
 !> A measured piece of surface: heights on a uniform grid, interpolated anywhere.
 module ehlwave_surface
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_errors, only: error_t, raise
    use ehlwave_kinds, only: dp, pi
    use ehlwave_text, only: to_text
@@ -45,13 +46,15 @@ contains
          call raise(error, 'steps must be above 0')
          return
       end if
-      highest = maxval(abs(height))
-      if (.not. (highest > 0 .and. highest <= huge(highest))) then   ! a NaN hides from maxval: see the sum below
-         call raise(error, 'heights are all 0, or one is infinite')
-      else if (.not. abs(sum(height)) <= huge(highest)) then
-         call raise(error, 'a height is missing (NaN)')
+      if (.not. all(ieee_is_finite(height))) then
+         call raise(error, 'a height is missing (NaN) or infinite')
+         return
       end if
-      if (allocated(error)) return
+      highest = maxval(abs(height))
+      if (highest <= 0) then
+         call raise(error, 'heights are all 0')
+         return
+      end if
       edge = max(maxval(abs(height(1, :))), maxval(abs(height(size(height, 1), :))))
       if (size(height, 2) > 1 .and. (size(height, 2) - 1)*step_y < width) &
          edge = max(edge, maxval(abs(height(:, 1))), maxval(abs(height(:, size(height, 2)))))

@@ -247,8 +247,8 @@ def _check_ratio(d: float, place: str) -> None:
 
 
 def _checked(keys: Mapping[str, Any], place: str) -> dict[str, float]:
-    known = (*DIMENSIONAL_KEYS, *MOES_KEYS, *SCALE_KEYS)
-    known = (*dict.fromkeys(known), "pressure_viscosity_per_pa", "slip_parameter")
+    known = list(dict.fromkeys((*DIMENSIONAL_KEYS, *MOES_KEYS, *SCALE_KEYS)))
+    known += ["pressure_viscosity_per_pa", "slip_parameter"]
     values: dict[str, float] = {}
     for key, value in keys.items():
         if key not in known:

@@ -83,7 +83,7 @@ def to_dataset(result: Deformed) -> xr.Dataset:
         "x": ("x", np.arange(nx) * result.surface.step_x_m, text | {"long_name": "along rolling"}),
         "y": ("y", np.arange(ny) * result.surface.step_y_m, text | {"long_name": "across"}),
     }
-    attributes = {"format": FORMAT_NAME, "report": report_json(result)}
+    attributes: dict[str, Any] = {"format": FORMAT_NAME, "report": report_json(result)}
     if film is not None:
         attributes["central_film_m"] = film
     return xr.Dataset(variables, coords=coordinates, attrs=attributes)

@@ -49,8 +49,16 @@ def empty_spectra(qx: Floats, qy: Floats) -> Spectra:
     """Return spectra to add to, for waves per metre of either sign."""
     waves_x, bin_x = np.unique(np.abs(qx), return_inverse=True)
     waves_y, bin_y = np.unique(np.abs(qy), return_inverse=True)
-    sums = [np.zeros_like(waves) for waves in (waves_x, waves_x, waves_y, waves_y)]
-    return Spectra(waves_x, waves_y, *sums, bin_x, bin_y)
+    return Spectra(
+        waves_x,
+        waves_y,
+        before_x=np.zeros_like(waves_x),
+        after_x=np.zeros_like(waves_x),
+        before_y=np.zeros_like(waves_y),
+        after_y=np.zeros_like(waves_y),
+        _bin_x=bin_x,
+        _bin_y=bin_y,
+    )
 
 
 @dataclass(frozen=True)
