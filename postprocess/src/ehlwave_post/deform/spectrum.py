@@ -115,7 +115,8 @@ class Tally:
         self.components += row.size
         self.before += float(squares.sum())
         self.after += float(after[row, column].sum())
-        best = np.argsort(squares)[-NAMED_COMPONENTS:]
+        count = min(NAMED_COMPONENTS, squares.size)
+        best = np.argpartition(squares, -count)[-count:]
         rows, columns = row[best], column[best]
         named = zip(squares[best], qx[rows, 0], qy[0, columns], after[rows, columns], strict=True)
         candidates = [

@@ -7,7 +7,6 @@ transfer by ``transfer_real`` and ``transfer_imag``, or by ``amplitude_ratio``, 
 CSV, or HDF5 with one dataset per column.
 """
 
-from dataclasses import dataclass
 from pathlib import Path
 
 import h5py
@@ -26,25 +25,37 @@ LARGEST_DIFFERENCE = 0.01
 """Relative, between the M, L, D of a contact and those of a table's rows that are used for it."""
 
 
-@dataclass(frozen=True)
+FINE_POINTS = 2000
+"""Of each curve, between which it is interpolated linearly: millions of components want it fast."""
+
+
 class _Curve:
     """Transfers of one orientation against the logarithm of f(r) min(lambda)/a."""
 
-    angle: float
-    log_wave: NDArray[np.float64]
-    real: PchipInterpolator
-    imag: PchipInterpolator
+    def __init__(self, angle: float, log_wave: Waves, transfer: NDArray[np.complex128]) -> None:
+        """Interpolate real and imaginary part monotonically between increasing waves."""
+        self.angle = angle
+        self.log_wave = log_wave
+        self._fine = np.linspace(log_wave[0], log_wave[-1], FINE_POINTS)
+        real = PchipInterpolator(log_wave, transfer.real)(self._fine)
+        self._values = real + 1j * PchipInterpolator(log_wave, transfer.imag)(self._fine)
 
     def at(self, log_wave: Waves, v_per_wave: float) -> NDArray[np.complex128]:
-        """Return the transfer; beyond the ends the last value, long waves by formula (18)."""
-        inside = np.clip(log_wave, self.log_wave[0], self.log_wave[-1])
-        value = self.real(inside) + 1j * self.imag(inside)
-        beyond = log_wave > self.log_wave[-1]
-        if np.any(beyond):
+        """Return the transfer.
+
+        Beyond the ends it is continued: towards short waves to 1, its difference from 1 in
+        proportion to the wavelength as in formula (18); towards long waves in proportion to the
+        formula, so that the mean has 0.
+        """
+        value = np.interp(log_wave, self._fine, self._values)
+        short = log_wave < self.log_wave[0]
+        if np.any(short):
+            share = np.exp(log_wave[short] - self.log_wave[0])
+            value[short] = 1 - (1 - self._values[0]) * share
+        long = log_wave > self.log_wave[-1]
+        if np.any(long):
             end = amplitude_ratio_formula(v_per_wave * np.exp(self.log_wave[-1]))
-            with np.errstate(over="ignore"):
-                tail = amplitude_ratio_formula(v_per_wave * np.exp(log_wave[beyond])) / end
-            value[beyond] *= tail
+            value[long] *= amplitude_ratio_formula(v_per_wave * np.exp(log_wave[long])) / end
         return np.asarray(value)
 
     def holds(self, log_wave: Waves, slack: float) -> NDArray[np.bool_]:
@@ -90,7 +101,9 @@ class TableTransfer:
     @property
     def outside_reason(self) -> str:
         """Why components are not covered."""
-        return f"outside the wavelengths and orientations of {self._name}: continued from its edge"
+        return (
+            f"outside the wavelengths and orientations of {self._name}: continued beyond its edge"
+        )
 
     def ratio(self, per_length_x: Waves, per_length_y: Waves) -> NDArray[np.complex128]:
         """Return the transfer for waves per metre along x (any sign) and y."""
@@ -98,7 +111,7 @@ class TableTransfer:
         value = np.empty(angle.shape, dtype=np.complex128)
         angles = [curve.angle for curve in self._curves]
         upper = np.clip(np.searchsorted(angles, angle, side="right"), 1, max(1, len(angles) - 1))
-        for index in np.unique(upper):
+        for index in range(1, max(2, len(angles))):
             chosen = upper == index
             low = self._curves[index - 1]
             high = self._curves[min(index, len(angles) - 1)]
@@ -239,14 +252,7 @@ def _curves(rows: pd.DataFrame, name: str) -> list[_Curve]:
         imag = of_wave["transfer_imag"].to_numpy()
         if float(angle) > np.pi / 2 - 1e-5:
             imag = np.zeros_like(imag)  # standing ridges: nothing moves, no phase
-        curves.append(
-            _Curve(
-                float(angle),
-                waves,
-                PchipInterpolator(waves, of_wave["transfer_real"].to_numpy()),
-                PchipInterpolator(waves, imag),
-            )
-        )
+        curves.append(_Curve(float(angle), waves, of_wave["transfer_real"].to_numpy() + 1j * imag))
     if not curves:
         raise SurfaceError(f"{name}: no orientation has two or more wavelengths to interpolate in")
     return curves
