@@ -108,9 +108,7 @@ def ground(nx, ny, step, a_m):
 def namelist(groups):
     """Text of an input file."""
     def written(value):
-        if isinstance(value, bool):
-            return f".{str(value).lower()}."
-        return f"'{value}'" if isinstance(value, str) else repr(float(value)) if isinstance(value, float) else str(value)
+        return f"'{value}'" if isinstance(value, str) else str(value)
     return "\n".join(f"&{group}\n" + "\n".join(f"  {key} = {written(value)}" for key, value in keys.items()) + "\n/"
                      for group, keys in groups.items()) + "\n"
 
@@ -211,8 +209,9 @@ def draw(comparisons):
                  ("by harmonic table", one.by_table, "#0072B2", "-", 1.0))
         for label, values, colour, style, width in lines:
             axis.plot(one.position, 1e9*values, style, color=colour, linewidth=width, label=label)
-        axis.set_title(f"{one.surface}, {one.speed:g} m/s: error {100*one.error(one.by_formula):.0f} % of Rq by formula, "
-                       f"{100*one.error(one.by_table):.0f} % by table", fontsize=8)
+        errors = [f"{100*one.error(line):.0f} %" for line in (one.by_formula, one.by_table)]
+        axis.set_title(f"{one.surface}, {one.speed:g} m/s: error {errors[0]} of Rq by formula, {errors[1]} by table",
+                       fontsize=8)
         axis.tick_params(labelsize=8)
     for row in axes:
         row[0].set_ylabel("height [nm]", fontsize=8)
@@ -224,14 +223,17 @@ def draw(comparisons):
 
 def write_table(comparisons, path):
     """One row for each surface and condition."""
-    headings = ["surface", "speed_m_per_s", "amplitude_over_film", "rq_undeformed_nm", "rq_simulated_nm", "rq_formula_nm",
-                "rq_table_nm", "error_formula_over_rq", "error_amplitudes_over_rq", "error_table_over_rq",
-                "mean_shift_over_rq", "simulation_s", "prediction_s", "time_ratio"]
-    rows = [[one.surface, f"{one.speed:g}", f"{one.amplitude_over_film:.3f}",
-             *(f"{1e9*np.std(line):.2f}" for line in (one.undeformed, one.simulated, one.by_formula, one.by_table)),
-             *(f"{one.error(line):.3f}" for line in (one.by_formula, one.by_amplitudes, one.by_table)),
-             f"{one.mean_shift():.3f}", f"{one.simulation_seconds:.2f}", f"{one.prediction_seconds:.4f}", f"{one.simulation_seconds/one.prediction_seconds:.0f}"]
-            for one in comparisons]
+    headings = ["surface", "speed_m_per_s", "amplitude_over_film", "rq_undeformed_nm", "rq_simulated_nm",
+                "rq_formula_nm", "rq_table_nm", "error_formula_over_rq", "error_amplitudes_over_rq",
+                "error_table_over_rq", "mean_shift_over_rq", "simulation_s", "prediction_s", "time_ratio"]
+    rows = []
+    for one in comparisons:
+        roughness = [np.std(line) for line in (one.undeformed, one.simulated, one.by_formula, one.by_table)]
+        errors = [one.error(line) for line in (one.by_formula, one.by_amplitudes, one.by_table)]
+        rows.append([one.surface, f"{one.speed:g}", f"{one.amplitude_over_film:.3f}",
+                     *(f"{1e9*value:.2f}" for value in roughness), *(f"{value:.3f}" for value in errors),
+                     f"{one.mean_shift():.3f}", f"{one.simulation_seconds:.2f}", f"{one.prediction_seconds:.4f}",
+                     f"{one.simulation_seconds/one.prediction_seconds:.0f}"])
     with path.with_suffix(".csv").open("w", newline="", encoding="utf-8") as file:
         csv.writer(file).writerows([headings, *rows])
     widths = [max(len(row[i]) for row in [headings, *rows]) for i in range(len(headings))]
@@ -262,7 +264,8 @@ def main():
     comparisons.sort(key=lambda one: (list(surfaces(1.0)).index(one.surface), one.speed))
     write_table(comparisons, options.output/"table")
     draw(comparisons).savefig(options.output/"profiles.png", dpi=150)
-    bad = [one for one in comparisons if one.amplitude_over_film < LINEAR_LIMIT and not one.error(one.by_table) <= ALLOWED]
+    bad = [one for one in comparisons
+           if one.amplitude_over_film < LINEAR_LIMIT and not one.error(one.by_table) <= ALLOWED]
     for one in bad:
         print(f"{one.surface} at {one.speed:g} m/s: error with the harmonic table above {ALLOWED:.0%} of Rq")
     return 1 if bad else 0

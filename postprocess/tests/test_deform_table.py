@@ -1,3 +1,4 @@
+import itertools
 from pathlib import Path
 
 import numpy as np
@@ -8,6 +9,7 @@ from synthetic import make_columns, write_results
 
 from ehlwave_post.cli import main
 from ehlwave_post.deform import (
+    Conditions,
     FormulaTransfer,
     TableTransfer,
     deform_surface,
@@ -132,9 +134,9 @@ def test_what_lies_outside_is_continued_and_named(tmp_path: Path) -> None:
 
 def test_tables_of_other_conditions_and_bad_tables_are_refused(tmp_path: Path) -> None:
     rows = read(tmp_path, table())
-    with pytest.raises(SurfaceError, match=r"no rows for M = .*nearest or all: M = "):
+    with pytest.raises(SurfaceError, match=r"M = 205.* does not lie among its 1 condition"):
         TableTransfer(experiment(radius_y_m=0.05, load_n=60), rows)
-    with pytest.raises(SurfaceError, match="no rows for"):
+    with pytest.raises(SurfaceError, match=r"S = 1.2: its slip parameters are 1"):
         TableTransfer(experiment(radius_y_m=0.05, slip_parameter=1.2), rows)
     with pytest.raises(SurfaceError, match="two or more wavelengths"):
         TableTransfer(CONTACT, rows.iloc[:1])
@@ -146,6 +148,49 @@ def test_tables_of_other_conditions_and_bad_tables_are_refused(tmp_path: Path) -
         read(tmp_path, table().assign(M="many"))
     with pytest.raises(SurfaceError, match="no such file"):
         read_table(tmp_path / "absent.csv")
+
+
+def of_contact(contact: Conditions, change: float = 0.0) -> pd.DataFrame:
+    """Return the table of the formula for another contact, c1 changed."""
+    rows = []
+    for wave in WAVES:
+        f_v = wave * contact.v_per_wavelength * contact.semi_axis_a_m
+        value = amplitude_ratio_formula(f_v, 0.15 + change)
+        keys = {"M": contact.m, "L": contact.l, "D": contact.d, "r": 0.0, "lambda_over_a": wave}
+        rows.append(keys | {"amplitude_ratio": value})
+    return pd.DataFrame(rows)
+
+
+@pytest.mark.parametrize(
+    "names", [["mean_speed_m_per_s"], ["mean_speed_m_per_s", "load_n", "radius_y_m"]]
+)
+def test_conditions_are_interpolated_on_v(tmp_path: Path, names: list[str]) -> None:
+    keys = {"mean_speed_m_per_s": (0.02, 0.05), "load_n": (30, 60), "radius_y_m": (0.03, 0.1)}
+    corners = itertools.product(*(keys[name] for name in names))
+    changes = [dict(zip(names, corner, strict=True)) for corner in corners]
+    tables = [of_contact(experiment(**{"radius_y_m": 0.05} | change)) for change in changes]
+    rows = read(tmp_path, pd.concat(tables))
+    between = experiment(
+        radius_y_m=0.05, mean_speed_m_per_s=0.03, load_n=40 if "load_n" in names else 39.2
+    )
+    transfer = TableTransfer(between, rows)
+    q = 1 / (np.geomspace(0.2, 1.2, 9) * between.semi_axis_a_m)
+    # what depends on f(r) V alone comes out exactly, at every condition
+    exact = FormulaTransfer(between).ratio(q, 0 * q)
+    np.testing.assert_allclose(transfer.ratio(q, 0 * q), exact, rtol=0, atol=2e-4)
+    with pytest.raises(SurfaceError, match="does not lie among its"):
+        TableTransfer(experiment(radius_y_m=0.05, mean_speed_m_per_s=0.2), rows)
+
+
+def test_what_differs_between_conditions_is_weighted(tmp_path: Path) -> None:
+    slow, fast = (experiment(mean_speed_m_per_s=speed) for speed in (0.02, 0.08))
+    rows = read(tmp_path, pd.concat([of_contact(slow, -0.05), of_contact(fast, 0.05)]))
+    middle = experiment(mean_speed_m_per_s=0.04)  # halfway in every logarithm
+    wave = 0.5 * middle.semi_axis_a_m
+    f_v = wave * middle.v_per_wavelength
+    expected = (amplitude_ratio_formula(f_v, 0.1) + amplitude_ratio_formula(f_v, 0.2)) / 2
+    found = TableTransfer(middle, rows).ratio(np.array([1 / wave]), np.zeros(1))
+    assert found[0].real == pytest.approx(float(expected), abs=2e-4)
 
 
 def test_hdf5_tables_are_read(tmp_path: Path) -> None:

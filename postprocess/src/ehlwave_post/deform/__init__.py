@@ -14,7 +14,8 @@ from ehlwave_post.deform.read import ReadOptions, read_surface
 from ehlwave_post.deform.report import report_json, report_text, to_dataset, write_results
 from ehlwave_post.deform.simulation import simulation_surface, write_simulation_surface
 from ehlwave_post.deform.surface import Surface, map_surface, trace_surface
-from ehlwave_post.deform.table import TableTransfer, read_table
+from ehlwave_post.deform.table import TableTransfer
+from ehlwave_post.deform.table_read import read_table
 from ehlwave_post.deform.transfer import FormulaTransfer, Transfer
 
 __all__ = [

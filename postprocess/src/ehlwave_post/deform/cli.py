@@ -14,7 +14,8 @@ from ehlwave_post.deform.prepare import FORMS, WINDOWS
 from ehlwave_post.deform.read import ReadOptions, read_surface
 from ehlwave_post.deform.report import report_json, report_text, write_results
 from ehlwave_post.deform.simulation import simulation_surface, write_simulation_surface
-from ehlwave_post.deform.table import TableTransfer, read_table
+from ehlwave_post.deform.table import TableTransfer
+from ehlwave_post.deform.table_read import read_table
 from ehlwave_post.deform.transfer import FormulaTransfer, Transfer
 from ehlwave_post.figures import write_figure
 

@@ -1,4 +1,4 @@
-"""Harmonic tables from sweeps, to be read by :func:`ehlwave_post.deform.table.read_table`."""
+"""Harmonic tables from sweeps, to be read by :func:`ehlwave_post.deform.table_read.read_table`."""
 
 from pathlib import Path
 
