@@ -1,4 +1,6 @@
 import json
+import subprocess
+import sys
 import time
 from pathlib import Path
 
@@ -100,3 +102,11 @@ def test_a_large_map_stays_within_memory_and_time(tmp_path: Path) -> None:
     assert main(arguments) == 0
     assert time.process_time() - start < 15
     assert (tmp_path / "out" / "deformed.h5").stat().st_size > 2 * 4 * 2048**2
+
+
+def test_example_runs(tmp_path: Path) -> None:
+    script = Path(__file__).parents[1] / "examples" / "deformed_trace.py"
+    command = [sys.executable, str(script), str(tmp_path / "out")]
+    outcome = subprocess.run(command, capture_output=True, text=True, check=True)
+    assert "lambda ratio" in outcome.stdout
+    assert (tmp_path / "out" / "deformed.png").stat().st_size > 10000

@@ -13,6 +13,7 @@ from ehlwave_post.deform import (
     FormulaTransfer,
     TableTransfer,
     deform_surface,
+    harmonic_table,
     map_surface,
     read_coefficients,
     read_table,
@@ -20,6 +21,8 @@ from ehlwave_post.deform import (
 )
 from ehlwave_post.errors import SurfaceError
 from ehlwave_post.formula import amplitude_ratio_formula, f_of_r
+from ehlwave_post.points import select_points
+from ehlwave_post.read import read_results
 
 CONTACT = experiment(radius_y_m=0.05)
 WAVES = np.geomspace(0.05, 3, 25)
@@ -211,6 +214,20 @@ def test_sweeps_become_tables(tmp_path: Path) -> None:
     )
     ratios = np.sort(columns["amplitude_ratio_fit"])
     np.testing.assert_allclose(np.sort(rows["transfer_real"]), ratios, rtol=1e-9)
+
+
+def test_linear_responses_and_phases_of_a_sweep_are_used(results_file: Path) -> None:
+    points = select_points(read_results([results_file]))
+    ratio = points["deformed_ratio"]
+    plain = harmonic_table(points)
+    assert (plain["transfer_imag"] == 0).all()
+    phased = harmonic_table(points.assign(phase_fit=0 * ratio + 0.3))
+    np.testing.assert_allclose(phased["transfer_imag"], plain["transfer_real"] * np.sin(0.3))
+    real = ratio.where(points["load_parameter_m"] > points["load_parameter_m"].min())
+    linear = harmonic_table(points.assign(harmonic_real=0.5 * real, harmonic_imaginary=0.1 * real))
+    low = linear["M"] == linear["M"].min()
+    np.testing.assert_allclose(linear["transfer_real"][low], plain["transfer_real"][low])
+    np.testing.assert_allclose(linear["transfer_imag"][~low], 0.1 * plain["transfer_real"][~low])
 
 
 def test_coefficients_are_read_from_what_refit_writes(tmp_path: Path, results_file: Path) -> None:
