@@ -1,4 +1,6 @@
-"""From a stylus trace to its shape inside the contact:   python deformed_trace.py [FOLDER]
+"""From a stylus trace to its shape inside the contact.
+
+    python deformed_trace.py [FOLDER]
 
 The contact is that of the experiment of Venner, Kaneta and Lubrecht (2000), the trace a synthetic
 one like their Figure 4. Prints the report; writes figures and data into FOLDER, if given.

@@ -41,9 +41,12 @@ def report_text(result: Deformed) -> str:
         lines.append(
             f"Not judged   {group.components} component(s) {group.reason}: "
             f"{100 * group.share_before:.3g} % of the mean square before, "
-            f"{100 * group.share_after:.3g} % after; the largest:"
+            f"{100 * group.share_after:.3g} % after"
         )
-        lines += [f"             {_component_text(component)}" for component in group.largest]
+        # What is below a hundredth of Rq is counted, not named.
+        least = 0.01 * s.rq_before_m
+        named = [one for one in group.largest if one.amplitude_before_m > least]
+        lines += [f"             {_component_text(component)}" for component in named]
     lines += [f"Warning      {warning}" for warning in result.warnings]
     return "\n".join(lines)
 
