@@ -10,6 +10,7 @@ METRES = {
     "um": 1e-6,
     "µm": 1e-6,  # micro sign
     "μm": 1e-6,  # Greek mu
+    "Âµm": 1e-6,  # a micro sign in UTF-8 that a reader took for Latin-1
     "micron": 1e-6,
     "nm": 1e-9,
     "pm": 1e-12,
