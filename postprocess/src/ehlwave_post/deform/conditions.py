@@ -13,6 +13,7 @@ from scipy.optimize import brentq
 from scipy.special import ellipe, ellipk
 
 from ehlwave_post.errors import SurfaceError
+from ehlwave_post.formula import v
 
 DEFAULT_PRESSURE_VISCOSITY = 2.2e-8
 """alpha, 1/Pa, when none is given, as in ``ehlwave-case``."""
@@ -78,7 +79,7 @@ class Conditions:
     @property
     def v_per_wavelength(self) -> float:
         """V = (lambda/a)(gamma M/L)^(1/2) for a wavelength of one metre, eq. (17), 1/m."""
-        return math.sqrt(self.gamma * self.m / self.l) / self.semi_axis_a_m
+        return float(v(1 / self.semi_axis_a_m, self.m, self.l, self.gamma))
 
 
 def conditions_from_keys(keys: Mapping[str, Any], place: str = "conditions") -> Conditions:

@@ -30,13 +30,13 @@ def deformed_figure(result: Deformed) -> Figure:
             whole, detail = figure.subplots(2, 1)
             _draw_line(whole, result, None)
             _draw_line(detail, result, 1.0)
-            whole.legend(loc="upper right", frameon=False, ncols=2)
+            whole.legend(loc="lower right", bbox_to_anchor=(1, 1), frameon=False, ncols=2)
             return figure
         figure = Figure(figsize=(6.4, 5.0), layout="constrained")
         axes = figure.subplot_mosaic([["before", "after"], ["line", "line"]], height_ratios=[1, 1])
         _draw_map(figure, axes["before"], axes["after"], result)
         _draw_line(axes["line"], result, 2.0)
-        axes["line"].legend(loc="upper right", frameon=False, ncols=2)
+        axes["line"].legend(loc="lower right", bbox_to_anchor=(1, 1), frameon=False, ncols=2)
     return figure
 
 

@@ -7,7 +7,7 @@ from scipy.interpolate import PchipInterpolator
 
 from ehlwave_post.deform.conditions import Conditions, conditions_from_keys
 from ehlwave_post.deform.table_conditions import weighted_conditions
-from ehlwave_post.deform.transfer import Waves
+from ehlwave_post.deform.transfer import Waves, orientation_and_wave
 from ehlwave_post.errors import SurfaceError
 from ehlwave_post.formula import amplitude_ratio_formula
 
@@ -147,10 +147,8 @@ class TableTransfer:
     ) -> tuple[Waves, Waves, tuple[int, ...]]:
         """Return arctan(r), log(f(r) V) of flattened waves, and their shape."""
         qx, qy = np.broadcast_arrays(np.abs(per_length_x), np.abs(per_length_y))
-        with np.errstate(divide="ignore", invalid="ignore"):
-            # f = exp(1 - 1/r) for r = qy/qx > 1
-            log_f = np.where(qy > qx, 1 - qx / qy, 0.0)
-            log_v = log_f - np.log(np.maximum(qx, qy) / self._v_per_wavelength)
+        factor, wavelength = orientation_and_wave(qx, qy)
+        log_v = np.log(factor * wavelength * self._v_per_wavelength)
         return np.arctan2(qy, qx).ravel(), log_v.ravel(), qx.shape
 
 

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from ehlwave_post.deform.conditions import Conditions
 from ehlwave_post.errors import SurfaceError
-from ehlwave_post.formula import PAPER_C1, PAPER_C2, amplitude_ratio_formula
+from ehlwave_post.formula import PAPER_C1, PAPER_C2, amplitude_ratio_formula, f_of_r
 
 Waves = NDArray[np.float64]
 
@@ -44,16 +44,14 @@ class Transfer(Protocol):
 def orientation_and_wave(per_length_x: Waves, per_length_y: Waves) -> tuple[Waves, Waves]:
     """Return f(r) and min(lambda_x, lambda_y) in m, eq. (15); the mean has lambda infinite.
 
-    Takes absolute waves per metre. r = lambda_x/lambda_y is the ratio of the wave numbers, so an
-    oblique component is judged by its wavelengths along x and along y, as the product of cosines
-    is that two oblique components make.
+    Takes waves per metre of either sign. r = lambda_x/lambda_y is the ratio of the wave numbers,
+    so an oblique component is judged by its wavelengths along x and along y, as the product of
+    cosines is that two oblique components make.
     """
     qx, qy = np.abs(per_length_x), np.abs(per_length_y)
-    longest = np.maximum(qx, qy)
     with np.errstate(divide="ignore", invalid="ignore"):
-        factor = np.where(qy > qx, np.exp(1 - qx / qy), 1.0)
-        wavelength = 1 / longest
-    return factor, wavelength
+        ratio = np.where(qy > 0, qy / qx, 0.0)
+        return f_of_r(ratio), 1 / np.maximum(qx, qy)
 
 
 @dataclass(frozen=True)
