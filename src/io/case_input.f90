@@ -11,6 +11,7 @@ module ehlwave_case_input
    public :: read_case, read_case_groups, complete_case, case_conditions
 
    integer, parameter, public :: name_length = 20   !! longest choice, e.g. 'equation_of_motion'
+   integer, parameter, public :: path_length = 512  !! longest name of a surface file
 
    !> All keys, in the order of the groups. Not given: M, L, D below 0; wavelengths and dimensional data 0.
    type, public :: case_t
@@ -30,6 +31,8 @@ module ehlwave_case_input
       real(dp) :: wavelength_x_over_a = 0, wavelength_y_over_a = 0
       logical :: oblique = .false.
       real(dp) :: amplitude_over_film = 0.2_dp
+      ! &surface
+      character(len=path_length) :: surface_file = ''    !! measured surface in place of waviness
       ! &grid
       real(dp) :: x_min = -2.5_dp, x_max = 1.5_dp, y_max = 2
       integer :: cells_x = 256, cells_y = 256            !! 0: chosen by the plan
@@ -99,6 +102,8 @@ contains
       call file%get(file_group, 'oblique', case%oblique, error)
       call file%get(file_group, 'amplitude_over_film', case%amplitude_over_film, error, above=0.0_dp, maximum=1.0_dp)
 
+      call read_surface_group(file, case, error)
+
       file_group = 'grid'
       call file%get(file_group, 'x_min', case%x_min, error, maximum=-1.0_dp)
       call file%get(file_group, 'x_max', case%x_max, error, minimum=1.0_dp)
@@ -148,6 +153,25 @@ contains
       if (.not. file%has('solver', 'step_tolerance')) case%step_tolerance = min(usual%step_tolerance, 0.1_dp*case%accuracy)
       if (.not. file%has('solver', 'tolerance')) case%tolerance = min(usual%tolerance, 1e-3_dp*case%accuracy)
    end subroutine choose_for_accuracy
+
+   !> &surface: a file, in place of waviness.
+   subroutine read_surface_group(file, case, error)
+      class(namelist_t), intent(inout) :: file
+      type(case_t), intent(inout) :: case
+      type(error_t), allocatable, intent(inout) :: error
+      character(len=*), parameter :: group = 'surface'
+      character(len=:), allocatable :: path
+
+      path = ''
+      call file%get(group, 'file', path, error)
+      if (allocated(error)) return
+      if (len(path) > path_length) then
+         call raise(error, file%place(group, 'file')//'the name of the file has more than '//to_text(path_length)//' characters')
+      else if (len(path) > 0 .and. case%orientation /= 'none') then
+         call raise(error, file%place(group, 'file')//'&surface gives a file and &waviness an orientation: give one of the two')
+      end if
+      case%surface_file = path
+   end subroutine read_surface_group
 
    !> &conditions: the three numbers, or dimensional data.
    subroutine read_conditions(file, case, error)

@@ -8,7 +8,7 @@ module ehlwave_case_text
    private
    public :: effective_input, case_identity
 
-   integer, parameter, public :: effective_length = 2048   !! no effective input is longer
+   integer, parameter, public :: effective_length = 3072   !! no effective input is longer
    character(len=*), parameter :: line_end = new_line('a')
 
 contains
@@ -41,7 +41,9 @@ contains
          text = text//number('wavelength_over_a', case%wavelength_over_a)
       end if
       if (case%orientation /= 'none') text = text//number('amplitude_over_film', case%amplitude_over_film)
-      text = text//'/'//line_end &
+      text = text//'/'//line_end
+      if (len_trim(case%surface_file) > 0) text = text//'&surface'//line_end//word('file', case%surface_file)//'/'//line_end
+      text = text &
              //'&grid'//line_end//number('x_min', case%x_min)//number('x_max', case%x_max)//number('y_max', case%y_max) &
              //whole('cells_x', case%cells_x)//whole('cells_y', case%cells_y)
       if (min(case%cells_x, case%cells_y) == 0) text = text//whole('largest_cells', case%largest_cells)

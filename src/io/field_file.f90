@@ -75,6 +75,8 @@ contains
             call file%write('time', result%time, '', '1', 'T, or phase over 2 pi for a standing pattern')
             call file%dimension('time')
             call file%write('film_at_centre', result%film_history, 'time', '1', 'H(0,0)')
+            if (allocated(result%surface_position)) call file%write('surface_position_m', result%surface_position, 'time', &
+               'm', 'x on the surface, as in its file, that is at the contact centre')
             if (allocated(result%approach_history)) &
                call file%write('approach', result%approach_history, 'time', '1', 'mutual approach Delta')
          end if

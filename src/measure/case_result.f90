@@ -42,6 +42,7 @@ module ehlwave_case_result
       real(dp) :: peak_memory_mib = 0                !! of the process so far
       ! history of the contact centre: times T, or phases over 2 pi for standing patterns
       real(dp), allocatable :: time(:), film_history(:), approach_history(:)
+      real(dp), allocatable :: surface_position(:)   !! of a measured surface, at the contact centre, m
       ! fields of the last solution, if asked for
       real(dp), allocatable :: x(:), y(:), p(:, :), h(:, :)
    end type case_result_t

@@ -12,6 +12,7 @@ module ehlwave_case_plan
       wanted_inlet, wanted_points_per_wave
    use ehlwave_rheology, only: density_constant, density_dowson_higginson, new_rheology, rheology_t, &
       viscosity_barus, viscosity_constant, viscosity_roelands
+   use ehlwave_surface_plan, only: read_case_surface, surface_times
    use ehlwave_text, only: to_text
    use ehlwave_waviness, only: new_waviness, no_waviness, waviness_t
    implicit none (type, external)
@@ -74,6 +75,8 @@ contains
       if (case%orientation /= 'none') &
          plan%waviness = new_waviness(case%wavelength_x_over_a, kappa*case%wavelength_y_over_a, case%oblique, &
                                       case%x_min, case%slip_parameter)
+      if (len_trim(case%surface_file) > 0) call read_case_surface(case, plan%conditions, plan%waviness, error)
+      if (allocated(error)) return
       plan%is_half = case%domain == 'auto' .and. plan%waviness%is_symmetric()
       call choose_grid(case, plan)
       plan%deformation = chosen_deformation(case%deformation, plan%cells_x, plan%cells_y, plan%is_half, kappa)
@@ -241,8 +244,9 @@ contains
 
    !> Steps until the slower of the surface pattern (speed S) and of the pattern in the lubricant (speed 1) has
    !> passed the outlet end, `settling_periods` more (measured: long waves, lambda = 2 a, are 2 per cent off in the
-   !> first period and below 0.1 per cent in the second), then one period. An `end_time` overrides this; where it comes
-   !> before the patterns have passed and one period more, no amplitude is measured.
+   !> first period and below 0.1 per cent in the second), then one period. A measured surface is followed until its
+   !> trailing end is at the contact centre. An `end_time` overrides both; where it comes before the patterns have passed
+   !> and one period more, no amplitude is measured.
    subroutine plan_march(case, plan, error)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(inout) :: plan
@@ -258,7 +262,11 @@ contains
          plan%steps_per_cell = nint(1/case%time_step_over_cell)
       end if
       plan%dt = plan%hx*plan%cells_per_step/plan%steps_per_cell
-      if (plan%waviness%moves()) then
+      if (allocated(plan%waviness%surface)) then
+         call surface_times(plan%waviness, settled, total)
+         if (case%end_time > 0) total = case%end_time
+         settled = min(settled, total)
+      else if (plan%waviness%moves()) then
          passed = (outlet_end - case%x_min)/min(1.0_dp, plan%waviness%slip)
          settled = passed + case%settling_periods*plan%waviness%period()
          total = settled + plan%waviness%period()

@@ -10,6 +10,7 @@ module ehlwave_case_report
    use ehlwave_kinds, only: dp
    use ehlwave_resolution, only: flooded_inlet_gap
    use ehlwave_status, only: is_success, status_name
+   use ehlwave_surface_plan, only: surface_text
    use ehlwave_text, only: to_text
    use ehlwave_work_unit, only: work_unit_seconds
    implicit none (type, external)
@@ -33,7 +34,11 @@ contains
          if (c%has_dimensions) write (unit, '(a)') '             a = '//to_text(c%a_m*1e3_dp, 5)//' mm, b = '// &
             to_text(c%b_m*1e3_dp, 5)//' mm, c = '//to_text(c%c_m*1e6_dp, 5)//' um'
          write (unit, '(a)') 'Lubricant    '//trim(case%viscosity_law)//', '//trim(case%density_law)
-         write (unit, '(a)') 'Waviness     '//waviness_text(case)
+         if (allocated(plan%waviness%surface)) then
+            write (unit, '(a)') 'Waviness     '//surface_text(case, plan%waviness, c)
+         else
+            write (unit, '(a)') 'Waviness     '//waviness_text(case)
+         end if
          write (unit, '(a)') 'Run          '//run_text(case, plan)
          write (unit, '(a)') 'Solver       '//solver_text(case)
          write (unit, '(a)') 'Domain       '//to_text(case%x_min, 4)//' <= X <= '//to_text(case%x_max, 4)//', '// &
@@ -91,7 +96,9 @@ contains
                 ' steady states of the pattern (it stands still: no time stepping)'
       case default
          text = 'steady state of smooth surfaces, then '//to_text(plan%steps)//' time steps of dT = '//to_text(plan%dt, 5)
-         if (plan%waviness%moves() .and. plan%measures) then
+         if (allocated(plan%waviness%surface)) then
+            text = text//', surface at the contact centre from step '//to_text(plan%first_sample)
+         else if (plan%waviness%moves() .and. plan%measures) then
             text = text//', amplitude measured from step '//to_text(plan%first_sample)
          else if (plan%waviness%moves()) then
             text = text//', too few to measure the amplitude'
@@ -136,7 +143,12 @@ contains
       if (result%rung /= 'direct') write (unit, '(a)') 'Rescue       '//trim(result%rung)//', '// &
          to_text(result%rescued_solutions)//' solutions rescued'
       if (ieee_is_finite(result%central_film)) call print_smooth_film()
-      if (plan%waviness%is_present .and. is_success(result%status)) then
+      if (allocated(plan%waviness%surface) .and. is_success(result%status)) then
+         if (plan%first_sample < result%time_steps) write (unit, '(a)') 'Rough film   h(0,0) while the surface passes: mean '// &
+            to_text(result%mean_film*plan%conditions%c_m*1e6_dp, 5)//', lowest '// &
+            to_text(minval(result%film_history(plan%first_sample + 1:))*plan%conditions%c_m*1e6_dp, 5)//', highest '// &
+            to_text(maxval(result%film_history(plan%first_sample + 1:))*plan%conditions%c_m*1e6_dp, 5)//' um'
+      else if (plan%waviness%is_present .and. is_success(result%status)) then
          if (ieee_is_finite(result%amplitude_ratio)) write (unit, '(a)') 'Amplitude    Ad/Ai = '// &
             to_text(result%amplitude_ratio, 5)//' (samples), '// &
             to_text(result%amplitude_ratio_fit, 5)//' (harmonic fit); formula '//to_text(result%formula_ratio, 5)
@@ -260,6 +272,7 @@ contains
       call json%add('alphabar', plan%conditions%alphabar)
       call json%add('lambdabar', plan%conditions%lambdabar)
       call json%add('orientation', trim(case%orientation))
+      if (allocated(plan%waviness%surface)) call json%add('surface_file', trim(case%surface_file))
       call json%add('wavelength_x_over_a', case%wavelength_x_over_a)
       call json%add('wavelength_y_over_a', case%wavelength_y_over_a)
       call json%add('deformation', trim(plan%deformation))

@@ -17,6 +17,7 @@ module ehlwave_case_runner
    use ehlwave_rescue, only: rescue_t, rung_name
    use ehlwave_state, only: state_t
    use ehlwave_status, only: is_success, status_converged, status_name, status_unresolved
+   use ehlwave_surface_plan, only: surface_positions
    use ehlwave_text, only: to_text
    use ehlwave_time_march, only: march, march_result_t, march_settings_t
    use ehlwave_work_unit, only: work_unit_seconds
@@ -57,7 +58,7 @@ contains
       result%minimum_film_error = result%amplitude_ratio
       result%film_order = result%amplitude_ratio
       result%amplitude_ratio_error = result%amplitude_ratio
-      if (plan%waviness%is_present) then
+      if (plan%waviness%is_present .and. .not. allocated(plan%waviness%surface)) then
          result%v = wave_parameter_v(plan%conditions, case%wavelength_over_a)
          result%v2 = wave_parameter_v2(plan%conditions, case%wavelength_over_a)
          result%f_r = anisotropy_factor(case%wavelength_x_over_a, case%wavelength_y_over_a)
@@ -164,14 +165,19 @@ contains
       type(march_settings_t) :: settings
       type(march_result_t) :: history
       type(solve_limits_t) :: limits
-      real(dp) :: amplitude
+      real(dp) :: amplitude, amplitude_over_film
 
       amplitude = case%amplitude_over_film*result%central_film
+      amplitude_over_film = case%amplitude_over_film
+      if (allocated(plan%waviness%surface)) then   ! heights are in units of c as they are
+         amplitude = 1
+         amplitude_over_film = sqrt(2.0_dp)*plan%waviness%surface%rq/result%central_film
+      end if
       settings = march_settings_t(waviness=plan%waviness, amplitude=amplitude, steps=plan%steps, &
                                   cells_per_step=plan%cells_per_step, steps_per_cell=plan%steps_per_cell, &
                                   natural_frequency=case%natural_frequency, force=case%load_factor)
       ! the tolerance is relative to the film; for small waves it has to follow their amplitude
-      limits = solve_limits_t(tolerance=case%step_tolerance*min(1.0_dp, case%amplitude_over_film/usual_amplitude), &
+      limits = solve_limits_t(tolerance=case%step_tolerance*min(1.0_dp, amplitude_over_film/usual_amplitude), &
                               largest_steps=case%largest_steps)
       call march(level, settings, limits, rescue, monitor, history)
       result%status = history%status
@@ -187,6 +193,10 @@ contains
          result%message = 'time step '//to_text(history%steps + 1)//' of '//to_text(plan%steps)//' '// &
                           status_name(history%status)//', residual '//to_text(level%report%residual, 3)// &
                           ', load error '//to_text(level%report%load_error, 3)
+      else if (allocated(plan%waviness%surface)) then
+         result%surface_position = surface_positions(plan%waviness, plan%conditions%a_m, result%time)
+         if (plan%first_sample < history%steps) &
+            result%mean_film = sum(result%film_history(plan%first_sample + 1:))/(history%steps - plan%first_sample + 1)
       else if (plan%waviness%moves() .and. plan%measures) then
          associate (film => history%central_film(plan%first_sample:), time => history%time(plan%first_sample:))
             result%amplitude_ratio = sampled_amplitude(film)/amplitude
