@@ -5,6 +5,7 @@ module ehlwave_field_file
    use ehlwave_case_text, only: case_identity, effective_input
    use ehlwave_clock, only: time_stamp
    use ehlwave_conditions, only: conditions_t
+   use ehlwave_error_estimate, only: basis_name
    use ehlwave_errors, only: error_t, raise
    use ehlwave_hdf5_file, only: hdf5_file_t
    use ehlwave_provenance, only: compiler, compiler_flags, git_revision, library_versions, program_version
@@ -56,6 +57,7 @@ contains
       call file%attribute('', 'status', status_name(result%status))
       call file%attribute('', 'message', result%message)
       call file%attribute('', 'rung', trim(result%rung))
+      call file%attribute('', 'amplitude_error_basis', trim(basis_name(result%amplitude_error_basis)))
 
       call file%write('central_film', result%central_film, '1', 'smooth central film thickness H(0,0)')
       call file%write('minimum_film', result%minimum_film, '1', 'smallest film thickness H of the smooth contact')

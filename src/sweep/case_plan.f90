@@ -140,7 +140,7 @@ contains
          end if
          if (case%accuracy > 0) then
             mesh = largest_mesh(plan%conditions, case%accuracy)
-            if (plan%waviness%is_present) &
+            if (plan%waviness%is_present .and. .not. allocated(plan%waviness%surface)) &
                mesh = largest_mesh(plan%conditions, share_of_mesh*case%accuracy, formula_ratio(case, plan), plan%waviness%moves())
             if (length_x/mesh > wanted_x) then
                wanted_x = length_x/mesh
@@ -171,7 +171,7 @@ contains
    end subroutine choose_grid
 
    !> dT/hX for the accuracy asked for: 2 for waves of at least 64 mesh sizes, where it adds little error (measured:
-   !> lambda = 2 a on 128 cells, 37 to 39 per cent of the GMRES steps of dT = hX), else 1: for shorter waves
+   !> lambda = 2 a on 128 cells, 33 to 62 per cent of the GMRES steps of dT = hX), else 1: for shorter waves
    !> longer steps save nothing.
    pure integer function chosen_step(case, plan)
       type(case_t), intent(in) :: case
@@ -199,7 +199,7 @@ contains
       type(case_plan_t), intent(inout) :: plan
 
       plan%expected_error = expected_film_error(plan%conditions, plan%hx)
-      if (plan%waviness%is_present) plan%expected_error = &
+      if (plan%waviness%is_present .and. .not. allocated(plan%waviness%surface)) plan%expected_error = &
          expected_ratio_error(plan%conditions, formula_ratio(case, plan), plan%hx, plan%resolution%points_y, &
                               plan%cells_per_step, plan%resolution%samples, case%step_tolerance)
       plan%expected_work_units = (1 + 0.5_dp*plan%phases)*steady_work_units(plan%conditions, plan%cells_x) &

@@ -57,7 +57,8 @@ contains
          else
             write (unit, '(a)') '             NOT RESOLVED: '//plan%resolution%reason//'the result will be flagged'
          end if
-         write (unit, '(a)') 'Expected     relative error of '//trim(merge('Ad/Ai ', 'H(0,0)', plan%waviness%is_present))// &
+         write (unit, '(a)') 'Expected     relative error of '//trim(merge('Ad/Ai ', 'H(0,0)', plan%waviness%is_present .and. &
+            .not. allocated(plan%waviness%surface)))// &
             ' about '//to_text(plan%expected_error, 2)//' and '//to_text(expected_seconds(plan), 2)//' s, '// &
             to_text(plan%expected_work_units, 2)//' work units (models; usually right within a factor 2)'
          if (case%accuracy > 0 .and. plan%expected_error > case%accuracy) write (unit, '(a)') &

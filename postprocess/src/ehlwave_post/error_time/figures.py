@@ -117,7 +117,8 @@ def tolerance_figure(errors: Iterable[Row]) -> Figure:
             panel.set(xscale="log", yscale="log", xlabel="step_tolerance")
             panel.set_title(f"error of $A_d/A_i$, {title}")
             panel.grid(visible=True, which="major", linewidth=0.3)
-        figure.legend(loc="outside lower center", ncols=2, frameon=False)
+        if left.lines:
+            figure.legend(loc="outside lower center", ncols=2, frameon=False)
     return figure
 
 
