@@ -16,6 +16,7 @@ module ehlwave_fas_multigrid
    implicit none (type, external)
    private
 
+   integer, parameter :: sweeps_before = 1, sweeps_after = 2   !! the coarse problem; fewest work units measured
    integer, parameter :: direct_steps = 10           !! Newton steps per visit of the coarsest level
    real(dp), parameter :: direct_share = 0.01_dp     !! of the residual of the finest level, to be left there
    real(dp), parameter :: divergence = 1e3_dp        !! growth of the residual that ends a solve
@@ -30,9 +31,8 @@ module ehlwave_fas_multigrid
    !> Solver of one level; `coarser` is that of the next coarser one, or null on the coarsest.
    type, extends(level_solver_t), public :: fas_t
       character(len=1) :: cycle = 'f'             !! 'v', 'w' or 'f'
-      integer :: sweeps_before = 1, sweeps_after = 2
       type(fas_t), pointer :: coarser => null()
-      type(line_relaxation_t) :: relaxation
+      type(line_relaxation_t), private :: relaxation
       type(contact_problem_t), pointer, private :: own_problem => null()
       type(newton_t), allocatable, private :: direct   ! solves the coarsest level; made when it is needed
       type(state_t), private :: state, restricted ! of this level as a coarser one: present, and as it came
@@ -110,7 +110,7 @@ contains
          if (.not. report%residual <= report%history(1)) state = self%restricted    ! better no correction
          return
       end if
-      call relax(self, problem, state, self%sweeps_before)
+      call relax(self, problem, state, sweeps_before)
       associate (coarser => self%coarser)
          call restrict(problem, state, self%relaxation, coarser%own_problem, coarser%state, coarser%relaxation)
          coarser%restricted = coarser%state
@@ -121,7 +121,7 @@ contains
          call correct(coarser%own_problem, coarser%restricted, coarser%state, problem, self%relaxation%is_cavitated, state)
       end associate
       call self%relaxation%evaluate(problem, state)
-      call relax(self, problem, state, self%sweeps_after)
+      call relax(self, problem, state, sweeps_after)
    end subroutine fas_cycle
 
    !> Newton's method, for the coarsest level.

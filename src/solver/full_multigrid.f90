@@ -39,7 +39,6 @@ module ehlwave_full_multigrid
    end type full_multigrid_t
 
    integer, parameter :: fewest_cells = 24   !! along X or over the whole width, on the coarsest grid
-   real(dp), parameter :: coarsest_inlet = 0.6_dp   !! hX sqrt(gamma M/L) of the coarsest grid that FAS makes use of
 
 contains
 
@@ -75,7 +74,7 @@ contains
                allocate (newton_t :: level%solver)
             end if
             call level%solver%init(level%problem)
-            if (l > 1) call connect_levels(level%solver, self%levels(l - 1))
+            if (l > 1) call connect_levels(level%solver, self%levels(l - 1)%solver)
             associate (solver => level%solver)
                select type (solver)
                type is (fas_t)
@@ -86,23 +85,20 @@ contains
       end do
    end subroutine init
 
-   !> Let a solver use that of the next coarser level: Newton's method in its preconditioner, FAS as its coarse
-   !> problem unless that grid is too coarse to be one.
+   !> Let a solver use that of the next coarser level: Newton's method in its preconditioner, FAS for its coarse problem.
    subroutine connect_levels(solver, coarser)
       class(level_solver_t), intent(inout) :: solver
-      class(level_t), intent(in), target :: coarser
+      class(level_solver_t), intent(in), target :: coarser
       select type (solver)
       type is (newton_t)
-         select type (below => coarser%solver)
+         select type (coarser)
          type is (newton_t)
-            solver%coarser => below
+            solver%coarser => coarser
          end select
       type is (fas_t)
-         select type (below => coarser%solver)
+         select type (coarser)
          type is (fas_t)
-            associate (c => coarser%problem%conditions)
-               if (coarser%problem%grid%hx*sqrt(c%gamma*c%m) <= coarsest_inlet*sqrt(c%l)) solver%coarser => below
-            end associate
+            solver%coarser => coarser
          end select
       end select
    end subroutine connect_levels

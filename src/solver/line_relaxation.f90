@@ -1,10 +1,10 @@
 !> Hybrid line relaxation of the contact problem, lines along X.
 !>
 !> Venner (1991); Venner and Lubrecht, Multilevel Methods in Lubrication (2000), chapter 6. Where Poiseuille flow
-!> rules, the pressures of a line are changed one by one (Gauss-Seidel from line to line). Where it is weak, the
-!> equation is one for the deformation, whose kernel reaches far: there the unknown of a node is the strength of a
-!> distributive change, 1 at the node and in sum -1 at its four neighbours, whose deformation falls as 1/r^3, and
-!> all lines are changed together at the end of the sweep (Jacobi).
+!> rules, the pressures of a line are changed one by one. Where it is weak, the equation is one for the deformation,
+!> whose kernel reaches far: there the unknown of a node is the strength of a distributive change, 1 at the node and in
+!> sum -1 at its four neighbours, whose deformation falls as 1/r^3. Each line sees the pressure changes of those before
+!> it (Gauss-Seidel), and their deformation at the end of the sweep only (Jacobi).
 module ehlwave_line_relaxation
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_kernel, only: cell_influence
@@ -17,18 +17,20 @@ module ehlwave_line_relaxation
    private
 
    integer, parameter :: single = 0, distributed = 1   ! kinds of change
+   real(dp), parameter :: damping = 0.9_dp             ! of both
+
+   !> Poiseuille over wedge coefficient below which changes are distributed, for cells that are square in metres.
+   !> It grows with the square of their aspect: single changes in long cells deform many of their neighbours.
+   real(dp), parameter :: switch_of_squares = 3
 
    type, public :: line_relaxation_t
-      real(dp) :: switch = 3                  !! times the square of the cell aspect: Poiseuille over wedge
-                                                  !! coefficient below which changes are distributed
-      real(dp) :: damping(0:1) = [0.9_dp, 0.9_dp] !! of single and of distributive changes
-      real(dp), private :: aspect2 = 1
       type(flow_t) :: flow                        !! coefficients at the state last evaluated
       real(dp), allocatable :: residual(:, :)     !! R at the state last evaluated, (0:nx, 0:ny)
       logical, allocatable :: is_cavitated(:, :)  !! P + R/|A_ii| <= 0
       real(dp), allocatable :: scale(:, :)        !! 1/|A_ii|, 0 on the boundary
-      integer :: reach = 3                        !! bands of the line system on either side
-      real(dp) :: self_influence = 0
+      integer, private :: reach = 3                     ! bands of the line system on either side
+      real(dp), private :: switch = 0                   ! `switch_of_squares` for the cells of this grid
+      real(dp), private :: self_influence = 0           ! deformation under a cell of unit pressure
       real(dp), private :: share_x = 0, share_y = 0     ! of a distributive change at its neighbours
       real(dp), allocatable, private :: shape(:, :, :)      ! pressure of a change, (-reach-2:reach+2, 0:1, kind)
       real(dp), allocatable, private :: influence(:, :, :)  ! its deformation
@@ -55,7 +57,7 @@ contains
 
       associate (grid => problem%grid, kappa => problem%conditions%elliptic%kappa, k => problem%conditions%elliptic%k)
          aspect = grid%hy/(kappa*grid%hx)
-         self%aspect2 = max(aspect, 1/aspect)**2
+         self%switch = switch_of_squares*max(aspect, 1/aspect)**2
          self%reach = max(3, min(5, nint(aspect)))
          self%share_x = 0.5_dp*max(0.5_dp, aspect**2/(1 + aspect**2))
          self%share_y = 0.5_dp - self%share_x
@@ -128,9 +130,9 @@ contains
             call solve_band(self%reach, n, size(self%band, 1), self%band, self%delta)
             do i = 1, n
                if (self%kind(i) == single) then
-                  change(i, j) = change(i, j) + self%damping(single)*self%delta(i)
+                  change(i, j) = change(i, j) + damping*self%delta(i)
                else
-                  strength = self%damping(distributed)*self%delta(i)
+                  strength = damping*self%delta(i)
                   change(i, j) = change(i, j) + strength
                   change(i - 1, j) = change(i - 1, j) - self%share_x*strength
                   change(i + 1, j) = change(i + 1, j) - self%share_x*strength
@@ -174,7 +176,7 @@ contains
          do i = 1, n
             self_wedge = problem%transport%w0(i)*flow%f_h(i, j)*self%self_influence
             self%kind(i) = merge(distributed, single, .not. self%is_cavitated(i, j) .and. &
-               1/self%scale(i, j) - problem%transport%w0(i)*flow%f_p(i, j) < (1 + self%switch*self%aspect2)*self_wedge)
+               1/self%scale(i, j) - problem%transport%w0(i)*flow%f_p(i, j) < (1 + self%switch)*self_wedge)
          end do
          call row_links(grid, problem%transport, problem%conditions%elliptic%kappa, flow, p, 1, n, j, by_p, by_h)
          do i = 1, n
