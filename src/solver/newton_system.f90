@@ -4,7 +4,7 @@ module ehlwave_newton_system
    use ehlwave_gmres, only: linear_system_t
    use ehlwave_grid, only: grid_t
    use ehlwave_kernel, only: cell_influence
-   use ehlwave_kinds, only: dp
+   use ehlwave_kinds, only: dp, sp
    use ehlwave_load_balance, only: load_factor
    use ehlwave_near_stencil, only: near_stencil_t, new_near_stencil
    use ehlwave_reynolds, only: diagonal_scale, flow_t, new_flow, reynolds_jacobian
@@ -107,7 +107,7 @@ contains
                   line(i, :) = 0
                   line(i, centre) = 1/self%row_scale(i, j)
                end if
-               self%ilu%a(:, j - grid%first_row + 1, i) = self%row_scale(i, j)*line(i, self%ilu%order)
+               self%ilu%a(:, j - grid%first_row + 1, i) = real(self%row_scale(i, j)*line(i, self%ilu%order), sp)
             end do
          end do
       end associate
