@@ -2,7 +2,7 @@
 program ehlwave_sweep
    use, intrinsic :: iso_fortran_env, only: error_unit, output_unit
    use ehlwave_arguments, only: arguments_t, read_arguments
-   use ehlwave_case_runner, only: run_case
+   use ehlwave_estimated_case, only: run_estimated_case
    use ehlwave_case_table, only: read_output_name, read_sweep, sweep_t
    use ehlwave_errors, only: error_t
    use ehlwave_petsc_solver, only: finish_petsc
@@ -77,7 +77,7 @@ program ehlwave_sweep
       if (rank == 0) call print_sweep_plan(output_unit, sweep)
       call finish(exit_done)
    end if
-   call run_job(mpi_comm_world, run_case, trim(arguments%files(1)), sweep, options, code)
+   call run_job(mpi_comm_world, run_estimated_case, trim(arguments%files(1)), sweep, options, code)
    call finish(code)
 
 contains

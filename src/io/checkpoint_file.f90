@@ -10,7 +10,7 @@ module ehlwave_checkpoint_file
    implicit none (type, external)
    private
 
-   character(len=*), parameter :: format_line = 'ehlwave-checkpoint 1 '//program_version//' '//git_revision//' '// &
+   character(len=*), parameter :: format_line = 'ehlwave-checkpoint 2 '//program_version//' '//git_revision//' '// &
       compiler//' '//compiler_flags
 
    integer, parameter :: bytes_of_real = storage_size(1.0_dp)/8, bytes_of_integer = storage_size(1)/8
@@ -96,14 +96,21 @@ contains
       real(dp), intent(in) :: seconds   !! wall time of the case so far
       character(len=:), allocatable :: text
 
-      associate (r => march%result, past => march%past)
+      associate (r => march%result, past => march%past, given => march%given, rescue => march%rescue)
          text = reals([seconds, march%approach, past%before%delta, past%earlier%delta, past%earliest%delta, &
-                       r%worst_residual, r%worst_load_error]) &
-                //integers([r%steps, r%nonlinear_steps, r%linear_steps, r%factorisations]) &
+                       r%worst_residual, r%worst_load_error, given%load%carried, given%load%force, rescue%thinnest]) &
+                //integers([r%steps, r%nonlinear_steps, r%linear_steps, r%factorisations, &
+                            rescue%steps_left, rescue%rung, rescue%rescued]) &
                 //reals(r%time)//reals(r%central_film)//reals(r%approach) &
                 //reals(flat(past%before%p))//reals(flat(past%before%h)) &
                 //reals(flat(past%earlier%p))//reals(flat(past%earliest%p)) &
-                //reals(reshape(march%history, [size(march%history)]))
+                //reals(reshape(march%history, [size(march%history)])) &
+                //reals(flat(given%carried))
+         if (allocated(given%rough)) then
+            text = text//reals(flat(given%rough))
+         else                            ! before the first step
+            text = text//reals(0*flat(given%carried))
+         end if
       end associate
    end function packed
 
@@ -130,11 +137,11 @@ contains
       character(len=*), intent(in) :: text
       type(march_t), intent(inout) :: march
       real(dp), intent(out) :: seconds
-      real(dp) :: numbers(9)
-      integer :: counts(4), place
+      real(dp) :: numbers(12)
+      integer :: counts(7), place
 
       place = 0
-      associate (r => march%result, past => march%past)
+      associate (r => march%result, past => march%past, given => march%given, rescue => march%rescue)
          call take(numbers)
          seconds = numbers(1)
          march%approach = numbers(2:4)
@@ -143,12 +150,18 @@ contains
          past%earliest%delta = numbers(7)
          r%worst_residual = numbers(8)
          r%worst_load_error = numbers(9)
-         counts = transfer(text(place + 1:place + 4*bytes_of_integer), counts)
-         place = place + 4*bytes_of_integer
+         given%load%carried = numbers(10)
+         given%load%force = numbers(11)
+         rescue%thinnest = numbers(12)
+         counts = transfer(text(place + 1:place + size(counts)*bytes_of_integer), counts)
+         place = place + size(counts)*bytes_of_integer
          r%steps = counts(1)
          r%nonlinear_steps = counts(2)
          r%linear_steps = counts(3)
          r%factorisations = counts(4)
+         rescue%steps_left = counts(5)
+         rescue%rung = counts(6)
+         rescue%rescued = counts(7)
          call take(r%time)
          call take(r%central_film)
          call take(r%approach)
@@ -161,6 +174,9 @@ contains
             call take(list)
             march%history = reshape(list, shape(march%history))
          end block
+         if (.not. allocated(given%rough)) allocate (given%rough, mold=given%carried)
+         call take_plane(given%carried)
+         call take_plane(given%rough)
       end associate
 
    contains

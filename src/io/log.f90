@@ -14,7 +14,7 @@ module ehlwave_log
    type, extends(monitor_t), public :: log_monitor_t
       logical :: is_quiet = .false.
       real(dp), private :: last_s = -1e30_dp
-      character(len=20), private :: last_stage = ''
+      character(len=40), private :: last_stage = ''
    contains
       procedure :: step_done
    end type log_monitor_t

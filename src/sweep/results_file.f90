@@ -60,7 +60,7 @@ contains
       call file%attribute('', 'sweep_input', sweep_text)
       call file%write('case', [(i, i=1, n)], '', '1', 'number of the case in the sweep')
       call file%dimension('case')
-      call write_inputs(file, sweep)
+      call write_inputs(file, sweep, contents, place)
       call write_status(file, sweep, contents, place)
       call write_outcomes(file, contents, place)
       call write_runs(file, contents, place)
@@ -96,10 +96,13 @@ contains
    end function stored_input
 
    !> Columns that follow from the sweep file alone; pending cases have them, too.
-   subroutine write_inputs(file, sweep)
+   subroutine write_inputs(file, sweep, contents, place)
       type(hdf5_file_t), intent(inout) :: file
       type(sweep_t), intent(in) :: sweep
+      type(contents_t), intent(in) :: contents
+      integer, intent(in) :: place(:)
       character(len=effective_length), allocatable :: inputs(:)
+      logical :: is_resolved(size(place))
       integer :: i
 
       call file%write('case_id', sweep%identity, 'case', '', 'identity of the effective input')
@@ -121,9 +124,18 @@ contains
          call file%write('cells_y', plans%cells_y, 'case', '1', 'cells along Y, whole domain')
          call reals('points_per_wave_x', plans%resolution%points_x, 'mesh sizes per wave along X')
          call reals('points_per_wave_y', plans%resolution%points_y, 'mesh sizes per wave along Y')
-         call reals('inlet_resolution', plans%resolution%inlet, 'hX sqrt(gamma M/L)')
-         call file%write('is_resolved', merge(1, 0, plans%resolution%is_resolved), 'case', '1', &
-                         '1 when the grid resolves the case')
+         call file%write('deformation', plans%deformation, 'case', '', 'fft or mlmi on the finest grid')
+         call reals('inlet_resolution', plans%resolution%inlet, 'hX over the length of the inlet pressure sweep')
+         call reals('inlet_gap_over_film', plans%resolution%inlet_gap, 'gap at x_min over the film of the formula')
+         is_resolved = plans%resolution%is_resolved
+         do i = 1, size(place)            ! only a case that has run shows whether its surfaces touch
+            if (place(i) == 0) cycle
+            associate (record => contents%cases(place(i)))
+               is_resolved(i) = is_resolved(i) .and. &
+                  json_number(element(contents%layouts(record%layout), record, 'is_resolved')) > 0.5_dp
+            end associate
+         end do
+         call file%write('is_resolved', merge(1, 0, is_resolved), 'case', '1', '1 when the grid resolves the case')
          allocate (inputs(size(cases)))
          do i = 1, size(cases)
             inputs(i) = effective_input(cases(i))

@@ -20,6 +20,9 @@ QUICK = {"sweep": {"load_parameter_m": [100, 200], "lubricant_parameter_l": 12.0
 LONG = {"sweep": {"load_parameter_m": 100, "lubricant_parameter_l": 12.05, "radius_ratio_d": 1,
                   "orientation": "transverse", "wavelength_over_a": 0.5},
         "grid": {"cells_x": 64, "cells_y": 64}}
+# 88 time steps, half of which need the rescue ladder
+RESCUED = {"sweep": {**LONG["sweep"], "wavelength_over_a": 1}, "waviness": {"amplitude_over_film": 0.9}, "grid": LONG["grid"],
+           "solver": {"tolerance": 1e-4, "step_tolerance": 1e-5, "largest_steps": 4}}
 # 288 time steps, long enough to be killed in
 SLOW = {**LONG, "grid": {"cells_x": 256, "cells_y": 128}}
 UNFINISHED = 85
@@ -120,10 +123,11 @@ class SweepResume(unittest.TestCase):
         self.assertEqual(data["residual_history"].shape, (4, 2))
         self.assertIn("stalled", self.sweep(failing, "--status", "results.h5", status=1))
 
-    def test_stopped_march_goes_on_bit_for_bit(self):
-        self.sweep(LONG, "--output", "whole.h5")
+    def check_stopped_march(self, groups):
+        """Stop a march again and again: it ends as without a stop."""
+        self.sweep(groups, "--output", "whole.h5")
         for _ in range(20):
-            (self.folder/"sweep.nml").write_text(namelist(LONG))
+            (self.folder/"sweep.nml").write_text(namelist(groups))
             outcome = run("sweep", "sweep.nml", "--time-limit", "0.05", folder=self.folder)
             if outcome.returncode == 0:
                 break
@@ -134,6 +138,20 @@ class SweepResume(unittest.TestCase):
         self.assertGreaterEqual(count_records(self.store(), "stop"), 2)
         self.check_same("whole.h5", "results.h5")
         self.assertEqual(list((self.store()/"checkpoints").iterdir()), [])
+
+    def test_stopped_march_goes_on_bit_for_bit(self):
+        self.check_stopped_march(LONG)
+
+    def test_stopped_march_of_fas_goes_on_bit_for_bit(self):
+        self.check_stopped_march({**LONG, "solver": {"method": "fas"}})
+
+    def test_stopped_march_with_an_equation_of_motion_goes_on_bit_for_bit(self):
+        self.check_stopped_march({**RESCUED, "dynamics": {"load_balance": "equation_of_motion", "natural_frequency": 4}})
+
+    def test_stopped_march_with_rescues_goes_on_bit_for_bit(self):
+        self.check_stopped_march(RESCUED)
+        _, data = read(self.folder/"results.h5")
+        self.assertGreater(data["rescued_solutions"][0], 20)
 
     def test_damaged_checkpoint_is_not_used(self):
         self.sweep(LONG, "--output", "whole.h5")

@@ -1,0 +1,141 @@
+!> Runs one planned case and estimates the discretisation error of its Ad/Ai.
+module ehlwave_estimated_case
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+   use ehlwave_accuracy_model, only: expected_step_error
+   use ehlwave_case_input, only: case_t
+   use ehlwave_case_plan, only: case_plan_t, make_plan
+   use ehlwave_case_result, only: case_result_t
+   use ehlwave_case_runner, only: run_case
+   use ehlwave_checkpoint_file, only: checkpoint_t
+   use ehlwave_clock, only: wall_seconds
+   use ehlwave_error_estimate, only: basis_coarse_grid, basis_model, estimate_error
+   use ehlwave_errors, only: error_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_monitor, only: go_on, monitor_t, stop_now
+   use ehlwave_status, only: is_success, status_interrupted, status_over_budget, status_pending
+   implicit none (type, external)
+   private
+   public :: run_estimated_case
+
+   integer, parameter :: fewest_cells = 24             !! of a coarser grid that is worth running
+   real(dp), parameter :: fewest_points_per_wave = 4   !! on it, in space and time
+   real(dp), parameter :: coarsest_inlet = 0.6_dp      !! its hX sqrt(gamma M/L)
+
+   !> Asked to stop, the coarse runs are finished if that takes no longer.
+   real(dp), parameter :: largest_delay_s = 10
+
+   !> Passes on what a coarse run tells and is asked.
+   type, extends(monitor_t) :: relay_t
+      class(monitor_t), pointer :: whole => null()   ! of the case
+      real(dp) :: asked_s = huge(1.0_dp)             ! wall_seconds when it was to stop first
+   contains
+      procedure :: step_done => pass_on
+   end type relay_t
+
+contains
+
+   !> Run a case as planned; with `error_estimate = 'coarse_grid'` also on grids of two and four times the mesh
+   !> size and time step (about a tenth of the cost), where these can tell anything, for a Richardson
+   !> estimate; what the step tolerance is expected to leave is added, as no grid shows it. Otherwise the
+   !> estimate is the expected error of the plan.
+   !>
+   !> The checkpoint is of the case itself; stopped in a coarse run, the case counts as interrupted, and its coarse
+   !> runs start again. When its time is up in a coarse run, the estimate is that of the plan.
+   subroutine run_estimated_case(case, plan, monitor, result, checkpoint)
+      type(case_t), intent(in) :: case              !! completed input
+      type(case_plan_t), intent(in) :: plan
+      class(monitor_t), intent(inout) :: monitor
+      type(case_result_t), intent(out) :: result
+      type(checkpoint_t), intent(inout), optional :: checkpoint   !! see `run_case`
+      real(dp), allocatable :: ratios(:)
+      real(dp) :: estimate, seconds
+      integer :: status
+
+      call run_case(case, plan, monitor, result, checkpoint)
+      if (.not. plan%waviness%is_present .or. .not. is_success(result%status)) return
+      if (.not. ieee_is_finite(result%amplitude_ratio_fit)) return
+      result%amplitude_ratio_error = plan%expected_error
+      result%amplitude_error_basis = basis_model
+      if (case%error_estimate /= 'coarse_grid') return
+
+      call coarse_ratios(case, plan, monitor, ratios, seconds, status)
+      if (status == status_interrupted) then
+         result%status = status
+         if (present(checkpoint)) call checkpoint%save()
+      end if
+      if (status == status_interrupted .or. status == status_over_budget) return
+      result%work_units = result%work_units*(1 + seconds/result%seconds)
+      result%seconds = result%seconds + seconds
+      estimate = estimate_error([result%amplitude_ratio_fit, ratios])
+      if (ieee_is_finite(estimate)) then
+         result%amplitude_ratio_error = estimate
+         if (plan%steps > 0) result%amplitude_ratio_error = estimate + expected_step_error(case%step_tolerance)
+         result%amplitude_error_basis = basis_coarse_grid
+      end if
+   end subroutine run_estimated_case
+
+   !> Ad/Ai of the same case on grids of two and four times the mesh size, as far as they converge and are not
+   !> hopelessly coarse, and as long as the monitor lets them go on.
+   subroutine coarse_ratios(case, plan, monitor, ratios, seconds, status)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      class(monitor_t), intent(inout), target :: monitor
+      real(dp), allocatable, intent(out) :: ratios(:)   !! finer grid first
+      real(dp), intent(out) :: seconds                  !! what they took
+      integer, intent(out) :: status                    !! of the last one
+      type(case_t) :: coarse_case
+      type(case_plan_t) :: coarse_plan
+      type(case_result_t) :: coarse_result
+      type(error_t), allocatable :: error
+      type(relay_t) :: relay
+      integer :: factor
+
+      allocate (ratios(0))
+      seconds = 0
+      status = status_pending
+      relay%whole => monitor
+      coarse_case = case
+      coarse_case%fields = .false.
+      coarse_case%accuracy = 0                    ! is that of the case itself
+      coarse_case%time_step_over_cell = real(plan%cells_per_step, dp)/plan%steps_per_cell
+      factor = 1
+      do while (factor < 4)
+         factor = 2*factor
+         if (modulo(plan%cells_x, 2*factor) /= 0 .or. modulo(plan%cells_y, 2*factor) /= 0) return
+         coarse_case%cells_x = plan%cells_x/factor
+         coarse_case%cells_y = plan%cells_y/factor
+         if (min(coarse_case%cells_x, coarse_case%cells_y) < fewest_cells) return
+         call make_plan(coarse_case, coarse_plan, error)
+         if (allocated(error)) return
+         if (.not. can_tell(coarse_plan)) return
+         call run_case(coarse_case, coarse_plan, relay, coarse_result)
+         seconds = seconds + coarse_result%seconds
+         status = coarse_result%status
+         if (.not. is_success(status)) return
+         ratios = [ratios, coarse_result%amplitude_ratio_fit]
+      end do
+   end subroutine coarse_ratios
+
+   subroutine pass_on(self, stage, done, total)
+      class(relay_t), intent(inout) :: self
+      character(len=*), intent(in) :: stage
+      integer, intent(in) :: done, total
+      call self%whole%step_done('coarser grid: '//stage, done, total)
+      self%request = self%whole%request
+      if (self%request /= stop_now) return
+      self%asked_s = min(self%asked_s, wall_seconds())
+      if (wall_seconds() - self%asked_s < largest_delay_s) self%request = go_on
+   end subroutine pass_on
+
+   !> Whether a grid is fine enough for the difference to it to say something.
+   pure logical function can_tell(plan)
+      type(case_plan_t), intent(in) :: plan
+      associate (r => plan%resolution)
+         can_tell = r%inlet <= coarsest_inlet
+         if (r%points_x > 0) can_tell = can_tell .and. r%points_x >= fewest_points_per_wave - 1e-9_dp
+         if (r%points_y > 0) can_tell = can_tell .and. r%points_y >= fewest_points_per_wave - 1e-9_dp
+         if (r%samples > 0) can_tell = can_tell .and. r%samples >= fewest_points_per_wave - 1e-9_dp
+      end associate
+   end function can_tell
+
+end module ehlwave_estimated_case
