@@ -5,16 +5,12 @@ module ehlwave_harmonic_operator
    use ehlwave_reynolds, only: flow_t
    implicit none (type, external)
    private
-   public :: harmonic_transport, harmonic_jacobian, harmonic_scale, harmonic_lines
+   public :: harmonic_transport, harmonic_jacobian, harmonic_scale
 
    !> Weights of wedge and squeeze: w0(i) f(i) + w1(i) f(i-1) + w2(i) f(i-2), f the amplitude of rho H.
    type, public :: harmonic_transport_t
       complex(dp), allocatable :: w0(:), w1(:), w2(:)    !! (0:nx)
    end type harmonic_transport_t
-
-   integer, parameter :: links = 6   !! nodes whose film enters the residual of a node, itself included
-   integer, parameter :: link_i(links) = [0, 1, -1, 0, 0, -2]
-   integer, parameter :: link_j(links) = [0, 0, 0, 1, -1, 0]
 
 contains
 
@@ -122,98 +118,5 @@ contains
          end do
       end do
    end subroutine harmonic_scale
-
-   !> Rows of the sparse approximation, local terms and deformation by the cells of the pattern, for all unknown
-   !> nodes at one X; see `near_stencil`. Entries are numbered with the offset in Y first.
-   pure subroutine harmonic_lines(grid, transport, kappa, flow, p, influence, i, rows)
-      type(grid_t), intent(in) :: grid
-      type(harmonic_transport_t), intent(in) :: transport
-      real(dp), intent(in) :: kappa
-      type(flow_t), intent(in) :: flow
-      real(dp), intent(in) :: p(0:, 0:)
-      real(dp), intent(in) :: influence(:, :)     !! (x, y) of a cell at offsets -reach_x-2.., -reach_y-1..
-      integer, intent(in) :: i                    !! node along X
-      complex(dp), intent(out) :: rows(:, :)      !! (unknown rows, (2 reach_y + 1)(2 reach_x + 1))
-      complex(dp) :: by_p(size(rows, 1), links), by_h(size(rows, 1), links)
-      integer :: cx, cy, di, dj, entry, k, n, row, target
-
-      cx = (size(influence, 1) - 5)/2             ! reaches of the pattern
-      cy = (size(influence, 2) - 3)/2
-      n = size(rows, 1)
-      call line_links(grid, transport, kappa, flow, p, i, by_p, by_h)
-      do di = -cx, cx
-         do dj = -cy, cy
-            entry = (di + cx)*(2*cy + 1) + dj + cy + 1
-            rows(:, entry) = 0
-            if (i + di < 1 .or. i + di > grid%nx - 1) cycle
-            do k = 1, links
-               rows(:, entry) = rows(:, entry) + by_h(:, k)*influence(di - link_i(k) + cx + 3, dj - link_j(k) + cy + 2)
-               if (link_i(k) == di .and. link_j(k) == dj) rows(:, entry) = rows(:, entry) + by_p(:, k)
-            end do
-         end do
-      end do
-      do row = 1, n                               ! neighbours beyond the edges: mirrored or none
-         if (row > cy .and. row <= n - cy) cycle
-         do di = -cx, cx
-            do dj = -cy, cy
-               target = row + dj
-               if (target >= 1 .and. target <= n) cycle
-               entry = (di + cx)*(2*cy + 1) + dj + cy + 1
-               if (grid%is_half .and. target < 1) then
-                  target = 2 - target
-                  if (target - row <= cy .and. target <= n) &
-                     rows(row, entry + target - row - dj) = rows(row, entry + target - row - dj) + rows(row, entry)
-               end if
-               rows(row, entry) = 0
-            end do
-         end do
-      end do
-   end subroutine harmonic_lines
-
-   !> Derivatives of the residuals at one X by pressure and film of the linked nodes.
-   pure subroutine line_links(grid, transport, kappa, flow, p, i, by_p, by_h)
-      type(grid_t), intent(in) :: grid
-      type(harmonic_transport_t), intent(in) :: transport
-      real(dp), intent(in) :: kappa
-      type(flow_t), intent(in) :: flow
-      real(dp), intent(in) :: p(0:, 0:)
-      integer, intent(in) :: i
-      complex(dp), intent(out) :: by_p(:, :), by_h(:, :)
-      real(dp) :: cx, cy, e(5), d(5)
-      integer :: j, jm, k
-
-      cx = 0.5_dp/grid%hx**2
-      cy = 0.5_dp*kappa**2/grid%hy**2
-      do j = grid%first_row, grid%ny - 1
-         jm = grid%below(j)
-         k = j - grid%first_row + 1
-         e(2) = cx*(flow%eps(i, j) + flow%eps(i + 1, j))
-         e(3) = cx*(flow%eps(i - 1, j) + flow%eps(i, j))
-         e(4) = cy*(flow%eps(i, j) + flow%eps(i, j + 1))
-         e(5) = cy*(flow%eps(i, jm) + flow%eps(i, j))
-         e(1) = -sum(e(2:5))
-         d(2) = cx*(p(i + 1, j) - p(i, j))
-         d(3) = cx*(p(i - 1, j) - p(i, j))
-         d(4) = cy*(p(i, j + 1) - p(i, j))
-         d(5) = cy*(p(i, jm) - p(i, j))
-         d(1) = sum(d(2:5))
-         by_p(k, 1) = e(1) + d(1)*flow%eps_p(i, j) - transport%w0(i)*flow%f_p(i, j)
-         by_p(k, 2) = e(2) + d(2)*flow%eps_p(i + 1, j)
-         by_p(k, 3) = e(3) + d(3)*flow%eps_p(i - 1, j) - transport%w1(i)*flow%f_p(i - 1, j)
-         by_p(k, 4) = e(4) + d(4)*flow%eps_p(i, j + 1)
-         by_p(k, 5) = e(5) + d(5)*flow%eps_p(i, jm)
-         by_h(k, 1) = d(1)*flow%eps_h(i, j) - transport%w0(i)*flow%f_h(i, j)
-         by_h(k, 2) = d(2)*flow%eps_h(i + 1, j)
-         by_h(k, 3) = d(3)*flow%eps_h(i - 1, j) - transport%w1(i)*flow%f_h(i - 1, j)
-         by_h(k, 4) = d(4)*flow%eps_h(i, j + 1)
-         by_h(k, 5) = d(5)*flow%eps_h(i, jm)
-         by_p(k, 6) = 0
-         by_h(k, 6) = 0
-         if (i >= 2) then
-            by_p(k, 6) = -transport%w2(i)*flow%f_p(i - 2, j)
-            by_h(k, 6) = -transport%w2(i)*flow%f_h(i - 2, j)
-         end if
-      end do
-   end subroutine line_links
 
 end module ehlwave_harmonic_operator

@@ -1,4 +1,7 @@
-!> GMRES with right preconditioning for complex linear systems.
+!> Flexible GMRES with right preconditioning for complex linear systems (Saad 1993).
+!>
+!> Flexible, because a preconditioner in single precision is not exactly linear: plain GMRES, which applies it once
+!> more to the sum of its basis, lost four digits of the solution to that.
 module ehlwave_complex_gmres
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_kinds, only: dp
@@ -21,10 +24,10 @@ module ehlwave_complex_gmres
       end subroutine product
    end interface
 
-   !> A column of the Krylov basis. Columns are made as they are needed: a solve that takes few steps takes
-   !> little memory.
+   !> A column of the Krylov basis and its image under the preconditioner. Columns are made as they are needed: a
+   !> solve that takes few steps takes little memory.
    type :: column_t
-      complex(dp), allocatable :: v(:)
+      complex(dp), allocatable :: v(:), z(:)
    end type column_t
 
    !> Work space, kept from one solve to the next.
@@ -44,7 +47,7 @@ contains
       class(complex_gmres_t), intent(inout) :: self
       class(complex_system_t), intent(inout) :: system
       complex(dp), intent(in), contiguous :: b(:)
-      complex(dp), intent(out), contiguous, target :: x(:)
+      complex(dp), intent(out), contiguous :: x(:)
       real(dp), intent(in) :: tolerance
       complex(dp) :: hess(0:self%largest_steps, self%largest_steps), rhs(0:self%largest_steps), &
                      sine(self%largest_steps), rotated
@@ -64,8 +67,9 @@ contains
       rhs(0) = beta
       used = 0
       do k = 1, self%largest_steps
-         call system%precondition(self%basis(k - 1)%v, x)
-         call system%multiply(x, w)
+         if (.not. allocated(self%basis(k - 1)%z)) allocate (self%basis(k - 1)%z(size(b)))
+         call system%precondition(self%basis(k - 1)%v, self%basis(k - 1)%z)
+         call system%multiply(self%basis(k - 1)%z, w)
          do i = 0, k - 1                                ! modified Gram-Schmidt
             hess(i, k) = dot(self%basis(i)%v, w)
             call subtract(hess(i, k), self%basis(i)%v, w)
@@ -87,18 +91,15 @@ contains
          rhs(k - 1) = cosine(k)*rhs(k - 1)
          if (abs(rhs(k)) <= tolerance*beta) exit
       end do
-      x = 0
       self%steps = used
       if (used == 0) return
       self%reduction = abs(rhs(used))/beta
       do i = used, 1, -1                                ! back substitution, result in rhs(0:used-1)
          rhs(i - 1) = (rhs(i - 1) - sum(hess(i - 1, i + 1:used)*rhs(i:used - 1)))/hess(i - 1, i)
       end do
-      w = 0
       do i = 1, used
-         call subtract(-rhs(i - 1), self%basis(i - 1)%v, w)
+         call subtract(-rhs(i - 1), self%basis(i - 1)%z, x)
       end do
-      call system%precondition(w, x)
    end subroutine solve
 
    !> Columns for vectors of length n; made in `solve` on first assignment.
