@@ -40,7 +40,8 @@ contains
       else if (case%orientation /= 'none') then
          text = text//number('wavelength_over_a', case%wavelength_over_a)
       end if
-      if (case%orientation /= 'none') text = text//number('amplitude_over_film', case%amplitude_over_film)
+      if (case%orientation /= 'none') text = text//number('amplitude_over_film', case%amplitude_over_film) &
+                                             //word('response', case%response)
       text = text//'/'//line_end &
              //'&grid'//line_end//number('x_min', case%x_min)//number('x_max', case%x_max)//number('y_max', case%y_max) &
              //whole('cells_x', case%cells_x)//whole('cells_y', case%cells_y)

@@ -3,7 +3,7 @@ module ehlwave_amplitude
    use ehlwave_kinds, only: dp, pi
    implicit none (type, external)
    private
-   public :: sampled_amplitude, fitted_amplitude
+   public :: sampled_amplitude, fitted_amplitude, fitted_harmonic
 
 contains
 
@@ -13,16 +13,24 @@ contains
       sampled_amplitude = 0.5_dp*(maxval(film) - minval(film))
    end function sampled_amplitude
 
-   !> Amplitude at the forcing frequency: least squares fit of mean + c cos(omega T) + s sin(omega T);
-   !> returns sqrt(c^2 + s^2). Needs at least three samples, else returns 0.
+   !> Amplitude at the forcing frequency: modulus of `fitted_harmonic`.
    pure real(dp) function fitted_amplitude(time, film, period)
+      real(dp), intent(in) :: time(:)   !! T of the samples
+      real(dp), intent(in) :: film(:)   !! H(0,0) at these times
+      real(dp), intent(in) :: period    !! forcing period in T
+      fitted_amplitude = abs(fitted_harmonic(time, film, period))
+   end function fitted_amplitude
+
+   !> Least squares fit of mean + c cos(omega T) + s sin(omega T); returns c + i s, which stands for the real part of
+   !> (c + i s) exp(-i omega T). Needs at least three samples, else returns 0.
+   pure complex(dp) function fitted_harmonic(time, film, period)
       real(dp), intent(in) :: time(:)   !! T of the samples
       real(dp), intent(in) :: film(:)   !! H(0,0) at these times
       real(dp), intent(in) :: period    !! forcing period in T
       real(dp) :: basis(size(time), 3), normal(3, 3), right(3), factor
       integer :: i, j
 
-      fitted_amplitude = 0
+      fitted_harmonic = 0
       if (size(time) < 3) return
       basis(:, 1) = 1
       basis(:, 2) = cos(2*pi*time/period)
@@ -40,7 +48,7 @@ contains
       do i = 3, 1, -1
          right(i) = (right(i) - dot_product(normal(i, i + 1:), right(i + 1:)))/normal(i, i)
       end do
-      fitted_amplitude = hypot(right(2), right(3))
-   end function fitted_amplitude
+      fitted_harmonic = cmplx(right(2), right(3), dp)
+   end function fitted_harmonic
 
 end module ehlwave_amplitude

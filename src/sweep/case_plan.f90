@@ -17,12 +17,14 @@ module ehlwave_case_plan
    integer, parameter, public :: run_smooth = 1      !! steady state of smooth surfaces only
    integer, parameter, public :: run_standing = 2    !! steady states of a pattern that stands still
    integer, parameter, public :: run_march = 3       !! march in time
+   integer, parameter, public :: run_harmonic = 4    !! linear response only
 
    type, public :: case_plan_t
       type(conditions_t) :: conditions
       type(rheology_t) :: rheology
       type(waviness_t) :: waviness
       integer :: kind = run_smooth
+      logical :: responds = .false.                  !! the linear response is computed
       logical :: is_half = .true.                    !! only Y >= 0 is computed
       integer :: cells_x = 0, cells_y = 0            !! of the whole domain
       character(len=:), allocatable :: grid_reason
@@ -63,7 +65,11 @@ contains
       plan%is_half = case%domain == 'auto' .and. plan%waviness%is_symmetric()
       call choose_grid(case, plan)
 
-      if (plan%waviness%moves() .or. case%end_time > 0) then
+      plan%responds = plan%waviness%is_present .and. case%response /= 'transient'
+      if (plan%responds .and. case%response == 'harmonic') then
+         plan%kind = run_harmonic
+         plan%steps_per_cell = nint(1/min(1.0_dp, case%time_step_over_cell))
+      else if (plan%waviness%moves() .or. case%end_time > 0) then
          call plan_march(case, plan, error)
       else if (plan%waviness%is_present) then
          plan%kind = run_standing
@@ -71,7 +77,7 @@ contains
       end if
       if (allocated(error)) return
       plan%resolution = judge_resolution(plan%conditions, plan%waviness, plan%hx, plan%hy, plan%dt)
-      plan%cost = real(plan%cells_x, dp)*plan%cells_y*(15 + 6*plan%phases + 4*plan%steps)
+      plan%cost = real(plan%cells_x, dp)*plan%cells_y*(15 + 6*plan%phases + 4*plan%steps + merge(8, 0, plan%responds))
       if (plan%is_half) plan%cost = 0.5_dp*plan%cost
    end subroutine make_plan
 
