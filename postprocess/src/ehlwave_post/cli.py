@@ -33,6 +33,7 @@ COLLAPSE_COLUMNS = (
     "amplitude_ratio",
     "amplitude_ratio_fit",
     "deformed_ratio",
+    "deformed_error",
     "status",
     "is_resolved",
 )
@@ -116,7 +117,7 @@ def _parser() -> argparse.ArgumentParser:
             "--ratio",
             choices=tuple(RATIO_COLUMNS),
             default="fit",
-            help="Ad/Ai from the harmonic fit (default) or from the extreme samples",
+            help="Ad/Ai from the harmonic fit (default), extreme samples, or linear response",
         )
 
     collapse = command("collapse", _collapse, "draw Ad/Ai against f(r) V2 and f(r) V")
