@@ -7,7 +7,8 @@ module ehlwave_harmonic_operator
    private
    public :: harmonic_transport, harmonic_jacobian, harmonic_scale
 
-   !> Weights of wedge and squeeze: w0(i) f(i) + w1(i) f(i-1) + w2(i) f(i-2), f the amplitude of rho H.
+   !> Weights of wedge and squeeze: w0(i) f(i) + w1(i) f(i-1) + w2(i) f(i-2), f the amplitude of rho H; the same at all
+   !> nodes from 2 on.
    type, public :: harmonic_transport_t
       complex(dp), allocatable :: w0(:), w1(:), w2(:)    !! (0:nx)
    end type harmonic_transport_t
@@ -44,8 +45,9 @@ contains
       end associate
    end function harmonic_transport
 
-   !> Change of the residual for changes q of pressure and dh of film, as `reynolds_jacobian`.
-   pure subroutine harmonic_jacobian(grid, transport, kappa, flow, p, q, dh, dr, work)
+   !> Change of the residual for changes q of pressure and dh of film, as `reynolds_jacobian`: differences of the changes
+   !> of the flows between nodes, each of which is computed once.
+   pure subroutine harmonic_jacobian(grid, transport, kappa, flow, p, q, dh, dr)
       type(grid_t), intent(in) :: grid
       type(harmonic_transport_t), intent(in) :: transport
       real(dp), intent(in) :: kappa
@@ -54,48 +56,68 @@ contains
       complex(dp), intent(in) :: q(0:, 0:)          !! change of P, zero on the outer boundary
       complex(dp), intent(in) :: dh(0:, 0:)         !! change of H
       complex(dp), intent(out) :: dr(0:, 0:)        !! change of R, zero off the unknown nodes
-      complex(dp), intent(inout) :: work(0:, 0:)    !! (0:nx, 0:ny) scratch: change of eps
-      complex(dp) :: df(-1:grid%nx)
+      complex(dp), dimension(0:grid%nx) :: below, d, d_above, df, flux
       real(dp) :: cx, cy
-      integer :: i, j
+      integer :: i, j, nx
 
+      nx = grid%nx
       cx = 0.5_dp/grid%hx**2
       cy = 0.5_dp*kappa**2/grid%hy**2
-      work(:grid%nx, :grid%ny) = flow%eps_p*q(:grid%nx, :grid%ny) + flow%eps_h*dh(:grid%nx, :grid%ny)
       dr(:, 0) = 0
       dr(:, grid%ny) = 0
-      df(-1) = 0
+      call change(nx, flow%eps_p(:, 0), q(:, 0), flow%eps_h(:, 0), dh(:, 0), d)
+      if (grid%is_half) then                        ! the flow across row 0 from below mirrors that above it
+         call change(nx, flow%eps_p(:, 1), q(:, 1), flow%eps_h(:, 1), dh(:, 1), d_above)
+         call flow_between(nx, -cy, flow%eps(:, 0), flow%eps(:, 1), q(:, 0), q(:, 1), d, d_above, p(:, 0), p(:, 1), below)
+      else
+         call change(nx, flow%eps_p(:, 1), q(:, 1), flow%eps_h(:, 1), dh(:, 1), d_above)
+         call flow_between(nx, cy, flow%eps(:, 0), flow%eps(:, 1), q(:, 0), q(:, 1), d, d_above, p(:, 0), p(:, 1), below)
+         d = d_above
+      end if
       do j = grid%first_row, grid%ny - 1
-         do i = 0, grid%nx
-            df(i) = flow%f_p(i, j)*q(i, j) + flow%f_h(i, j)*dh(i, j)
+         call change(nx, flow%eps_p(:, j + 1), q(:, j + 1), flow%eps_h(:, j + 1), dh(:, j + 1), d_above)
+         call change(nx, flow%f_p(:, j), q(:, j), flow%f_h(:, j), dh(:, j), df)
+         call flow_between(nx - 1, cx, flow%eps(:nx - 1, j), flow%eps(1:, j), q(:nx - 1, j), q(1:, j), d(:nx - 1), d(1:), &
+                           p(:nx - 1, j), p(1:, j), flux(:nx - 1))
+         dr(0, j) = 0
+         dr(nx, j) = 0
+         do i = 1, nx - 1
+            dr(i, j) = flux(i) - flux(i - 1) - below(i)
          end do
-         call row(grid%nx, cx, cy, transport, df, flow%eps(:, grid%below(j)), flow%eps(:, j), flow%eps(:, j + 1), &
-                  q(:, grid%below(j)), q(:, j), q(:, j + 1), work(:, grid%below(j)), work(:, j), work(:, j + 1), &
-                  p(:, grid%below(j)), p(:, j), p(:, j + 1), dr(:, j))
+         call flow_between(nx, cy, flow%eps(:, j), flow%eps(:, j + 1), q(:, j), q(:, j + 1), d, d_above, &
+                           p(:, j), p(:, j + 1), below)
+         dr(1, j) = dr(1, j) + below(1) - transport%w0(1)*df(1) - transport%w1(1)*df(0)
+         do i = 2, nx - 1
+            dr(i, j) = dr(i, j) + below(i) - (transport%w0(2)*df(i) + transport%w1(2)*df(i - 1) + transport%w2(2)*df(i - 2))
+         end do
+         d = d_above
       end do
    end subroutine harmonic_jacobian
 
-   !> One row: changes q with coefficients e, pressures p with changes d of the coefficients; below, on, above.
-   pure subroutine row(nx, cx, cy, transport, df, e_below, e, e_above, q_below, q, q_above, d_below, d, d_above, &
-                       p_below, p, p_above, r)
+   !> d = a q + b h.
+   pure subroutine change(nx, a, q, b, h, d)
       integer, intent(in) :: nx
-      real(dp), intent(in) :: cx, cy
-      type(harmonic_transport_t), intent(in) :: transport
-      complex(dp), intent(in) :: df(-1:nx)
-      real(dp), intent(in), dimension(0:nx) :: e_below, e, e_above, p_below, p, p_above
-      complex(dp), intent(in), dimension(0:nx) :: q_below, q, q_above, d_below, d, d_above
-      complex(dp), intent(out) :: r(0:nx)
+      real(dp), intent(in) :: a(0:nx), b(0:nx)
+      complex(dp), intent(in) :: q(0:nx), h(0:nx)
+      complex(dp), intent(out) :: d(0:nx)
       integer :: i
-      r(0) = 0
-      r(nx) = 0
-      do i = 1, nx - 1
-         r(i) = cx*((e(i) + e(i + 1))*(q(i + 1) - q(i)) - (e(i - 1) + e(i))*(q(i) - q(i - 1)) &
-                    + (d(i) + d(i + 1))*(p(i + 1) - p(i)) - (d(i - 1) + d(i))*(p(i) - p(i - 1))) &
-                + cy*((e(i) + e_above(i))*(q_above(i) - q(i)) - (e_below(i) + e(i))*(q(i) - q_below(i)) &
-                      + (d(i) + d_above(i))*(p_above(i) - p(i)) - (d_below(i) + d(i))*(p(i) - p_below(i))) &
-                - (transport%w0(i)*df(i) + transport%w1(i)*df(i - 1) + transport%w2(i)*df(i - 2))
+      do i = 0, nx
+         d(i) = a(i)*q(i) + b(i)*h(i)
       end do
-   end subroutine row
+   end subroutine change
+
+   !> Changes of the flows from nodes 1 to nodes 2, times c: (e1 + e2)(q2 - q1) + (d1 + d2)(p2 - p1).
+   pure subroutine flow_between(n, c, e1, e2, q1, q2, d1, d2, p1, p2, flux)
+      integer, intent(in) :: n
+      real(dp), intent(in) :: c
+      real(dp), intent(in), dimension(0:n) :: e1, e2, p1, p2
+      complex(dp), intent(in), dimension(0:n) :: q1, q2, d1, d2
+      complex(dp), intent(out) :: flux(0:n)
+      integer :: i
+      do i = 0, n
+         flux(i) = (c*(e1(i) + e2(i)))*(q2(i) - q1(i)) + (c*(p2(i) - p1(i)))*(d1(i) + d2(i))
+      end do
+   end subroutine flow_between
 
    !> 1/|A_ii| as `diagonal_scale`, zero off the unknown nodes.
    pure subroutine harmonic_scale(grid, transport, kappa, self_influence, flow, scale)

@@ -210,7 +210,7 @@ contains
       integer :: i, j
 
       call harmonic_jacobian(self%problem%grid, self%transport, self%problem%conditions%elliptic%kappa, self%flow, &
-                             self%p, q, dh, dr, self%work)
+                             self%p, q, dh, dr)
       do j = 0, self%problem%grid%ny
          do i = 0, self%problem%grid%nx
             dr(i, j) = merge(q(i, j), self%row_scale(i, j)*dr(i, j), self%is_cavitated(i, j))
