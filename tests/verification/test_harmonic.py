@@ -56,7 +56,7 @@ class Harmonic(TestCase):
         report(f"Ad/Ai: {worst[0]:.1e} at {worst[1]}; phase: {worst_phase[0]:.1e} rad at {worst_phase[1]}")
 
     def test_steps_stay_bounded(self):
-        """GMRES steps on 257 nodes, the stiff corner and 8 mesh sizes per wave included; measured: 8 to 12."""
+        """GMRES steps on 257 nodes, the stiff corner and 8 mesh sizes per wave included; measured: 10 to 13."""
         steps = {}
         for m, d, orientation, wavelength in [(2000, 0.04, "transverse", 0.3), (2000, 0.04, "isotropic", 1.5),
                                               (1000, 0.35, "transverse", 0.7), (100, 1, "transverse", 0.125)]:
@@ -64,7 +64,7 @@ class Harmonic(TestCase):
                                                "response": "harmonic"})
             steps[m, d, orientation, wavelength] = result["harmonic_linear_steps"]
         report(str(steps))
-        self.assertLessEqual(max(steps.values()), 16)
+        self.assertLessEqual(max(steps.values()), 18)
         self.assertGreater(min(steps.values()), 0)
 
     def test_richardson(self):
