@@ -6,8 +6,8 @@ program ehlwave_case
    use ehlwave_case_plan, only: case_plan_t, make_plan
    use ehlwave_case_report, only: plan_json, print_plan, print_result, result_json
    use ehlwave_case_result, only: case_result_t
-   use ehlwave_case_runner, only: run_case
    use ehlwave_errors, only: error_t
+   use ehlwave_estimated_case, only: run_estimated_case
    use ehlwave_field_file, only: check_writable, write_case_file
    use ehlwave_json, only: json_t
    use ehlwave_log, only: log_monitor_t
@@ -76,9 +76,9 @@ program ehlwave_case
 
    monitor%is_quiet = arguments%has('--quiet')
    flush (output_unit)
-   call run_case(case, plan, monitor, result)
+   call run_estimated_case(case, plan, monitor, result)
    call finish_petsc()
-   call print_result(output_unit, plan, result)
+   call print_result(output_unit, case, plan, result)
    if (arguments%has('--output')) then
       call write_case_file(arguments%value('--output'), case, plan%conditions, result, error)
       if (allocated(error)) write (error_unit, '(a)') 'ehlwave-case: '//error%message

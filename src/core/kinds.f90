@@ -1,9 +1,10 @@
 !> Number kinds used everywhere.
 module ehlwave_kinds
-   use, intrinsic :: iso_fortran_env, only: real64, int64
+   use, intrinsic :: iso_fortran_env, only: int64, real32, real64
    implicit none (type, external)
    private
    integer, parameter, public :: dp = real64   !! working precision
+   integer, parameter, public :: sp = real32   !! of what only preconditions
    integer, parameter, public :: i8 = int64    !! long counters, clock ticks
    real(dp), parameter, public :: pi = acos(-1.0_dp)
 end module ehlwave_kinds

@@ -11,6 +11,7 @@ module ehlwave_case_input
    public :: read_case, read_case_groups, complete_case, case_conditions
 
    integer, parameter, public :: name_length = 20   !! longest choice, e.g. 'equation_of_motion'
+   integer, parameter, public :: path_length = 512  !! longest name of a surface file
 
    !> All keys, in the order of the groups. Not given: M, L, D below 0; wavelengths and dimensional data 0.
    type, public :: case_t
@@ -31,6 +32,8 @@ module ehlwave_case_input
       logical :: oblique = .false.
       real(dp) :: amplitude_over_film = 0.2_dp
       character(len=name_length) :: response = 'transient'
+      ! &surface
+      character(len=path_length) :: surface_file = ''    !! measured surface in place of waviness
       ! &grid
       real(dp) :: x_min = -2.5_dp, x_max = 1.5_dp, y_max = 2
       integer :: cells_x = 256, cells_y = 256            !! 0: chosen by the plan
@@ -39,11 +42,15 @@ module ehlwave_case_input
       ! &solver
       real(dp) :: tolerance = 1e-6_dp
       real(dp) :: step_tolerance = 1e-3_dp
-      real(dp) :: time_step_over_cell = 1
+      real(dp) :: time_step_over_cell = 1                !! 0: chosen by the plan
       integer :: largest_steps = 60
+      integer :: largest_total_steps = 0                 !! 0: chosen by the plan
       integer :: settling_periods = 1
       character(len=name_length) :: method = 'newton'
-      character(len=name_length) :: deformation = 'fft'
+      character(len=name_length) :: cycle = ''           !! of method = 'fas', completed
+      character(len=name_length) :: deformation = 'auto'
+      character(len=name_length) :: error_estimate = 'coarse_grid'
+      real(dp) :: accuracy = 0                           !! relative error asked for; 0: none
       ! &dynamics
       character(len=name_length) :: load_balance = 'force_balance'
       real(dp) :: natural_frequency = 0
@@ -95,9 +102,10 @@ contains
       call file%get(file_group, 'wavelength_y_over_a', case%wavelength_y_over_a, error, minimum=0.0_dp)
       call file%get(file_group, 'oblique', case%oblique, error)
       call file%get(file_group, 'amplitude_over_film', case%amplitude_over_film, error, above=0.0_dp, maximum=1.0_dp)
-
       call file%get_fixed(file_group, 'response', case%response, error, &
                           [character(len=name_length) :: 'transient', 'harmonic', 'both'])
+
+      call read_surface_group(file, case, error)
 
       file_group = 'grid'
       call file%get(file_group, 'x_min', case%x_min, error, maximum=-1.0_dp)
@@ -113,9 +121,17 @@ contains
       call file%get(file_group, 'step_tolerance', case%step_tolerance, error, minimum=1e-12_dp, maximum=0.1_dp)
       call file%get(file_group, 'time_step_over_cell', case%time_step_over_cell, error, above=0.0_dp)
       call file%get(file_group, 'largest_steps', case%largest_steps, error, minimum=1, maximum=10000)
+      call file%get(file_group, 'largest_total_steps', case%largest_total_steps, error, minimum=0, maximum=1000000000)
       call file%get(file_group, 'settling_periods', case%settling_periods, error, minimum=0, maximum=1000)
-      call file%get_fixed(file_group, 'method', case%method, error, [character(len=name_length) :: 'newton', 'petsc'])
-      call file%get_fixed(file_group, 'deformation', case%deformation, error, [character(len=name_length) :: 'fft', 'mlmi'])
+      call file%get_fixed(file_group, 'method', case%method, error, &
+                          [character(len=name_length) :: 'newton', 'fas', 'petsc'])
+      call file%get_fixed(file_group, 'cycle', case%cycle, error, [character(len=name_length) :: 'f', 'v', 'w'])
+      call file%get_fixed(file_group, 'deformation', case%deformation, error, &
+                          [character(len=name_length) :: 'auto', 'fft', 'mlmi'])
+      call file%get_fixed(file_group, 'error_estimate', case%error_estimate, error, &
+                          [character(len=name_length) :: 'coarse_grid', 'model'])
+      call file%get(file_group, 'accuracy', case%accuracy, error, above=0.0_dp, maximum=0.2_dp)
+      if (case%accuracy > 0 .and. .not. allocated(error)) call choose_for_accuracy(file, case)
 
       file_group = 'dynamics'
       call file%get_fixed(file_group, 'load_balance', case%load_balance, error, &
@@ -126,6 +142,39 @@ contains
 
       call file%get('output', 'fields', case%fields, error)
    end subroutine read_case_groups
+
+   !> What `accuracy` chooses, unless the file gives it: cells and time step by the plan, tolerances well below the accuracy.
+   !> Measured: a step tolerance of 1e-3 leaves up to 1e-3 of Ad/Ai, mostly below 1e-4; steady states are exact to
+   !> a tenth of their tolerance or better.
+   subroutine choose_for_accuracy(file, case)
+      class(namelist_t), intent(inout) :: file
+      type(case_t), intent(inout) :: case
+      type(case_t) :: usual
+      if (.not. file%has('grid', 'cells_x')) case%cells_x = 0
+      if (.not. file%has('grid', 'cells_y')) case%cells_y = 0
+      if (.not. file%has('solver', 'time_step_over_cell')) case%time_step_over_cell = 0
+      if (.not. file%has('solver', 'step_tolerance')) case%step_tolerance = min(usual%step_tolerance, 0.1_dp*case%accuracy)
+      if (.not. file%has('solver', 'tolerance')) case%tolerance = min(usual%tolerance, 1e-3_dp*case%accuracy)
+   end subroutine choose_for_accuracy
+
+   !> &surface: a file, in place of waviness.
+   subroutine read_surface_group(file, case, error)
+      class(namelist_t), intent(inout) :: file
+      type(case_t), intent(inout) :: case
+      type(error_t), allocatable, intent(inout) :: error
+      character(len=*), parameter :: group = 'surface'
+      character(len=:), allocatable :: path
+
+      path = ''
+      call file%get(group, 'file', path, error)
+      if (allocated(error)) return
+      if (len(path) > path_length) then
+         call raise(error, file%place(group, 'file')//'the name of the file has more than '//to_text(path_length)//' characters')
+      else if (len(path) > 0 .and. case%orientation /= 'none') then
+         call raise(error, file%place(group, 'file')//'&surface gives a file and &waviness an orientation: give one of the two')
+      end if
+      case%surface_file = path
+   end subroutine read_surface_group
 
    !> &conditions: the three numbers, or dimensional data.
    subroutine read_conditions(file, case, error)
@@ -166,9 +215,21 @@ contains
       if (.not. allocated(error)) call complete_waviness(case, error)
       if (.not. allocated(error)) call check_grid_and_time(case, error)
       if (.not. allocated(error)) call check_response(case, error)
-      if (.not. allocated(error) .and. case%method == 'petsc') call require_petsc(error)
+      if (.not. allocated(error)) call complete_method(case, error)
       if (allocated(error)) error%message = place//error%message
    end subroutine complete_case
+
+   !> The method must be there, and a cycle is one of FAS: F cycles when none is given.
+   subroutine complete_method(case, error)
+      type(case_t), intent(inout) :: case
+      type(error_t), allocatable, intent(inout) :: error
+      if (case%method == 'petsc') call require_petsc(error)
+      if (case%method == 'fas') then
+         if (case%cycle == '') case%cycle = 'f'
+      else if (case%cycle /= '') then
+         call raise(error, 'cycle = '''//trim(case%cycle)//''' is of method = ''fas'' only: leave it out or set method = ''fas''')
+      end if
+   end subroutine complete_method
 
    !> Operating conditions of a case; also sets M, L, D of a case given by dimensional data.
    subroutine case_conditions(case, conditions, error)
@@ -258,13 +319,16 @@ contains
       if (max(x, y) <= 0) shorter = 0
    end function shorter
 
-   !> The linear response belongs to the nominal load, and to time steps that do not skip nodes.
+   !> The linear response belongs to harmonic waves, to the nominal load, and to time steps that do not skip nodes.
    subroutine check_response(case, error)
       type(case_t), intent(in) :: case
       type(error_t), allocatable, intent(inout) :: error
 
       if (case%response == 'transient') return
-      if (abs(case%load_factor - 1) > 0) then
+      if (len_trim(case%surface_file) > 0) then
+         call raise(error, "&waviness response = '"//trim(case%response)//"' is that of one harmonic wave, &surface file = '"// &
+                    trim(case%surface_file)//"' is none: remove &surface or set response to 'transient'")
+      else if (abs(case%load_factor - 1) > 0) then
          call raise(error, "&waviness response = '"//trim(case%response)//"' is about the steady state under the nominal "// &
                     "load: remove &dynamics load_factor or set response to 'transient'")
       else if (case%time_step_over_cell > 1) then
@@ -291,6 +355,7 @@ contains
       end if
       if (allocated(error)) return
       ratio = case%time_step_over_cell
+      if (ratio <= 0) ratio = 1
       if (ratio < 1) ratio = 1/ratio
       if (abs(ratio - nint(ratio)) > 1e-6_dp*ratio .or. ratio > 64) &
          call raise(error, '&solver time_step_over_cell = '//to_text(case%time_step_over_cell, 6)// &

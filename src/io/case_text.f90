@@ -8,7 +8,7 @@ module ehlwave_case_text
    private
    public :: effective_input, case_identity
 
-   integer, parameter, public :: effective_length = 2048   !! no effective input is longer
+   integer, parameter, public :: effective_length = 3072   !! no effective input is longer
    character(len=*), parameter :: line_end = new_line('a')
 
 contains
@@ -42,15 +42,22 @@ contains
       end if
       if (case%orientation /= 'none') text = text//number('amplitude_over_film', case%amplitude_over_film) &
                                              //word('response', case%response)
-      text = text//'/'//line_end &
+      text = text//'/'//line_end
+      if (len_trim(case%surface_file) > 0) text = text//'&surface'//line_end//word('file', case%surface_file)//'/'//line_end
+      text = text &
              //'&grid'//line_end//number('x_min', case%x_min)//number('x_max', case%x_max)//number('y_max', case%y_max) &
              //whole('cells_x', case%cells_x)//whole('cells_y', case%cells_y)
       if (min(case%cells_x, case%cells_y) == 0) text = text//whole('largest_cells', case%largest_cells)
       text = text//word('domain', case%domain)//'/'//line_end &
              //'&solver'//line_end//number('tolerance', case%tolerance) &
-             //number('step_tolerance', case%step_tolerance)//number('time_step_over_cell', case%time_step_over_cell) &
-             //whole('largest_steps', case%largest_steps)//whole('settling_periods', case%settling_periods) &
-             //word('method', case%method)//word('deformation', case%deformation)//'/'//line_end &
+             //number('step_tolerance', case%step_tolerance)
+      if (case%time_step_over_cell > 0) text = text//number('time_step_over_cell', case%time_step_over_cell)
+      text = text//whole('largest_steps', case%largest_steps)//whole('settling_periods', case%settling_periods) &
+             //optional_whole('largest_total_steps', case%largest_total_steps)//word('method', case%method)
+      if (case%method == 'fas') text = text//word('cycle', case%cycle)
+      text = text//word('deformation', case%deformation)//word('error_estimate', case%error_estimate)
+      if (case%accuracy > 0) text = text//number('accuracy', case%accuracy)
+      text = text//'/'//line_end &
              //'&dynamics'//line_end//word('load_balance', case%load_balance)
       if (case%natural_frequency > 0) text = text//number('natural_frequency', case%natural_frequency)
       text = text//number('load_factor', case%load_factor)
@@ -71,6 +78,15 @@ contains
       character(len=:), allocatable :: line
       line = '  '//key//' = '//to_text(value)//line_end
    end function whole
+
+   !> Nothing for 0, which stands for a choice of the plan.
+   pure function optional_whole(key, value) result(line)
+      character(len=*), intent(in) :: key
+      integer, intent(in) :: value
+      character(len=:), allocatable :: line
+      line = ''
+      if (value > 0) line = whole(key, value)
+   end function optional_whole
 
    pure function word(key, value) result(line)
       character(len=*), intent(in) :: key, value

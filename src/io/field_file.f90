@@ -5,6 +5,7 @@ module ehlwave_field_file
    use ehlwave_case_text, only: case_identity, effective_input
    use ehlwave_clock, only: time_stamp
    use ehlwave_conditions, only: conditions_t
+   use ehlwave_error_estimate, only: basis_name
    use ehlwave_errors, only: error_t, raise
    use ehlwave_hdf5_file, only: hdf5_file_t
    use ehlwave_provenance, only: compiler, compiler_flags, git_revision, library_versions, program_version
@@ -55,11 +56,16 @@ contains
       call file%attribute('', 'effective_input', effective_input(case))
       call file%attribute('', 'status', status_name(result%status))
       call file%attribute('', 'message', result%message)
+      call file%attribute('', 'rung', trim(result%rung))
+      call file%attribute('', 'amplitude_error_basis', trim(basis_name(result%amplitude_error_basis)))
 
       call file%write('central_film', result%central_film, '1', 'smooth central film thickness H(0,0)')
       call file%write('minimum_film', result%minimum_film, '1', 'smallest film thickness H of the smooth contact')
       call file%write('amplitude_ratio', result%amplitude_ratio, '1', 'Ad/Ai from the samples')
       call file%write('amplitude_ratio_fit', result%amplitude_ratio_fit, '1', 'Ad/Ai from a harmonic fit')
+      call file%write('central_film_error', result%central_film_error, '1', 'estimated relative error of central_film')
+      call file%write('minimum_film_error', result%minimum_film_error, '1', 'estimated relative error of minimum_film')
+      call file%write('amplitude_ratio_error', result%amplitude_ratio_error, '1', 'estimated relative error of Ad/Ai')
       call file%write('harmonic_ratio', result%harmonic%ratio, '1', 'Ad/Ai of small waves, linear response')
       call file%write('harmonic_phase', result%harmonic%phase, 'rad', 'phase of the linear response of H(0,0)')
       call file%write('harmonic_extrapolated', result%harmonic%extrapolated, '1', 'harmonic_ratio at mesh size 0')
@@ -75,6 +81,8 @@ contains
             call file%write('time', result%time, '', '1', 'T, or phase over 2 pi for a standing pattern')
             call file%dimension('time')
             call file%write('film_at_centre', result%film_history, 'time', '1', 'H(0,0)')
+            if (allocated(result%surface_position)) call file%write('surface_position_m', result%surface_position, 'time', &
+               'm', 'x on the surface, as in its file, that is at the contact centre')
             if (allocated(result%approach_history)) &
                call file%write('approach', result%approach_history, 'time', '1', 'mutual approach Delta')
          end if

@@ -1,9 +1,12 @@
 !> Amplitude of the film oscillation at the contact centre.
 module ehlwave_amplitude
+   use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
    use ehlwave_kinds, only: dp, pi
    implicit none (type, external)
    private
    public :: sampled_amplitude, fitted_amplitude, fitted_harmonic
+
+   real(dp), parameter :: singular = 1e-12_dp   !! smallest pivot of the fit, per sample
 
 contains
 
@@ -13,7 +16,7 @@ contains
       sampled_amplitude = 0.5_dp*(maxval(film) - minval(film))
    end function sampled_amplitude
 
-   !> Amplitude at the forcing frequency: modulus of `fitted_harmonic`.
+   !> Amplitude at the forcing frequency: modulus of `fitted_harmonic`, NaN where that is.
    pure real(dp) function fitted_amplitude(time, film, period)
       real(dp), intent(in) :: time(:)   !! T of the samples
       real(dp), intent(in) :: film(:)   !! H(0,0) at these times
@@ -22,15 +25,18 @@ contains
    end function fitted_amplitude
 
    !> Least squares fit of mean + c cos(omega T) + s sin(omega T); returns c + i s, which stands for the real part of
-   !> (c + i s) exp(-i omega T). Needs at least three samples, else returns 0.
+   !> (c + i s) exp(-i omega T). NaN where the samples do not determine these three numbers: fewer than three of them,
+   !> or all at two phases of the wave only (two time steps per period).
    pure complex(dp) function fitted_harmonic(time, film, period)
       real(dp), intent(in) :: time(:)   !! T of the samples
       real(dp), intent(in) :: film(:)   !! H(0,0) at these times
       real(dp), intent(in) :: period    !! forcing period in T
       real(dp) :: basis(size(time), 3), normal(3, 3), right(3), factor
+      real(dp) :: nan
       integer :: i, j
 
-      fitted_harmonic = 0
+      nan = ieee_value(1.0_dp, ieee_quiet_nan)
+      fitted_harmonic = cmplx(nan, nan, dp)
       if (size(time) < 3) return
       basis(:, 1) = 1
       basis(:, 2) = cos(2*pi*time/period)
@@ -38,7 +44,7 @@ contains
       normal = matmul(transpose(basis), basis)
       right = matmul(transpose(basis), film - film(1))
       do i = 1, 3                       ! elimination; the matrix is symmetric positive definite
-         if (.not. normal(i, i) > 0) return
+         if (.not. normal(i, i) > singular*size(time)) return
          do j = i + 1, 3
             factor = normal(j, i)/normal(i, i)
             normal(j, :) = normal(j, :) - factor*normal(i, :)

@@ -1,10 +1,13 @@
 !> What one case came to.
 module ehlwave_case_result
+   use ehlwave_error_estimate, only: basis_none
    use ehlwave_harmonic_result, only: harmonic_result_t
    use ehlwave_kinds, only: dp
    use ehlwave_status, only: status_pending
    implicit none (type, external)
    private
+
+   integer, parameter, public :: rung_length = 12
 
    type, public :: case_result_t
       integer :: status = status_pending
@@ -15,6 +18,12 @@ module ehlwave_case_result
       real(dp) :: minimum_film = 0                   !! smallest H on the grid
       real(dp) :: central_film_moes = 0              !! H(0,0) in the scale of theory eq. (6)
       real(dp) :: max_pressure = 0                   !! largest P
+      ! estimated relative discretisation errors; NaN where there is no estimate
+      real(dp) :: central_film_error = 0             !! of H(0,0), from the multigrid levels
+      real(dp) :: minimum_film_error = 0             !! of the smallest H, likewise
+      real(dp) :: film_order = 0                     !! observed order of H(0,0) on the three finest levels
+      real(dp) :: amplitude_ratio_error = 0          !! of Ad/Ai
+      integer :: amplitude_error_basis = basis_none  !! what that is from, see ehlwave_error_estimate
       ! waviness; the three measured numbers are NaN until measured
       real(dp) :: amplitude_ratio = 0                !! Ad/Ai by theory eq. (14)
       real(dp) :: amplitude_ratio_fit = 0            !! Ad/Ai by harmonic fit
@@ -29,11 +38,14 @@ module ehlwave_case_result
       ! effort
       integer :: time_steps = 0                      !! steps done
       integer :: nonlinear_steps = 0, linear_steps = 0
+      character(len=rung_length) :: rung = 'direct'  !! highest rung of the rescue ladder used, see solver/rescue
+      integer :: rescued_solutions = 0               !! solutions that took more than the direct solve
       real(dp) :: seconds = 0                        !! wall time of the case
       real(dp) :: work_units = 0                     !! the same in plain FFT convolutions of the whole grid
       real(dp) :: peak_memory_mib = 0                !! of the process so far
       ! history of the contact centre: times T, or phases over 2 pi for standing patterns
       real(dp), allocatable :: time(:), film_history(:), approach_history(:)
+      real(dp), allocatable :: surface_position(:)   !! of a measured surface, at the contact centre, m
       ! fields of the last solution, if asked for
       real(dp), allocatable :: x(:), y(:), p(:, :), h(:, :)
    end type case_result_t

@@ -1,48 +1,124 @@
-!> Whether a grid and time step resolve a case: theory section 7.
+!> Whether a grid, its domain and the time step resolve a case: theory section 7.
 module ehlwave_resolution
    use ehlwave_conditions, only: conditions_t
+   use ehlwave_formula, only: moes_film_formula
    use ehlwave_kinds, only: dp
    use ehlwave_text, only: to_text
    use ehlwave_waviness, only: waviness_t
    implicit none (type, external)
    private
-   public :: judge_resolution, inlet_length
+   public :: judge_resolution, inlet_length, inlet_gap, touching_reason
 
    real(dp), parameter, public :: fewest_points_per_wave = 8        !! in each direction and in time
    real(dp), parameter, public :: wanted_points_per_wave = 16       !! what an automatic grid provides
-   real(dp), parameter, public :: coarsest_inlet = 0.25_dp          !! largest hX sqrt(gamma M/L)
+   real(dp), parameter, public :: coarsest_inlet = 0.25_dp          !! largest hX over the inlet length
+   real(dp), parameter, public :: coarsest_side = 0.4_dp            !! largest hY over the inlet length
    real(dp), parameter, public :: wanted_inlet = 0.2_dp             !! what an automatic grid provides
 
+   real(dp), parameter, public :: narrowest_inlet_gap = 4/3.0_dp    !! gap at the inlet boundary over the film thickness
+   real(dp), parameter, public :: flooded_inlet_gap = 8             !! from which on the film does not feel the boundary
+   real(dp), parameter, public :: thick_film_gap = 40               !! the gap wanted on all sides of a film above 1
+
+   real(dp), parameter, public :: touching_film = 0.03_dp           !! smallest film over the smooth central one, see there
+
    type, public :: resolution_t
-      real(dp) :: inlet = 0                !! hX sqrt(gamma M/L): mesh size over the inlet pressure sweep
+      real(dp) :: inlet = 0                !! hX over the length of the inlet pressure sweep
       real(dp) :: points_x = 0             !! mesh sizes per wave along X, 0 without variation along X
       real(dp) :: points_y = 0             !! mesh sizes per wave along Y
       real(dp) :: samples = 0              !! time steps per period, 0 in steady cases
+      real(dp) :: inlet_gap = 0            !! see inlet_gap
       logical :: is_resolved = .true.
       character(len=:), allocatable :: reason   !! what is too coarse and what would do; '' when resolved
    end type resolution_t
 
 contains
 
-   !> Length of the inlet pressure sweep in X, (L/(gamma M))^(1/2); without piezoviscosity half the contact.
+   !> Length of the inlet pressure sweep in X: that of a piezoviscous inlet, (L/(gamma M))^(1/2), or that of an
+   !> isoviscous one, lambdabar^(2/5) (Snoeijer, Eggers and Venner 2013), whichever is longer; at most half the contact.
+   !>
+   !> Measured (central film on 64^2 to 512^2 cells against the extrapolated one, M = 30 to 3000, D = 1): with
+   !> hX = lambdabar^(2/5)/4 it is 4 to 6 per cent off for L = 0 to 3; (L/(gamma M))^(1/2) alone asks for grids up to
+   !> ten times finer there.
    pure real(dp) function inlet_length(conditions)
       type(conditions_t), intent(in) :: conditions
-      inlet_length = 1
-      if (conditions%l > 0) inlet_length = min(1.0_dp, sqrt(conditions%l/(conditions%gamma*conditions%m)))
+      inlet_length = min(1.0_dp, max(sqrt(conditions%l/(conditions%gamma*conditions%m)), conditions%lambdabar**0.4_dp))
    end function inlet_length
 
-   !> Points per wave and per inlet sweep, and the verdict on them.
-   pure function judge_resolution(conditions, waviness, hx, hy, dt) result(self)
+   !> Gap of the dry Hertzian contact at the inlet boundary, in units of the film thickness of the formula:
+   !>
+   !>     S [X (X^2 - 1)^(1/2) - ln(X + (X^2 - 1)^(1/2))]/H,      X = -x_min,
+   !>
+   !> the gap beside a line contact (a circular one is 10 per cent wider there). Measured against domains four times
+   !> as long, L = 0 and 12.05, D = 0.005 to 1: the film is 5 per cent too thin at 8, 8 to 20 per cent at 2 to 3,
+   !> 20 to 25 per cent at 1.2, and has nothing to do with the flooded one below 0.1. That holds for H < 1. A thicker
+   !> film hardly deforms the surfaces, and pressure spreads far: M = 3, D = 1 is still 34 per cent off at 3.5 on the
+   !> sides and 12 per cent at 37.
+   pure real(dp) function inlet_gap(conditions, x_min)
+      type(conditions_t), intent(in) :: conditions
+      real(dp), intent(in) :: x_min   !! X of the inlet boundary, -1 or less
+      real(dp) :: root
+      root = sqrt(max(0.0_dp, x_min**2 - 1))
+      inlet_gap = conditions%s*(-x_min*root - log(-x_min + root))/expected_film(conditions)
+   end function inlet_gap
+
+   !> Why a solution with this smallest film is not resolved; '' when it is.
+   !>
+   !> Waves higher than the film of the side lobes or the outlet press it out where they pass. Measured (Ai = 60 to 90
+   !> per cent, waves of a quarter of a, 128 and 256 cells): time steps converge down to 0.04 to 2 per cent of the
+   !> central film, then none does, on the finer grid either.
+   function touching_reason(smallest_film, central_film) result(reason)
+      real(dp), intent(in) :: smallest_film   !! of all solutions of the case, H
+      real(dp), intent(in) :: central_film    !! smooth H(0,0)
+      character(len=:), allocatable :: reason
+      reason = ''
+      if (smallest_film < touching_film*central_film) reason = 'the waves touch the other surface: the film falls to '// &
+         to_text(100*smallest_film/central_film, 2)//' per cent of the smooth central one, at least '// &
+         to_text(100*touching_film, 2)//' needed: reduce amplitude_over_film; '
+   end function touching_reason
+
+   !> H(0,0) by the formula.
+   pure real(dp) function expected_film(conditions)
+      type(conditions_t), intent(in) :: conditions
+      expected_film = moes_film_formula(conditions)/conditions%moes_film_factor
+   end function expected_film
+
+   !> Whether a film above 1 has all the domain that it needs: X = x_min, and Y = y_max with 1 - S in place of S.
+   pure logical function has_room(conditions, x_min, y_max)
+      type(conditions_t), intent(in) :: conditions
+      real(dp), intent(in) :: x_min, y_max
+      real(dp) :: side
+      has_room = .true.
+      if (expected_film(conditions) <= 1) return
+      side = (1 - conditions%s)/conditions%s*inlet_gap(conditions, -y_max)
+      has_room = min(side, inlet_gap(conditions, x_min)) >= thick_film_gap
+   end function has_room
+
+   !> Points per wave and per inlet sweep, the length of the inlet, and the verdict on them.
+   pure function judge_resolution(conditions, waviness, x_min, y_max, hx, hy, dt) result(self)
       type(conditions_t), intent(in) :: conditions
       type(waviness_t), intent(in) :: waviness
+      real(dp), intent(in) :: x_min    !! X of the inlet boundary
+      real(dp), intent(in) :: y_max    !! half the width of the domain
       real(dp), intent(in) :: hx, hy   !! mesh sizes in X and Y
       real(dp), intent(in) :: dt       !! time step, 0 in steady cases
       type(resolution_t) :: self
 
       self%reason = ''
       self%inlet = hx/inlet_length(conditions)
-      if (self%inlet > coarsest_inlet) self%reason = self%reason//'hX sqrt(gamma M/L) = '//to_text(self%inlet, 3)// &
+      if (self%inlet > coarsest_inlet) self%reason = self%reason//'hX over the inlet length = '//to_text(self%inlet, 3)// &
          ' is above '//to_text(coarsest_inlet, 3)//': use hX <= '//to_text(coarsest_inlet*inlet_length(conditions), 3)//'; '
+      ! Measured at M = 3000, D = 1: with hY = 0.5 inlet lengths no solution is found where 0.25 has one (L = 12.05); with
+      ! 0.31 the central film is 0.1 per cent off, but the smallest, in the side lobes, by a factor of two (L = 30).
+      if (hy > coarsest_side*inlet_length(conditions)) self%reason = self%reason//'hY over the inlet length = '// &
+         to_text(hy/inlet_length(conditions), 3)//' is above '//to_text(coarsest_side, 3)//': use hY <= '// &
+         to_text(coarsest_side*inlet_length(conditions), 3)//'; '
+      self%inlet_gap = inlet_gap(conditions, x_min)
+      if (.not. self%inlet_gap >= narrowest_inlet_gap) self%reason = self%reason//'the film is as thick as the gap at x_min'// &
+         ' (ratio '//to_text(self%inlet_gap, 3)//', at least '//to_text(narrowest_inlet_gap, 3)// &
+         ' needed): take x_min farther out; '
+      if (.not. has_room(conditions, x_min, y_max)) self%reason = self%reason//'the film, H = '// &
+         to_text(expected_film(conditions), 3)//' by the formula, is thicker than the Hertzian approach and needs a gap of '// &
+         to_text(thick_film_gap, 3)//' times that at x_min and y_max: such a contact is better solved as rigid; '
       if (waviness%is_present .and. waviness%wavelength_x > 0) then
          ! with slip the pattern also excites waves of length lambda/S that travel with the mean speed
          self%points_x = waviness%wavelength_x/hx/max(1.0_dp, abs(waviness%slip))

@@ -9,6 +9,7 @@ module ehlwave_conditions
    public :: conditions_from_moes, conditions_from_dimensional
 
    real(dp), parameter, public :: smallest_radius_ratio = 0.005_dp
+   real(dp), parameter :: largest_alphabar = 500      ! viscosity grows by exp(alphabar) under Barus' law
 
    !> Dimensional data of a contact, SI units.
    type, public :: contact_data_t
@@ -42,7 +43,7 @@ contains
    !> Conditions from the Moes parameters, theory eq. (1) to (6).
    !>
    !> ph = alphabar/alpha. With L = 0 (isoviscous) that is 0, and pressure in pascal is unknown.
-   !> Fails for M <= 0, L < 0, alpha <= 0, or D outside 0.005 to 1.
+   !> Fails for M <= 0, L < 0, alpha <= 0, D outside 0.005 to 1, or alpha ph above 500.
    subroutine conditions_from_moes(m, l, d, alpha_per_pa, self, error)
       real(dp), intent(in) :: m, l, d               !! Moes parameters, Rx/Ry
       real(dp), intent(in) :: alpha_per_pa          !! pressure-viscosity coefficient, 1/Pa
@@ -74,6 +75,12 @@ contains
          self%s = b/k
          self%moes_film_factor = 0.5_dp*k*b**(-1.0_dp/3)*(6*m*kappa/pi)**(2.0_dp/3)
       end associate
+      if (.not. (self%lambdabar > 0 .and. self%alphabar <= largest_alphabar .and. self%lambdabar < huge(m))) then
+         call raise(error, 'load_parameter_m = '//to_text(m, 6)//' and lubricant_parameter_l = '//to_text(l, 6)// &
+                    ' give alpha ph = '//to_text(self%alphabar, 4)//', which is outside the model range (at most '// &
+                    to_text(largest_alphabar, 3)//')')
+         return
+      end if
       self%hertz_pressure_pa = self%alphabar/alpha_per_pa
    end subroutine conditions_from_moes
 

@@ -24,6 +24,7 @@ module ehlwave_rheology
    contains
       procedure :: evaluate
       procedure :: density
+      procedure :: at_pressure
    end type rheology_t
 
 contains
@@ -43,6 +44,15 @@ contains
       self%ph_over_p0 = hertz_pressure_pa/roelands_pressure_pa
       self%ph_over_dh = hertz_pressure_pa/dowson_higginson_pa
    end function new_rheology
+
+   !> The same laws for a contact at another Hertz pressure.
+   pure function at_pressure(self, alphabar, hertz_pressure_pa) result(other)
+      class(rheology_t), intent(in) :: self
+      real(dp), intent(in) :: alphabar                    !! alpha ph
+      real(dp), intent(in) :: hertz_pressure_pa           !! ph, Pa
+      type(rheology_t) :: other
+      other = new_rheology(self%viscosity_law, self%density_law, alphabar, self%z, hertz_pressure_pa)
+   end function at_pressure
 
    !> Density, fluidity 1/eta and their derivatives at pressures P >= 0, theory section 3:
    !>

@@ -1,11 +1,13 @@
-!> Harmonic surface waviness moving through the contact.
+!> What stands on the moving surface: harmonic waviness, or a measured piece of surface.
 module ehlwave_waviness
    use ehlwave_kinds, only: dp, pi
+   use ehlwave_surface, only: surface_t
    implicit none (type, external)
    private
-   public :: new_waviness, no_waviness
+   public :: new_waviness, no_waviness, surface_waviness
 
-   !> Waviness in dimensionless coordinates, theory eq. (12) and (13).
+   !> Waviness in dimensionless coordinates, theory eq. (12) and (13). With a measured surface the wavelengths are its
+   !> RMS average ones, by which the resolution is judged.
    type, public :: waviness_t
       logical :: is_present = .false.
       real(dp) :: wavelength_x = 0   !! lambda_x/a; 0: no variation along X
@@ -13,6 +15,7 @@ module ehlwave_waviness
       logical :: is_oblique = .false. !! cos(kx X + ky Y) in place of cos(kx X) cos(ky Y)
       real(dp) :: start = -2.5_dp    !! Xs: where the front stands at T = 0
       real(dp) :: slip = 1           !! S = u1/ubar: speed of the pattern in units of the mean speed
+      type(surface_t), allocatable :: surface   !! the measured surface, if it is one
    contains
       procedure :: moves
       procedure :: is_symmetric
@@ -47,6 +50,20 @@ contains
       self%slip = slip
    end function new_waviness
 
+   !> A measured surface, its leading end at X = start at T = 0.
+   pure function surface_waviness(surface, start, slip) result(self)
+      type(surface_t), intent(in) :: surface
+      real(dp), intent(in) :: start                        !! Xs
+      real(dp), intent(in) :: slip                         !! S
+      type(waviness_t) :: self
+      self%is_present = .true.
+      self%wavelength_x = surface%wavelength_x
+      self%wavelength_y = surface%wavelength_y
+      self%start = start
+      self%slip = slip
+      self%surface = surface
+   end function surface_waviness
+
    !> Whether the gap changes in time: the pattern varies along X and its surface moves.
    pure logical function moves(self)
       class(waviness_t), intent(in) :: self
@@ -57,6 +74,7 @@ contains
    pure logical function is_symmetric(self)
       class(waviness_t), intent(in) :: self
       is_symmetric = .not. (self%is_present .and. self%is_oblique)
+      if (allocated(self%surface)) is_symmetric = self%surface%is_even()
    end function is_symmetric
 
    !> Time after which a moving pattern repeats, in T.
@@ -68,6 +86,8 @@ contains
    !> Pattern of unit amplitude with its smooth front at time T, theory eq. (12) and (13):
    !>
    !>     10^(-10 max(0, Xhat/lambda)^2) cos(2 pi Xhat/lambda_x) cos(2 pi Y/lambda_y),  Xhat = X - Xs - S T
+   !>
+   !> For a measured surface, what it adds to the gap in units of c: a peak takes away.
    pure function shape_at(self, x, y, t) result(shape)
       class(waviness_t), intent(in) :: self
       real(dp), intent(in) :: x(:), y(:)           !! node coordinates X, Y
@@ -78,6 +98,9 @@ contains
 
       if (.not. self%is_present) then
          shape = 0
+         return
+      else if (allocated(self%surface)) then
+         shape = -self%surface%height_at(x, y, self%start + self%slip*t)
          return
       end if
       x_hat = x - self%start - self%slip*t

@@ -1,8 +1,11 @@
 !> Full multigrid (FMG): solve on the coarsest grid, interpolate, solve on the next finer one, and so on.
 module ehlwave_full_multigrid
+   use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
    use ehlwave_conditions, only: conditions_t
    use ehlwave_contact_problem, only: contact_problem_t
+   use ehlwave_deformation_choice, only: chosen_deformation
    use ehlwave_deformation_mlmi, only: deformation_mlmi_t
+   use ehlwave_fas_multigrid, only: fas_t
    use ehlwave_formula, only: moes_film_formula
    use ehlwave_grid, only: grid_t, new_grid
    use ehlwave_kinds, only: dp
@@ -22,6 +25,7 @@ module ehlwave_full_multigrid
       class(level_solver_t), allocatable :: solver
       type(state_t) :: state
       type(solve_report_t) :: report
+      real(dp) :: central_film = 0, minimum_film = 0   !! of its own steady solution, NaN where it did not converge
    end type level_t
 
    !> Hierarchy of grids of one contact. Its solvers point at each other and at their problems: declare it a
@@ -31,6 +35,7 @@ module ehlwave_full_multigrid
    contains
       procedure :: init
       procedure :: solve
+      procedure :: start_level
    end type full_multigrid_t
 
    integer, parameter :: fewest_cells = 24   !! along X or over the whole width, on the coarsest grid
@@ -39,37 +44,48 @@ contains
 
    !> Hierarchy down from the finest grid, cells halved as long as they are even and enough.
    subroutine init(self, conditions, rheology, x_min, x_max, y_max, cells_x, cells_y, is_half, &
-                   method, deformation)
+                   method, deformation, cycle)
       class(full_multigrid_t), intent(inout), target :: self
       type(conditions_t), intent(in) :: conditions
       type(rheology_t), intent(in) :: rheology
       real(dp), intent(in) :: x_min, x_max, y_max   !! domain in X and Y
       integer, intent(in) :: cells_x, cells_y       !! cells of the finest grid over the whole domain
       logical, intent(in) :: is_half                !! store Y >= 0 only
-      character(len=*), intent(in) :: method        !! solver of the finest level: 'newton' or 'petsc'
-      character(len=*), intent(in) :: deformation   !! 'fft' or 'mlmi'
+      character(len=*), intent(in) :: method        !! 'newton', 'fas', or 'petsc' for the finest level
+      character(len=*), intent(in) :: deformation   !! 'fft', 'mlmi' or 'auto', level by level
+      character(len=*), intent(in), optional :: cycle   !! of FAS: 'v', 'w' or 'f'
       integer :: l, n
 
       n = level_count(cells_x, cells_y, is_half)
       allocate (self%levels(n))
       do l = 1, n
          associate (level => self%levels(l))
-            if (deformation == 'mlmi') allocate (deformation_mlmi_t :: level%problem%deformation)
+            if (chosen_deformation(deformation, cells_x/2**(n - l), cells_y/2**(n - l), is_half, &
+                                   conditions%elliptic%kappa) == 'mlmi') &
+               allocate (deformation_mlmi_t :: level%problem%deformation)
             call level%problem%init(new_grid(x_min, x_max, y_max, cells_x/2**(n - l), cells_y/2**(n - l), is_half), &
                                     conditions, rheology)
             level%state = new_state(level%problem%grid)
             if (method == 'petsc' .and. l == n) then
                allocate (petsc_solver_t :: level%solver)
+            else if (method == 'fas') then
+               allocate (fas_t :: level%solver)
             else
                allocate (newton_t :: level%solver)
             end if
             call level%solver%init(level%problem)
             if (l > 1) call connect_levels(level%solver, self%levels(l - 1)%solver)
+            associate (solver => level%solver)
+               select type (solver)
+               type is (fas_t)
+                  if (present(cycle)) solver%cycle = cycle(1:1)
+               end select
+            end associate
          end associate
       end do
    end subroutine init
 
-   !> Let a solver use that of the next coarser level in its preconditioner.
+   !> Let a solver use that of the next coarser level: Newton's method in its preconditioner, FAS for its coarse problem.
    subroutine connect_levels(solver, coarser)
       class(level_solver_t), intent(inout) :: solver
       class(level_solver_t), intent(in), target :: coarser
@@ -77,6 +93,11 @@ contains
       type is (newton_t)
          select type (coarser)
          type is (newton_t)
+            solver%coarser => coarser
+         end select
+      type is (fas_t)
+         select type (coarser)
+         type is (fas_t)
             solver%coarser => coarser
          end select
       end select
@@ -114,23 +135,39 @@ contains
       coarse_limits%tolerance = max(limits%tolerance, coarse_tolerance)
       do l = 1, n
          associate (level => self%levels(l))
-            if (l == 1) then
-               call hertz_guess(level%problem, level%state)
-            else
-               call interpolate(self%levels(l - 1)%problem%grid, level%problem%grid, &
-                                self%levels(l - 1)%state%p, level%state%p)
-               level%state%p = max(level%state%p, 0.0_dp)
-               level%state%delta = self%levels(l - 1)%state%delta
-            end if
+            call self%start_level(l)
             if (l == n) then
                call level%solver%solve(level%problem, level%state, limits, level%report)
             else
                call level%solver%solve(level%problem, level%state, coarse_limits, level%report)
                if (level%report%status /= status_converged) call hertz_guess(level%problem, level%state)
             end if
+            level%central_film = ieee_value(1.0_dp, ieee_quiet_nan)
+            level%minimum_film = level%central_film
+            if (level%report%status == status_converged) then
+               level%central_film = level%problem%grid%value_at_centre(level%state%h)
+               level%minimum_film = minval(level%state%h)
+            end if
          end associate
       end do
    end subroutine solve
+
+   !> First guess of a level: the solution of the next coarser one, on the coarsest that of Hertz.
+   subroutine start_level(self, l)
+      class(full_multigrid_t), intent(inout) :: self
+      integer, intent(in) :: l
+
+      associate (level => self%levels(l))
+         if (l == 1) then
+            call hertz_guess(level%problem, level%state)
+         else
+            call interpolate(self%levels(l - 1)%problem%grid, level%problem%grid, &
+                             self%levels(l - 1)%state%p, level%state%p)
+            level%state%p = max(level%state%p, 0.0_dp)
+            level%state%delta = self%levels(l - 1)%state%delta
+         end if
+      end associate
+   end subroutine start_level
 
    !> Hertz pressure, and the approach that leaves the formula's central film thickness.
    subroutine hertz_guess(problem, state)

@@ -1,4 +1,4 @@
-!> GMRES with right preconditioning for any linear system.
+!> GMRES with right preconditioning for any linear system (Saad and Schultz 1986).
 module ehlwave_gmres
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_kinds, only: dp
@@ -22,17 +22,22 @@ module ehlwave_gmres
       end subroutine product
    end interface
 
-   !> Work space: Krylov basis and small triangular system.
+   !> Work space: Krylov basis and small triangular system. The preconditioned vectors are kept (flexible form, Saad
+   !> 1993): the solution is a sum of them and needs no further application of the preconditioner, which for a
+   !> multigrid cycle and few steps is a good part of the work. Storage grows with the steps that are taken.
    type, public :: gmres_t
       integer :: largest_steps = 0
-      real(dp), allocatable :: basis(:, :)    !! (n, 0:largest_steps)
+      real(dp), allocatable :: basis(:, :)    !! (n, 0:capacity)
+      real(dp), allocatable :: z(:, :)        !! (n, capacity) preconditioned basis
       real(dp), allocatable :: hess(:, :)     !! (0:largest_steps, largest_steps)
-      real(dp), allocatable :: cosine(:), sine(:), rhs(:), z(:), w(:)
+      real(dp), allocatable :: cosine(:), sine(:), rhs(:)
       integer :: steps = 0                    !! of the last solve
       real(dp) :: reduction = 0               !! residual norm over that of the right side, last solve
    contains
       procedure :: solve
    end type gmres_t
+
+   integer, parameter :: first_capacity = 8
 
 contains
 
@@ -41,10 +46,27 @@ contains
       integer, intent(in) :: n, largest_steps
       type(gmres_t) :: self
       self%largest_steps = largest_steps
-      allocate (self%basis(n, 0:largest_steps), self%hess(0:largest_steps, largest_steps), &
-                self%cosine(largest_steps), self%sine(largest_steps), self%rhs(0:largest_steps), &
-                self%z(n), self%w(n))
+      allocate (self%basis(n, 0:min(first_capacity, largest_steps)), self%z(n, min(first_capacity, largest_steps)))
+      allocate (self%hess(0:largest_steps, largest_steps), self%cosine(largest_steps), self%sine(largest_steps), &
+                self%rhs(0:largest_steps))
    end function new_gmres
+
+   !> Make room for twice as many vectors, at most `largest_steps`.
+   pure subroutine grow(self)
+      type(gmres_t), intent(inout) :: self
+      real(dp), allocatable :: wider(:, :)
+      integer :: capacity, n, used
+
+      n = size(self%z, 1)
+      used = size(self%z, 2)
+      capacity = min(2*used, self%largest_steps)
+      allocate (wider(n, 0:capacity))
+      wider(:, 0:used) = self%basis
+      call move_alloc(wider, self%basis)
+      allocate (wider(n, capacity))
+      wider(:, 1:used) = self%z
+      call move_alloc(wider, self%z)
+   end subroutine grow
 
    !> x with |b - A x| <= tolerance |b|, from x = 0, or the best found within the step cap.
    subroutine solve(self, system, b, x, tolerance)
@@ -66,15 +88,16 @@ contains
       self%rhs(0) = beta
       used = 0
       do k = 1, self%largest_steps
-         call system%precondition(self%basis(:, k - 1), self%z)
-         call system%multiply(self%z, self%w)
+         if (k > size(self%z, 2)) call grow(self)
+         call system%precondition(self%basis(:, k - 1), self%z(:, k))
+         call system%multiply(self%z(:, k), self%basis(:, k))
          do i = 0, k - 1                                ! modified Gram-Schmidt
-            self%hess(i, k) = dot(self%w, self%basis(:, i))
-            self%w = self%w - self%hess(i, k)*self%basis(:, i)
+            self%hess(i, k) = dot(self%basis(:, k), self%basis(:, i))
+            call subtract(self%hess(i, k), self%basis(:, i), self%basis(:, k))
          end do
-         self%hess(k, k) = norm(self%w)
+         self%hess(k, k) = norm(self%basis(:, k))
          if (.not. ieee_is_finite(self%hess(k, k))) exit
-         if (self%hess(k, k) > 0) self%basis(:, k) = self%w/self%hess(k, k)
+         if (self%hess(k, k) > 0) self%basis(:, k) = self%basis(:, k)/self%hess(k, k)
          do i = 1, k - 1                                ! earlier rotations
             rotated = self%cosine(i)*self%hess(i - 1, k) + self%sine(i)*self%hess(i, k)
             self%hess(i, k) = -self%sine(i)*self%hess(i - 1, k) + self%cosine(i)*self%hess(i, k)
@@ -99,12 +122,18 @@ contains
          end do
          self%rhs(i - 1) = self%rhs(i - 1)/self%hess(i - 1, i)
       end do
-      self%w = 0
       do i = 1, used
-         self%w = self%w + self%rhs(i - 1)*self%basis(:, i - 1)
+         call subtract(-self%rhs(i - 1), self%z(:, i), x)
       end do
-      call system%precondition(self%w, x)
    end subroutine solve
+
+   !> y <- y - a x.
+   pure subroutine subtract(a, x, y)
+      real(dp), intent(in) :: a
+      real(dp), intent(in), contiguous :: x(:)
+      real(dp), intent(inout), contiguous :: y(:)
+      y = y - a*x
+   end subroutine subtract
 
    !> Scalar product with eight partial sums, so that it is vectorised and the same on every run.
    pure real(dp) function dot(a, b)

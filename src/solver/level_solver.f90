@@ -6,6 +6,7 @@ module ehlwave_level_solver
    use ehlwave_status, only: status_stalled
    implicit none (type, external)
    private
+   public :: mass_gain
 
    !> When to stop.
    type, public :: solve_limits_t
@@ -16,8 +17,7 @@ module ehlwave_level_solver
    !> What a solve came to. Each equation is reported by itself.
    type, public :: solve_report_t
       integer :: status = status_stalled
-      real(dp) :: residual = huge(1.0_dp)         !! max |R| hX/H(0,0) over nodes with P > 0: the mass that one
-                                                  !! cell gains, in units of the flow through the contact
+      real(dp) :: residual = huge(1.0_dp)         !! largest `mass_gain` over nodes with P > 0
       real(dp) :: complementarity = huge(1.0_dp)  !! max |P| over nodes where the film is cavitated
       real(dp) :: load_error = huge(1.0_dp)       !! relative error of the load balance
       integer :: nonlinear_steps = 0
@@ -30,7 +30,6 @@ module ehlwave_level_solver
    contains
       procedure(init_solver), deferred :: init
       procedure(solve_level), deferred :: solve
-      procedure(forget_past), deferred :: forget
    end type level_solver_t
 
    abstract interface
@@ -42,7 +41,8 @@ module ehlwave_level_solver
          type(contact_problem_t), intent(in), target :: problem   !! must outlive the solver
       end subroutine init_solver
 
-      !> Improve `state` until the equations hold within the limits.
+      !> Improve `state` until the equations hold within the limits. Nothing is kept from earlier solves: the outcome depends
+      !> on the problem and the guess only.
       subroutine solve_level(self, problem, state, limits, report)
          import :: contact_problem_t, level_solver_t, solve_limits_t, solve_report_t, state_t
          implicit none (type, external)
@@ -52,13 +52,18 @@ module ehlwave_level_solver
          type(solve_limits_t), intent(in) :: limits
          type(solve_report_t), intent(out) :: report
       end subroutine solve_level
-
-      !> Drop what was kept from earlier solves, so that the next depends on its own problem and guess only.
-      subroutine forget_past(self)
-         import :: level_solver_t
-         implicit none (type, external)
-         class(level_solver_t), intent(inout) :: self
-      end subroutine forget_past
    end interface
+
+contains
+
+   !> Mass that the oil of a cell gains or loses, in units of the flow through that cell or through the contact centre,
+   !> whichever is larger: |R| hX/max(H, H(0,0)).
+   elemental real(dp) function mass_gain(r, hx, h, h_centre)
+      real(dp), intent(in) :: r          !! Reynolds residual
+      real(dp), intent(in) :: hx         !! mesh size in X
+      real(dp), intent(in) :: h          !! film of the cell
+      real(dp), intent(in) :: h_centre   !! H(0,0)
+      mass_gain = abs(r)*hx/max(h, h_centre)
+   end function mass_gain
 
 end module ehlwave_level_solver

@@ -4,7 +4,7 @@ module ehlwave_newton
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_gmres, only: gmres_t, new_gmres
    use ehlwave_kinds, only: dp
-   use ehlwave_level_solver, only: level_solver_t, solve_limits_t, solve_report_t
+   use ehlwave_level_solver, only: level_solver_t, mass_gain, solve_limits_t, solve_report_t
    use ehlwave_newton_system, only: newton_system_t
    use ehlwave_reynolds, only: reynolds_residual
    use ehlwave_state, only: state_t
@@ -30,12 +30,9 @@ module ehlwave_newton
       type(gmres_t), private :: gmres
       real(dp), allocatable, private :: residual(:, :), rhs(:), change(:), film_change(:, :)
       logical, allocatable, private :: cavitated_before(:, :), cavitated_earlier(:, :)
-      logical, private :: is_factorised = .false.
-      integer, private :: steps_when_fresh = 0   ! GMRES steps of the first solve with the present factors
    contains
       procedure :: init
       procedure :: solve
-      procedure :: forget
    end type newton_t
 
 contains
@@ -53,7 +50,6 @@ contains
       allocate (self%residual(0:problem%grid%nx, 0:problem%grid%ny), &
                 self%film_change(0:problem%grid%nx, 0:problem%grid%ny), source=0.0_dp)
       allocate (self%rhs(self%system%n), self%change(self%system%n), source=0.0_dp)
-      self%is_factorised = .false.
    end subroutine init
 
    !> Make the systems of all coarser levels ready to precondition a finer one.
@@ -61,19 +57,12 @@ contains
       type(newton_t), intent(inout), target :: solver
       solver%system%problem => solver%own_problem
       nullify (solver%system%coarser)
-      solver%is_factorised = .false.
       if (.not. associated(solver%coarser)) return
       solver%system%coarser => solver%coarser%system
       call connect(solver%coarser)
    end subroutine connect
 
-   !> Drop the preconditioner of earlier solves: the next solve depends on its own problem and guess only.
-   subroutine forget(self)
-      class(newton_t), intent(inout) :: self
-      self%is_factorised = .false.
-   end subroutine forget
-
-   !> See the interface. Factors of an earlier solve are used as long as they serve.
+   !> See the interface.
    subroutine solve(self, problem, state, limits, report)
       class(newton_t), intent(inout) :: self
       type(contact_problem_t), intent(inout), target :: problem
@@ -88,9 +77,7 @@ contains
       self%system%transport = implicit_part(problem%transport, problem%grid)
       self%system%is_coarse = .false.
       nullify (self%system%coarser)
-      ! Upstream differences couple far along X and need coarser grids; a time step couples nodes only where they
-      ! are, and the factors alone take less time there.
-      if (associated(self%coarser) .and. .not. problem%transport%is_local) then
+      if (associated(self%coarser)) then
          self%system%coarser => self%coarser%system
          call connect(self%coarser)
       end if
@@ -117,13 +104,12 @@ contains
          forcing = min(self%loosest, max(forcing, last_step_share*limits%tolerance/report%residual))
          worth_before = worth
          call linear_solve(self, forcing, report)
-         step = step_length(self, problem, state)
-         if (alternates(self, k)) step = 0.5_dp*step
-         if (.not. step > 0) then
+         step = 1
+         if (alternates(self, k)) step = 0.5_dp
+         if (.not. take_step(self, problem, state, step)) then
             report%status = status_diverged
             exit
          end if
-         call take_step(self, problem, state, step)
          report%nonlinear_steps = k + 1
       end do
       nullify (self%system%problem, self%system%p)
@@ -150,14 +136,14 @@ contains
       type(solve_report_t), intent(inout) :: report
       real(dp), intent(out) :: worth   !! Euclidean norm of the right side
       real(dp), pointer, contiguous :: b(:, :)
-      real(dp) :: unit, load
+      real(dp) :: centre, load
       integer :: i, j
 
       associate (grid => problem%grid, system => self%system, r => self%residual)
          call system%flow%evaluate(problem%rheology, problem%conditions%lambdabar, state%p, state%h)
          call reynolds_residual(grid, problem%transport, problem%conditions%elliptic%kappa, system%flow, state%p, r)
          call system%set_scale()
-         unit = grid%hx/grid%value_at_centre(state%h)
+         centre = grid%value_at_centre(state%h)
          report%residual = 0
          report%complementarity = 0
          b(0:grid%nx, 0:grid%ny) => self%rhs(:system%n - 1)
@@ -170,7 +156,7 @@ contains
                else
                   system%is_cavitated(i, j) = .false.
                   b(i, j) = -system%row_scale(i, j)*r(i, j)
-                  report%residual = max(report%residual, abs(r(i, j))*unit)
+                  report%residual = max(report%residual, mass_gain(r(i, j), grid%hx, state%h(i, j), centre))
                end if
             end do
          end do
@@ -182,35 +168,25 @@ contains
       end associate
    end subroutine assemble
 
-   !> Newton direction in `change`. Old factors are renewed when they no longer serve. Where fresh ones do
-   !> not (incomplete factors can be unstable), they are made again with a stronger diagonal.
+   !> Newton direction in `change`. The factors are made afresh: that costs about one GMRES step and a half, and factors
+   !> of the step before need two more on average, many more where the pattern moves the edge of the film. Where the
+   !> factors do not serve (incomplete ones can be unstable), they are made again with a stronger diagonal.
    subroutine linear_solve(self, forcing, report)
       class(newton_t), intent(inout) :: self
       real(dp), intent(in) :: forcing
       type(solve_report_t), intent(inout) :: report
       real(dp) :: shift
-      logical :: is_fresh
       integer :: attempt
 
       shift = 0
       do attempt = 1, 4
-         is_fresh = .not. self%is_factorised
-         if (is_fresh) then
-            call self%system%factorise(shift)
-            self%is_factorised = .true.
-            report%factorisations = report%factorisations + 1
-         end if
+         call self%system%factorise(shift)
+         report%factorisations = report%factorisations + 1
          call self%gmres%solve(self%system, self%rhs, self%change, forcing)
          report%linear_steps = report%linear_steps + self%gmres%steps
          if (self%gmres%steps > 0 .and. self%gmres%reduction < 0.5_dp) exit
-         self%is_factorised = .false.
-         if (is_fresh) shift = max(0.1_dp, 4*shift)
+         shift = max(0.1_dp, 4*shift)
       end do
-      if (is_fresh) then
-         self%steps_when_fresh = self%gmres%steps
-      else if (self%gmres%steps > min(self%steps_when_fresh, 12) + 4) then
-         self%is_factorised = .false.
-      end if
    end subroutine linear_solve
 
    !> Whether the active set goes back and forth between two sets; a half step then breaks the cycle.
@@ -225,57 +201,46 @@ contains
       end associate
    end function alternates
 
-   !> Largest step that keeps the pressure change and the film within their limits.
-   real(dp) function step_length(self, problem, state) result(step)
+   !> Step along `change`, made shorter so that the pressure change and the film stay within their limits, and bent.
+   !> False if there is no step to take.
+   !>
+   !> Pressures may become slightly negative: the active set makes them zero in the next step. Clipping them at zero
+   !> here instead leaves neighbours with changes that counted on the negative value, and the active set can go round
+   !> in circles (measured: M = 50, D = 0.04, a cycle of four sets).
+   logical function take_step(self, problem, state, longest) result(has_moved)
       class(newton_t), intent(inout), target :: self
       type(contact_problem_t), intent(inout) :: problem
-      type(state_t), intent(in) :: state
+      type(state_t), intent(inout) :: state
+      real(dp), intent(in) :: longest    !! step length, at most 1
       real(dp), pointer, contiguous :: dp_(:, :)
-      real(dp) :: largest
+      real(dp) :: largest, shorter, step
       integer :: i, j
 
       associate (grid => problem%grid, n => self%system%n)
          dp_(0:grid%nx, 0:grid%ny) => self%change(:n - 1)
          largest = maxval(abs(dp_))
-         step = 0
-         if (.not. (ieee_is_finite(largest) .and. ieee_is_finite(self%change(n)))) return
-         step = 1
-         if (largest > self%largest_change) step = self%largest_change/largest
+         has_moved = ieee_is_finite(largest) .and. ieee_is_finite(self%change(n))
+         if (.not. has_moved) return
+         step = longest
+         if (largest > self%largest_change) step = step*self%largest_change/largest
+         call bend(self, problem, state%p, step, dp_)
+         dp_ = max(dp_, lowest_pressure - state%p)
+         self%change(n) = step*self%change(n)
          call problem%deformation%apply(dp_, self%film_change)
          self%film_change = self%film_change - self%change(n)
+         shorter = 1
          do j = 0, grid%ny
             do i = 0, grid%nx
-               if (state%h(i, j) + step*self%film_change(i, j) < self%smallest_film_factor*state%h(i, j)) &
-                  step = (self%smallest_film_factor - 1)*state%h(i, j)/self%film_change(i, j)
+               if (shorter*self%film_change(i, j) < (self%smallest_film_factor - 1)*state%h(i, j)) &
+                  shorter = (self%smallest_film_factor - 1)*state%h(i, j)/self%film_change(i, j)
             end do
          end do
+         has_moved = shorter > 0
+         state%p = state%p + shorter*dp_
+         state%delta = state%delta + shorter*self%change(n)
+         state%h = state%h + shorter*self%film_change      ! the film is linear in P and Delta
       end associate
-   end function step_length
-
-   !> Take the step. Pressures may become slightly negative: the active set makes them zero in the next step.
-   !> Clipping them at zero here instead leaves neighbours with changes that counted on the negative value,
-   !> and the active set can go round in circles (measured: M = 50, D = 0.04, a cycle of four sets).
-   subroutine take_step(self, problem, state, step)
-      class(newton_t), intent(inout), target :: self
-      type(contact_problem_t), intent(inout) :: problem
-      type(state_t), intent(inout) :: state
-      real(dp), intent(in) :: step
-      real(dp), pointer, contiguous :: dp_(:, :)
-      logical :: is_straight
-
-      associate (grid => problem%grid, n => self%system%n)
-         dp_(0:grid%nx, 0:grid%ny) => self%change(:n - 1)
-         call bend(self, problem, state%p, step, dp_, is_straight)
-         is_straight = is_straight .and. minval(state%p + dp_) >= lowest_pressure
-         state%p = max(state%p + dp_, lowest_pressure)
-         state%delta = state%delta + step*self%change(n)
-         if (is_straight) then       ! the film is linear in P and Delta
-            state%h = state%h + step*self%film_change
-         else
-            call problem%film(state%p, state%delta, state%h)
-         end if
-      end associate
-   end subroutine take_step
+   end function take_step
 
    !> Bend a pressure change at nodes whose residual is an exponential of their own pressure.
    !>
@@ -286,20 +251,18 @@ contains
    !>
    !> phi: share of that exponential in the diagonal of the Jacobian. The difference from P + d is of second
    !> order, so the final convergence stays quadratic.
-   pure subroutine bend(self, problem, p, step, dp_, is_straight)
+   pure subroutine bend(self, problem, p, step, dp_)
       class(newton_t), intent(in) :: self
       type(contact_problem_t), intent(in) :: problem
       real(dp), intent(in) :: p(0:, 0:)         !! P before the step
       real(dp), intent(in) :: step              !! step length
       real(dp), intent(inout) :: dp_(0:, 0:)    !! Newton's change, then the change to make
-      logical, intent(out) :: is_straight       !! no node was bent
       real(dp) :: cx, cy, intake, s
       integer :: i, j, jm
 
       associate (grid => problem%grid, flow => self%system%flow)
          cx = 0.5_dp/grid%hx**2
          cy = 0.5_dp*problem%conditions%elliptic%kappa**2/grid%hy**2
-         is_straight = .true.
          do j = grid%first_row, grid%ny - 1
             jm = grid%below(j)
             do i = 1, grid%nx - 1
@@ -310,10 +273,7 @@ contains
                                            + cy*(p(i, j + 1) - 2*p(i, j) + p(i, jm)))
                if (intake <= 0) cycle
                s = s*intake/(intake + 1/self%system%scale(i, j))
-               if (s*abs(dp_(i, j)) > 1e-3_dp) then
-                  dp_(i, j) = -log(max(1 - s*dp_(i, j), 0.1_dp))/s
-                  is_straight = .false.
-               end if
+               if (s*abs(dp_(i, j)) > 1e-3_dp) dp_(i, j) = -log(max(1 - s*dp_(i, j), 0.1_dp))/s
             end do
          end do
       end associate

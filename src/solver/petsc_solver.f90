@@ -12,7 +12,7 @@ module ehlwave_petsc_solver
    use ehlwave_formula, only: moes_film_formula
    use ehlwave_kernel, only: cell_influence
    use ehlwave_kinds, only: dp
-   use ehlwave_level_solver, only: level_solver_t, solve_limits_t, solve_report_t
+   use ehlwave_level_solver, only: level_solver_t, mass_gain, solve_limits_t, solve_report_t
    use ehlwave_load_balance, only: load_factor
    use ehlwave_near_stencil, only: near_stencil_t, new_near_stencil
    use ehlwave_reynolds, only: diagonal_scale, flow_t, new_flow, reynolds_jacobian, reynolds_residual
@@ -55,7 +55,7 @@ module ehlwave_petsc_solver
       type(flow_t) :: base_flow
       ! scratch
       real(dp), allocatable, dimension(:, :) :: weight, change, film_change, work
-      real(dp), allocatable :: row(:)
+      real(dp), allocatable :: near(:, :, :)      ! (nx-1, entries, first_row:ny-1) near part of the Jacobian
       ! judgement
       real(dp) :: tolerance = 0, smallest_film_factor = 0, largest_change = 0
       real(dp) :: residual = 0, complementarity = 0, load_error = 0
@@ -78,7 +78,6 @@ module ehlwave_petsc_solver
    contains
       procedure :: init
       procedure :: solve
-      procedure :: forget
    end type petsc_solver_t
 
    ! Types and functions of petsc_snes.c
@@ -137,23 +136,17 @@ contains
       associate (grid => problem%grid, elliptic => problem%conditions%elliptic, eq => self%inequality)
          eq%rows = grid%ny - grid%first_row
          eq%n = eq%rows*(grid%nx - 1) + 1
-         eq%stencil = new_near_stencil(grid, elliptic%kappa, elliptic%k, largest_reach)
+         eq%stencil = new_near_stencil(grid, elliptic%kappa, elliptic%k, largest_reach, 0.0_dp)
          eq%self_influence = cell_influence(0.0_dp, 0.0_dp, grid%hx, grid%hy, elliptic%kappa, elliptic%k)
          eq%flow = new_flow(grid)
          eq%base_flow = eq%flow
          allocate (zero(0:grid%nx, 0:grid%ny), source=0.0_dp)
          allocate (eq%p, eq%h, eq%r, eq%scale, eq%base_p, eq%base_h, source=zero)
          allocate (eq%weight, eq%change, eq%film_change, eq%work, source=zero)
-         allocate (eq%row(eq%stencil%entries), eq%best(eq%n), source=0.0_dp)
+         allocate (eq%near(grid%nx - 1, eq%stencil%entries, grid%first_row:grid%ny - 1), eq%best(eq%n), source=0.0_dp)
          call make_pattern(eq, grid%nx - 1)
       end associate
    end subroutine init
-
-   !> Nothing is kept from one solve to the next.
-   subroutine forget(self)
-      class(petsc_solver_t), intent(inout) :: self
-      nullify (self%inequality%problem)
-   end subroutine forget
 
    !> Pattern of the near matrix: the stencil and the Delta column at each node, then the load row.
    pure subroutine make_pattern(eq, columns)
@@ -312,21 +305,22 @@ contains
    !> The three numbers of `solve_report_t` for the state met last.
    subroutine measure(eq)
       type(inequality_t), intent(inout) :: eq
+      real(dp) :: centre
       integer :: i, j
 
       associate (grid => eq%problem%grid, load => eq%problem%load)
          eq%residual = 0
+         centre = grid%value_at_centre(eq%h)
          eq%complementarity = 0
          do j = grid%first_row, grid%ny - 1
             do i = 1, grid%nx - 1
                if (eq%p(i, j) + eq%scale(i, j)*eq%r(i, j) <= 0) then
                   eq%complementarity = max(eq%complementarity, abs(eq%p(i, j)))
                else
-                  eq%residual = max(eq%residual, abs(eq%r(i, j)))
+                  eq%residual = max(eq%residual, mass_gain(eq%r(i, j), grid%hx, eq%h(i, j), centre))
                end if
             end do
          end do
-         eq%residual = eq%residual*grid%hx/grid%value_at_centre(eq%h)
          if (.not. ieee_is_finite(sum(eq%r))) eq%residual = sum(eq%r)
          eq%load_error = abs(load%residual(grid%integral(eq%p), eq%delta))/abs(load%force)
       end associate
@@ -380,15 +374,17 @@ contains
          eq%film_change = -1   ! Delta column: dH = -1
          call reynolds_jacobian(grid, problem%transport, kappa, eq%base_flow, eq%base_p, eq%change, eq%film_change, &
                                 eq%r, eq%work)
+         do j = grid%first_row, grid%ny - 1
+            call stencil%fill_line(grid, problem%transport, kappa, eq%base_flow, eq%base_p, j, eq%near(:, :, j))
+         end do
          entry = 0
          load_row = eq%row_start(eq%n)
          do i = 1, grid%nx - 1
             do j = grid%first_row, grid%ny - 1
-               call stencil%fill_row(grid, problem%transport, kappa, eq%base_flow, eq%base_p, i, j, eq%row)
                do di = max(-stencil%reach_x, 1 - i), min(stencil%reach_x, grid%nx - 1 - i)
                   do dj = max(-stencil%reach_y, grid%first_row - j), min(stencil%reach_y, grid%ny - 1 - j)
                      entry = entry + 1
-                     a(entry) = -eq%weight(i, j)*eq%row(stencil%entry_at(di, dj))
+                     a(entry) = -eq%weight(i, j)*eq%near(i, stencil%entry_at(di, dj), j)
                   end do
                end do
                entry = entry + 1

@@ -23,7 +23,6 @@ module ehlwave_petsc_solver
    contains
       procedure :: init
       procedure :: solve
-      procedure :: forget
    end type petsc_solver_t
 
 contains
@@ -64,14 +63,5 @@ contains
          end associate
       end if
    end subroutine solve
-
-   !> Nothing to drop.
-   subroutine forget(self)
-      class(petsc_solver_t), intent(inout) :: self
-      if (.false.) then   ! silence unused-argument warnings
-         associate (a => self)
-         end associate
-      end if
-   end subroutine forget
 
 end module ehlwave_petsc_solver

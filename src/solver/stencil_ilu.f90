@@ -1,12 +1,13 @@
 !> Incomplete LU factors of a matrix with the same stencil in every row, without fill-in: ILU(0).
 module ehlwave_stencil_ilu
-   use ehlwave_kinds, only: dp
+   use ehlwave_kinds, only: dp, sp
    implicit none (type, external)
    private
    public :: new_stencil_ilu
 
-   real(dp), parameter :: smallest_pivot = 0.1_dp   !! of the diagonal entry
+   real(sp), parameter :: smallest_pivot = 0.1_sp   !! of the diagonal entry
 
+   !> Factors are kept in single precision: they only precondition, and a solve takes the time that its memory takes.
    !> Unknowns on a rectangle, numbered with the fast index first. Offsets are sorted so that
    !> entries 1..lower come before the diagonal and entries lower+2..entries after it.
    type, public :: stencil_ilu_t
@@ -15,9 +16,11 @@ module ehlwave_stencil_ilu
       integer, allocatable :: order(:)     !! (entries) caller's entry number of each sorted entry
       integer, allocatable :: shift(:)     !! (entries) offset in the padded vector
       integer :: reach_fast = 0, reach_slow = 0
-      real(dp), allocatable :: a(:, :, :)  !! (entries, fast, slow) matrix, then its factors (diagonal inverted)
-      integer, allocatable, private :: fill(:, :)  ! (entries, lower) where a product of factors lands, or 0
-      real(dp), allocatable, private :: x(:)       ! padded vector
+      real(sp), allocatable :: a(:, :, :)  !! (entries, fast, slow) matrix, then its factors (diagonal inverted)
+      integer, allocatable, private :: fills(:)    ! (lower) how many products of factors with entry m land in the pattern,
+      integer, allocatable, private :: from(:, :)  ! (entries, lower) which upper entries they come from
+      integer, allocatable, private :: into(:, :)  ! (entries, lower) and where they land
+      real(sp), allocatable, private :: x(:)       ! padded vector
    contains
       procedure :: factorise
       procedure :: solve
@@ -56,19 +59,22 @@ contains
             end block
          end do
       end do
-      allocate (self%fill(n, self%lower), source=0)
+      allocate (self%fills(self%lower), self%from(n, self%lower), self%into(n, self%lower), source=0)
       do m = 1, self%lower
          do s = self%lower + 2, n
             do f = 1, n
                if (offset_fast(self%order(f)) == offset_fast(self%order(m)) + offset_fast(self%order(s)) .and. &
-                   offset_slow(self%order(f)) == offset_slow(self%order(m)) + offset_slow(self%order(s))) &
-                  self%fill(s, m) = f
+                   offset_slow(self%order(f)) == offset_slow(self%order(m)) + offset_slow(self%order(s))) then
+                  self%fills(m) = self%fills(m) + 1
+                  self%from(self%fills(m), m) = s
+                  self%into(self%fills(m), m) = f
+               end if
             end do
          end do
       end do
-      allocate (self%a(n, fast, slow), source=0.0_dp)
+      allocate (self%a(n, fast, slow), source=0.0_sp)
       allocate (self%x(1 - self%reach_fast - self%reach_slow*width: &
-                       width*(slow + self%reach_slow) + self%reach_fast), source=0.0_dp)
+                       width*(slow + self%reach_slow) + self%reach_fast), source=0.0_sp)
    end function new_stencil_ilu
 
    !> Factors in place of the matrix in `a`. A pivot that changed sign or lost most of its size against the
@@ -77,7 +83,7 @@ contains
    pure subroutine factorise(self)
       class(stencil_ilu_t), intent(inout) :: self
       integer :: d, f, m, n, pf, ps, s, t
-      real(dp) :: diagonal, factor
+      real(sp) :: diagonal, factor
       integer :: off_f(self%entries), off_s(self%entries), width
 
       d = self%lower + 1
@@ -97,9 +103,8 @@ contains
                if (abs(self%a(m, f, s)) <= 0) cycle
                factor = self%a(m, f, s)*self%a(d, pf, ps)
                self%a(m, f, s) = factor
-               do t = d + 1, n
-                  if (self%fill(t, m) > 0) &
-                     self%a(self%fill(t, m), f, s) = self%a(self%fill(t, m), f, s) - factor*self%a(t, pf, ps)
+               do t = 1, self%fills(m)
+                  self%a(self%into(t, m), f, s) = self%a(self%into(t, m), f, s) - factor*self%a(self%from(t, m), pf, ps)
                end do
             end do
             if (.not. self%a(d, f, s)/diagonal > smallest_pivot) self%a(d, f, s) = smallest_pivot*diagonal
@@ -113,14 +118,14 @@ contains
       class(stencil_ilu_t), intent(inout) :: self
       real(dp), intent(inout) :: v(:, :)   !! (fast, slow) right side, then solution
       integer :: d, f, m, place, s, width
-      real(dp) :: total
+      real(sp) :: total
 
       d = self%lower + 1
       width = self%fast + self%reach_fast
       do s = 1, self%slow
          do f = 1, self%fast
             place = f + (s - 1)*width
-            total = v(f, s)
+            total = real(v(f, s), sp)
             do m = 1, self%lower
                total = total - self%a(m, f, s)*self%x(place + self%shift(m))
             end do

@@ -1,11 +1,13 @@
 !> March in time of one contact with moving waviness, from the smooth steady state.
 module ehlwave_time_march
+   use ehlwave_continuation, only: given_t
    use ehlwave_full_multigrid, only: level_t
    use ehlwave_kernel, only: cell_influence
    use ehlwave_kinds, only: dp
-   use ehlwave_level_solver, only: solve_limits_t, solve_report_t
+   use ehlwave_level_solver, only: solve_limits_t
    use ehlwave_load_balance, only: equation_of_motion, force_balance
    use ehlwave_monitor, only: monitor_t
+   use ehlwave_rescue, only: rescue_t
    use ehlwave_reynolds, only: flow_t, new_flow
    use ehlwave_state, only: state_t
    use ehlwave_status, only: status_converged
@@ -44,19 +46,21 @@ module ehlwave_time_march
    end type past_t
 
    real(dp), parameter :: spread_weight = 1000   !! measured: fewest Newton steps between 100 and 10^4
+   real(dp), parameter :: guess_margin = 0.02_dp !! measured: the same between 0.005 and 0.05
 
 contains
 
    !> March `level` from its steady state of smooth surfaces. On return its state is the last one reached.
    !>
-   !> A step that fails from the extrapolated guess is tried once more from the solution before it;
-   !> when that fails too the march ends and says so.
-   subroutine march(level, settings, limits, monitor, result)
-      type(level_t), intent(inout) :: level
+   !> A step that fails from the extrapolated guess is left to `rescue`; when that fails too the march ends and says so.
+   subroutine march(level, settings, limits, rescue, monitor, result)
+      type(level_t), intent(inout), target :: level
       type(march_settings_t), intent(in) :: settings
       type(solve_limits_t), intent(in) :: limits
+      type(rescue_t), intent(inout) :: rescue
       class(monitor_t), intent(inout) :: monitor
       type(march_result_t), intent(out) :: result
+      type(given_t) :: given
       type(past_t) :: past
       real(dp), allocatable :: share(:, :)
       real(dp), allocatable :: history(:, :, :)
@@ -66,14 +70,18 @@ contains
       associate (grid => level%problem%grid, problem => level%problem, state => level%state)
          dt = grid%hx*settings%cells_per_step/settings%steps_per_cell
          problem%transport = characteristic_transport(grid, settings%cells_per_step, settings%steps_per_cell)
-         problem%load = force_balance(settings%force)
+         problem%load = force_balance(1.0_dp)
          if (settings%natural_frequency > 0) &
-            problem%load = equation_of_motion(settings%force, settings%natural_frequency, dt)
+            problem%load = equation_of_motion(1.0_dp, settings%natural_frequency, dt)
          allocate (history(0:grid%nx, 0:grid%ny, problem%transport%history_length()))
          do n = 1, size(history, 3)
             history(:, :, n) = problem%rheology%density(state%p)*state%h
          end do
          approach = state%delta
+         call problem%transport%carry(grid, history)
+         call problem%load%carry(approach)
+         call given%take(problem)        ! what the steady state would be given as a time step
+         problem%load%force = settings%force
          past = past_t(state, state, state, state)
          share = carried_share(level)
          allocate (result%time(0:settings%steps), result%central_film(0:settings%steps), &
@@ -87,7 +95,7 @@ contains
             call problem%transport%carry(grid, history)
             call problem%load%carry(approach)
             if (settings%steps_per_cell == 1) call extrapolate(settings%cells_per_step, share, past, state)
-            call solve_step(level, past%before, limits, result)
+            call solve_step(level, past%before, given, limits, rescue, result)
             if (result%status /= status_converged) exit
 
             result%steps = k
@@ -102,6 +110,7 @@ contains
             past%earliest = past%earlier
             past%earlier = past%before
             past%before = state
+            call given%take(problem)
             call monitor%step_done('time step', k, settings%steps)
          end do
       end associate
@@ -126,7 +135,9 @@ contains
 
    !> First guess. Where the film is carried along, what deviates from the steady state P0 is extrapolated
    !> along the characteristic: P0(i) + 2 p(i-m, k-1) - p(i-2m, k-2), p = P - P0; elsewhere in time at fixed X:
-   !> 3 P(k-1) - 3 P(k-2) + P(k-3); in between, by share.
+   !> 3 P(k-1) - 3 P(k-2) + P(k-3); in between, by share. What is extrapolated in time stays within the range of the
+   !> neighbours at the step before and a small margin: the steep end of the pressure moves by less than a cell in one step, and
+   !> an extrapolation across it would be off by half the Hertz pressure.
    pure subroutine extrapolate(m, share, past, state)
       integer, intent(in) :: m                       !! cells that a feature travels in one step
       real(dp), intent(in) :: share(0:, 0:)          !! (0:nx, 0:ny)
@@ -139,6 +150,9 @@ contains
             do i = 2*m + 1, ubound(state%p, 1) - 1
                moved = p0(i, j) + 2*(p1(i - m, j) - p0(i - m, j)) - (p2(i - 2*m, j) - p0(i - 2*m, j))
                still = 3*(p1(i, j) - p2(i, j)) + p3(i, j)
+               associate (near => p1(i - 1:i + 1, max(j - 1, 0):min(j + 1, ubound(p1, 2))))
+                  still = min(max(still, minval(near) - guess_margin), maxval(near) + guess_margin)
+               end associate
                state%p(i, j) = max(0.0_dp, share(i, j)*moved + (1 - share(i, j))*still)
             end do
          end do
@@ -146,27 +160,24 @@ contains
       state%delta = 3*(past%before%delta - past%earlier%delta) + past%earliest%delta
    end subroutine extrapolate
 
-   !> One time step, with a second try from the solution before it.
-   subroutine solve_step(level, before, limits, result)
-      type(level_t), intent(inout) :: level
+   !> One time step and its account.
+   subroutine solve_step(level, before, given_before, limits, rescue, result)
+      type(level_t), intent(inout), target :: level
       type(state_t), intent(in) :: before
+      type(given_t), intent(in) :: given_before
       type(solve_limits_t), intent(in) :: limits
+      type(rescue_t), intent(inout) :: rescue
       type(march_result_t), intent(inout) :: result
-      type(solve_report_t) :: report
-      integer :: attempt
 
-      do attempt = 1, 2
-         if (attempt == 2) level%state = before
-         call level%solver%solve(level%problem, level%state, limits, report)
+      call rescue%solve_step(level, before, given_before, limits)
+      associate (report => level%report)
          result%nonlinear_steps = result%nonlinear_steps + report%nonlinear_steps
          result%linear_steps = result%linear_steps + report%linear_steps
          result%factorisations = result%factorisations + report%factorisations
          result%status = report%status
-         if (report%status == status_converged) exit
-      end do
-      result%worst_residual = max(result%worst_residual, report%residual)
-      result%worst_load_error = max(result%worst_load_error, report%load_error)
-      level%report = report
+         result%worst_residual = max(result%worst_residual, report%residual)
+         result%worst_load_error = max(result%worst_load_error, report%load_error)
+      end associate
    end subroutine solve_step
 
 end module ehlwave_time_march

@@ -1,13 +1,18 @@
 !> The plan of one case, made before it runs: what is computed, on which grid, in how many steps, and why.
 module ehlwave_case_plan
+   use ehlwave_accuracy_model, only: expected_film_error, expected_long_step_error, expected_ratio_error, &
+      largest_mesh, points_for, steady_work_units, step_work_units
    use ehlwave_case_input, only: case_conditions, case_t
    use ehlwave_conditions, only: conditions_t
+   use ehlwave_deformation_choice, only: chosen_deformation
    use ehlwave_errors, only: error_t, raise
+   use ehlwave_formula, only: amplitude_formula, anisotropy_factor, wave_parameter_v
    use ehlwave_kinds, only: dp
-   use ehlwave_resolution, only: fewest_points_per_wave, inlet_length, judge_resolution, resolution_t, wanted_inlet, &
-      wanted_points_per_wave
+   use ehlwave_resolution, only: coarsest_inlet, fewest_points_per_wave, inlet_length, judge_resolution, resolution_t, &
+      wanted_inlet, wanted_points_per_wave
    use ehlwave_rheology, only: density_constant, density_dowson_higginson, new_rheology, rheology_t, &
       viscosity_barus, viscosity_constant, viscosity_roelands
+   use ehlwave_surface_plan, only: read_case_surface, surface_times
    use ehlwave_text, only: to_text
    use ehlwave_waviness, only: new_waviness, no_waviness, waviness_t
    implicit none (type, external)
@@ -29,17 +34,28 @@ module ehlwave_case_plan
       integer :: cells_x = 0, cells_y = 0            !! of the whole domain
       character(len=:), allocatable :: grid_reason
       real(dp) :: hx = 0, hy = 0
+      character(len=4) :: deformation = ''           !! 'fft' or 'mlmi' on the finest grid
       integer :: cells_per_step = 1, steps_per_cell = 1
       real(dp) :: dt = 0                             !! time step, 0 without march
       integer :: steps = 0                           !! time steps
-      integer :: first_sample = 0                    !! step from which the amplitude is measured
+      integer :: first_sample = 0                    !! step from which the amplitude is measured,
+      logical :: measures = .true.                   !! if the march is long enough for that
+      integer :: largest_total_steps = 0             !! cap on the nonlinear steps of the finest grid
       integer :: phases = 0                          !! steady solutions of a standing pattern
       type(resolution_t) :: resolution
+      real(dp) :: expected_error = 0                 !! relative, of Ad/Ai, of smooth contacts of H(0,0); from a model
+      real(dp) :: expected_work_units = 0            !! from a model
       real(dp) :: cost = 0                           !! expected effort, node updates of the finest grid
    end type case_plan_t
 
    integer, parameter :: grid_sizes(15) = [64, 96, 128, 192, 256, 384, 512, 768, 1024, 1536, 2048, 3072, 4096, 6144, 8192]
    integer, parameter :: most_steps = 1000000
+   integer, parameter :: steps_per_time_step = 40    !! nonlinear steps that a time step may take on average
+   ! Shares of the accuracy: mesh in X, waves along Y, steps longer than hX.
+   real(dp), parameter :: share_of_mesh = 0.75_dp, share_of_waves = 0.2_dp, share_of_steps = 0.2_dp
+   real(dp), parameter :: fewest_long_steps = 32     !! time steps per wave that steps longer than hX must leave
+   real(dp), parameter :: cost_of_estimate = 1.15_dp !! of a case with its coarser grids over that without
+   real(dp), parameter :: response_work_units = 120  !! of a linear response on half a domain; measured: 75 to 120
    real(dp), parameter :: outlet_end = 1             !! X of the outlet end of the Hertzian contact
 
 contains
@@ -62,13 +78,16 @@ contains
       if (case%orientation /= 'none') &
          plan%waviness = new_waviness(case%wavelength_x_over_a, kappa*case%wavelength_y_over_a, case%oblique, &
                                       case%x_min, case%slip_parameter)
+      if (len_trim(case%surface_file) > 0) call read_case_surface(case, plan%conditions, plan%waviness, error)
+      if (allocated(error)) return
       plan%is_half = case%domain == 'auto' .and. plan%waviness%is_symmetric()
       call choose_grid(case, plan)
+      plan%deformation = chosen_deformation(case%deformation, plan%cells_x, plan%cells_y, plan%is_half, kappa)
 
       plan%responds = plan%waviness%is_present .and. case%response /= 'transient'
       if (plan%responds .and. case%response == 'harmonic') then
          plan%kind = run_harmonic
-         plan%steps_per_cell = nint(1/min(1.0_dp, case%time_step_over_cell))
+         if (case%time_step_over_cell > 0) plan%steps_per_cell = nint(1/min(1.0_dp, case%time_step_over_cell))
       else if (plan%waviness%moves() .or. case%end_time > 0) then
          call plan_march(case, plan, error)
       else if (plan%waviness%is_present) then
@@ -76,9 +95,15 @@ contains
          plan%phases = merge(8, 2, plan%waviness%wavelength_x > 0)
       end if
       if (allocated(error)) return
-      plan%resolution = judge_resolution(plan%conditions, plan%waviness, plan%hx, plan%hy, plan%dt)
+      plan%resolution = judge_resolution(plan%conditions, plan%waviness, case%x_min, case%y_max, plan%hx, plan%hy, plan%dt)
+      call expect(case, plan)
+      if (case%accuracy > 0) call check_accuracy(case, plan, error)
       plan%cost = real(plan%cells_x, dp)*plan%cells_y*(15 + 6*plan%phases + 4*plan%steps + merge(8, 0, plan%responds))
       if (plan%is_half) plan%cost = 0.5_dp*plan%cost
+      plan%largest_total_steps = case%largest_total_steps
+      ! a steady state takes 5 to 20 steps, a time step 2 to 5: room for the rescue ladder
+      if (plan%largest_total_steps == 0) &
+         plan%largest_total_steps = case%largest_steps*(10 + 5*plan%phases) + steps_per_time_step*plan%steps
    end subroutine make_plan
 
    pure integer function viscosity_number(case)
@@ -102,20 +127,31 @@ contains
    subroutine choose_grid(case, plan)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(inout) :: plan
-      real(dp) :: length_x, length_y, wanted_x, wanted_y
+      real(dp) :: inlet, length_x, length_y, mesh, points, wanted_x, wanted_y
       character(len=:), allocatable :: why_x, why_y
 
       length_x = case%x_max - case%x_min
       length_y = 2*case%y_max
+      inlet = merge(coarsest_inlet, wanted_inlet, case%accuracy > 0)
+      points = merge(fewest_points_per_wave, wanted_points_per_wave, case%accuracy > 0)
       plan%cells_x = case%cells_x
       why_x = 'asked for'
       if (plan%cells_x == 0) then
-         wanted_x = length_x*inlet_length(plan%conditions)**(-1)/wanted_inlet
-         why_x = 'for hX sqrt(gamma M/L) <= '//to_text(wanted_inlet, 2)
+         wanted_x = length_x/(inlet*inlet_length(plan%conditions))
+         why_x = 'for hX over the inlet length <= '//to_text(inlet, 2)
          if (plan%waviness%wavelength_x > 0) then
-            if (wanted_points_per_wave*length_x*max(1.0_dp, plan%waviness%slip)/plan%waviness%wavelength_x > wanted_x) then
-               wanted_x = wanted_points_per_wave*length_x*max(1.0_dp, plan%waviness%slip)/plan%waviness%wavelength_x
-               why_x = 'for '//to_text(wanted_points_per_wave, 3)//' points per wave'
+            if (points*length_x*max(1.0_dp, plan%waviness%slip)/plan%waviness%wavelength_x > wanted_x) then
+               wanted_x = points*length_x*max(1.0_dp, plan%waviness%slip)/plan%waviness%wavelength_x
+               why_x = 'for '//to_text(points, 3)//' points per wave'
+            end if
+         end if
+         if (case%accuracy > 0) then
+            mesh = largest_mesh(plan%conditions, case%accuracy)
+            if (plan%waviness%is_present .and. .not. allocated(plan%waviness%surface)) &
+               mesh = largest_mesh(plan%conditions, share_of_mesh*case%accuracy, formula_ratio(case, plan), plan%waviness%moves())
+            if (length_x/mesh > wanted_x) then
+               wanted_x = length_x/mesh
+               why_x = 'for an accuracy of '//to_text(case%accuracy, 3)
             end if
          end if
          plan%cells_x = smallest_size(wanted_x, case%largest_cells)
@@ -127,9 +163,10 @@ contains
          wanted_y = 0.5_dp*plan%cells_x*length_y/length_x
          why_y = 'for hY <= 2 hX'
          if (plan%waviness%wavelength_y > 0) then
-            if (wanted_points_per_wave*length_y/plan%waviness%wavelength_y > wanted_y) then
-               wanted_y = wanted_points_per_wave*length_y/plan%waviness%wavelength_y
-               why_y = 'for '//to_text(wanted_points_per_wave, 3)//' points per wave'
+            if (case%accuracy > 0) points = max(points, points_for(share_of_waves*case%accuracy))
+            if (points*length_y/plan%waviness%wavelength_y > wanted_y) then
+               wanted_y = points*length_y/plan%waviness%wavelength_y
+               why_y = 'for '//to_text(points, 3)//' points per wave'
             end if
          end if
          plan%cells_y = smallest_size(wanted_y, case%largest_cells)
@@ -139,6 +176,76 @@ contains
       plan%hx = length_x/plan%cells_x
       plan%hy = length_y/plan%cells_y
    end subroutine choose_grid
+
+   !> dT/hX for the accuracy asked for: 2 for waves of at least 64 mesh sizes, where it adds little error (measured:
+   !> lambda = 2 a on 128 cells, 33 to 62 per cent of the GMRES steps of dT = hX), else 1: for shorter waves
+   !> longer steps save nothing. The linear response is that of steps of at most one cell.
+   pure integer function chosen_step(case, plan)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      real(dp) :: steps   ! per wave with dT = 2 hX
+
+      chosen_step = 1
+      if (.not. plan%waviness%moves() .or. plan%responds .or. case%load_balance /= 'force_balance') return
+      steps = plan%waviness%period()/(2*plan%hx)
+      if (steps < fewest_long_steps) return
+      if (expected_long_step_error(2, steps) <= share_of_steps*case%accuracy) chosen_step = 2
+   end function chosen_step
+
+   !> Ad/Ai by theory eq. (18).
+   pure real(dp) function formula_ratio(case, plan)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      formula_ratio = amplitude_formula(anisotropy_factor(case%wavelength_x_over_a, case%wavelength_y_over_a) &
+                                        *wave_parameter_v(plan%conditions, case%wavelength_over_a))
+   end function formula_ratio
+
+   !> Error and cost to expect of a plan that is complete but for them. Whole domains cost twice as much as half ones.
+   subroutine expect(case, plan)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(inout) :: plan
+      real(dp) :: samples, step_tolerance
+
+      samples = plan%resolution%samples
+      step_tolerance = case%step_tolerance
+      if (plan%kind == run_harmonic) then     ! has the frequency of steps dT = hX, and no tolerance of its own
+         if (plan%waviness%moves()) samples = plan%waviness%period()/plan%hx
+         step_tolerance = 0
+      end if
+      plan%expected_error = expected_film_error(plan%conditions, plan%hx)
+      if (plan%waviness%is_present .and. .not. allocated(plan%waviness%surface)) plan%expected_error = &
+         expected_ratio_error(plan%conditions, formula_ratio(case, plan), plan%hx, plan%resolution%points_y, &
+                              plan%cells_per_step, samples, step_tolerance)
+      plan%expected_work_units = (1 + 0.5_dp*plan%phases)*steady_work_units(plan%conditions, plan%cells_x) &
+                                 + plan%steps*step_work_units(plan%conditions, plan%cells_x)
+      if (plan%responds) plan%expected_work_units = plan%expected_work_units + response_work_units
+      if (.not. plan%is_half) plan%expected_work_units = 2*plan%expected_work_units
+      if (plan%waviness%is_present .and. plan%kind /= run_harmonic .and. case%error_estimate == 'coarse_grid') &
+         plan%expected_work_units = cost_of_estimate*plan%expected_work_units
+   end subroutine expect
+
+   !> Refuse keys that contradict the accuracy asked for. A grid that only `largest_cells` limits is no contradiction:
+   !> the plan says what it can reach.
+   subroutine check_accuracy(case, plan, error)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      type(error_t), allocatable, intent(inout) :: error
+      if (plan%kind == run_march .and. case%step_tolerance > case%accuracy) then
+         call raise(error, '&solver step_tolerance = '//to_text(case%step_tolerance, 3)//' contradicts accuracy = '// &
+                    to_text(case%accuracy, 3)//': leave it out, or give at most a tenth of the accuracy')
+      else if (case%tolerance > case%accuracy) then
+         call raise(error, '&solver tolerance = '//to_text(case%tolerance, 3)//' contradicts accuracy = '// &
+                    to_text(case%accuracy, 3)//': leave it out, or give at most a tenth of the accuracy')
+      else if (plan%expected_error > case%accuracy .and. case%time_step_over_cell > 1) then
+         call raise(error, '&solver time_step_over_cell = '//to_text(case%time_step_over_cell, 3)//' contradicts accuracy = '// &
+                    to_text(case%accuracy, 3)//': the expected error is '//to_text(plan%expected_error, 2)// &
+                    '; leave it out (steps of dT = hX add no error of their own)')
+      else if (plan%expected_error > case%accuracy .and. max(case%cells_x, case%cells_y) > 0) then
+         call raise(error, '&grid cells_x = '//to_text(plan%cells_x)//', cells_y = '//to_text(plan%cells_y)// &
+                    ' contradict accuracy = '//to_text(case%accuracy, 3)//': the expected error is '// &
+                    to_text(plan%expected_error, 2)//'; leave the cells out, or ask for less')
+      end if
+   end subroutine check_accuracy
 
    pure integer function smallest_size(wanted, largest)
       real(dp), intent(in) :: wanted
@@ -152,26 +259,35 @@ contains
 
    !> Steps until the slower of the surface pattern (speed S) and of the pattern in the lubricant (speed 1) has
    !> passed the outlet end, `settling_periods` more (measured: long waves, lambda = 2 a, are 2 per cent off in the
-   !> first period and below 0.1 per cent in the second), then one period. An `end_time` overrides this.
+   !> first period and below 0.1 per cent in the second), then one period. A measured surface is followed until its
+   !> trailing end is at the contact centre. An `end_time` overrides both; where it comes before the patterns have passed
+   !> and one period more, no amplitude is measured.
    subroutine plan_march(case, plan, error)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(inout) :: plan
       type(error_t), allocatable, intent(inout) :: error
-      real(dp) :: settled, total
+      real(dp) :: passed, settled, total
 
       plan%kind = run_march
-      if (case%time_step_over_cell >= 1) then
+      if (case%time_step_over_cell <= 0) then
+         plan%cells_per_step = chosen_step(case, plan)
+      else if (case%time_step_over_cell >= 1) then
          plan%cells_per_step = nint(case%time_step_over_cell)
       else
          plan%steps_per_cell = nint(1/case%time_step_over_cell)
       end if
       plan%dt = plan%hx*plan%cells_per_step/plan%steps_per_cell
-      if (plan%waviness%moves()) then
-         settled = (outlet_end - case%x_min)/min(1.0_dp, plan%waviness%slip) &
-                   + case%settling_periods*plan%waviness%period()
+      if (allocated(plan%waviness%surface)) then
+         call surface_times(plan%waviness, settled, total)
+         if (case%end_time > 0) total = case%end_time
+         settled = min(settled, total)
+      else if (plan%waviness%moves()) then
+         passed = (outlet_end - case%x_min)/min(1.0_dp, plan%waviness%slip)
+         settled = passed + case%settling_periods*plan%waviness%period()
          total = settled + plan%waviness%period()
          if (case%end_time > 0) then
             total = case%end_time
+            plan%measures = total - plan%waviness%period() > passed - 0.5_dp*plan%dt
             settled = max(0.0_dp, total - plan%waviness%period())
          end if
       else

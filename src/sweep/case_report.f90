@@ -5,10 +5,14 @@ module ehlwave_case_report
    use ehlwave_case_plan, only: case_plan_t, run_harmonic, run_march, run_smooth, run_standing
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_text, only: case_identity
+   use ehlwave_error_estimate, only: basis_coarse_grid, basis_name
    use ehlwave_json, only: json_t
    use ehlwave_kinds, only: dp
+   use ehlwave_resolution, only: flooded_inlet_gap
    use ehlwave_status, only: is_success, status_name
+   use ehlwave_surface_plan, only: surface_text
    use ehlwave_text, only: to_text
+   use ehlwave_work_unit, only: work_unit_seconds
    implicit none (type, external)
    private
    public :: print_plan, print_result, result_json, plan_json
@@ -30,21 +34,44 @@ contains
          if (c%has_dimensions) write (unit, '(a)') '             a = '//to_text(c%a_m*1e3_dp, 5)//' mm, b = '// &
             to_text(c%b_m*1e3_dp, 5)//' mm, c = '//to_text(c%c_m*1e6_dp, 5)//' um'
          write (unit, '(a)') 'Lubricant    '//trim(case%viscosity_law)//', '//trim(case%density_law)
-         write (unit, '(a)') 'Waviness     '//waviness_text(case)
+         if (allocated(plan%waviness%surface)) then
+            write (unit, '(a)') 'Waviness     '//surface_text(case, plan%waviness, c)
+         else
+            write (unit, '(a)') 'Waviness     '//waviness_text(case)
+         end if
          write (unit, '(a)') 'Run          '//run_text(case, plan)
+         write (unit, '(a)') 'Solver       '//solver_text(case)
          write (unit, '(a)') 'Domain       '//to_text(case%x_min, 4)//' <= X <= '//to_text(case%x_max, 4)//', '// &
             merge('0 <= Y <= ', '|Y| <=    ', plan%is_half)//to_text(case%y_max, 4)// &
             merge(' (half: the case is even in Y)', ' (whole)                      ', plan%is_half)
          write (unit, '(a)') 'Grid         '//to_text(plan%cells_x)//' x '//to_text(plan%cells_y)//' cells on the whole '// &
             'domain, hX = '//to_text(plan%hx, 5)//', hY = '//to_text(plan%hy, 5)//' ('//plan%grid_reason//')'
-         write (unit, '(a)') 'Resolution   hX sqrt(gamma M/L) = '//to_text(plan%resolution%inlet, 3)//resolution_text(plan)
+         write (unit, '(a)') 'Deformation  '//trim(merge('FFT ', 'MLMI', plan%deformation == 'fft'))//' on the finest grid ('// &
+            trim(merge('the faster one', 'asked for     ', case%deformation == 'auto'))//'), method '//trim(case%method)
+         write (unit, '(a)') 'Resolution   hX over the inlet length = '//to_text(plan%resolution%inlet, 3)//resolution_text(plan)
+         write (unit, '(a)') '             gap at x_min over film = '//to_text(plan%resolution%inlet_gap, 3)// &
+            merge(' (flooded)                                              ', &
+                  ' (below 8 the boundary makes the film somewhat thinner) ', plan%resolution%inlet_gap >= flooded_inlet_gap)
          if (plan%resolution%is_resolved) then
             write (unit, '(a)') '             resolved'
          else
             write (unit, '(a)') '             NOT RESOLVED: '//plan%resolution%reason//'the result will be flagged'
          end if
+         write (unit, '(a)') 'Expected     relative error of '//trim(merge('Ad/Ai ', 'H(0,0)', plan%waviness%is_present .and. &
+            .not. allocated(plan%waviness%surface)))// &
+            ' about '//to_text(plan%expected_error, 2)//' and '//to_text(expected_seconds(plan), 2)//' s, '// &
+            to_text(plan%expected_work_units, 2)//' work units (models; usually right within a factor 2)'
+         if (case%accuracy > 0 .and. plan%expected_error > case%accuracy) write (unit, '(a)') &
+            '             ACCURACY '//to_text(case%accuracy, 3)//' NOT TO BE REACHED with largest_cells = '// &
+            to_text(case%largest_cells)//': expect '//to_text(plan%expected_error, 2)
       end associate
    end subroutine print_plan
+
+   !> Run time to expect here and now, from the model of the work and a work unit measured on the spot.
+   real(dp) function expected_seconds(plan)
+      type(case_plan_t), intent(in) :: plan
+      expected_seconds = plan%expected_work_units*work_unit_seconds(plan%cells_x, plan%cells_y)
+   end function expected_seconds
 
    function waviness_text(case) result(text)
       type(case_t), intent(in) :: case
@@ -72,7 +99,13 @@ contains
                 ' steady states of the pattern (it stands still: no time stepping)'
       case default
          text = 'steady state of smooth surfaces, then '//to_text(plan%steps)//' time steps of dT = '//to_text(plan%dt, 5)
-         if (plan%waviness%moves()) text = text//', amplitude measured from step '//to_text(plan%first_sample)
+         if (allocated(plan%waviness%surface)) then
+            text = text//', surface at the contact centre from step '//to_text(plan%first_sample)
+         else if (plan%waviness%moves() .and. plan%measures) then
+            text = text//', amplitude measured from step '//to_text(plan%first_sample)
+         else if (plan%waviness%moves()) then
+            text = text//', too few to measure the amplitude'
+         end if
          if (case%load_balance == 'equation_of_motion') then
             text = text//', equation of motion with Omega = '//to_text(case%natural_frequency, 5)
          else
@@ -81,6 +114,17 @@ contains
       end select
       if (plan%responds .and. plan%kind /= run_harmonic) text = text//'; and the linear response to small waves'
    end function run_text
+
+   function solver_text(case) result(text)
+      type(case_t), intent(in) :: case
+      character(len=:), allocatable :: text
+      select case (case%method)
+      case ('fas'); text = 'FAS multigrid, '//trim(case%cycle)//' cycles'
+      case ('petsc'); text = 'PETSc on the finest grid'
+      case default; text = 'Newton''s method'
+      end select
+      text = text//', deformation by '//trim(case%deformation)
+   end function solver_text
 
    function resolution_text(plan) result(text)
       type(case_plan_t), intent(in) :: plan
@@ -92,29 +136,55 @@ contains
    end function resolution_text
 
    !> The result, to a unit.
-   subroutine print_result(unit, plan, result)
+   subroutine print_result(unit, case, plan, result)
       integer, intent(in) :: unit
+      type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       type(case_result_t), intent(in) :: result
 
       write (unit, '(a)') 'Status       '//status_name(result%status)
       if (len(result%message) > 0) write (unit, '(a)') '             '//result%message
+      if (result%rung /= 'direct') write (unit, '(a)') 'Rescue       '//trim(result%rung)//', '// &
+         to_text(result%rescued_solutions)//' solutions rescued'
       if (ieee_is_finite(result%central_film)) call print_smooth_film()
-      if (plan%waviness%is_present .and. is_success(result%status)) then
-         if (plan%kind /= run_harmonic) write (unit, '(a)') 'Amplitude    Ad/Ai = '// &
-            to_text(result%amplitude_ratio, 5)//' (samples), '//to_text(result%amplitude_ratio_fit, 5)// &
-            ' (harmonic fit); formula '//to_text(result%formula_ratio, 5)
+      if (allocated(plan%waviness%surface) .and. is_success(result%status)) then
+         if (plan%first_sample < result%time_steps) write (unit, '(a)') 'Rough film   h(0,0) while the surface passes: mean '// &
+            to_text(result%mean_film*plan%conditions%c_m*1e6_dp, 5)//', lowest '// &
+            to_text(minval(result%film_history(plan%first_sample + 1:))*plan%conditions%c_m*1e6_dp, 5)//', highest '// &
+            to_text(maxval(result%film_history(plan%first_sample + 1:))*plan%conditions%c_m*1e6_dp, 5)//' um'
+      else if (plan%waviness%is_present .and. is_success(result%status)) then
+         if (ieee_is_finite(result%amplitude_ratio)) write (unit, '(a)') 'Amplitude    Ad/Ai = '// &
+            to_text(result%amplitude_ratio, 5)//' (samples), '// &
+            to_text(result%amplitude_ratio_fit, 5)//' (harmonic fit); formula '//to_text(result%formula_ratio, 5)
          if (plan%responds) call print_response()
          write (unit, '(a)') '             f(r) V = '//to_text(result%f_r*result%v, 5)//', f(r) V2 = '// &
             to_text(result%f_r*result%v2, 5)//', f(r) = '//to_text(result%f_r, 5)
       end if
+      if (ieee_is_finite(result%central_film_error)) write (unit, '(a)') 'Estimated    relative errors of the grid: H(0,0) '// &
+         to_text(result%central_film_error, 2)//', smallest H '//to_text(result%minimum_film_error, 2)//amplitude_error()
       write (unit, '(a)') 'Errors       mass residual '//to_text(result%residual, 3)//', load error '// &
          to_text(result%load_error, 3)
       write (unit, '(a)') 'Effort       '//to_text(result%seconds, 4)//' s, '//to_text(result%work_units, 4)//' work units, '// &
-         to_text(result%time_steps)//' time steps, '//to_text(result%nonlinear_steps)//' Newton and '// &
-         to_text(result%linear_steps)//' GMRES steps on the finest grid, '//to_text(result%peak_memory_mib, 4)//' MiB'
+         to_text(result%time_steps)//' time steps, '//iterations()//' on the finest grid, '// &
+         to_text(result%peak_memory_mib, 4)//' MiB'
 
    contains
+
+      function iterations() result(text)
+         character(len=:), allocatable :: text
+         if (case%method == 'fas') then
+            text = to_text(result%nonlinear_steps)//' cycles and '//to_text(result%linear_steps)//' sweeps'
+         else
+            text = to_text(result%nonlinear_steps)//' Newton and '//to_text(result%linear_steps)//' GMRES steps'
+         end if
+      end function iterations
+
+      function amplitude_error() result(text)
+         character(len=:), allocatable :: text
+         text = ''
+         if (ieee_is_finite(result%amplitude_ratio_error)) text = ', Ad/Ai '//to_text(result%amplitude_ratio_error, 2)// &
+            trim(merge(' (from coarser grids)', ' (from a model)      ', result%amplitude_error_basis == basis_coarse_grid))
+      end function amplitude_error
 
       subroutine print_response()
          associate (r => result%harmonic)
@@ -149,10 +219,15 @@ contains
       call add_case(json, case, plan)
       call json%add('run', trim(kinds(plan%kind)))
       call json%add('time_steps', plan%steps)
+      call json%add('time_step', plan%dt)
       call json%add('steady_states', 1 + plan%phases)
       call json%add('is_half_domain', plan%is_half)
       call json%add('is_resolved', plan%resolution%is_resolved)
       call json%add('message', plan%resolution%reason)
+      call json%add('accuracy', case%accuracy)
+      call json%add('expected_seconds', expected_seconds(plan))
+      call json%add('step_tolerance', case%step_tolerance)
+      call json%add('tolerance', case%tolerance)
    end function plan_json
 
    !> The result as one JSON object.
@@ -181,6 +256,11 @@ contains
       call json%add('amplitude_ratio_fit', result%amplitude_ratio_fit)
       call json%add('phase_fit', result%phase_fit)
       call json%add('mean_film', result%mean_film)
+      call json%add('central_film_error', result%central_film_error)
+      call json%add('minimum_film_error', result%minimum_film_error)
+      call json%add('film_order', result%film_order)
+      call json%add('amplitude_ratio_error', result%amplitude_ratio_error)
+      call json%add('amplitude_error_basis', trim(basis_name(result%amplitude_error_basis)))
       call json%add('harmonic_ratio', result%harmonic%ratio)
       call json%add('harmonic_phase', result%harmonic%phase)
       call json%add('harmonic_real', result%harmonic%real_part)
@@ -197,6 +277,8 @@ contains
       call json%add('time_steps', result%time_steps)
       call json%add('nonlinear_steps', result%nonlinear_steps)
       call json%add('linear_steps', result%linear_steps)
+      call json%add('rung', trim(result%rung))
+      call json%add('rescued_solutions', result%rescued_solutions)
       call json%add('seconds', result%seconds)
       call json%add('work_units', result%work_units)
       call json%add('peak_memory_mib', result%peak_memory_mib)
@@ -217,11 +299,16 @@ contains
       call json%add('lambdabar', plan%conditions%lambdabar)
       call json%add('orientation', trim(case%orientation))
       call json%add('response', trim(case%response))
+      if (allocated(plan%waviness%surface)) call json%add('surface_file', trim(case%surface_file))
       call json%add('wavelength_x_over_a', case%wavelength_x_over_a)
       call json%add('wavelength_y_over_a', case%wavelength_y_over_a)
+      call json%add('deformation', trim(plan%deformation))
+      call json%add('expected_error', plan%expected_error)
+      call json%add('expected_work_units', plan%expected_work_units)
       call json%add('cells_x', plan%cells_x)
       call json%add('cells_y', plan%cells_y)
       call json%add('inlet_resolution', plan%resolution%inlet)
+      call json%add('inlet_gap_over_film', plan%resolution%inlet_gap)
       call json%add('points_per_wave_x', plan%resolution%points_x)
       call json%add('points_per_wave_y', plan%resolution%points_y)
    end subroutine add_case

@@ -1,21 +1,26 @@
 !> Runs one planned case.
 module ehlwave_case_runner
-   use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
-   use ehlwave_amplitude, only: fitted_harmonic, sampled_amplitude
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan, ieee_quiet_nan, ieee_value
+   use ehlwave_amplitude, only: fitted_amplitude, fitted_harmonic, sampled_amplitude
    use ehlwave_case_input, only: case_t
    use ehlwave_case_plan, only: case_plan_t, run_march, run_standing
    use ehlwave_case_result, only: case_result_t
    use ehlwave_clock, only: peak_memory_mib, wall_seconds
+   use ehlwave_error_estimate, only: estimate_error, observed_order
    use ehlwave_formula, only: amplitude_formula, anisotropy_factor, wave_parameter_v, wave_parameter_v2
-   use ehlwave_full_multigrid, only: level_t
+   use ehlwave_full_multigrid, only: full_multigrid_t, level_t
+   use ehlwave_continuation, only: given_t
    use ehlwave_harmonic_case, only: run_response
    use ehlwave_harmonic_result, only: no_harmonic_result
    use ehlwave_kinds, only: dp, pi
    use ehlwave_level_solver, only: solve_limits_t, solve_report_t
    use ehlwave_monitor, only: monitor_t
+   use ehlwave_resolution, only: touching_reason
+   use ehlwave_rescue, only: rescue_t, rung_name
    use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_state, only: state_t
    use ehlwave_status, only: is_success, status_converged, status_name, status_unresolved
+   use ehlwave_surface_plan, only: surface_positions
    use ehlwave_text, only: to_text
    use ehlwave_time_march, only: march, march_result_t, march_settings_t
    use ehlwave_work_unit, only: work_unit_seconds
@@ -52,6 +57,8 @@ contains
       type(shared_steady_t), intent(inout), target :: steady
       type(case_result_t), intent(out) :: result
       type(solve_limits_t) :: limits
+      type(rescue_t) :: rescue
+      character(len=:), allocatable :: unresolved
       real(dp) :: start
 
       start = wall_seconds()
@@ -66,7 +73,11 @@ contains
       result%minimum_film = result%amplitude_ratio
       result%central_film_moes = result%amplitude_ratio
       result%max_pressure = result%amplitude_ratio
-      if (plan%waviness%is_present) then
+      result%central_film_error = result%amplitude_ratio
+      result%minimum_film_error = result%amplitude_ratio
+      result%film_order = result%amplitude_ratio
+      result%amplitude_ratio_error = result%amplitude_ratio
+      if (plan%waviness%is_present .and. .not. allocated(plan%waviness%surface)) then
          result%v = wave_parameter_v(plan%conditions, case%wavelength_over_a)
          result%v2 = wave_parameter_v2(plan%conditions, case%wavelength_over_a)
          result%f_r = anisotropy_factor(case%wavelength_x_over_a, case%wavelength_y_over_a)
@@ -75,19 +86,21 @@ contains
 
       limits = solve_limits_t(tolerance=case%tolerance, largest_steps=case%largest_steps)
       call steady%prepare(case, plan)
+      rescue = steady%rescue
       associate (level => steady%multigrid%levels(size(steady%multigrid%levels)))
          call take_report(level%report, 'steady state of smooth surfaces', result)
          call monitor%step_done('steady state', 1, 1)
          if (result%status == status_converged) then
             call take_smooth_film(plan, level, result)
+            call estimate_film_errors(steady%multigrid, result)
             if (plan%responds) call run_response(case, plan, steady, result)
          end if
          if (result%status == status_converged) then
             select case (plan%kind)
             case (run_march)
-               call run_moving(case, plan, level, monitor, result)
+               call run_moving(case, plan, level, rescue, monitor, result)
             case (run_standing)
-               call run_standing_pattern(case, plan, level, limits, monitor, result)
+               call run_standing_pattern(case, plan, level, limits, rescue, monitor, result)
             end select
          end if
          if (case%fields) then
@@ -98,9 +111,17 @@ contains
          end if
       end associate
 
-      if (result%status == status_converged .and. .not. result%is_resolved) then
-         result%status = status_unresolved
-         result%message = plan%resolution%reason
+      unresolved = plan%resolution%reason
+      if (plan%waviness%is_present) unresolved = unresolved//touching_reason(rescue%thinnest, result%central_film)
+      result%is_resolved = len(unresolved) == 0
+      result%rung = rung_name(rescue%rung)
+      result%rescued_solutions = rescue%rescued
+      if (.not. is_success(result%status) .and. rescue%steps_left <= 0) result%message = result%message// &
+         '; the cap of '//to_text(plan%largest_total_steps)//' steps (&solver largest_total_steps) is used up'
+      if (.not. result%is_resolved) then
+         if (.not. is_success(result%status)) result%message = result%message//'; not resolved: '
+         if (is_success(result%status)) result%status = status_unresolved
+         result%message = result%message//unresolved
       end if
       result%seconds = wall_seconds() - start
       result%work_units = result%seconds/work_unit_seconds(plan%cells_x, plan%cells_y)
@@ -118,14 +139,25 @@ contains
       result%max_pressure = maxval(level%state%p)
    end subroutine take_smooth_film
 
+   !> Discretisation errors of the smooth film from the levels that the multigrid start solved on its way.
+   subroutine estimate_film_errors(multigrid, result)
+      type(full_multigrid_t), intent(in) :: multigrid
+      type(case_result_t), intent(inout) :: result
+      integer :: n
+      n = size(multigrid%levels)
+      result%central_film_error = estimate_error(multigrid%levels(n:1:-1)%central_film)
+      result%minimum_film_error = estimate_error(multigrid%levels(n:1:-1)%minimum_film)
+      result%film_order = observed_order(multigrid%levels(n:1:-1)%central_film)
+   end subroutine estimate_film_errors
+
    !> Add one solution to the account of the case.
    subroutine take_report(report, what, result)
       type(solve_report_t), intent(in) :: report
       character(len=*), intent(in) :: what
       type(case_result_t), intent(inout) :: result
       result%status = report%status
-      result%residual = max(result%residual, report%residual)
-      result%load_error = max(result%load_error, report%load_error)
+      result%residual = worse(result%residual, report%residual)
+      result%load_error = worse(result%load_error, report%load_error)
       result%nonlinear_steps = result%nonlinear_steps + report%nonlinear_steps
       result%linear_steps = result%linear_steps + report%linear_steps
       if (.not. is_success(report%status)) result%message = what//' '//status_name(report%status)//' after '// &
@@ -133,31 +165,45 @@ contains
          ', load error '//to_text(report%load_error, 3)
    end subroutine take_report
 
+   !> The larger of two errors; NaN, which max() passes over, is the largest.
+   pure real(dp) function worse(first, second)
+      real(dp), intent(in) :: first, second
+      worse = max(first, second)
+      if (ieee_is_nan(first)) worse = first
+      if (ieee_is_nan(second)) worse = second
+   end function worse
+
    !> Moving pattern: march in time, then measure over the last period.
-   subroutine run_moving(case, plan, level, monitor, result)
+   subroutine run_moving(case, plan, level, rescue, monitor, result)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
-      type(level_t), intent(inout) :: level
+      type(level_t), intent(inout), target :: level
+      type(rescue_t), intent(inout) :: rescue
       class(monitor_t), intent(inout) :: monitor
       type(case_result_t), intent(inout) :: result
       type(march_settings_t) :: settings
       type(march_result_t) :: history
       type(solve_limits_t) :: limits
       complex(dp) :: fit
-      real(dp) :: amplitude
+      real(dp) :: amplitude, amplitude_over_film
 
       amplitude = case%amplitude_over_film*result%central_film
+      amplitude_over_film = case%amplitude_over_film
+      if (allocated(plan%waviness%surface)) then   ! heights are in units of c as they are
+         amplitude = 1
+         amplitude_over_film = sqrt(2.0_dp)*plan%waviness%surface%rq/result%central_film
+      end if
       settings = march_settings_t(waviness=plan%waviness, amplitude=amplitude, steps=plan%steps, &
                                   cells_per_step=plan%cells_per_step, steps_per_cell=plan%steps_per_cell, &
                                   natural_frequency=case%natural_frequency, force=case%load_factor)
       ! the tolerance is relative to the film; for small waves it has to follow their amplitude
-      limits = solve_limits_t(tolerance=case%step_tolerance*min(1.0_dp, case%amplitude_over_film/usual_amplitude), &
+      limits = solve_limits_t(tolerance=case%step_tolerance*min(1.0_dp, amplitude_over_film/usual_amplitude), &
                               largest_steps=case%largest_steps)
-      call march(level, settings, limits, monitor, history)
+      call march(level, settings, limits, rescue, monitor, history)
       result%status = history%status
       result%time_steps = history%steps
-      result%residual = max(result%residual, history%worst_residual)
-      result%load_error = max(result%load_error, history%worst_load_error)
+      result%residual = worse(worse(result%residual, history%worst_residual), level%report%residual)
+      result%load_error = worse(worse(result%load_error, history%worst_load_error), level%report%load_error)
       result%nonlinear_steps = result%nonlinear_steps + history%nonlinear_steps
       result%linear_steps = result%linear_steps + history%linear_steps
       result%time = history%time(:history%steps)
@@ -167,7 +213,11 @@ contains
          result%message = 'time step '//to_text(history%steps + 1)//' of '//to_text(plan%steps)//' '// &
                           status_name(history%status)//', residual '//to_text(level%report%residual, 3)// &
                           ', load error '//to_text(level%report%load_error, 3)
-      else if (plan%waviness%moves()) then
+      else if (allocated(plan%waviness%surface)) then
+         result%surface_position = surface_positions(plan%waviness, plan%conditions%a_m, result%time)
+         if (plan%first_sample < history%steps) &
+            result%mean_film = sum(result%film_history(plan%first_sample + 1:))/(history%steps - plan%first_sample + 1)
+      else if (plan%waviness%moves() .and. plan%measures) then
          associate (film => history%central_film(plan%first_sample:), time => history%time(plan%first_sample:))
             result%amplitude_ratio = sampled_amplitude(film)/amplitude
             fit = fitted_harmonic(time, film, plan%waviness%period())/amplitude
@@ -181,26 +231,28 @@ contains
    end subroutine run_moving
 
    !> Pattern that stands still: one steady state for each phase, no time stepping.
-   subroutine run_standing_pattern(case, plan, level, limits, monitor, result)
+   subroutine run_standing_pattern(case, plan, level, limits, rescue, monitor, result)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
-      type(level_t), intent(inout) :: level
+      type(level_t), intent(inout), target :: level
       type(solve_limits_t), intent(in) :: limits
+      type(rescue_t), intent(inout) :: rescue
       class(monitor_t), intent(inout) :: monitor
       type(case_result_t), intent(inout) :: result
       type(state_t) :: smooth
+      type(given_t) :: given_smooth
       real(dp) :: amplitude, film(plan%phases), turn(plan%phases)
       integer :: n
 
       smooth = level%state
+      call given_smooth%take(level%problem)
       amplitude = case%amplitude_over_film*result%central_film
       do n = 1, plan%phases
          turn(n) = real(n - 1, dp)/plan%phases
          call level%problem%set_rough(amplitude*plan%waviness%shape_fixed(level%problem%grid%x, level%problem%grid%y, &
                                                                           2*pi*turn(n)))
          level%state = smooth
-         call level%solver%forget()
-         call level%solver%solve(level%problem, level%state, limits, level%report)
+         call rescue%solve_step(level, smooth, given_smooth, limits)
          call take_report(level%report, 'steady state '//to_text(n)//' of '//to_text(plan%phases)//' of the pattern', result)
          if (result%status /= status_converged) return
          film(n) = level%problem%grid%value_at_centre(level%state%h)
@@ -210,7 +262,7 @@ contains
       result%film_history = film
       result%amplitude_ratio = sampled_amplitude(film)/amplitude
       result%amplitude_ratio_fit = result%amplitude_ratio
-      if (plan%phases > 2) result%amplitude_ratio_fit = abs(fitted_harmonic(turn, film, 1.0_dp))/amplitude
+      if (plan%phases > 2) result%amplitude_ratio_fit = fitted_amplitude(turn, film, 1.0_dp)/amplitude
       result%mean_film = sum(film)/plan%phases
    end subroutine run_standing_pattern
 

@@ -44,6 +44,11 @@ contains
       call read_case_groups(file, base, error)
       call file%check_all_used(error)
       if (allocated(error)) return
+      if (len_trim(base%surface_file) > 0) then
+         call raise(error, file%place('surface', 'file')//'a sweep measures amplitudes of waves and a surface has none: '// &
+                    'run it by ehlwave-case')
+         return
+      end if
       if (base%has_data .and. (allocated(lists%m) .or. allocated(lists%l) .or. allocated(lists%d))) then
          call raise(error, file%place('conditions', 'radius_x_m')//'&conditions gives dimensional data (radius_x_m, ...) '// &
                     'and &sweep gives load_parameter_m, lubricant_parameter_l or radius_ratio_d: give one of the two')

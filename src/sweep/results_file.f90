@@ -5,6 +5,7 @@ module ehlwave_results_file
    use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_text, only: case_identity, effective_input, effective_length
+   use ehlwave_error_estimate, only: basis_name
    use ehlwave_errors, only: error_t
    use ehlwave_field_file, only: write_provenance
    use ehlwave_hdf5_file, only: hdf5_file_t
@@ -109,10 +110,13 @@ contains
          call reals('lambdabar', plans%conditions%lambdabar, '1', 'dimensionless speed parameter')
          call integers('cells_x', plans%cells_x, 'cells along X')
          call integers('cells_y', plans%cells_y, 'cells along Y, whole domain')
+         call texts('deformation', plans%deformation, 'fft or mlmi on the finest grid')
          call reals('points_per_wave_x', plans%resolution%points_x, '1', 'mesh sizes per wave along X')
          call reals('points_per_wave_y', plans%resolution%points_y, '1', 'mesh sizes per wave along Y')
-         call reals('inlet_resolution', plans%resolution%inlet, '1', 'hX sqrt(gamma M/L)')
-         call integers('is_resolved', merge(1, 0, plans%resolution%is_resolved), '1 when the grid resolves the case')
+         call reals('inlet_resolution', plans%resolution%inlet, '1', 'hX over the length of the inlet pressure sweep')
+         call reals('inlet_gap_over_film', plans%resolution%inlet_gap, '1', 'gap at x_min over the film of the formula')
+         call integers('is_resolved', merge(1, 0, plans%resolution%is_resolved .and. rows%result%is_resolved), &
+                       '1 when the grid resolves the case')
       end subroutine write_inputs
 
       subroutine write_outcomes()
@@ -134,6 +138,12 @@ contains
             call integers('harmonic_linear_steps', r%harmonic%linear_steps, 'GMRES steps of the linear response')
             call outcomes('harmonic_work_units', r%harmonic%work_units, '1', 'cost of the linear response')
             call outcomes('mean_film', r%mean_film, '1', 'mean of H(0,0) over the measured period')
+            call outcomes('central_film_error', r%central_film_error, '1', 'estimated relative error of central_film')
+            call outcomes('minimum_film_error', r%minimum_film_error, '1', 'estimated relative error of minimum_film')
+            call outcomes('film_order', r%film_order, '1', 'observed order of central_film on three levels')
+            call outcomes('amplitude_ratio_error', r%amplitude_ratio_error, '1', 'estimated relative error of Ad/Ai')
+            call texts('amplitude_error_basis', basis_name(r%amplitude_error_basis), &
+                       'what amplitude_ratio_error is from')
             call outcomes('v', r%v, '1', 'V of theory eq. (17)')
             call outcomes('v2', r%v2, '1', 'V2 of theory eq. (16)')
             call outcomes('f_r', r%f_r, '1', 'f(r) of theory eq. (15)')
@@ -146,6 +156,8 @@ contains
             call integers('time_steps', r%time_steps, 'time steps done')
             call integers('nonlinear_steps', r%nonlinear_steps, 'Newton steps on the finest grid')
             call integers('linear_steps', r%linear_steps, 'GMRES steps on the finest grid')
+            call texts('rung', r%rung, 'highest rung of the rescue ladder used')
+            call integers('rescued_solutions', r%rescued_solutions, 'solutions that took more than the direct solve')
          end associate
          call integers('rank', rows%rank, 'MPI rank the case ran on, -1: not run')
       end subroutine write_outcomes

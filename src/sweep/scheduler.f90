@@ -4,10 +4,10 @@
 !> keeps one case in reserve, so that nobody waits for rank 0. One rank runs the same code without messages.
 module ehlwave_scheduler
    use ehlwave_case_queue, only: case_queue_t, new_queue
-   use ehlwave_case_result, only: case_result_t
-   use ehlwave_case_runner, only: run_case
+   use ehlwave_case_result, only: case_result_t, rung_length
    use ehlwave_case_table, only: sweep_t
    use ehlwave_clock, only: time_stamp
+   use ehlwave_estimated_case, only: run_estimated_case
    use ehlwave_kinds, only: dp
    use ehlwave_monitor, only: monitor_t, silent_monitor_t
    use ehlwave_harmonic_result, only: harmonic_result_t
@@ -23,7 +23,7 @@ module ehlwave_scheduler
 
    integer, parameter :: tag_ask = 1, tag_case = 2, tag_numbers = 3, tag_text = 4
    integer, parameter :: no_case = 0
-   integer, parameter :: numbers = 33
+   integer, parameter :: numbers = 39
    integer, parameter :: in_reserve = 2   !! unanswered requests of a worker: the case it runs and the next
 
    !> Rank 0: the queue and the rows, served whenever a case of its own reports progress.
@@ -179,7 +179,7 @@ contains
       row%host = host(:length)
       row%rank = rank
       row%started = time_stamp()
-      call run_case(sweep%cases(case), sweep%plans(case), monitor, row%result, shared)
+      call run_estimated_case(sweep%cases(case), sweep%plans(case), monitor, row%result, shared)
       row%finished = time_stamp()
       row%message = row%result%message
    end subroutine run_row
@@ -189,17 +189,19 @@ contains
       integer, intent(in) :: case
       type(row_t), intent(in) :: row
       real(dp) :: buffer(numbers)
-      character(len=2*text_length + 48) :: text
+      character(len=2*text_length + 48 + rung_length) :: text
 
       associate (r => row%result)
          buffer = [real(dp) :: case, row%rank, r%status, merge(1, 0, r%is_resolved), r%central_film, r%minimum_film, &
                    r%central_film_moes, r%max_pressure, r%amplitude_ratio, r%amplitude_ratio_fit, r%mean_film, r%v, &
                    r%v2, r%f_r, r%formula_ratio, r%residual, r%load_error, r%time_steps, r%nonlinear_steps, &
-                   r%linear_steps, r%seconds, r%work_units, r%peak_memory_mib, r%phase_fit, r%harmonic%ratio, &
-                   r%harmonic%phase, r%harmonic%real_part, r%harmonic%imaginary_part, r%harmonic%approach_ratio, &
-                   r%harmonic%extrapolated, r%harmonic%error, real(r%harmonic%linear_steps, dp), r%harmonic%work_units]
+                   r%linear_steps, r%seconds, r%work_units, r%peak_memory_mib, r%central_film_error, &
+                   r%minimum_film_error, r%film_order, r%amplitude_ratio_error, r%amplitude_error_basis, &
+                   r%rescued_solutions, r%phase_fit, r%harmonic%ratio, r%harmonic%phase, r%harmonic%real_part, &
+                   r%harmonic%imaginary_part, r%harmonic%approach_ratio, r%harmonic%extrapolated, r%harmonic%error, &
+                   r%harmonic%linear_steps, r%harmonic%work_units]
       end associate
-      text = row%message//row%host//row%started//row%finished
+      text = row%message//row%host//row%started//row%finished//row%result%rung
       call mpi_send(buffer, numbers, mpi_double_precision, 0, tag_numbers, comm)
       call mpi_send(text, len(text), mpi_character, 0, tag_text, comm)
    end subroutine send_row
@@ -210,7 +212,7 @@ contains
       integer, intent(out) :: case
       type(row_t), intent(out) :: row
       real(dp) :: buffer(numbers)
-      character(len=2*text_length + 48) :: text
+      character(len=2*text_length + 48 + rung_length) :: text
 
       call mpi_recv(buffer, numbers, mpi_double_precision, source, tag_numbers, comm, mpi_status_ignore)
       call mpi_recv(text, len(text), mpi_character, source, tag_text, comm, mpi_status_ignore)
@@ -221,9 +223,11 @@ contains
          amplitude_ratio_fit=buffer(10), mean_film=buffer(11), v=buffer(12), v2=buffer(13), f_r=buffer(14), &
          formula_ratio=buffer(15), residual=buffer(16), load_error=buffer(17), time_steps=nint(buffer(18)), &
          nonlinear_steps=nint(buffer(19)), linear_steps=nint(buffer(20)), seconds=buffer(21), work_units=buffer(22), &
-         peak_memory_mib=buffer(23), phase_fit=buffer(24), &
-         harmonic=harmonic_result_t(buffer(25), buffer(26), buffer(27), buffer(28), buffer(29), buffer(30), buffer(31), &
-                                    nint(buffer(32)), buffer(33)))
+         peak_memory_mib=buffer(23), central_film_error=buffer(24), minimum_film_error=buffer(25), film_order=buffer(26), &
+         amplitude_ratio_error=buffer(27), amplitude_error_basis=nint(buffer(28)), &
+         rescued_solutions=nint(buffer(29)), rung=text(2*text_length + 49:), phase_fit=buffer(30), &
+         harmonic=harmonic_result_t(buffer(31), buffer(32), buffer(33), buffer(34), buffer(35), buffer(36), buffer(37), &
+                                    nint(buffer(38)), buffer(39)))
       row%message = text(1:text_length)
       row%host = text(text_length + 1:2*text_length)
       row%started = text(2*text_length + 1:2*text_length + 24)

@@ -55,6 +55,8 @@ CHANGES = [
     ("time step off the characteristics", "solver", "time_step_over_cell", 1.5, "time_step_over_cell"),
     ("no tolerance", "solver", "tolerance", 0, "tolerance"),
     ("no steps", "solver", "largest_steps", 0, "largest_steps"),
+    ("unknown method", "solver", "method", "picard", "method"),
+    ("cycle of another method", "solver", "cycle", "w", "cycle"),
     ("missing frequency", "dynamics", "load_balance", "equation_of_motion", "natural_frequency"),
     ("frequency of a force balance", "dynamics", "natural_frequency", 5, "natural_frequency"),
     ("unknown law", "lubricant", "viscosity_law", "eyring", "viscosity_law"),

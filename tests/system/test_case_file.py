@@ -37,6 +37,9 @@ class CaseFile(unittest.TestCase):
             self.assertEqual(data["pressure"].max(), result["max_pressure"])
             self.assertEqual(abs(data["pressure"][:, [0, -1]]).max(), 0)
             self.assertEqual(float(data["central_film"]), result["central_film"])
+            for name in ["central_film_error", "minimum_film_error"]:
+                self.assertTrue(0 < result[name] < 0.5, result[name])
+                self.assertEqual(float(data[name]), result[name])
             # the pressure spike stands towards the outlet, the constriction behind the centre
             where = data["film"].argmin()
             self.assertGreater(x[where % len(x)], 0)

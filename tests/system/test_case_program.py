@@ -56,6 +56,16 @@ class CaseProgram(unittest.TestCase):
         self.assertIn("NOT RESOLVED", outcome.stdout)
         self.assertFalse(last_line(outcome)["is_resolved"])
 
+    def test_methods_agree(self):
+        newton = last_line(self.run_case(SMOOTH, "--json"))
+        for cycle in "vwf":
+            groups = {**SMOOTH, "solver": {"method": "fas", "cycle": cycle}}
+            outcome = self.run_case(groups, "--json")
+            self.assertEqual(outcome.returncode, 0, outcome.stderr)
+            self.assertIn(f"FAS multigrid, {cycle} cycles", outcome.stdout)
+            self.assertRegex(outcome.stdout, r"\d+ cycles and \d+ sweeps")
+            self.assertAlmostEqual(last_line(outcome)["central_film"] / newton["central_film"], 1, delta=1e-6)
+
     def test_result(self):
         outcome = self.run_case(WAVY, "--json")
         self.assertEqual(outcome.returncode, 0, outcome.stderr)
@@ -102,7 +112,7 @@ class CaseProgram(unittest.TestCase):
             self.assertIn("stalled", result["message"])
 
     def test_march_that_stalls_fails(self):
-        groups = {**WAVY, "solver": {"largest_steps": 6, "step_tolerance": 1e-12, "tolerance": 1e-4}}
+        groups = {**WAVY, "solver": {"largest_total_steps": 30, "step_tolerance": 1e-12, "tolerance": 1e-4}}
         outcome = self.run_case(groups, "--json", "--quiet")
         result = last_line(outcome)
         self.assertEqual((outcome.returncode, result["status"]), (1, "stalled"), result)

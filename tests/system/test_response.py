@@ -30,6 +30,11 @@ class Response(TestCase):
         self.assertEqual(both["amplitude_ratio_fit"], transient["amplitude_ratio_fit"])
         self.assertIsNone(harmonic["amplitude_ratio"])
         self.assertIsNone(harmonic["mean_film"])
+        # the response has an error estimate of its own, that of the transient is left as it is
+        self.assertIsNone(harmonic["amplitude_ratio_error"])
+        self.assertEqual(harmonic["amplitude_error_basis"], "")
+        self.assertEqual(both["amplitude_ratio_error"], transient["amplitude_ratio_error"])
+        self.assertEqual(harmonic["central_film_error"], transient["central_film_error"])
         self.assertIsNone(transient["harmonic_ratio"])
         self.assertAlmostEqual(math.hypot(harmonic["harmonic_real"], harmonic["harmonic_imaginary"]),
                                harmonic["harmonic_ratio"], delta=1e-12)
@@ -43,6 +48,21 @@ class Response(TestCase):
             plan = last_line(run("case", path, "--plan", "--json"))
         self.assertEqual(plan["run"], "harmonic")
         self.assertEqual(plan["time_steps"], 0)
+
+    def test_plan_for_an_accuracy(self):
+        """The response needs the grid of the transient, steps of one cell, and a small part of its work."""
+        plans = {}
+        for response in ("harmonic", "both", "transient"):
+            with tempfile.TemporaryDirectory() as folder:
+                path = Path(folder, "case.nml")
+                path.write_text(namelist({"conditions": CONTACT, "waviness": {**WAVES, "response": response},
+                                          "solver": {"accuracy": 0.02}}))
+                plans[response] = last_line(run("case", path, "--plan", "--json"))
+        harmonic, both, transient = plans["harmonic"], plans["both"], plans["transient"]
+        self.assertEqual(harmonic["cells_x"], transient["cells_x"])
+        self.assertTrue(0.005 < harmonic["expected_error"] < both["expected_error"] <= 0.02)
+        self.assertAlmostEqual(both["time_step"], 4/both["cells_x"], delta=1e-12)
+        self.assertLess(harmonic["expected_work_units"], 0.05*both["expected_work_units"])
 
     def test_refusals(self):
         self.refuse("response", waviness={**WAVES, "response": "linear"})

@@ -56,7 +56,8 @@ class SweepFile(unittest.TestCase):
             outcome = run("case", "case.nml", "--json", "--quiet", folder=self.folder)
             result = last_line(outcome)
             self.assertEqual(result["case_id"], data["case_id"][row])
-            for name in ["central_film", "amplitude_ratio", "amplitude_ratio_fit", "v", "f_r", "nonlinear_steps"]:
+            for name in ["central_film", "amplitude_ratio", "amplitude_ratio_fit", "v", "f_r", "nonlinear_steps",
+                         "rung", "rescued_solutions"]:
                 self.assertEqual(result[name], data[name][row], f"{name} of row {row}")
 
     def test_failing_cases_are_rows(self):
@@ -64,7 +65,7 @@ class SweepFile(unittest.TestCase):
         path.write_text("load_parameter_m,lubricant_parameter_l,radius_ratio_d,orientation,wavelength_over_a,cells_x\n"
                         "100,12.05,1,transverse,0.5,64\n100,12.05,1,none,0,64\n")
         groups = {"sweep": {"case_file": "cases.csv"}, "grid": {"cells_y": 64},
-                  "solver": {"largest_steps": 6, "step_tolerance": 1e-12, "tolerance": 1e-4}}
+                  "solver": {"largest_total_steps": 30, "step_tolerance": 1e-12, "tolerance": 1e-4}}
         for ranks in [0, 2]:
             _, data = self.sweep(groups, status=1, ranks=ranks)
             self.assertEqual(data["status"][0], "stalled")

@@ -1,5 +1,6 @@
 !> Amplitude from samples and from the harmonic fit.
 program test_amplitude
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use ehlwave_amplitude, only: fitted_amplitude, fitted_harmonic, sampled_amplitude
    use ehlwave_kinds, only: dp, pi
    use testing, only: test_t
@@ -42,8 +43,10 @@ contains
    end subroutine check_higher_harmonics
 
    subroutine check_few_samples()
-      call test%check_close(fitted_amplitude([0.0_dp, 0.5_dp], [1.0_dp, 2.0_dp], 1.0_dp), 0.0_dp, 'too few samples', &
-                            absolute=0.0_dp)
+      real(dp), parameter :: crest_and_trough(5) = [3.5_dp, 3.75_dp, 4.0_dp, 4.25_dp, 4.5_dp]
+      call test%check(ieee_is_nan(fitted_amplitude([0.0_dp, 0.5_dp], [1.0_dp, 2.0_dp], 1.0_dp)), 'too few samples')
+      call test%check(ieee_is_nan(fitted_amplitude(crest_and_trough, [1.0_dp, 2.0_dp, 1.0_dp, 2.0_dp, 1.0_dp], 0.5_dp)), &
+                      'two phases do not tell the amplitude')
       call test%check_close(fitted_amplitude([0.0_dp, 0.25_dp, 0.5_dp, 0.75_dp], [5.0_dp, 5.0_dp, 5.0_dp, 5.0_dp], 1.0_dp), &
                             0.0_dp, 'a constant film', absolute=1e-15_dp)
    end subroutine check_few_samples

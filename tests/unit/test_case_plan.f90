@@ -13,6 +13,7 @@ program test_case_plan
    call check_kinds()
    call check_steps()
    call check_grid()
+   call check_deformation()
    call check_refusal()
    call test%finish()
 
@@ -118,6 +119,27 @@ contains
       call test%check(plan%cells_y == 128 .and. .not. plan%resolution%is_resolved, 'limited, and said so')
       call test%check(index(plan%grid_reason, 'limited') > 0, 'the plan says limited')
    end subroutine check_grid
+
+   subroutine check_deformation()
+      type(case_plan_t) :: plan
+      type(case_t) :: case
+      plan = plan_of(sample('none', 0.0_dp))
+      call test%check(plan%deformation == 'fft', 'small: FFT')
+      case = sample('none', 0.0_dp)
+      case%cells_x = 512
+      case%cells_y = 512
+      plan = plan_of(case)
+      call test%check(plan%deformation == 'mlmi', 'half of a large domain: MLMI')
+      case%domain = 'whole'
+      plan = plan_of(case)
+      call test%check(plan%deformation == 'fft', 'whole domain: FFT')
+      case%radius_ratio_d = 0.04_dp
+      plan = plan_of(case)
+      call test%check(plan%deformation == 'mlmi', 'whole domain of a slender contact: MLMI')
+      case%deformation = 'fft'
+      plan = plan_of(case)
+      call test%check(plan%deformation == 'fft', 'as asked')
+   end subroutine check_deformation
 
    subroutine check_refusal()
       type(case_t) :: case

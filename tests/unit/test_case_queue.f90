@@ -4,6 +4,7 @@ program test_case_queue
    use ehlwave_case_plan, only: case_plan_t, make_plan
    use ehlwave_case_queue, only: case_queue_t, new_queue
    use ehlwave_errors, only: error_t
+   use ehlwave_kinds, only: dp
    use testing, only: test_t
    implicit none (type, external)
 
@@ -62,6 +63,22 @@ program test_case_queue
    call plan_all()
    queue = new_queue(cases, plans, 1)
    call test%check(all(queue%group(:6) == [1, 2, 3, 4, 5, 1]), 'groups of their own')
+   cases(2) = cases(1)
+   cases(2)%tolerance = 1e-7_dp
+   cases(3) = cases(1)
+   cases(3)%method = 'fas'
+   cases(3)%cycle = 'f'
+   cases(4) = cases(3)
+   cases(4)%cycle = 'v'
+   cases(5) = cases(1)
+   cases(5)%deformation = 'mlmi'
+   cases(6) = cases(1)
+   cases(6)%largest_steps = 30
+   cases(7) = cases(1)
+   cases(7)%largest_total_steps = 100
+   call plan_all()
+   queue = new_queue(cases, plans, 1)
+   call test%check(all(queue%group(:7) == [1, 2, 3, 4, 5, 6, 7]), 'by solver and limits too')
    call test%finish()
 
 contains

@@ -67,7 +67,7 @@ contains
       type(contact_problem_t) :: problem, whole
       type(flow_t) :: flow, flow_whole
       type(near_stencil_t) :: stencil
-      real(dp), allocatable :: expected(:), jacobian(:, :, :, :), p(:, :), p_whole(:, :), row(:)
+      real(dp), allocatable :: expected(:), jacobian(:, :, :, :), p(:, :), p_whole(:, :), line(:, :)
       integer :: i, j, jj, low, n, target_i, target_j
 
       call make_contact(whole, 100.0_dp, d, nx, ny, .false.)
@@ -78,11 +78,11 @@ contains
       call linearise(problem, flow, p, is_transient)
       low = merge(ny/2, 0, is_half)
       associate (grid => problem%grid, elliptic => problem%conditions%elliptic)
-         stencil = new_near_stencil(grid, elliptic%kappa, elliptic%k, 3)
-         allocate (row(stencil%entries), expected(stencil%entries))
+         stencil = new_near_stencil(grid, elliptic%kappa, elliptic%k, 3, 0.0_dp)
+         allocate (line(nx - 1, stencil%entries), expected(stencil%entries))
          do j = grid%first_row, grid%ny - 1
+            call stencil%fill_line(grid, problem%transport, elliptic%kappa, flow, p, j, line)
             do i = 1, nx - 1
-               call stencil%fill_row(grid, problem%transport, elliptic%kappa, flow, p, i, j, row)
                expected = 0
                do n = 1, stencil%entries
                   target_i = i + stencil%di(n)
@@ -94,7 +94,8 @@ contains
                      expected(place) = expected(place) + jacobian(i, j + low, target_i, target_j + low)
                   end associate
                end do
-               call test%check_close(row, expected, 'row '//to_text(i)//' '//to_text(j)//', D = '//to_text(d, 3)//', half '// &
+               call test%check_close(line(i, :), expected, 'row '//to_text(i)//' '//to_text(j)//', D = '//to_text(d, 3)// &
+                                     ', half '// &
                                      to_text(is_half), absolute=1e-11_dp*maxval(abs(expected)))
             end do
          end do
@@ -105,7 +106,7 @@ contains
       type(contact_problem_t) :: problem
       type(near_stencil_t) :: stencil
       call make_contact(problem, 100.0_dp, 0.04_dp, 32, 32, .false.)
-      stencil = new_near_stencil(problem%grid, problem%conditions%elliptic%kappa, problem%conditions%elliptic%k, 5)
+      stencil = new_near_stencil(problem%grid, problem%conditions%elliptic%kappa, problem%conditions%elliptic%k, 5, 0.0_dp)
       call test%check(stencil%reach_x == 5 .and. stencil%reach_y == 1, 'slender contact: reach along X is limited')
       call test%check(stencil%entries == 11*3, 'entries')
       call test%check(stencil%entry_at(stencil%di(7), stencil%dj(7)) == 7, 'entries and offsets belong together')

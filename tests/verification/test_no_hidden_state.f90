@@ -12,25 +12,30 @@ program test_no_hidden_state
    implicit none (type, external)
 
    type(test_t) :: test
-   type(case_result_t) :: moving, moving_again, standing, standing_again, other
+   type(case_result_t) :: moving, moving_again, standing, standing_again, other, by_fas, by_fas_again
 
    call run(100.0_dp, 1.0_dp, 'isotropic', 0.5_dp, 64, moving)
    call run(1000.0_dp, 0.04_dp, 'longitudinal', 2.0_dp, 64, standing)
    call run(500.0_dp, 0.12_dp, 'transverse', 1.0_dp, 48, other)
    call run(100.0_dp, 1.0_dp, 'isotropic', 0.5_dp, 64, moving_again)
    call run(1000.0_dp, 0.04_dp, 'longitudinal', 2.0_dp, 64, standing_again)
+   call run(100.0_dp, 0.35_dp, 'isotropic', 1.0_dp, 64, by_fas, 'fas')
+   call run(500.0_dp, 0.12_dp, 'transverse', 1.0_dp, 48, other, 'fas')
+   call run(100.0_dp, 0.35_dp, 'isotropic', 1.0_dp, 64, by_fas_again, 'fas')
    call compare(moving, moving_again, 'moving')
+   call compare(by_fas, by_fas_again, 'moving, FAS')
    call compare(standing, standing_again, 'standing')
    call test%check(.not. same([moving%central_film], [other%central_film]), 'the case between was another one')
    call test%finish()
 
 contains
 
-   subroutine run(m, d, orientation, wavelength, cells, result)
+   subroutine run(m, d, orientation, wavelength, cells, result, method)
       real(dp), intent(in) :: m, d, wavelength
       character(len=*), intent(in) :: orientation
       integer, intent(in) :: cells
       type(case_result_t), intent(out) :: result
+      character(len=*), intent(in), optional :: method
       type(case_t) :: case
       type(case_plan_t) :: plan
       type(error_t), allocatable :: error
@@ -44,6 +49,7 @@ contains
       case%cells_x = cells
       case%cells_y = cells
       case%fields = .true.
+      if (present(method)) case%method = method
       call complete_case(case, '', error)
       if (.not. allocated(error)) call make_plan(case, plan, error)
       call test%check_no_error(error, orientation)

@@ -112,7 +112,7 @@ contains
                   problem%transport%carried(1:, :) = -history(:grid%nx - 1, :, 1)/grid%hx
                end if
                call problem%set_rough(amplitude*wave%shape_at(grid%x, grid%y, time(k)))
-               call level%solver%solve(problem, level%state, solve_limits_t(tolerance=1e-6_dp), level%report)
+               call level%solver%solve(problem, level%state, solve_limits_t(tolerance=1e-7_dp), level%report)
                is_good = is_good .and. level%report%status == status_converged
                film(k) = grid%value_at_centre(level%state%h)
                history(:, :, 2) = history(:, :, 1)

@@ -9,6 +9,8 @@ from pathlib import Path
 import xarray as xr
 
 from ehlwave_post import figures, linearity, tables
+from ehlwave_post.deform.cli import add_commands
+from ehlwave_post.deform.harmonics import write_harmonic_table
 from ehlwave_post.errors import ResultsError
 from ehlwave_post.points import RATIO_COLUMNS, VARIABLES, remarks, resolved_only, select_points
 from ehlwave_post.read import read_results
@@ -108,9 +110,16 @@ def _export(options: argparse.Namespace) -> None:
     print(f"{options.csv}: {results.sizes['case']} cases")
 
 
+def _harmonics(options: argparse.Namespace) -> None:
+    points = select_points(read_results(options.results))
+    count = write_harmonic_table(options.csv, points)
+    print(f"{options.csv}: {count} waves")
+
+
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
-        prog="ehlwave-post", description="Figures, fits and tables from ehlwave-sweep results."
+        prog="ehlwave-post",
+        description="Figures, fits and tables from ehlwave-sweep results; deformed surfaces.",
     )
     commands = parser.add_subparsers(required=True, metavar="COMMAND")
 
@@ -153,6 +162,11 @@ def _parser() -> argparse.ArgumentParser:
     command("table", _table, "count cases by status and list the failed ones")
     export = command("export", _export, "write all columns to a CSV file")
     export.add_argument("--csv", type=Path, required=True, metavar="FILE", help="file to write")
+    harmonics = command(
+        "harmonics", _harmonics, "write a harmonic table for deform --table from resolved cases"
+    )
+    harmonics.add_argument("--csv", type=Path, required=True, metavar="FILE", help="file to write")
+    add_commands(commands)
     return parser
 
 

@@ -1,4 +1,4 @@
-"""The one error a user is meant to see."""
+"""The errors a user is meant to see."""
 
 
 class ResultsError(Exception):
@@ -6,4 +6,11 @@ class ResultsError(Exception):
 
     The message names the file and says what is wrong with it; the command prints it without a
     traceback.
+    """
+
+
+class SurfaceError(ResultsError):
+    """A measured surface, operating conditions or a harmonic table cannot be used.
+
+    The message names the file or key, its value, and what to change.
     """

@@ -1,0 +1,112 @@
+"""How much of each harmonic component is left inside the contact.
+
+A transfer is a function of wave numbers that returns the (complex) ratio of the film's component
+at the contact centre to the surface's. With the component written as exp(i (qx x + qy y)), x
+counted on the surface along its motion, the deformed component is the transfer times the same
+exponential. A transfer is even in qy, and its conjugate at (-qx, -qy): it returns real surfaces.
+"""
+
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ehlwave_post.deform.conditions import Conditions
+from ehlwave_post.errors import SurfaceError
+from ehlwave_post.formula import PAPER_C1, PAPER_C2, amplitude_ratio_formula, f_of_r
+
+Waves = NDArray[np.float64]
+
+
+class Transfer(Protocol):
+    """Anything that judges harmonic components."""
+
+    @property
+    def name(self) -> str:
+        """What it is, for reports."""
+
+    @property
+    def covers_all(self) -> bool:
+        """Whether every component shorter than the contact is covered."""
+
+    @property
+    def outside_reason(self) -> str:
+        """Why a component shorter than the contact is not covered."""
+
+    def ratio(self, per_length_x: Waves, per_length_y: Waves) -> NDArray[Any]:
+        """Return the transfer for waves per metre along x (any sign) and y (not negative)."""
+
+    def is_covered(self, per_length_x: Waves, per_length_y: Waves) -> NDArray[np.bool_]:
+        """Return whether the transfer is known there rather than continued."""
+
+
+def orientation_and_wave(per_length_x: Waves, per_length_y: Waves) -> tuple[Waves, Waves]:
+    """Return f(r) and min(lambda_x, lambda_y) in m, eq. (15); the mean has lambda infinite.
+
+    Takes waves per metre of either sign. r = lambda_x/lambda_y is the ratio of the wave numbers,
+    so an oblique component is judged by its wavelengths along x and along y, as the product of
+    cosines is that two oblique components make.
+    """
+    qx, qy = np.abs(per_length_x), np.abs(per_length_y)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        ratio = np.where(qy > 0, qy / qx, 0.0)
+        return f_of_r(ratio), 1 / np.maximum(qx, qy)
+
+
+@dataclass(frozen=True)
+class FormulaTransfer:
+    """Ad/Ai = 1/(1 + c1 f V + c2 (f V)^2), eq. (18): real, no phase, pure rolling.
+
+    The mean, whose wavelength is infinite, does not deform the film: its ratio is 0, because the
+    load moves the bodies until it is carried.
+
+    Raises
+    ------
+    SurfaceError
+        If the coefficients make the ratio infinite or negative for some f V.
+    """
+
+    conditions: Conditions
+    c1: float = PAPER_C1
+    c2: float = PAPER_C2
+    name: str = "formula (18), the paper's coefficients"
+
+    def __post_init__(self) -> None:
+        """Refuse coefficients that are no amplitude reduction."""
+        if not (self.c2 > 0 and self.c1 > -2 * np.sqrt(self.c2)):
+            raise SurfaceError(
+                f"coefficients c1 = {self.c1:g}, c2 = {self.c2:g}: 1 + c1 x + c2 x^2 must be "
+                "positive for all x and grow: c2 > 0 and c1 > -2 sqrt(c2)"
+            )
+
+    def ratio(self, per_length_x: Waves, per_length_y: Waves) -> NDArray[np.float64]:
+        """Return Ad/Ai for waves per metre along x and y; 0 for the mean."""
+        factor, wavelength = orientation_and_wave(per_length_x, per_length_y)
+        f_v = factor * wavelength * self.conditions.v_per_wavelength
+        return amplitude_ratio_formula(f_v, self.c1, self.c2)
+
+    @property
+    def covers_all(self) -> bool:
+        """Return whether rolling is pure."""
+        return self.conditions.slip_parameter == 1
+
+    @property
+    def outside_reason(self) -> str:
+        """Return why components are not covered."""
+        return f"slip (S = {self.conditions.slip_parameter:g}): the formula is for pure rolling"
+
+    def is_covered(self, per_length_x: Waves, per_length_y: Waves) -> NDArray[np.bool_]:
+        """Return whether rolling is pure."""
+        shape = np.broadcast_shapes(np.shape(per_length_x), np.shape(per_length_y))
+        return np.full(shape, self.covers_all)
+
+
+def shorter_than_contact(
+    conditions: Conditions, per_length_x: Waves, per_length_y: Waves
+) -> NDArray[np.bool_]:
+    """Return whether lambda_x <= 2a or lambda_y <= 2b: one wave fits in the Hertzian contact."""
+    along = np.abs(per_length_x) * 2 * conditions.semi_axis_a_m
+    across = np.abs(per_length_y) * 2 * conditions.semi_axis_b_m
+    # A wave exactly as long as the contact belongs to it, whatever rounding says.
+    return np.maximum(along, across) >= 1 - 1e-9

@@ -1,0 +1,116 @@
+import json
+import resource
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from contact import EXPERIMENT, experiment
+
+from ehlwave_post.cli import main
+from ehlwave_post.formula import amplitude_ratio_formula
+
+Capture = pytest.CaptureFixture[str]
+CONDITIONS = ["--conditions", *(f"{key}={value}" for key, value in EXPERIMENT.items())]
+
+
+def cosine_file(folder: Path) -> Path:
+    x = np.arange(400) * 1.2
+    table = np.column_stack((x, 20 * np.cos(2 * np.pi * x / 60)))
+    np.savetxt(folder / "t.csv", table, delimiter=",", header="x_um,z_nm", comments="", fmt="%.15g")
+    return folder / "t.csv"
+
+
+def test_deform_writes_profile_spectrum_report_and_figures(tmp_path: Path, capsys: Capture) -> None:
+    arguments = [
+        "deform",
+        str(cosine_file(tmp_path)),
+        *CONDITIONS,
+        "--form",
+        "none",
+        "--ends",
+        "none",
+    ]
+    output = tmp_path / "new" / "folder"
+    assert main([*arguments, "--output", str(output)]) == 0
+    figures = {f"{name}.{kind}" for name in ("deformed", "spectrum") for kind in ("png", "pdf")}
+    assert {path.name for path in output.iterdir()} == figures | {
+        "deformed.csv",
+        "deformed.h5",
+        "deformed.json",
+        "spectrum.csv",
+    }
+    assert "trace along rolling, 400 points, 480 um" in capsys.readouterr().out
+    table = np.genfromtxt(output / "deformed.csv", delimiter=",", names=True)
+    ratio = amplitude_ratio_formula(60e-6 * experiment().v_per_wavelength)
+    np.testing.assert_allclose(table["deformed_um"], ratio * table["height_um"], atol=1e-9)
+    film = experiment().central_film_m * 1e6
+    np.testing.assert_allclose(table["film_um"], film - table["deformed_um"], atol=1e-8)
+    spectrum = np.genfromtxt(
+        output / "spectrum.csv", delimiter=",", names=True, dtype=None, encoding=None
+    )
+    (peak,) = spectrum[spectrum["mean_square_before_um2"] > 1e-9]
+    assert peak["wavelength_um"] == pytest.approx(60)
+    assert peak["mean_square_before_um2"] == pytest.approx(0.02**2 / 2)
+
+
+def test_json_holds_the_statistics(tmp_path: Path, capsys: Capture) -> None:
+    assert main(["deform", str(cosine_file(tmp_path)), *CONDITIONS, "--json"]) == 0
+    document = json.loads(capsys.readouterr().out)
+    assert document["statistics"]["rq_before_m"] == pytest.approx(0.02e-6 / 2**0.5, rel=2e-2)
+    assert document["conditions"]["m"] == pytest.approx(experiment().m)
+    assert document["not_judged"] == [] or document["not_judged"][0]["share_before"] < 0.1
+
+
+def test_across_rolling_a_trace_is_longitudinal(tmp_path: Path, capsys: Capture) -> None:
+    arguments = ["deform", str(cosine_file(tmp_path)), *CONDITIONS, "--json"]
+    ratios = []
+    for axis in ("x", "y"):
+        assert main([*arguments, "--rolling-axis", axis]) == 0
+        statistics = json.loads(capsys.readouterr().out)["statistics"]
+        ratios.append(statistics["rq_after_m"] / statistics["rq_before_m"])
+    assert ratios[1] < ratios[0] - 0.1
+
+
+@pytest.mark.parametrize(
+    ("extra", "message"),
+    [
+        (["--refit", "absent.csv"], "absent.csv: no such file"),
+        (["--table", "absent.csv"], "absent.csv: no such file"),
+        (["--height-unit", "parsec"], "unknown unit of length 'parsec'"),
+        (["--height-unit", "mm"], "root mean square slope"),
+    ],
+)
+def test_errors_are_one_line(
+    tmp_path: Path, capsys: Capture, extra: list[str], message: str
+) -> None:
+    assert main(["deform", str(cosine_file(tmp_path)), *CONDITIONS, *extra]) == 1
+    captured = capsys.readouterr()
+    assert message in captured.err
+    assert captured.err.count("\n") == 1
+    assert captured.out == ""
+
+
+def test_a_large_map_stays_within_memory_and_time(tmp_path: Path) -> None:
+    # A quarter of 4096 x 4096 points, within a quarter of 4 GiB and half of 15 s on 2 cores, the
+    # start of Python included. Processor time, because wall time says more about other programs.
+    heights = np.random.default_rng(1).standard_normal((2048, 2048)).astype(np.float32)
+    np.save(tmp_path / "m.npy", 1e-2 * heights)
+    arguments = ["deform", str(tmp_path / "m.npy"), *CONDITIONS, "--step", "2"]
+    arguments += ["--length-unit", "um", "--height-unit", "um", "--output", str(tmp_path / "out")]
+    start = "import sys; from ehlwave_post.cli import main; sys.exit(main())"
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    subprocess.run([sys.executable, "-c", start, *arguments], check=True, capture_output=True)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    assert after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime < 2 * 7.5
+    assert after.ru_maxrss < 2**20  # KiB
+    assert (tmp_path / "out" / "deformed.h5").stat().st_size > 2 * 4 * 2048**2
+
+
+def test_example_runs(tmp_path: Path) -> None:
+    script = Path(__file__).parents[1] / "examples" / "deformed_trace.py"
+    command = [sys.executable, str(script), str(tmp_path / "out")]
+    outcome = subprocess.run(command, capture_output=True, text=True, check=True)
+    assert "lambda ratio" in outcome.stdout
+    assert (tmp_path / "out" / "deformed.png").stat().st_size > 10000

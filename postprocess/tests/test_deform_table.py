@@ -1,0 +1,242 @@
+import itertools
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+from contact import experiment
+from synthetic import make_columns, write_results
+
+from ehlwave_post.cli import main
+from ehlwave_post.deform import (
+    Conditions,
+    FormulaTransfer,
+    TableTransfer,
+    deform_surface,
+    harmonic_table,
+    map_surface,
+    read_coefficients,
+    read_table,
+    trace_surface,
+)
+from ehlwave_post.errors import SurfaceError
+from ehlwave_post.formula import amplitude_ratio_formula, f_of_r
+from ehlwave_post.points import select_points
+from ehlwave_post.read import read_results
+
+CONTACT = experiment(radius_y_m=0.05)
+WAVES = np.geomspace(0.05, 3, 25)
+ORIENTATIONS = (0.0, 0.5, 1.0, 2.0, np.inf)
+
+
+def table(phase: float = 0.0, ratios: tuple[float, ...] = ORIENTATIONS) -> pd.DataFrame:
+    """Return a table of formula (18), with a phase in proportion to 1/lambda_x."""
+    rows = []
+    for r in ratios:
+        for wave in WAVES:
+            wave_x = wave if r <= 1 else wave * r
+            wave_y = np.inf if r == 0 else wave_x / r if np.isfinite(r) else wave
+            f_v = f_of_r(r) * wave * CONTACT.v_per_wavelength * CONTACT.semi_axis_a_m
+            value = amplitude_ratio_formula(f_v) * np.exp(1j * phase / wave_x)
+            rows.append(
+                {
+                    "M": CONTACT.m,
+                    "L": CONTACT.l,
+                    "D": CONTACT.d,
+                    "lambda_x_over_a": wave_x if np.isfinite(wave_x) else 0,
+                    "lambda_y_over_b": wave_y * CONTACT.kappa if np.isfinite(wave_y) else 0,
+                    "transfer_real": value.real,
+                    "transfer_imag": value.imag,
+                }
+            )
+    return pd.DataFrame(rows)
+
+
+def read(tmp_path: Path, rows: pd.DataFrame) -> pd.DataFrame:
+    rows.to_csv(tmp_path / "table.csv", index=False)
+    return read_table(tmp_path / "table.csv")
+
+
+def test_a_table_of_the_formula_gives_the_formula(tmp_path: Path) -> None:
+    transfer = TableTransfer(CONTACT, read(tmp_path, table()))
+    exact = FormulaTransfer(CONTACT)
+    a = CONTACT.semi_axis_a_m
+    angle = np.linspace(-np.pi / 2, np.pi / 2, 41)[:, None]
+    wave = np.geomspace(0.1, 1.2, 30)[None, :] * a
+    qx, qy = np.cos(angle) / wave, np.sin(angle) / wave
+    assert transfer.is_covered(qx, qy).all()
+    np.testing.assert_allclose(transfer.ratio(qx, qy), exact.ratio(qx, qy), rtol=0, atol=2e-4)
+
+
+def test_r_and_amplitude_columns_mean_the_same(tmp_path: Path) -> None:
+    full = table()
+    short = full[["M", "L", "D"]].copy()
+    short["amplitude_ratio"] = full["transfer_real"]
+    short["r"] = np.repeat(ORIENTATIONS, WAVES.size)
+    short["lambda_over_a"] = np.tile(WAVES, len(ORIENTATIONS))
+    one, two = (
+        TableTransfer(CONTACT, read(tmp_path, full)),
+        TableTransfer(CONTACT, read(tmp_path, short)),
+    )
+    q = np.array([3e3, 2e4, 6e4])
+    np.testing.assert_allclose(
+        one.ratio(q[:, None], q[None, :]), two.ratio(q[:, None], q[None, :]), atol=1e-9
+    )
+
+
+def test_phase_shifts_the_profile_and_leaves_it_real(tmp_path: Path) -> None:
+    # exp(i phase a/lambda) is a shift by phase/(2 pi) a against the motion
+    shift = 0.04
+    transfer = TableTransfer(CONTACT, read(tmp_path, table(phase=2 * np.pi * shift)))
+    wave, points = 0.3 * CONTACT.semi_axis_a_m, 256
+    x = np.arange(points) * 8 * wave / points
+    surface = trace_surface(1e-8 * np.cos(2 * np.pi * x / wave), x[1])
+    result = deform_surface(surface, CONTACT, transfer, form="none", window="none")
+    ratio = amplitude_ratio_formula(wave * CONTACT.v_per_wavelength)
+    expected = 1e-8 * ratio * np.cos(2 * np.pi * (x + shift * CONTACT.semi_axis_a_m) / wave)
+    np.testing.assert_allclose(result.height[:, 0], expected, rtol=0, atol=3e-3 * 1e-8)
+
+
+@pytest.mark.parametrize("shape", [(48, 40), (47, 40), (48, 41)])
+def test_maps_stay_real_and_keep_parseval_with_phases(
+    tmp_path: Path, shape: tuple[int, int]
+) -> None:
+    transfer = TableTransfer(CONTACT, read(tmp_path, table(phase=0.4)))
+    heights = 1e-8 * np.random.default_rng(5).standard_normal(shape)
+    surface = map_surface(heights, 8e-6, 9e-6)
+    result = deform_surface(surface, CONTACT, transfer, form="mean", window="none")
+    slope_free = np.abs(np.fft.fft2(result.height)) ** 2 / heights.size**2
+    inside = result.spectra.after_x[:-1].sum() + result.spectra.after_x[-1]
+    # the shortest wave along x loses its imaginary part: a sampled wave cannot hold it
+    loss = result.spectra.after_x[-1] if shape[0] % 2 == 0 else 0.0
+    assert slope_free.sum() <= inside * (1 + 1e-12)
+    assert slope_free.sum() >= (inside - loss) * (1 - 1e-12)
+    # the mirror image in y of the surface gives the mirror image of the result
+    turned = map_surface(heights[:, ::-1], 8e-6, 9e-6)
+    again = deform_surface(turned, CONTACT, transfer, form="mean", window="none")
+    np.testing.assert_allclose(again.height[:, ::-1], result.height, rtol=0, atol=1e-20)
+
+
+def test_what_lies_outside_is_continued_and_named(tmp_path: Path) -> None:
+    rows = table()
+    middle = rows["lambda_x_over_a"].between(0.2, 1) & (rows["lambda_y_over_b"] == 0)
+    transfer = TableTransfer(CONTACT, read(tmp_path, rows[middle]), "t.csv")
+    a = CONTACT.semi_axis_a_m
+    waves = np.array([0.1, 0.5, 1.9, 20.0]) * a
+    assert transfer.is_covered(1 / waves, np.zeros(4)).tolist() == [False, True, False, False]
+    exact = FormulaTransfer(CONTACT)
+    q = 1 / waves[2:]
+    np.testing.assert_allclose(transfer.ratio(q, 0 * q), exact.ratio(q, 0 * q), rtol=1e-2)
+    assert transfer.ratio(np.zeros(1), np.zeros(1))[0] == 0
+    phase = 2 * np.pi * np.arange(256) / 256
+    surface = trace_surface(1e-8 * np.cos(phase) + 2e-8 * np.cos(4 * phase), 1.9 * a / 256)
+    (group,) = deform_surface(surface, CONTACT, transfer, form="none", window="none").unjudged
+    assert "outside the wavelengths and orientations of t.csv" in group.reason
+    assert group.share_before == pytest.approx(0.2, rel=1e-9)
+
+
+def test_tables_of_other_conditions_and_bad_tables_are_refused(tmp_path: Path) -> None:
+    rows = read(tmp_path, table())
+    with pytest.raises(SurfaceError, match=r"M = 205.* does not lie among its 1 condition"):
+        TableTransfer(experiment(radius_y_m=0.05, load_n=60), rows)
+    with pytest.raises(SurfaceError, match=r"S = 1.2: its slip parameters are 1"):
+        TableTransfer(experiment(radius_y_m=0.05, slip_parameter=1.2), rows)
+    with pytest.raises(SurfaceError, match="two or more wavelengths"):
+        TableTransfer(CONTACT, rows.iloc[:1])
+    with pytest.raises(SurfaceError, match="needs the column lambda_y_over_b"):
+        read(tmp_path, table().drop(columns="lambda_y_over_b"))
+    with pytest.raises(SurfaceError, match="needs the column amplitude_ratio"):
+        read(tmp_path, table().drop(columns="transfer_real"))
+    with pytest.raises(SurfaceError, match="does not hold numbers"):
+        read(tmp_path, table().assign(M="many"))
+    with pytest.raises(SurfaceError, match="no such file"):
+        read_table(tmp_path / "absent.csv")
+
+
+def of_contact(contact: Conditions, change: float = 0.0) -> pd.DataFrame:
+    """Return the table of the formula for another contact, c1 changed."""
+    rows = []
+    for wave in WAVES:
+        f_v = wave * contact.v_per_wavelength * contact.semi_axis_a_m
+        value = amplitude_ratio_formula(f_v, 0.15 + change)
+        keys = {"M": contact.m, "L": contact.l, "D": contact.d, "r": 0.0, "lambda_over_a": wave}
+        rows.append(keys | {"amplitude_ratio": value})
+    return pd.DataFrame(rows)
+
+
+@pytest.mark.parametrize(
+    "names", [["mean_speed_m_per_s"], ["mean_speed_m_per_s", "load_n", "radius_y_m"]]
+)
+def test_conditions_are_interpolated_on_v(tmp_path: Path, names: list[str]) -> None:
+    keys = {"mean_speed_m_per_s": (0.02, 0.05), "load_n": (30, 60), "radius_y_m": (0.03, 0.1)}
+    corners = itertools.product(*(keys[name] for name in names))
+    changes = [dict(zip(names, corner, strict=True)) for corner in corners]
+    tables = [of_contact(experiment(**{"radius_y_m": 0.05} | change)) for change in changes]
+    rows = read(tmp_path, pd.concat(tables))
+    between = experiment(
+        radius_y_m=0.05, mean_speed_m_per_s=0.03, load_n=40 if "load_n" in names else 39.2
+    )
+    transfer = TableTransfer(between, rows)
+    q = 1 / (np.geomspace(0.2, 1.2, 9) * between.semi_axis_a_m)
+    # what depends on f(r) V alone comes out exactly, at every condition
+    exact = FormulaTransfer(between).ratio(q, 0 * q)
+    np.testing.assert_allclose(transfer.ratio(q, 0 * q), exact, rtol=0, atol=2e-4)
+    with pytest.raises(SurfaceError, match="does not lie among its"):
+        TableTransfer(experiment(radius_y_m=0.05, mean_speed_m_per_s=0.2), rows)
+
+
+def test_what_differs_between_conditions_is_weighted(tmp_path: Path) -> None:
+    slow, fast = (experiment(mean_speed_m_per_s=speed) for speed in (0.02, 0.08))
+    rows = read(tmp_path, pd.concat([of_contact(slow, -0.05), of_contact(fast, 0.05)]))
+    middle = experiment(mean_speed_m_per_s=0.04)  # halfway in every logarithm
+    wave = 0.5 * middle.semi_axis_a_m
+    f_v = wave * middle.v_per_wavelength
+    expected = (amplitude_ratio_formula(f_v, 0.1) + amplitude_ratio_formula(f_v, 0.2)) / 2
+    found = TableTransfer(middle, rows).ratio(np.array([1 / wave]), np.zeros(1))
+    assert found[0].real == pytest.approx(float(expected), abs=2e-4)
+
+
+def test_hdf5_tables_are_read(tmp_path: Path) -> None:
+    rows = table()
+    rows.to_xarray().to_netcdf(tmp_path / "table.h5", engine="h5netcdf")
+    pd.testing.assert_frame_equal(read_table(tmp_path / "table.h5"), read(tmp_path, rows))
+
+
+def test_sweeps_become_tables(tmp_path: Path) -> None:
+    columns = make_columns()
+    source = write_results(tmp_path / "r.h5", columns)
+    assert main(["harmonics", str(source), "--csv", str(tmp_path / "h.csv")]) == 0
+    rows = read_table(tmp_path / "h.csv")
+    assert len(rows) == len(columns["f_r"])
+    # every orientation of the paper is there, and the transfer is the ratio of the sweep
+    assert sorted(set(np.round(rows["angle"], 6))) == pytest.approx(
+        [0, np.pi / 4, np.pi / 2], abs=1e-6
+    )
+    ratios = np.sort(columns["amplitude_ratio_fit"])
+    np.testing.assert_allclose(np.sort(rows["transfer_real"]), ratios, rtol=1e-9)
+
+
+def test_linear_responses_and_phases_of_a_sweep_are_used(results_file: Path) -> None:
+    points = select_points(read_results([results_file]))
+    ratio = points["deformed_ratio"]
+    plain = harmonic_table(points)
+    assert (plain["transfer_imag"] == 0).all()
+    phased = harmonic_table(points.assign(phase_fit=0 * ratio + 0.3))
+    np.testing.assert_allclose(phased["transfer_imag"], plain["transfer_real"] * np.sin(0.3))
+    real = ratio.where(points["load_parameter_m"] > points["load_parameter_m"].min())
+    linear = harmonic_table(points.assign(harmonic_real=0.5 * real, harmonic_imaginary=0.1 * real))
+    low = linear["M"] == linear["M"].min()
+    np.testing.assert_allclose(linear["transfer_real"][low], plain["transfer_real"][low])
+    np.testing.assert_allclose(linear["transfer_imag"][~low], 0.1 * plain["transfer_real"][~low])
+
+
+def test_coefficients_are_read_from_what_refit_writes(tmp_path: Path, results_file: Path) -> None:
+    arguments = ["refit", str(results_file), "--output", str(tmp_path), "--replicates", "20"]
+    assert main(arguments) == 0
+    for name in ("refit.csv", "refit.json"):
+        assert read_coefficients(tmp_path / name) == pytest.approx((0.2, 0.03), rel=1e-6)
+    with pytest.raises(SurfaceError, match="no group 'round'"):
+        read_coefficients(tmp_path / "refit.csv", "round")
+    (tmp_path / "bad.csv").write_text("a,b\n1,2\n")
+    with pytest.raises(SurfaceError, match="not a file of ehlwave-post refit"):
+        read_coefficients(tmp_path / "bad.csv")

@@ -1,0 +1,92 @@
+import math
+
+import pytest
+
+from ehlwave_post.error_time import errors, figures, model
+from ehlwave_post.error_time.runs import FULL, QUICK, SMOOTH, WAVY, Contact, Run, all_runs
+from ehlwave_post.error_time.table import OUTCOMES, Row
+
+LIMIT = 0.5
+
+
+def row(contact: Contact, cells: int, **changes: float | str) -> Row:
+    """Return a row with an error of 2 gamma M hX^2 / 100 and a cost of 100 (cells/128)^0.5."""
+    run = Run(*contact, cells)
+    error = 0.02 * contact.m * (4 / cells) ** 2
+    value = LIMIT * (1 + error)
+    outcome: Row = dict.fromkeys(OUTCOMES, value)
+    outcome |= {"status": "converged", "gamma": 1.0, "formula_ratio": 0.0, "points_per_wave_x": 8.0}
+    outcome |= {"time_steps": 10.0 if contact.wavelength else 0.0, "seconds": 1.0}
+    outcome |= {"work_units": 1000 * (cells / 128) ** 0.5}
+    keys = {name: getattr(run, name) for name in Run.__dataclass_fields__}
+    return {**keys, **outcome, **changes}
+
+
+@pytest.fixture
+def table() -> list[Row]:
+    contacts = (SMOOTH[0], SMOOTH[2], WAVY[0], WAVY[5])
+    return [row(contact, cells) for contact in contacts for cells in (64, 128, 256, 512)]
+
+
+def test_runs_are_unique_and_cheap_ones_come_first() -> None:
+    for extent in (FULL, QUICK):
+        runs = all_runs(extent)
+        assert len(runs) == len(set(runs))
+        assert [run.effort for run in runs] == sorted(run.effort for run in runs)
+        assert {run.method for run in all_runs(extent, ("newton",))} == {"newton"}
+    assert len(all_runs(QUICK)) < len(all_runs(FULL))
+
+
+def test_every_input_names_its_run() -> None:
+    text = Run(*WAVY[0], 64, method="fas", time_step_over_cell=2.0).namelist()
+    for part in ("'fas'", "time_step_over_cell = 2.0", "cells_x = 64", "wavelength_over_a = 0.5"):
+        assert part in text
+    assert "wavelength" not in Run(*SMOOTH[0], 64).namelist()
+
+
+def test_second_order_is_extrapolated_exactly(table: list[Row]) -> None:
+    found = errors.error_rows(table)
+    assert len(found) == 8 * 2 + 8
+    for one in found:
+        expected = 0.02 * one["m"] * (4 / one["cells"]) ** 2
+        assert one["reference"] == pytest.approx(LIMIT, rel=1e-12)
+        assert one["error"] == pytest.approx(expected, rel=1e-9)
+    orders = errors.order_rows(table)
+    assert [one["observed_order"] for one in orders] == pytest.approx([2.0] * len(orders))
+    estimates = errors.estimate_rows(table)
+    ratios = [one["estimate"] for one in estimates if one["quantity"] == errors.RATIO]
+    assert sum(map(math.isfinite, ratios)) == 6  # none on the coarsest grids
+
+
+def test_algebraic_error_is_against_the_same_grid() -> None:
+    loose = row(WAVY[0], 64, step_tolerance=0.1, amplitude_ratio_fit=0.66)
+    tight = row(WAVY[0], 64, step_tolerance=1e-6, amplitude_ratio_fit=0.60)
+    rows = [loose, tight, row(WAVY[0], 64), row(WAVY[0], 128)]
+    found = {(r["cells"], r["step_tolerance"]): r for r in errors.error_rows(rows)}
+    assert found[64, 0.1]["algebraic_error"] == pytest.approx(0.1)
+    assert math.isnan(found[64, 1e-6]["algebraic_error"])
+    assert math.isnan(found[128, 1e-3]["algebraic_error"])
+
+
+def test_richardson_does_not_trust_odd_orders() -> None:
+    assert errors.richardson([1.1, 1.4, 2.6]) == pytest.approx(0.1 / 1.1)
+    assert errors.richardson([1.1, 1.4, math.nan]) == pytest.approx(0.1 / 1.1)
+    assert errors.richardson([1.1, 1.4, 1.2]) == pytest.approx(0.3 / 1.1)
+    assert math.isnan(errors.richardson([1.1, math.nan, 1.2]))
+
+
+def test_models_are_found_again(table: list[Row]) -> None:
+    fits = {fit.name: fit for fit in model.fit_models(table)}
+    assert fits["film"].coefficients[0] == pytest.approx(0.02, rel=1e-6)
+    assert fits["moving_ratio"].coefficients[0] == pytest.approx(0.02, rel=1e-6)
+    assert fits["step_cost"].coefficients == pytest.approx((100.0, 0.5, 0.0), abs=1e-5)
+    assert fits["film"].largest_factor == pytest.approx(1.0)
+
+
+def test_figures_show_every_panel(table: list[Row]) -> None:
+    found = errors.error_rows(table)
+    for panels in figures.all_panels().values():
+        figure = figures.error_figure(found, "seconds", panels)
+        titles = [axes.get_title() for axes in figure.axes]
+        assert titles[: len(panels)] == [contact.title for contact, _ in panels]
+        assert len(figure.axes[0].lines) == 1

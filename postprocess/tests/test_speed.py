@@ -1,0 +1,58 @@
+"""The table of costs from given answers, and from a program that fails."""
+
+from pathlib import Path
+
+import pytest
+
+from ehlwave_post import speed
+from ehlwave_post.errors import ResultsError
+
+
+def answer(text: str) -> speed.Answer:
+    """Return costs that tell the runs apart."""
+    fine = "cells_x = 1024" in text
+    waves = "waviness" in text
+    tight = "e-10" in text or "e-6" in text
+    return {
+        "seconds": 10.0 if fine else 4.0 if waves else 0.5,
+        "work_units": 3000.0 if waves else 100.0,
+        "time_steps": 290,
+        "central_film": 0.1 if tight else 0.1001,
+        "central_film_error": 4e-3,
+        "amplitude_ratio_fit": 0.5 if tight else 0.499,
+        "amplitude_ratio_error": None,
+        "peak_memory_mib": 400.0,
+    }
+
+
+def test_figures() -> None:
+    """Differences and ratios are taken between the right runs."""
+    rows = {(row.method, row.work): row for row in speed.measure(answer, 2)}
+    assert len(rows) == 5 * len(speed.METHODS)
+    step = rows["newton", "one time step, 257 x 257"]
+    assert step.figure == pytest.approx(10.0)
+    assert step.algebraic_error == pytest.approx(2e-3)
+    assert rows["fas", "steady state, 257 x 257"].algebraic_error == pytest.approx(1e-3)
+    assert rows["fas", "steady state, 1025 x 1025 over 257 x 257"].figure == pytest.approx(20.0)
+    assert rows["newton", "memory, 1025 x 1025"].figure == pytest.approx(400.0)
+
+
+def test_fastest_counts() -> None:
+    """Of repeated runs the fastest is taken."""
+    seconds = iter([9.0, 2.0, 5.0] * 100)
+
+    def run(text: str) -> speed.Answer:
+        return answer(text) | {"seconds": next(seconds)}
+
+    assert speed.measure(run, 3)[2].figure == pytest.approx(2.0)
+
+
+def test_program_that_fails(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A run that does not converge ends the command with its message."""
+    program = tmp_path / "program"
+    program.write_text("#!/bin/sh\necho stalled >&2\nexit 1\n")
+    program.chmod(0o755)
+    with pytest.raises(ResultsError, match="stalled"):
+        speed.run_case(program, "")
+    assert speed.main(["--program", str(program), "--output", str(tmp_path)]) == 1
+    assert "stalled" in capsys.readouterr().err

@@ -1,0 +1,114 @@
+!> Discretisation error and cost to expect of a case, before it is run.
+!>
+!> The functions were fitted to the runs of `scripts/error-vs-time`; the coefficients are those of
+!> postprocess/record/error-vs-time/models.csv, which also says how far each function is from the runs. They are
+!> what experience tells, no bounds: the results carry estimates made from their own grids.
+module ehlwave_accuracy_model
+   use ehlwave_conditions, only: conditions_t
+   use ehlwave_kinds, only: dp
+   implicit none (type, external)
+   private
+   public :: expected_film_error, expected_long_step_error, expected_ratio_error, expected_step_error, largest_mesh, &
+      points_for, steady_work_units, step_work_units
+
+   real(dp), parameter :: film_factor = 0.186_dp           !! model 'film'
+   real(dp), parameter :: moving_factor = 0.274_dp         !! model 'moving_ratio'
+   real(dp), parameter :: standing_factor = 0.061_dp       !! model 'standing_ratio'
+   real(dp), parameter :: time_step_factor = 2.6_dp        !! model 'time_step'
+   real(dp), parameter :: step_tolerance_factor = 0.25_dp  !! model 'step_tolerance': four of five runs are below
+   real(dp), parameter :: steady_cost(3) = [421.0_dp, -0.25_dp, 0.36_dp]   !! model 'steady_cost'
+   real(dp), parameter :: step_cost(3) = [82.3_dp, 0.45_dp, 0.117_dp]      !! model 'step_cost'
+   ! Refining Y alone changes Ad/Ai of patterns that vary in Y by 0.26 to 0.69 over the square of the points per wave
+   ! (M = 100, D = 1 and 0.12, isotropic and longitudinal, 24 to 96 cells).
+   real(dp), parameter :: wave_y_factor = 0.5_dp
+
+contains
+
+   !> Relative error of H(0,0) of a smooth contact: c hX^2 gamma M.
+   pure real(dp) function expected_film_error(conditions, hx)
+      type(conditions_t), intent(in) :: conditions
+      real(dp), intent(in) :: hx    !! mesh size in X
+      expected_film_error = film_factor*hx**2*conditions%gamma*conditions%m
+   end function expected_film_error
+
+   !> Relative error of Ad/Ai: c hX^2 gamma M (1 - F)^(1/2), F the ratio by the formula (the shorter the wave, the
+   !> nearer F to 1, the less of it is left to the inlet), c by whether the pattern moves, and what is due to waves along Y, to steps longer than hX
+   !> and to the step tolerance.
+   pure real(dp) function expected_ratio_error(conditions, formula_ratio, hx, points_y, cells_per_step, samples, &
+                                               step_tolerance)
+      type(conditions_t), intent(in) :: conditions
+      real(dp), intent(in) :: formula_ratio    !! Ad/Ai by theory eq. (18)
+      real(dp), intent(in) :: hx               !! mesh size in X
+      real(dp), intent(in) :: points_y         !! mesh sizes per wave along Y, 0 without waves along Y
+      integer, intent(in) :: cells_per_step    !! dT/hX, 1 for shorter steps too: they add no error
+      real(dp), intent(in) :: samples          !! time steps per wave, 0 for a pattern that stands still
+      real(dp), intent(in) :: step_tolerance
+
+      expected_ratio_error = ratio_scale(conditions, formula_ratio, samples > 0)*hx**2
+      if (points_y > 0) expected_ratio_error = expected_ratio_error + wave_y_factor/points_y**2
+      if (samples > 0) expected_ratio_error = expected_ratio_error + expected_step_error(step_tolerance) &
+         + expected_long_step_error(cells_per_step, samples)
+   end function expected_ratio_error
+
+   !> Relative error of Ad/Ai by the step tolerance alone, on any grid.
+   pure real(dp) function expected_step_error(step_tolerance)
+      real(dp), intent(in) :: step_tolerance
+      expected_step_error = step_tolerance_factor*step_tolerance
+   end function expected_step_error
+
+   !> Relative error of Ad/Ai by steps of dT = m hX with m above 1: c (1 - 1/m^2)/(steps per wave)^2.
+   pure real(dp) function expected_long_step_error(cells_per_step, samples)
+      integer, intent(in) :: cells_per_step   !! m
+      real(dp), intent(in) :: samples         !! time steps per wave
+      expected_long_step_error = time_step_factor*(1 - 1/real(cells_per_step, dp)**2)/samples**2
+   end function expected_long_step_error
+
+   pure real(dp) function ratio_scale(conditions, formula_ratio, moves)
+      type(conditions_t), intent(in) :: conditions
+      real(dp), intent(in) :: formula_ratio
+      logical, intent(in) :: moves
+      ratio_scale = merge(moving_factor, standing_factor, moves)*conditions%gamma*conditions%m*sqrt(max(0.0_dp, 1 - formula_ratio))
+   end function ratio_scale
+
+   !> Largest mesh size in X that leaves at most `error`: of H(0,0), or of Ad/Ai by the mesh in X alone.
+   pure real(dp) function largest_mesh(conditions, error, formula_ratio, moves)
+      type(conditions_t), intent(in) :: conditions
+      real(dp), intent(in) :: error                     !! relative, above 0
+      real(dp), intent(in), optional :: formula_ratio   !! of a wavy contact
+      logical, intent(in), optional :: moves            !! whether its pattern moves, with formula_ratio
+      if (present(formula_ratio) .and. present(moves)) then
+         largest_mesh = sqrt(error/max(ratio_scale(conditions, formula_ratio, moves), tiny(1.0_dp)))
+      else
+         largest_mesh = sqrt(error/(film_factor*conditions%gamma*conditions%m))
+      end if
+   end function largest_mesh
+
+   !> Mesh sizes per wave along Y that leave at most `error` of Ad/Ai by waves along Y alone.
+   pure real(dp) function points_for(error)
+      real(dp), intent(in) :: error   !! relative, above 0
+      points_for = sqrt(wave_y_factor/error)
+   end function points_for
+
+   !> Work units of a steady state on a half domain, all levels included.
+   pure real(dp) function steady_work_units(conditions, cells)
+      type(conditions_t), intent(in) :: conditions
+      integer, intent(in) :: cells   !! along X
+      steady_work_units = cost(steady_cost, conditions, cells)
+   end function steady_work_units
+
+   !> Work units of one time step on a half domain.
+   pure real(dp) function step_work_units(conditions, cells)
+      type(conditions_t), intent(in) :: conditions
+      integer, intent(in) :: cells   !! along X
+      step_work_units = cost(step_cost, conditions, cells)
+   end function step_work_units
+
+   !> c1 (cells/128)^c2 (gamma M/100)^c3
+   pure real(dp) function cost(c, conditions, cells)
+      real(dp), intent(in) :: c(3)
+      type(conditions_t), intent(in) :: conditions
+      integer, intent(in) :: cells
+      cost = c(1)*(cells/128.0_dp)**c(2)*(conditions%gamma*conditions%m/100)**c(3)
+   end function cost
+
+end module ehlwave_accuracy_model

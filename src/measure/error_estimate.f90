@@ -1,0 +1,61 @@
+!> Discretisation error from the values of the same quantity on grids of mesh size h, 2h and 4h (Richardson).
+module ehlwave_error_estimate
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_quiet_nan, ieee_value
+   use ehlwave_kinds, only: dp
+   implicit none (type, external)
+   private
+   public :: basis_name, estimate_error, observed_order
+
+   ! What an estimate is from.
+   integer, parameter, public :: basis_none = 0, basis_coarse_grid = 1, basis_model = 2
+
+   real(dp), parameter :: formal_order = 2     !! of the discretisation in space and time
+   real(dp), parameter :: lowest_order = 1     !! assumed where the values do not converge monotonically
+
+contains
+
+   !> Name of a basis, for results: 'coarse_grid', 'model', or '' when there is no estimate.
+   elemental function basis_name(basis) result(name)
+      integer, intent(in) :: basis
+      character(len=12) :: name
+      character(len=12), parameter :: names(0:2) = [character(len=12) :: '', 'coarse_grid', 'model']
+      name = names(basis)
+   end function basis_name
+
+   !> Estimated relative error of values(1): |v(h) - v(2h)|/((2^p - 1) |v(h)|).
+   !>
+   !> p is the observed order where three values show one between 1 and 2, the nearer of these two limits where it lies
+   !> outside or where the differences change sign (order 1: the careful side), and 2 with two values only.
+   !> NaN with fewer than two values or where one of the first two is not finite.
+   pure real(dp) function estimate_error(values)
+      real(dp), intent(in) :: values(:)   !! on meshes h, 2h, 4h, ...: the finest first
+      real(dp) :: order
+
+      estimate_error = ieee_value(1.0_dp, ieee_quiet_nan)
+      if (size(values) < 2) return
+      if (.not. all(ieee_is_finite(values(:2)))) return
+      order = formal_order
+      if (size(values) > 2) then
+         if (ieee_is_finite(values(3))) then
+            order = lowest_order
+            if ((values(1) - values(2))*(values(2) - values(3)) > 0) &
+               order = min(max(observed_order(values), lowest_order), formal_order)
+         end if
+      end if
+      estimate_error = abs(values(1) - values(2))/((2**order - 1)*abs(values(1)))
+   end function estimate_error
+
+   !> log2 of |v(2h) - v(4h)|/|v(h) - v(2h)|; NaN without three finite values or where they do not differ.
+   pure real(dp) function observed_order(values)
+      real(dp), intent(in) :: values(:)   !! on meshes h, 2h, 4h, ...: the finest first
+      real(dp) :: fine, coarse
+
+      observed_order = ieee_value(1.0_dp, ieee_quiet_nan)
+      if (size(values) < 3) return
+      if (.not. all(ieee_is_finite(values(:3)))) return
+      fine = abs(values(1) - values(2))
+      coarse = abs(values(2) - values(3))
+      if (fine > 0 .and. coarse > 0) observed_order = log(coarse/fine)/log(2.0_dp)
+   end function observed_order
+
+end module ehlwave_error_estimate

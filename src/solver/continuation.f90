@@ -1,0 +1,141 @@
+!> Paths from a problem that has been solved to one that has not: in M and L, and in what a time step is given.
+module ehlwave_continuation
+   use ehlwave_conditions, only: conditions_from_moes, conditions_t
+   use ehlwave_contact_problem, only: contact_problem_t
+   use ehlwave_errors, only: error_t
+   use ehlwave_full_multigrid, only: full_multigrid_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_load_balance, only: load_balance_t
+   use ehlwave_rheology, only: rheology_t
+   implicit none (type, external)
+   private
+
+   real(dp), parameter :: load_ratio = 4       !! M of a case over M of its neighbour at distance 1
+   real(dp), parameter :: viscous_ratio = 2    !! the same of L, from distance 2 on
+   real(dp), parameter :: smallest_step = 0.02_dp
+
+   !> Place on a path from 0 (solved) to 1 (wanted), with steps that grow and shrink.
+   type, public :: adaptive_path_t
+      real(dp) :: place = 0                    !! where to solve next
+      real(dp), private :: solved = 0          ! the farthest place that was solved
+      real(dp), private :: step = 0.5_dp
+   contains
+      procedure :: advance
+      procedure :: is_at_end
+      procedure :: can_retry
+   end type adaptive_path_t
+
+   !> A contact with smaller M, and smaller L if it is farther away, with the same D.
+   type, public :: neighbour_t
+      type(conditions_t), private :: goal
+      type(rheology_t), private :: goal_rheology
+      real(dp), private :: m = 0, l = 0
+   contains
+      procedure :: choose
+      procedure :: impose
+   end type neighbour_t
+
+   !> What a solution is given besides its contact.
+   type, public :: given_t
+      real(dp), allocatable, private :: rough(:, :), carried(:, :)   ! see contact_problem_t and transport_t
+      type(load_balance_t), private :: load
+   contains
+      procedure :: take
+      procedure :: blend
+   end type given_t
+
+contains
+
+   !> Choose the next place: farther on after a success, nearer after a failure.
+   pure subroutine advance(self, is_solved)
+      class(adaptive_path_t), intent(inout) :: self
+      logical, intent(in) :: is_solved   !! whether the solve at `place` succeeded
+      if (is_solved) then
+         if (self%place > 0) self%step = 2*self%step
+         self%solved = self%place
+      else
+         self%step = 0.5_dp*min(self%step, 1 - self%solved)
+      end if
+      self%place = min(1.0_dp, self%solved + self%step)
+      if (1 - self%place < 0.5_dp*smallest_step) self%place = 1
+   end subroutine advance
+
+   pure logical function is_at_end(self)
+      class(adaptive_path_t), intent(in) :: self
+      is_at_end = self%place >= 1
+   end function is_at_end
+
+   !> Whether a shorter step than the one that failed is worth a try.
+   pure logical function can_retry(self)
+      class(adaptive_path_t), intent(in) :: self
+      can_retry = self%place > self%solved .and. 0.5_dp*min(self%step, 1 - self%solved) >= smallest_step
+   end function can_retry
+
+   !> Neighbour of the contact of a hierarchy: M/4, (M/16, L/2), (M/64, L/4), ...
+   subroutine choose(self, multigrid, distance)
+      class(neighbour_t), intent(inout) :: self
+      type(full_multigrid_t), intent(in) :: multigrid
+      integer, intent(in) :: distance   !! 1, 2, ...
+      associate (problem => multigrid%levels(1)%problem)
+         self%goal = problem%conditions
+         self%goal_rheology = problem%rheology
+      end associate
+      self%m = self%goal%m/load_ratio**distance
+      self%l = self%goal%l/viscous_ratio**(distance - 1)
+   end subroutine choose
+
+   !> Give all levels the contact at a place between the neighbour (0) and the case itself (1, to the last digit):
+   !> M geometrically, L linearly in between. Grids and kernels stay, since they depend on D only.
+   subroutine impose(self, multigrid, place)
+      class(neighbour_t), intent(in) :: self
+      type(full_multigrid_t), intent(inout) :: multigrid
+      real(dp), intent(in) :: place
+      type(conditions_t) :: conditions
+      type(error_t), allocatable :: error
+      type(rheology_t) :: rheology
+      integer :: n
+
+      conditions = self%goal
+      rheology = self%goal_rheology
+      if (place < 1) then
+         call conditions_from_moes(self%m*(self%goal%m/self%m)**place, self%l + (self%goal%l - self%l)*place, &
+                                   self%goal%d, self%goal%alpha_per_pa, conditions, error)
+         if (allocated(error)) return   ! cannot be: M and L lie within those of accepted contacts
+         rheology = self%goal_rheology%at_pressure(conditions%alphabar, conditions%hertz_pressure_pa)
+      end if
+      do n = 1, size(multigrid%levels)
+         multigrid%levels(n)%problem%conditions = conditions
+         multigrid%levels(n)%problem%rheology = rheology
+      end do
+   end subroutine impose
+
+   !> Keep what a problem is given.
+   subroutine take(self, problem)
+      class(given_t), intent(inout) :: self
+      type(contact_problem_t), intent(in) :: problem
+      self%load = problem%load
+      if (allocated(problem%rough)) self%rough = problem%rough
+      if (allocated(problem%transport%carried)) self%carried = problem%transport%carried
+   end subroutine take
+
+   !> Give a problem what lies between this (0) and `later` (1, to the last digit): roughness, terms of earlier
+   !> times, load. What is not there counts as `later` has it, roughness as none.
+   subroutine blend(self, later, place, problem)
+      class(given_t), intent(in) :: self
+      type(given_t), intent(in) :: later
+      real(dp), intent(in) :: place
+      type(contact_problem_t), intent(inout) :: problem
+
+      problem%load = later%load
+      if (allocated(later%rough)) problem%rough = later%rough
+      if (allocated(later%carried)) problem%transport%carried = later%carried
+      if (place >= 1) return
+      problem%load%force = (1 - place)*self%load%force + place*later%load%force
+      problem%load%carried = (1 - place)*self%load%carried + place*later%load%carried
+      if (allocated(later%rough)) problem%rough = place*later%rough
+      if (allocated(later%rough) .and. allocated(self%rough)) problem%rough = problem%rough + (1 - place)*self%rough
+      if (allocated(later%carried) .and. allocated(self%carried)) &
+         problem%transport%carried = (1 - place)*self%carried + place*later%carried
+   end subroutine blend
+
+end module ehlwave_continuation

@@ -1,0 +1,257 @@
+!> Hybrid line relaxation of the contact problem, lines along X.
+!>
+!> Venner (1991); Venner and Lubrecht, Multilevel Methods in Lubrication (2000), chapter 6. Where Poiseuille flow
+!> rules, the pressures of a line are changed one by one. Where it is weak, the equation is one for the deformation,
+!> whose kernel reaches far: there the unknown of a node is the strength of a distributive change, 1 at the node and in
+!> sum -1 at its four neighbours, whose deformation falls as 1/r^3. Each line sees the pressure changes of those before
+!> it (Gauss-Seidel), and their deformation at the end of the sweep only (Jacobi).
+module ehlwave_line_relaxation
+   use ehlwave_contact_problem, only: contact_problem_t
+   use ehlwave_kernel, only: cell_influence
+   use ehlwave_kinds, only: dp
+   use ehlwave_near_stencil, only: link_i, link_j, links, row_links
+   use ehlwave_reynolds, only: diagonal_scale, flow_t, new_flow, reynolds_residual
+   use ehlwave_state, only: new_state, state_t
+   use ehlwave_step_limit, only: limit_step
+   implicit none (type, external)
+   private
+
+   integer, parameter :: single = 0, distributed = 1   ! kinds of change
+   real(dp), parameter :: damping = 0.9_dp             ! of both
+
+   !> Poiseuille over wedge coefficient below which changes are distributed, for cells that are square in metres.
+   !> It grows with the square of their aspect: single changes in long cells deform many of their neighbours.
+   real(dp), parameter :: switch_of_squares = 3
+
+   type, public :: line_relaxation_t
+      type(flow_t) :: flow                        !! coefficients at the state last evaluated
+      real(dp), allocatable :: residual(:, :)     !! R at the state last evaluated, (0:nx, 0:ny)
+      logical, allocatable :: is_cavitated(:, :)  !! P + R/|A_ii| <= 0
+      real(dp), allocatable :: scale(:, :)        !! 1/|A_ii|, 0 on the boundary
+      integer, private :: reach = 3                     ! bands of the line system on either side
+      real(dp), private :: switch = 0                   ! `switch_of_squares` for the cells of this grid
+      real(dp), private :: self_influence = 0           ! deformation under a cell of unit pressure
+      real(dp), private :: share_x = 0, share_y = 0     ! of a distributive change at its neighbours
+      real(dp), allocatable, private :: shape(:, :, :)      ! pressure of a change, (-reach-2:reach+2, 0:1, kind)
+      real(dp), allocatable, private :: influence(:, :, :)  ! its deformation
+      real(dp), allocatable, private :: change(:, :)        ! of P in this sweep
+      real(dp), allocatable, private :: band(:, :)          ! system of one line: (node, offset)
+      real(dp), allocatable, private :: delta(:)            ! its right side, then its solution
+      real(dp), allocatable, private :: by_p(:, :), by_h(:, :)  ! derivatives, (node, link)
+      type(state_t), private :: before                      ! the sweep
+      integer, allocatable, private :: kind(:)              ! of the change of each node
+   contains
+      procedure :: init
+      procedure :: evaluate
+      procedure :: relax
+   end type line_relaxation_t
+
+contains
+
+   !> Work space for a problem's grid.
+   subroutine init(self, problem)
+      class(line_relaxation_t), intent(inout) :: self
+      type(contact_problem_t), intent(in) :: problem
+      real(dp) :: aspect
+      integer :: i, j, r
+
+      associate (grid => problem%grid, kappa => problem%conditions%elliptic%kappa, k => problem%conditions%elliptic%k)
+         aspect = grid%hy/(kappa*grid%hx)
+         self%switch = switch_of_squares*max(aspect, 1/aspect)**2
+         self%reach = max(3, min(5, nint(aspect)))
+         self%share_x = 0.5_dp*max(0.5_dp, aspect**2/(1 + aspect**2))
+         self%share_y = 0.5_dp - self%share_x
+         r = self%reach + 2
+         allocate (self%shape(-r:r, 0:1, 0:1), self%influence(-r:r, 0:1, 0:1), source=0.0_dp)
+         self%shape(0, 0, :) = 1
+         self%shape(-1, 0, distributed) = -self%share_x
+         self%shape(1, 0, distributed) = -self%share_x
+         self%shape(0, 1, distributed) = -self%share_y
+         do j = 0, 1
+            do i = -r, r
+               self%influence(i, j, single) = at(i, j)
+               self%influence(i, j, distributed) = at(i, j) - self%share_x*(at(i - 1, j) + at(i + 1, j)) &
+                                                   - self%share_y*(at(i, j - 1) + at(i, j + 1))
+            end do
+         end do
+         self%self_influence = at(0, 0)
+         self%flow = new_flow(grid)
+         self%before = new_state(grid)
+         allocate (self%residual(0:grid%nx, 0:grid%ny), self%scale(0:grid%nx, 0:grid%ny), &
+                   self%change(0:grid%nx, 0:grid%ny), source=0.0_dp)
+         allocate (self%is_cavitated(0:grid%nx, 0:grid%ny), source=.false.)
+         allocate (self%delta(grid%nx - 1), self%band(grid%nx - 1, -self%reach:self%reach), &
+                   self%by_p(grid%nx - 1, links), self%by_h(grid%nx - 1, links), source=0.0_dp)
+         allocate (self%kind(grid%nx - 1), source=single)
+      end associate
+
+   contains
+
+      real(dp) function at(i, j)
+         integer, intent(in) :: i, j
+         associate (grid => problem%grid, elliptic => problem%conditions%elliptic)
+            at = cell_influence(i*grid%hx, j*grid%hy, grid%hx, grid%hy, elliptic%kappa, elliptic%k)
+         end associate
+      end function at
+   end subroutine init
+
+   !> Coefficients, residual and cavitated nodes of a state whose film belongs to its pressure.
+   subroutine evaluate(self, problem, state)
+      class(line_relaxation_t), intent(inout) :: self
+      type(contact_problem_t), intent(in) :: problem
+      type(state_t), intent(in) :: state
+
+      associate (grid => problem%grid, kappa => problem%conditions%elliptic%kappa)
+         call self%flow%evaluate(problem%rheology, problem%conditions%lambdabar, state%p, state%h)
+         call reynolds_residual(grid, problem%transport, kappa, self%flow, state%p, self%residual)
+         call diagonal_scale(grid, problem%transport, kappa, self%self_influence, self%flow, self%scale)
+         self%is_cavitated = self%scale > 0 .and. state%p + self%scale*self%residual <= 0
+      end associate
+   end subroutine evaluate
+
+   !> One sweep over all lines from the evaluated state; then the film of the new pressure.
+   subroutine relax(self, problem, state)
+      class(line_relaxation_t), intent(inout) :: self
+      type(contact_problem_t), intent(inout) :: problem
+      type(state_t), intent(inout) :: state
+      real(dp) :: strength
+      integer :: i, image, j, jm, n
+
+      associate (grid => problem%grid, change => self%change)
+         self%before = state
+         change = 0
+         do j = grid%first_row, grid%ny - 1
+            jm = grid%below(j)
+            image = merge(2, 1, j == 1 .and. grid%is_half)      ! row 0 has row 1 on either side
+            n = last_wet(self%is_cavitated(1:grid%nx - 1, j))
+            change(n + 1:grid%nx - 1, j) = -state%p(n + 1:grid%nx - 1, j)
+            if (n == 0) cycle
+            call set_up_line(self, problem, state%p, j, n)
+            call solve_band(self%reach, n, size(self%band, 1), self%band, self%delta)
+            do i = 1, n
+               if (self%kind(i) == single) then
+                  change(i, j) = change(i, j) + damping*self%delta(i)
+               else
+                  strength = damping*self%delta(i)
+                  change(i, j) = change(i, j) + strength
+                  change(i - 1, j) = change(i - 1, j) - self%share_x*strength
+                  change(i + 1, j) = change(i + 1, j) - self%share_x*strength
+                  change(i, j + 1) = change(i, j + 1) - self%share_y*strength
+                  if (jm < j) change(i, jm) = change(i, jm) - image*self%share_y*strength
+               end if
+            end do
+            change(0, j) = 0
+            change(grid%nx, j) = 0
+         end do
+         do j = grid%first_row, grid%ny - 1
+            do i = 1, grid%nx - 1
+               state%p(i, j) = max(0.0_dp, state%p(i, j) + change(i, j))
+            end do
+         end do
+         call problem%film(state%p, state%delta, state%h)
+         call limit_step(self%before, state)
+      end associate
+   end subroutine relax
+
+   !> Number of nodes of a line up to the last that is not cavitated.
+   pure integer function last_wet(is_cavitated)
+      logical, intent(in) :: is_cavitated(:)
+      do last_wet = size(is_cavitated), 1, -1
+         if (.not. is_cavitated(last_wet)) exit
+      end do
+   end function last_wet
+
+   !> Linear system of one line: changes that make its residuals vanish. The pressure changes of earlier lines are
+   !> taken into account (Gauss-Seidel), their deformation is not; that of the line itself is, within reach.
+   subroutine set_up_line(self, problem, p, j, n)
+      class(line_relaxation_t), intent(inout) :: self
+      type(contact_problem_t), intent(in) :: problem
+      real(dp), intent(in) :: p(0:, 0:)
+      integer, intent(in) :: j, n              !! line; its first nodes, the others are cavitated
+      real(dp) :: self_wedge
+      integer :: d, first, i, jm, last
+
+      associate (grid => problem%grid, flow => self%flow, change => self%change, by_p => self%by_p, by_h => self%by_h)
+         jm = grid%below(j)
+         do i = 1, n
+            self_wedge = problem%transport%w0(i)*flow%f_h(i, j)*self%self_influence
+            self%kind(i) = merge(distributed, single, .not. self%is_cavitated(i, j) .and. &
+               1/self%scale(i, j) - problem%transport%w0(i)*flow%f_p(i, j) < (1 + self%switch)*self_wedge)
+         end do
+         call row_links(grid, problem%transport, problem%conditions%elliptic%kappa, flow, p, 1, n, j, by_p, by_h)
+         do i = 1, n
+            self%delta(i) = -self%residual(i, j) - by_p(i, 1)*change(i, j) - by_p(i, 2)*change(i + 1, j) &
+                            - by_p(i, 3)*change(i - 1, j) - by_p(i, 4)*change(i, j + 1) - by_p(i, 5)*change(i, jm)
+            if (i > 1) self%delta(i) = self%delta(i) - by_p(i, 6)*change(i - 2, j)
+         end do
+         by_h(:n, 4) = by_h(:n, 4) + by_h(:n, 5)
+         by_p(:n, 4) = by_p(:n, 4) + by_p(:n, 5)
+         first = 1
+         do while (first <= n)      ! runs of columns of one kind
+            last = first
+            do while (last < n)
+               if (self%kind(last + 1) /= self%kind(first)) exit
+               last = last + 1
+            end do
+            do d = -self%reach, self%reach
+               call add_column(max(1, first - d), min(n, last - d), d, self%kind(first))
+            end do
+            first = last + 1
+         end do
+         do i = 1, n
+            if (.not. self%is_cavitated(i, j)) cycle
+            self%band(i, :) = 0
+            self%band(i, 0) = 1
+            self%delta(i) = -p(i, j) - change(i, j)
+         end do
+      end associate
+
+   contains
+
+      subroutine add_column(i1, i2, d, kind)
+         integer, intent(in) :: i1, i2, d, kind
+         real(dp) :: g(links), s
+         integer :: i, link
+         do link = 1, links
+            g(link) = self%influence(link_i(link) - d, abs(link_j(link)), kind)
+         end do
+         do i = i1, i2
+            self%band(i, d) = self%by_h(i, 1)*g(1) + self%by_h(i, 2)*g(2) + self%by_h(i, 3)*g(3) + self%by_h(i, 4)*g(4) &
+                              + self%by_h(i, 6)*g(6)
+         end do
+         do link = 1, links
+            if (link == 5) cycle      ! added to 4
+            s = self%shape(link_i(link) - d, abs(link_j(link)), kind)
+            if (abs(s) > 0) self%band(i1:i2, d) = self%band(i1:i2, d) + s*self%by_p(i1:i2, link)
+         end do
+      end subroutine add_column
+   end subroutine set_up_line
+
+   !> Gauss elimination without pivoting; band(i, d) is the coefficient of unknown i + d in row i.
+   pure subroutine solve_band(reach, n, rows, band, x)
+      integer, intent(in) :: reach, n, rows                 !! unknowns n <= rows
+      real(dp), intent(inout) :: band(rows, -reach:reach)
+      real(dp), intent(inout) :: x(n)   !! right side, then solution
+      real(dp) :: factor, inverse
+      integer :: d, i, k
+
+      do i = 1, n
+         inverse = 1/band(i, 0)
+         band(i, 0) = inverse
+         do k = i + 1, min(i + reach, n)
+            factor = band(k, i - k)*inverse
+            do d = 1, reach
+               band(k, i - k + d) = band(k, i - k + d) - factor*band(i, d)
+            end do
+            x(k) = x(k) - factor*x(i)
+         end do
+      end do
+      do i = n, 1, -1
+         do d = 1, min(reach, n - i)
+            x(i) = x(i) - band(i, d)*x(i + d)
+         end do
+         x(i) = x(i)*band(i, 0)
+      end do
+   end subroutine solve_band
+
+end module ehlwave_line_relaxation

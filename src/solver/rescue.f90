@@ -1,0 +1,313 @@
+!> The rescue ladder: what is tried when a solve fails, rung by rung, under one cap on the work of a case.
+!>
+!> Rungs, in this order: from the solution before (time steps only), continuation from an easier neighbour, Newton's
+!> method where another one was asked for, Newton's method with short steps, PETSc where the build has it.
+module ehlwave_rescue
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+   use ehlwave_continuation, only: adaptive_path_t, given_t, neighbour_t
+   use ehlwave_full_multigrid, only: full_multigrid_t, level_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_level_solver, only: level_solver_t, solve_limits_t, solve_report_t
+   use ehlwave_newton, only: newton_t
+   use ehlwave_petsc_solver, only: has_petsc, petsc_solver_t
+   use ehlwave_state, only: state_t
+   use ehlwave_status, only: status_converged, status_diverged, status_not_finite, status_stalled
+   implicit none (type, external)
+   private
+   public :: rung_name
+
+   integer, parameter, public :: rung_direct = 0, rung_restart = 1, rung_continuation = 2, rung_newton = 3, &
+                                 rung_damped = 4, rung_petsc = 5
+
+   real(dp), parameter :: short_change = 0.05_dp       !! largest change of P in a damped Newton step
+   real(dp), parameter :: short_film_factor = 0.5_dp   !! of H
+   integer, parameter :: damped_patience = 4           !! times as many steps as usual
+
+   type, public :: rescue_t
+      logical :: is_ready = .true.       !! climb the ladder; false: only what costs little
+      integer :: steps_left = huge(1)    !! nonlinear steps of the finest level that the case may still take
+      integer :: rung = rung_direct      !! the highest one that a solution needed, or that was tried in vain
+      integer :: rescued = 0             !! solutions that took more than the direct solve
+      real(dp) :: thinnest = huge(1.0_dp)  !! smallest H of all that was solved on the way, with places of a continuation
+   contains
+      procedure :: solve_steady
+      procedure :: solve_step
+      procedure, private :: attempt
+      procedure, private :: climb
+      procedure, private :: continue_conditions
+      procedure, private :: continue_step
+      procedure, private :: solve_by_newton
+      procedure, private :: solve_by_petsc
+      procedure, private :: note
+   end type rescue_t
+
+contains
+
+   !> Name of a rung as written to results.
+   pure function rung_name(rung) result(name)
+      integer, intent(in) :: rung
+      character(len=:), allocatable :: name
+      select case (rung)
+      case (rung_direct); name = 'direct'
+      case (rung_restart); name = 'restart'
+      case (rung_continuation); name = 'continuation'
+      case (rung_newton); name = 'newton'
+      case (rung_damped); name = 'damped'
+      case (rung_petsc); name = 'petsc'
+      case default; name = 'unknown'
+      end select
+   end function rung_name
+
+   !> Steady state on the finest level: full multigrid, then the ladder. The report of the finest level holds the
+   !> steps of all attempts.
+   subroutine solve_steady(self, multigrid, limits, coarse_tolerance)
+      class(rescue_t), intent(inout) :: self
+      type(full_multigrid_t), intent(inout), target :: multigrid
+      type(solve_limits_t), intent(in) :: limits       !! for the finest level
+      real(dp), intent(in) :: coarse_tolerance         !! for the others, and for neighbours
+      type(state_t) :: guess
+      integer :: n
+
+      n = size(multigrid%levels)
+      associate (level => multigrid%levels(n))
+         call multigrid%solve(bounded(limits, self%steps_left), coarse_tolerance)
+         call check(level%state, level%report)
+         self%steps_left = self%steps_left - level%report%nonlinear_steps
+         if (level%report%status == status_converged .or. .not. self%is_ready) return
+         call multigrid%start_level(n)
+         guess = level%state
+         call self%continue_conditions(multigrid, limits, coarse_tolerance)
+         call self%note(level%report, rung_continuation)
+         if (level%report%status == status_converged) return
+         call self%climb(level, guess, limits)
+      end associate
+   end subroutine solve_steady
+
+   !> One solution of a level, from the first guess in its state: a time step, or a pattern that stands still. When
+   !> that fails: from the solution before, then the ladder.
+   subroutine solve_step(self, level, before, given_before, limits)
+      class(rescue_t), intent(inout) :: self
+      type(level_t), intent(inout), target :: level
+      type(state_t), intent(in) :: before              !! the last solution
+      type(given_t), intent(in) :: given_before        !! and what it was given
+      type(solve_limits_t), intent(in) :: limits
+
+      logical :: starts_there
+
+      level%report = solve_report_t()
+      starts_there = maxval(abs(level%state%p - before%p)) <= 0
+      call self%attempt(level, limits)
+      if (level%report%status == status_converged) return
+      if (.not. starts_there) then
+         level%state = before
+         call self%attempt(level, limits)
+         call self%note(level%report, rung_restart)
+         if (level%report%status == status_converged) return
+      end if
+      if (.not. self%is_ready) return
+      call self%continue_step(level, before, given_before, limits)
+      call self%note(level%report, rung_continuation)
+      if (level%report%status == status_converged) return
+      call self%climb(level, before, limits)
+   end subroutine solve_step
+
+   !> The rungs that need nothing but another solver.
+   subroutine climb(self, level, guess, limits)
+      class(rescue_t), intent(inout) :: self
+      type(level_t), intent(inout), target :: level
+      type(state_t), intent(in) :: guess
+      type(solve_limits_t), intent(in) :: limits
+      integer :: rung
+
+      do rung = rung_newton, rung_petsc
+         if (self%steps_left <= 0) return
+         if (rung == rung_newton .and. is_newton(level%solver)) cycle
+         if (rung == rung_petsc .and. .not. has_petsc) cycle
+         level%state = guess
+         if (rung == rung_petsc) then
+            call self%solve_by_petsc(level, limits)
+         else
+            call self%solve_by_newton(level, limits, is_damped=rung == rung_damped)
+         end if
+         call self%note(level%report, rung)
+         if (level%report%status == status_converged) return
+      end do
+   end subroutine climb
+
+   !> Solve once within what is left of the cap; add the steps to those of earlier attempts.
+   subroutine attempt(self, level, limits, solver)
+      class(rescue_t), intent(inout) :: self
+      type(level_t), intent(inout), target :: level
+      type(solve_limits_t), intent(in) :: limits
+      class(level_solver_t), intent(inout), optional :: solver   !! in place of that of the level
+      type(solve_report_t) :: report
+
+      if (self%steps_left <= 0) then
+         level%report%status = status_stalled
+         return
+      end if
+      if (present(solver)) then
+         call solver%solve(level%problem, level%state, bounded(limits, self%steps_left), report)
+      else
+         call level%solver%solve(level%problem, level%state, bounded(limits, self%steps_left), report)
+      end if
+      call check(level%state, report)
+      if (report%status == status_converged) self%thinnest = min(self%thinnest, minval(level%state%h))
+      self%steps_left = self%steps_left - report%nonlinear_steps
+      call add_steps(report, level%report)
+      level%report = report
+   end subroutine attempt
+
+   !> Continuation in M and L: solve an easier neighbour from scratch, then approach the case from it.
+   subroutine continue_conditions(self, multigrid, limits, coarse_tolerance)
+      class(rescue_t), intent(inout) :: self
+      type(full_multigrid_t), intent(inout), target :: multigrid
+      type(solve_limits_t), intent(in) :: limits
+      real(dp), intent(in) :: coarse_tolerance
+      type(neighbour_t) :: neighbour
+      type(adaptive_path_t) :: path
+      type(solve_limits_t) :: loose
+      type(solve_report_t) :: spent
+      type(state_t) :: last
+      integer :: distance
+
+      loose = limits
+      loose%tolerance = max(limits%tolerance, coarse_tolerance)
+      associate (level => multigrid%levels(size(multigrid%levels)))
+         do distance = 1, 3
+            spent = level%report
+            call neighbour%choose(multigrid, distance)
+            call neighbour%impose(multigrid, 0.0_dp)
+            call multigrid%solve(bounded(loose, self%steps_left), coarse_tolerance)
+            call check(level%state, level%report)
+            self%steps_left = self%steps_left - level%report%nonlinear_steps
+            call add_steps(level%report, spent)
+            path = adaptive_path_t()
+            last = level%state
+            do while (level%report%status == status_converged .or. path%can_retry())
+               if (level%report%status == status_converged) then
+                  if (path%is_at_end()) exit
+                  last = level%state
+               end if
+               call path%advance(level%report%status == status_converged)
+               call neighbour%impose(multigrid, path%place)
+               level%state = last
+               if (path%is_at_end()) then
+                  call self%attempt(level, limits)
+               else
+                  call self%attempt(level, loose)
+               end if
+            end do
+            call neighbour%impose(multigrid, 1.0_dp)
+            if (level%report%status == status_converged .or. self%steps_left <= 0) return
+         end do
+      end associate
+   end subroutine continue_conditions
+
+   !> Continuation from the last solution: what is given changes from its values then to those now by degrees.
+   subroutine continue_step(self, level, before, given_before, limits)
+      class(rescue_t), intent(inout) :: self
+      type(level_t), intent(inout), target :: level
+      type(state_t), intent(in) :: before
+      type(given_t), intent(in) :: given_before
+      type(solve_limits_t), intent(in) :: limits
+      type(adaptive_path_t) :: path
+      type(given_t) :: now
+      type(state_t) :: last
+      logical :: is_solved
+
+      call now%take(level%problem)
+      last = before
+      is_solved = .true.
+      do while (is_solved .or. path%can_retry())
+         if (is_solved .and. path%is_at_end()) exit
+         call path%advance(is_solved)
+         call given_before%blend(now, path%place, level%problem)
+         level%state = last
+         call self%attempt(level, limits)
+         is_solved = level%report%status == status_converged
+         if (is_solved) last = level%state
+      end do
+      call given_before%blend(now, 1.0_dp, level%problem)
+   end subroutine continue_step
+
+   !> Newton's method in place of what the level has, or its own with short steps.
+   subroutine solve_by_newton(self, level, limits, is_damped)
+      class(rescue_t), intent(inout) :: self
+      type(level_t), intent(inout), target :: level
+      type(solve_limits_t), intent(in) :: limits
+      logical, intent(in) :: is_damped
+      type(solve_limits_t) :: patient
+      type(newton_t), target :: newton
+
+      call newton%init(level%problem)
+      select type (own => level%solver)
+      type is (newton_t)
+         newton%coarser => own%coarser
+      end select
+      patient = limits
+      if (is_damped) then
+         newton%largest_change = short_change
+         newton%smallest_film_factor = short_film_factor
+         patient%largest_steps = damped_patience*limits%largest_steps
+      end if
+      call self%attempt(level, patient, newton)
+   end subroutine solve_by_newton
+
+   subroutine solve_by_petsc(self, level, limits)
+      class(rescue_t), intent(inout) :: self
+      type(level_t), intent(inout), target :: level
+      type(solve_limits_t), intent(in) :: limits
+      type(petsc_solver_t) :: petsc
+      call petsc%init(level%problem)
+      call self%attempt(level, limits, petsc)
+   end subroutine solve_by_petsc
+
+   !> Keep the rung of a solution.
+   pure subroutine note(self, report, rung)
+      class(rescue_t), intent(inout) :: self
+      type(solve_report_t), intent(in) :: report
+      integer, intent(in) :: rung
+      self%rung = max(self%rung, rung)
+      if (report%status == status_converged) self%rescued = self%rescued + 1
+   end subroutine note
+
+   !> No solver may pass off a state as converged that is not finite or has no film.
+   pure subroutine check(state, report)
+      type(state_t), intent(in) :: state
+      type(solve_report_t), intent(inout) :: report
+      if (report%status /= status_converged) return
+      if (.not. (ieee_is_finite(sum(state%p)) .and. ieee_is_finite(sum(state%h)))) then
+         report%status = status_not_finite
+      else if (minval(state%h) <= 0) then
+         report%status = status_diverged
+      end if
+   end subroutine check
+
+   pure subroutine add_steps(report, spent)
+      type(solve_report_t), intent(inout) :: report
+      type(solve_report_t), intent(in) :: spent
+      report%nonlinear_steps = report%nonlinear_steps + spent%nonlinear_steps
+      report%linear_steps = report%linear_steps + spent%linear_steps
+      report%factorisations = report%factorisations + spent%factorisations
+   end subroutine add_steps
+
+   pure function bounded(limits, steps_left) result(tighter)
+      type(solve_limits_t), intent(in) :: limits
+      integer, intent(in) :: steps_left
+      type(solve_limits_t) :: tighter
+      tighter = limits
+      tighter%largest_steps = max(0, min(limits%largest_steps, steps_left))
+   end function bounded
+
+   pure logical function is_newton(solver)
+      class(level_solver_t), intent(in) :: solver
+      select type (solver)
+      type is (newton_t)
+         is_newton = .true.
+      class default
+         is_newton = .false.
+      end select
+   end function is_newton
+
+end module ehlwave_rescue

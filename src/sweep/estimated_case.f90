@@ -1,0 +1,106 @@
+!> Runs one planned case and estimates the discretisation error of its Ad/Ai.
+module ehlwave_estimated_case
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+   use ehlwave_accuracy_model, only: expected_step_error
+   use ehlwave_case_input, only: case_t
+   use ehlwave_case_plan, only: case_plan_t, make_plan
+   use ehlwave_case_result, only: case_result_t
+   use ehlwave_case_runner, only: run_case
+   use ehlwave_error_estimate, only: basis_coarse_grid, basis_model, estimate_error
+   use ehlwave_errors, only: error_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_monitor, only: monitor_t, silent_monitor_t
+   use ehlwave_shared_steady, only: shared_steady_t
+   use ehlwave_status, only: is_success
+   implicit none (type, external)
+   private
+   public :: run_estimated_case
+
+   integer, parameter :: fewest_cells = 24             !! of a coarser grid that is worth running
+   real(dp), parameter :: fewest_points_per_wave = 4   !! on it, in space and time
+   real(dp), parameter :: coarsest_inlet = 0.6_dp      !! its hX sqrt(gamma M/L)
+
+contains
+
+   !> Run a case as planned; with `error_estimate = 'coarse_grid'` also on grids of two and four times the mesh
+   !> size and time step (about a tenth of the cost), where these can tell anything, for a Richardson
+   !> estimate; what the step tolerance is expected to leave is added, as no grid shows it. Otherwise the
+   !> estimate is the expected error of the plan. Linear responses come with their own estimate, `harmonic_error`;
+   !> without a transient there is none of its Ad/Ai. `shared`: see run_case.
+   subroutine run_estimated_case(case, plan, monitor, result, shared)
+      type(case_t), intent(in) :: case              !! completed input
+      type(case_plan_t), intent(in) :: plan
+      class(monitor_t), intent(inout) :: monitor
+      type(case_result_t), intent(out) :: result
+      type(shared_steady_t), intent(inout), target, optional :: shared
+      real(dp), allocatable :: ratios(:)
+      real(dp) :: estimate, seconds
+
+      call run_case(case, plan, monitor, result, shared)
+      if (.not. plan%waviness%is_present .or. .not. is_success(result%status)) return
+      if (.not. ieee_is_finite(result%amplitude_ratio_fit)) return
+      result%amplitude_ratio_error = plan%expected_error
+      result%amplitude_error_basis = basis_model
+      if (case%error_estimate /= 'coarse_grid') return
+
+      call coarse_ratios(case, plan, ratios, seconds)
+      result%work_units = result%work_units*(1 + seconds/result%seconds)
+      result%seconds = result%seconds + seconds
+      estimate = estimate_error([result%amplitude_ratio_fit, ratios])
+      if (ieee_is_finite(estimate)) then
+         result%amplitude_ratio_error = estimate
+         if (plan%steps > 0) result%amplitude_ratio_error = estimate + expected_step_error(case%step_tolerance)
+         result%amplitude_error_basis = basis_coarse_grid
+      end if
+   end subroutine run_estimated_case
+
+   !> Ad/Ai of the same case on grids of two and four times the mesh size, as far as they converge and are not
+   !> hopelessly coarse.
+   subroutine coarse_ratios(case, plan, ratios, seconds)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      real(dp), allocatable, intent(out) :: ratios(:)   !! finer grid first
+      real(dp), intent(out) :: seconds                  !! what they took
+      type(case_t) :: coarse_case
+      type(case_plan_t) :: coarse_plan
+      type(case_result_t) :: coarse_result
+      type(error_t), allocatable :: error
+      type(silent_monitor_t) :: silent
+      integer :: factor
+
+      allocate (ratios(0))
+      seconds = 0
+      coarse_case = case
+      coarse_case%fields = .false.
+      coarse_case%accuracy = 0                    ! is that of the case itself
+      coarse_case%response = 'transient'          ! has its own estimate
+      coarse_case%time_step_over_cell = real(plan%cells_per_step, dp)/plan%steps_per_cell
+      factor = 1
+      do while (factor < 4)
+         factor = 2*factor
+         if (modulo(plan%cells_x, 2*factor) /= 0 .or. modulo(plan%cells_y, 2*factor) /= 0) return
+         coarse_case%cells_x = plan%cells_x/factor
+         coarse_case%cells_y = plan%cells_y/factor
+         if (min(coarse_case%cells_x, coarse_case%cells_y) < fewest_cells) return
+         call make_plan(coarse_case, coarse_plan, error)
+         if (allocated(error)) return
+         if (.not. can_tell(coarse_plan)) return
+         call run_case(coarse_case, coarse_plan, silent, coarse_result)
+         seconds = seconds + coarse_result%seconds
+         if (.not. is_success(coarse_result%status)) return
+         ratios = [ratios, coarse_result%amplitude_ratio_fit]
+      end do
+   end subroutine coarse_ratios
+
+   !> Whether a grid is fine enough for the difference to it to say something.
+   pure logical function can_tell(plan)
+      type(case_plan_t), intent(in) :: plan
+      associate (r => plan%resolution)
+         can_tell = r%inlet <= coarsest_inlet
+         if (r%points_x > 0) can_tell = can_tell .and. r%points_x >= fewest_points_per_wave - 1e-9_dp
+         if (r%points_y > 0) can_tell = can_tell .and. r%points_y >= fewest_points_per_wave - 1e-9_dp
+         if (r%samples > 0) can_tell = can_tell .and. r%samples >= fewest_points_per_wave - 1e-9_dp
+      end associate
+   end function can_tell
+
+end module ehlwave_estimated_case

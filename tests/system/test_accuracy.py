@@ -1,0 +1,121 @@
+"""The accuracy key, the expected error and the estimates that come with a result."""
+
+import csv
+import tempfile
+import unittest
+from pathlib import Path
+
+from ehlwave_program import TestCase, last_line, namelist, run
+
+MODELS = Path(__file__).resolve().parents[2] / "postprocess" / "record" / "error-vs-time" / "models.csv"
+CONDITIONS = {"load_parameter_m": 100, "lubricant_parameter_l": 12.05, "radius_ratio_d": 1}
+SMOOTH = {"conditions": CONDITIONS}
+WAVY = {"conditions": CONDITIONS, "waviness": {"orientation": "transverse", "wavelength_over_a": 0.5}}
+# (groups to change, key that the message names)
+CONTRADICTIONS = [
+    ({"grid": {"cells_x": 64}}, "cells_x"),
+    ({"grid": {"cells_x": 64, "cells_y": 64}}, "cells_y"),
+    ({"solver": {"time_step_over_cell": 4}}, "time_step_over_cell"),
+    ({"solver": {"step_tolerance": 0.05}}, "step_tolerance"),
+    ({"solver": {"tolerance": 0.05}}, "tolerance"),
+    ({"solver": {"accuracy": 0}}, "accuracy"),
+    ({"solver": {"accuracy": 0.9}}, "accuracy"),
+]
+
+
+def changed(groups, changes):
+    """Groups with keys added or replaced."""
+    return {name: {**groups.get(name, {}), **changes.get(name, {})} for name in {**groups, **changes}}
+
+
+class Accuracy(TestCase):
+    def call(self, groups, *arguments):
+        with tempfile.TemporaryDirectory() as folder:
+            Path(folder, "case.nml").write_text(namelist(groups))
+            return run("case", "case.nml", "--json", "--quiet", *arguments, folder=folder)
+
+    def plan(self, groups):
+        outcome = self.call(groups, "--plan")
+        self.assertEqual(outcome.returncode, 0, outcome.stderr)
+        return last_line(outcome), outcome.stdout
+
+    def test_grid_follows_accuracy(self):
+        for base in [SMOOTH, WAVY]:
+            cells = []
+            for accuracy in [0.1, 0.03, 0.01, 0.003]:
+                plan, text = self.plan(changed(base, {"solver": {"accuracy": accuracy}}))
+                self.assertLessEqual(plan["expected_error"], accuracy)
+                self.assertTrue(plan["is_resolved"])
+                self.assertGreater(plan["expected_seconds"], 0)
+                self.assertLessEqual(plan["step_tolerance"], 0.1*accuracy)
+                self.assertIn("Expected ", text)
+                cells.append(plan["cells_x"])
+            self.assertEqual(cells, sorted(cells))
+            # second order: a tenth of the error wants about three times the cells
+            self.assertTrue(2 <= cells[3]/cells[1] <= 4.5, cells)
+
+    def test_coefficients_are_the_recorded_ones(self):
+        with MODELS.open(newline="") as file:
+            recorded = {row["model"]: [float(row[f"coefficient_{n}"]) for n in (1, 2, 3)] for row in csv.DictReader(file)}
+        grid = {"grid": {"cells_x": 128, "cells_y": 128}, "solver": {"error_estimate": "model"}}
+        gamma_m, mesh = 100, 4/128
+        smooth, _ = self.plan(changed(SMOOTH, grid))
+        self.check_close(smooth["expected_error"], recorded["film"][0]*mesh**2*gamma_m, 0.01, "H(0,0)")
+        self.check_close(smooth["expected_work_units"], recorded["steady_cost"][0], 0.01, "steady cost")
+        left = (1 - 0.801811)**0.5       # eq. (18) at V = 1.4404
+        for step in [1, 2]:
+            moving, _ = self.plan(changed(changed(WAVY, grid), {"solver": {"time_step_over_cell": step}}))
+            expected = (recorded["moving_ratio"][0]*mesh**2*gamma_m*left + recorded["step_tolerance"][0]*1e-3
+                        + recorded["time_step"][0]*(1 - 1/step**2)/(16/step)**2)
+            self.check_close(moving["expected_error"], expected, 0.01, "Ad/Ai")
+        steps = moving["time_steps"]*recorded["step_cost"][0]
+        self.check_close(moving["expected_work_units"] - smooth["expected_work_units"], steps, 0.01, "cost of the march")
+
+    def test_long_waves_take_longer_steps(self):
+        steps = {}
+        for wavelength in [0.5, 2]:
+            groups = changed(WAVY, {"waviness": {"wavelength_over_a": wavelength}, "solver": {"accuracy": 0.01}})
+            plan, _ = self.plan(groups)
+            steps[wavelength] = plan["time_step"]/(4/plan["cells_x"])
+            fixed, _ = self.plan(changed(groups, {"solver": {"time_step_over_cell": 1}}))
+            self.assertEqual((fixed["time_step"], fixed["cells_x"]), (4/plan["cells_x"], plan["cells_x"]))
+        self.assertEqual(steps, {0.5: 1, 2: 2})
+
+    def test_keys_that_are_given_stay(self):
+        groups = changed(WAVY, {"solver": {"accuracy": 0.05, "step_tolerance": 1e-5, "tolerance": 1e-9},
+                                "grid": {"cells_x": 192, "cells_y": 96}})
+        plan, _ = self.plan(groups)
+        self.assertEqual([plan[key] for key in ("cells_x", "cells_y", "step_tolerance", "tolerance")],
+                         [192, 96, 1e-5, 1e-9])
+
+    def test_contradictions_are_refused(self):
+        for changes, key in CONTRADICTIONS:
+            with self.subTest(changes=changes):
+                groups = changed(changed(WAVY, {"solver": {"accuracy": 0.01}}), changes)
+                outcome = self.call(groups, "--plan")
+                self.assertEqual(outcome.returncode, 2)
+                self.assertIn(key, outcome.stderr)
+                self.assertIn("accuracy", outcome.stderr)
+
+    def test_unreachable_is_said(self):
+        plan, text = self.plan(changed(WAVY, {"solver": {"accuracy": 0.001}, "grid": {"largest_cells": 128}}))
+        self.assertGreater(plan["expected_error"], 0.001)
+        self.assertIn("NOT TO BE REACHED", text)
+        self.assertIn("limited", text)
+
+    def test_estimates_come_with_the_result(self):
+        result = last_line(self.call(changed(WAVY, {"solver": {"accuracy": 0.1}})))
+        self.assertEqual(result["amplitude_error_basis"], "coarse_grid")
+        # from finer grids: H(0,0) = 0.1493, Ad/Ai = 0.916
+        self.check_close(result["central_film_error"], abs(result["central_film"]/0.1493 - 1), 0.5, "H(0,0)")
+        self.assertTrue(1/3 < result["amplitude_ratio_error"]/abs(result["amplitude_ratio_fit"]/0.916 - 1) < 3, result)
+        model = last_line(self.call(changed(WAVY, {"solver": {"accuracy": 0.1, "error_estimate": "model"}})))
+        self.assertEqual(model["amplitude_error_basis"], "model")
+        self.assertEqual(model["amplitude_ratio_error"], model["expected_error"])
+        self.assertEqual(model["amplitude_ratio"], result["amplitude_ratio"])
+        smooth = last_line(self.call(changed(SMOOTH, {"solver": {"accuracy": 0.1}})))
+        self.assertEqual((smooth["amplitude_error_basis"], smooth["amplitude_ratio_error"]), ("", None))
+
+
+if __name__ == "__main__":
+    unittest.main()

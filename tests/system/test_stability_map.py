@@ -1,0 +1,69 @@
+"""A sample of the stability map: every resolved case converges, no result claims what it should not."""
+
+import os
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from ehlwave_program import SKIPPED, last_line, namelist, run
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "postprocess" / "src"))
+try:
+    from ehlwave_post.stability import quick_cases, run_cases
+    from ehlwave_post.stability.outcome import CONVERGED, REFUSED
+except ImportError as error:
+    print(f"skipped: the stability map needs the packages of postprocess ({error})")
+    sys.exit(SKIPPED)
+
+EVERY = 8
+LIMIT = 60
+
+
+def touching(orientation, **conditions):
+    """Waves nearly as high as the film."""
+    return {"conditions": {"load_parameter_m": 300, "lubricant_parameter_l": 30, "radius_ratio_d": 1, **conditions},
+            "waviness": {"orientation": orientation, "wavelength_over_a": 1, "amplitude_over_film": 0.9},
+            "grid": {"cells_x": 64, "cells_y": 64}}
+
+
+class StabilityMap(unittest.TestCase):
+    def case(self, groups, *arguments):
+        with tempfile.TemporaryDirectory() as folder:
+            Path(folder, "case.nml").write_text(namelist(groups))
+            outcome = run("case", "case.nml", "--json", "--quiet", *arguments, folder=folder)
+        return outcome, last_line(outcome)
+
+    def test_sample(self):
+        rows = run_cases(Path(os.environ["EHLWAVE_CASE"]), quick_cases()[::EVERY], LIMIT)
+        for row in rows:
+            self.assertFalse(row.is_bad, (row.case, row.message, row.faults))
+        outcomes = [row.outcome for row in rows]
+        self.assertGreater(outcomes.count(CONVERGED), 6, outcomes)
+        self.assertGreater(outcomes.count(REFUSED), 0, outcomes)
+
+    def test_rung_is_told(self):
+        outcome, result = self.case(touching("longitudinal"))
+        self.assertEqual((outcome.returncode, result["status"]), (0, "converged"), result)
+        self.assertEqual(result["rung"], "continuation")
+        self.assertGreaterEqual(result["rescued_solutions"], 1)
+        self.assertIn("Rescue       continuation", outcome.stdout)
+
+    def test_cap_bounds_the_work(self):
+        groups = {**touching("longitudinal"), "solver": {"largest_total_steps": 12}}
+        outcome, result = self.case(groups)
+        self.assertEqual((outcome.returncode, result["status"]), (1, "stalled"), result)
+        self.assertEqual(result["nonlinear_steps"], 12)
+        self.assertIn("largest_total_steps", result["message"])
+        self.assertIsNone(result["amplitude_ratio"])
+
+    def test_no_amplitude_before_the_pattern_has_passed(self):
+        groups = touching("transverse", load_parameter_m=100, lubricant_parameter_l=12.05)
+        outcome, result = self.case({**groups, "dynamics": {"end_time": 1}})
+        self.assertEqual((outcome.returncode, result["status"]), (0, "converged"), result)
+        self.assertIsNone(result["amplitude_ratio"])
+        self.assertIsNone(result["amplitude_ratio_fit"])
+
+
+if __name__ == "__main__":
+    unittest.main()

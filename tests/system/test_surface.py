@@ -1,0 +1,122 @@
+"""A measured surface in the full simulation: what is read, refused, computed and written."""
+
+import math
+import tempfile
+import unittest
+from pathlib import Path
+
+from ehlwave_program import last_line, namelist, run
+from hdf5_reading import h5py, read
+
+CONTACT = {"radius_x_m": 12.52e-3, "radius_y_m": 12.52e-3, "reduced_modulus_pa": 1.17e11, "load_n": 39.2,
+           "mean_speed_m_per_s": 0.024, "viscosity_pa_s": 1.22}
+GRID = {"cells_x": 64, "cells_y": 64}
+STEP = 8e-6                        # m; a is 184.6 um
+POINTS = 97
+
+
+def hump(r):
+    return math.cos(0.5*math.pi*r)**4 if abs(r) < 1 else 0.0
+
+
+def ridge():
+    """A ridge of 20 nm in the middle, half as wide as the contact is long."""
+    return [20e-9*hump((i - POINTS//2)*STEP/90e-6) for i in range(POINTS)]
+
+
+class Surfaces(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def write(self, heights, **replaced):
+        """Surface file of rows of constant y."""
+        arrays = {"height": heights, "x": [i*STEP for i in range(len(heights[0]))],
+                  "y": [(j - (len(heights) - 1)/2)*STEP for j in range(len(heights))], **replaced}
+        with h5py.File(self.folder/"s.h5", "w") as file:
+            for name, values in arrays.items():
+                if values is not None:
+                    file[name] = values
+
+    def run_case(self, *arguments, **groups):
+        inputs = {"conditions": CONTACT, "surface": {"file": "s.h5"}, "grid": GRID, **groups}
+        Path(self.folder, "case.nml").write_text(namelist({name: keys for name, keys in inputs.items() if keys}))
+        return run("case", "case.nml", *arguments, folder=self.folder)
+
+    def test_ridge_passes_the_centre(self):
+        self.write([ridge()])
+        outcome = self.run_case("--json", "--output", "out.h5")
+        self.assertEqual(outcome.returncode, 0, outcome.stdout + outcome.stderr)
+        result = last_line(outcome)
+        self.assertEqual(result["surface_file"], "s.h5")
+        self.assertIn("97 x 1 points", outcome.stdout)
+        attributes, data = read(self.folder/"out.h5")
+        self.assertIn("file = 's.h5'", attributes["effective_input"])
+        x, film, unit = data["surface_position_m"], data["film_at_centre"], float(data["length_c_m"])
+        # the leading end is at x_min at T = 0, the trailing end at the centre in the end
+        self.assertAlmostEqual(x[0], (POINTS - 1)*STEP + 2.5*184.614e-6, delta=1e-9)
+        self.assertTrue(-0.07*184.6e-6 <= x[-1] <= 1e-12)
+        thinner = (result["central_film"] - film)*unit
+        lowest = thinner.argmax()
+        # the film is thinner where the ridge is: by part of its height, at most a quarter of a behind it
+        self.assertTrue(6e-9 < thinner[lowest] < 14e-9, thinner[lowest])
+        self.assertTrue(-50e-6 < x[lowest] - POINTS//2*STEP < 25e-6, x[lowest])
+        # before it arrives nothing has happened
+        self.assertLess(abs(thinner[0]), 1e-12)
+
+    def test_map_that_does_not_vary_along_y_is_a_trace_on_the_whole_domain(self):
+        self.write([ridge()])
+        trace = last_line(self.run_case("--json", "--quiet"))
+        # 1e-9 of unevenness forbids the half domain and changes nothing else
+        rows = [[z*(1 + 1e-9*(j > 60)) for z in ridge()] for j in range(97)]
+        self.write(rows)
+        outcome = self.run_case("--json", "--quiet")
+        whole = last_line(outcome)
+        self.assertIn("(whole)", outcome.stdout)
+        self.assertEqual(trace["time_steps"], whole["time_steps"])
+        self.assertAlmostEqual(trace["mean_film"]/whole["mean_film"], 1, delta=1e-5)
+
+    def test_end_time_and_slip(self):
+        self.write([ridge()])
+        plan = last_line(self.run_case("--plan", "--json"))
+        length = (POINTS - 1)*STEP/184.614e-6
+        self.assertAlmostEqual(plan["time_steps"]/16, 2.5 + length, delta=1/16)
+        plan = last_line(self.run_case("--plan", "--json", conditions={**CONTACT, "slip_parameter": 2.0}))
+        self.assertAlmostEqual(plan["time_steps"]/16, (2.5 + length)/2, delta=1/16)
+        plan = last_line(self.run_case("--plan", "--json", dynamics={"end_time": 1.0}))
+        self.assertEqual(plan["time_steps"], 16)
+
+    def assert_refused(self, message, **groups):
+        outcome = self.run_case("--plan", **groups)
+        self.assertEqual(outcome.returncode, 2, outcome.stdout + outcome.stderr)
+        self.assertIn(message, outcome.stderr)
+
+    def test_bad_surfaces_are_refused(self):
+        self.assert_refused("no such file")
+        (self.folder/"s.h5").write_text("nonsense")
+        self.assert_refused("is not an HDF5 file")
+        self.write([ridge()], x=None)
+        self.assert_refused("needs height over (y, x), and x and y")
+        self.write([ridge()], x=list(range(5)))
+        self.assert_refused("do not have the numbers of points")
+        self.write([ridge()], x=[i**1.01*STEP for i in range(POINTS)])
+        self.assert_refused("x does not increase by equal steps")
+        self.write([[*ridge()[:-1], 20e-9]])
+        self.assert_refused("would enter the contact as a step")
+        self.write([[*ridge()[:40], math.nan, *ridge()[41:]]])
+        self.assert_refused("missing (NaN)")
+        self.write([ridge()]*9)
+        self.assert_refused("would enter the contact as a step")
+
+    def test_contradictions_are_refused(self):
+        self.write([ridge()])
+        self.assert_refused("holds metres",
+                            conditions={"load_parameter_m": 100, "lubricant_parameter_l": 10, "radius_ratio_d": 1})
+        self.assert_refused("give one of the two", waviness={"orientation": "transverse", "wavelength_over_a": 0.5})
+        self.assert_refused("remove &surface or set response to 'transient'", waviness={"response": "harmonic"})
+        self.assert_refused("slip_parameter = 0", conditions={**CONTACT, "slip_parameter": 0})
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,37 @@
+!> Expected errors and costs behave as their formulas say.
+program test_accuracy_model
+   use ehlwave_accuracy_model, only: expected_film_error, expected_ratio_error, largest_mesh, points_for, &
+      steady_work_units, step_work_units
+   use ehlwave_conditions, only: conditions_from_moes, conditions_t
+   use ehlwave_errors, only: error_t
+   use ehlwave_kinds, only: dp
+   use testing, only: test_t
+   implicit none (type, external)
+
+   type(test_t) :: test
+   type(conditions_t) :: c
+   type(error_t), allocatable :: error
+   real(dp) :: plain
+
+   call conditions_from_moes(100.0_dp, 12.05_dp, 1.0_dp, 2.2e-8_dp, c, error)
+   call test%check_no_error(error, 'conditions')
+
+   ! measured: 6.2 per cent of H(0,0) and 4.3 per cent of Ad/Ai (lambda = 0.5 a, F = 0.80) on 64 x 64 cells
+   call test%check_close(expected_film_error(c, 0.0625_dp), 0.062_dp, 'film as measured', relative=0.5_dp)
+   plain = expected_ratio_error(c, 0.80_dp, 0.0625_dp, 0.0_dp, 1, 8.0_dp, 1e-3_dp)
+   call test%check_close(plain, 0.043_dp, 'ratio as measured', relative=0.5_dp)
+
+   call test%check_close(expected_film_error(c, largest_mesh(c, 0.01_dp)), 0.01_dp, 'mesh for a film error', relative=1e-12_dp)
+   call test%check_close(expected_ratio_error(c, 0.8_dp, largest_mesh(c, 0.01_dp, 0.8_dp, .false.), 0.0_dp, 1, 0.0_dp, &
+                                              1.0_dp), &
+                         0.01_dp, 'mesh for a ratio error', relative=1e-12_dp)
+   call test%check_close(expected_ratio_error(c, 1.0_dp, 0.1_dp, points_for(0.02_dp), 1, 0.0_dp, 1.0_dp), 0.02_dp, &
+                         'points for waves along Y', relative=1e-12_dp)
+
+   call test%check(expected_ratio_error(c, 0.8_dp, 0.0625_dp, 0.0_dp, 2, 8.0_dp, 1e-3_dp) > plain, 'longer steps')
+   call test%check(expected_ratio_error(c, 0.8_dp, 0.0625_dp, 0.0_dp, 1, 8.0_dp, 1e-2_dp) > plain, 'looser steps')
+   call test%check(expected_ratio_error(c, 0.8_dp, 0.0625_dp, 8.0_dp, 1, 8.0_dp, 1e-3_dp) > plain, 'waves along Y')
+   call test%check(steady_work_units(c, 128) > step_work_units(c, 128) .and. step_work_units(c, 128) > 1, 'costs')
+   call test%finish()
+
+end program test_accuracy_model

@@ -1,0 +1,220 @@
+!> FAS multigrid: the coarse problem of a solution has it as its solution, cycles converge at a rate that does not depend
+!> on the grid, and nothing of a solve is left behind.
+program test_fas
+   use, intrinsic :: ieee_arithmetic, only: ieee_all, ieee_quiet_nan, ieee_set_flag, ieee_set_halting_mode, &
+      ieee_value
+   use ehlwave_contact_problem, only: contact_problem_t
+   use ehlwave_fas_transfer, only: correct, restrict
+   use ehlwave_full_multigrid, only: full_multigrid_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_level_solver, only: solve_limits_t, solve_report_t
+   use ehlwave_line_relaxation, only: line_relaxation_t
+   use ehlwave_load_balance, only: equation_of_motion
+   use ehlwave_newton, only: newton_t
+   use ehlwave_rheology, only: density_dowson_higginson, new_rheology, viscosity_roelands
+   use ehlwave_state, only: new_state, state_t
+   use ehlwave_status, only: status_converged, status_not_finite, status_stalled
+   use ehlwave_text, only: to_text
+   use ehlwave_transport, only: characteristic_transport
+   use sample_contact, only: make_conditions
+   use testing, only: test_t
+   implicit none (type, external)
+
+   type(test_t) :: test
+
+   call check_identity(1.0_dp, .true., is_step=.false.)
+   call check_identity(0.12_dp, .false., is_step=.false.)
+   call check_identity(1.0_dp, .true., is_step=.true.)
+   call check_cycles()
+   call check_grids()
+   call check_nothing_left()
+   call check_status()
+   call test%finish()
+
+contains
+
+   subroutine make_levels(levels, d, cells, method, is_half, cycle)
+      type(full_multigrid_t), intent(inout), target :: levels
+      real(dp), intent(in) :: d
+      integer, intent(in) :: cells
+      character(len=*), intent(in) :: method
+      logical, intent(in) :: is_half
+      character(len=*), intent(in), optional :: cycle
+      associate (c => make_conditions(100.0_dp, d))
+         call levels%init(c, new_rheology(viscosity_roelands, density_dowson_higginson, c%alphabar, 0.68_dp, &
+                                          c%hertz_pressure_pa), -2.5_dp, 1.5_dp, 2.0_dp, cells, cells, is_half, method, &
+                          'fft', cycle)
+      end associate
+   end subroutine make_levels
+
+   !> Make a problem the time step with an equation of motion and a wave that follows a state at rest.
+   subroutine start_time_step(problem, state)
+      type(contact_problem_t), intent(inout) :: problem
+      type(state_t), intent(in) :: state
+      real(dp), allocatable :: history(:, :, :)
+      allocate (history(0:problem%grid%nx, 0:problem%grid%ny, 2))
+      history = spread(problem%rheology%density(state%p)*state%h, 3, 2)
+      problem%transport = characteristic_transport(problem%grid, 1, 1)
+      call problem%transport%carry(problem%grid, history)
+      call problem%set_rough(0.02_dp*spread(cos(8*problem%grid%x), 2, problem%grid%ny + 1))
+      problem%load = equation_of_motion(1.0_dp, 5.0_dp, problem%grid%hx)
+      call problem%load%carry(spread(state%delta, 1, 3))
+   end subroutine start_time_step
+
+   !> The coarse problem of a solution: no residual, no change by Newton's method, no correction. That of another state
+   !> corrects it.
+   subroutine check_identity(d, is_half, is_step)
+      real(dp), intent(in) :: d
+      logical, intent(in) :: is_half, is_step
+      type(full_multigrid_t), target :: levels
+      type(line_relaxation_t) :: on_coarse, on_fine
+      type(newton_t) :: newton
+      type(solve_report_t) :: report
+      type(state_t) :: after, before, solution, state
+      character(len=:), allocatable :: name
+      real(dp) :: error
+
+      name = 'D = '//to_text(d, 3)//trim(merge(', time step', '           ', is_step))
+      call make_levels(levels, d, 64, 'newton', is_half)
+      call levels%solve(solve_limits_t(tolerance=1e-12_dp), 1e-3_dp)
+      associate (fine => levels%levels(size(levels%levels)), coarse => levels%levels(size(levels%levels) - 1)%problem)
+         if (is_step) then
+            call start_time_step(fine%problem, fine%state)
+            call fine%solver%solve(fine%problem, fine%state, solve_limits_t(tolerance=1e-12_dp), fine%report)
+         end if
+         call test%check(fine%report%status == status_converged, name//': solution')
+         solution = fine%state
+         call on_fine%init(fine%problem)
+         call on_coarse%init(coarse)
+         before = new_state(coarse%grid)
+         call newton%init(coarse)
+
+         call on_fine%evaluate(fine%problem, solution)
+         call restrict(fine%problem, solution, on_fine, coarse, before, on_coarse)
+         call test%check_close(maxval(abs(on_coarse%residual), mask=.not. on_coarse%is_cavitated), 0.0_dp, &
+                               name//': coarse residual of the solution', absolute=1e-9_dp)
+         call test%check_close(coarse%load%residual(coarse%grid%integral(before%p), before%delta), 0.0_dp, &
+                               name//': coarse load of the solution', absolute=1e-10_dp)
+         after = before
+         call newton%solve(coarse, after, solve_limits_t(tolerance=1e-11_dp), report)
+         call test%check(report%status == status_converged, name//': coarse problem')
+         call test%check_close(maxval(abs(after%p - before%p)), 0.0_dp, name//': coarse solution', absolute=1e-8_dp)
+         state = solution
+         call correct(coarse, before, after, fine%problem, on_fine%is_cavitated, state)
+         call test%check_close([maxval(abs(state%p - solution%p)), state%delta - solution%delta], [0.0_dp, 0.0_dp], &
+                               name//': no correction at the solution', absolute=1e-8_dp)
+
+         state%p = solution%p*(1 + 1e-3_dp*spread(cos(3*fine%problem%grid%x), 2, fine%problem%grid%ny + 1))
+         state%delta = solution%delta + 1e-4_dp
+         call fine%problem%film(state%p, state%delta, state%h)
+         error = sqrt(sum((state%p - solution%p)**2))
+         call on_fine%evaluate(fine%problem, state)
+         call restrict(fine%problem, state, on_fine, coarse, before, on_coarse)
+         after = before
+         call newton%solve(coarse, after, solve_limits_t(tolerance=1e-8_dp), report)
+         call correct(coarse, before, after, fine%problem, on_fine%is_cavitated, state)
+         print '(a)', name//': smooth error left by the coarse correction '// &
+            to_text(sqrt(sum((state%p - solution%p)**2))/error, 2)
+         call test%check(sqrt(sum((state%p - solution%p)**2)) < 0.3_dp*error, name//': a smooth error is corrected')
+         call test%check(abs(state%delta - solution%delta) < 0.3e-4_dp, name//': the approach is corrected')
+      end associate
+   end subroutine check_identity
+
+   !> Every kind of cycle converges to what Newton's method finds; W and F no slower than V.
+   subroutine check_cycles()
+      character(len=1), parameter :: kinds(3) = ['v', 'w', 'f']
+      type(full_multigrid_t), target :: fas(3), newton
+      integer :: cycles(3), k
+
+      call make_levels(newton, 1.0_dp, 128, 'newton', .true.)
+      call newton%solve(solve_limits_t(tolerance=1e-11_dp), 1e-3_dp)
+      do k = 1, 3
+         call make_levels(fas(k), 1.0_dp, 128, 'fas', .true., kinds(k))
+         call fas(k)%solve(solve_limits_t(tolerance=1e-9_dp), 1e-3_dp)
+         associate (level => fas(k)%levels(size(fas(k)%levels)), other => newton%levels(size(newton%levels)))
+            call test%check(level%report%status == status_converged, kinds(k)//' cycles converge')
+            call test%check_equal(size(level%report%history), level%report%nonlinear_steps + 1, kinds(k)//': history')
+            call test%check_equal(level%report%linear_steps, 3*level%report%nonlinear_steps, kinds(k)//': sweeps')
+            call test%check(level%report%load_error <= 1e-9_dp .and. level%report%residual <= 1e-9_dp, kinds(k)//': errors')
+            call test%check_close(maxval(abs(level%state%p - other%state%p)), 0.0_dp, kinds(k)//': pressure', absolute=1e-8_dp)
+            call test%check_close(level%state%h(100, 0), other%state%h(100, 0), kinds(k)//': film', relative=1e-8_dp)
+            cycles(k) = level%report%nonlinear_steps
+         end associate
+      end do
+      print '(a,3(i0,1x))', 'V, W, F cycles to 1e-9: ', cycles
+      call test%check(all(cycles(2:) <= cycles(1)), 'W and F cycles are no fewer than V cycles')
+      call test%check(cycles(1) <= 20 .and. maxval(cycles(2:)) <= 14, 'few cycles')
+   end subroutine check_cycles
+
+   !> The number of W cycles does not grow with the grid.
+   subroutine check_grids()
+      integer, parameter :: cells(3) = [64, 128, 256]
+      integer :: cycles(3), k
+      do k = 1, 3
+         block
+            type(full_multigrid_t), target :: fas
+            call make_levels(fas, 0.12_dp, cells(k), 'fas', .true., 'w')
+            call fas%solve(solve_limits_t(tolerance=1e-6_dp), 1e-3_dp)
+            associate (report => fas%levels(size(fas%levels))%report)
+               call test%check(report%status == status_converged, to_text(cells(k))//' cells converge')
+               cycles(k) = report%nonlinear_steps
+            end associate
+         end block
+      end do
+      print '(a,3(i0,1x))', 'W cycles to 1e-6 on 64, 128, 256 cells: ', cycles
+      call test%check(maxval(cycles) <= 8 .and. cycles(3) <= cycles(1), 'grid-independent cycles')
+   end subroutine check_grids
+
+   !> Solving A, B, A gives the same A, and the coarse problems are as they were.
+   subroutine check_nothing_left()
+      type(full_multigrid_t), target :: fas
+      type(state_t) :: first
+      type(solve_limits_t), parameter :: limits = solve_limits_t(tolerance=1e-6_dp)
+
+      call make_levels(fas, 0.35_dp, 64, 'fas', .true.)
+      call fas%solve(limits, 1e-3_dp)
+      associate (level => fas%levels(size(fas%levels)), coarse => fas%levels(size(fas%levels) - 1)%problem)
+         first = level%state
+         call test%check(.not. allocated(coarse%rough), 'no roughness left')
+         call test%check(.not. allocated(coarse%transport%carried), 'no carried terms left')
+         call test%check(.not. coarse%transport%is_local, 'steady transport is back')
+         call test%check_close([coarse%load%carried, coarse%load%force], [0.0_dp, 1.0_dp], 'load balance is back', &
+                               absolute=0.0_dp)
+         call start_time_step(level%problem, level%state)
+         call level%solver%solve(level%problem, level%state, limits, level%report)
+         call test%check(level%report%status == status_converged, 'another problem')
+         call test%check(maxval(abs(level%state%p - first%p)) > 1e-3_dp, 'it has another solution')
+         call test%check(.not. coarse%transport%is_local, 'steady transport is back again')
+      end associate
+      block
+         type(full_multigrid_t), target :: again
+         call make_levels(again, 0.35_dp, 64, 'fas', .true.)
+         call again%solve(limits, 1e-3_dp)
+         call again%solve(limits, 1e-3_dp)
+         associate (state => again%levels(size(again%levels))%state)
+            call test%check(all(abs(state%p - first%p) <= 0) .and. all(abs(state%h - first%h) <= 0) &
+                            .and. abs(state%delta - first%delta) <= 0, 'the same bits, twice')
+         end associate
+      end block
+   end subroutine check_nothing_left
+
+   !> A solve that does not converge says so.
+   subroutine check_status()
+      type(full_multigrid_t), target :: fas
+      type(solve_report_t) :: report
+
+      call make_levels(fas, 1.0_dp, 64, 'fas', .true.)
+      call fas%solve(solve_limits_t(tolerance=1e-8_dp, largest_steps=2), 1e-3_dp)
+      associate (level => fas%levels(size(fas%levels)))
+         call test%check_equal(level%report%status, status_stalled, 'two cycles are not enough')
+         call test%check_equal(level%report%nonlinear_steps, 2, 'cycle cap')
+         call test%check(level%report%residual > 1e-8_dp, 'its residual')
+         call ieee_set_halting_mode(ieee_all, .false.)      ! debug builds stop at a NaN
+         level%state%p(30, 5) = ieee_value(1.0_dp, ieee_quiet_nan)
+         call level%solver%solve(level%problem, level%state, solve_limits_t(), report)
+         call test%check_equal(report%status, status_not_finite, 'NaN is met')
+         call ieee_set_flag(ieee_all, .false.)
+      end associate
+   end subroutine check_status
+
+end program test_fas

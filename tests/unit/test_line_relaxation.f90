@@ -1,0 +1,165 @@
+!> The hybrid line relaxation: a solution stays one, and errors that change from node to node are smoothed both where
+!> Poiseuille flow rules and where the deformation does.
+program test_line_relaxation
+   use ehlwave_contact_problem, only: contact_problem_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_level_solver, only: solve_limits_t, solve_report_t
+   use ehlwave_line_relaxation, only: line_relaxation_t
+   use ehlwave_newton, only: newton_t
+   use ehlwave_state, only: new_state, state_t
+   use ehlwave_status, only: status_converged
+   use ehlwave_text, only: to_text
+   use ehlwave_transport, only: characteristic_transport
+   use sample_contact, only: make_contact, noise
+   use testing, only: test_t
+   implicit none (type, external)
+
+   integer, parameter :: cells = 64
+   real(dp), parameter :: size_of_error = 1e-6_dp
+   type(test_t) :: test
+
+   call check_contact(100.0_dp, 1.0_dp, .true., 'M = 100, D = 1')
+   call check_contact(100.0_dp, 1.0_dp, .false., 'M = 100, D = 1, whole domain')
+   call check_contact(100.0_dp, 0.12_dp, .true., 'M = 100, D = 0.12')
+   call check_contact(200.0_dp, 0.04_dp, .true., 'M = 200, D = 0.04')
+   call check_cavitation()
+   call test%finish()
+
+contains
+
+   subroutine check_contact(m, d, is_half, name)
+      real(dp), intent(in) :: m, d
+      logical, intent(in) :: is_half
+      character(len=*), intent(in) :: name
+      type(contact_problem_t), target :: problem
+      type(state_t) :: solution
+
+      call make_contact(problem, m, d, cells, cells, is_half)
+      call solve(problem, solution, name)
+      call check_smoothing(problem, solution, name//', steady')
+      call start_time_step(problem, solution)
+      call solve(problem, solution, name//', time step')
+      call check_smoothing(problem, solution, name//', time step')
+   end subroutine check_contact
+
+   !> Newton's solution, from a Hertz guess when there is none.
+   subroutine solve(problem, state, name)
+      type(contact_problem_t), intent(inout), target :: problem
+      type(state_t), intent(inout) :: state
+      character(len=*), intent(in) :: name
+      type(newton_t) :: newton
+      type(solve_report_t) :: report
+      integer :: j
+
+      if (.not. allocated(state%p)) then
+         state = new_state(problem%grid)
+         do j = 0, problem%grid%ny
+            state%p(:, j) = sqrt(max(0.0_dp, 1 - problem%grid%x**2 - problem%grid%y(j)**2))
+         end do
+         call problem%deformation%apply(state%p, state%h)
+         state%delta = problem%grid%value_at_centre(state%h) - 0.2_dp
+      end if
+      call newton%init(problem)
+      call newton%solve(problem, state, solve_limits_t(tolerance=1e-11_dp, largest_steps=60), report)
+      call test%check(report%status == status_converged, name//': there is a solution')
+   end subroutine solve
+
+   !> The step after a state at rest, with a wave in the gap.
+   subroutine start_time_step(problem, state)
+      type(contact_problem_t), intent(inout) :: problem
+      type(state_t), intent(in) :: state
+      real(dp), allocatable :: history(:, :, :)
+      allocate (history(0:problem%grid%nx, 0:problem%grid%ny, 2))
+      history = spread(problem%rheology%density(state%p)*state%h, 3, 2)
+      problem%transport = characteristic_transport(problem%grid, 1, 1)
+      call problem%transport%carry(problem%grid, history)
+      call problem%set_rough(0.02_dp*spread(cos(8*problem%grid%x), 2, problem%grid%ny + 1))
+   end subroutine start_time_step
+
+   !> Two sweeps on the solution with noise: the noise falls in the inlet and in the middle of the contact.
+   subroutine check_smoothing(problem, solution, name)
+      type(contact_problem_t), intent(inout) :: problem
+      type(state_t), intent(in) :: solution
+      character(len=*), intent(in) :: name
+      type(line_relaxation_t) :: relaxation
+      type(state_t) :: state
+      real(dp), allocatable :: h(:, :)
+      real(dp) :: inlet(0:2), middle(0:2)
+      integer :: i, j, n
+
+      call relaxation%init(problem)
+      state = solution
+      call relaxation%evaluate(problem, state)
+      call relaxation%relax(problem, state)
+      call test%check_close(maxval(abs(state%p - solution%p)), 0.0_dp, name//': a solution stays', absolute=1e-8_dp)
+
+      state = solution
+      do j = problem%grid%first_row, problem%grid%ny - 1
+         do i = 1, problem%grid%nx - 1
+            if (solution%p(i, j) > 0) state%p(i, j) = solution%p(i, j)*(1 + size_of_error*noise(i, j))
+         end do
+      end do
+      call problem%film(state%p, state%delta, state%h)
+      call measure(problem, solution, state, inlet(0), middle(0))
+      do n = 1, 2
+         call relaxation%evaluate(problem, state)
+         call relaxation%relax(problem, state)
+         call measure(problem, solution, state, inlet(n), middle(n))
+      end do
+      print '(a)', name//': noise left in the inlet '//to_text(inlet(2)/inlet(0), 2)//', in the middle '// &
+         to_text(middle(2)/middle(0), 2)
+      call test%check(inlet(1) < 0.5_dp*inlet(0), name//': first sweep, inlet')
+      call test%check(middle(1) < 0.6_dp*middle(0), name//': first sweep, middle')
+      call test%check(inlet(2) < 0.2_dp*inlet(0), name//': two sweeps, inlet')
+      call test%check(middle(2) < 0.35_dp*middle(0), name//': two sweeps, middle')
+
+      allocate (h, mold=state%h)
+      call problem%film(state%p, state%delta, h)
+      call test%check_close(maxval(abs(h - state%h)), 0.0_dp, name//': the film belongs to the pressure', absolute=1e-12_dp)
+   end subroutine check_smoothing
+
+   !> Errors of the pressure, Euclidean norms: relative ones in the inlet, where it is small, absolute in the middle.
+   subroutine measure(problem, solution, state, inlet, middle)
+      type(contact_problem_t), intent(in) :: problem
+      type(state_t), intent(in) :: solution, state
+      real(dp), intent(out) :: inlet, middle
+      integer :: i, j
+      inlet = 0
+      middle = 0
+      associate (grid => problem%grid)
+         do j = 0, grid%ny
+            do i = 0, grid%nx
+               if (abs(grid%y(j)) > 0.5_dp) cycle
+               if (grid%x(i) > -2 .and. grid%x(i) < -1.5_dp) &
+                  inlet = inlet + ((state%p(i, j) - solution%p(i, j))/solution%p(i, j))**2
+               if (abs(grid%x(i)) < 0.5_dp) middle = middle + (state%p(i, j) - solution%p(i, j))**2
+            end do
+         end do
+      end associate
+      inlet = sqrt(inlet)
+      middle = sqrt(middle)
+   end subroutine measure
+
+   !> From pressure where the outlet is cavitated the sweeps find the free boundary; no pressure falls below zero.
+   subroutine check_cavitation()
+      type(contact_problem_t), target :: problem
+      type(line_relaxation_t) :: relaxation
+      type(state_t) :: solution, state
+      integer :: n
+
+      call make_contact(problem, 100.0_dp, 1.0_dp, cells, cells, .true.)
+      call solve(problem, solution, 'cavitation')
+      state = solution
+      state%p(52:58, 0:4) = state%p(52:58, 0:4) + 0.01_dp     ! X = 0.75 to 1.1
+      call problem%film(state%p, state%delta, state%h)
+      call relaxation%init(problem)
+      do n = 1, 10
+         call relaxation%evaluate(problem, state)
+         call relaxation%relax(problem, state)
+         call test%check(minval(state%p) >= 0, 'no pressure below zero')
+      end do
+      print '(a)', 'pressure left in the cavitated outlet '//to_text(maxval(state%p, mask=solution%p <= 0), 2)
+      call test%check(maxval(state%p, mask=solution%p <= 0) < 1e-3_dp, 'pressure leaves the cavitated outlet')
+   end subroutine check_cavitation
+
+end program test_line_relaxation

@@ -1,0 +1,65 @@
+"""Roughness predicted by a harmonic table against the full transient, on a coarse grid.
+
+scripts/validate-microgeometry does the same for four surfaces at two conditions on finer grids.
+"""
+
+import os
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from ehlwave_program import SKIPPED
+
+sys.path[:0] = [os.environ["EHLWAVE_POST"], os.environ["EHLWAVE_SCRIPTS"]]
+try:
+    import numpy as np
+    import validate_microgeometry as study
+    from ehlwave_post.deform import conditions_from_keys, read_table, trace_surface
+except ImportError as error:
+    print(f"SKIPPED: ehlwave_post cannot be imported ({error})")
+    sys.exit(SKIPPED)
+
+SPEED = 0.024
+CELLS = 64
+WAVES = (0.5, 0.8, 1.3, 2.1, 3.4)
+
+
+class Microgeometry(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = Path(folder.name)
+        cls.conditions = conditions_from_keys({**study.CONTACT, "mean_speed_m_per_s": SPEED,
+                                               "pressure_viscosity_per_pa": study.LUBRICANT["pressure_viscosity_per_pa"]})
+        file = cls.folder/"harmonics.csv"
+        study.compute_table(file, cls.folder, SPEED, CELLS, cls.conditions, ratios=(0.0,), waves=WAVES)
+        cls.table = read_table(file)
+
+    def compare(self, name, heights, step):
+        surface = trace_surface(heights, step, name=name)
+        return study.compare(name, surface, self.folder, SPEED, CELLS, self.conditions, self.table)
+
+    def test_superposition_of_the_table_is_the_simulated_roughness(self):
+        a = self.conditions.semi_axis_a_m
+        step = a/32
+        x = np.arange(193)*step
+        waves = [(0.6, 12e-9, 0.3), (0.9, 15e-9, 2.0), (1.7, 15e-9, 4.0)]
+        rough = sum(height*np.cos(2*np.pi*x/(wave*a) + phase) for wave, height, phase in waves)
+        ridge = 40e-9*np.exp(-((x - x[-1]/2)/(0.3*a))**2)
+        for name, heights, amplitude in (("rough", rough, 0.15), ("ridge", ridge, 0.17)):
+            found = self.compare(name, heights, step)
+            self.assertAlmostEqual(found.amplitude_over_film, amplitude, delta=0.04)
+            self.assertLess(found.error(found.by_table), 0.10, name)
+            # the formula has amplitudes only, and its error is mostly the phase it does not have
+            self.assertGreater(found.error(found.by_formula), 2*found.error(found.by_table), name)
+
+    def test_table_has_the_amplitudes_of_the_paper_and_the_lag_of_the_film(self):
+        amplitude = np.hypot(self.table["transfer_real"], self.table["transfer_imag"])
+        self.assertTrue((np.diff(amplitude) < 0).all(), amplitude)
+        self.assertTrue((self.table["transfer_imag"] > 0).all())
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,77 @@
+!> The rescue ladder leads to the solution that the direct solve finds, within its cap.
+program test_rescue
+   use ehlwave_full_multigrid, only: full_multigrid_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_level_solver, only: solve_limits_t
+   use ehlwave_rescue, only: rescue_t, rung_continuation, rung_damped, rung_direct, rung_name
+   use ehlwave_rheology, only: density_dowson_higginson, new_rheology, viscosity_roelands
+   use ehlwave_status, only: status_converged
+   use ehlwave_text, only: to_text
+   use sample_contact, only: make_conditions
+   use testing, only: test_t
+   implicit none (type, external)
+
+   real(dp), parameter :: tolerance = 1e-8_dp
+   type(test_t) :: test
+
+   call compare(1000.0_dp, 1.0_dp, 128, 6, rung_continuation)
+   call compare(100.0_dp, 0.04_dp, 64, 5, rung_damped)
+   call check_cap()
+   call test%finish()
+
+contains
+
+   !> A direct solve of at most `steps` steps fails; the ladder gets there on rung `rung`.
+   subroutine compare(m, d, cells, steps, rung)
+      real(dp), intent(in) :: m, d
+      integer, intent(in) :: cells, steps, rung
+      type(full_multigrid_t), target :: easy, hard
+      type(rescue_t) :: free, rescue
+      character(len=:), allocatable :: what
+      integer :: n
+
+      what = 'M = '//to_text(m, 4)//', '//to_text(steps)//' steps: '
+      call make(easy, m, d, cells)
+      call free%solve_steady(easy, solve_limits_t(tolerance, 60), 1e-3_dp)
+      call make(hard, m, d, cells)
+      call rescue%solve_steady(hard, solve_limits_t(tolerance, steps), 1e-3_dp)
+      n = size(easy%levels)
+      associate (direct => easy%levels(n), rescued => hard%levels(n))
+         call test%check(direct%report%status == status_converged .and. free%rung == rung_direct .and. free%rescued == 0, &
+                         what//'direct')
+         call test%check(rescued%report%status == status_converged .and. rescue%rescued == 1, what//'rescued')
+         call test%check(rescue%rung == rung, what//'on rung '//rung_name(rescue%rung)//', not '//rung_name(rung))
+         call test%check(rescued%report%nonlinear_steps > steps, what//'steps of all attempts are counted')
+         call test%check_close(maxval(abs(rescued%state%p - direct%state%p)), 0.0_dp, what//'pressure', absolute=1e-5_dp)
+         call test%check_close(rescued%problem%grid%value_at_centre(rescued%state%h), &
+                               direct%problem%grid%value_at_centre(direct%state%h), what//'film', relative=1e-6_dp)
+      end associate
+   end subroutine compare
+
+   !> The cap holds whatever is tried, and an unresolved case is not worth a climb.
+   subroutine check_cap()
+      type(full_multigrid_t), target :: multigrid
+      type(rescue_t) :: rescue
+      integer :: n
+      rescue%steps_left = 17
+      call make(multigrid, 1000.0_dp, 1.0_dp, 64)
+      n = size(multigrid%levels)
+      call rescue%solve_steady(multigrid, solve_limits_t(tolerance, 5), 1e-3_dp)
+      call test%check(multigrid%levels(n)%report%status /= status_converged, 'too few steps for this contact')
+      call test%check(multigrid%levels(n)%report%nonlinear_steps == 17 .and. rescue%steps_left == 0, 'the cap is kept')
+      rescue = rescue_t(is_ready=.false.)
+      call rescue%solve_steady(multigrid, solve_limits_t(tolerance, 5), 1e-3_dp)
+      call test%check(multigrid%levels(n)%report%nonlinear_steps <= 5 .and. rescue%rung == rung_direct, 'no climb')
+   end subroutine check_cap
+
+   subroutine make(multigrid, m, d, cells)
+      type(full_multigrid_t), intent(inout), target :: multigrid
+      real(dp), intent(in) :: m, d
+      integer, intent(in) :: cells
+      associate (c => make_conditions(m, d))
+         call multigrid%init(c, new_rheology(viscosity_roelands, density_dowson_higginson, c%alphabar, 0.68_dp, &
+                                             c%hertz_pressure_pa), -2.5_dp, 1.5_dp, 2.0_dp, cells, cells, .true., 'newton', 'fft')
+      end associate
+   end subroutine make
+
+end program test_rescue
