@@ -13,6 +13,7 @@ module ehlwave_case_work
    use ehlwave_kinds, only: dp
    use ehlwave_monitor, only: give_up, go_on, monitor_t, stop_now
    use ehlwave_posix, only: signal_caught, watchdog
+   use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_status, only: status_interrupted, status_pending
    use ehlwave_store, only: store_t
    use ehlwave_time_march, only: steps_per_stretch
@@ -52,13 +53,14 @@ module ehlwave_case_work
 
    abstract interface
       !> The interface of `run_case`.
-      subroutine case_procedure(case, plan, monitor, result, checkpoint)
-         import :: case_plan_t, case_result_t, case_t, checkpoint_t, monitor_t
+      subroutine case_procedure(case, plan, monitor, result, shared, checkpoint)
+         import :: case_plan_t, case_result_t, case_t, checkpoint_t, monitor_t, shared_steady_t
          implicit none (type, external)
          type(case_t), intent(in) :: case
          type(case_plan_t), intent(in) :: plan
          class(monitor_t), intent(inout) :: monitor
          type(case_result_t), intent(out) :: result
+         type(shared_steady_t), intent(inout), target, optional :: shared
          type(checkpoint_t), intent(inout), optional :: checkpoint
       end subroutine case_procedure
    end interface
@@ -66,12 +68,13 @@ module ehlwave_case_work
 contains
 
    !> Run one case and put it into the store.
-   subroutine work_on_case(run, case, plan, input, watch, outcome)
+   subroutine work_on_case(run, case, plan, input, watch, shared, outcome)
       procedure(case_procedure) :: run
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       character(len=*), intent(in) :: input      !! effective input of the case
       class(case_watch_t), intent(inout) :: watch
+      type(shared_steady_t), intent(inout), target :: shared   !! of the rank, from one case to the next
       type(outcome_t), intent(out) :: outcome
       type(case_result_t) :: result
       type(checkpoint_t) :: checkpoint
@@ -91,7 +94,7 @@ contains
          checkpoint%start_s = watch%case_start_s
          ! A case that does not even notice that its time is up hangs: this process ends itself.
          if (watch%limits%largest_case_seconds > 0) call watchdog(ceiling(2*watch%limits%largest_case_seconds + 60))
-         call run(case, plan, watch, result, checkpoint)
+         call run(case, plan, watch, result, shared, checkpoint)
          call watchdog(0)
          if (result%status == status_interrupted) then
             call watch%store%stop(identity, error)

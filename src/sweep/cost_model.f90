@@ -5,15 +5,15 @@
 !> `cost` is the effort of the plan, in node updates. Priors (b = 1, c = 0, no offsets; weights as if known to a
 !> factor of e^0.5) keep the fit sane while few cases are finished: ridge regression.
 module ehlwave_cost_model
-   use ehlwave_case_plan, only: case_plan_t, run_march, run_smooth, run_standing
+   use ehlwave_case_plan, only: case_plan_t, run_harmonic, run_smooth, run_standing
    use ehlwave_kinds, only: dp
    implicit none (type, external)
    private
    public :: cost_features, fit_cost_model
 
-   integer, parameter, public :: feature_count = 5
-   real(dp), parameter :: prior(feature_count) = [0.0_dp, 1.0_dp, 0.0_dp, 0.0_dp, 0.0_dp]
-   real(dp), parameter :: weight(feature_count) = [1e-6_dp, 4.0_dp, 4.0_dp, 4.0_dp, 4.0_dp]
+   integer, parameter, public :: feature_count = 6
+   real(dp), parameter :: prior(feature_count) = [0.0_dp, 1.0_dp, 0.0_dp, 0.0_dp, 0.0_dp, 0.0_dp]
+   real(dp), parameter :: weight(feature_count) = [1e-6_dp, 4.0_dp, 4.0_dp, 4.0_dp, 4.0_dp, 4.0_dp]
 
    type, public :: cost_model_t
       logical :: is_fitted = .false.                    !! else `seconds` only orders cases
@@ -29,8 +29,7 @@ contains
       type(case_plan_t), intent(in) :: plan
       real(dp) :: features(feature_count)
       features = [1.0_dp, log(plan%cost), log(plan%conditions%m), merge(1.0_dp, 0.0_dp, plan%kind == run_smooth), &
-                  merge(1.0_dp, 0.0_dp, plan%kind == run_standing)]
-      if (plan%kind == run_march) features(4:5) = 0
+                  merge(1.0_dp, 0.0_dp, plan%kind == run_standing), merge(1.0_dp, 0.0_dp, plan%kind == run_harmonic)]
    end function cost_features
 
    !> Expected wall time in seconds.

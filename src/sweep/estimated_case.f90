@@ -12,6 +12,7 @@ module ehlwave_estimated_case
    use ehlwave_errors, only: error_t
    use ehlwave_kinds, only: dp
    use ehlwave_monitor, only: go_on, monitor_t, stop_now
+   use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_status, only: is_success, status_interrupted, status_over_budget, status_pending
    implicit none (type, external)
    private
@@ -37,21 +38,23 @@ contains
    !> Run a case as planned; with `error_estimate = 'coarse_grid'` also on grids of two and four times the mesh
    !> size and time step (about a tenth of the cost), where these can tell anything, for a Richardson
    !> estimate; what the step tolerance is expected to leave is added, as no grid shows it. Otherwise the
-   !> estimate is the expected error of the plan.
+   !> estimate is the expected error of the plan. Linear responses come with their own estimate, `harmonic_error`;
+   !> without a transient there is none of its Ad/Ai. `shared`: see run_case.
    !>
    !> The checkpoint is of the case itself; stopped in a coarse run, the case counts as interrupted, and its coarse
    !> runs start again. When its time is up in a coarse run, the estimate is that of the plan.
-   subroutine run_estimated_case(case, plan, monitor, result, checkpoint)
+   subroutine run_estimated_case(case, plan, monitor, result, shared, checkpoint)
       type(case_t), intent(in) :: case              !! completed input
       type(case_plan_t), intent(in) :: plan
       class(monitor_t), intent(inout) :: monitor
       type(case_result_t), intent(out) :: result
+      type(shared_steady_t), intent(inout), target, optional :: shared
       type(checkpoint_t), intent(inout), optional :: checkpoint   !! see `run_case`
       real(dp), allocatable :: ratios(:)
       real(dp) :: estimate, seconds
       integer :: status
 
-      call run_case(case, plan, monitor, result, checkpoint)
+      call run_case(case, plan, monitor, result, shared, checkpoint)
       if (.not. plan%waviness%is_present .or. .not. is_success(result%status)) return
       if (.not. ieee_is_finite(result%amplitude_ratio_fit)) return
       result%amplitude_ratio_error = plan%expected_error
@@ -97,6 +100,7 @@ contains
       coarse_case = case
       coarse_case%fields = .false.
       coarse_case%accuracy = 0                    ! is that of the case itself
+      coarse_case%response = 'transient'          ! has its own estimate
       coarse_case%time_step_over_cell = real(plan%cells_per_step, dp)/plan%steps_per_cell
       factor = 1
       do while (factor < 4)

@@ -115,6 +115,7 @@ contains
          call reals('wavelength_over_a', cases%wavelength_over_a, 'shorter wavelength over a, 0: smooth')
          call reals('wavelength_x_over_a', cases%wavelength_x_over_a, 'lambda_x/a, 0: no variation along x')
          call reals('wavelength_y_over_a', cases%wavelength_y_over_a, 'lambda_y/a, 0: no variation along y')
+         call file%write('response', cases%response, 'case', '', 'transient, harmonic (small waves) or both')
          call reals('amplitude_over_film', cases%amplitude_over_film, 'Ai over the smooth central film')
          call reals('kappa', plans%conditions%elliptic%kappa, 'ellipticity a/b')
          call reals('gamma', plans%conditions%gamma, 'pressure factor of the ellipticity')

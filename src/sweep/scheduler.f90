@@ -1,4 +1,4 @@
-!> Dynamic distribution of cases over MPI ranks: the longest expected case first.
+!> Dynamic distribution of cases over MPI ranks: the longest expected first, cases of one steady state together.
 !>
 !> Rank 0 schedules and computes: it answers messages between the steps of its own cases. Every other rank
 !> keeps one case in reserve, so that nobody waits for rank 0. One rank runs the same code without messages.
@@ -17,6 +17,7 @@ module ehlwave_scheduler
    use ehlwave_kinds, only: dp
    use ehlwave_namelist, only: namelist_t
    use ehlwave_results_writer, only: results_writer_t
+   use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_status, only: status_interrupted, status_pending
    use ehlwave_sweep_progress, only: progress_t
    use ehlwave_sweep_queue, only: queue_t
@@ -62,6 +63,7 @@ contains
       type(mpi_comm), intent(in) :: comm
       procedure(case_procedure) :: run            !! run_case, or what stands for it in a test
       type(leader_t), intent(inout) :: leader     !! ready to go; on return what became of everything
+      type(shared_steady_t), target :: shared
       type(outcome_t) :: outcome
       integer :: case, rank, ranks
 
@@ -73,9 +75,9 @@ contains
          call leader%look_at_clock()
          call leader%exchange()
          if (leader%is_stopping .or. leader%queue%is_empty()) exit
-         call leader%queue%take(case)
+         call leader%queue%take(0, case)
          call work_on_case(run, leader%sweep%cases(case), leader%sweep%plans(case), &
-                           effective_input(leader%sweep%cases(case)), leader, outcome)
+                           effective_input(leader%sweep%cases(case)), leader, shared, outcome)
          call take_outcome(leader, case, outcome)
       end do
       do while (leader%running > 0 .or. leader%asking > 0)
@@ -139,7 +141,7 @@ contains
             self%asking = self%asking - 1
             call send_case(self%comm, status%mpi_source, no_case)
          else
-            call self%queue%take(case)
+            call self%queue%take(status%mpi_source, case)
             self%running = self%running + 1
             call send_case(self%comm, status%mpi_source, case, self%sweep%cases(case))
          end if
@@ -178,6 +180,7 @@ contains
       procedure(case_procedure) :: run
       type(case_watch_t), intent(in) :: watch     !! store, limits and deadline
       type(worker_t) :: worker
+      type(shared_steady_t), target :: shared
       type(outcome_t) :: outcome
       type(case_t) :: case
       type(case_plan_t) :: plan
@@ -202,7 +205,7 @@ contains
          if (allocated(error)) then
             outcome = outcome_t(message=error%message, is_store_broken=.true.)
          else if (.not. worker%is_stopping) then
-            call work_on_case(run, case, plan, input, worker, outcome)
+            call work_on_case(run, case, plan, input, worker, shared, outcome)
          end if
          if (outcome%is_store_broken) worker%is_stopping = .true.
          call mpi_send([real(dp) :: number, outcome%status, outcome%seconds, merge(1, 0, outcome%is_store_broken)], 4, &

@@ -142,7 +142,7 @@ contains
       do i = 1, size(sweep%cases)
          if (.not. to_run(i)) call leader%progress%count_case(status(i), seconds(i))
       end do
-      leader%queue = new_queue(sweep%plans, to_run, seconds)
+      leader%queue = new_queue(sweep%cases, sweep%plans, to_run, seconds, ranks)
    end subroutine prepare
 
    !> A results file without a store was not made by this sweep: it is not replaced unasked.

@@ -10,6 +10,7 @@ module synthetic_case
    use ehlwave_clock, only: wall_seconds
    use ehlwave_kinds, only: dp, i8, pi
    use ehlwave_monitor, only: monitor_t
+   use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_status, only: status_converged
    implicit none (type, external)
    private
@@ -30,11 +31,12 @@ module synthetic_case
 contains
 
    !> Stands for run_case.
-   subroutine sleep_through(case, plan, monitor, result, checkpoint)
+   subroutine sleep_through(case, plan, monitor, result, shared, checkpoint)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       class(monitor_t), intent(inout) :: monitor
       type(case_result_t), intent(out) :: result
+      type(shared_steady_t), intent(inout), target, optional :: shared
       type(checkpoint_t), intent(inout), optional :: checkpoint
       real(dp) :: begin, normal, uniform(2), wanted
       integer(i8) :: bits
@@ -59,6 +61,7 @@ contains
       result%seconds = max(1e-6_dp, wall_seconds() - begin)
       in_cases = in_cases + result%seconds
       if (present(checkpoint)) checkpoint%seconds_before = 0
+      if (present(shared)) shared%has_coarse = .false.
    end subroutine sleep_through
 
 end module synthetic_case

@@ -21,7 +21,7 @@ from hdf5_reading import read
 from store_reading import finished
 
 # where and when a case ran may differ
-CIRCUMSTANCES = {"rank", "host", "started", "finished", "seconds", "work_units", "peak_memory_mib", "run", "job"}
+CIRCUMSTANCES = {"rank", "host", "started", "finished", "seconds", "work_units", "harmonic_work_units", "peak_memory_mib", "run", "job"}
 FINISHED = (0, 1)
 UNFINISHED = 85
 

@@ -153,6 +153,20 @@ class SweepResume(unittest.TestCase):
         _, data = read(self.folder/"results.h5")
         self.assertGreater(data["rescued_solutions"][0], 20)
 
+    def test_stopped_march_with_a_linear_response_goes_on_bit_for_bit(self):
+        self.check_stopped_march({**LONG, "waviness": {"response": "both"}})
+
+    def test_responses_of_a_stopped_sweep_are_those_of_a_whole_one(self):
+        """The rest of a group finds its steady state again, on whichever rank."""
+        groups = {**QUICK, "waviness": {"response": "harmonic"}, "grid": {"cells_x": 64, "cells_y": 64}}
+        groups["sweep"] = {**QUICK["sweep"], "wavelength_over_a": [0.75, 1, 1.5, 2]}
+        self.sweep(groups, "--output", "whole.h5")
+        self.sweep(groups, "--time-limit", "0.1", status=UNFINISHED)
+        done = count_records(self.store(), "case")
+        self.assertLess(done, 16)
+        self.assertIn(f"{16 - done} to run", self.sweep(groups, ranks=2))
+        self.check_same("whole.h5", "results.h5")
+
     def test_damaged_checkpoint_is_not_used(self):
         self.sweep(LONG, "--output", "whole.h5")
         self.sweep(LONG, "--time-limit", "0.05", status=UNFINISHED)

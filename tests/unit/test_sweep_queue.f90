@@ -1,5 +1,6 @@
 !> The cost model finds known laws; the queue gives the longest expected case first and learns.
 program test_sweep_queue
+   use ehlwave_case_input, only: case_t
    use ehlwave_case_plan, only: case_plan_t, run_march
    use ehlwave_cost_model, only: cost_features, cost_model_t, feature_count, fit_cost_model
    use ehlwave_kinds, only: dp
@@ -10,6 +11,7 @@ program test_sweep_queue
    integer, parameter :: n = 200
    type(test_t) :: test
    type(case_plan_t) :: plans(n)
+   type(case_t) :: cases(n)
 
    call make_plans()
    call check_model()
@@ -58,13 +60,13 @@ contains
       to_run = .true.
       to_run(:20) = .false.
       seconds = [(law(plans(i)), i=1, n)]
-      queue = new_queue(plans, to_run, merge(0.0_dp, seconds, to_run))
+      queue = new_queue(cases, plans, to_run, merge(0.0_dp, seconds, to_run), 1)
       left = queue%seconds_left()
       call test%check_close(left, sum(seconds(21:)), 'time left', relative=0.1_dp)
       before = 1e300_dp
       is_taken = .false.
       do while (.not. queue%is_empty())
-         call queue%take(case)
+         call queue%take(0, case)
          call test%check(to_run(case) .and. .not. is_taken(case), 'each case once')
          is_taken(case) = .true.
          call test%check(seconds(case) <= 1.3_dp*before, 'longest first, as far as 20 cases can teach it')
