@@ -9,6 +9,7 @@ from ehlwave_post import (
     bootstrap_coefficients,
     fit_formula,
     percentile_intervals,
+    point_weights,
     rms_residual,
 )
 
@@ -102,3 +103,26 @@ def test_no_replicates_give_no_interval() -> None:
     samples = bootstrap_coefficients(*_clustered(1), replicates=0, seed=1)
     assert samples.shape == (0, 2)
     assert np.isnan(percentile_intervals(samples)).all()
+
+
+def test_weights_follow_errors_down_to_the_scatter() -> None:
+    scatter = 0.01 * np.where(np.arange(X.size) % 2, 1, -1)
+    ratio = amplitude_ratio_formula(X, 0.1, 0.02) + scatter
+    s = fit_formula(X, ratio).rms
+    error = np.zeros(X.size)
+    error[3], error[5] = s, np.nan
+    weight = point_weights(X, ratio, error)
+    assert weight[3] == pytest.approx(np.sqrt(0.5))
+    assert np.delete(weight, 3) == pytest.approx(1)
+
+
+def test_a_point_of_large_error_does_not_spoil_the_fit() -> None:
+    scatter = 0.002 * np.where(np.arange(X.size) % 2, 1, -1)
+    ratio = amplitude_ratio_formula(X, 0.1, 0.02) + scatter
+    ratio[10] += 0.2
+    error = np.full(X.size, 1e-4)
+    error[10] = 1.0
+    plain = fit_formula(X, ratio)
+    weighted = fit_formula(X, ratio, weight=point_weights(X, ratio, error))
+    assert abs(weighted.c1 - 0.1) < 0.1 * abs(plain.c1 - 0.1)
+    assert weighted.c1 == pytest.approx(0.1, abs=0.01)

@@ -55,6 +55,31 @@ def test_longitudinal_without_fit_takes_the_sampled_ratio(tmp_path: Path) -> Non
     np.testing.assert_array_equal(points["deformed_ratio"], points["amplitude_ratio"])
 
 
+def test_cases_without_transient_have_their_linear_response(tmp_path: Path) -> None:
+    columns = make_columns()
+    size = columns["v"].size
+    columns["harmonic_ratio"] = np.linspace(0.5, 0.9, size)
+    columns["harmonic_extrapolated"] = 0.99 * columns["harmonic_ratio"]
+    columns["harmonic_extrapolated"][2] = np.nan
+    columns["harmonic_error"] = np.full(size, 0.01)
+    columns["harmonic_error"][2] = np.nan
+    columns["amplitude_ratio"][:30] = np.nan
+    columns["amplitude_ratio_fit"][:30] = np.nan
+    results = _read(tmp_path, columns)
+    points = select_points(results)
+    assert points.sizes["case"] == size
+    expected = columns["harmonic_extrapolated"].copy()
+    expected[2] = columns["harmonic_ratio"][2]
+    ratio, error = points["deformed_ratio"].values, points["deformed_error"].values
+    np.testing.assert_array_equal(ratio[:30], expected[:30])
+    np.testing.assert_array_equal(ratio[30:], columns["amplitude_ratio_fit"][30:])
+    np.testing.assert_allclose(error[:2], 0.01 * expected[:2])
+    assert np.isnan(error[2])
+    assert np.isnan(error[30:]).all()
+    linear = select_points(results, "harmonic")
+    np.testing.assert_array_equal(linear["deformed_ratio"], expected)
+
+
 def test_abscissae_include_the_orientation_factor(tmp_path: Path) -> None:
     points = select_points(_read(tmp_path, make_columns()))
     longitudinal = points["orientation"] == "longitudinal"

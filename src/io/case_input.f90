@@ -31,6 +31,7 @@ module ehlwave_case_input
       real(dp) :: wavelength_x_over_a = 0, wavelength_y_over_a = 0
       logical :: oblique = .false.
       real(dp) :: amplitude_over_film = 0.2_dp
+      character(len=name_length) :: response = 'transient'
       ! &surface
       character(len=path_length) :: surface_file = ''    !! measured surface in place of waviness
       ! &grid
@@ -101,6 +102,8 @@ contains
       call file%get(file_group, 'wavelength_y_over_a', case%wavelength_y_over_a, error, minimum=0.0_dp)
       call file%get(file_group, 'oblique', case%oblique, error)
       call file%get(file_group, 'amplitude_over_film', case%amplitude_over_film, error, above=0.0_dp, maximum=1.0_dp)
+      call file%get_fixed(file_group, 'response', case%response, error, &
+                          [character(len=name_length) :: 'transient', 'harmonic', 'both'])
 
       call read_surface_group(file, case, error)
 
@@ -211,6 +214,7 @@ contains
       call case_conditions(case, conditions, error)
       if (.not. allocated(error)) call complete_waviness(case, error)
       if (.not. allocated(error)) call check_grid_and_time(case, error)
+      if (.not. allocated(error)) call check_response(case, error)
       if (.not. allocated(error)) call complete_method(case, error)
       if (allocated(error)) error%message = place//error%message
    end subroutine complete_case
@@ -314,6 +318,28 @@ contains
       shorter = min(merge(x, huge(x), x > 0), merge(y, huge(y), y > 0))
       if (max(x, y) <= 0) shorter = 0
    end function shorter
+
+   !> The linear response belongs to harmonic waves, to the nominal load, and to time steps that do not skip nodes.
+   subroutine check_response(case, error)
+      type(case_t), intent(in) :: case
+      type(error_t), allocatable, intent(inout) :: error
+
+      if (case%response == 'transient') return
+      if (len_trim(case%surface_file) > 0) then
+         call raise(error, "&waviness response = '"//trim(case%response)//"' is that of one harmonic wave, &surface file = '"// &
+                    trim(case%surface_file)//"' is none: remove &surface or set response to 'transient'")
+      else if (abs(case%load_factor - 1) > 0) then
+         call raise(error, "&waviness response = '"//trim(case%response)//"' is about the steady state under the nominal "// &
+                    "load: remove &dynamics load_factor or set response to 'transient'")
+      else if (case%time_step_over_cell > 1) then
+         call raise(error, '&solver time_step_over_cell = '//to_text(case%time_step_over_cell, 6)// &
+                    " is above 1: response = '"//trim(case%response)//"' linearises steps of at most one cell; use 1, 0.5, "// &
+                    "0.25, ... or response = 'transient'")
+      else if (case%response == 'harmonic' .and. case%end_time > 0) then
+         call raise(error, "&dynamics end_time is given but response = 'harmonic' takes no time steps: remove end_time or "// &
+                    "set response to 'both' or 'transient'")
+      end if
+   end subroutine check_response
 
    subroutine check_grid_and_time(case, error)
       type(case_t), intent(in) :: case

@@ -40,7 +40,8 @@ contains
       else if (case%orientation /= 'none') then
          text = text//number('wavelength_over_a', case%wavelength_over_a)
       end if
-      if (case%orientation /= 'none') text = text//number('amplitude_over_film', case%amplitude_over_film)
+      if (case%orientation /= 'none') text = text//number('amplitude_over_film', case%amplitude_over_film) &
+                                             //word('response', case%response)
       text = text//'/'//line_end
       if (len_trim(case%surface_file) > 0) text = text//'&surface'//line_end//word('file', case%surface_file)//'/'//line_end
       text = text &

@@ -66,6 +66,10 @@ contains
       call file%write('central_film_error', result%central_film_error, '1', 'estimated relative error of central_film')
       call file%write('minimum_film_error', result%minimum_film_error, '1', 'estimated relative error of minimum_film')
       call file%write('amplitude_ratio_error', result%amplitude_ratio_error, '1', 'estimated relative error of Ad/Ai')
+      call file%write('harmonic_ratio', result%harmonic%ratio, '1', 'Ad/Ai of small waves, linear response')
+      call file%write('harmonic_phase', result%harmonic%phase, 'rad', 'phase of the linear response of H(0,0)')
+      call file%write('harmonic_extrapolated', result%harmonic%extrapolated, '1', 'harmonic_ratio at mesh size 0')
+      call file%write('harmonic_error', result%harmonic%error, '1', 'estimated relative error of harmonic_ratio')
       if (conditions%has_dimensions) then
          call file%write('length_a_m', conditions%a_m, 'm', 'Hertz semi-axis in x')
          call file%write('length_b_m', conditions%b_m, 'm', 'Hertz semi-axis in y')
@@ -90,6 +94,14 @@ contains
          call file%dimension('y')
          call file%write('pressure', result%p, 'x', 'y', '1', 'P = p/ph of the last solution')
          call file%write('film', result%h, 'x', 'y', '1', 'H = h/c of the last solution')
+      end if
+      if (allocated(result%harmonic%h)) then
+         call file%write('film_response', abs(result%harmonic%h), 'x', 'y', '1', 'amplitude of H over Ai, small waves')
+         call file%write('film_phase', atan2(aimag(result%harmonic%h), real(result%harmonic%h)), 'x', 'y', 'rad', &
+                         'phase of H, exp(-i w T) with a crest of the pattern at the origin at T = 0')
+         call file%write('pressure_response', abs(result%harmonic%p), 'x', 'y', '1', 'amplitude of P over Ai, small waves')
+         call file%write('pressure_phase', atan2(aimag(result%harmonic%p), real(result%harmonic%p)), 'x', 'y', 'rad', &
+                         'phase of P')
       end if
       call file%finish(error)
    end subroutine write_case_file

@@ -4,7 +4,7 @@ module ehlwave_amplitude
    use ehlwave_kinds, only: dp, pi
    implicit none (type, external)
    private
-   public :: sampled_amplitude, fitted_amplitude
+   public :: sampled_amplitude, fitted_amplitude, fitted_harmonic
 
    real(dp), parameter :: singular = 1e-12_dp   !! smallest pivot of the fit, per sample
 
@@ -16,17 +16,27 @@ contains
       sampled_amplitude = 0.5_dp*(maxval(film) - minval(film))
    end function sampled_amplitude
 
-   !> Amplitude at the forcing frequency: least squares fit of mean + c cos(omega T) + s sin(omega T);
-   !> returns sqrt(c^2 + s^2). NaN where the samples do not determine these three numbers: fewer than
-   !> three of them, or all at two phases of the wave only (two time steps per period).
+   !> Amplitude at the forcing frequency: modulus of `fitted_harmonic`, NaN where that is.
    pure real(dp) function fitted_amplitude(time, film, period)
       real(dp), intent(in) :: time(:)   !! T of the samples
       real(dp), intent(in) :: film(:)   !! H(0,0) at these times
       real(dp), intent(in) :: period    !! forcing period in T
+      fitted_amplitude = abs(fitted_harmonic(time, film, period))
+   end function fitted_amplitude
+
+   !> Least squares fit of mean + c cos(omega T) + s sin(omega T); returns c + i s, which stands for the real part of
+   !> (c + i s) exp(-i omega T). NaN where the samples do not determine these three numbers: fewer than three of them,
+   !> or all at two phases of the wave only (two time steps per period).
+   pure complex(dp) function fitted_harmonic(time, film, period)
+      real(dp), intent(in) :: time(:)   !! T of the samples
+      real(dp), intent(in) :: film(:)   !! H(0,0) at these times
+      real(dp), intent(in) :: period    !! forcing period in T
       real(dp) :: basis(size(time), 3), normal(3, 3), right(3), factor
+      real(dp) :: nan
       integer :: i, j
 
-      fitted_amplitude = ieee_value(1.0_dp, ieee_quiet_nan)
+      nan = ieee_value(1.0_dp, ieee_quiet_nan)
+      fitted_harmonic = cmplx(nan, nan, dp)
       if (size(time) < 3) return
       basis(:, 1) = 1
       basis(:, 2) = cos(2*pi*time/period)
@@ -44,7 +54,7 @@ contains
       do i = 3, 1, -1
          right(i) = (right(i) - dot_product(normal(i, i + 1:), right(i + 1:)))/normal(i, i)
       end do
-      fitted_amplitude = hypot(right(2), right(3))
-   end function fitted_amplitude
+      fitted_harmonic = cmplx(right(2), right(3), dp)
+   end function fitted_harmonic
 
 end module ehlwave_amplitude

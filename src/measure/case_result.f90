@@ -1,6 +1,7 @@
 !> What one case came to.
 module ehlwave_case_result
    use ehlwave_error_estimate, only: basis_none
+   use ehlwave_harmonic_result, only: harmonic_result_t
    use ehlwave_kinds, only: dp
    use ehlwave_status, only: status_pending
    implicit none (type, external)
@@ -26,9 +27,11 @@ module ehlwave_case_result
       ! waviness; the three measured numbers are NaN until measured
       real(dp) :: amplitude_ratio = 0                !! Ad/Ai by theory eq. (14)
       real(dp) :: amplitude_ratio_fit = 0            !! Ad/Ai by harmonic fit
+      real(dp) :: phase_fit = 0                      !! radian by which H(0,0) follows the pattern there, by harmonic fit
       real(dp) :: mean_film = 0                      !! mean of H(0,0) over the measured periods
       real(dp) :: v = 0, v2 = 0, f_r = 0             !! theory eq. (15) to (17)
       real(dp) :: formula_ratio = 0                  !! theory eq. (18)
+      type(harmonic_result_t) :: harmonic            !! linear response, if asked for
       ! the largest over all solutions of the case
       real(dp) :: residual = 0                       !! mass residual, see solve_report_t
       real(dp) :: load_error = 0

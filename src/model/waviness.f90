@@ -22,6 +22,7 @@ module ehlwave_waviness
       procedure :: period
       procedure :: shape_at
       procedure :: shape_fixed
+      procedure :: amplitude_at
    end type waviness_t
 
    real(dp), parameter :: front_decay = 10   !! exponent of the smooth front, eq. (13)
@@ -125,6 +126,16 @@ contains
          shape = 0
       end if
    end function shape_fixed
+
+   !> Complex amplitude of the moving pattern: shape_fixed is its real part times exp(i phase), the pattern at time T
+   !> its real part times exp(-i w T), w = 2 pi S/lambda_x. Real where the pattern does not vary along X.
+   pure function amplitude_at(self, x, y) result(amplitude)
+      class(waviness_t), intent(in) :: self
+      real(dp), intent(in) :: x(:), y(:)           !! node coordinates X, Y
+      complex(dp) :: amplitude(size(x), size(y))
+      amplitude = self%shape_fixed(x, y, 0.0_dp)
+      if (self%wavelength_x > 0) amplitude = amplitude + cmplx(0, self%shape_fixed(x, y, -0.5_dp*pi), dp)
+   end function amplitude_at
 
    pure function plane_pattern(self, x, y, phase) result(shape)
       type(waviness_t), intent(in) :: self

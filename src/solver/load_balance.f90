@@ -3,7 +3,7 @@ module ehlwave_load_balance
    use ehlwave_kinds, only: dp, pi
    implicit none (type, external)
    private
-   public :: force_balance, equation_of_motion
+   public :: force_balance, equation_of_motion, harmonic_inertia
 
    real(dp), parameter, public :: load_factor = 3/(2*pi)   !! makes the nominal load 1: 3/(2 pi) int P = 1
 
@@ -39,6 +39,17 @@ contains
       self%rate = 1/(natural_frequency*dt)**2
       self%inertia = 2*self%rate
    end function equation_of_motion
+
+   !> Weight of Delta in the equation of motion for a change as exp(-i w T): the difference above with
+   !> Delta_(k-l) = z^l Delta_k, z = exp(i w dT).
+   pure complex(dp) function harmonic_inertia(natural_frequency, dt, frequency)
+      real(dp), intent(in) :: natural_frequency   !! Omega
+      real(dp), intent(in) :: dt                  !! dT
+      real(dp), intent(in) :: frequency           !! w in units of 1/T
+      complex(dp) :: z
+      z = exp(cmplx(0, frequency*dt, dp))
+      harmonic_inertia = (2 - 5*z + 4*z**2 - z**3)/(natural_frequency*dt)**2
+   end function harmonic_inertia
 
    !> Set `carried` from Delta at T - dT, T - 2 dT, T - 3 dT.
    pure subroutine carry(self, history)

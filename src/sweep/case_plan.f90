@@ -22,12 +22,14 @@ module ehlwave_case_plan
    integer, parameter, public :: run_smooth = 1      !! steady state of smooth surfaces only
    integer, parameter, public :: run_standing = 2    !! steady states of a pattern that stands still
    integer, parameter, public :: run_march = 3       !! march in time
+   integer, parameter, public :: run_harmonic = 4    !! linear response only
 
    type, public :: case_plan_t
       type(conditions_t) :: conditions
       type(rheology_t) :: rheology
       type(waviness_t) :: waviness
       integer :: kind = run_smooth
+      logical :: responds = .false.                  !! the linear response is computed
       logical :: is_half = .true.                    !! only Y >= 0 is computed
       integer :: cells_x = 0, cells_y = 0            !! of the whole domain
       character(len=:), allocatable :: grid_reason
@@ -53,6 +55,7 @@ module ehlwave_case_plan
    real(dp), parameter :: share_of_mesh = 0.75_dp, share_of_waves = 0.2_dp, share_of_steps = 0.2_dp
    real(dp), parameter :: fewest_long_steps = 32     !! time steps per wave that steps longer than hX must leave
    real(dp), parameter :: cost_of_estimate = 1.15_dp !! of a case with its coarser grids over that without
+   real(dp), parameter :: response_work_units = 120  !! of a linear response on half a domain; measured: 75 to 120
    real(dp), parameter :: outlet_end = 1             !! X of the outlet end of the Hertzian contact
 
 contains
@@ -81,7 +84,11 @@ contains
       call choose_grid(case, plan)
       plan%deformation = chosen_deformation(case%deformation, plan%cells_x, plan%cells_y, plan%is_half, kappa)
 
-      if (plan%waviness%moves() .or. case%end_time > 0) then
+      plan%responds = plan%waviness%is_present .and. case%response /= 'transient'
+      if (plan%responds .and. case%response == 'harmonic') then
+         plan%kind = run_harmonic
+         if (case%time_step_over_cell > 0) plan%steps_per_cell = nint(1/min(1.0_dp, case%time_step_over_cell))
+      else if (plan%waviness%moves() .or. case%end_time > 0) then
          call plan_march(case, plan, error)
       else if (plan%waviness%is_present) then
          plan%kind = run_standing
@@ -91,7 +98,7 @@ contains
       plan%resolution = judge_resolution(plan%conditions, plan%waviness, case%x_min, case%y_max, plan%hx, plan%hy, plan%dt)
       call expect(case, plan)
       if (case%accuracy > 0) call check_accuracy(case, plan, error)
-      plan%cost = real(plan%cells_x, dp)*plan%cells_y*(15 + 6*plan%phases + 4*plan%steps)
+      plan%cost = real(plan%cells_x, dp)*plan%cells_y*(15 + 6*plan%phases + 4*plan%steps + merge(8, 0, plan%responds))
       if (plan%is_half) plan%cost = 0.5_dp*plan%cost
       plan%largest_total_steps = case%largest_total_steps
       ! a steady state takes 5 to 20 steps, a time step 2 to 5: room for the rescue ladder
@@ -172,14 +179,14 @@ contains
 
    !> dT/hX for the accuracy asked for: 2 for waves of at least 64 mesh sizes, where it adds little error (measured:
    !> lambda = 2 a on 128 cells, 33 to 62 per cent of the GMRES steps of dT = hX), else 1: for shorter waves
-   !> longer steps save nothing.
+   !> longer steps save nothing. The linear response is that of steps of at most one cell.
    pure integer function chosen_step(case, plan)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       real(dp) :: steps   ! per wave with dT = 2 hX
 
       chosen_step = 1
-      if (.not. plan%waviness%moves() .or. case%load_balance /= 'force_balance') return
+      if (.not. plan%waviness%moves() .or. plan%responds .or. case%load_balance /= 'force_balance') return
       steps = plan%waviness%period()/(2*plan%hx)
       if (steps < fewest_long_steps) return
       if (expected_long_step_error(2, steps) <= share_of_steps*case%accuracy) chosen_step = 2
@@ -197,15 +204,23 @@ contains
    subroutine expect(case, plan)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(inout) :: plan
+      real(dp) :: samples, step_tolerance
 
+      samples = plan%resolution%samples
+      step_tolerance = case%step_tolerance
+      if (plan%kind == run_harmonic) then     ! has the frequency of steps dT = hX, and no tolerance of its own
+         if (plan%waviness%moves()) samples = plan%waviness%period()/plan%hx
+         step_tolerance = 0
+      end if
       plan%expected_error = expected_film_error(plan%conditions, plan%hx)
       if (plan%waviness%is_present .and. .not. allocated(plan%waviness%surface)) plan%expected_error = &
          expected_ratio_error(plan%conditions, formula_ratio(case, plan), plan%hx, plan%resolution%points_y, &
-                              plan%cells_per_step, plan%resolution%samples, case%step_tolerance)
+                              plan%cells_per_step, samples, step_tolerance)
       plan%expected_work_units = (1 + 0.5_dp*plan%phases)*steady_work_units(plan%conditions, plan%cells_x) &
                                  + plan%steps*step_work_units(plan%conditions, plan%cells_x)
+      if (plan%responds) plan%expected_work_units = plan%expected_work_units + response_work_units
       if (.not. plan%is_half) plan%expected_work_units = 2*plan%expected_work_units
-      if (plan%waviness%is_present .and. case%error_estimate == 'coarse_grid') &
+      if (plan%waviness%is_present .and. plan%kind /= run_harmonic .and. case%error_estimate == 'coarse_grid') &
          plan%expected_work_units = cost_of_estimate*plan%expected_work_units
    end subroutine expect
 

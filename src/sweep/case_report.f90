@@ -2,7 +2,7 @@
 module ehlwave_case_report
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_case_input, only: case_t
-   use ehlwave_case_plan, only: case_plan_t, run_march, run_smooth, run_standing
+   use ehlwave_case_plan, only: case_plan_t, run_harmonic, run_march, run_smooth, run_standing
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_text, only: case_identity
    use ehlwave_error_estimate, only: basis_coarse_grid, basis_name
@@ -92,6 +92,8 @@ contains
       select case (plan%kind)
       case (run_smooth)
          text = 'steady state of smooth surfaces'
+      case (run_harmonic)
+         text = 'steady state of smooth surfaces, then its linear response to small waves (no time stepping)'
       case (run_standing)
          text = 'steady state of smooth surfaces, then '//to_text(plan%phases)// &
                 ' steady states of the pattern (it stands still: no time stepping)'
@@ -110,6 +112,7 @@ contains
             text = text//', force balance'
          end if
       end select
+      if (plan%responds .and. plan%kind /= run_harmonic) text = text//'; and the linear response to small waves'
    end function run_text
 
    function solver_text(case) result(text)
@@ -153,6 +156,7 @@ contains
          if (ieee_is_finite(result%amplitude_ratio)) write (unit, '(a)') 'Amplitude    Ad/Ai = '// &
             to_text(result%amplitude_ratio, 5)//' (samples), '// &
             to_text(result%amplitude_ratio_fit, 5)//' (harmonic fit); formula '//to_text(result%formula_ratio, 5)
+         if (plan%responds) call print_response()
          write (unit, '(a)') '             f(r) V = '//to_text(result%f_r*result%v, 5)//', f(r) V2 = '// &
             to_text(result%f_r*result%v2, 5)//', f(r) = '//to_text(result%f_r, 5)
       end if
@@ -182,6 +186,17 @@ contains
             trim(merge(' (from coarser grids)', ' (from a model)      ', result%amplitude_error_basis == basis_coarse_grid))
       end function amplitude_error
 
+      subroutine print_response()
+         associate (r => result%harmonic)
+            write (unit, '(a)') 'Response     Ad/Ai = '//to_text(r%ratio, 5)//' (small waves, no change of the mean film), '// &
+               'phase '//to_text(r%phase, 4)//' rad; formula '//to_text(result%formula_ratio, 5)
+            if (ieee_is_finite(r%extrapolated)) write (unit, '(a)') '             extrapolated to mesh size 0: '// &
+               to_text(r%extrapolated, 5)//', estimated discretisation error '//to_text(100*r%error, 2)//' %'
+            write (unit, '(a)') '             '//to_text(r%linear_steps)//' GMRES steps, '//to_text(r%work_units, 4)// &
+               ' work units'
+         end associate
+      end subroutine print_response
+
       subroutine print_smooth_film()
          write (unit, '(a)') 'Smooth film  H(0,0) = '//to_text(result%central_film, 6)//', smallest H = '// &
             to_text(result%minimum_film, 6)//', Moes H(0,0) = '//to_text(result%central_film_moes, 6)// &
@@ -198,7 +213,7 @@ contains
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       type(json_t) :: json
-      character(len=14), parameter :: kinds(3) = [character(len=14) :: 'smooth', 'standing', 'march']
+      character(len=14), parameter :: kinds(4) = [character(len=14) :: 'smooth', 'standing', 'march', 'harmonic']
 
       call json%add('case_id', case_identity(case))
       call add_case(json, case, plan)
@@ -239,12 +254,22 @@ contains
       call json%add('residual', result%residual)
       call json%add('amplitude_ratio', result%amplitude_ratio)
       call json%add('amplitude_ratio_fit', result%amplitude_ratio_fit)
+      call json%add('phase_fit', result%phase_fit)
       call json%add('mean_film', result%mean_film)
       call json%add('central_film_error', result%central_film_error)
       call json%add('minimum_film_error', result%minimum_film_error)
       call json%add('film_order', result%film_order)
       call json%add('amplitude_ratio_error', result%amplitude_ratio_error)
       call json%add('amplitude_error_basis', trim(basis_name(result%amplitude_error_basis)))
+      call json%add('harmonic_ratio', result%harmonic%ratio)
+      call json%add('harmonic_phase', result%harmonic%phase)
+      call json%add('harmonic_real', result%harmonic%real_part)
+      call json%add('harmonic_imaginary', result%harmonic%imaginary_part)
+      call json%add('harmonic_approach', result%harmonic%approach_ratio)
+      call json%add('harmonic_extrapolated', result%harmonic%extrapolated)
+      call json%add('harmonic_error', result%harmonic%error)
+      call json%add('harmonic_linear_steps', result%harmonic%linear_steps)
+      call json%add('harmonic_work_units', result%harmonic%work_units)
       call json%add('v', result%v)
       call json%add('v2', result%v2)
       call json%add('f_r', result%f_r)
@@ -273,6 +298,7 @@ contains
       call json%add('alphabar', plan%conditions%alphabar)
       call json%add('lambdabar', plan%conditions%lambdabar)
       call json%add('orientation', trim(case%orientation))
+      call json%add('response', trim(case%response))
       if (allocated(plan%waviness%surface)) call json%add('surface_file', trim(case%surface_file))
       call json%add('wavelength_x_over_a', case%wavelength_x_over_a)
       call json%add('wavelength_y_over_a', case%wavelength_y_over_a)

@@ -1,7 +1,7 @@
 !> Runs one planned case.
 module ehlwave_case_runner
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan, ieee_quiet_nan, ieee_value
-   use ehlwave_amplitude, only: fitted_amplitude, sampled_amplitude
+   use ehlwave_amplitude, only: fitted_amplitude, fitted_harmonic, sampled_amplitude
    use ehlwave_case_input, only: case_t
    use ehlwave_case_plan, only: case_plan_t, run_march, run_standing
    use ehlwave_case_result, only: case_result_t
@@ -10,11 +10,14 @@ module ehlwave_case_runner
    use ehlwave_formula, only: amplitude_formula, anisotropy_factor, wave_parameter_v, wave_parameter_v2
    use ehlwave_full_multigrid, only: full_multigrid_t, level_t
    use ehlwave_continuation, only: given_t
+   use ehlwave_harmonic_case, only: run_response
+   use ehlwave_harmonic_result, only: no_harmonic_result
    use ehlwave_kinds, only: dp, pi
    use ehlwave_level_solver, only: solve_limits_t, solve_report_t
    use ehlwave_monitor, only: monitor_t
    use ehlwave_resolution, only: touching_reason
    use ehlwave_rescue, only: rescue_t, rung_name
+   use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_state, only: state_t
    use ehlwave_status, only: is_success, status_converged, status_name, status_unresolved
    use ehlwave_surface_plan, only: surface_positions
@@ -26,19 +29,33 @@ module ehlwave_case_runner
    public :: run_case
 
    real(dp), parameter :: usual_amplitude = 0.2_dp     !! Ai over the film for which step_tolerance is meant
-   ! Of the levels below the finest. As a first guess 1e-3 would do; the error estimate wants the discretisation error
-   ! of these levels alone (M = 20, D = 0.35 on 512^2: 1e-3 leaves 4e-4 of H(0,0), ten times the error of the finest).
-   real(dp), parameter :: coarse_tolerance = 1e-5_dp
 
 contains
 
-   !> Run a case as planned. Whatever happens inside is told by `result%status`.
-   subroutine run_case(case, plan, monitor, result)
+   !> Run a case as planned. Whatever happens inside is told by `result%status`. With `shared`, its steady state is
+   !> used if it is that of the case, and left there for the next.
+   subroutine run_case(case, plan, monitor, result, shared)
       type(case_t), intent(in) :: case              !! completed input
       type(case_plan_t), intent(in) :: plan
       class(monitor_t), intent(inout) :: monitor
       type(case_result_t), intent(out) :: result
-      type(full_multigrid_t), target :: multigrid
+      type(shared_steady_t), intent(inout), target, optional :: shared
+      type(shared_steady_t), allocatable, target :: own
+
+      if (present(shared)) then
+         call run_about(case, plan, monitor, shared, result)
+      else
+         allocate (own)
+         call run_about(case, plan, monitor, own, result)
+      end if
+   end subroutine run_case
+
+   subroutine run_about(case, plan, monitor, steady, result)
+      type(case_t), intent(in) :: case              !! completed input
+      type(case_plan_t), intent(in) :: plan
+      class(monitor_t), intent(inout) :: monitor
+      type(shared_steady_t), intent(inout), target :: steady
+      type(case_result_t), intent(out) :: result
       type(solve_limits_t) :: limits
       type(rescue_t) :: rescue
       character(len=:), allocatable :: unresolved
@@ -49,7 +66,9 @@ contains
       result%is_resolved = plan%resolution%is_resolved
       result%amplitude_ratio = ieee_value(1.0_dp, ieee_quiet_nan)   ! until measured
       result%amplitude_ratio_fit = result%amplitude_ratio
+      result%phase_fit = result%amplitude_ratio
       result%mean_film = result%amplitude_ratio
+      result%harmonic = no_harmonic_result()
       result%central_film = result%amplitude_ratio
       result%minimum_film = result%amplitude_ratio
       result%central_film_moes = result%amplitude_ratio
@@ -65,18 +84,18 @@ contains
          result%formula_ratio = amplitude_formula(result%f_r*result%v)
       end if
 
-      call multigrid%init(plan%conditions, plan%rheology, case%x_min, case%x_max, case%y_max, &
-                          plan%cells_x, plan%cells_y, plan%is_half, trim(case%method), trim(case%deformation), trim(case%cycle))
       limits = solve_limits_t(tolerance=case%tolerance, largest_steps=case%largest_steps)
-      rescue%is_ready = plan%resolution%is_resolved   ! elsewhere the result would not be worth the effort
-      rescue%steps_left = plan%largest_total_steps
-      call rescue%solve_steady(multigrid, limits, coarse_tolerance)
-      associate (level => multigrid%levels(size(multigrid%levels)))
+      call steady%prepare(case, plan)
+      rescue = steady%rescue
+      associate (level => steady%multigrid%levels(size(steady%multigrid%levels)))
          call take_report(level%report, 'steady state of smooth surfaces', result)
          call monitor%step_done('steady state', 1, 1)
          if (result%status == status_converged) then
             call take_smooth_film(plan, level, result)
-            call estimate_film_errors(multigrid, result)
+            call estimate_film_errors(steady%multigrid, result)
+            if (plan%responds) call run_response(case, plan, steady, result)
+         end if
+         if (result%status == status_converged) then
             select case (plan%kind)
             case (run_march)
                call run_moving(case, plan, level, rescue, monitor, result)
@@ -107,7 +126,7 @@ contains
       result%seconds = wall_seconds() - start
       result%work_units = result%seconds/work_unit_seconds(plan%cells_x, plan%cells_y)
       result%peak_memory_mib = peak_memory_mib()
-   end subroutine run_case
+   end subroutine run_about
 
    !> Film and pressure of the smooth contact.
    subroutine take_smooth_film(plan, level, result)
@@ -165,6 +184,7 @@ contains
       type(march_settings_t) :: settings
       type(march_result_t) :: history
       type(solve_limits_t) :: limits
+      complex(dp) :: fit
       real(dp) :: amplitude, amplitude_over_film
 
       amplitude = case%amplitude_over_film*result%central_film
@@ -200,7 +220,11 @@ contains
       else if (plan%waviness%moves() .and. plan%measures) then
          associate (film => history%central_film(plan%first_sample:), time => history%time(plan%first_sample:))
             result%amplitude_ratio = sampled_amplitude(film)/amplitude
-            result%amplitude_ratio_fit = fitted_amplitude(time, film, plan%waviness%period())/amplitude
+            fit = fitted_harmonic(time, film, plan%waviness%period())/amplitude
+            result%amplitude_ratio_fit = abs(fit)
+            ! the pattern at the centre is cos(kx (-Xs - S T)): the real part of exp(-i (kx Xs + w T)) for S > 0
+            fit = fit*exp(cmplx(0, 2*pi*plan%waviness%start/plan%waviness%wavelength_x, dp))
+            result%phase_fit = atan2(aimag(fit), real(fit, dp))
             result%mean_film = sum(film(2:))/(size(film) - 1)
          end associate
       end if

@@ -10,6 +10,7 @@ module ehlwave_estimated_case
    use ehlwave_errors, only: error_t
    use ehlwave_kinds, only: dp
    use ehlwave_monitor, only: monitor_t, silent_monitor_t
+   use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_status, only: is_success
    implicit none (type, external)
    private
@@ -24,16 +25,18 @@ contains
    !> Run a case as planned; with `error_estimate = 'coarse_grid'` also on grids of two and four times the mesh
    !> size and time step (about a tenth of the cost), where these can tell anything, for a Richardson
    !> estimate; what the step tolerance is expected to leave is added, as no grid shows it. Otherwise the
-   !> estimate is the expected error of the plan.
-   subroutine run_estimated_case(case, plan, monitor, result)
+   !> estimate is the expected error of the plan. Linear responses come with their own estimate, `harmonic_error`;
+   !> without a transient there is none of its Ad/Ai. `shared`: see run_case.
+   subroutine run_estimated_case(case, plan, monitor, result, shared)
       type(case_t), intent(in) :: case              !! completed input
       type(case_plan_t), intent(in) :: plan
       class(monitor_t), intent(inout) :: monitor
       type(case_result_t), intent(out) :: result
+      type(shared_steady_t), intent(inout), target, optional :: shared
       real(dp), allocatable :: ratios(:)
       real(dp) :: estimate, seconds
 
-      call run_case(case, plan, monitor, result)
+      call run_case(case, plan, monitor, result, shared)
       if (.not. plan%waviness%is_present .or. .not. is_success(result%status)) return
       if (.not. ieee_is_finite(result%amplitude_ratio_fit)) return
       result%amplitude_ratio_error = plan%expected_error
@@ -70,6 +73,7 @@ contains
       coarse_case = case
       coarse_case%fields = .false.
       coarse_case%accuracy = 0                    ! is that of the case itself
+      coarse_case%response = 'transient'          ! has its own estimate
       coarse_case%time_step_over_cell = real(plan%cells_per_step, dp)/plan%steps_per_cell
       factor = 1
       do while (factor < 4)

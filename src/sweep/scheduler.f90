@@ -1,15 +1,18 @@
-!> Dynamic distribution of cases over MPI ranks: the longest expected case first.
+!> Dynamic distribution of cases over MPI ranks: the longest expected first, cases of one steady state together.
 !>
 !> Rank 0 schedules and computes: it answers messages between the steps of its own cases. Every other rank
 !> keeps one case in reserve, so that nobody waits for rank 0. One rank runs the same code without messages.
 module ehlwave_scheduler
+   use ehlwave_case_queue, only: case_queue_t, new_queue
    use ehlwave_case_result, only: case_result_t, rung_length
    use ehlwave_case_table, only: sweep_t
    use ehlwave_clock, only: time_stamp
    use ehlwave_estimated_case, only: run_estimated_case
    use ehlwave_kinds, only: dp
    use ehlwave_monitor, only: monitor_t, silent_monitor_t
+   use ehlwave_harmonic_result, only: harmonic_result_t
    use ehlwave_results_file, only: row_t, text_length
+   use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_sweep_progress, only: progress_t
    use mpi_f08, only: mpi_any_source, mpi_any_tag, mpi_character, mpi_comm, mpi_comm_rank, mpi_comm_size, &
       mpi_double_precision, mpi_get_processor_name, mpi_integer, mpi_iprobe, mpi_max_processor_name, mpi_probe, &
@@ -20,14 +23,13 @@ module ehlwave_scheduler
 
    integer, parameter :: tag_ask = 1, tag_case = 2, tag_numbers = 3, tag_text = 4
    integer, parameter :: no_case = 0
-   integer, parameter :: numbers = 29
+   integer, parameter :: numbers = 39
    integer, parameter :: in_reserve = 2   !! unanswered requests of a worker: the case it runs and the next
 
    !> Rank 0: the queue and the rows, served whenever a case of its own reports progress.
    type, extends(monitor_t) :: schedule_t
       type(mpi_comm) :: comm
-      integer, allocatable :: order(:)        !! cases, longest expected first
-      integer :: next = 1                     !! place in `order` of the next case to give away
+      type(case_queue_t) :: queue
       integer :: running = 0                  !! cases given to other ranks and not back yet
       integer :: asking = 0                   !! requests of other ranks that are still to be answered by no_case
       type(row_t), allocatable :: rows(:)
@@ -63,20 +65,20 @@ contains
       type(progress_t), intent(inout) :: progress
       type(row_t), allocatable, intent(out) :: rows(:)
       type(schedule_t) :: self
+      type(shared_steady_t), target :: shared
       type(row_t) :: row
       integer :: case
 
       self%comm = comm
-      self%order = longest_first(sweep%plans%cost)
+      self%queue = new_queue(sweep%cases, sweep%plans, ranks)
       self%asking = in_reserve*(ranks - 1)
       allocate (self%rows(size(sweep%cases)))
       self%progress = progress
-      do while (self%next <= size(self%order))
+      do
          call serve_waiting(self, '', 0, 0)
-         if (self%next > size(self%order)) exit
-         case = self%order(self%next)
-         self%next = self%next + 1
-         call run_row(0, sweep, case, self, row)
+         call self%queue%take(0, case)
+         if (case == no_case) exit
+         call run_row(0, sweep, case, self, shared, row)
          call keep(self, case, row)
       end do
       do while (self%running > 0 .or. self%asking > 0)
@@ -116,10 +118,8 @@ contains
       select case (status%mpi_tag)
       case (tag_ask)
          call mpi_recv(case, 1, mpi_integer, status%mpi_source, tag_ask, self%comm, mpi_status_ignore)
-         case = no_case
-         if (self%next <= size(self%order)) then
-            case = self%order(self%next)
-            self%next = self%next + 1
+         call self%queue%take(status%mpi_source, case)
+         if (case /= no_case) then
             self%running = self%running + 1
          else
             self%asking = self%asking - 1
@@ -146,6 +146,7 @@ contains
       integer, intent(in) :: rank
       type(sweep_t), intent(in) :: sweep
       type(silent_monitor_t) :: monitor
+      type(shared_steady_t), target :: shared
       type(row_t) :: row
       integer :: case, i, unanswered
 
@@ -157,18 +158,19 @@ contains
          call mpi_recv(case, 1, mpi_integer, 0, tag_case, comm, mpi_status_ignore)
          unanswered = unanswered - 1
          if (case == no_case) cycle
-         call run_row(rank, sweep, case, monitor, row)
+         call run_row(rank, sweep, case, monitor, shared, row)
          call send_row(comm, case, row)
          call mpi_send(no_case, 1, mpi_integer, 0, tag_ask, comm)
          unanswered = unanswered + 1
       end do
    end subroutine work
 
-   subroutine run_row(rank, sweep, case, monitor, row)
+   subroutine run_row(rank, sweep, case, monitor, shared, row)
       integer, intent(in) :: rank
       type(sweep_t), intent(in) :: sweep
       integer, intent(in) :: case
       class(monitor_t), intent(inout) :: monitor
+      type(shared_steady_t), intent(inout), target :: shared   !! of the rank, from one case to the next
       type(row_t), intent(out) :: row
       character(len=mpi_max_processor_name) :: host
       integer :: length
@@ -177,7 +179,7 @@ contains
       row%host = host(:length)
       row%rank = rank
       row%started = time_stamp()
-      call run_estimated_case(sweep%cases(case), sweep%plans(case), monitor, row%result)
+      call run_estimated_case(sweep%cases(case), sweep%plans(case), monitor, row%result, shared)
       row%finished = time_stamp()
       row%message = row%result%message
    end subroutine run_row
@@ -195,7 +197,9 @@ contains
                    r%v2, r%f_r, r%formula_ratio, r%residual, r%load_error, r%time_steps, r%nonlinear_steps, &
                    r%linear_steps, r%seconds, r%work_units, r%peak_memory_mib, r%central_film_error, &
                    r%minimum_film_error, r%film_order, r%amplitude_ratio_error, r%amplitude_error_basis, &
-                   r%rescued_solutions]
+                   r%rescued_solutions, r%phase_fit, r%harmonic%ratio, r%harmonic%phase, r%harmonic%real_part, &
+                   r%harmonic%imaginary_part, r%harmonic%approach_ratio, r%harmonic%extrapolated, r%harmonic%error, &
+                   r%harmonic%linear_steps, r%harmonic%work_units]
       end associate
       text = row%message//row%host//row%started//row%finished//row%result%rung
       call mpi_send(buffer, numbers, mpi_double_precision, 0, tag_numbers, comm)
@@ -221,41 +225,13 @@ contains
          nonlinear_steps=nint(buffer(19)), linear_steps=nint(buffer(20)), seconds=buffer(21), work_units=buffer(22), &
          peak_memory_mib=buffer(23), central_film_error=buffer(24), minimum_film_error=buffer(25), film_order=buffer(26), &
          amplitude_ratio_error=buffer(27), amplitude_error_basis=nint(buffer(28)), &
-         rescued_solutions=nint(buffer(29)), rung=text(2*text_length + 49:))
+         rescued_solutions=nint(buffer(29)), rung=text(2*text_length + 49:), phase_fit=buffer(30), &
+         harmonic=harmonic_result_t(buffer(31), buffer(32), buffer(33), buffer(34), buffer(35), buffer(36), buffer(37), &
+                                    nint(buffer(38)), buffer(39)))
       row%message = text(1:text_length)
       row%host = text(text_length + 1:2*text_length)
       row%started = text(2*text_length + 1:2*text_length + 24)
       row%finished = text(2*text_length + 25:2*text_length + 48)
    end subroutine receive_row
-
-   !> Numbers of the cases, largest cost first; equal costs in the order of the table.
-   pure function longest_first(cost) result(order)
-      real(dp), intent(in) :: cost(:)
-      integer :: order(size(cost))
-      integer :: merged(size(cost)), i, j, k, middle, n, stop_, start, width
-
-      n = size(cost)
-      order = [(i, i=1, n)]
-      width = 1
-      do while (width < n)                       ! merge sort, stable
-         do start = 1, n, 2*width
-            middle = min(start + width, n + 1)
-            stop_ = min(start + 2*width, n + 1)
-            i = start
-            j = middle
-            do k = start, stop_ - 1
-               if (j >= stop_ .or. (i < middle .and. cost(order(min(i, n))) >= cost(order(min(j, n))))) then
-                  merged(k) = order(i)
-                  i = i + 1
-               else
-                  merged(k) = order(j)
-                  j = j + 1
-               end if
-            end do
-         end do
-         order = merged
-         width = 2*width
-      end do
-   end function longest_first
 
 end module ehlwave_scheduler

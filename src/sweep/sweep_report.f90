@@ -1,6 +1,6 @@
 !> Plan and outcome of a sweep as text.
 module ehlwave_sweep_report
-   use ehlwave_case_plan, only: run_march, run_smooth
+   use ehlwave_case_plan, only: run_harmonic, run_march, run_smooth
    use ehlwave_case_table, only: sweep_t
    use ehlwave_kinds, only: dp
    use ehlwave_results_file, only: row_t
@@ -26,6 +26,7 @@ contains
             run = to_text(plan%steps)//' time steps'
             if (plan%kind /= run_march) run = to_text(1 + plan%phases)//' steady states'
             if (plan%kind == run_smooth) run = '1 steady state'
+            if (plan%kind == run_harmonic) run = 'linear response'
             write (unit, '(i7,f9.1,f8.3,f9.4,2x,a12,f11.4,i7,a,i0,t76,a,t97,a)') i, plan%conditions%m, plan%conditions%l, &
                plan%conditions%d, case%orientation, case%wavelength_over_a, plan%cells_x, ' x ', plan%cells_y, &
                trim(run), merge('yes', 'NO ', plan%resolution%is_resolved)

@@ -114,6 +114,7 @@ class Surfaces(unittest.TestCase):
         self.assert_refused("holds metres",
                             conditions={"load_parameter_m": 100, "lubricant_parameter_l": 10, "radius_ratio_d": 1})
         self.assert_refused("give one of the two", waviness={"orientation": "transverse", "wavelength_over_a": 0.5})
+        self.assert_refused("remove &surface or set response to 'transient'", waviness={"response": "harmonic"})
         self.assert_refused("slip_parameter = 0", conditions={**CONTACT, "slip_parameter": 0})
 
 

@@ -1,7 +1,7 @@
 !> Amplitude from samples and from the harmonic fit.
 program test_amplitude
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
-   use ehlwave_amplitude, only: fitted_amplitude, sampled_amplitude
+   use ehlwave_amplitude, only: fitted_amplitude, fitted_harmonic, sampled_amplitude
    use ehlwave_kinds, only: dp, pi
    use testing, only: test_t
    implicit none (type, external)
@@ -26,6 +26,8 @@ contains
          time = [(3.5_dp + 0.0625_dp*i, i=1, 12)]
          film = 0.14_dp + amplitude*cos(2*pi*time/period + phase)
          call test%check_close(fitted_amplitude(time, film, period), amplitude, 'harmonic', relative=1e-10_dp)
+         call test%check_close(abs(fitted_harmonic(time, film, period) - amplitude*exp(cmplx(0, -phase, dp))), 0.0_dp, &
+                               'with its phase', absolute=1e-10_dp*amplitude)
       end do
       call test%check_close(sampled_amplitude([1.0_dp, 3.0_dp, 2.0_dp, 0.5_dp]), 1.25_dp, 'half the range', relative=1e-15_dp)
       call test%check(sampled_amplitude(film) < amplitude, 'samples miss the crest')

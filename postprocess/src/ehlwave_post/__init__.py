@@ -8,6 +8,7 @@ from ehlwave_post.fit import (
     bootstrap_coefficients,
     fit_formula,
     percentile_intervals,
+    point_weights,
     rms_residual,
 )
 from ehlwave_post.formula import amplitude_ratio_formula, f_of_r, v, v2, wavelength_ratio
@@ -27,6 +28,7 @@ __all__ = [
     "f_of_r",
     "fit_formula",
     "percentile_intervals",
+    "point_weights",
     "read_results",
     "refit_groups",
     "rms_residual",

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import xarray as xr
 
-from ehlwave_post import figures, tables
+from ehlwave_post import figures, linearity, tables
 from ehlwave_post.deform.cli import add_commands
 from ehlwave_post.deform.harmonics import write_harmonic_table
 from ehlwave_post.errors import ResultsError
@@ -35,6 +35,7 @@ COLLAPSE_COLUMNS = (
     "amplitude_ratio",
     "amplitude_ratio_fit",
     "deformed_ratio",
+    "deformed_error",
     "status",
     "is_resolved",
 )
@@ -88,6 +89,17 @@ def _refit(options: argparse.Namespace) -> None:
     print(document if options.json else tables.refit_text(rows, settings))
 
 
+def _linearity(options: argparse.Namespace) -> None:
+    points = linearity.linearity_points(read_results(options.results))
+    options.output.mkdir(parents=True, exist_ok=True)
+    table = options.output / "linearity.csv"
+    tables.write_dataset_csv(table, points, linearity.COLUMNS)
+    figure = linearity.linearity_figure(points)
+    written = [table, *figures.write_figure(figure, options.output, "linearity")]
+    print(linearity.linearity_text(points))
+    print("\n".join(str(path) for path in sorted(written)))
+
+
 def _table(options: argparse.Namespace) -> None:
     print(tables.summary_text(read_results(options.results)))
 
@@ -125,7 +137,7 @@ def _parser() -> argparse.ArgumentParser:
             "--ratio",
             choices=tuple(RATIO_COLUMNS),
             default="fit",
-            help="Ad/Ai from the harmonic fit (default) or from the extreme samples",
+            help="Ad/Ai from the harmonic fit (default), extreme samples, or linear response",
         )
 
     collapse = command("collapse", _collapse, "draw Ad/Ai against f(r) V2 and f(r) V")
@@ -142,6 +154,10 @@ def _parser() -> argparse.ArgumentParser:
     )
     refitting.add_argument(
         "--seed", type=_count, default=defaults.seed, help="of the bootstrap's random numbers"
+    )
+    linear = command("linearity", _linearity, "compare transients with linear responses")
+    linear.add_argument(
+        "--output", type=Path, default=Path(), metavar="DIR", help="default: this directory"
     )
     command("table", _table, "count cases by status and list the failed ones")
     export = command("export", _export, "write all columns to a CSV file")

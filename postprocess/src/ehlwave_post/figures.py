@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import FuncFormatter
 
-from ehlwave_post.fit import FitError, FormulaFit, fit_formula
+from ehlwave_post.fit import FitError, FormulaFit, fit_formula, point_weights
 from ehlwave_post.formula import PAPER_C1, PAPER_C2, amplitude_ratio_formula
 from ehlwave_post.points import Variable, of_orientation, resolved_only
 from ehlwave_post.schema import DIMENSION, ORIENTATIONS
@@ -51,8 +51,9 @@ def collapse_figure(points: xr.Dataset, variable: Variable) -> Figure:
     -------
     matplotlib.figure.Figure
         Three panels: transverse, isotropic, longitudinal. Dashed: eq. (18) with the paper's
-        coefficients. Solid: eq. (18) fitted to the resolved points of all orientations together,
-        absent if they are too few; it spans the points it was fitted to.
+        coefficients. Bars: discretisation errors, where they are known. Solid: eq. (18) fitted to
+        the resolved points of all orientations together, absent if they are too few; it spans the
+        points it was fitted to.
     """
     refitted = _refitted(points, variable)
     resolved_x = resolved_only(points)[variable].values
@@ -93,7 +94,8 @@ def outside_axes(points: xr.Dataset, variable: Variable) -> int:
 def _refitted(points: xr.Dataset, variable: Variable) -> FormulaFit | None:
     resolved = resolved_only(points)
     try:
-        return fit_formula(resolved[variable].values, resolved["deformed_ratio"].values)
+        x, ratio = resolved[variable].values, resolved["deformed_ratio"].values
+        return fit_formula(x, ratio, weight=point_weights(x, ratio, resolved["deformed_error"]))
     except FitError:
         return None
 
@@ -128,6 +130,7 @@ def _draw_points(
     axes: Axes, points: xr.Dataset, variable: Variable, markers: dict[float, tuple[str, str]]
 ) -> None:
     x, y = points[variable].values, points["deformed_ratio"].values
+    error = points["deformed_error"].values
     resolved = points["is_point_resolved"].values
     for ratio, (marker, colour) in markers.items():
         of_ratio = points["radius_ratio_d"].values == ratio
@@ -136,6 +139,9 @@ def _draw_points(
             if chosen.any():
                 style = _marker_style(marker, shade)
                 axes.plot(x[chosen], y[chosen], linestyle="none", zorder=order, **style)
+                has_bar = chosen & (error > 0)
+                bars = {"ecolor": shade, "elinewidth": 0.5, "fmt": "none", "zorder": order}
+                axes.errorbar(x[has_bar], y[has_bar], error[has_bar], **bars)
 
 
 def _finish_panel(axes: Axes, orientation: str) -> None:

@@ -39,7 +39,9 @@ class FormulaFit:
     rms: float
 
 
-def fit_formula(x: ArrayLike, ratio: ArrayLike, confidence: float = 0.95) -> FormulaFit:
+def fit_formula(
+    x: ArrayLike, ratio: ArrayLike, confidence: float = 0.95, weight: ArrayLike | None = None
+) -> FormulaFit:
     """Fit c1 and c2 of eq. (18) by least squares.
 
     Parameters
@@ -50,6 +52,8 @@ def fit_formula(x: ArrayLike, ratio: ArrayLike, confidence: float = 0.95) -> For
         Ad/Ai.
     confidence : float
         Probability content of the intervals.
+    weight : array_like, shape (n,), optional
+        Of each residual, see :func:`point_weights`; 1 by default.
 
     Raises
     ------
@@ -58,12 +62,14 @@ def fit_formula(x: ArrayLike, ratio: ArrayLike, confidence: float = 0.95) -> For
         points.
     """
     abscissa, measured = np.asarray(x, dtype=float), np.asarray(ratio, dtype=float)
+    weights = np.ones(abscissa.size) if weight is None else np.asarray(weight, dtype=float)
     if abscissa.size < MINIMUM_POINTS or np.unique(abscissa).size < MINIMUM_POINTS - 1:
         raise FitError(f"too few points ({abscissa.size}; at least {MINIMUM_POINTS} needed)")
 
     def residual(parameters: lmfit.Parameters) -> Floats:
         values = parameters.valuesdict()
-        return amplitude_ratio_formula(abscissa, values["c1"], values["c2"]) - measured
+        curve = amplitude_ratio_formula(abscissa, values["c1"], values["c2"])
+        return weights * (curve - measured)
 
     parameters = lmfit.create_params(c1=PAPER_C1, c2=PAPER_C2)
     minimizer = lmfit.Minimizer(residual, parameters)
@@ -75,6 +81,30 @@ def fit_formula(x: ArrayLike, ratio: ArrayLike, confidence: float = 0.95) -> For
     return FormulaFit(c1, c2, *intervals, rms=rms_residual(abscissa, measured, c1, c2))
 
 
+def point_weights(x: ArrayLike, ratio: ArrayLike, error: ArrayLike) -> Floats:
+    """Return weights of residuals, 1 for a point without error: s / sqrt(s^2 + error^2).
+
+    s, the scatter of the points about one curve, is the rms residual of the unweighted fit: points
+    follow eq. (18) no better than that, however small their own errors are.
+
+    Parameters
+    ----------
+    x, ratio : array_like, shape (n,)
+        As for :func:`fit_formula`.
+    error : array_like, shape (n,)
+        Error of each ratio; NaN, not known, counts as 0.
+
+    Raises
+    ------
+    FitError
+        As :func:`fit_formula`.
+    """
+    errors = np.nan_to_num(np.asarray(error, dtype=float), nan=0.0)
+    scatter = fit_formula(x, ratio).rms
+    total = np.hypot(scatter, errors)
+    return np.divide(scatter, total, out=np.ones_like(errors), where=(errors > 0) & (scatter > 0))
+
+
 def rms_residual(
     x: ArrayLike, ratio: ArrayLike, c1: float = PAPER_C1, c2: float = PAPER_C2
 ) -> float:
@@ -84,7 +114,12 @@ def rms_residual(
 
 
 def bootstrap_coefficients(
-    x: ArrayLike, ratio: ArrayLike, condition: ArrayLike, replicates: int, seed: int
+    x: ArrayLike,
+    ratio: ArrayLike,
+    condition: ArrayLike,
+    replicates: int,
+    seed: int,
+    weight: ArrayLike | None = None,
 ) -> Floats:
     """Refit samples of whole operating conditions, drawn with replacement.
 
@@ -93,7 +128,7 @@ def bootstrap_coefficients(
 
     Parameters
     ----------
-    x, ratio : array_like, shape (n,)
+    x, ratio, weight : array_like, shape (n,)
         As for :func:`fit_formula`.
     condition : array_like of int, shape (n,)
         Number of the operating condition of each point.
@@ -113,6 +148,7 @@ def bootstrap_coefficients(
         With fewer than three operating conditions.
     """
     abscissa, measured = np.asarray(x, dtype=float), np.asarray(ratio, dtype=float)
+    weights = np.ones(abscissa.size) if weight is None else np.asarray(weight, dtype=float)
     members = [np.flatnonzero(condition == label) for label in np.unique(condition)]
     if len(members) < MINIMUM_CONDITIONS:
         raise FitError(
@@ -123,7 +159,7 @@ def bootstrap_coefficients(
     for _ in range(replicates):
         labels = random.integers(len(members), size=len(members))
         drawn = np.concatenate([members[label] for label in labels])
-        solution = _solve(abscissa[drawn], measured[drawn])
+        solution = _solve(abscissa[drawn], measured[drawn], weights[drawn])
         if solution is not None:
             coefficients.append(solution)
     return np.array(coefficients, dtype=float).reshape(-1, 2)
@@ -138,16 +174,16 @@ def percentile_intervals(coefficients: Floats, confidence: float = 0.95) -> tupl
     return tuple((float(a), float(b)) for a, b in zip(low, high, strict=True))
 
 
-def _solve(x: Floats, ratio: Floats) -> Floats | None:
+def _solve(x: Floats, ratio: Floats, weight: Floats) -> Floats | None:
     """Return the least-squares c1 and c2, or None where the points do not determine them."""
     if np.unique(x).size < MINIMUM_POINTS - 1:
         return None
 
     def residual(c: Floats) -> Floats:
-        return amplitude_ratio_formula(x, c[0], c[1]) - ratio
+        return weight * (amplitude_ratio_formula(x, c[0], c[1]) - ratio)
 
     def jacobian(c: Floats) -> Floats:
-        slope = -(amplitude_ratio_formula(x, c[0], c[1]) ** 2)
+        slope = -weight * amplitude_ratio_formula(x, c[0], c[1]) ** 2
         return np.stack([slope * x, slope * x**2])
 
     solution, ierr = leastsq(residual, (PAPER_C1, PAPER_C2), Dfun=jacobian, col_deriv=True)

@@ -17,10 +17,14 @@ from ehlwave_post.schema import (
     UNRESOLVED,
 )
 
-Ratio = Literal["fit", "sampled"]
+Ratio = Literal["fit", "sampled", "harmonic"]
 Variable = Literal["f_v", "f_v2"]
 
-RATIO_COLUMNS: dict[Ratio, str] = {"fit": "amplitude_ratio_fit", "sampled": "amplitude_ratio"}
+RATIO_COLUMNS: dict[Ratio, str] = {
+    "fit": "amplitude_ratio_fit",
+    "sampled": "amplitude_ratio",
+    "harmonic": "harmonic_extrapolated",
+}
 VARIABLES: tuple[Variable, Variable] = ("f_v", "f_v2")
 CONDITION = ("load_parameter_m", "lubricant_parameter_l", "radius_ratio_d")
 
@@ -34,9 +38,11 @@ def select_points(
     ----------
     results : xarray.Dataset
         From :func:`ehlwave_post.read.read_results`.
-    ratio : {"fit", "sampled"}
-        Ad/Ai from the harmonic fit or from the largest and smallest sample, eq. (14). Longitudinal
-        waviness has no time signal, so where its fit is NaN the (exact) sampled value is taken.
+    ratio : {"fit", "sampled", "harmonic"}
+        Ad/Ai from the harmonic fit, from the largest and smallest sample, eq. (14), or from the
+        linear response to small waves, extrapolated to mesh size 0 where two grids allow it.
+        Longitudinal waviness has no time signal, so where its fit is NaN the (exact) sampled value
+        is taken. Cases without a transient have their linear response in place of the fit.
     include_unresolved : bool
         Keep also cases that converged on a grid too coarse for them.
 
@@ -44,7 +50,8 @@ def select_points(
     -------
     xarray.Dataset
         The chosen cases with all their columns, and over ``case``, dimensionless: ``f_v`` = f(r) V
-        and ``f_v2`` = f(r) V2, eqs. (15) to (17), ``deformed_ratio`` = Ad/Ai as chosen, and
+        and ``f_v2`` = f(r) V2, eqs. (15) to (17), ``deformed_ratio`` = Ad/Ai as chosen,
+        ``deformed_error`` = its estimated discretisation error (NaN: not known), and
         ``is_point_resolved`` (bool).
 
     Raises
@@ -52,16 +59,14 @@ def select_points(
     ResultsError
         If nothing is left; the message counts what there was.
     """
-    deformed = results[RATIO_COLUMNS[ratio]].astype(float)
-    if ratio == "fit":
-        no_signal = (results["orientation"] == "longitudinal") & deformed.isnull()
-        deformed = deformed.where(~no_signal, results[RATIO_COLUMNS["sampled"]])
+    deformed, error = _chosen_ratio(results, ratio)
     status = results["status"]
     resolved = (status == CONVERGED) & (results["is_resolved"] != 0)
     candidates = results.assign(
         f_v=_column(results["f_r"] * results["v"], "f(r) V"),
         f_v2=_column(results["f_r"] * results["v2"], "f(r) V2"),
         deformed_ratio=_column(deformed, f"Ad/Ai ({ratio})"),
+        deformed_error=_column(error, "estimated discretisation error of Ad/Ai"),
         is_point_resolved=_column(resolved, "converged on a fine enough grid"),
     )
     usable = (results["orientation"] != SMOOTH) & np.isfinite(deformed)
@@ -71,6 +76,30 @@ def select_points(
     if not usable.any():
         raise ResultsError(_nothing_usable(results, ratio, include_unresolved))
     return candidates.isel({DIMENSION: np.flatnonzero(usable)})
+
+
+def _chosen_ratio(results: xr.Dataset, ratio: Ratio) -> tuple[xr.DataArray, xr.DataArray]:
+    """Return Ad/Ai as chosen and its absolute discretisation error, NaN where there is none."""
+    linear = _optional(results, "harmonic_extrapolated").fillna(
+        _optional(results, "harmonic_ratio")
+    )
+    linear_error = linear * _optional(results, "harmonic_error")
+    if ratio == "harmonic":
+        return linear, linear_error
+    deformed = results[RATIO_COLUMNS[ratio]].astype(float)
+    if ratio == "sampled":
+        return deformed, xr.full_like(deformed, np.nan)
+    no_signal = (results["orientation"] == "longitudinal") & deformed.isnull()
+    deformed = deformed.where(~no_signal, results[RATIO_COLUMNS["sampled"]])
+    error = linear_error.where(deformed.isnull())
+    return deformed.fillna(linear), error
+
+
+def _optional(results: xr.Dataset, name: str) -> xr.DataArray:
+    """Return a column that older files do not have; NaN there."""
+    if name in results:
+        return results[name].astype(float)
+    return xr.full_like(results["amplitude_ratio_fit"].astype(float), np.nan)
 
 
 def resolved_only(points: xr.Dataset) -> xr.Dataset:

@@ -12,6 +12,7 @@ from ehlwave_post.fit import (
     bootstrap_coefficients,
     fit_formula,
     percentile_intervals,
+    point_weights,
     rms_residual,
 )
 from ehlwave_post.points import VARIABLES, Variable, condition_index, of_orientation
@@ -58,6 +59,8 @@ class RefitRow:
 def refit_groups(points: xr.Dataset, settings: RefitSettings | None = None) -> list[RefitRow]:
     """Fit eq. (18) for every group of points, on f(r) V and on f(r) V2.
 
+    Points with an error estimate are weighted by it, see :func:`ehlwave_post.fit.point_weights`.
+
     Parameters
     ----------
     points : xarray.Dataset
@@ -96,7 +99,8 @@ def _fit_row(
         rms_paper=rms_residual(x, ratio),
     )
     try:
-        fit = fit_formula(x, ratio, settings.confidence)
+        weight = point_weights(x, ratio, points["deformed_error"].values)
+        fit = fit_formula(x, ratio, settings.confidence, weight)
     except FitError as error:
         return replace(row, note=str(error))
     row = replace(
@@ -108,7 +112,9 @@ def _fit_row(
         c2_profile=fit.c2_interval,
     )
     try:
-        samples = bootstrap_coefficients(x, ratio, condition, settings.replicates, settings.seed)
+        samples = bootstrap_coefficients(
+            x, ratio, condition, settings.replicates, settings.seed, weight
+        )
     except FitError as error:
         return replace(row, note=str(error))
     c1_bootstrap, c2_bootstrap = percentile_intervals(samples, settings.confidence)

@@ -1,0 +1,50 @@
+!> The linear response of a case: no time steps.
+module ehlwave_harmonic_case
+   use ehlwave_case_input, only: case_t
+   use ehlwave_case_plan, only: case_plan_t
+   use ehlwave_case_result, only: case_result_t
+   use ehlwave_harmonic_response, only: harmonic_response_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_shared_steady, only: shared_steady_t
+   use ehlwave_status, only: status_converged, status_name
+   use ehlwave_text, only: to_text
+   use ehlwave_work_unit, only: work_unit_seconds
+   implicit none (type, external)
+   private
+   public :: run_response
+
+contains
+
+   !> Response to the pattern of a case about its converged steady state, and, for the error estimate, about that of
+   !> the grid with twice the mesh size. A coarse grid that fails leaves no estimate; the result stands without.
+   subroutine run_response(case, plan, steady, result)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      type(shared_steady_t), intent(inout), target :: steady
+      type(case_result_t), intent(inout) :: result
+      type(harmonic_response_t) :: response, coarse
+      real(dp) :: finish, start
+
+      call steady%linearise(case, plan)
+      call cpu_time(start)             ! steadier than the wall clock on a busy machine
+      call steady%response%respond(plan%waviness, case%natural_frequency, plan%steps_per_cell, response)
+      call cpu_time(finish)
+      result%harmonic%work_units = (finish - start)/work_unit_seconds(plan%cells_x, plan%cells_y)
+      result%harmonic%linear_steps = response%linear_steps
+      result%status = response%status
+      if (response%status /= status_converged) then
+         result%message = 'linear response '//status_name(response%status)//' after '//to_text(response%linear_steps)// &
+                          ' GMRES steps, residual reduced to '//to_text(response%reduction, 3)
+         return
+      end if
+      call result%harmonic%take(response%film, response%approach)
+      if (case%fields) then
+         call move_alloc(response%p, result%harmonic%p)
+         call move_alloc(response%h, result%harmonic%h)
+      end if
+      if (.not. steady%has_coarse) return
+      call steady%coarse_response%respond(plan%waviness, case%natural_frequency, plan%steps_per_cell, coarse)
+      if (coarse%status == status_converged) call result%harmonic%extrapolate(coarse%film)
+   end subroutine run_response
+
+end module ehlwave_harmonic_case

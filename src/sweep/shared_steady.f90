@@ -1,0 +1,130 @@
+!> Steady state of one contact and the linear systems about it, shared by all patterns that meet it.
+module ehlwave_shared_steady
+   use ehlwave_case_input, only: case_t
+   use ehlwave_case_plan, only: case_plan_t, run_harmonic
+   use ehlwave_case_text, only: effective_input
+   use ehlwave_full_multigrid, only: full_multigrid_t
+   use ehlwave_harmonic_response, only: harmonic_solver_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_level_solver, only: solve_limits_t
+   use ehlwave_rescue, only: rescue_t, rung_direct
+   use ehlwave_status, only: status_converged
+   use ehlwave_text, only: to_text
+   implicit none (type, external)
+   private
+   public :: steady_key
+
+   !> Its parts point at each other: declare it a target, pass it by reference, do not copy it.
+   type, public :: shared_steady_t
+      type(full_multigrid_t) :: multigrid
+      type(rescue_t) :: rescue                       !! as the steady state left it, for what follows in a case
+      type(harmonic_solver_t) :: response            !! about the finest level
+      type(harmonic_solver_t) :: coarse_response     !! about the next coarser one, if `has_coarse`
+      logical :: has_coarse = .false.
+      logical, private :: is_linearised = .false.
+      character(len=:), allocatable, private :: key  ! of the steady state held, if it may be used again
+   contains
+      procedure :: prepare
+      procedure :: linearise
+   end type shared_steady_t
+
+   ! Of the levels below the finest. As a first guess 1e-3 would do; the error estimate wants the discretisation error
+   ! of these levels alone (M = 20, D = 0.35 on 512^2: 1e-3 leaves 4e-4 of H(0,0), ten times the error of the finest).
+   real(dp), parameter :: coarse_tolerance = 1e-5_dp
+
+contains
+
+   !> What the steady state of a case depends on: all of its input but the waves and what is done with them. Cells,
+   !> domain and cap on the steps are those of the plan.
+   function steady_key(case, plan) result(key)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      character(len=:), allocatable :: key
+      type(case_t) :: bare, defaults
+
+      bare = case
+      bare%orientation = 'none'
+      bare%slip_parameter = defaults%slip_parameter
+      bare%load_balance = defaults%load_balance
+      bare%natural_frequency = defaults%natural_frequency
+      bare%cells_x = plan%cells_x
+      bare%cells_y = plan%cells_y
+      key = effective_input(bare)//merge('half ', 'whole', plan%is_half)//to_text(plan%kind)// &
+            ' '//to_text(plan%largest_total_steps)
+   end function steady_key
+
+   !> Have the steady state of a case in `multigrid` and the account of it in `rescue`: solved now, or kept from a case
+   !> that has the same. A state that is going to be marched on from is not kept. The numbers, steps included, do not
+   !> depend on which it is.
+   subroutine prepare(self, case, plan)
+      class(shared_steady_t), intent(inout), target :: self
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      character(len=:), allocatable :: key
+
+      key = ''
+      if (plan%kind == run_harmonic) key = steady_key(case, plan)
+      if (allocated(self%key) .and. len(key) > 0) then
+         if (self%key == key .and. serves(self, plan)) return
+      end if
+      self%key = key
+      self%is_linearised = .false.
+      if (allocated(self%multigrid%levels)) deallocate (self%multigrid%levels)
+      call self%multigrid%init(plan%conditions, plan%rheology, case%x_min, case%x_max, case%y_max, &
+                               plan%cells_x, plan%cells_y, plan%is_half, trim(case%method), trim(case%deformation), &
+                               trim(case%cycle))
+      self%rescue = rescue_t(is_ready=climbs(plan), steps_left=plan%largest_total_steps)
+      call self%rescue%solve_steady(self%multigrid, limits_of(case), coarse_tolerance)
+   end subroutine prepare
+
+   !> Whether a steady state may be rescued: where the grid does not resolve the case the result is not worth the effort.
+   pure logical function climbs(plan)
+      type(case_plan_t), intent(in) :: plan
+      climbs = plan%resolution%is_resolved
+   end function climbs
+
+   !> Whether the state held is what a case of the same key would come to: the waves decide whether the grid resolves a
+   !> case, and with that how far it may climb the ladder. What the direct solve found has nothing to do with that.
+   pure logical function serves(self, plan)
+      type(shared_steady_t), intent(in) :: self
+      type(case_plan_t), intent(in) :: plan
+      associate (report => self%multigrid%levels(size(self%multigrid%levels))%report)
+         serves = (self%rescue%rung == rung_direct .and. report%status == status_converged) .or. &
+                  (self%rescue%is_ready .eqv. climbs(plan))
+      end associate
+   end function serves
+
+   !> Linear systems about the steady state, and about that of the next coarser grid, which is solved to the same
+   !> tolerance first.
+   subroutine linearise(self, case, plan)
+      class(shared_steady_t), intent(inout), target :: self
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      integer :: l, n
+
+      if (self%is_linearised) return
+      n = size(self%multigrid%levels)
+      self%has_coarse = n > 1
+      if (n > 1) then
+         associate (level => self%multigrid%levels(n - 1))
+            call level%solver%solve(level%problem, level%state, limits_of(case), level%report)
+            self%has_coarse = level%report%status == status_converged
+         end associate
+      end if
+      if (plan%kind == run_harmonic) then
+         do l = 1, n                   ! nothing nonlinear follows: give their memory back
+            deallocate (self%multigrid%levels(l)%solver)
+         end do
+      end if
+      call self%response%init(self%multigrid%levels)
+      if (self%has_coarse) call self%coarse_response%init(self%multigrid%levels(:n - 1))
+      self%is_linearised = .true.
+   end subroutine linearise
+
+   pure function limits_of(case) result(limits)
+      type(case_t), intent(in) :: case
+      type(solve_limits_t) :: limits
+      limits = solve_limits_t(tolerance=case%tolerance, largest_steps=case%largest_steps)
+   end function limits_of
+
+end module ehlwave_shared_steady

@@ -1,0 +1,88 @@
+"""The key `response`: fields, refusals, and sweeps that share steady states."""
+
+import math
+import tempfile
+import unittest
+from pathlib import Path
+
+from ehlwave_program import TestCase, last_line, namelist, run, solve
+
+CONTACT = {"load_parameter_m": 100, "lubricant_parameter_l": 12.05, "radius_ratio_d": 1}
+GRID = {"cells_x": 32, "cells_y": 32}
+WAVES = {"orientation": "transverse", "wavelength_over_a": 2, "response": "harmonic"}
+
+
+class Response(TestCase):
+    def refuse(self, expected, **groups):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder, "case.nml")
+            path.write_text(namelist({"conditions": CONTACT, "grid": GRID, **groups}))
+            outcome = run("case", path)
+        self.assertEqual(outcome.returncode, 2, outcome.stdout)
+        self.assertIn(expected, outcome.stderr)
+
+    def test_choices(self):
+        small = {"m": 100, "d": 1, "grid": GRID}
+        harmonic = solve(**small, waviness=WAVES)
+        both = solve(**small, waviness={**WAVES, "response": "both", "amplitude_over_film": 0.01})
+        transient = solve(**small, waviness={**WAVES, "response": "transient", "amplitude_over_film": 0.01})
+        self.assertEqual(harmonic["harmonic_ratio"], both["harmonic_ratio"])
+        self.assertEqual(both["amplitude_ratio_fit"], transient["amplitude_ratio_fit"])
+        self.assertIsNone(harmonic["amplitude_ratio"])
+        self.assertIsNone(harmonic["mean_film"])
+        # the response has an error estimate of its own, that of the transient is left as it is
+        self.assertIsNone(harmonic["amplitude_ratio_error"])
+        self.assertEqual(harmonic["amplitude_error_basis"], "")
+        self.assertEqual(both["amplitude_ratio_error"], transient["amplitude_ratio_error"])
+        self.assertEqual(harmonic["central_film_error"], transient["central_film_error"])
+        self.assertIsNone(transient["harmonic_ratio"])
+        self.assertAlmostEqual(math.hypot(harmonic["harmonic_real"], harmonic["harmonic_imaginary"]),
+                               harmonic["harmonic_ratio"], delta=1e-12)
+        self.assertAlmostEqual(math.atan2(harmonic["harmonic_imaginary"], harmonic["harmonic_real"]),
+                               harmonic["harmonic_phase"], delta=1e-12)
+
+    def test_plan(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder, "case.nml")
+            path.write_text(namelist({"conditions": CONTACT, "grid": GRID, "waviness": WAVES}))
+            plan = last_line(run("case", path, "--plan", "--json"))
+        self.assertEqual(plan["run"], "harmonic")
+        self.assertEqual(plan["time_steps"], 0)
+
+    def test_plan_for_an_accuracy(self):
+        """The response needs the grid of the transient, steps of one cell, and a small part of its work."""
+        plans = {}
+        for response in ("harmonic", "both", "transient"):
+            with tempfile.TemporaryDirectory() as folder:
+                path = Path(folder, "case.nml")
+                path.write_text(namelist({"conditions": CONTACT, "waviness": {**WAVES, "response": response},
+                                          "solver": {"accuracy": 0.02}}))
+                plans[response] = last_line(run("case", path, "--plan", "--json"))
+        harmonic, both, transient = plans["harmonic"], plans["both"], plans["transient"]
+        self.assertEqual(harmonic["cells_x"], transient["cells_x"])
+        self.assertTrue(0.005 < harmonic["expected_error"] < both["expected_error"] <= 0.02)
+        self.assertAlmostEqual(both["time_step"], 4/both["cells_x"], delta=1e-12)
+        self.assertLess(harmonic["expected_work_units"], 0.05*both["expected_work_units"])
+
+    def test_refusals(self):
+        self.refuse("response", waviness={**WAVES, "response": "linear"})
+        self.refuse("load_factor", waviness=WAVES, dynamics={"load_factor": 1.1})
+        self.refuse("time_step_over_cell", waviness=WAVES, solver={"time_step_over_cell": 2})
+        self.refuse("end_time", waviness=WAVES, dynamics={"end_time": 2.0})
+
+    def test_slip_enters_the_frequency_only(self):
+        """A pattern that stands still has no phase in time but one in space: w = 0, kx > 0."""
+        standing = solve(conditions={**CONTACT, "slip_parameter": 0}, grid=GRID, waviness=WAVES)
+        slow = solve(conditions={**CONTACT, "slip_parameter": 1e-6}, grid=GRID, waviness=WAVES)
+        self.check_close(slow["harmonic_ratio"], standing["harmonic_ratio"], 1e-4, "Ad/Ai")
+
+    def test_oblique(self):
+        """sin(ky Y) vanishes at the centre: there an oblique wave does what the product of cosines does."""
+        custom = {"orientation": "custom", "wavelength_x_over_a": 2, "wavelength_y_over_a": 1.6, "response": "harmonic"}
+        product = solve(conditions=CONTACT, grid=GRID, waviness=custom)
+        oblique = solve(conditions=CONTACT, grid=GRID, waviness={**custom, "oblique": True})
+        self.check_close(oblique["harmonic_ratio"], product["harmonic_ratio"], 5e-4, "Ad/Ai")
+
+
+if __name__ == "__main__":
+    unittest.main()

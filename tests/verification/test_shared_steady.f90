@@ -1,0 +1,100 @@
+!> Responses about one steady state give the same bits whoever solved it, rescued or not.
+program test_shared_steady
+   use ehlwave_case_input, only: case_t, complete_case
+   use ehlwave_case_plan, only: case_plan_t, make_plan
+   use ehlwave_case_result, only: case_result_t
+   use ehlwave_case_runner, only: run_case
+   use ehlwave_errors, only: error_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_monitor, only: silent_monitor_t
+   use ehlwave_shared_steady, only: shared_steady_t
+   use ehlwave_status, only: is_success
+   use testing, only: test_t
+   implicit none (type, external)
+
+   integer, parameter :: few = 5, enough = 60     !! steps: the direct solve takes 6
+   real(dp), parameter :: short = 0.3_dp, long = 1.0_dp, longer = 2.0_dp   !! waves; 64 cells do not resolve the short ones
+
+   type(test_t) :: test
+   type(case_result_t) :: first, second, alone, alone_second
+
+   call pair(enough, short, long, 'newton')
+   call test%check(is_success(first%status) .and. is_success(second%status), 'unresolved and resolved converge')
+   call test%check(first%rung == 'direct' .and. first%nonlinear_steps == second%nonlinear_steps, 'one state, the same account')
+   call pair(enough, long, longer, 'fas')
+   call test%check(is_success(first%status) .and. first%harmonic%error > 0, 'FAS')
+   call pair(few, long, longer, 'newton')
+   call test%check(first%rung == 'damped' .and. second%rescued_solutions == 1, 'a rescued state is shared')
+   call pair(few, short, long, 'newton')
+   call test%check(.not. is_success(first%status) .and. is_success(second%status), 'only resolved cases are rescued')
+   call pair(few, long, short, 'newton')
+   call test%check(is_success(first%status) .and. .not. is_success(second%status), 'whatever the order')
+   call test%finish()
+
+contains
+
+   !> Two wavelengths of one contact, in `first` and `second`, each against the same case alone.
+   subroutine pair(steps, wavelength, wavelength_second, method)
+      integer, intent(in) :: steps
+      real(dp), intent(in) :: wavelength, wavelength_second
+      character(len=*), intent(in) :: method
+      type(shared_steady_t), target :: shared
+      call run(steps, wavelength, method, first, shared)
+      call run(steps, wavelength_second, method, second, shared)
+      call run(steps, wavelength, method, alone)
+      call run(steps, wavelength_second, method, alone_second)
+      call compare(first, alone, method//', first')
+      call compare(second, alone_second, method//', second')
+   end subroutine pair
+
+   subroutine run(steps, wavelength, method, result, shared)
+      integer, intent(in) :: steps
+      real(dp), intent(in) :: wavelength
+      character(len=*), intent(in) :: method
+      type(case_result_t), intent(out) :: result
+      type(shared_steady_t), intent(inout), target, optional :: shared
+      type(case_t) :: case
+      type(case_plan_t) :: plan
+      type(error_t), allocatable :: error
+      type(silent_monitor_t) :: monitor
+
+      case%load_parameter_m = 100
+      case%lubricant_parameter_l = 12.05_dp
+      case%radius_ratio_d = 1
+      case%orientation = 'transverse'
+      case%wavelength_over_a = wavelength
+      case%response = 'harmonic'
+      case%cells_x = 64
+      case%cells_y = 64
+      case%largest_steps = steps
+      case%method = method
+      call complete_case(case, '', error)
+      if (.not. allocated(error)) call make_plan(case, plan, error)
+      call test%check_no_error(error, method)
+      if (allocated(error)) return
+      call run_case(case, plan, monitor, result, shared)
+   end subroutine run
+
+   subroutine compare(a, b, what)
+      type(case_result_t), intent(in) :: a, b
+      character(len=*), intent(in) :: what
+      call test%check(all([a%status, a%nonlinear_steps, a%linear_steps, a%rescued_solutions, a%harmonic%linear_steps] == &
+                          [b%status, b%nonlinear_steps, b%linear_steps, b%rescued_solutions, b%harmonic%linear_steps]) &
+                      .and. a%rung == b%rung .and. a%message == b%message, what//': outcome and effort')
+      call test%check(all(same([a%central_film, a%minimum_film, a%central_film_error, a%minimum_film_error, a%film_order, &
+                                a%residual, a%load_error], &
+                               [b%central_film, b%minimum_film, b%central_film_error, b%minimum_film_error, b%film_order, &
+                                b%residual, b%load_error])), what//': smooth contact')
+      call test%check(all(same([a%harmonic%real_part, a%harmonic%imaginary_part, a%harmonic%approach_ratio, &
+                                a%harmonic%extrapolated, a%harmonic%error], &
+                               [b%harmonic%real_part, b%harmonic%imaginary_part, b%harmonic%approach_ratio, &
+                                b%harmonic%extrapolated, b%harmonic%error])), what//': response')
+   end subroutine compare
+
+   !> Equal bits; NaN equals NaN.
+   elemental logical function same(a, b)
+      real(dp), intent(in) :: a, b
+      same = abs(a - b) <= 0 .or. .not. (abs(a) <= huge(a) .or. abs(b) <= huge(b))
+   end function same
+
+end program test_shared_steady
