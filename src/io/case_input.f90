@@ -41,7 +41,7 @@ module ehlwave_case_input
       character(len=name_length) :: domain = 'auto'
       ! &solver
       real(dp) :: tolerance = 1e-6_dp
-      real(dp) :: step_tolerance = 1e-3_dp
+      real(dp) :: step_tolerance = 1e-4_dp
       real(dp) :: time_step_over_cell = 1                !! 0: chosen by the plan
       integer :: largest_steps = 60
       integer :: largest_total_steps = 0                 !! 0: chosen by the plan

@@ -43,7 +43,7 @@ class Method:
 
 METHODS = (
     Method("newton"),
-    Method("fas", march=", cycle = 'v', step_tolerance = 1e-4"),
+    Method("fas", march=", cycle = 'v'"),
 )
 
 

@@ -44,7 +44,7 @@ class Run:
     method: str = "newton"
     deformation: str = "fft"
     tolerance: float = 1e-6
-    step_tolerance: float = 1e-3
+    step_tolerance: float = 1e-4
     time_step_over_cell: float = 1.0
 
     @property
@@ -114,7 +114,7 @@ FULL = Extent(
     wave_cells=(32, 48, 64, 96, 128, 192, 256),
     largest=((WAVY[0], 384), (WAVY[7], 384), (WAVY[0], 512)),
     series_cells=(64, 128),
-    step_tolerances=(1e-1, 1e-2, 1e-4, 1e-5, TIGHT),
+    step_tolerances=(1e-1, 1e-2, 1e-3, 1e-5, TIGHT),
     time_steps=(0.25, 0.5, 2.0, 4.0),
     other_cells=(64, 128, 256),
     petsc_cells=(64,),
