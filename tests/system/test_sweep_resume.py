@@ -158,7 +158,7 @@ class SweepResume(unittest.TestCase):
 
     def test_responses_of_a_stopped_sweep_are_those_of_a_whole_one(self):
         """The rest of a group finds its steady state again, on whichever rank."""
-        groups = {**QUICK, "waviness": {"response": "harmonic"}, "grid": {"cells_x": 64, "cells_y": 64}}
+        groups = {**QUICK, "waviness": {"response": "harmonic"}, "grid": {"cells_x": 128, "cells_y": 128}}
         groups["sweep"] = {**QUICK["sweep"], "wavelength_over_a": [0.75, 1, 1.5, 2]}
         self.sweep(groups, "--output", "whole.h5")
         self.sweep(groups, "--time-limit", "0.1", status=UNFINISHED)
