@@ -11,10 +11,8 @@ from ehlwave_program import TestCase, report, solve
 
 RECORD = Path(__file__).resolve().parents[2] / "postprocess" / "record" / "error-vs-time" / "errors.csv"
 FACTOR = 3
-# Errors below this are near those of the references and of the default step tolerance. Time steps are solved closer than
-# by default: M = 100, D = 0.12, lambda = 0.5 a on 64 cells has 9.3e-4, of which 1e-3 leaves 8e-5 more or less.
+# Errors below this are near those of the references and of the default step tolerance.
 SMALLEST_ERROR = 1e-3
-SOLVER = {"step_tolerance": 1e-4}
 ESTIMATES = {"central_film": "central_film_error", "minimum_film": "minimum_film_error",
              "amplitude_ratio_fit": "amplitude_ratio_error"}
 # M, D, lambda/a, orientation, L, cells: conditions, waves and orientations that these grids resolve.
@@ -40,8 +38,7 @@ class ErrorEstimates(TestCase):
         for *contact, cells in CASES:
             m, d, wave, orientation, lubricant = contact
             waviness = {"orientation": orientation, **({"wavelength_over_a": wave} if wave else {})}
-            result = solve(m=m, l=lubricant, d=d, grid={"cells_x": cells, "cells_y": cells}, waviness=waviness,
-                           solver=SOLVER)
+            result = solve(m=m, l=lubricant, d=d, grid={"cells_x": cells, "cells_y": cells}, waviness=waviness)
             for quantity in ["amplitude_ratio_fit"] if wave else ["central_film", "minimum_film"]:
                 error = abs(result[quantity]/recorded[(*contact, quantity)] - 1)
                 if error < SMALLEST_ERROR:
