@@ -133,7 +133,8 @@ class SweepResume(unittest.TestCase):
                 break
             self.assertEqual(outcome.returncode, UNFINISHED, outcome.stderr)
             self.assertIn("the time limit is reached", outcome.stdout)
-            self.assertEqual(len(list((self.store()/"checkpoints").iterdir())), 1)
+            if count_records(self.store(), "start"):   # a busy machine may not even get there
+                self.assertEqual(len(list((self.store()/"checkpoints").iterdir())), 1)
         self.assertEqual(outcome.returncode, 0)
         self.assertGreaterEqual(count_records(self.store(), "stop"), 2)
         self.check_same("whole.h5", "results.h5")
