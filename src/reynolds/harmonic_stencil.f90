@@ -4,6 +4,7 @@ module ehlwave_harmonic_stencil
    use ehlwave_harmonic_operator, only: harmonic_transport_t
    use ehlwave_kernel, only: cell_influence
    use ehlwave_kinds, only: dp, pi
+   use ehlwave_near_stencil, only: link_i, link_j, links
    use ehlwave_reynolds, only: flow_t
    implicit none (type, external)
    private
@@ -19,10 +20,6 @@ module ehlwave_harmonic_stencil
    end type harmonic_stencil_t
 
    real(dp), parameter :: softening_reach = 3   !! radius of the softening over the reach of the pattern
-
-   integer, parameter :: links = 6   !! nodes whose film enters the residual of a node, itself included
-   integer, parameter :: link_i(links) = [0, 1, -1, 0, 0, -2]
-   integer, parameter :: link_j(links) = [0, 0, 0, 1, -1, 0]
 
 contains
 

@@ -4,8 +4,7 @@
 !> parts are stored apart and lines of the fast index are worked on together, so that all but the coupling
 !> within a line is vectorised.
 module ehlwave_complex_ilu
-   use, intrinsic :: iso_fortran_env, only: sp => real32
-   use ehlwave_kinds, only: dp
+   use ehlwave_kinds, only: dp, sp
    implicit none (type, external)
    private
    public :: new_complex_ilu
