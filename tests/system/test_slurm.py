@@ -33,6 +33,28 @@ class Slurm(unittest.TestCase):
         if not self.slurm.start():
             self.skipTest("the private Slurm did not come up")
 
+    def log(self, task):
+        """What a task of the array has printed so far."""
+        path = self.folder/f"job-{task}.log"
+        return path.read_text() if path.exists() else ""
+
+    def is_over(self, task):
+        """Whether a task ended without a word of another start."""
+        lines = self.log(task).rstrip().split("\n")
+        return "exit status" in lines[-1] and "exit status 85" not in lines[-1]
+
+    def wait(self, is_done, seconds=480):
+        """Wait for the jobs; one that is requeued starts again at once, not after the two minutes of Slurm.
+
+        An empty queue means nothing by itself: a job that is being requeued can be missing from it.
+        """
+        end = time.monotonic() + seconds
+        while not is_done() and time.monotonic() < end:
+            for line in self.slurm.call("squeue", "-h", "-t", "all", "-o", "%i %T").split("\n"):
+                if line.endswith(" PENDING"):
+                    self.slurm.call("scontrol", "update", f"jobid={line.split()[0]}", "StartTime=now", check=False)
+            time.sleep(2)
+
     def test_array_requeues_until_it_is_done(self):
         sweeps = []
         for task in range(TASKS):
@@ -46,18 +68,9 @@ class Slurm(unittest.TestCase):
         job = self.slurm.call("sbatch", "--parsable", "--nodes=2", "--ntasks=2", "--ntasks-per-node=1",
                               "--time=1", "--signal=B:USR1@50", f"--array=0-{TASKS - 1}",
                               f"--output={self.folder}/job-%a.log", ROOT/"scripts"/"batch"/"slurm.sh", *sweeps, cwd=ROOT).strip()
-        end = time.monotonic() + 420
-        while time.monotonic() < end:
-            queue = self.slurm.call("squeue", "-h", "-o", "%i %T").split("\n")
-            for line in filter(None, queue):
-                identity, state = line.split()
-                if state == "PENDING":   # a requeued job waits two minutes, which the test does not
-                    self.slurm.call("scontrol", "update", f"jobid={identity}", "StartTime=now", check=False)
-            if not any(queue):
-                break
-            time.sleep(2)
+        self.wait(lambda: all(self.is_over(task) for task in range(TASKS)))
         for task in range(TASKS):
-            log = (self.folder/f"job-{task}.log").read_text()
+            log = self.log(task)
             print(f"job {job}, task {task}:\n{log}", file=sys.stderr)
             self.assertIn("asked to stop", log)
             self.assertIn("will go on in another start", log)
