@@ -32,7 +32,7 @@ module ehlwave_complex_gmres
 
    !> Work space, kept from one solve to the next.
    type, public :: complex_gmres_t
-      integer :: largest_steps = 60
+      integer :: largest_steps = 150
       integer :: steps = 0                    !! of the last solve
       real(dp) :: reduction = 0               !! residual norm over that of the right side, last solve
       type(column_t), allocatable, private :: basis(:)   ! (0:largest_steps)

@@ -10,6 +10,8 @@ module ehlwave_complex_ilu
    public :: new_complex_ilu
 
    real(sp), parameter :: smallest_pivot = 0.1_sp   !! of the diagonal entry
+   real(dp), parameter :: largest_growth = 1e6_dp   !! of a vector of ones; factors that are of use stay below 1e3
+   real(sp), parameter :: largest_factor = 1e12_sp  !! factors that are of use stay below 1e6
 
    !> Unknowns on a rectangle, fast index first. Entries are sorted by slow, then by fast offset:
    !> 1..lower come before the diagonal, lower+2..entries after it.
@@ -23,9 +25,11 @@ module ehlwave_complex_ilu
       real(sp), allocatable :: re(:, :, :), im(:, :, :)
       integer, allocatable, private :: fill(:, :)        ! (entries, lower) where a product of factors lands, or 0
       real(sp), allocatable, private :: xr(:, :), xi(:, :) ! padded vector
+      logical, private :: is_broken = .false.            ! the last factors were given up
    contains
       procedure :: set_line
       procedure :: factorise
+      procedure :: is_bounded
       procedure :: solve
    end type complex_ilu_t
 
@@ -80,7 +84,8 @@ contains
    end subroutine set_line
 
    !> Factors in place of the matrix. A pivot that turned round or lost most of its size against the diagonal it
-   !> started from is set to `smallest_pivot` of it: without fill-in that is an artefact.
+   !> started from is set to `smallest_pivot` of it: without fill-in that is an artefact. Given up, for `is_bounded` to
+   !> tell, where a pivot is zero or factors grow beyond `largest_factor`.
    pure subroutine factorise(self)
       class(complex_ilu_t), intent(inout) :: self
       real(sp) :: dr(self%fast), di(self%fast), fr(self%fast), fi(self%fast)
@@ -89,6 +94,7 @@ contains
 
       d = self%lower + 1
       n = self%fast
+      self%is_broken = .true.
       associate (re => self%re, im => self%im)
          do s = 1, self%slow
             dr = re(1:n, d, s)
@@ -124,18 +130,34 @@ contains
                      im(f, e, s) = im(f, e, s) - (gr*im(pf, t, s) + gi*re(pf, t, s))
                   end do
                end do
+               if (.not. abs(re(f, d, s)) + abs(im(f, d, s)) <= largest_factor) return
                size2 = dr(f)**2 + di(f)**2
                if (.not. (re(f, d, s)*dr(f) + im(f, d, s)*di(f)) > smallest_pivot*size2) then
                   re(f, d, s) = smallest_pivot*dr(f)
                   im(f, d, s) = smallest_pivot*di(f)
                end if
                size2 = re(f, d, s)**2 + im(f, d, s)**2
+               if (.not. size2 > 0) return
                re(f, d, s) = re(f, d, s)/size2
                im(f, d, s) = -im(f, d, s)/size2
             end do
+            if (.not. max(maxval(abs(re(1:n, :, s))), maxval(abs(im(1:n, :, s)))) <= largest_factor) return
          end do
       end associate
+      self%is_broken = .false.
    end subroutine factorise
+
+   !> Whether the factors are of use: a solution for a right side of ones that is neither NaN nor absurdly large. Incomplete
+   !> factors can grow without bound although the matrix does not.
+   logical function is_bounded(self)
+      class(complex_ilu_t), intent(inout) :: self
+      complex(dp) :: v(self%fast, self%slow)
+      is_bounded = .false.
+      if (self%is_broken) return
+      v = 1
+      call self%solve(v)
+      is_bounded = all(abs(v) <= largest_growth)
+   end function is_bounded
 
    !> Solution of (L U) v = v in place.
    pure subroutine solve(self, v)

@@ -68,6 +68,7 @@ program test_complex_ilu
    call solves_exactly_without_fill(test)
    call preconditions(test)
    call keeps_pivots(test)
+   call tells_growth(test)
    call finds_solution(test)
    call test%finish()
 
@@ -134,6 +135,30 @@ contains
       call test%check(norm2(abs(z - x)) < 0.15_dp*norm2(abs(x)), 'factors are close to the matrix')
       call test%check(norm2(abs(z - x)) > 1e-4_dp*norm2(abs(x)), 'but incomplete')
    end subroutine preconditions
+
+   !> x(s) = 1 + 3 x(s - 1) grows by 3^40, with a larger diagonal it does not, and NaN is no use.
+   subroutine tells_growth(test)
+      type(test_t), intent(inout) :: test
+      call test%check(.not. with_diagonal(1.0_dp), 'factors that grow are told')
+      call test%check(with_diagonal(4.0_dp), 'factors that do not are kept')
+      call test%check(.not. with_diagonal(0.0_dp), 'a zero pivot is no use')
+   end subroutine tells_growth
+
+   logical function with_diagonal(diagonal)
+      real(dp), intent(in) :: diagonal
+      type(complex_ilu_t) :: ilu
+      complex(dp) :: rows(2, 9)
+      integer :: s
+      ilu = new_complex_ilu(2, 40, 1, 1)
+      do s = 1, 40
+         rows = 0
+         rows(:, 5) = diagonal
+         if (s > 1) rows(:, 2) = -3      ! the line before
+         call ilu%set_line(s, rows)
+      end do
+      call ilu%factorise()
+      with_diagonal = ilu%is_bounded()
+   end function with_diagonal
 
    !> A pivot that elimination would turn round is kept at a tenth of the diagonal it came from.
    subroutine keeps_pivots(test)
