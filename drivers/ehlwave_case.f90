@@ -2,7 +2,8 @@
 program ehlwave_case
    use, intrinsic :: iso_fortran_env, only: error_unit, output_unit
    use ehlwave_arguments, only: arguments_t, read_arguments
-   use ehlwave_case_input, only: case_t, read_case
+   use ehlwave_case_definition, only: case_t
+   use ehlwave_case_input, only: read_case
    use ehlwave_case_plan, only: case_plan_t, make_plan
    use ehlwave_case_report, only: plan_json, print_plan, print_result, result_json
    use ehlwave_case_result, only: case_result_t

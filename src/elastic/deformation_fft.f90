@@ -8,6 +8,7 @@ module ehlwave_deformation_fft
    use ehlwave_kinds, only: dp
    implicit none (type, external)
    private
+   public :: fast_length
 
    include 'fftw3.f03'
 

@@ -5,12 +5,20 @@ module ehlwave_kernel
    private
    public :: cell_influence
 
+   !> Distance, in units of a, at which the deformation of a line contact counts as zero: that of a line load on a
+   !> half-space is determined but for a constant, which the mutual approach takes up. The kernel is positive on any domain.
+   real(dp), parameter, public :: line_reference = 16
+
 contains
 
    !> Deformation at distance (dx, dy) from the centre of a cell of size hx by hy under P = 1, exact
    !> integral of theory eq. (9) (Love 1929):
    !>
    !>     1/(pi K) int int dX' dY' / sqrt(kappa^2 (X - X')^2 + (Y - Y')^2)
+   !>
+   !> Of a line contact, kappa = 0, for any dy:
+   !>
+   !>     (2/pi) int ln(line_reference/|X - X'|) dX'
    elemental function cell_influence(dx, dy, hx, hy, kappa, k) result(d)
       real(dp), intent(in) :: dx, dy    !! distance in X and Y
       real(dp), intent(in) :: hx, hy    !! cell size in X and Y
@@ -19,12 +27,26 @@ contains
       real(dp) :: d
       real(dp) :: u1, u2, v1, v2
 
+      if (.not. kappa > 0) then
+         u1 = dx - 0.5_dp*hx
+         u2 = dx + 0.5_dp*hx
+         d = 2/pi*(log_integral(u2) - log_integral(u1))
+         return
+      end if
       u1 = kappa*(dx - 0.5_dp*hx)
       u2 = kappa*(dx + 0.5_dp*hx)
       v1 = dy - 0.5_dp*hy
       v2 = dy + 0.5_dp*hy
       d = (corner(u2, v2) - corner(u1, v2) - corner(u2, v1) + corner(u1, v1))/(pi*k*kappa)
    end function cell_influence
+
+   !> Antiderivative of ln(line_reference/|u|), zero at 0.
+   elemental function log_integral(u) result(f)
+      real(dp), intent(in) :: u
+      real(dp) :: f
+      f = 0
+      if (abs(u) > 0) f = u*(1 + log(line_reference/abs(u)))
+   end function log_integral
 
    !> Antiderivative in both arguments of 1/sqrt(u^2 + v^2).
    elemental function corner(u, v) result(f)

@@ -27,7 +27,7 @@ contains
       complex(dp), intent(in) :: value_coarse(0:, 0:)     !! (0:nx, 0:ny)
       complex(dp), intent(out) :: value_fine(0:, 0:)      !! (0:2 nx, 0:2 ny)
       real(dp), allocatable :: re(:, :), im(:, :)
-      allocate (re(0:2*coarse%nx, 0:2*coarse%ny), im(0:2*coarse%nx, 0:2*coarse%ny))
+      allocate (re(0:2*coarse%nx, 0:ubound(value_fine, 2)), im(0:2*coarse%nx, 0:ubound(value_fine, 2)))
       call prolong(coarse, real(value_coarse, dp), re)
       call prolong(coarse, aimag(value_coarse), im)
       value_fine = cmplx(re, im, dp)

@@ -23,6 +23,10 @@ contains
       do j = 0, ny
          call refine_line(value_coarse(:, j), half(:, j))
       end do
+      if (coarse%is_line) then
+         value_fine = half(:, 0:ny)
+         return
+      end if
       half(:, -1) = 0
       if (coarse%is_half) half(:, -1) = half(:, 1)
 
@@ -56,10 +60,11 @@ contains
    end subroutine refine_line
 
    !> Coarse values by injection: the fine value at the same place.
-   pure subroutine inject(value_fine, value_coarse)
+   pure subroutine inject(coarse, value_fine, value_coarse)
+      type(grid_t), intent(in) :: coarse
       real(dp), intent(in) :: value_fine(0:, 0:)       !! (0:2 nx, 0:2 ny)
       real(dp), intent(out) :: value_coarse(0:, 0:)    !! (0:nx, 0:ny)
-      value_coarse = value_fine(::2, ::2)
+      value_coarse = value_fine(::2, ::coarse%row_ratio)
    end subroutine inject
 
    !> Fine values from coarse ones by bilinear interpolation.
@@ -68,6 +73,11 @@ contains
       real(dp), intent(in) :: value_coarse(0:, 0:)     !! (0:nx, 0:ny)
       real(dp), intent(out) :: value_fine(0:, 0:)      !! (0:2 nx, 0:2 ny)
       integer :: i, j
+      if (coarse%is_line) then
+         value_fine(::2, :) = value_coarse
+         value_fine(1::2, :) = 0.5_dp*(value_coarse(:coarse%nx - 1, :) + value_coarse(1:, :))
+         return
+      end if
       do j = 0, coarse%ny
          do i = 0, coarse%nx
             value_fine(2*i, 2*j) = value_coarse(i, j)
@@ -82,7 +92,8 @@ contains
    end subroutine prolong
 
    !> Coarse values by full weighting, 1/4 (1 2 1) in each direction; rows are mirrored at a line of symmetry,
-   !> and the outer boundary gets zero. Adjoint of `prolong` up to a factor 4.
+   !> and the outer boundary gets zero. Adjoint of `prolong` up to a factor 4 (of a line contact, 1/4 (1 2 1) along X
+   !> and a factor 2).
    pure subroutine restrict(coarse, value_fine, value_coarse)
       type(grid_t), intent(in) :: coarse
       real(dp), intent(in) :: value_fine(0:, 0:)       !! (0:2 nx, 0:2 ny)
@@ -91,7 +102,11 @@ contains
       integer :: i, j
       value_coarse = 0
       do j = coarse%first_row, coarse%ny - 1
-         row = 0.25_dp*(value_fine(:, abs(2*j - 1)) + 2*value_fine(:, 2*j) + value_fine(:, 2*j + 1))
+         if (coarse%is_line) then
+            row = value_fine(:, j)
+         else
+            row = 0.25_dp*(value_fine(:, abs(2*j - 1)) + 2*value_fine(:, 2*j) + value_fine(:, 2*j + 1))
+         end if
          do i = 1, coarse%nx - 1
             value_coarse(i, j) = 0.25_dp*(row(2*i - 1) + 2*row(2*i) + row(2*i + 1))
          end do

@@ -1,7 +1,7 @@
 !> The effective input of a case as text, and its identity.
 module ehlwave_case_text
    use, intrinsic :: iso_fortran_env, only: int64
-   use ehlwave_case_input, only: case_t
+   use ehlwave_case_definition, only: case_t
    use ehlwave_kinds, only: dp
    use ehlwave_text, only: to_text
    implicit none (type, external)
@@ -45,10 +45,13 @@ contains
       text = text//'/'//line_end
       if (len_trim(case%surface_file) > 0) text = text//'&surface'//line_end//word('file', case%surface_file)//'/'//line_end
       text = text &
-             //'&grid'//line_end//number('x_min', case%x_min)//number('x_max', case%x_max)//number('y_max', case%y_max) &
-             //whole('cells_x', case%cells_x)//whole('cells_y', case%cells_y)
+             //'&grid'//line_end//number('x_min', case%x_min)//number('x_max', case%x_max)
+      if (case%radius_ratio_d > 0) text = text//number('y_max', case%y_max)
+      text = text//whole('cells_x', case%cells_x)
+      if (case%radius_ratio_d > 0) text = text//whole('cells_y', case%cells_y)
       if (min(case%cells_x, case%cells_y) == 0) text = text//whole('largest_cells', case%largest_cells)
-      text = text//word('domain', case%domain)//'/'//line_end &
+      if (case%radius_ratio_d > 0) text = text//word('domain', case%domain)
+      text = text//'/'//line_end &
              //'&solver'//line_end//number('tolerance', case%tolerance) &
              //number('step_tolerance', case%step_tolerance)
       if (case%time_step_over_cell > 0) text = text//number('time_step_over_cell', case%time_step_over_cell)

@@ -1,6 +1,6 @@
 !> HDF5 file of one case: history at the contact centre, fields of the last solution, effective input.
 module ehlwave_field_file
-   use ehlwave_case_input, only: case_t
+   use ehlwave_case_definition, only: case_t
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_text, only: case_identity, effective_input
    use ehlwave_clock, only: time_stamp

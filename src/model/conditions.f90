@@ -1,6 +1,6 @@
 !> Operating conditions of an EHL contact: Moes parameters, Hertz scales and everything between.
 module ehlwave_conditions
-   use ehlwave_elliptic_integrals, only: ellipticity, ellipticity_integrals, ellipticity_integrals_t
+   use ehlwave_elliptic_integrals, only: ellipticity, ellipticity_integrals, ellipticity_integrals_t, line_integrals
    use ehlwave_errors, only: error_t, raise
    use ehlwave_kinds, only: dp, pi
    use ehlwave_text, only: to_text
@@ -10,6 +10,8 @@ module ehlwave_conditions
 
    real(dp), parameter, public :: smallest_radius_ratio = 0.005_dp
    real(dp), parameter :: largest_alphabar = 500      ! viscosity grows by exp(alphabar) under Barus' law
+   !> gamma M of a slender elliptical contact over that of a line contact with the same alphabar and L: (2/3) pi^3/(2 pi)^(3/2)
+   real(dp), parameter, public :: slender_over_line = 2*pi**3/(3*(2*pi)**1.5_dp)
 
    !> Dimensional data of a contact, SI units.
    type, public :: contact_data_t
@@ -24,7 +26,7 @@ module ehlwave_conditions
 
    !> Everything that follows from (M, L, D) and alpha: theory section 2.
    type, public :: conditions_t
-      real(dp) :: m = 0, l = 0, d = 1               !! Moes load and lubricant parameters, D = Rx/Ry
+      real(dp) :: m = 0, l = 0, d = 1               !! Moes load and lubricant parameters, D = Rx/Ry; 0: line contact
       type(ellipticity_integrals_t) :: elliptic     !! kappa, K, E
       real(dp) :: gamma = 1                         !! pressure factor of the ellipticity
       real(dp) :: alphabar = 0                      !! alpha ph, eq. (3)
@@ -36,14 +38,22 @@ module ehlwave_conditions
       logical :: has_dimensions = .false.           !! whether the lengths below are known
       real(dp) :: a_m = 0, b_m = 0, c_m = 0         !! Hertz semi-axes and approach, m
       type(contact_data_t) :: data                  !! set when has_dimensions
+   contains
+      procedure :: is_line
    end type conditions_t
 
 contains
 
-   !> Conditions from the Moes parameters, theory eq. (1) to (6).
+   !> Whether it is a line contact, D = 0.
+   pure logical function is_line(self)
+      class(conditions_t), intent(in) :: self
+      is_line = .not. self%d > 0
+   end function is_line
+
+   !> Conditions from the Moes parameters, theory eq. (1) to (6); for D = 0 see `set_line`.
    !>
    !> ph = alphabar/alpha. With L = 0 (isoviscous) that is 0, and pressure in pascal is unknown.
-   !> Fails for M <= 0, L < 0, alpha <= 0, D outside 0.005 to 1, or alpha ph above 500.
+   !> Fails for M <= 0, L < 0, alpha <= 0, D neither 0 nor in 0.005 to 1, or alpha ph above 500.
    subroutine conditions_from_moes(m, l, d, alpha_per_pa, self, error)
       real(dp), intent(in) :: m, l, d               !! Moes parameters, Rx/Ry
       real(dp), intent(in) :: alpha_per_pa          !! pressure-viscosity coefficient, 1/Pa
@@ -54,8 +64,8 @@ contains
          call raise(error, 'load_parameter_m must be above 0, got '//to_text(m, 6))
       else if (.not. (l >= 0)) then
          call raise(error, 'lubricant_parameter_l must not be negative, got '//to_text(l, 6))
-      else if (.not. (d >= smallest_radius_ratio .and. d <= 1)) then
-         call raise(error, 'radius_ratio_d must lie in 0.005 to 1, got '//to_text(d, 6)// &
+      else if (.not. ((d >= smallest_radius_ratio .and. d <= 1) .or. abs(d) <= 0)) then
+         call raise(error, 'radius_ratio_d must lie in 0.005 to 1, or be 0 for a line contact, got '//to_text(d, 6)// &
                     '; for Rx > Ry the contact is wider along rolling, which is outside the model range')
       else if (.not. (alpha_per_pa > 0)) then
          call raise(error, 'pressure_viscosity_per_pa must be above 0, got '//to_text(alpha_per_pa, 6))
@@ -66,15 +76,11 @@ contains
       self%l = l
       self%d = d
       self%alpha_per_pa = alpha_per_pa
-      self%elliptic = ellipticity_integrals(ellipticity(d))
-      associate (kappa => self%elliptic%kappa, k => self%elliptic%k, b => self%elliptic%b_over_m)
-         self%gamma = pi**2*kappa/(16*b**2)
-         self%alphabar = l/pi*(1.5_dp*m*self%gamma)**(1.0_dp/3)
-         self%lambdabar = 16*pi**(4.0_dp/3)*m**(-4.0_dp/3)*b**(5.0_dp/3) &
-                          /(6**(1.0_dp/3)*kappa**(4.0_dp/3)*k**2)
-         self%s = b/k
-         self%moes_film_factor = 0.5_dp*k*b**(-1.0_dp/3)*(6*m*kappa/pi)**(2.0_dp/3)
-      end associate
+      if (self%is_line()) then
+         call set_line(self)
+      else
+         call set_ellipse(self)
+      end if
       if (.not. (self%lambdabar > 0 .and. self%alphabar <= largest_alphabar .and. self%lambdabar < huge(m))) then
          call raise(error, 'load_parameter_m = '//to_text(m, 6)//' and lubricant_parameter_l = '//to_text(l, 6)// &
                     ' give alpha ph = '//to_text(self%alphabar, 4)//', which is outside the model range (at most '// &
@@ -83,6 +89,38 @@ contains
       end if
       self%hertz_pressure_pa = self%alphabar/alpha_per_pa
    end subroutine conditions_from_moes
+
+   !> Scales of an elliptical contact, theory eq. (3) to (6).
+   pure subroutine set_ellipse(self)
+      type(conditions_t), intent(inout) :: self   !! M, L and D are set
+      self%elliptic = ellipticity_integrals(ellipticity(self%d))
+      associate (kappa => self%elliptic%kappa, k => self%elliptic%k, b => self%elliptic%b_over_m)
+         self%gamma = pi**2*kappa/(16*b**2)
+         self%alphabar = self%l/pi*(1.5_dp*self%m*self%gamma)**(1.0_dp/3)
+         self%lambdabar = 16*pi**(4.0_dp/3)*self%m**(-4.0_dp/3)*b**(5.0_dp/3) &
+                          /(6**(1.0_dp/3)*kappa**(4.0_dp/3)*k**2)
+         self%s = b/k
+         self%moes_film_factor = 0.5_dp*k*b**(-1.0_dp/3)*(6*self%m*kappa/pi)**(2.0_dp/3)
+      end associate
+   end subroutine set_ellipse
+
+   !> Scales of a line contact of load w per length: M = w/(E' Rx) (2U)^(-1/2), a^2 = 8 w Rx/(pi E'), ph = 2 w/(pi a),
+   !> c = a^2/(2 Rx), so that
+   !>
+   !>     alphabar = L (M/(2 pi))^(1/2),  lambdabar = 6 us eta0 a/(c^2 ph) = 3 pi^2/(2 M^2),  (h/Rx)(2U)^(-1/2) = 4 M H/pi.
+   !>
+   !> With gamma = M^(1/2) the wave parameter is that of line contacts, V = (lambda/a)(gamma M/L)^(1/2) =
+   !> (lambda/a) M^(3/4) L^(-1/2) = (2 pi)^(3/4) (lambda/a) alphabar^(3/2) L^(-2). The limit of gamma M for slender contacts
+   !> with the same alphabar and L is 1.31 times as large (`slender_over_line`), that of V 1.15 times.
+   pure subroutine set_line(self)
+      type(conditions_t), intent(inout) :: self   !! M and L are set
+      self%elliptic = line_integrals()
+      self%gamma = sqrt(self%m)
+      self%alphabar = self%l*sqrt(self%m/(2*pi))
+      self%lambdabar = 1.5_dp*(pi/self%m)**2
+      self%s = 1
+      self%moes_film_factor = 4*self%m/pi
+   end subroutine set_line
 
    !> Conditions from dimensional data, theory eq. (2) and the Hertz relations of section 2.
    !>

@@ -3,14 +3,14 @@ module ehlwave_elliptic_integrals
    use ehlwave_kinds, only: dp, pi
    implicit none (type, external)
    private
-   public :: complete_elliptic, ellipticity_integrals, radius_ratio, ellipticity
+   public :: complete_elliptic, ellipticity_integrals, line_integrals, radius_ratio, ellipticity
 
    integer, parameter :: max_iterations = 60
 
    !> K, E and the combinations of them that appear in the Hertz relations, theory eq. (1) to (6).
    !> The quotients have removable singularities at kappa = 1, so they are summed, never divided out.
    type, public :: ellipticity_integrals_t
-      real(dp) :: kappa       !! ellipticity a/b, 0 < kappa <= 1
+      real(dp) :: kappa       !! ellipticity a/b, 0 < kappa <= 1; 0: line contact
       real(dp) :: k, e        !! complete elliptic integrals of parameter m = 1 - kappa^2
       real(dp) :: b_over_m    !! (E - kappa^2 K)/m,  pi/4 at kappa = 1
       real(dp) :: d_over_m    !! (K - E)/m,          pi/4 at kappa = 1
@@ -57,6 +57,13 @@ contains
       self%kappa = kappa
       call complete_elliptic(1 - kappa**2, self%k, self%e, self%b_over_m, self%d_over_m)
    end function ellipticity_integrals
+
+   !> What stands for them in a line contact, kappa = 0, where K is infinite: E = 1 and, since its lengths c and film H
+   !> are scaled without K, K = 1.
+   pure function line_integrals() result(self)
+      type(ellipticity_integrals_t) :: self
+      self = ellipticity_integrals_t(kappa=0.0_dp, k=1.0_dp, e=1.0_dp, b_over_m=1.0_dp, d_over_m=huge(1.0_dp))
+   end function line_integrals
 
    !> D = Rx/Ry = kappa^2 (K - E)/(E - kappa^2 K), theory eq. (1).
    pure function radius_ratio(kappa) result(d)

@@ -24,7 +24,8 @@ contains
       end if
    end function anisotropy_factor
 
-   !> V = (lambda/a)(gamma M/L)^(1/2), theory eq. (17), lambda = min(lambda_x, lambda_y).
+   !> V = (lambda/a)(gamma M/L)^(1/2), theory eq. (17), lambda = min(lambda_x, lambda_y); of a line contact
+   !> (lambda/a) M^(3/4) L^(-1/2).
    pure function wave_parameter_v(conditions, wavelength_over_a) result(v)
       type(conditions_t), intent(in) :: conditions
       real(dp), intent(in) :: wavelength_over_a
@@ -32,7 +33,8 @@ contains
       v = sqrt(conditions%gamma)*wave_parameter_v2(conditions, wavelength_over_a)
    end function wave_parameter_v
 
-   !> V2 = (lambda/a)(M/L)^(1/2), theory eq. (16); infinite (huge) for L = 0.
+   !> V2 = (lambda/a)(M/L)^(1/2), theory eq. (16); infinite (huge) for L = 0. M of a line contact is another number than
+   !> that of an elliptical one, so V2 of both cannot be compared.
    pure function wave_parameter_v2(conditions, wavelength_over_a) result(v2)
       type(conditions_t), intent(in) :: conditions
       real(dp), intent(in) :: wavelength_over_a
@@ -58,6 +60,10 @@ contains
       real(dp) :: film
       real(dp) :: d, ei, ep, ri, rp, s, rigid_elastic, piezo, h00
 
+      if (conditions%is_line()) then
+         film = moes_line_formula(conditions%m, conditions%l)
+         return
+      end if
       d = conditions%d
       ri = 145*(1 + 0.796_dp*d**(14.0_dp/15))**(-15.0_dp/7)/d/conditions%m**2
       ei = 3.18_dp*(1 + 0.006_dp*log(d) + 0.63_dp*d**(4.0_dp/7))**(-14.0_dp/25)*d**(-1.0_dp/15) &
@@ -76,5 +82,23 @@ contains
       rigid_elastic = (ri**1.5_dp + (ei**(-4) + h00**(-4))**(-3.0_dp/8))**(2*s/3)
       film = (rigid_elastic + piezo)**(1/s)
    end function moes_film_formula
+
+   !> Central film thickness of a line contact in the scale (h/Rx)(2U)^(-1/2): Moes (1992).
+   pure function moes_line_formula(m, l) result(film)
+      real(dp), intent(in) :: m, l   !! Moes parameters of a line contact
+      real(dp) :: film
+      real(dp) :: ei, ep, piezo, ri, rp, s
+
+      ri = 3/m
+      ei = 2.621_dp*m**(-0.2_dp)
+      s = (7 + 8*exp(-2*ei/ri))/5
+      piezo = 0
+      if (l > 0) then
+         rp = 1.287_dp*l**(2.0_dp/3)
+         ep = 1.311_dp*m**(-0.125_dp)*l**0.75_dp
+         piezo = (rp**(-3.5_dp) + ep**(-3.5_dp))**(-2*s/7)
+      end if
+      film = ((ri**(7.0_dp/3) + ei**(7.0_dp/3))**(3*s/7) + piezo)**(1/s)
+   end function moes_line_formula
 
 end module ehlwave_formula

@@ -27,7 +27,8 @@ module ehlwave_near_stencil
 contains
 
    !> Pattern isotropic in metres: cells of the stencil measure a hX by b hY, so it reaches
-   !> round(hY/(kappa hX)) cells along X for one along Y, or the reverse; at most `largest_reach`.
+   !> round(hY/(kappa hX)) cells along X for one along Y, or the reverse; at most `largest_reach`. That of a line contact
+   !> reaches as far as it may along X, and not at all along Y.
    !>
    !> The kernel may be tapered: multiplied by the `taper`-th power of (1 - |i|/(reach_x+1)) (1 - |j|/(reach_y+1)). The
    !> symbol of a kernel that is simply cut is negative for waves of two cells along Y, which makes factors of the matrix
@@ -41,9 +42,14 @@ contains
       real(dp) :: aspect, weight
       integer :: i, j, n
 
-      aspect = grid%hy/(kappa*grid%hx)
-      self%reach_x = min(largest_reach, max(1, nint(aspect)))
-      self%reach_y = min(largest_reach, max(1, nint(1/aspect)))
+      if (grid%is_line) then
+         self%reach_x = largest_reach
+         self%reach_y = 0
+      else
+         aspect = grid%hy/(kappa*grid%hx)
+         self%reach_x = min(largest_reach, max(1, nint(aspect)))
+         self%reach_y = min(largest_reach, max(1, nint(1/aspect)))
+      end if
       self%reach_x = max(self%reach_x, 2)     ! the wedge reaches two nodes upstream
       allocate (self%entry_at(-self%reach_x:self%reach_x, -self%reach_y:self%reach_y), source=0)
       self%entries = size(self%entry_at)

@@ -3,6 +3,7 @@ module ehlwave_reynolds
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
    use ehlwave_rheology, only: rheology_t
+   use ehlwave_transfer, only: inject
    use ehlwave_transport, only: transport_t
    implicit none (type, external)
    private
@@ -19,6 +20,7 @@ module ehlwave_reynolds
       real(dp), allocatable, private :: fluidity(:, :), dln_eta(:, :)
    contains
       procedure :: evaluate
+      procedure :: inject_from
    end type flow_t
 
 contains
@@ -38,6 +40,19 @@ contains
       self%fluidity = zero
       self%dln_eta = zero
    end function new_flow
+
+   !> Coefficients of the next finer grid, at the nodes of this one.
+   pure subroutine inject_from(self, fine, coarse)
+      class(flow_t), intent(inout) :: self
+      type(flow_t), intent(in) :: fine
+      type(grid_t), intent(in) :: coarse   !! this grid
+      call inject(coarse, fine%f, self%f)
+      call inject(coarse, fine%eps, self%eps)
+      call inject(coarse, fine%f_p, self%f_p)
+      call inject(coarse, fine%f_h, self%f_h)
+      call inject(coarse, fine%eps_p, self%eps_p)
+      call inject(coarse, fine%eps_h, self%eps_h)
+   end subroutine inject_from
 
    !> Coefficients at pressure p and film h.
    pure subroutine evaluate(self, rheology, lambdabar, p, h)

@@ -3,6 +3,7 @@ module ehlwave_contact_problem
    use ehlwave_conditions, only: conditions_t
    use ehlwave_deformation, only: deformation_t
    use ehlwave_deformation_fft, only: deformation_fft_t
+   use ehlwave_deformation_line, only: deformation_line_t
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
    use ehlwave_load_balance, only: force_balance, load_balance_t
@@ -39,6 +40,7 @@ contains
       self%grid = grid
       self%conditions = conditions
       self%rheology = rheology
+      if (grid%is_line .and. .not. allocated(self%deformation)) allocate (deformation_line_t :: self%deformation)
       if (.not. allocated(self%deformation)) allocate (deformation_fft_t :: self%deformation)
       call self%deformation%init(grid, conditions%elliptic%kappa, conditions%elliptic%k)
       self%transport = steady_transport(grid)

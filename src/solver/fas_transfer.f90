@@ -36,11 +36,11 @@ contains
       associate (grid => coarse%grid, r => fine_relaxation%residual)
          coarse%transport = implicit_part(fine%transport, grid)
          allocate (coarse%transport%carried(0:grid%nx, 0:grid%ny), source=0.0_dp)
-         call inject(fine_state%p, coarse_state%p)
+         call inject(grid, fine_state%p, coarse_state%p)
          coarse_state%delta = fine_state%delta
          if (.not. allocated(coarse%rough)) allocate (coarse%rough(0:grid%nx, 0:grid%ny))
          call coarse%deformation%apply(coarse_state%p, coarse%rough)
-         call inject(fine_state%h, coarse_state%h)
+         call inject(grid, fine_state%h, coarse_state%h)
          coarse%rough = coarse_state%h + coarse_state%delta - coarse%smooth_gap - coarse%rough
 
          call coarse_relaxation%evaluate(coarse, coarse_state)

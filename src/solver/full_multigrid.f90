@@ -7,7 +7,7 @@ module ehlwave_full_multigrid
    use ehlwave_deformation_mlmi, only: deformation_mlmi_t
    use ehlwave_fas_multigrid, only: fas_t
    use ehlwave_formula, only: moes_film_formula
-   use ehlwave_grid, only: grid_t, new_grid
+   use ehlwave_grid, only: grid_t, new_grid, new_line_grid
    use ehlwave_kinds, only: dp
    use ehlwave_level_solver, only: level_solver_t, solve_limits_t, solve_report_t
    use ehlwave_newton, only: newton_t
@@ -50,21 +50,27 @@ contains
       type(rheology_t), intent(in) :: rheology
       real(dp), intent(in) :: x_min, x_max, y_max   !! domain in X and Y
       integer, intent(in) :: cells_x, cells_y       !! cells of the finest grid over the whole domain
-      logical, intent(in) :: is_half                !! store Y >= 0 only
+      logical, intent(in) :: is_half                !! store Y >= 0 only; y_max, cells_y and this are not of line contacts
       character(len=*), intent(in) :: method        !! 'newton', 'fas', or 'petsc' for the finest level
       character(len=*), intent(in) :: deformation   !! 'fft', 'mlmi' or 'auto', level by level
       character(len=*), intent(in), optional :: cycle   !! of FAS: 'v', 'w' or 'f'
       integer :: l, n
+      type(grid_t) :: grid
 
       n = level_count(cells_x, cells_y, is_half)
+      if (conditions%is_line()) n = level_count(cells_x, cells_x, .false.)
       allocate (self%levels(n))
       do l = 1, n
          associate (level => self%levels(l))
             if (chosen_deformation(deformation, cells_x/2**(n - l), cells_y/2**(n - l), is_half, &
                                    conditions%elliptic%kappa) == 'mlmi') &
                allocate (deformation_mlmi_t :: level%problem%deformation)
-            call level%problem%init(new_grid(x_min, x_max, y_max, cells_x/2**(n - l), cells_y/2**(n - l), is_half), &
-                                    conditions, rheology)
+            if (conditions%is_line()) then
+               grid = new_line_grid(x_min, x_max, cells_x/2**(n - l))
+            else
+               grid = new_grid(x_min, x_max, y_max, cells_x/2**(n - l), cells_y/2**(n - l), is_half)
+            end if
+            call level%problem%init(grid, conditions, rheology)
             level%state = new_state(level%problem%grid)
             if (method == 'petsc' .and. l == n) then
                allocate (petsc_solver_t :: level%solver)

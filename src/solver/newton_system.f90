@@ -189,15 +189,10 @@ contains
          coarser%is_coarse = .true.
          coarser%transport = implicit_part(self%transport, coarse)
          if (.not. allocated(coarser%p_own)) allocate (coarser%p_own(0:coarse%nx, 0:coarse%ny))
-         call inject(self%p, coarser%p_own)
+         call inject(coarse, self%p, coarser%p_own)
          coarser%p => coarser%p_own
-         call inject(self%flow%f, coarser%flow%f)
-         call inject(self%flow%eps, coarser%flow%eps)
-         call inject(self%flow%f_p, coarser%flow%f_p)
-         call inject(self%flow%f_h, coarser%flow%f_h)
-         call inject(self%flow%eps_p, coarser%flow%eps_p)
-         call inject(self%flow%eps_h, coarser%flow%eps_h)
-         coarser%is_cavitated = self%is_cavitated(::2, ::2)
+         call coarser%flow%inject_from(self%flow, coarse)
+         coarser%is_cavitated = self%is_cavitated(::2, ::coarse%row_ratio)
          call coarser%set_scale()
       end associate
    end subroutine restrict_system

@@ -137,7 +137,8 @@ contains
             call problem%set_rough(settings%amplitude*settings%waviness%shape_at(grid%x, grid%y, t))
             call problem%transport%carry(grid, history)
             call problem%load%carry(self%approach)
-            if (settings%steps_per_cell == 1) call extrapolate(settings%cells_per_step, self%share, past, state)
+            if (settings%steps_per_cell == 1) &
+               call extrapolate(settings%cells_per_step, merge(0, 1, grid%is_line), self%share, past, state)
             call solve_step(level, past%before, self%given, limits, self%rescue, result)
             if (result%status /= status_converged) exit
 
@@ -190,8 +191,9 @@ contains
    !> 3 P(k-1) - 3 P(k-2) + P(k-3); in between, by share. What is extrapolated in time stays within the range of the
    !> neighbours at the step before and a small margin: the steep end of the pressure moves by less than a cell in one step, and
    !> an extrapolation across it would be off by half the Hertz pressure.
-   pure subroutine extrapolate(m, share, past, state)
+   pure subroutine extrapolate(m, rows, share, past, state)
       integer, intent(in) :: m                       !! cells that a feature travels in one step
+      integer, intent(in) :: rows                    !! on either side that are neighbours
       real(dp), intent(in) :: share(0:, 0:)          !! (0:nx, 0:ny)
       type(past_t), intent(in) :: past
       type(state_t), intent(inout) :: state
@@ -202,7 +204,7 @@ contains
             do i = 2*m + 1, ubound(state%p, 1) - 1
                moved = p0(i, j) + 2*(p1(i - m, j) - p0(i - m, j)) - (p2(i - 2*m, j) - p0(i - 2*m, j))
                still = 3*(p1(i, j) - p2(i, j)) + p3(i, j)
-               associate (near => p1(i - 1:i + 1, max(j - 1, 0):min(j + 1, ubound(p1, 2))))
+               associate (near => p1(i - 1:i + 1, max(j - rows, 0):min(j + rows, ubound(p1, 2))))
                   still = min(max(still, minval(near) - guess_margin), maxval(near) + guess_margin)
                end associate
                state%p(i, j) = max(0.0_dp, share(i, j)*moved + (1 - share(i, j))*still)

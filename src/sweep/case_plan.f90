@@ -1,15 +1,17 @@
 !> The plan of one case, made before it runs: what is computed, on which grid, in how many steps, and why.
 module ehlwave_case_plan
+   use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
    use ehlwave_accuracy_model, only: expected_film_error, expected_long_step_error, expected_ratio_error, &
       largest_mesh, points_for, steady_work_units, step_work_units
-   use ehlwave_case_input, only: case_conditions, case_t
+   use ehlwave_case_completion, only: case_conditions
+   use ehlwave_case_definition, only: case_t, usual_largest_cells
    use ehlwave_conditions, only: conditions_t
    use ehlwave_deformation_choice, only: chosen_deformation
    use ehlwave_errors, only: error_t, raise
    use ehlwave_formula, only: amplitude_formula, anisotropy_factor, wave_parameter_v
    use ehlwave_kinds, only: dp
    use ehlwave_resolution, only: coarsest_inlet, fewest_points_per_wave, inlet_length, judge_resolution, resolution_t, &
-      wanted_inlet, wanted_points_per_wave
+      wanted_inlet, wanted_line_inlet, wanted_points_per_wave
    use ehlwave_rheology, only: density_constant, density_dowson_higginson, new_rheology, rheology_t, &
       viscosity_barus, viscosity_constant, viscosity_roelands
    use ehlwave_surface_plan, only: read_case_surface, surface_times
@@ -31,9 +33,9 @@ module ehlwave_case_plan
       integer :: kind = run_smooth
       logical :: responds = .false.                  !! the linear response is computed
       logical :: is_half = .true.                    !! only Y >= 0 is computed
-      integer :: cells_x = 0, cells_y = 0            !! of the whole domain
+      integer :: cells_x = 0, cells_y = 0            !! of the whole domain; cells_y = 1 of a line contact
       character(len=:), allocatable :: grid_reason
-      real(dp) :: hx = 0, hy = 0
+      real(dp) :: hx = 0, hy = 0                     !! hy = 0 of a line contact
       character(len=4) :: deformation = ''           !! 'fft' or 'mlmi' on the finest grid
       integer :: cells_per_step = 1, steps_per_cell = 1
       real(dp) :: dt = 0                             !! time step, 0 without march
@@ -44,7 +46,7 @@ module ehlwave_case_plan
       integer :: phases = 0                          !! steady solutions of a standing pattern
       type(resolution_t) :: resolution
       real(dp) :: expected_error = 0                 !! relative, of Ad/Ai, of smooth contacts of H(0,0); from a model
-      real(dp) :: expected_work_units = 0            !! from a model
+      real(dp) :: expected_work_units = 0            !! from a model; both NaN of line contacts, for which there is none
       real(dp) :: cost = 0                           !! expected effort, node updates of the finest grid
    end type case_plan_t
 
@@ -80,7 +82,7 @@ contains
                                       case%x_min, case%slip_parameter)
       if (len_trim(case%surface_file) > 0) call read_case_surface(case, plan%conditions, plan%waviness, error)
       if (allocated(error)) return
-      plan%is_half = case%domain == 'auto' .and. plan%waviness%is_symmetric()
+      plan%is_half = (case%domain == 'auto' .or. plan%conditions%is_line()) .and. plan%waviness%is_symmetric()
       call choose_grid(case, plan)
       plan%deformation = chosen_deformation(case%deformation, plan%cells_x, plan%cells_y, plan%is_half, kappa)
 
@@ -129,10 +131,14 @@ contains
       type(case_plan_t), intent(inout) :: plan
       real(dp) :: inlet, length_x, length_y, mesh, points, wanted_x, wanted_y
       character(len=:), allocatable :: why_x, why_y
+      integer :: largest
 
+      largest = case%largest_cells
+      if (largest == 0) largest = usual_largest_cells
       length_x = case%x_max - case%x_min
       length_y = 2*case%y_max
       inlet = merge(coarsest_inlet, wanted_inlet, case%accuracy > 0)
+      if (plan%conditions%is_line()) inlet = wanted_line_inlet
       points = merge(fewest_points_per_wave, wanted_points_per_wave, case%accuracy > 0)
       plan%cells_x = case%cells_x
       why_x = 'asked for'
@@ -154,8 +160,14 @@ contains
                why_x = 'for an accuracy of '//to_text(case%accuracy, 3)
             end if
          end if
-         plan%cells_x = smallest_size(wanted_x, case%largest_cells)
+         plan%cells_x = smallest_size(wanted_x, largest)
          if (plan%cells_x < wanted_x) why_x = why_x//', limited'
+      end if
+      plan%hx = length_x/plan%cells_x
+      if (plan%conditions%is_line()) then
+         plan%cells_y = 1
+         plan%grid_reason = why_x
+         return
       end if
       plan%cells_y = case%cells_y
       why_y = 'asked for'
@@ -169,11 +181,10 @@ contains
                why_y = 'for '//to_text(points, 3)//' points per wave'
             end if
          end if
-         plan%cells_y = smallest_size(wanted_y, case%largest_cells)
+         plan%cells_y = smallest_size(wanted_y, largest)
          if (plan%cells_y < wanted_y) why_y = why_y//', limited'
       end if
       plan%grid_reason = 'X: '//why_x//'; Y: '//why_y
-      plan%hx = length_x/plan%cells_x
       plan%hy = length_y/plan%cells_y
    end subroutine choose_grid
 
@@ -201,11 +212,17 @@ contains
    end function formula_ratio
 
    !> Error and cost to expect of a plan that is complete but for them. Whole domains cost twice as much as half ones.
+   !> The models are those of elliptical contacts; of a line contact nothing is said.
    subroutine expect(case, plan)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(inout) :: plan
       real(dp) :: samples, step_tolerance
 
+      if (plan%conditions%is_line()) then
+         plan%expected_error = ieee_value(1.0_dp, ieee_quiet_nan)
+         plan%expected_work_units = plan%expected_error
+         return
+      end if
       samples = plan%resolution%samples
       step_tolerance = case%step_tolerance
       if (plan%kind == run_harmonic) then     ! has the frequency of steps dT = hX, and no tolerance of its own

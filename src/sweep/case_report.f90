@@ -1,7 +1,7 @@
 !> Plan and result of a case, as text for people and as JSON for programs.
 module ehlwave_case_report
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-   use ehlwave_case_input, only: case_t
+   use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t, run_harmonic, run_march, run_smooth, run_standing
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_text, only: case_identity
@@ -28,6 +28,7 @@ contains
       associate (c => plan%conditions)
          write (unit, '(a)') 'Conditions   M = '//to_text(c%m, 6)//', L = '//to_text(c%l, 6)//', D = '//to_text(c%d, 6)// &
             ', S = '//to_text(case%slip_parameter, 6)
+         if (c%is_line()) write (unit, '(a)') '             line contact: H in units of a^2/(2 Rx), V = (lambda/a) M^(3/4) L^(-1/2)'
          write (unit, '(a)') '             kappa = '//to_text(c%elliptic%kappa, 6)//', gamma = '//to_text(c%gamma, 6)// &
             ', alphabar = '//to_text(c%alphabar, 6)//', lambdabar = '//to_text(c%lambdabar, 6)
          if (c%hertz_pressure_pa > 0) write (unit, '(a)') '             ph = '//to_text(c%hertz_pressure_pa*1e-9_dp, 5)//' GPa'
@@ -41,11 +42,14 @@ contains
          end if
          write (unit, '(a)') 'Run          '//run_text(case, plan)
          write (unit, '(a)') 'Solver       '//solver_text(case)
-         write (unit, '(a)') 'Domain       '//to_text(case%x_min, 4)//' <= X <= '//to_text(case%x_max, 4)//', '// &
-            merge('0 <= Y <= ', '|Y| <=    ', plan%is_half)//to_text(case%y_max, 4)// &
-            merge(' (half: the case is even in Y)', ' (whole)                      ', plan%is_half)
-         write (unit, '(a)') 'Grid         '//to_text(plan%cells_x)//' x '//to_text(plan%cells_y)//' cells on the whole '// &
-            'domain, hX = '//to_text(plan%hx, 5)//', hY = '//to_text(plan%hy, 5)//' ('//plan%grid_reason//')'
+         write (unit, '(a)') 'Domain       '//to_text(case%x_min, 4)//' <= X <= '//to_text(case%x_max, 4)//width_text(case, plan)
+         if (c%is_line()) then
+            write (unit, '(a)') 'Grid         '//to_text(plan%cells_x)//' cells, hX = '//to_text(plan%hx, 5)// &
+               ' ('//plan%grid_reason//')'
+         else
+            write (unit, '(a)') 'Grid         '//to_text(plan%cells_x)//' x '//to_text(plan%cells_y)//' cells on the whole '// &
+               'domain, hX = '//to_text(plan%hx, 5)//', hY = '//to_text(plan%hy, 5)//' ('//plan%grid_reason//')'
+         end if
          write (unit, '(a)') 'Deformation  '//trim(merge('FFT ', 'MLMI', plan%deformation == 'fft'))//' on the finest grid ('// &
             trim(merge('the faster one', 'asked for     ', case%deformation == 'auto'))//'), method '//trim(case%method)
          write (unit, '(a)') 'Resolution   hX over the inlet length = '//to_text(plan%resolution%inlet, 3)//resolution_text(plan)
@@ -57,10 +61,14 @@ contains
          else
             write (unit, '(a)') '             NOT RESOLVED: '//plan%resolution%reason//'the result will be flagged'
          end if
-         write (unit, '(a)') 'Expected     relative error of '//trim(merge('Ad/Ai ', 'H(0,0)', plan%waviness%is_present .and. &
-            .not. allocated(plan%waviness%surface)))// &
-            ' about '//to_text(plan%expected_error, 2)//' and '//to_text(expected_seconds(plan), 2)//' s, '// &
-            to_text(plan%expected_work_units, 2)//' work units (models; usually right within a factor 2)'
+         if (c%is_line()) then
+            write (unit, '(a)') 'Expected     no model of error and cost for line contacts: see the errors that the result states'
+         else
+            write (unit, '(a)') 'Expected     relative error of '//trim(merge('Ad/Ai ', 'H(0,0)', plan%waviness%is_present .and. &
+               .not. allocated(plan%waviness%surface)))// &
+               ' about '//to_text(plan%expected_error, 2)//' and '//to_text(expected_seconds(plan), 2)//' s, '// &
+               to_text(plan%expected_work_units, 2)//' work units (models; usually right within a factor 2)'
+         end if
          if (case%accuracy > 0 .and. plan%expected_error > case%accuracy) write (unit, '(a)') &
             '             ACCURACY '//to_text(case%accuracy, 3)//' NOT TO BE REACHED with largest_cells = '// &
             to_text(case%largest_cells)//': expect '//to_text(plan%expected_error, 2)
@@ -72,6 +80,16 @@ contains
       type(case_plan_t), intent(in) :: plan
       expected_seconds = plan%expected_work_units*work_unit_seconds(plan%cells_x, plan%cells_y)
    end function expected_seconds
+
+   function width_text(case, plan) result(text)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      character(len=:), allocatable :: text
+      text = ''
+      if (plan%conditions%is_line()) return
+      text = ', '//merge('0 <= Y <= ', '|Y| <=    ', plan%is_half)//to_text(case%y_max, 4)// &
+             merge(' (half: the case is even in Y)', ' (whole)                      ', plan%is_half)
+   end function width_text
 
    function waviness_text(case) result(text)
       type(case_t), intent(in) :: case

@@ -2,7 +2,7 @@
 module ehlwave_case_runner
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan, ieee_quiet_nan, ieee_value
    use ehlwave_amplitude, only: fitted_amplitude, fitted_harmonic, sampled_amplitude
-   use ehlwave_case_input, only: case_t
+   use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t, run_march, run_standing
    use ehlwave_case_result, only: case_result_t
    use ehlwave_checkpoint_file, only: checkpoint_t
@@ -88,9 +88,11 @@ contains
          end if
          if (case%fields) then
             allocate (result%x, source=level%problem%grid%x)
-            allocate (result%y, source=level%problem%grid%y)
-            allocate (result%p, source=level%state%p)
-            allocate (result%h, source=level%state%h)
+            associate (last => level%problem%grid%last_row())
+               result%y = level%problem%grid%y(:last)
+               result%p = level%state%p(:, :last)
+               result%h = level%state%h(:, :last)
+            end associate
          end if
       end associate
 

@@ -1,6 +1,8 @@
 !> The cases of a sweep: the cross product of lists, or the rows of a CSV file.
 module ehlwave_case_table
-   use ehlwave_case_input, only: case_conditions, case_t, complete_case, name_length, orientations, read_case_groups
+   use ehlwave_case_completion, only: case_conditions, complete_case
+   use ehlwave_case_definition, only: case_t, name_length, orientations
+   use ehlwave_case_input, only: read_case_groups
    use ehlwave_case_plan, only: case_plan_t, make_plan
    use ehlwave_case_text, only: case_identity
    use ehlwave_case_work, only: case_limits_t
@@ -61,6 +63,12 @@ contains
                     'and &sweep gives load_parameter_m, lubricant_parameter_l or radius_ratio_d: give one of the two')
          return
       end if
+      ! what is said about Y may be for the elliptical contacts of a sweep that has line contacts too
+      if (allocated(lists%d)) then
+         if (any(lists%d > 0)) base%across = ''
+      else if (len(lists%case_file) > 0) then
+         base%across = ''
+      end if
       allocate (sweep%cases(64), sweep%plans(64), sweep%identity(64))
       sweep%output = lists%output
       sweep%limits = lists%limits
@@ -102,7 +110,7 @@ contains
       lists%unresolved = 'run'
       call file%get_list(group, 'load_parameter_m', lists%m, error, above=0.0_dp)
       call file%get_list(group, 'lubricant_parameter_l', lists%l, error, minimum=0.0_dp)
-      call file%get_list(group, 'radius_ratio_d', lists%d, error, above=0.0_dp)
+      call file%get_list(group, 'radius_ratio_d', lists%d, error, minimum=0.0_dp)
       call file%get_list(group, 'wavelength_over_a', lists%wavelength, error, above=0.0_dp)
       call file%get_list(group, 'f_v', lists%f_v, error, above=0.0_dp)
       call file%get_list(group, 'orientation', lists%orientation, error, orientations)

@@ -2,7 +2,7 @@
 module ehlwave_estimated_case
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_accuracy_model, only: expected_step_error
-   use ehlwave_case_input, only: case_t
+   use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t, make_plan
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_runner, only: run_case
@@ -38,7 +38,7 @@ contains
    !> Run a case as planned; with `error_estimate = 'coarse_grid'` also on grids of two and four times the mesh
    !> size and time step (about a tenth of the cost), where these can tell anything, for a Richardson
    !> estimate; what the step tolerance is expected to leave is added, as no grid shows it. Otherwise the
-   !> estimate is the expected error of the plan. Linear responses come with their own estimate, `harmonic_error`;
+   !> estimate is the expected error of the plan, if there is one. Linear responses come with their own estimate, `harmonic_error`;
    !> without a transient there is none of its Ad/Ai. `shared`: see run_case.
    !>
    !> The checkpoint is of the case itself; stopped in a coarse run, the case counts as interrupted, and its coarse
@@ -57,8 +57,10 @@ contains
       call run_case(case, plan, monitor, result, shared, checkpoint)
       if (.not. plan%waviness%is_present .or. .not. is_success(result%status)) return
       if (.not. ieee_is_finite(result%amplitude_ratio_fit)) return
-      result%amplitude_ratio_error = plan%expected_error
-      result%amplitude_error_basis = basis_model
+      if (.not. plan%conditions%is_line()) then
+         result%amplitude_ratio_error = plan%expected_error
+         result%amplitude_error_basis = basis_model
+      end if
       if (case%error_estimate /= 'coarse_grid') return
 
       call coarse_ratios(case, plan, monitor, ratios, seconds, status)
@@ -105,10 +107,14 @@ contains
       factor = 1
       do while (factor < 4)
          factor = 2*factor
-         if (modulo(plan%cells_x, 2*factor) /= 0 .or. modulo(plan%cells_y, 2*factor) /= 0) return
+         if (modulo(plan%cells_x, 2*factor) /= 0) return
          coarse_case%cells_x = plan%cells_x/factor
-         coarse_case%cells_y = plan%cells_y/factor
-         if (min(coarse_case%cells_x, coarse_case%cells_y) < fewest_cells) return
+         if (coarse_case%cells_x < fewest_cells) return
+         if (.not. plan%conditions%is_line()) then
+            if (modulo(plan%cells_y, 2*factor) /= 0) return
+            coarse_case%cells_y = plan%cells_y/factor
+            if (coarse_case%cells_y < fewest_cells) return
+         end if
          call make_plan(coarse_case, coarse_plan, error)
          if (allocated(error)) return
          if (.not. can_tell(coarse_plan)) return

@@ -1,6 +1,6 @@
 !> The linear response of a case: no time steps.
 module ehlwave_harmonic_case
-   use ehlwave_case_input, only: case_t
+   use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_result, only: case_result_t
    use ehlwave_harmonic_response, only: harmonic_response_t
@@ -24,6 +24,7 @@ contains
       type(case_result_t), intent(inout) :: result
       type(harmonic_response_t) :: response, coarse
       real(dp) :: finish, start
+      integer :: last
 
       call steady%linearise(case, plan)
       call cpu_time(start)             ! steadier than the wall clock on a busy machine
@@ -39,8 +40,9 @@ contains
       end if
       call result%harmonic%take(response%film, response%approach)
       if (case%fields) then
-         call move_alloc(response%p, result%harmonic%p)
-         call move_alloc(response%h, result%harmonic%h)
+         last = steady%multigrid%levels(size(steady%multigrid%levels))%problem%grid%last_row()
+         result%harmonic%p = response%p(:, :last)
+         result%harmonic%h = response%h(:, :last)
       end if
       if (.not. steady%has_coarse) return
       call steady%coarse_response%respond(plan%waviness, case%natural_frequency, plan%steps_per_cell, coarse)

@@ -8,7 +8,9 @@
 !> Messages between rank 0 and another rank: `ask` is answered by `case` (number 0: there is none), every case by
 !> `done`, and rank 0 sends exactly one `stop`: when everybody is to stop, or at the end.
 module ehlwave_scheduler
-   use ehlwave_case_input, only: case_t, complete_case, read_case_groups
+   use ehlwave_case_completion, only: complete_case
+   use ehlwave_case_definition, only: case_t
+   use ehlwave_case_input, only: read_case_groups
    use ehlwave_case_plan, only: case_plan_t, make_plan
    use ehlwave_case_table, only: sweep_t
    use ehlwave_case_text, only: effective_input

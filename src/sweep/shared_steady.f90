@@ -1,6 +1,6 @@
 !> Steady state of one contact and the linear systems about it, shared by all patterns that meet it.
 module ehlwave_shared_steady
-   use ehlwave_case_input, only: case_t
+   use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t, run_harmonic
    use ehlwave_case_text, only: effective_input
    use ehlwave_full_multigrid, only: full_multigrid_t

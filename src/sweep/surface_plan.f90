@@ -1,6 +1,6 @@
 !> What a measured surface on the moving body means for a case: its pattern, and how long it is followed.
 module ehlwave_surface_plan
-   use ehlwave_case_input, only: case_t
+   use ehlwave_case_definition, only: case_t
    use ehlwave_conditions, only: conditions_t
    use ehlwave_errors, only: error_t, raise
    use ehlwave_kinds, only: dp

@@ -1,6 +1,6 @@
 !> The cases that are left to run: the longest expected first, those that share a steady state by the same rank.
 module ehlwave_sweep_queue
-   use ehlwave_case_input, only: case_t
+   use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t, run_harmonic
    use ehlwave_case_text, only: text_identity
    use ehlwave_cost_model, only: cost_features, cost_model_t, feature_count, fit_cost_model

@@ -6,9 +6,11 @@ module sample_contact
    use ehlwave_grid, only: grid_t, new_grid
    use ehlwave_kinds, only: dp
    use ehlwave_rheology, only: density_dowson_higginson, new_rheology, viscosity_roelands
+   use ehlwave_state, only: state_t
+   use ehlwave_transport, only: characteristic_transport
    implicit none (type, external)
    private
-   public :: make_contact, make_conditions, bump_pressure, noise
+   public :: make_contact, make_conditions, start_time_step, bump_pressure, noise
 
 contains
 
@@ -20,6 +22,18 @@ contains
       call conditions_from_moes(m, 12.05_dp, d, 2.2e-8_dp, conditions, error)
       if (allocated(error)) error stop 'make_conditions: '//error%message
    end function make_conditions
+
+   !> Make a problem the step that follows a state at rest, with a wave in the gap.
+   subroutine start_time_step(problem, state)
+      type(contact_problem_t), intent(inout) :: problem
+      type(state_t), intent(in) :: state
+      real(dp), allocatable :: history(:, :, :)
+      allocate (history(0:problem%grid%nx, 0:problem%grid%ny, 2))
+      history = spread(problem%rheology%density(state%p)*state%h, 3, 2)
+      problem%transport = characteristic_transport(problem%grid, 1, 1)
+      call problem%transport%carry(problem%grid, history)
+      call problem%set_rough(0.02_dp*spread(cos(8*problem%grid%x), 2, problem%grid%ny + 1))
+   end subroutine start_time_step
 
    !> Steady contact on the default domain.
    subroutine make_contact(problem, m, d, cells_x, cells_y, is_half, viscosity_law)

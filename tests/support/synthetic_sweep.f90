@@ -1,7 +1,7 @@
 !> Cases that only take time.
 module synthetic_case
    use, intrinsic :: iso_c_binding, only: c_int
-   use ehlwave_case_input, only: case_t
+   use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_runner, only: blank_result
@@ -75,7 +75,7 @@ end module synthetic_case
 !> 0: no time at all. Prints the wall time, that of the cases alone, and what lies between.
 program synthetic_sweep
    use, intrinsic :: iso_fortran_env, only: error_unit, output_unit
-   use ehlwave_case_input, only: complete_case
+   use ehlwave_case_completion, only: complete_case
    use ehlwave_case_plan, only: make_plan
    use ehlwave_case_table, only: sweep_t
    use ehlwave_case_text, only: case_identity

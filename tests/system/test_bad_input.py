@@ -65,6 +65,23 @@ CHANGES = [
 ]
 
 
+# group, key, value, needle: what a line contact is not
+LINE = {"conditions": {"load_parameter_m": 100, "lubricant_parameter_l": 11, "radius_ratio_d": 0},
+        "waviness": {"orientation": "transverse", "wavelength_over_a": 0.5}, "grid": {"cells_x": 128}}
+LINE_CHANGES = [
+    ("waviness", "orientation", "isotropic", "orientation"),
+    ("waviness", "orientation", "longitudinal", "orientation"),
+    ("grid", "cells_y", 128, "cells_y"),
+    ("grid", "y_max", 2, "y_max"),
+    ("grid", "domain", "whole", "domain"),
+    ("solver", "method", "fas", "method"),
+    ("solver", "deformation", "mlmi", "deformation"),
+    ("solver", "accuracy", 0.01, "accuracy"),
+    ("solver", "error_estimate", "model", "error_estimate"),
+    ("dynamics", "load_balance", "equation_of_motion", "load_balance"),
+]
+
+
 class BadInput(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -105,6 +122,23 @@ class BadInput(unittest.TestCase):
                     text = text.replace(f"{key} = '{value}'", f"{key} = {value}")
                 self.write("case.nml", text)
                 self.refuse(needle, "case.nml", "--output", "case.h5")
+
+    def test_line_contact(self):
+        self.write("case.nml", namelist(LINE))
+        self.assertEqual(run("case", "case.nml", "--plan", folder=self.folder).returncode, 0)
+        for group, key, value, needle in LINE_CHANGES:
+            with self.subTest(key=key, value=value):
+                groups = copy.deepcopy(LINE)
+                groups.setdefault(group, {})[key] = value
+                self.write("case.nml", namelist(groups))
+                self.refuse(needle, "case.nml")
+                self.assertIn("line contact", run("case", "case.nml", folder=self.folder).stderr)
+
+    def test_line_contact_with_custom_waves(self):
+        groups = copy.deepcopy(LINE)
+        groups["waviness"] = {"orientation": "custom", "wavelength_x_over_a": 1, "wavelength_y_over_a": 1}
+        self.write("case.nml", namelist(groups))
+        self.refuse("wavelength_y_over_a", "case.nml")
 
     def test_key_given_twice(self):
         self.write("case.nml", namelist(GOOD).replace("cells_x = 32", "cells_x = 32\n  cells_x = 64"))

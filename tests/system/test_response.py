@@ -82,6 +82,7 @@ class Response(TestCase):
         product = solve(conditions=CONTACT, grid=GRID, waviness=custom)
         oblique = solve(conditions=CONTACT, grid=GRID, waviness={**custom, "oblique": True})
         self.check_close(oblique["harmonic_ratio"], product["harmonic_ratio"], 5e-4, "Ad/Ai")
+        self.assertAlmostEqual(oblique["harmonic_phase"], product["harmonic_phase"], delta=5e-4)
 
 
 if __name__ == "__main__":

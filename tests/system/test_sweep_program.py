@@ -39,6 +39,26 @@ class SweepProgram(unittest.TestCase):
         self.assertEqual(len([line for line in outcome.stdout.split("\n") if " x " in line]), 8)
         self.assertEqual(self.names(), ["sweep.nml"])
 
+    def test_line_contacts(self):
+        """D = 0 in lists, beside an elliptical contact that needs cells_y, and in CSV columns."""
+        groups = {"sweep": {"load_parameter_m": 50, "lubricant_parameter_l": 8, "radius_ratio_d": [0, 1], "f_v": [2, 4],
+                            "orientation": "transverse", "output": "lists.h5"},
+                  "waviness": {"response": "harmonic"}, "grid": {"cells_x": 128, "cells_y": 64}}
+        outcome = self.sweep(groups)
+        self.assertEqual(outcome.returncode, 0, outcome.stderr + outcome.stdout)
+        self.assertIn("4 cases", outcome.stdout)
+        self.assertIn("4 converged", outcome.stdout)
+        rows = ["load_parameter_m,lubricant_parameter_l,radius_ratio_d,orientation,f_v,cells_x",
+                "50,8,0,transverse,2,128", "50,8,0,transverse,4,128"]
+        Path(self.folder, "rows.csv").write_text("\n".join(rows) + "\n")
+        outcome = self.sweep({"sweep": {"case_file": "rows.csv", "output": "rows.h5"}, "waviness": {"response": "harmonic"}})
+        self.assertEqual(outcome.returncode, 0, outcome.stderr + outcome.stdout)
+        self.assertIn("2 converged", outcome.stdout)
+        groups["sweep"]["radius_ratio_d"] = 0
+        outcome = self.sweep(groups, "--plan")
+        self.assertEqual(outcome.returncode, 2)
+        self.assertIn("cells_y", outcome.stderr)
+
     def test_run(self):
         for ranks in [0, 2]:
             outcome = self.sweep(SWEEP, "--output", f"results_{ranks}.h5", ranks=ranks)

@@ -1,6 +1,7 @@
 !> The plan of a case: kind of run, number of steps, grid.
 program test_case_plan
-   use ehlwave_case_input, only: case_t, complete_case
+   use ehlwave_case_completion, only: complete_case
+   use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t, make_plan, run_march, run_smooth, run_standing
    use ehlwave_errors, only: error_t
    use ehlwave_kinds, only: dp

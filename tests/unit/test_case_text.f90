@@ -1,6 +1,8 @@
 !> Effective input and identity of a case.
 program test_case_text
-   use ehlwave_case_input, only: case_t, complete_case, read_case
+   use ehlwave_case_completion, only: complete_case
+   use ehlwave_case_definition, only: case_t
+   use ehlwave_case_input, only: read_case
    use ehlwave_case_plan, only: case_plan_t, make_plan
    use ehlwave_case_text, only: case_identity, effective_input
    use ehlwave_errors, only: error_t

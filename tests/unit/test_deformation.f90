@@ -2,9 +2,10 @@
 program test_deformation
    use ehlwave_conditions, only: conditions_t
    use ehlwave_deformation_fft, only: deformation_fft_t
+   use ehlwave_deformation_line, only: deformation_line_t
    use ehlwave_elliptic_integrals, only: ellipticity_integrals, ellipticity_integrals_t
-   use ehlwave_grid, only: grid_t, new_grid
-   use ehlwave_kernel, only: cell_influence
+   use ehlwave_grid, only: grid_t, new_grid, new_line_grid
+   use ehlwave_kernel, only: cell_influence, line_reference
    use ehlwave_kinds, only: dp, pi
    use ehlwave_text, only: to_text
    use sample_contact, only: make_conditions, noise
@@ -16,6 +17,9 @@ program test_deformation
    call check_kernel()
    call check_hertz(1.0_dp)
    call check_hertz(0.12_dp)
+   call check_line_kernel()
+   call check_line_hertz()
+   call compare_line_with_sum()
    call compare_with_sum(20, 14, 1.0_dp)
    call compare_with_sum(22, 26, 0.3_dp)
    call compare_with_sum(17, 13, 0.126_dp)
@@ -75,6 +79,68 @@ contains
       call test%check(error(3) < 5e-4_dp, 'Hertz deformation at 256 cells')
       call test%check(order > 1.4_dp, 'order of the Hertz deformation')   ! the pressure is not smooth at the edge
    end subroutine check_hertz
+
+   !> Far away a cell of a line is a line load; two halves make a cell; a cell under itself.
+   subroutine check_line_kernel()
+      call test%check_close(line_influence(2.0_dp, 0.01_dp), 0.02_dp/pi*log(line_reference/2), 'line load', relative=1e-5_dp)
+      call test%check_close(line_influence(0.0_dp, 0.2_dp), 0.4_dp/pi*(1 + log(line_reference/0.1_dp)), 'under a strip', &
+                            relative=1e-14_dp)
+      call test%check_close(line_influence(0.35_dp, 0.2_dp), line_influence(0.3_dp, 0.1_dp) + line_influence(0.4_dp, 0.1_dp), &
+                            'two halves', relative=1e-13_dp)
+      call test%check_close(line_influence(-0.35_dp, 0.2_dp), line_influence(0.35_dp, 0.2_dp), 'even', relative=1e-14_dp)
+   end subroutine check_line_kernel
+
+   real(dp) function line_influence(dx, hx)
+      real(dp), intent(in) :: dx, hx
+      line_influence = cell_influence(dx, 0.0_dp, hx, 1.0_dp, 0.0_dp, 1.0_dp)
+   end function line_influence
+
+   !> Dry line contact: Dbar = ln 2 + 1/2 + ln(line_reference) - X^2 inside, and the load of the Hertz pressure.
+   subroutine check_line_hertz()
+      type(deformation_line_t) :: deformation
+      type(grid_t) :: grid
+      real(dp), allocatable :: p(:, :), v(:, :)
+      real(dp) :: error(3), order
+      integer :: n
+
+      do n = 1, 3
+         grid = new_line_grid(-2.5_dp, 1.5_dp, 128*4**n)
+         call deformation%init(grid, 0.0_dp, 1.0_dp)
+         if (allocated(p)) deallocate (p, v)
+         allocate (p(0:grid%nx, 0:grid%ny), v(0:grid%nx, 0:grid%ny), source=0.0_dp)
+         p(:, 0) = sqrt(max(0.0_dp, 1 - grid%x**2))
+         call deformation%apply(p, v)
+         error(n) = maxval(abs(v(:, 0) + grid%x**2 - 0.5_dp - log(2*line_reference)), mask=abs(grid%x) < 0.9_dp)
+      end do
+      order = log(error(1)/error(3))/log(16.0_dp)
+      print '(a)', 'measured: Hertz, line: error '//to_text(error(3), 3)//', order '//to_text(order, 3)
+      call test%check(error(3) < 2e-5_dp, 'Hertz deformation of a line at 8192 cells')
+      call test%check(order > 1.4_dp, 'order of the Hertz deformation of a line')   ! not smooth at the edge
+      call test%check_close(grid%integral(p), 2*pi/3, 'load of a line on its strip', relative=1e-5_dp)
+      call test%check_close(grid%value_at_centre(v), 0.5_dp + log(2*line_reference), 'value at the centre', relative=1e-5_dp)
+      call test%check_close(v(:, 1), v(:, 0), 'row 1 is a copy', relative=0.0_dp)
+   end subroutine check_line_hertz
+
+   subroutine compare_line_with_sum()
+      type(deformation_line_t) :: deformation
+      type(grid_t) :: grid
+      real(dp), allocatable :: direct(:), p(:, :), v(:, :)
+      integer :: i, ii
+
+      grid = new_line_grid(-2.5_dp, 1.5_dp, 46)
+      call deformation%init(grid, 0.0_dp, 1.0_dp)
+      allocate (p(0:46, 0:1), v(0:46, 0:1), direct(0:46), source=0.0_dp)
+      do i = 1, 45
+         p(i, 0) = noise(i, 3)
+      end do
+      call deformation%apply(p, v)
+      do i = 0, 46
+         do ii = 0, 46
+            direct(i) = direct(i) + p(ii, 0)*line_influence(grid%x(i) - grid%x(ii), grid%hx)
+         end do
+      end do
+      call test%check_close(v(:, 0), direct, 'FFT of a line against summation', absolute=1e-13_dp*maxval(abs(direct)))
+   end subroutine compare_line_with_sum
 
    subroutine compare_with_sum(cells_x, cells_y, kappa)
       integer, intent(in) :: cells_x, cells_y

@@ -15,8 +15,7 @@ program test_fas
    use ehlwave_state, only: new_state, state_t
    use ehlwave_status, only: status_converged, status_not_finite, status_stalled
    use ehlwave_text, only: to_text
-   use ehlwave_transport, only: characteristic_transport
-   use sample_contact, only: make_conditions
+   use sample_contact, only: make_conditions, start_time_step
    use testing, only: test_t
    implicit none (type, external)
 
@@ -48,18 +47,13 @@ contains
    end subroutine make_levels
 
    !> Make a problem the time step with an equation of motion and a wave that follows a state at rest.
-   subroutine start_time_step(problem, state)
+   subroutine start_heavy_step(problem, state)
       type(contact_problem_t), intent(inout) :: problem
       type(state_t), intent(in) :: state
-      real(dp), allocatable :: history(:, :, :)
-      allocate (history(0:problem%grid%nx, 0:problem%grid%ny, 2))
-      history = spread(problem%rheology%density(state%p)*state%h, 3, 2)
-      problem%transport = characteristic_transport(problem%grid, 1, 1)
-      call problem%transport%carry(problem%grid, history)
-      call problem%set_rough(0.02_dp*spread(cos(8*problem%grid%x), 2, problem%grid%ny + 1))
+      call start_time_step(problem, state)
       problem%load = equation_of_motion(1.0_dp, 5.0_dp, problem%grid%hx)
       call problem%load%carry(spread(state%delta, 1, 3))
-   end subroutine start_time_step
+   end subroutine start_heavy_step
 
    !> The coarse problem of a solution: no residual, no change by Newton's method, no correction. That of another state
    !> corrects it.
@@ -79,7 +73,7 @@ contains
       call levels%solve(solve_limits_t(tolerance=1e-12_dp), 1e-3_dp)
       associate (fine => levels%levels(size(levels%levels)), coarse => levels%levels(size(levels%levels) - 1)%problem)
          if (is_step) then
-            call start_time_step(fine%problem, fine%state)
+            call start_heavy_step(fine%problem, fine%state)
             call fine%solver%solve(fine%problem, fine%state, solve_limits_t(tolerance=1e-12_dp), fine%report)
          end if
          call test%check(fine%report%status == status_converged, name//': solution')
@@ -180,7 +174,7 @@ contains
          call test%check(.not. coarse%transport%is_local, 'steady transport is back')
          call test%check_close([coarse%load%carried, coarse%load%force], [0.0_dp, 1.0_dp], 'load balance is back', &
                                absolute=0.0_dp)
-         call start_time_step(level%problem, level%state)
+         call start_heavy_step(level%problem, level%state)
          call level%solver%solve(level%problem, level%state, limits, level%report)
          call test%check(level%report%status == status_converged, 'another problem')
          call test%check(maxval(abs(level%state%p - first%p)) > 1e-3_dp, 'it has another solution')

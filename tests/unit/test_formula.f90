@@ -14,6 +14,7 @@ program test_formula
    call check_wave_parameters()
    call check_amplitude()
    call check_film()
+   call check_line()
    call test%finish()
 
 contains
@@ -52,6 +53,29 @@ contains
       call test%check_close([amplitude_formula(1.42_dp), amplitude_formula(1.02_dp), amplitude_formula(0.72_dp)], &
                             [0.80_dp, 0.86_dp, 0.90_dp], 'experiment', absolute=0.006_dp)
    end subroutine check_amplitude
+
+   !> Line contacts: V of both forms; the asymptotes of the film formula and one value worked out elsewhere.
+   subroutine check_line()
+      type(conditions_t) :: c
+      c = make_conditions(100.0_dp, 0.0_dp)
+      call test%check_close(wave_parameter_v(c, 0.25_dp), (2*pi)**0.75_dp*0.25_dp*c%alphabar**1.5_dp/c%l**2, &
+                            'V of a line from alphabar and L', relative=1e-13_dp)
+      call test%check_close(wave_parameter_v(c, 0.25_dp), 0.25_dp*100**0.75_dp/sqrt(12.05_dp), 'V of a line', relative=1e-13_dp)
+      call test%check_close(moes_film_formula(line(1e-3_dp, 0.0_dp)), 3e3_dp, 'rigid, isoviscous', relative=1e-2_dp)
+      call test%check_close(moes_film_formula(line(1e6_dp, 0.0_dp)), 2.621_dp*1e6_dp**(-0.2_dp), 'elastic, isoviscous', &
+                            relative=1e-2_dp)
+      call test%check_close(moes_film_formula(line(1e4_dp, 100.0_dp)), 1.311_dp*1e4_dp**(-0.125_dp)*100**0.75_dp, &
+                            'elastic, piezoviscous', relative=2e-2_dp)
+      call test%check_close(moes_film_formula(line(100.0_dp, 11.0_dp)), 4.56485_dp, 'M = 100, L = 11', relative=1e-5_dp)
+   end subroutine check_line
+
+   function line(m, l) result(c)
+      real(dp), intent(in) :: m, l
+      type(conditions_t) :: c
+      type(error_t), allocatable :: error
+      call conditions_from_moes(m, l, 0.0_dp, 2.2e-8_dp, c, error)
+      ! alpha ph may be beyond the model; M, L and D are set all the same
+   end function line
 
    subroutine check_film()
       type(conditions_t) :: c

@@ -9,8 +9,7 @@ program test_line_relaxation
    use ehlwave_state, only: new_state, state_t
    use ehlwave_status, only: status_converged
    use ehlwave_text, only: to_text
-   use ehlwave_transport, only: characteristic_transport
-   use sample_contact, only: make_contact, noise
+   use sample_contact, only: make_contact, noise, start_time_step
    use testing, only: test_t
    implicit none (type, external)
 
@@ -63,18 +62,6 @@ contains
       call newton%solve(problem, state, solve_limits_t(tolerance=1e-11_dp, largest_steps=60), report)
       call test%check(report%status == status_converged, name//': there is a solution')
    end subroutine solve
-
-   !> The step after a state at rest, with a wave in the gap.
-   subroutine start_time_step(problem, state)
-      type(contact_problem_t), intent(inout) :: problem
-      type(state_t), intent(in) :: state
-      real(dp), allocatable :: history(:, :, :)
-      allocate (history(0:problem%grid%nx, 0:problem%grid%ny, 2))
-      history = spread(problem%rheology%density(state%p)*state%h, 3, 2)
-      problem%transport = characteristic_transport(problem%grid, 1, 1)
-      call problem%transport%carry(problem%grid, history)
-      call problem%set_rough(0.02_dp*spread(cos(8*problem%grid%x), 2, problem%grid%ny + 1))
-   end subroutine start_time_step
 
    !> Two sweeps on the solution with noise: the noise falls in the inlet and in the middle of the contact.
    subroutine check_smoothing(problem, solution, name)

@@ -1,6 +1,6 @@
 !> The order in which ranks get the cases of a sweep.
 program test_steady_groups
-   use ehlwave_case_input, only: case_t
+   use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t, make_plan
    use ehlwave_errors, only: error_t
    use ehlwave_kinds, only: dp

@@ -1,6 +1,6 @@
 !> The cost model finds known laws; the queue gives the longest expected case first and learns.
 program test_sweep_queue
-   use ehlwave_case_input, only: case_t
+   use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t, run_march
    use ehlwave_cost_model, only: cost_features, cost_model_t, feature_count, fit_cost_model
    use ehlwave_kinds, only: dp

@@ -47,7 +47,7 @@ contains
       ny = fine%ny
       call test%check(maxval(abs(value(2:nx - 2, 2:ny - 2) - expected(3:nx - 1, 3:ny - 1))) < 1e-12_dp, 'exact for cubics inside')
       call test%check(maxval(abs(value(1, :) - expected(2, :))) > 1e-3_dp, 'linear next to the boundary')
-      call inject(value, back)
+      call inject(coarse, value, back)
       call test%check(all(abs(back - cubic(coarse)) <= 0), 'injection undoes interpolation')
    end subroutine check_cubic
 

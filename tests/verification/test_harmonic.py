@@ -67,6 +67,18 @@ class Harmonic(TestCase):
         self.assertLessEqual(max(steps.values()), 18)
         self.assertGreater(min(steps.values()), 0)
 
+    def test_few_points_across_a_slender_contact(self):
+        """Incomplete factors without a shift overflow here; measured: 62 GMRES steps each."""
+        results = [solve(m=m, d=d, grid={"cells_x": cells_x, "cells_y": cells_y},
+                         waviness={"orientation": "transverse", "wavelength_over_a": wavelength, "response": "harmonic"})
+                   for m, d, wavelength, cells_x, cells_y in [(9624.3, 0.02, 0.25, 128, 64), (2000, 0.04, 0.175, 192, 96)]]
+        finer = solve(m=2000, d=0.04, grid={"cells_x": 384, "cells_y": 192},
+                      waviness={"orientation": "transverse", "wavelength_over_a": 0.175, "response": "harmonic"})
+        report(str([result["harmonic_linear_steps"] for result in results]))
+        self.assertEqual([result["status"] for result in results], ["unresolved", "converged"])
+        self.assertLessEqual(max(result["harmonic_linear_steps"] for result in results), 90)
+        self.check_close(results[1]["harmonic_extrapolated"], finer["harmonic_extrapolated"], 1e-2, "Ad/Ai")
+
     def test_richardson(self):
         """The extrapolated value and its error bar against the same on a finer grid."""
         results = [solve(m=100, d=1, grid={"cells_x": cells, "cells_y": cells},

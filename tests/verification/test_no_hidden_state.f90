@@ -1,6 +1,7 @@
 !> Cases A, B, A in one process: both runs of A give the same bits.
 program test_no_hidden_state
-   use ehlwave_case_input, only: case_t, complete_case
+   use ehlwave_case_completion, only: complete_case
+   use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t, make_plan
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_runner, only: run_case

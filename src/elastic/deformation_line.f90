@@ -1,0 +1,82 @@
+!> Elastic deformation of a line contact by FFT convolution with the exact cell kernel.
+module ehlwave_deformation_line
+   use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_double_complex, c_f_pointer, c_int, &
+      c_int32_t, c_intptr_t, c_char, c_float, c_float_complex, c_funptr, c_null_ptr, c_ptr, c_size_t
+   use ehlwave_deformation, only: deformation_t
+   use ehlwave_deformation_fft, only: fast_length
+   use ehlwave_grid, only: grid_t
+   use ehlwave_kernel, only: cell_influence
+   use ehlwave_kinds, only: dp
+   implicit none (type, external)
+   private
+
+   include 'fftw3.f03'
+
+   !> Plans, kernel transform and work space of one line. Must not be copied (it owns C memory); pass it by reference.
+   type, extends(deformation_t), public :: deformation_line_t
+      private
+      integer :: nx = 0                      ! as in the grid
+      real(dp), allocatable :: spectrum(:)   ! (modes) kernel transform over the padded length
+      type(c_ptr) :: forward = c_null_ptr, backward = c_null_ptr
+      type(c_ptr) :: real_memory = c_null_ptr, mode_memory = c_null_ptr
+      real(c_double), pointer, contiguous :: row(:) => null()               ! (padded length)
+      complex(c_double_complex), pointer, contiguous :: modes(:) => null()
+   contains
+      procedure :: init
+      procedure :: apply
+      final :: release
+   end type deformation_line_t
+
+contains
+
+   !> Plans and kernel transform for the grid of a line contact, kappa = 0.
+   subroutine init(self, grid, kappa, k)
+      class(deformation_line_t), intent(inout) :: self
+      type(grid_t), intent(in) :: grid
+      real(dp), intent(in) :: kappa   !! 0
+      real(dp), intent(in) :: k       !! not used by the kernel of a line
+      integer :: i, n
+
+      call release(self)
+      self%nx = grid%nx
+      n = fast_length(2*grid%nx)
+      self%real_memory = fftw_alloc_real(int(n, c_size_t))
+      self%mode_memory = fftw_alloc_complex(int(n/2 + 1, c_size_t))
+      call c_f_pointer(self%real_memory, self%row, [n])
+      call c_f_pointer(self%mode_memory, self%modes, [n/2 + 1])
+      self%forward = fftw_plan_dft_r2c_1d(n, self%row, self%modes, FFTW_ESTIMATE)
+      self%backward = fftw_plan_dft_c2r_1d(n, self%modes, self%row, FFTW_ESTIMATE)
+      self%row = cell_influence([(min(i, n - i)*grid%hx, i=0, n - 1)], 0.0_dp, grid%hx, grid%hy, kappa, k)
+      call fftw_execute_dft_r2c(self%forward, self%row, self%modes)
+      self%spectrum = real(self%modes, dp)/n      ! the kernel is even, so its transform is real
+   end subroutine init
+
+   !> Deformation at all nodes of the line, D = sum over cells of influence times P; row 1 gets a copy.
+   subroutine apply(self, p, d)
+      class(deformation_line_t), intent(inout) :: self
+      real(dp), intent(in) :: p(0:, 0:)    !! pressure at the nodes, (0:nx, 0:1)
+      real(dp), intent(out) :: d(0:, 0:)   !! deformation, (0:nx, 0:1)
+
+      self%row(1:self%nx + 1) = p(:, 0)
+      self%row(self%nx + 2:) = 0
+      call fftw_execute_dft_r2c(self%forward, self%row, self%modes)
+      self%modes = self%spectrum*self%modes
+      call fftw_execute_dft_c2r(self%backward, self%modes, self%row)
+      d(:, 0) = self%row(1:self%nx + 1)
+      d(:, 1) = d(:, 0)
+   end subroutine apply
+
+   !> Free plans and C memory.
+   subroutine release(self)
+      type(deformation_line_t), intent(inout) :: self
+      if (c_associated(self%forward)) call fftw_destroy_plan(self%forward)
+      if (c_associated(self%backward)) call fftw_destroy_plan(self%backward)
+      if (c_associated(self%real_memory)) call fftw_free(self%real_memory)
+      if (c_associated(self%mode_memory)) call fftw_free(self%mode_memory)
+      self%forward = c_null_ptr
+      self%backward = c_null_ptr
+      self%real_memory = c_null_ptr
+      self%mode_memory = c_null_ptr
+   end subroutine release
+
+end module ehlwave_deformation_line

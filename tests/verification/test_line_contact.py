@@ -1,0 +1,110 @@
+"""Line contacts, D = 0: published values, orders, formula, linear response against transient, domain of input."""
+
+import math
+import unittest
+
+from ehlwave_program import TestCase, report, solve
+
+# Venner et al. (1997): M = 100, L = 11, pure rolling, waves of a tenth of the film
+PUBLISHED = {4: 0.030, 2: 0.073, 1: 0.183, 0.5: 0.394, 0.25: 0.660}
+PUBLISHED_BAND = 0.025   # of Ai; measured 0.017 at 0.25 a, 0.004 or less elsewhere; their z and alpha are not known
+# Moes (1992), Barus and incompressible; measured +0.038 to -0.062. With the default lubricant films lie 1 to 28 per cent
+# below it, most of that by the density at the contact centre.
+FORMULA_BAND = 0.07
+SMALL = 1e-3             # transient at Ai = 1 % of the film against the linear response; measured 1e-4
+
+
+def line(m, l, cells, **groups):  # noqa: E741
+    return solve(m=m, l=l, d=0, grid={"cells_x": cells}, **groups)
+
+
+def waves(wavelength, response="harmonic", amplitude=0.01):
+    return {"orientation": "transverse", "wavelength_over_a": wavelength, "response": response,
+            "amplitude_over_film": amplitude}
+
+
+def moes_formula(m, l):  # noqa: E741
+    """Central film, (h/Rx)(2U)^(-1/2)."""
+    ri, ei = 3/m, 2.621*m**-0.2
+    s = (7 + 8*math.exp(-2*ei/ri))/5
+    elastic = (ri**(7/3) + ei**(7/3))**(3*s/7)
+    if l == 0:
+        return elastic**(1/s)
+    rp, ep = 1.287*l**(2/3), 1.311*m**-0.125*l**0.75
+    return (elastic + (rp**-3.5 + ep**-3.5)**(-2*s/7))**(1/s)
+
+
+class LineContact(TestCase):
+    def test_published_ratios(self):
+        found = {}
+        for wavelength, ratio in PUBLISHED.items():
+            found[wavelength] = line(100, 11, 2048, waviness=waves(wavelength))["harmonic_extrapolated"]
+            self.assertLessEqual(abs(found[wavelength] - ratio), PUBLISHED_BAND, f"lambda = {wavelength} a")
+        report(", ".join(f"lambda = {key} a: {value:.4f} ({PUBLISHED[key]})" for key, value in found.items()))
+
+    def test_orders(self):
+        results = [line(100, 11, cells, waviness=waves(0.5)) for cells in (512, 1024, 2048)]
+        film = self.check_order([result["central_film"] for result in results], 1.8, "H(0,0)")
+        ratio = self.check_order([result["harmonic_ratio"] for result in results], 1.8, "Ad/Ai")
+        truth = results[-1]["harmonic_extrapolated"]
+        for result in results:
+            self.assertLessEqual(abs(result["harmonic_extrapolated"]/truth - 1), result["harmonic_error"])
+        report(f"order of H(0,0) {film:.2f}, of Ad/Ai {ratio:.2f}")
+
+    def test_film_formula(self):
+        deviations = {}
+        for m, l in [(10, 2), (20, 0), (20, 5), (30, 25), (50, 10), (100, 11), (200, 5), (500, 0), (1000, 20)]:
+            result = line(m, l, 2048, lubricant={"viscosity_law": "barus", "density_law": "incompressible"})
+            self.assertEqual(result["status"], "converged")
+            self.assertLess(result["load_error"], 1e-6)
+            deviations[m, l] = result["central_film_moes"]/moes_formula(m, l) - 1
+            self.assertLessEqual(abs(deviations[m, l]), FORMULA_BAND, f"M = {m}, L = {l}")
+        report(", ".join(f"M={m} L={l}: {value:+.3f}" for (m, l), value in deviations.items()))
+
+    def test_wave_parameters(self):
+        result = line(100, 11, 256, waviness=waves(0.5))
+        alphabar = 11*math.sqrt(100/(2*math.pi))
+        self.check_close(result["alphabar"], alphabar, 1e-12, "alphabar")
+        self.check_close(result["lambdabar"], 1.5*math.pi**2/100**2, 1e-12, "lambdabar")
+        self.check_close(result["v"], 0.5*100**0.75/math.sqrt(11), 1e-12, "V")
+        self.check_close(result["v"], (2*math.pi)**0.75*0.5*alphabar**1.5/11**2, 1e-12, "V from alphabar")
+        self.check_close(result["v2"], 0.5*math.sqrt(100/11), 1e-12, "V2")
+        self.assertEqual((result["kappa"], result["cells_y"], result["expected_error"]), (0, 1, None))
+
+    def test_small_transients(self):
+        """On the same grid, several periods after the pattern has passed."""
+        worst = (0, "")
+        for slip, wavelength, cells in [(1, 0.5, 256), (0.5, 1, 256), (1.5, 1, 256)]:
+            result = line(50, 8, cells, conditions={"slip_parameter": slip}, waviness=waves(wavelength, "both"),
+                          solver={"settling_periods": 4, "step_tolerance": 1e-5, "tolerance": 1e-8})
+            name = f"S = {slip}, lambda = {wavelength} a"
+            deviation = self.check_close(result["harmonic_ratio"], result["amplitude_ratio_fit"], SMALL, name)
+            turn = abs(math.remainder(result["harmonic_phase"] - result["phase_fit"], 2*math.pi))
+            self.assertLessEqual(turn, SMALL, name)
+            self.assertIsNotNone(result["amplitude_ratio_error"])
+            worst = max(worst, (deviation, name))
+        report(f"{worst[0]:.1e} at {worst[1]}")
+
+    def test_standing_pattern(self):
+        result = line(50, 8, 256, conditions={"slip_parameter": 0}, waviness=waves(1, "both"))
+        self.check_close(result["harmonic_ratio"], result["amplitude_ratio_fit"], SMALL, "S = 0")
+
+    def test_fine_grid_is_cheap(self):
+        """Steps do not grow with the grid: 8192 cells; measured 16 GMRES steps, half a second."""
+        result = line(100, 11, 8192, waviness=waves(2))
+        self.assertLessEqual(result["harmonic_linear_steps"], 25)
+        self.assertLessEqual(result["nonlinear_steps"], 10)
+        report(f"{result['harmonic_linear_steps']} GMRES steps of the response, {result['seconds']:.2f} s")
+
+    def test_petsc_agrees(self):
+        try:
+            checked = line(50, 8, 256, solver={"method": "petsc"})
+        except AssertionError as refusal:
+            if "PETSc" not in str(refusal):
+                raise
+            self.skipTest("built without PETSc")
+        self.check_close(checked["central_film"], line(50, 8, 256)["central_film"], 1e-5, "H(0,0)")
+
+
+if __name__ == "__main__":
+    unittest.main()
