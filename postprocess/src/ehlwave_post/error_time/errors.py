@@ -1,7 +1,7 @@
 """Errors of the table: against a finer solution, and of the iteration alone."""
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import fields
 
 from ehlwave_post.error_time.runs import Contact, Run
@@ -52,6 +52,21 @@ def reference(series: dict[int, float]) -> tuple[float, str]:
     return value, f"Richardson from {coarse} and {fine} cells"
 
 
+def referenced(
+    table: Sequence[Row],
+) -> Iterator[tuple[Contact, list[Row], str, dict[int, float], tuple[float, str]]]:
+    """Yield contact, its rows, quantity, values by cells, and reference with its basis.
+
+    Left out is what was run on one grid only.
+    """
+    for contact, rows in by_contact(table).items():
+        for quantity in quantities(contact):
+            series = grid_series(rows, quantity)
+            if len(series) < 2:
+                continue
+            yield contact, rows, quantity, series, reference(series)
+
+
 def error_rows(table: Sequence[Row]) -> list[Row]:
     """Return one row for each run and quantity.
 
@@ -59,29 +74,24 @@ def error_rows(table: Sequence[Row]) -> list[Row]:
     that from the run on the same grid with the tightest tolerance, empty where there is none.
     """
     found: list[Row] = []
-    for contact, rows in by_contact(table).items():
-        for quantity in quantities(contact):
-            series = grid_series(rows, quantity)
-            if len(series) < 2:
+    for _, rows, quantity, _, (target, basis) in referenced(table):
+        for row in rows:
+            if not math.isfinite(row[quantity]):
                 continue
-            target, basis = reference(series)
-            for row in rows:
-                if not math.isfinite(row[quantity]):
-                    continue
-                found.append(
-                    {
-                        **{name: row[name] for name in KEYS},
-                        "status": row["status"],
-                        "quantity": quantity,
-                        "value": row[quantity],
-                        "reference": target,
-                        "reference_basis": basis,
-                        "error": abs(row[quantity] / target - 1),
-                        "algebraic_error": _algebraic_error(row, rows, quantity),
-                        "seconds": row["seconds"],
-                        "work_units": row["work_units"],
-                    }
-                )
+            found.append(
+                {
+                    **{name: row[name] for name in KEYS},
+                    "status": row["status"],
+                    "quantity": quantity,
+                    "value": row[quantity],
+                    "reference": target,
+                    "reference_basis": basis,
+                    "error": abs(row[quantity] / target - 1),
+                    "algebraic_error": _algebraic_error(row, rows, quantity),
+                    "seconds": row["seconds"],
+                    "work_units": row["work_units"],
+                }
+            )
     return found
 
 
@@ -125,33 +135,28 @@ def order_rows(table: Sequence[Row]) -> list[Row]:
 def estimate_rows(table: Sequence[Row]) -> list[Row]:
     """Return the estimates that a run makes of its own error beside the error."""
     found: list[Row] = []
-    for contact, rows in by_contact(table).items():
-        for quantity in quantities(contact):
-            series = grid_series(rows, quantity)
-            if len(series) < 2:
+    for contact, rows, quantity, series, (target, basis) in referenced(table):
+        for row in rows:
+            cells = int(row["cells"])
+            if not has_defaults(row) or cells not in series:
                 continue
-            target, basis = reference(series)
-            for row in rows:
-                cells = int(row["cells"])
-                if not has_defaults(row) or cells not in series:
-                    continue
-                if contact.wavelength:
-                    estimate = richardson([series.get(cells // n, math.nan) for n in (1, 2, 4)])
-                else:
-                    estimate = row[f"{quantity}_error"]
-                error = abs(series[cells] / target - 1)
-                found.append(
-                    {
-                        **contact._asdict(),
-                        "cells": cells,
-                        "status": row["status"],
-                        "quantity": quantity,
-                        "error": error,
-                        "reference_basis": basis,
-                        "estimate": estimate,
-                        "estimate_over_error": estimate / error,
-                    }
-                )
+            if contact.wavelength:
+                estimate = richardson([series.get(cells // n, math.nan) for n in (1, 2, 4)])
+            else:
+                estimate = row[f"{quantity}_error"]
+            error = abs(series[cells] / target - 1)
+            found.append(
+                {
+                    **contact._asdict(),
+                    "cells": cells,
+                    "status": row["status"],
+                    "quantity": quantity,
+                    "error": error,
+                    "reference_basis": basis,
+                    "estimate": estimate,
+                    "estimate_over_error": estimate / error,
+                }
+            )
     return found
 
 
