@@ -80,6 +80,14 @@ def test_cases_without_transient_have_their_linear_response(tmp_path: Path) -> N
     np.testing.assert_array_equal(linear["deformed_ratio"], expected)
 
 
+def test_transients_have_the_error_they_estimate(tmp_path: Path) -> None:
+    columns = make_columns()
+    columns["amplitude_ratio_error"] = np.linspace(0.001, 0.02, columns["v"].size)
+    points = select_points(_read(tmp_path, columns))
+    expected = columns["amplitude_ratio_error"] * columns["amplitude_ratio_fit"]
+    np.testing.assert_allclose(points["deformed_error"], expected)
+
+
 def test_abscissae_include_the_orientation_factor(tmp_path: Path) -> None:
     points = select_points(_read(tmp_path, make_columns()))
     longitudinal = points["orientation"] == "longitudinal"

@@ -6,6 +6,7 @@ from matplotlib import rc_context
 from matplotlib.figure import Figure
 
 from ehlwave_post.errors import ResultsError
+from ehlwave_post.figures import COLOURS
 from ehlwave_post.schema import CONVERGED, DIMENSION, UNRESOLVED
 
 COLUMNS = (
@@ -25,7 +26,6 @@ COLUMNS = (
 
 _PATTERN = ("load_parameter_m", "radius_ratio_d", "orientation", "wavelength_over_a")
 _STYLE = {"font.size": 8.5, "axes.labelsize": 9.5, "legend.fontsize": 8}
-_COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00")
 _FEWEST = 3
 
 
@@ -102,7 +102,7 @@ def linearity_figure(points: xr.Dataset) -> Figure:
             ).sortby("amplitude_over_film")
             load, radius_ratio, orientation, wave = key
             label = rf"{orientation}, $M={load:g}$, $D={radius_ratio:g}$, $\lambda/a={wave:g}$"
-            colour = _COLOURS[index % len(_COLOURS)]
+            colour = COLOURS[index % len(COLOURS)]
             x = members["amplitude_over_film"].values
             axes.plot(x, members["fit_over_linear"], "o-", color=colour, label=label, markersize=3)
             axes.plot(x, members["range_over_linear"], "--", color=colour, linewidth=0.8)

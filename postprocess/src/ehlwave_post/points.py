@@ -51,7 +51,8 @@ def select_points(
     xarray.Dataset
         The chosen cases with all their columns, and over ``case``, dimensionless: ``f_v`` = f(r) V
         and ``f_v2`` = f(r) V2, eqs. (15) to (17), ``deformed_ratio`` = Ad/Ai as chosen,
-        ``deformed_error`` = its estimated discretisation error (NaN: not known), and
+        ``deformed_error`` = its estimated discretisation error, from coarser grids of the same case
+        (``'coarse_grid'``) or as the plan expects it (``'model'``), NaN: not known, and
         ``is_point_resolved`` (bool).
 
     Raises
@@ -91,8 +92,8 @@ def _chosen_ratio(results: xr.Dataset, ratio: Ratio) -> tuple[xr.DataArray, xr.D
         return deformed, xr.full_like(deformed, np.nan)
     no_signal = (results["orientation"] == "longitudinal") & deformed.isnull()
     deformed = deformed.where(~no_signal, results[RATIO_COLUMNS["sampled"]])
-    error = linear_error.where(deformed.isnull())
-    return deformed.fillna(linear), error
+    error = deformed * _optional(results, "amplitude_ratio_error")
+    return deformed.fillna(linear), error.where(deformed.notnull(), linear_error)
 
 
 def _optional(results: xr.Dataset, name: str) -> xr.DataArray:
