@@ -9,7 +9,7 @@ import pytest
 from contact import EXPERIMENT, experiment
 
 from ehlwave_post.cli import main
-from ehlwave_post.formula import amplitude_ratio_formula
+from ehlwave_post.formula import amplitude_ratio_formula, recommended_ratio
 
 Capture = pytest.CaptureFixture[str]
 CONDITIONS = ["--conditions", *(f"{key}={value}" for key, value in EXPERIMENT.items())]
@@ -114,3 +114,19 @@ def test_example_runs(tmp_path: Path) -> None:
     outcome = subprocess.run(command, capture_output=True, text=True, check=True)
     assert "lambda ratio" in outcome.stdout
     assert (tmp_path / "out" / "deformed.png").stat().st_size > 10000
+
+
+def test_the_formula_can_be_chosen(tmp_path: Path, capsys: Capture) -> None:
+    surface = str(cosine_file(tmp_path))
+    ends = ["--form", "none", "--ends", "none", "--json"]
+    after = {}
+    for name in ("paper", "recommended"):
+        assert main(["deform", surface, *CONDITIONS, *ends, "--formula", name]) == 0
+        after[name] = json.loads(capsys.readouterr().out)
+    assert main(["deform", surface, *CONDITIONS, *ends]) == 0
+    assert json.loads(capsys.readouterr().out) == after["paper"]
+    contact = experiment()
+    wave = 60e-6 / contact.semi_axis_a_m
+    expected = recommended_ratio(contact.m, contact.l, contact.gamma, wave, 0)
+    found = after["recommended"]["statistics"]
+    assert found["rq_after_m"] / found["rq_before_m"] == pytest.approx(float(expected), rel=1e-6)

@@ -6,13 +6,14 @@ from contact import experiment
 
 from ehlwave_post.deform import (
     FormulaTransfer,
+    RecommendedTransfer,
     Surface,
     deform_surface,
     map_surface,
     trace_surface,
 )
 from ehlwave_post.errors import SurfaceError
-from ehlwave_post.formula import amplitude_ratio_formula, f_of_r
+from ehlwave_post.formula import amplitude_ratio_formula, f_of_r, recommended_ratio
 
 CONTACT = experiment()
 ELLIPTIC = experiment(radius_y_m=0.12)
@@ -188,3 +189,26 @@ def test_form_removal_takes_out_what_it_names_and_nothing_else() -> None:
         )
     left = deform_surface(map_surface(1e-8 * bowl, 3e-6, 4e-6), CONTACT, form="plane")
     assert np.abs(left.surface.height).max() > 0.1e-8
+
+
+def test_recommended_transfer_is_the_recommended_formula() -> None:
+    contact = experiment(mean_speed_m_per_s=0.03, radius_y_m=0.12)
+    transfer = RecommendedTransfer(contact)
+    a = contact.semi_axis_a_m
+    qx, qy = np.array([0, -2, 0, 3]) / a, np.array([0, 0, 4, 5]) / a
+    waves = np.array([[2, 0], [0, 4], [3, 5]])
+    wave_x, wave_y = np.where(waves == 0, 0, 1 / np.maximum(waves, 1)).T
+    expected = recommended_ratio(contact.m, contact.l, contact.gamma, wave_x, wave_y)
+    np.testing.assert_allclose(transfer.ratio(qx, qy), [0, *expected], rtol=1e-12)
+    grid = transfer.ratio(qx[:, None], qy[None, :])
+    assert grid.shape == (4, 4)
+    assert grid[0, 0] == 0
+    assert transfer.covers_all
+
+
+def test_recommended_transfer_says_what_it_was_not_fitted_to() -> None:
+    contact = dataclasses.replace(experiment(), m=20.0, slip_parameter=1.2)
+    transfer = RecommendedTransfer(contact)
+    assert not transfer.is_covered(np.ones(3), np.ones(3)).any()
+    assert "M = 20: the formula was fitted to 50 to 2000" in transfer.outside_reason
+    assert "slip" in transfer.outside_reason

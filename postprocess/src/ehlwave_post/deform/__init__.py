@@ -9,6 +9,7 @@ from ehlwave_post.deform.conditions import Conditions, conditions_from_keys
 from ehlwave_post.deform.conditions_read import read_conditions
 from ehlwave_post.deform.figures import deformed_figure, spectrum_figure
 from ehlwave_post.deform.harmonics import harmonic_table
+from ehlwave_post.deform.period import cut_period
 from ehlwave_post.deform.predict import Deformed, deform_surface
 from ehlwave_post.deform.read import ReadOptions, read_surface
 from ehlwave_post.deform.report import report_json, report_text, to_dataset, write_results
@@ -16,17 +17,19 @@ from ehlwave_post.deform.simulation import simulation_surface, write_simulation_
 from ehlwave_post.deform.surface import Surface, map_surface, trace_surface
 from ehlwave_post.deform.table import TableTransfer
 from ehlwave_post.deform.table_read import read_table
-from ehlwave_post.deform.transfer import FormulaTransfer, Transfer
+from ehlwave_post.deform.transfer import FormulaTransfer, RecommendedTransfer, Transfer
 
 __all__ = [
     "Conditions",
     "Deformed",
     "FormulaTransfer",
     "ReadOptions",
+    "RecommendedTransfer",
     "Surface",
     "TableTransfer",
     "Transfer",
     "conditions_from_keys",
+    "cut_period",
     "deform_surface",
     "deformed_figure",
     "harmonic_table",

@@ -9,20 +9,22 @@ from ehlwave_post.deform.coefficients import read_coefficients
 from ehlwave_post.deform.conditions import Conditions
 from ehlwave_post.deform.conditions_read import read_conditions
 from ehlwave_post.deform.figures import deformed_figure, spectrum_figure
+from ehlwave_post.deform.period import cut_period
 from ehlwave_post.deform.predict import deform_surface
-from ehlwave_post.deform.prepare import FORMS, WINDOWS
+from ehlwave_post.deform.prepare import FORMS, WINDOWS, remove_form
 from ehlwave_post.deform.read import ReadOptions, read_surface
 from ehlwave_post.deform.report import report_json, report_text, write_results
 from ehlwave_post.deform.simulation import simulation_surface, write_simulation_surface
 from ehlwave_post.deform.table import TableTransfer
 from ehlwave_post.deform.table_read import read_table
-from ehlwave_post.deform.transfer import FormulaTransfer, Transfer
+from ehlwave_post.deform.transfer import FormulaTransfer, RecommendedTransfer, Transfer
+from ehlwave_post.errors import SurfaceError
 from ehlwave_post.figures import write_figure
 
 DESCRIPTION = """\
 Predict the shape of a surface inside the contact, without a simulation: decompose it into
 harmonics, reduce each by Ad/Ai = 1/(1 + 0.15 f V + 0.015 (f V)^2) of Venner, Kaneta and Lubrecht
-(2000), or by a harmonic table, and add them up again."""
+(2000), by the recommended formula, or by a harmonic table, and add them up again."""
 
 EPILOG = """\
 Conditions are an input file of ehlwave-case, or KEY=VALUE with its keys, or both:
@@ -82,6 +84,12 @@ def add_commands(commands: Any) -> None:  # noqa: ANN401 - argparse does not nam
         "--refit", type=Path, metavar="FILE", help="coefficients from refit.csv or refit.json"
     )
     source.add_argument(
+        "--formula",
+        choices=("paper", "recommended"),
+        default="paper",
+        help="(18) as printed, or the formula with a quarter of its error, see the README",
+    )
+    source.add_argument(
         "--table", type=Path, metavar="FILE", help="harmonic table to use in place of the formula"
     )
     deform.add_argument("--output", type=Path, metavar="DIR", help="write files and figures there")
@@ -95,6 +103,19 @@ def add_commands(commands: Any) -> None:  # noqa: ANN401 - argparse does not nam
     )
     surface.add_argument("surface", type=Path, metavar="PROFILE", help="as for deform")
     add_reading(surface)
+    surface.add_argument(
+        "--period",
+        type=float,
+        metavar="UM",
+        help="cut out one wave of this length, um, from the middle of a trace, so that copies of "
+        "it join without a jump",
+    )
+    surface.add_argument(
+        "--period-start",
+        type=float,
+        metavar="UM",
+        help="where that wave begins, um from the first point of the trace",
+    )
     surface.add_argument(
         "--repeat",
         type=int,
@@ -165,8 +186,16 @@ def _deform(options: argparse.Namespace) -> None:
 
 
 def _surface(options: argparse.Namespace) -> None:
-    surface = read_surface(options.surface, read_options(options))
-    prepared = simulation_surface(surface, options.form, options.repeat)
+    surface, form = read_surface(options.surface, read_options(options)), options.form
+    start = options.period_start
+    if options.period is not None:
+        start_m = None if start is None else start * 1e-6
+        # The form is that of the whole trace: one wave of it has a tilt of its own.
+        surface = cut_period(remove_form(surface, form), options.period * 1e-6, start_m)
+        form = "none"
+    elif start is not None:
+        raise SurfaceError(f"--period-start {start:g} without --period: say how long the wave is")
+    prepared = simulation_surface(surface, form, options.repeat)
     write_simulation_surface(prepared, options.output)
     nx, ny = prepared.height.shape
     print(f"{options.output}: {nx} x {ny} points, {(nx - 1) * prepared.step_x_m * 1e6:.5g} um long")
@@ -179,4 +208,6 @@ def _transfer(options: argparse.Namespace, conditions: Conditions) -> Transfer:
         c1, c2 = read_coefficients(options.refit)
         name = f"formula (18), c1 = {c1:.4g} and c2 = {c2:.4g} of {options.refit.name}"
         return FormulaTransfer(conditions, c1, c2, name)
+    if options.formula == "recommended":
+        return RecommendedTransfer(conditions)
     return FormulaTransfer(conditions)

@@ -122,7 +122,17 @@ def ellipticity(d: float) -> float:
     """Return kappa = a/b that solves D = kappa^2 (K - E)/(E - kappa^2 K), eq. (1).
 
     The elliptic integrals have the parameter 1 - kappa^2. Valid for 0.005 <= D <= 1.
+
+    Raises
+    ------
+    SurfaceError
+        For D = 0, a line contact, which has no width.
     """
+    if d == 0:
+        raise SurfaceError(
+            "radius_ratio_d = 0 is a line contact: deformed surfaces and their tables are for "
+            "elliptical contacts, radius_ratio_d of 0.005 to 1"
+        )
     if d == 1:
         return 1.0
 

@@ -14,7 +14,14 @@ from numpy.typing import NDArray
 
 from ehlwave_post.deform.conditions import Conditions
 from ehlwave_post.errors import SurfaceError
-from ehlwave_post.formula import PAPER_C1, PAPER_C2, amplitude_ratio_formula, f_of_r
+from ehlwave_post.formula import (
+    PAPER_C1,
+    PAPER_C2,
+    RECOMMENDED_RANGES,
+    amplitude_ratio_formula,
+    f_of_r,
+    recommended_ratio,
+)
 
 Waves = NDArray[np.float64]
 
@@ -100,6 +107,56 @@ class FormulaTransfer:
         """Return whether rolling is pure."""
         shape = np.broadcast_shapes(np.shape(per_length_x), np.shape(per_length_y))
         return np.full(shape, self.covers_all)
+
+
+@dataclass(frozen=True)
+class RecommendedTransfer:
+    """Ad/Ai of :func:`ehlwave_post.formula.recommended_ratio`: real, no phase, pure rolling.
+
+    As with (18), the ratio of the mean is 0.
+    """
+
+    conditions: Conditions
+    name: str = "recommended formula, (1 + x^n)^(-1/n)"
+
+    def ratio(self, per_length_x: Waves, per_length_y: Waves) -> NDArray[np.float64]:
+        """Return Ad/Ai for waves per metre along x and y; 0 for the mean."""
+        contact = self.conditions
+        along, across = np.broadcast_arrays(np.abs(per_length_x), np.abs(per_length_y))
+        with np.errstate(divide="ignore"):
+            # The formula takes zero for an infinite wavelength.
+            waves = [np.where(q > 0, 1 / (q * contact.semi_axis_a_m), 0.0) for q in (along, across)]
+        ratio = recommended_ratio(contact.m, contact.l, contact.gamma, *waves)
+        return np.where((along == 0) & (across == 0), 0.0, ratio)
+
+    @property
+    def covers_all(self) -> bool:
+        """Return whether rolling is pure, and M, L and D are among those of the fit."""
+        return not self._reasons()
+
+    @property
+    def outside_reason(self) -> str:
+        """Return why components are not covered."""
+        return "; ".join(self._reasons())
+
+    def is_covered(self, per_length_x: Waves, per_length_y: Waves) -> NDArray[np.bool_]:
+        """Return whether the conditions are those of the fit."""
+        shape = np.broadcast_shapes(np.shape(per_length_x), np.shape(per_length_y))
+        return np.full(shape, self.covers_all)
+
+    def _reasons(self) -> list[str]:
+        contact = self.conditions
+        values = {"M": contact.m, "L": contact.l, "D": contact.d}
+        reasons = [
+            f"{name} = {values[name]:.4g}: the formula was fitted to {low:g} to {high:g}"
+            for name, (low, high) in RECOMMENDED_RANGES.items()
+            if not low <= values[name] <= high
+        ]
+        if contact.slip_parameter != 1:
+            reasons.append(
+                f"slip (S = {contact.slip_parameter:g}): the formula is for pure rolling"
+            )
+        return reasons
 
 
 def shorter_than_contact(
