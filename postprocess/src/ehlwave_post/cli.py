@@ -15,6 +15,7 @@ from ehlwave_post.errors import ResultsError
 from ehlwave_post.points import RATIO_COLUMNS, VARIABLES, remarks, resolved_only, select_points
 from ehlwave_post.read import read_results
 from ehlwave_post.refit import RefitSettings, refit_groups
+from ehlwave_post.study.cli import add_command as add_report
 
 COLLAPSE_COLUMNS = (
     "case_id",
@@ -167,6 +168,7 @@ def _parser() -> argparse.ArgumentParser:
     )
     harmonics.add_argument("--csv", type=Path, required=True, metavar="FILE", help="file to write")
     add_commands(commands)
+    add_report(commands)
     return parser
 
 

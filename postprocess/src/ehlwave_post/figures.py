@@ -26,7 +26,7 @@ FIGURE_NUMBERS: dict[Variable, int] = {"f_v2": 1, "f_v": 2}
 _PAPER_MARKERS = {1.0: "o", 0.35: "+", 0.12: r"$\odot$", 0.04: "x"}
 _OTHER_MARKERS = ("s", "^", "v", "D", "<", ">", "p", "*")
 # Colours that stay apart for colour-blind readers (Okabe and Ito).
-_COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00")
+COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00")
 _GREY = "0.6"
 _STYLE: dict[Any, Any] = {
     "font.size": 8.5,
@@ -72,13 +72,15 @@ def collapse_figure(points: xr.Dataset, variable: Variable) -> Figure:
     return figure
 
 
-def write_figure(figure: Figure, directory: Path, name: str) -> list[Path]:
-    """Save a figure as ``name``.png (300 dots per inch) and ``name``.pdf; return the paths.
+def write_figure(
+    figure: Figure, directory: Path, name: str, dots_per_inch: int = 300
+) -> list[Path]:
+    """Save a figure as ``name``.png and ``name``.pdf; return the paths.
 
     The files hold no date, so equal input gives equal files.
     """
     paths = [directory / f"{name}.png", directory / f"{name}.pdf"]
-    figure.savefig(paths[0], dpi=300)
+    figure.savefig(paths[0], dpi=dots_per_inch)
     figure.savefig(paths[1], metadata={"CreationDate": None})
     return paths
 
@@ -107,10 +109,10 @@ def _markers(radius_ratios: np.ndarray) -> dict[float, tuple[str, str]]:
     for value in sorted({float(ratio) for ratio in radius_ratios}, reverse=True):
         known = [index for index, d in enumerate(_PAPER_MARKERS) if np.isclose(value, d)]
         if known:
-            marker, colour = list(_PAPER_MARKERS.values())[known[0]], _COLOURS[known[0]]
+            marker, colour = list(_PAPER_MARKERS.values())[known[0]], COLOURS[known[0]]
         else:
             marker = _OTHER_MARKERS[others % len(_OTHER_MARKERS)]
-            colour = _COLOURS[(len(_PAPER_MARKERS) + others) % len(_COLOURS)]
+            colour = COLOURS[(len(_PAPER_MARKERS) + others) % len(COLOURS)]
             others += 1
         chosen[value] = (marker, colour)
     return chosen

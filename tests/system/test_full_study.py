@@ -1,0 +1,93 @@
+"""scripts/full-study: its sweep files, its stages, what it does when a stage stops."""
+
+import csv
+import importlib.util
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from ehlwave_program import run
+
+ROOT = Path(os.environ["EHLWAVE_ROOT"])
+INPUTS = ROOT / "inputs" / "full"
+CASES = {"paper_grid": "720 cases, 552 resolved", "resolved": "672 cases, 672 resolved",
+         "dense": "1831 cases, 1831 resolved", "rheology": "102 cases, 102 resolved", "companion": "2 cases, 2 resolved"}
+
+# Stands for ehlwave-sweep: notes how it was called, ends with the status in the file `status`.
+PROGRAM = """#!/bin/sh
+echo "$@" >>"$CALLS"
+if [ -e "$CALLS.status" ]; then exit "$(cat "$CALLS.status")"; fi
+"""
+LAUNCHER = """#!/bin/sh
+shift 2
+exec "$@"
+"""
+
+
+class Inputs(unittest.TestCase):
+    @unittest.skipUnless(importlib.util.find_spec("scipy"), "scipy is not installed for this Python")
+    def test_sweeps_have_the_cases_they_say(self):
+        with tempfile.TemporaryDirectory() as folder:
+            subprocess.run([sys.executable, "-m", "ehlwave_post.study.cases", "dense", "dense.csv"],
+                           cwd=folder, check=True, env={**os.environ, "PYTHONPATH": str(ROOT / "postprocess" / "src")})
+            for name, said in CASES.items():
+                with self.subTest(sweep=name):
+                    outcome = run("sweep", INPUTS / f"{name}.nml", "--plan", folder=folder)
+                    self.assertEqual(outcome.returncode, 0, outcome.stderr)
+                    self.assertIn(said, outcome.stdout.rstrip().split("\n")[-1])
+
+
+class Stages(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        self.calls = self.folder / "calls"
+        for name, text in (("ehlwave-sweep", PROGRAM), ("launcher", LAUNCHER)):
+            (self.folder / name).write_text(text)
+            (self.folder / name).chmod(0o755)
+
+    def study(self, *stages):
+        environment = {**os.environ, "EHLWAVE_PROGRAMS": str(self.folder), "CALLS": str(self.calls),
+                       "EHLWAVE_LAUNCHER": str(self.folder / "launcher")}
+        words = [word for stage in stages for word in ("--stage", stage)]
+        return subprocess.run([ROOT / "scripts" / "full-study", "--output", self.folder / "out", "--ranks", "2", *words],
+                              env=environment, capture_output=True, text=True, check=False)
+
+    def stages(self):
+        with (self.folder / "out" / "stages.csv").open(newline="") as file:
+            return [(row["stage"], row["exit_status"]) for row in csv.DictReader(file)]
+
+    def test_the_stages_that_are_asked_for(self):
+        outcome = self.study("companion", "rheology")
+        self.assertEqual(outcome.returncode, 0, outcome.stdout + outcome.stderr)
+        calls = [line for line in self.calls.read_text().splitlines() if "--status" not in line]
+        self.assertEqual(len(calls), 6)
+        self.assertIn("companion.nml --output", calls[0])
+        self.assertEqual([name for name, _ in self.stages()][:3], ["companion", "rheology-default", "rheology-barus"])
+        self.assertTrue((self.folder / "out" / "rheology-barus.nml").read_text().endswith("&lubricant viscosity_law = 'barus' /\n"))
+
+    def test_a_stage_that_is_stopped_stops_the_study(self):
+        Path(f"{self.calls}.status").write_text("85")
+        outcome = self.study("companion", "paper_grid")
+        self.assertEqual(outcome.returncode, 85)
+        self.assertIn("the same command goes on", outcome.stderr)
+        self.assertEqual(self.stages(), [("companion", "85")])
+
+    def test_cases_that_did_not_converge_do_not_stop_it(self):
+        Path(f"{self.calls}.status").write_text("1")
+        outcome = self.study("companion", "paper_grid")
+        self.assertEqual(outcome.returncode, 1)
+        self.assertEqual(self.stages(), [("companion", "1"), ("paper_grid", "1")])
+
+    def test_an_unknown_stage_is_refused(self):
+        outcome = self.study("figures")
+        self.assertEqual(outcome.returncode, 2)
+        self.assertIn("unknown stage 'figures'", outcome.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
