@@ -43,7 +43,7 @@ class Slurm(unittest.TestCase):
         lines = self.log(task).rstrip().split("\n")
         return "exit status" in lines[-1] and "exit status 85" not in lines[-1]
 
-    def wait(self, is_done, seconds=480):
+    def wait(self, is_done, seconds=780):
         """Wait for the jobs; one that is requeued starts again at once, not after the two minutes of Slurm.
 
         An empty queue means nothing by itself: a job that is being requeued can be missing from it.
