@@ -109,5 +109,6 @@ def linearity_figure(points: xr.Dataset) -> Figure:
         axes.axhline(1, color="black", linewidth=0.6)
         axes.set_xlabel(r"$A_i/H_c$")
         axes.set_ylabel(r"$(A_d/A_i)\,/\,$linear")
-        axes.legend(frameon=False, loc="best")
+        how = "solid: harmonic fit; dashed: range of the film"
+        axes.legend(frameon=False, loc="best", title=how, title_fontsize=8, alignment="left")
     return figure
