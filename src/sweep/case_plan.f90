@@ -16,6 +16,7 @@ module ehlwave_case_plan
    use ehlwave_surface_plan, only: read_case_surface, surface_times
    use ehlwave_text, only: to_text
    use ehlwave_waviness, only: new_waviness, no_waviness, waviness_t
+   use ehlwave_work_unit, only: work_unit_seconds
    implicit none (type, external)
    private
    public :: make_plan
@@ -47,6 +48,8 @@ module ehlwave_case_plan
       real(dp) :: expected_error = 0                 !! relative, of Ad/Ai, of smooth contacts of H(0,0); from a model
       real(dp) :: expected_work_units = 0            !! from a model; both NaN of line contacts, for which there is none
       real(dp) :: cost = 0                           !! expected effort, node updates of the finest grid
+   contains
+      procedure :: expected_seconds
    end type case_plan_t
 
    integer, parameter :: most_steps = 1000000
@@ -168,6 +171,12 @@ contains
       if (plan%waviness%is_present .and. plan%kind /= run_harmonic .and. case%error_estimate == 'coarse_grid') &
          plan%expected_work_units = cost_of_estimate*plan%expected_work_units
    end subroutine expect
+
+   !> Run time to expect here and now, from the model of the work and a work unit measured on the spot.
+   real(dp) function expected_seconds(self)
+      class(case_plan_t), intent(in) :: self
+      expected_seconds = self%expected_work_units*work_unit_seconds(self%cells_x, self%cells_y)
+   end function expected_seconds
 
    !> Refuse keys that contradict the accuracy asked for. A grid that only `largest_cells` limits is no contradiction:
    !> the plan says what it can reach.
