@@ -4,8 +4,8 @@
 !> a record of the store has becomes a dataset, without being named here.
 module ehlwave_results_file
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_quiet_nan, ieee_value
+   use ehlwave_case_account, only: blank_result
    use ehlwave_case_json, only: result_json
-   use ehlwave_case_runner, only: blank_result
    use ehlwave_case_table, only: sweep_t
    use ehlwave_case_text, only: effective_input, effective_length, text_identity
    use ehlwave_column_names, only: describe_column

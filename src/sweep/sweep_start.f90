@@ -1,8 +1,8 @@
 !> What a sweep that goes on with a store has to run, and what the user should know about that.
 module ehlwave_sweep_start
    use, intrinsic :: iso_fortran_env, only: output_unit
+   use ehlwave_case_account, only: blank_result
    use ehlwave_case_plan, only: case_plan_t
-   use ehlwave_case_runner, only: blank_result
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_table, only: sweep_t
    use ehlwave_case_text, only: effective_input

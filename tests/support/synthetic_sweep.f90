@@ -1,10 +1,10 @@
 !> Cases that only take time.
 module synthetic_case
    use, intrinsic :: iso_c_binding, only: c_int
+   use ehlwave_case_account, only: blank_result
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_result, only: case_result_t
-   use ehlwave_case_runner, only: blank_result
    use ehlwave_case_text, only: case_identity
    use ehlwave_checkpoint_file, only: checkpoint_t
    use ehlwave_clock, only: wall_seconds
