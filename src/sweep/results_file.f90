@@ -4,7 +4,6 @@
 module ehlwave_results_file
    use ehlwave_case_account, only: blank_result
    use ehlwave_case_json, only: result_json
-   use ehlwave_case_table, only: sweep_t
    use ehlwave_case_text, only: effective_input, effective_length, text_identity
    use ehlwave_errors, only: error_t, raise
    use ehlwave_field_file, only: write_provenance
@@ -15,6 +14,7 @@ module ehlwave_results_file
    use ehlwave_results_columns, only: write_outcomes, write_runs
    use ehlwave_status, only: status_name, status_pending
    use ehlwave_store_contents, only: add_layout, contents_t
+   use ehlwave_sweep_cases, only: sweep_t
    use ehlwave_text_difference, only: text_from_difference
    implicit none (type, external)
    private

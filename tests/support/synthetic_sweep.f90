@@ -77,11 +77,11 @@ program synthetic_sweep
    use, intrinsic :: iso_fortran_env, only: error_unit, output_unit
    use ehlwave_case_completion, only: complete_case
    use ehlwave_case_plan, only: make_plan
-   use ehlwave_case_table, only: sweep_t
    use ehlwave_case_text, only: case_identity
    use ehlwave_clock, only: wall_seconds
    use ehlwave_errors, only: error_t
    use ehlwave_kinds, only: dp
+   use ehlwave_sweep_cases, only: sweep_t
    use ehlwave_sweep_job, only: job_options_t, run_job
    use ehlwave_text, only: to_text
    use mpi_f08, only: mpi_allreduce, mpi_barrier, mpi_bcast, mpi_comm_rank, mpi_comm_size, mpi_comm_world, &
