@@ -4,8 +4,9 @@ program ehlwave_case
    use ehlwave_arguments, only: arguments_t, read_arguments
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_input, only: read_case
+   use ehlwave_case_json, only: plan_json, result_json
    use ehlwave_case_plan, only: case_plan_t, make_plan
-   use ehlwave_case_report, only: plan_json, print_plan, print_result, result_json
+   use ehlwave_case_report, only: print_plan, print_result
    use ehlwave_case_result, only: case_result_t
    use ehlwave_errors, only: error_t
    use ehlwave_estimated_case, only: run_estimated_case

@@ -3,11 +3,12 @@ program ehlwave_sweep
    use, intrinsic :: iso_fortran_env, only: error_unit, output_unit
    use ehlwave_arguments, only: arguments_t, read_arguments
    use ehlwave_estimated_case, only: run_estimated_case
-   use ehlwave_case_table, only: read_output_name, read_sweep, sweep_t
+   use ehlwave_case_table, only: read_output_name, read_sweep
    use ehlwave_errors, only: error_t
    use ehlwave_petsc_solver, only: finish_petsc
    use ehlwave_posix, only: catch_signals
    use ehlwave_provenance, only: program_version
+   use ehlwave_sweep_cases, only: sweep_t
    use ehlwave_sweep_job, only: exit_bad_input, exit_done, exit_failed, exit_unfinished, job_options_t, run_job
    use ehlwave_sweep_report, only: print_sweep_plan
    use ehlwave_sweep_status, only: print_status

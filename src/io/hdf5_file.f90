@@ -34,7 +34,7 @@ module ehlwave_hdf5_file
       generic :: write => write_real, write_reals, write_integers, write_texts, write_plane
       procedure, private :: write_real, write_reals, write_integers, write_texts, write_plane
       procedure, private :: text_attribute, integer_attribute
-      procedure, private :: note, complete, attach, make_dataset
+      procedure, private :: note, attach, write_values
    end type hdf5_file_t
 
 contains
@@ -192,36 +192,35 @@ contains
       call h5pset_deflate_f(properties, deflate_level, status)
    end function storage
 
-   !> A new dataset; its values are still to be written.
-   subroutine make_dataset(self, name, type, space, extent, id)
+   !> One dataset and what belongs to it: units, long_name and its scales, slowest dimension first.
+   subroutine write_values(self, name, in_memory, in_file, extent, values, units, long_name, scale, second_scale)
       class(hdf5_file_t), intent(inout) :: self
-      character(len=*), intent(in) :: name
-      integer(hid_t), intent(in) :: type, space
-      integer(hsize_t), intent(in) :: extent(:)
-      integer(hid_t), intent(out) :: id
-      integer(hid_t) :: properties
+      character(len=*), intent(in) :: name, units, long_name
+      integer(hid_t), intent(in) :: in_memory, in_file       !! types
+      integer(hsize_t), intent(in) :: extent(:)              !! empty: one value without dimension
+      type(c_ptr), intent(in) :: values                      !! contiguous
+      character(len=*), intent(in), optional :: scale, second_scale
+      integer(hid_t) :: id, properties, space
       integer :: status
+
+      if (size(extent) == 0) then
+         call h5screate_f(h5s_scalar_f, space, status)
+      else
+         call h5screate_simple_f(size(extent), extent, space, status)
+      end if
       properties = storage(extent)
-      call h5dcreate_f(self%id, name, type, space, id, status, dcpl_id=properties)
+      call h5dcreate_f(self%id, name, in_file, space, id, status, dcpl_id=properties)
       call self%note(status)
       call h5pclose_f(properties, status)
-   end subroutine make_dataset
-
-   !> What every dataset gets once its values are written: units, long_name and its scales, slowest dimension
-   !> first; then it is closed.
-   subroutine complete(self, id, space, units, long_name, scale, second_scale)
-      class(hdf5_file_t), intent(inout) :: self
-      integer(hid_t), intent(in) :: id, space
-      character(len=*), intent(in) :: units, long_name
-      character(len=*), intent(in), optional :: scale, second_scale
-      integer :: status
+      call h5dwrite_f(id, in_memory, values, status)
+      call self%note(status)
       if (len(units) > 0) call write_attribute(self, id, 'units', units)
       call write_attribute(self, id, 'long_name', long_name)
       if (present(scale)) call self%attach(id, scale, 1)
       if (present(second_scale)) call self%attach(id, second_scale, 2)
       call h5dclose_f(id, status)
       call h5sclose_f(space, status)
-   end subroutine complete
+   end subroutine write_values
 
    !> Attach a dimension scale; `number` counts dimensions in C order, slowest first.
    subroutine attach(self, id, scale, number)
@@ -243,68 +242,43 @@ contains
    subroutine write_real(self, name, value, units, long_name)
       class(hdf5_file_t), intent(inout) :: self
       character(len=*), intent(in) :: name, units, long_name
-      real(dp), intent(in) :: value
-      integer(hid_t) :: space, id
-      integer :: status
-      call h5screate_f(h5s_scalar_f, space, status)
-      call h5dcreate_f(self%id, name, h5t_native_double, space, id, status)
-      call self%note(status)
-      call h5dwrite_f(id, h5t_native_double, value, [1_hsize_t], status)
-      call self%note(status)
-      call self%complete(id, space, units, long_name)
+      real(dp), intent(in), target :: value
+      call self%write_values(name, h5t_native_double, h5t_native_double, [integer(hsize_t) ::], c_loc(value), units, long_name)
    end subroutine write_real
 
    !> Real values over one dimension.
    subroutine write_reals(self, name, values, scale, units, long_name)
       class(hdf5_file_t), intent(inout) :: self
       character(len=*), intent(in) :: name, scale, units, long_name
-      real(dp), intent(in) :: values(:)
-      integer(hid_t) :: space, id
-      integer(hsize_t) :: extent(1)
-      integer :: status
-      extent = size(values)
-      call h5screate_simple_f(1, extent, space, status)
-      call self%make_dataset(name, h5t_native_double, space, extent, id)
-      call h5dwrite_f(id, h5t_native_double, values, extent, status)
-      call self%note(status)
-      call self%complete(id, space, units, long_name, scale)
+      real(dp), intent(in), target, contiguous :: values(:)
+      call self%write_values(name, h5t_native_double, h5t_native_double, shape(values, hsize_t), c_loc(values), units, &
+                             long_name, scale)
    end subroutine write_reals
 
    !> Whole numbers over one dimension.
    subroutine write_integers(self, name, values, scale, units, long_name)
       class(hdf5_file_t), intent(inout) :: self
       character(len=*), intent(in) :: name, scale, units, long_name
-      integer, intent(in) :: values(:)
-      integer(hid_t) :: space, id
-      integer(hsize_t) :: extent(1)
-      integer :: status
-      extent = size(values)
-      call h5screate_simple_f(1, extent, space, status)
-      call self%make_dataset(name, h5t_native_integer, space, extent, id)
-      call h5dwrite_f(id, h5t_native_integer, values, extent, status)
-      call self%note(status)
-      call self%complete(id, space, units, long_name, scale)
+      integer, intent(in), target, contiguous :: values(:)
+      call self%write_values(name, h5t_native_integer, h5t_native_integer, shape(values, hsize_t), c_loc(values), units, &
+                             long_name, scale)
    end subroutine write_integers
 
    !> Texts over one dimension, in a fixed length, padded with nulls in the file.
    subroutine write_texts(self, name, values, scale, units, long_name)
       class(hdf5_file_t), intent(inout) :: self
       character(len=*), intent(in) :: name, scale, units, long_name
-      character(len=*), intent(in), target :: values(:)
-      integer(hid_t) :: space, id, in_memory, in_file
-      integer(hsize_t) :: extent(1)
+      character(len=*), intent(in), target, contiguous :: values(:)
+      integer(hid_t) :: in_memory, in_file
+      type(c_ptr) :: address   ! as an argument, c_loc of text shifts the lengths of the texts after it (gfortran 12)
       integer :: status
-      extent = size(values)
       call h5tcopy_f(h5t_fortran_s1, in_memory, status)
       call h5tset_size_f(in_memory, int(len(values), size_t), status)
       call h5tcopy_f(h5t_c_s1, in_file, status)
       call h5tset_size_f(in_file, int(max(1, maxval(len_trim(values))), size_t), status)
       call h5tset_strpad_f(in_file, h5t_str_nullpad_f, status)
-      call h5screate_simple_f(1, extent, space, status)
-      call self%make_dataset(name, in_file, space, extent, id)
-      call h5dwrite_f(id, in_memory, c_loc(values), status)
-      call self%note(status)
-      call self%complete(id, space, units, long_name, scale)
+      address = c_loc(values)
+      call self%write_values(name, in_memory, in_file, shape(values, hsize_t), address, units, long_name, scale)
       call h5tclose_f(in_memory, status)
       call h5tclose_f(in_file, status)
    end subroutine write_texts
@@ -313,16 +287,9 @@ contains
    subroutine write_plane(self, name, values, scale_x, scale_y, units, long_name)
       class(hdf5_file_t), intent(inout) :: self
       character(len=*), intent(in) :: name, scale_x, scale_y, units, long_name
-      real(dp), intent(in) :: values(:, :)
-      integer(hid_t) :: space, id
-      integer(hsize_t) :: extent(2)
-      integer :: status
-      extent = shape(values)
-      call h5screate_simple_f(2, extent, space, status)
-      call self%make_dataset(name, h5t_native_double, space, extent, id)
-      call h5dwrite_f(id, h5t_native_double, values, extent, status)
-      call self%note(status)
-      call self%complete(id, space, units, long_name, scale_y, scale_x)
+      real(dp), intent(in), target, contiguous :: values(:, :)
+      call self%write_values(name, h5t_native_double, h5t_native_double, shape(values, hsize_t), c_loc(values), units, &
+                             long_name, scale_y, scale_x)
    end subroutine write_plane
 
 end module ehlwave_hdf5_file

@@ -2,21 +2,21 @@
 module ehlwave_case_plan
    use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
    use ehlwave_accuracy_model, only: expected_film_error, expected_long_step_error, expected_ratio_error, &
-      largest_mesh, points_for, steady_work_units, step_work_units
+      steady_work_units, step_work_units
    use ehlwave_case_completion, only: case_conditions
-   use ehlwave_case_definition, only: case_t, usual_largest_cells
+   use ehlwave_case_definition, only: case_t
    use ehlwave_conditions, only: conditions_t
    use ehlwave_deformation_choice, only: chosen_deformation
    use ehlwave_errors, only: error_t, raise
-   use ehlwave_formula, only: amplitude_formula, anisotropy_factor, wave_parameter_v
+   use ehlwave_grid_choice, only: choose_grid, formula_ratio
    use ehlwave_kinds, only: dp
-   use ehlwave_resolution, only: coarsest_inlet, fewest_points_per_wave, inlet_length, judge_resolution, resolution_t, &
-      wanted_inlet, wanted_line_inlet, wanted_points_per_wave
+   use ehlwave_resolution, only: judge_resolution, resolution_t
    use ehlwave_rheology, only: density_constant, density_dowson_higginson, new_rheology, rheology_t, &
       viscosity_barus, viscosity_constant, viscosity_roelands
    use ehlwave_surface_plan, only: read_case_surface, surface_times
    use ehlwave_text, only: to_text
    use ehlwave_waviness, only: new_waviness, no_waviness, waviness_t
+   use ehlwave_work_unit, only: work_unit_seconds
    implicit none (type, external)
    private
    public :: make_plan
@@ -48,13 +48,13 @@ module ehlwave_case_plan
       real(dp) :: expected_error = 0                 !! relative, of Ad/Ai, of smooth contacts of H(0,0); from a model
       real(dp) :: expected_work_units = 0            !! from a model; both NaN of line contacts, for which there is none
       real(dp) :: cost = 0                           !! expected effort, node updates of the finest grid
+   contains
+      procedure :: expected_seconds
    end type case_plan_t
 
-   integer, parameter :: grid_sizes(15) = [64, 96, 128, 192, 256, 384, 512, 768, 1024, 1536, 2048, 3072, 4096, 6144, 8192]
    integer, parameter :: most_steps = 1000000
    integer, parameter :: steps_per_time_step = 40    !! nonlinear steps that a time step may take on average
-   ! Shares of the accuracy: mesh in X, waves along Y, steps longer than hX.
-   real(dp), parameter :: share_of_mesh = 0.75_dp, share_of_waves = 0.2_dp, share_of_steps = 0.2_dp
+   real(dp), parameter :: share_of_steps = 0.2_dp    !! of the accuracy, for steps longer than hX
    real(dp), parameter :: fewest_long_steps = 32     !! time steps per wave that steps longer than hX must leave
    real(dp), parameter :: cost_of_estimate = 1.15_dp !! of a case with its coarser grids over that without
    real(dp), parameter :: response_work_units = 120  !! of a linear response on half a domain; measured: 75 to 120
@@ -83,7 +83,9 @@ contains
       if (len_trim(case%surface_file) > 0) call read_case_surface(case, plan%conditions, plan%waviness, error)
       if (allocated(error)) return
       plan%is_half = (case%domain == 'auto' .or. plan%conditions%is_line()) .and. plan%waviness%is_symmetric()
-      call choose_grid(case, plan)
+      call choose_grid(case, plan%conditions, plan%waviness, plan%cells_x, plan%cells_y, plan%grid_reason)
+      plan%hx = (case%x_max - case%x_min)/plan%cells_x
+      if (.not. plan%conditions%is_line()) plan%hy = 2*case%y_max/plan%cells_y
       plan%deformation = chosen_deformation(case%deformation, plan%cells_x, plan%cells_y, plan%is_half, kappa)
 
       plan%responds = plan%waviness%is_present .and. case%response /= 'transient'
@@ -125,69 +127,6 @@ contains
       if (case%density_law == 'incompressible' .or. conditions%hertz_pressure_pa <= 0) density_number = density_constant
    end function density_number
 
-   !> Cells as asked, or the smallest of a list of sizes that resolves inlet sweep and waves.
-   subroutine choose_grid(case, plan)
-      type(case_t), intent(in) :: case
-      type(case_plan_t), intent(inout) :: plan
-      real(dp) :: inlet, length_x, length_y, mesh, points, wanted_x, wanted_y
-      character(len=:), allocatable :: why_x, why_y
-      integer :: largest
-
-      largest = case%largest_cells
-      if (largest == 0) largest = usual_largest_cells
-      length_x = case%x_max - case%x_min
-      length_y = 2*case%y_max
-      inlet = merge(coarsest_inlet, wanted_inlet, case%accuracy > 0)
-      if (plan%conditions%is_line()) inlet = wanted_line_inlet
-      points = merge(fewest_points_per_wave, wanted_points_per_wave, case%accuracy > 0)
-      plan%cells_x = case%cells_x
-      why_x = 'asked for'
-      if (plan%cells_x == 0) then
-         wanted_x = length_x/(inlet*inlet_length(plan%conditions))
-         why_x = 'for hX over the inlet length <= '//to_text(inlet, 2)
-         if (plan%waviness%wavelength_x > 0) then
-            if (points*length_x*max(1.0_dp, plan%waviness%slip)/plan%waviness%wavelength_x > wanted_x) then
-               wanted_x = points*length_x*max(1.0_dp, plan%waviness%slip)/plan%waviness%wavelength_x
-               why_x = 'for '//to_text(points, 3)//' points per wave'
-            end if
-         end if
-         if (case%accuracy > 0) then
-            mesh = largest_mesh(plan%conditions, case%accuracy)
-            if (plan%waviness%is_present .and. .not. allocated(plan%waviness%surface)) &
-               mesh = largest_mesh(plan%conditions, share_of_mesh*case%accuracy, formula_ratio(case, plan), plan%waviness%moves())
-            if (length_x/mesh > wanted_x) then
-               wanted_x = length_x/mesh
-               why_x = 'for an accuracy of '//to_text(case%accuracy, 3)
-            end if
-         end if
-         plan%cells_x = smallest_size(wanted_x, largest)
-         if (plan%cells_x < wanted_x) why_x = why_x//', limited'
-      end if
-      plan%hx = length_x/plan%cells_x
-      if (plan%conditions%is_line()) then
-         plan%cells_y = 1
-         plan%grid_reason = why_x
-         return
-      end if
-      plan%cells_y = case%cells_y
-      why_y = 'asked for'
-      if (plan%cells_y == 0) then
-         wanted_y = 0.5_dp*plan%cells_x*length_y/length_x
-         why_y = 'for hY <= 2 hX'
-         if (plan%waviness%wavelength_y > 0) then
-            if (case%accuracy > 0) points = max(points, points_for(share_of_waves*case%accuracy))
-            if (points*length_y/plan%waviness%wavelength_y > wanted_y) then
-               wanted_y = points*length_y/plan%waviness%wavelength_y
-               why_y = 'for '//to_text(points, 3)//' points per wave'
-            end if
-         end if
-         plan%cells_y = smallest_size(wanted_y, largest)
-         if (plan%cells_y < wanted_y) why_y = why_y//', limited'
-      end if
-      plan%grid_reason = 'X: '//why_x//'; Y: '//why_y
-      plan%hy = length_y/plan%cells_y
-   end subroutine choose_grid
-
    !> dT/hX for the accuracy asked for: 2 for waves of at least 64 mesh sizes, where it adds little error (measured:
    !> lambda = 2 a on 128 cells, 33 to 62 per cent of the GMRES steps of dT = hX), else 1: for shorter waves
    !> longer steps save nothing. The linear response is that of steps of at most one cell.
@@ -202,14 +141,6 @@ contains
       if (steps < fewest_long_steps) return
       if (expected_long_step_error(2, steps) <= share_of_steps*case%accuracy) chosen_step = 2
    end function chosen_step
-
-   !> Ad/Ai by theory eq. (18).
-   pure real(dp) function formula_ratio(case, plan)
-      type(case_t), intent(in) :: case
-      type(case_plan_t), intent(in) :: plan
-      formula_ratio = amplitude_formula(anisotropy_factor(case%wavelength_x_over_a, case%wavelength_y_over_a) &
-                                        *wave_parameter_v(plan%conditions, case%wavelength_over_a))
-   end function formula_ratio
 
    !> Error and cost to expect of a plan that is complete but for them. Whole domains cost twice as much as half ones.
    !> The models are those of elliptical contacts; of a line contact nothing is said.
@@ -231,7 +162,7 @@ contains
       end if
       plan%expected_error = expected_film_error(plan%conditions, plan%hx)
       if (plan%waviness%is_present .and. .not. allocated(plan%waviness%surface)) plan%expected_error = &
-         expected_ratio_error(plan%conditions, formula_ratio(case, plan), plan%hx, plan%resolution%points_y, &
+         expected_ratio_error(plan%conditions, formula_ratio(case, plan%conditions), plan%hx, plan%resolution%points_y, &
                               plan%cells_per_step, samples, step_tolerance)
       plan%expected_work_units = (1 + 0.5_dp*plan%phases)*steady_work_units(plan%conditions, plan%cells_x) &
                                  + plan%steps*step_work_units(plan%conditions, plan%cells_x)
@@ -240,6 +171,12 @@ contains
       if (plan%waviness%is_present .and. plan%kind /= run_harmonic .and. case%error_estimate == 'coarse_grid') &
          plan%expected_work_units = cost_of_estimate*plan%expected_work_units
    end subroutine expect
+
+   !> Run time to expect here and now, from the model of the work and a work unit measured on the spot.
+   real(dp) function expected_seconds(self)
+      class(case_plan_t), intent(in) :: self
+      expected_seconds = self%expected_work_units*work_unit_seconds(self%cells_x, self%cells_y)
+   end function expected_seconds
 
    !> Refuse keys that contradict the accuracy asked for. A grid that only `largest_cells` limits is no contradiction:
    !> the plan says what it can reach.
@@ -263,16 +200,6 @@ contains
                     to_text(plan%expected_error, 2)//'; leave the cells out, or ask for less')
       end if
    end subroutine check_accuracy
-
-   pure integer function smallest_size(wanted, largest)
-      real(dp), intent(in) :: wanted
-      integer, intent(in) :: largest
-      integer :: i
-      do i = 1, size(grid_sizes)
-         smallest_size = grid_sizes(i)
-         if (smallest_size >= wanted*(1 - 1e-9_dp) .or. smallest_size >= largest) exit
-      end do
-   end function smallest_size
 
    !> Steps until the slower of the surface pattern (speed S) and of the pattern in the lubricant (speed 1) has
    !> passed the outlet end, `settling_periods` more (measured: long waves, lambda = 2 a, are 2 per cent off in the

@@ -1,34 +1,31 @@
 !> Runs one planned case.
 module ehlwave_case_runner
-   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan, ieee_quiet_nan, ieee_value
    use ehlwave_amplitude, only: fitted_amplitude, fitted_harmonic, sampled_amplitude
+   use ehlwave_case_account, only: blank_result, end_early, keep_history, take_report, worse
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t, run_march, run_standing
    use ehlwave_case_result, only: case_result_t
    use ehlwave_checkpoint_file, only: checkpoint_t
    use ehlwave_clock, only: peak_memory_mib, wall_seconds
    use ehlwave_error_estimate, only: estimate_error, observed_order
-   use ehlwave_formula, only: amplitude_formula, anisotropy_factor, wave_parameter_v, wave_parameter_v2
    use ehlwave_full_multigrid, only: full_multigrid_t, level_t
    use ehlwave_continuation, only: given_t
    use ehlwave_harmonic_case, only: run_response
-   use ehlwave_harmonic_result, only: no_harmonic_result
    use ehlwave_kinds, only: dp, pi
-   use ehlwave_level_solver, only: solve_limits_t, solve_report_t
-   use ehlwave_monitor, only: give_up, go_on, monitor_t, stop_now
+   use ehlwave_level_solver, only: solve_limits_t
+   use ehlwave_monitor, only: go_on, monitor_t
    use ehlwave_resolution, only: touching_reason
    use ehlwave_rescue, only: rescue_t, rung_name
    use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_state, only: state_t
-   use ehlwave_status, only: is_success, status_converged, status_interrupted, status_name, status_over_budget, &
-      status_unresolved
+   use ehlwave_status, only: is_success, status_converged, status_interrupted, status_name, status_unresolved
    use ehlwave_surface_plan, only: surface_positions
    use ehlwave_text, only: to_text
    use ehlwave_time_march, only: march_result_t, march_settings_t, march_t, steps_per_stretch
    use ehlwave_work_unit, only: work_unit_seconds
    implicit none (type, external)
    private
-   public :: blank_result, run_case
+   public :: run_case
 
    real(dp), parameter :: usual_amplitude = 0.2_dp     !! Ai over the film for which step_tolerance is meant
 
@@ -114,34 +111,6 @@ contains
       result%peak_memory_mib = peak_memory_mib()
    end subroutine run_about
 
-   !> Result of a case of which only its input is known.
-   function blank_result(case, plan) result(result)
-      type(case_t), intent(in) :: case
-      type(case_plan_t), intent(in) :: plan
-      type(case_result_t) :: result
-      result%message = ''
-      result%is_resolved = plan%resolution%is_resolved
-      result%amplitude_ratio = ieee_value(1.0_dp, ieee_quiet_nan)   ! until measured
-      result%amplitude_ratio_fit = result%amplitude_ratio
-      result%phase_fit = result%amplitude_ratio
-      result%mean_film = result%amplitude_ratio
-      result%harmonic = no_harmonic_result()
-      result%central_film = result%amplitude_ratio
-      result%minimum_film = result%amplitude_ratio
-      result%central_film_moes = result%amplitude_ratio
-      result%max_pressure = result%amplitude_ratio
-      result%central_film_error = result%amplitude_ratio
-      result%minimum_film_error = result%amplitude_ratio
-      result%film_order = result%amplitude_ratio
-      result%amplitude_ratio_error = result%amplitude_ratio
-      if (plan%waviness%is_present .and. .not. allocated(plan%waviness%surface)) then
-         result%v = wave_parameter_v(plan%conditions, case%wavelength_over_a)
-         result%v2 = wave_parameter_v2(plan%conditions, case%wavelength_over_a)
-         result%f_r = anisotropy_factor(case%wavelength_x_over_a, case%wavelength_y_over_a)
-         result%formula_ratio = amplitude_formula(result%f_r*result%v)
-      end if
-   end function blank_result
-
    !> Film and pressure of the smooth contact.
    subroutine take_smooth_film(plan, level, result)
       type(case_plan_t), intent(in) :: plan
@@ -163,37 +132,6 @@ contains
       result%minimum_film_error = estimate_error(multigrid%levels(n:1:-1)%minimum_film)
       result%film_order = observed_order(multigrid%levels(n:1:-1)%central_film)
    end subroutine estimate_film_errors
-
-   !> Add one solution to the account of the case.
-   subroutine take_report(report, what, result)
-      type(solve_report_t), intent(in) :: report
-      character(len=*), intent(in) :: what
-      type(case_result_t), intent(inout) :: result
-      result%status = report%status
-      result%residual = worse(result%residual, report%residual)
-      result%load_error = worse(result%load_error, report%load_error)
-      result%nonlinear_steps = result%nonlinear_steps + report%nonlinear_steps
-      result%linear_steps = result%linear_steps + report%linear_steps
-      if (.not. is_success(report%status)) call keep_history(report, result)
-      if (.not. is_success(report%status)) result%message = what//' '//status_name(report%status)//' after '// &
-         to_text(report%nonlinear_steps)//' steps, residual '//to_text(report%residual, 3)// &
-         ', load error '//to_text(report%load_error, 3)
-   end subroutine take_report
-
-   !> Keep the residuals of a solution that failed, if it took a step at all.
-   subroutine keep_history(report, result)
-      type(solve_report_t), intent(in) :: report
-      type(case_result_t), intent(inout) :: result
-      if (allocated(report%history)) result%residual_history = report%history
-   end subroutine keep_history
-
-   !> The larger of two errors; NaN, which max() passes over, is the largest.
-   pure real(dp) function worse(first, second)
-      real(dp), intent(in) :: first, second
-      worse = max(first, second)
-      if (ieee_is_nan(first)) worse = first
-      if (ieee_is_nan(second)) worse = second
-   end function worse
 
    !> Moving pattern: march in time, then measure over the last period.
    subroutine run_moving(case, plan, level, rescue, monitor, result, checkpoint)
@@ -269,18 +207,6 @@ contains
          end associate
       end if
    end subroutine run_moving
-
-   !> A case that the monitor does not let go on.
-   subroutine end_early(request, reached, result)
-      integer, intent(in) :: request
-      character(len=*), intent(in) :: reached   !! how far it came
-      type(case_result_t), intent(inout) :: result
-      if (request == stop_now) result%status = status_interrupted
-      if (request == give_up) then
-         result%status = status_over_budget
-         result%message = 'the time of the case was up at '//reached
-      end if
-   end subroutine end_early
 
    !> Pattern that stands still: one steady state for each phase, no time stepping.
    subroutine run_standing_pattern(case, plan, level, limits, rescue, monitor, result)

@@ -1,33 +1,22 @@
-!> The cases of a sweep: the cross product of lists, or the rows of a CSV file.
+!> Reads a sweep file: its cases are the cross product of lists, or the rows of a CSV file.
 module ehlwave_case_table
-   use ehlwave_case_completion, only: case_conditions, complete_case
+   use ehlwave_case_completion, only: case_conditions
    use ehlwave_case_definition, only: case_t, name_length, orientations
    use ehlwave_case_input, only: read_case_groups
-   use ehlwave_case_plan, only: case_plan_t, make_plan
-   use ehlwave_case_text, only: case_identity
+   use ehlwave_case_row, only: set_row
    use ehlwave_case_work, only: case_limits_t
    use ehlwave_conditions, only: conditions_t
-   use ehlwave_csv, only: cell_length, csv_t, read_csv
+   use ehlwave_csv, only: csv_t, read_csv
    use ehlwave_errors, only: error_t, raise
    use ehlwave_formula, only: anisotropy_factor, wave_parameter_v
-   use ehlwave_identity_index, only: identity_index_t, identity_length
    use ehlwave_kinds, only: dp
    use ehlwave_namelist, only: namelist_t
-   use ehlwave_text, only: lower_case, to_text
+   use ehlwave_sweep_cases, only: sweep_t
+   use ehlwave_text, only: to_text
    implicit none (type, external)
    private
    public :: read_output_name, read_sweep
    character(len=*), parameter :: usual_output = 'results.h5'
-
-   type, public :: sweep_t
-      character(len=:), allocatable :: output      !! results file
-      type(case_t), allocatable :: cases(:)        !! completed, no two alike
-      type(case_plan_t), allocatable :: plans(:)
-      character(len=identity_length), allocatable :: identity(:)
-      type(case_limits_t) :: limits                !! what is asked of every case
-      integer :: skipped = 0                       !! unresolved cases left out on request
-      type(identity_index_t) :: index              !! from identity to number of the case
-   end type sweep_t
 
    !> Lists of the &sweep group.
    type :: lists_t
@@ -69,7 +58,7 @@ contains
       else if (len(lists%case_file) > 0) then
          base%across = ''
       end if
-      allocate (sweep%cases(64), sweep%plans(64), sweep%identity(64))
+      call sweep%begin(skips_unresolved=lists%unresolved == 'skip')
       sweep%output = lists%output
       sweep%limits = lists%limits
       if (len(lists%case_file) > 0) then
@@ -78,12 +67,12 @@ contains
             call raise(error, file%place('sweep', 'case_file')//'&sweep gives case_file and lists: give one of the two')
             return
          end if
-         call add_rows(lists%case_file, base, lists, sweep, error)
+         call add_rows(lists%case_file, base, sweep, error)
       else
          call add_product(path, base, lists, sweep, error)
       end if
       if (allocated(error)) return
-      call resize(sweep, sweep%index%count)
+      call sweep%finish()
       if (size(sweep%cases) == 0) call raise(error, path//': no cases are left to run'// &
          merge(' (all are unresolved)', '                     ', sweep%skipped > 0))
    end subroutine read_sweep
@@ -162,7 +151,7 @@ contains
                         case%wavelength_over_a = wave(iw)
                         if (allocated(lists%f_v)) call set_f_v(case, wave(iw), error)
                      end if
-                     call add_case(case, path//': ', lists, sweep, error)
+                     call sweep%add(case, path//': ', error)
                      if (allocated(error)) return
                   end do
                end do
@@ -198,127 +187,25 @@ contains
    end subroutine set_f_v
 
    !> One case for each row of a CSV file; its columns override the case groups.
-   subroutine add_rows(path, base, lists, sweep, error)
+   subroutine add_rows(path, base, sweep, error)
       character(len=*), intent(in) :: path
       type(case_t), intent(in) :: base
-      type(lists_t), intent(in) :: lists
       type(sweep_t), intent(inout) :: sweep
       type(error_t), allocatable, intent(inout) :: error
       type(csv_t) :: table
       type(case_t) :: case
       real(dp) :: f_v
-      integer :: column, row
+      integer :: row
 
       call read_csv(path, table, error)
       if (allocated(error)) return
       do row = 1, size(table%line)
          case = base
-         f_v = 0
-         do column = 1, size(table%names)
-            call set_cell(table, column, row, case, f_v, error)
-         end do
+         call set_row(table, row, case, f_v, error)
          if (.not. allocated(error) .and. f_v > 0) call set_f_v(case, f_v, error)
-         call add_case(case, path//':'//to_text(table%line(row))//': ', lists, sweep, error)
+         call sweep%add(case, path//':'//to_text(table%line(row))//': ', error)
          if (allocated(error)) return
       end do
    end subroutine add_rows
-
-   subroutine set_cell(table, column, row, case, f_v, error)
-      type(csv_t), intent(in) :: table
-      integer, intent(in) :: column, row
-      type(case_t), intent(inout) :: case
-      real(dp), intent(inout) :: f_v
-      type(error_t), allocatable, intent(inout) :: error
-      character(len=cell_length) :: word
-      real(dp) :: number
-
-      if (allocated(error)) return
-      number = 0
-      if (table%names(column) == 'orientation') then
-         word = lower_case(table%cells(column, row))
-         if (.not. any(orientations == word)) then
-            call raise(error, table%place(column, row)//"'"//trim(table%cells(column, row))//"' is not one of none, "// &
-                       'transverse, isotropic, longitudinal, custom')
-            return
-         end if
-         case%orientation = trim(word)
-         return
-      end if
-      call table%real_value(column, row, number, error)
-      select case (table%names(column))
-      case ('load_parameter_m'); case%load_parameter_m = number
-      case ('lubricant_parameter_l'); case%lubricant_parameter_l = number
-      case ('radius_ratio_d'); case%radius_ratio_d = number
-      case ('slip_parameter'); case%slip_parameter = number
-      case ('wavelength_over_a'); case%wavelength_over_a = number
-      case ('wavelength_x_over_a'); case%wavelength_x_over_a = number
-      case ('wavelength_y_over_a'); case%wavelength_y_over_a = number
-      case ('f_v'); f_v = number
-      case ('amplitude_over_film'); case%amplitude_over_film = number
-      case ('cells_x'); case%cells_x = nint(min(number, 1e6_dp))
-      case ('cells_y'); case%cells_y = nint(min(number, 1e6_dp))
-      case default
-         call raise(error, table%path//": unknown column '"//trim(table%names(column))//"': columns may be "// &
-                    'load_parameter_m, lubricant_parameter_l, radius_ratio_d, slip_parameter, orientation, '// &
-                    'wavelength_over_a, wavelength_x_over_a, wavelength_y_over_a, f_v, amplitude_over_film, cells_x, cells_y')
-      end select
-      if (allocated(error)) return
-      if (number < 0) then
-         call raise(error, table%place(column, row)//to_text(number, 6)//' must not be negative')
-      else if (table%names(column)(1:6) == 'cells_' .and. abs(number - nint(min(number, 1e6_dp))) > 0) then
-         call raise(error, table%place(column, row)//to_text(number, 6)//' must be a whole number')
-      end if
-   end subroutine set_cell
-
-   !> Complete, plan and add a case unless it is there already or left out as unresolved.
-   subroutine add_case(case, place, lists, sweep, error)
-      type(case_t), intent(inout) :: case
-      character(len=*), intent(in) :: place
-      type(lists_t), intent(in) :: lists
-      type(sweep_t), intent(inout) :: sweep
-      type(error_t), allocatable, intent(inout) :: error
-      type(case_plan_t) :: plan
-      character(len=identity_length) :: identity
-      integer :: before, i
-
-      if (.not. allocated(error)) call complete_case(case, place, error)
-      if (allocated(error)) return
-      call make_plan(case, plan, error)
-      if (allocated(error)) then
-         error%message = place//error%message
-         return
-      end if
-      if (lists%unresolved == 'skip' .and. .not. plan%resolution%is_resolved) then
-         sweep%skipped = sweep%skipped + 1
-         return
-      end if
-      identity = case_identity(case)
-      before = sweep%index%count
-      call sweep%index%add(identity, i)
-      if (i <= before) return
-      if (i > size(sweep%cases)) call resize(sweep, 2*size(sweep%cases))
-      sweep%cases(i) = case
-      sweep%plans(i) = plan
-      sweep%identity(i) = identity
-   end subroutine add_case
-
-   !> Make the lists of a sweep n long, keeping what fits.
-   subroutine resize(sweep, n)
-      type(sweep_t), intent(inout) :: sweep
-      integer, intent(in) :: n
-      type(case_t), allocatable :: cases(:)
-      type(case_plan_t), allocatable :: plans(:)
-      character(len=identity_length), allocatable :: identity(:)
-      integer :: kept
-
-      kept = min(n, size(sweep%cases))
-      allocate (cases(n), plans(n), identity(n))
-      cases(:kept) = sweep%cases(:kept)
-      plans(:kept) = sweep%plans(:kept)
-      identity(:kept) = sweep%identity(:kept)
-      call move_alloc(cases, sweep%cases)
-      call move_alloc(plans, sweep%plans)
-      call move_alloc(identity, sweep%identity)
-   end subroutine resize
 
 end module ehlwave_case_table

@@ -1,8 +1,8 @@
 !> Works through one case of a sweep: run it, store what it came to.
 module ehlwave_case_work
    use ehlwave_case_definition, only: case_t
+   use ehlwave_case_json, only: result_json
    use ehlwave_case_plan, only: case_plan_t, run_march
-   use ehlwave_case_report, only: result_json
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_text, only: text_identity
    use ehlwave_checkpoint_file, only: checkpoint_t

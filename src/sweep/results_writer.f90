@@ -1,12 +1,12 @@
 !> Keeps the results file of a sweep up to date with its store.
 module ehlwave_results_writer
    use, intrinsic :: iso_fortran_env, only: output_unit
-   use ehlwave_case_table, only: sweep_t
    use ehlwave_clock, only: time_stamp, wall_seconds
    use ehlwave_errors, only: error_t
    use ehlwave_kinds, only: dp
    use ehlwave_results_file, only: write_results
    use ehlwave_store_contents, only: contents_t, read_store
+   use ehlwave_sweep_cases, only: sweep_t
    implicit none (type, external)
    private
 

@@ -12,7 +12,6 @@ module ehlwave_scheduler
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_input, only: read_case_groups
    use ehlwave_case_plan, only: case_plan_t, make_plan
-   use ehlwave_case_table, only: sweep_t
    use ehlwave_case_text, only: effective_input
    use ehlwave_case_work, only: case_procedure, case_watch_t, message_length, outcome_t, work_on_case
    use ehlwave_errors, only: error_t, raise
@@ -21,6 +20,7 @@ module ehlwave_scheduler
    use ehlwave_results_writer, only: results_writer_t
    use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_status, only: status_interrupted, status_pending
+   use ehlwave_sweep_cases, only: sweep_t
    use ehlwave_sweep_progress, only: progress_t
    use ehlwave_sweep_queue, only: queue_t
    use ehlwave_text, only: to_text

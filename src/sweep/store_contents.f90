@@ -11,7 +11,7 @@ module ehlwave_store_contents
    use ehlwave_store_folder, only: check_store, log_name, records_name
    implicit none (type, external)
    private
-   public :: add_layout, element, read_store, run_element
+   public :: add_layout, read_store, run_element
 
    integer, parameter :: name_length = 64
 
@@ -49,6 +49,7 @@ module ehlwave_store_contents
       integer :: bad_lines = 0                         !! passed over
       type(identity_index_t) :: index                  !! from identity to place in `cases`
    contains
+      procedure :: value
       procedure :: deaths
    end type contents_t
 
@@ -217,6 +218,15 @@ contains
          return
       end do
    end function element
+
+   !> Value of the last record of a case as JSON; empty when it has no such value.
+   pure function value(self, place, name) result(text)
+      class(contents_t), intent(in) :: self
+      integer, intent(in) :: place             !! in `cases`
+      character(len=*), intent(in) :: name
+      character(len=:), allocatable :: text
+      text = element(self%layouts(self%cases(place)%layout), self%cases(place), name)
+   end function value
 
    !> Value of the header of a log as JSON; empty when it has no such value.
    function run_element(log, name) result(text)

@@ -1,7 +1,6 @@
 !> One run of a sweep from its store to its results file.
 module ehlwave_sweep_job
    use, intrinsic :: iso_fortran_env, only: error_unit, output_unit
-   use ehlwave_case_table, only: sweep_t
    use ehlwave_case_work, only: case_limits_t, case_procedure, case_watch_t
    use ehlwave_clock, only: time_stamp, wall_seconds
    use ehlwave_errors, only: error_t, raise
@@ -13,6 +12,7 @@ module ehlwave_sweep_job
    use ehlwave_store, only: prepare_store, store_t
    use ehlwave_store_contents, only: contents_t, read_store
    use ehlwave_store_folder, only: check_store, discard_store, store_path
+   use ehlwave_sweep_cases, only: sweep_t
    use ehlwave_sweep_queue, only: new_queue
    use ehlwave_sweep_report, only: print_sweep_result
    use ehlwave_sweep_start, only: choose_cases, print_notices, set_aside_crashed, write_case_list

@@ -1,8 +1,8 @@
 !> Plan and outcome of a sweep as text.
 module ehlwave_sweep_report
    use ehlwave_case_plan, only: run_harmonic, run_march, run_smooth
-   use ehlwave_case_table, only: sweep_t
    use ehlwave_status, only: last_status, status_name, status_pending
+   use ehlwave_sweep_cases, only: sweep_t
    use ehlwave_sweep_progress, only: progress_t
    use ehlwave_text, only: to_text
    implicit none (type, external)

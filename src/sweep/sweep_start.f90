@@ -1,10 +1,9 @@
 !> What a sweep that goes on with a store has to run, and what the user should know about that.
 module ehlwave_sweep_start
    use, intrinsic :: iso_fortran_env, only: output_unit
+   use ehlwave_case_account, only: blank_result
    use ehlwave_case_plan, only: case_plan_t
-   use ehlwave_case_runner, only: blank_result
    use ehlwave_case_result, only: case_result_t
-   use ehlwave_case_table, only: sweep_t
    use ehlwave_case_text, only: effective_input
    use ehlwave_case_work, only: store_result
    use ehlwave_clock, only: time_stamp
@@ -18,6 +17,7 @@ module ehlwave_sweep_start
    use ehlwave_store, only: store_t
    use ehlwave_store_contents, only: contents_t, log_t, run_element
    use ehlwave_store_folder, only: cases_name
+   use ehlwave_sweep_cases, only: sweep_t
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private

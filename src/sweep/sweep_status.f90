@@ -9,7 +9,7 @@ module ehlwave_sweep_status
    use ehlwave_record_file, only: read_whole_file
    use ehlwave_status, only: is_success, last_status, status_name
    use ehlwave_store_folder, only: cases_name, check_store, lock_name, store_path
-   use ehlwave_store_contents, only: contents_t, element, read_store
+   use ehlwave_store_contents, only: contents_t, read_store
    use ehlwave_sweep_progress, only: duration
    use ehlwave_text, only: to_text
    implicit none (type, external)
@@ -165,7 +165,7 @@ contains
             shown = shown + 1
             if (shown > failed_shown) cycle
             write (unit, '(a)') merge('Failed       ', '             ', shown == 1)//one_case(contents, found(i))//', '// &
-               status_name(record%status)//': '//json_string(element(contents%layouts(record%layout), record, 'message'))
+               status_name(record%status)//': '//json_string(contents%value(found(i), 'message'))
          end associate
       end do
       if (shown > failed_shown) write (unit, '(a)') '             and '//to_text(shown - failed_shown)//' more'
@@ -176,11 +176,9 @@ contains
       type(contents_t), intent(in) :: contents
       integer, intent(in) :: place
       character(len=:), allocatable :: text
-      associate (record => contents%cases(place), layout => contents%layouts(contents%cases(place)%layout))
-         text = record%identity//' (M = '//element(layout, record, 'load_parameter_m')//', L = '// &
-                element(layout, record, 'lubricant_parameter_l')//', D = '//element(layout, record, 'radius_ratio_d')// &
-                ', '//json_string(element(layout, record, 'orientation'))//')'
-      end associate
+      text = contents%cases(place)%identity//' (M = '//contents%value(place, 'load_parameter_m')//', L = '// &
+             contents%value(place, 'lubricant_parameter_l')//', D = '//contents%value(place, 'radius_ratio_d')// &
+             ', '//json_string(contents%value(place, 'orientation'))//')'
    end function one_case
 
 end module ehlwave_sweep_status

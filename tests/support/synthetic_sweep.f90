@@ -1,10 +1,10 @@
 !> Cases that only take time.
 module synthetic_case
    use, intrinsic :: iso_c_binding, only: c_int
+   use ehlwave_case_account, only: blank_result
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_result, only: case_result_t
-   use ehlwave_case_runner, only: blank_result
    use ehlwave_case_text, only: case_identity
    use ehlwave_checkpoint_file, only: checkpoint_t
    use ehlwave_clock, only: wall_seconds
@@ -77,11 +77,11 @@ program synthetic_sweep
    use, intrinsic :: iso_fortran_env, only: error_unit, output_unit
    use ehlwave_case_completion, only: complete_case
    use ehlwave_case_plan, only: make_plan
-   use ehlwave_case_table, only: sweep_t
    use ehlwave_case_text, only: case_identity
    use ehlwave_clock, only: wall_seconds
    use ehlwave_errors, only: error_t
    use ehlwave_kinds, only: dp
+   use ehlwave_sweep_cases, only: sweep_t
    use ehlwave_sweep_job, only: job_options_t, run_job
    use ehlwave_text, only: to_text
    use mpi_f08, only: mpi_allreduce, mpi_barrier, mpi_bcast, mpi_comm_rank, mpi_comm_size, mpi_comm_world, &

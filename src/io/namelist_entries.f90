@@ -1,0 +1,191 @@
+!> What a file in Fortran namelist format holds: its groups and keys, where they stand, and which nobody asked for.
+module ehlwave_namelist_entries
+   use ehlwave_errors, only: error_t, raise
+   use ehlwave_namelist_known, only: known_names_t
+   use ehlwave_namelist_scanner, only: entry_t, group_t, scan_namelist, value_t
+   use ehlwave_namelist_tokens, only: line_prefix
+   use ehlwave_text, only: lower_case, to_text
+   use ehlwave_text_file, only: read_text
+   implicit none (type, external)
+   private
+
+   type, public :: namelist_entries_t
+      character(len=:), allocatable :: path
+      character(len=:), allocatable :: text   !! the file, byte by byte
+      type(group_t), allocatable, private :: groups(:)
+      type(entry_t), allocatable, private :: entries(:)
+      type(value_t), allocatable, private :: values(:)
+      type(known_names_t), private :: known
+   contains
+      procedure :: load
+      procedure :: load_text
+      procedure :: has, has_group
+      procedure :: place
+      procedure :: check_all_used
+      procedure :: values_of, value_of
+      procedure :: refuse
+      procedure, private :: find
+   end type namelist_entries_t
+
+contains
+
+   !> Read and split a file. Fails when it cannot be read or breaks the format; then nothing changes.
+   subroutine load(self, path, error)
+      class(namelist_entries_t), intent(inout) :: self
+      character(len=*), intent(in) :: path
+      type(error_t), allocatable, intent(inout) :: error
+      character(len=:), allocatable :: text
+
+      if (allocated(error)) return
+      call read_text(path, text, error)
+      if (allocated(error)) return
+      call self%load_text(path, text, error)
+   end subroutine load
+
+   !> Split a text that is at hand already. Fails when it breaks the format; then nothing changes.
+   subroutine load_text(self, path, text, error)
+      class(namelist_entries_t), intent(inout) :: self
+      character(len=*), intent(in) :: path   !! where the text is from, for messages
+      character(len=*), intent(in) :: text
+      type(error_t), allocatable, intent(inout) :: error
+      type(group_t), allocatable :: groups(:)
+      type(entry_t), allocatable :: entries(:)
+      type(value_t), allocatable :: values(:)
+
+      if (allocated(error)) return
+      call scan_namelist(path, text, groups, entries, values, error)
+      if (allocated(error)) return
+      self%path = trim(path)
+      self%text = text
+      call move_alloc(groups, self%groups)
+      call move_alloc(entries, self%entries)
+      call move_alloc(values, self%values)
+      self%known = known_names_t()
+   end subroutine load_text
+
+   !> Whether the file gives a key; the key counts as known afterwards. Give the call a statement of its
+   !> own: beside '.and.' or '.or.' a compiler may leave it out, and then the key stays unknown.
+   logical function has(self, group, key)
+      class(namelist_entries_t), intent(inout) :: self
+      character(len=*), intent(in) :: group, key
+      type(error_t), allocatable :: error
+      integer :: i
+      call self%find(group, key, i, error)
+      has = i > 0
+   end function has
+
+   !> Whether the file has a group; the group counts as known afterwards. A statement of its own, as `has`.
+   logical function has_group(self, group)
+      class(namelist_entries_t), intent(inout) :: self
+      character(len=*), intent(in) :: group
+      call self%known%learn(group)
+      has_group = .false.
+      if (allocated(self%groups)) has_group = any(self%groups%name == lower_case(group))
+   end function has_group
+
+   !> `FILE:LINE: ` of a key, else of its group, or `FILE: `; for messages of the caller.
+   function place(self, group, key) result(prefix)
+      class(namelist_entries_t), intent(in) :: self
+      character(len=*), intent(in) :: group, key
+      character(len=:), allocatable :: prefix
+      integer :: i
+
+      prefix = self%path//': '
+      do i = 1, size(self%groups)
+         if (self%groups(i)%name == lower_case(group)) prefix = line_prefix(self%path, self%groups(i)%line)
+      end do
+      do i = 1, size(self%entries)
+         if (self%entries(i)%group == lower_case(group) .and. self%entries(i)%key == lower_case(key)) &
+            prefix = line_prefix(self%path, self%entries(i)%line)
+      end do
+   end function place
+
+   !> Refuse the first group or key of the file that nobody asked for. Call it after all others.
+   subroutine check_all_used(self, error)
+      class(namelist_entries_t), intent(in) :: self
+      type(error_t), allocatable, intent(inout) :: error
+      character(len=:), allocatable :: problem
+      integer :: i
+
+      if (allocated(error) .or. .not. allocated(self%entries)) return
+      do i = 1, size(self%groups)
+         problem = self%known%group_problem(self%groups(i)%name)
+         if (problem == '') cycle
+         call raise(error, line_prefix(self%path, self%groups(i)%line)//problem)
+         return
+      end do
+      do i = 1, size(self%entries)
+         problem = self%known%key_problem(self%entries(i)%group, self%entries(i)%key)
+         if (problem == '') cycle
+         call raise(error, line_prefix(self%path, self%entries(i)%line)//problem)
+         return
+      end do
+   end subroutine check_all_used
+
+   !> Values of a key as written; unallocated when it is absent or `error` is allocated.
+   subroutine values_of(self, group, key, items, error)
+      class(namelist_entries_t), intent(inout) :: self
+      character(len=*), intent(in) :: group, key
+      type(value_t), allocatable, intent(out) :: items(:)
+      type(error_t), allocatable, intent(in) :: error
+      integer :: i
+      call self%find(group, key, i, error)
+      if (i > 0) items = self%values(self%entries(i)%first:self%entries(i)%last)
+   end subroutine values_of
+
+   !> As `values_of`; a list is refused.
+   subroutine value_of(self, group, key, item, error)
+      class(namelist_entries_t), intent(inout) :: self
+      character(len=*), intent(in) :: group, key
+      type(value_t), allocatable, intent(out) :: item
+      type(error_t), allocatable, intent(inout) :: error
+      character(len=:), allocatable :: problem
+      integer :: i, n
+
+      call self%find(group, key, i, error)
+      if (i == 0) return
+      associate (first => self%entries(i)%first)
+         n = self%entries(i)%last - first + 1
+         if (n > 1) then
+            problem = to_text(n)//' values ('//self%values(first)%text//', '//self%values(first + 1)%text// &
+                      trim(merge(', ...', '     ', n > 2))//') where one is needed: write one, with a point as '// &
+                      'decimal mark, and ''='' after each key'
+            call self%refuse(group, key, problem, error)
+         else
+            item = self%values(first)
+         end if
+      end associate
+   end subroutine value_of
+
+   !> Raise an error about a key, if there is a problem with it.
+   subroutine refuse(self, group, key, problem, error, line)
+      class(namelist_entries_t), intent(in) :: self
+      character(len=*), intent(in) :: group, key
+      character(len=:), allocatable, intent(in) :: problem   !! unallocated: none
+      type(error_t), allocatable, intent(inout) :: error
+      integer, intent(in), optional :: line                  !! of the value; without, that of the key is named
+      character(len=:), allocatable :: where
+
+      if (.not. allocated(problem)) return
+      where = self%place(group, key)
+      if (present(line)) where = line_prefix(self%path, line)
+      call raise(error, where//'key '''//trim(lower_case(key))//''' in &'//trim(lower_case(group))//': '//problem)
+   end subroutine refuse
+
+   !> Index of an entry, 0 when it is absent or `error` is allocated.
+   subroutine find(self, group, key, i, error)
+      class(namelist_entries_t), intent(inout) :: self
+      character(len=*), intent(in) :: group, key
+      integer, intent(out) :: i
+      type(error_t), allocatable, intent(in) :: error
+
+      i = 0
+      if (allocated(error)) return
+      call self%known%learn(group, key)
+      if (.not. allocated(self%entries)) return
+      do i = size(self%entries), 1, -1
+         if (self%entries(i)%group == lower_case(group) .and. self%entries(i)%key == lower_case(key)) return
+      end do
+   end subroutine find
+
+end module ehlwave_namelist_entries

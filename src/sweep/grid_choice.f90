@@ -1,0 +1,115 @@
+!> The grid of a case: cells as asked, or the smallest of a list of sizes that resolves inlet sweep and waves.
+module ehlwave_grid_choice
+   use ehlwave_accuracy_model, only: largest_mesh, points_for
+   use ehlwave_case_definition, only: case_t, usual_largest_cells
+   use ehlwave_conditions, only: conditions_t
+   use ehlwave_formula, only: amplitude_formula, anisotropy_factor, wave_parameter_v
+   use ehlwave_kinds, only: dp
+   use ehlwave_resolution, only: coarsest_inlet, fewest_points_per_wave, inlet_length, wanted_inlet, wanted_line_inlet, &
+      wanted_points_per_wave
+   use ehlwave_text, only: to_text
+   use ehlwave_waviness, only: waviness_t
+   implicit none (type, external)
+   private
+   public :: choose_grid, formula_ratio
+
+   integer, parameter :: sizes(15) = [64, 96, 128, 192, 256, 384, 512, 768, 1024, 1536, 2048, 3072, 4096, 6144, 8192]
+   ! Shares of the accuracy: mesh in X, waves along Y.
+   real(dp), parameter :: share_of_mesh = 0.75_dp, share_of_waves = 0.2_dp
+
+contains
+
+   !> Cells of the whole domain; one along Y for a line contact.
+   subroutine choose_grid(case, conditions, waviness, cells_x, cells_y, reason)
+      type(case_t), intent(in) :: case
+      type(conditions_t), intent(in) :: conditions
+      type(waviness_t), intent(in) :: waviness
+      integer, intent(out) :: cells_x, cells_y
+      character(len=:), allocatable, intent(out) :: reason   !! why so many, for people
+      real(dp) :: points
+      character(len=:), allocatable :: why_x, why_y
+      integer :: largest
+
+      largest = case%largest_cells
+      if (largest == 0) largest = usual_largest_cells
+      points = merge(fewest_points_per_wave, wanted_points_per_wave, case%accuracy > 0)
+      call choose_x()
+      cells_y = 1
+      reason = why_x
+      if (conditions%is_line()) return
+      call choose_y()
+      reason = 'X: '//why_x//'; Y: '//why_y
+
+   contains
+
+      subroutine choose_x()
+         real(dp) :: inlet, length, mesh, wanted
+
+         cells_x = case%cells_x
+         why_x = 'asked for'
+         if (cells_x > 0) return
+         length = case%x_max - case%x_min
+         inlet = merge(coarsest_inlet, wanted_inlet, case%accuracy > 0)
+         if (conditions%is_line()) inlet = wanted_line_inlet
+         wanted = length/(inlet*inlet_length(conditions))
+         why_x = 'for hX over the inlet length <= '//to_text(inlet, 2)
+         if (waviness%wavelength_x > 0) then
+            if (points*length*max(1.0_dp, waviness%slip)/waviness%wavelength_x > wanted) then
+               wanted = points*length*max(1.0_dp, waviness%slip)/waviness%wavelength_x
+               why_x = 'for '//to_text(points, 3)//' points per wave'
+            end if
+         end if
+         if (case%accuracy > 0) then
+            mesh = largest_mesh(conditions, case%accuracy)
+            if (waviness%is_present .and. .not. allocated(waviness%surface)) &
+               mesh = largest_mesh(conditions, share_of_mesh*case%accuracy, formula_ratio(case, conditions), waviness%moves())
+            if (length/mesh > wanted) then
+               wanted = length/mesh
+               why_x = 'for an accuracy of '//to_text(case%accuracy, 3)
+            end if
+         end if
+         cells_x = smallest_size(wanted, largest)
+         if (cells_x < wanted) why_x = why_x//', limited'
+      end subroutine choose_x
+
+      subroutine choose_y()
+         real(dp) :: length, wanted
+
+         cells_y = case%cells_y
+         why_y = 'asked for'
+         if (cells_y > 0) return
+         length = 2*case%y_max
+         wanted = 0.5_dp*cells_x*length/(case%x_max - case%x_min)
+         why_y = 'for hY <= 2 hX'
+         if (waviness%wavelength_y > 0) then
+            if (case%accuracy > 0) points = max(points, points_for(share_of_waves*case%accuracy))
+            if (points*length/waviness%wavelength_y > wanted) then
+               wanted = points*length/waviness%wavelength_y
+               why_y = 'for '//to_text(points, 3)//' points per wave'
+            end if
+         end if
+         cells_y = smallest_size(wanted, largest)
+         if (cells_y < wanted) why_y = why_y//', limited'
+      end subroutine choose_y
+
+   end subroutine choose_grid
+
+   pure integer function smallest_size(wanted, largest)
+      real(dp), intent(in) :: wanted
+      integer, intent(in) :: largest
+      integer :: i
+      do i = 1, size(sizes)
+         smallest_size = sizes(i)
+         if (smallest_size >= wanted*(1 - 1e-9_dp) .or. smallest_size >= largest) exit
+      end do
+   end function smallest_size
+
+   !> Ad/Ai by theory eq. (18).
+   pure real(dp) function formula_ratio(case, conditions)
+      type(case_t), intent(in) :: case
+      type(conditions_t), intent(in) :: conditions
+      formula_ratio = amplitude_formula(anisotropy_factor(case%wavelength_x_over_a, case%wavelength_y_over_a) &
+                                        *wave_parameter_v(conditions, case%wavelength_over_a))
+   end function formula_ratio
+
+end module ehlwave_grid_choice
