@@ -7,7 +7,6 @@ module ehlwave_level_solver
    use ehlwave_status, only: status_converged, status_not_finite, status_stalled
    implicit none (type, external)
    private
-   public :: mass_gain
 
    !> When to stop.
    type, public :: solve_limits_t
