@@ -2,16 +2,15 @@
 !>
 !> Brandt (1977); for these contacts Venner (1991), Venner and Lubrecht (2000).
 module ehlwave_fas_multigrid
-   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_fas_transfer, only: correct, restrict
    use ehlwave_kinds, only: dp
-   use ehlwave_level_solver, only: level_solver_t, mass_gain, solve_limits_t, solve_report_t
+   use ehlwave_level_solver, only: level_solver_t, solve_limits_t, solve_report_t
    use ehlwave_line_relaxation, only: line_relaxation_t
    use ehlwave_load_balance, only: load_balance_t
    use ehlwave_newton, only: newton_t
    use ehlwave_state, only: new_state, state_t
-   use ehlwave_status, only: status_converged, status_diverged, status_not_finite, status_stalled
+   use ehlwave_status, only: status_diverged, status_stalled
    use ehlwave_transport, only: transport_t
    implicit none (type, external)
    private
@@ -74,20 +73,11 @@ contains
       call problem%film(state%p, state%delta, state%h)
       call self%relaxation%evaluate(problem, state)
       do k = 0, limits%largest_steps
-         call judge(self, problem, state, report)
+         call report%judge(problem, state, self%relaxation%residual, self%relaxation%is_cavitated, limits%tolerance)
          report%history = [report%history, report%residual]
-         if (.not. (ieee_is_finite(report%residual) .and. ieee_is_finite(report%load_error))) then
-            report%status = status_not_finite
-            exit
-         end if
-         if (max(report%residual, report%complementarity, report%load_error) <= limits%tolerance) then
-            report%status = status_converged
-            exit
-         end if
-         report%status = status_diverged
-         if (report%residual > divergence*report%history(1)) exit
-         report%status = status_stalled
-         if (k == limits%largest_steps) exit
+         if (report%status /= status_stalled) exit
+         if (report%residual > divergence*report%history(1)) report%status = status_diverged
+         if (report%status == status_diverged .or. k == limits%largest_steps) exit
          call fas_cycle(self, problem, state, self%cycle, direct_share*report%residual)
          report%nonlinear_steps = k + 1
       end do
@@ -151,23 +141,6 @@ contains
       end do
       self%sweeps = self%sweeps + sweeps
    end subroutine relax
-
-   !> The three errors of an evaluated state.
-   subroutine judge(self, problem, state, report)
-      class(fas_t), intent(in) :: self
-      type(contact_problem_t), intent(in) :: problem
-      type(state_t), intent(in) :: state
-      type(solve_report_t), intent(inout) :: report
-
-      associate (grid => problem%grid, relaxation => self%relaxation)
-         report%complementarity = maxval(abs(state%p), mask=relaxation%is_cavitated)
-         if (.not. any(relaxation%is_cavitated)) report%complementarity = 0
-         report%residual = maxval(mass_gain(relaxation%residual, grid%hx, state%h, grid%value_at_centre(state%h)), &
-                                  mask=.not. relaxation%is_cavitated)
-         if (.not. ieee_is_finite(sum(relaxation%residual))) report%residual = sum(relaxation%residual)
-         report%load_error = abs(problem%load%residual(grid%integral(state%p), state%delta))/abs(problem%load%force)
-      end associate
-   end subroutine judge
 
    !> Remember the problems of this level and those below.
    recursive subroutine keep_terms(self)

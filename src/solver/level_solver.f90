@@ -1,12 +1,12 @@
-!> One interface for every way to solve the discrete problem of one level.
+!> One interface for every way to solve the discrete problem of one level, and one judgement of what came of it.
 module ehlwave_level_solver
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_kinds, only: dp
    use ehlwave_state, only: state_t
-   use ehlwave_status, only: status_stalled
+   use ehlwave_status, only: status_converged, status_not_finite, status_stalled
    implicit none (type, external)
    private
-   public :: mass_gain
 
    !> When to stop.
    type, public :: solve_limits_t
@@ -24,6 +24,9 @@ module ehlwave_level_solver
       integer :: linear_steps = 0
       integer :: factorisations = 0
       real(dp), allocatable :: history(:)         !! residual before each step and at the end
+   contains
+      procedure :: judge
+      procedure :: worst
    end type solve_report_t
 
    type, abstract, public :: level_solver_t
@@ -55,6 +58,49 @@ module ehlwave_level_solver
    end interface
 
 contains
+
+   !> Measure the three errors of a state and judge them: `status` becomes converged, not finite, or stalled, which it
+   !> remains if nothing better follows. A residual that is not finite anywhere makes `residual` so.
+   subroutine judge(self, problem, state, r, is_cavitated, tolerance)
+      class(solve_report_t), intent(inout) :: self
+      type(contact_problem_t), intent(in) :: problem
+      type(state_t), intent(in) :: state                !! with the film of its pressure
+      real(dp), intent(in) :: r(0:, 0:)                 !! its Reynolds residual, (0:nx, 0:ny), 0 off the unknown nodes
+      logical, intent(in) :: is_cavitated(0:, 0:)       !! (0:nx, 0:ny), false off the unknown nodes
+      real(dp), intent(in) :: tolerance                 !! of `solve_limits_t`
+      real(dp) :: centre
+      integer :: i, j
+
+      associate (grid => problem%grid, load => problem%load)
+         centre = grid%value_at_centre(state%h)
+         self%residual = 0
+         self%complementarity = 0
+         do j = 0, grid%ny
+            do i = 0, grid%nx
+               if (is_cavitated(i, j)) then
+                  self%complementarity = max(self%complementarity, abs(state%p(i, j)))
+               else
+                  self%residual = max(self%residual, mass_gain(r(i, j), grid%hx, state%h(i, j), centre))
+               end if
+            end do
+         end do
+         if (.not. ieee_is_finite(sum(r))) self%residual = sum(r)
+         self%load_error = abs(load%residual(grid%integral(state%p), state%delta))/abs(load%force)
+      end associate
+      if (.not. (ieee_is_finite(self%residual) .and. ieee_is_finite(self%load_error))) then
+         self%status = status_not_finite
+      else if (self%worst() <= tolerance) then
+         self%status = status_converged
+      else
+         self%status = status_stalled
+      end if
+   end subroutine judge
+
+   !> The largest of the three errors.
+   pure real(dp) function worst(self)
+      class(solve_report_t), intent(in) :: self
+      worst = max(self%residual, self%complementarity, self%load_error)
+   end function worst
 
    !> Mass that the oil of a cell gains or loses, in units of the flow through that cell or through the contact centre,
    !> whichever is larger: |R| hX/max(H, H(0,0)).

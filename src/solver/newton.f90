@@ -4,11 +4,11 @@ module ehlwave_newton
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_gmres, only: gmres_t, new_gmres
    use ehlwave_kinds, only: dp
-   use ehlwave_level_solver, only: level_solver_t, mass_gain, solve_limits_t, solve_report_t
+   use ehlwave_level_solver, only: level_solver_t, solve_limits_t, solve_report_t
    use ehlwave_newton_system, only: newton_system_t
    use ehlwave_reynolds, only: reynolds_residual
    use ehlwave_state, only: state_t
-   use ehlwave_status, only: status_converged, status_diverged, status_not_finite, status_stalled
+   use ehlwave_status, only: status_converged, status_diverged, status_stalled
    use ehlwave_transport, only: implicit_part
    implicit none (type, external)
    private
@@ -86,19 +86,10 @@ contains
       forcing = self%loosest
       call problem%film(state%p, state%delta, state%h)
       do k = 0, limits%largest_steps
-         call assemble(self, problem, state, report, worth)
+         call assemble(self, problem, state, worth)
+         call report%judge(problem, state, self%residual, self%system%is_cavitated, limits%tolerance)
          report%history = [report%history, report%residual]
-         if (.not. (ieee_is_finite(report%residual) .and. ieee_is_finite(report%load_error))) then
-            report%status = status_not_finite
-            exit
-         end if
-         if (max(report%residual, report%complementarity, report%load_error) <= limits%tolerance) then
-            report%status = status_converged
-            state%p = max(state%p, 0.0_dp)
-            exit
-         end if
-         report%status = status_stalled
-         if (k == limits%largest_steps) exit
+         if (report%status /= status_stalled .or. k == limits%largest_steps) exit
 
          if (k > 0) forcing = next_forcing(self, forcing, worth/worth_before)
          forcing = min(self%loosest, max(forcing, last_step_share*limits%tolerance/report%residual))
@@ -112,6 +103,7 @@ contains
          end if
          report%nonlinear_steps = k + 1
       end do
+      if (report%status == status_converged) state%p = max(state%p, 0.0_dp)
       nullify (self%system%problem, self%system%p)
    end subroutine solve
 
@@ -129,41 +121,31 @@ contains
 
    !> Residual, active set and right side at the present state.
    !> Active (cavitated) where P + R/|A_ii| <= 0.
-   subroutine assemble(self, problem, state, report, worth)
+   subroutine assemble(self, problem, state, worth)
       class(newton_t), intent(inout), target :: self
       type(contact_problem_t), intent(inout) :: problem
       type(state_t), intent(in) :: state
-      type(solve_report_t), intent(inout) :: report
       real(dp), intent(out) :: worth   !! Euclidean norm of the right side
       real(dp), pointer, contiguous :: b(:, :)
-      real(dp) :: centre, load
       integer :: i, j
 
       associate (grid => problem%grid, system => self%system, r => self%residual)
          call system%flow%evaluate(problem%rheology, problem%conditions%lambdabar, state%p, state%h)
          call reynolds_residual(grid, problem%transport, problem%conditions%elliptic%kappa, system%flow, state%p, r)
          call system%set_scale()
-         centre = grid%value_at_centre(state%h)
-         report%residual = 0
-         report%complementarity = 0
          b(0:grid%nx, 0:grid%ny) => self%rhs(:system%n - 1)
          do j = 0, grid%ny
             do i = 0, grid%nx
                if (system%scale(i, j) > 0 .and. state%p(i, j) + system%scale(i, j)*r(i, j) <= 0) then
                   system%is_cavitated(i, j) = .true.
                   b(i, j) = -state%p(i, j)
-                  report%complementarity = max(report%complementarity, abs(state%p(i, j)))
                else
                   system%is_cavitated(i, j) = .false.
                   b(i, j) = -system%row_scale(i, j)*r(i, j)
-                  report%residual = max(report%residual, mass_gain(r(i, j), grid%hx, state%h(i, j), centre))
                end if
             end do
          end do
-         if (.not. ieee_is_finite(sum(r))) report%residual = sum(r)
-         load = problem%load%residual(grid%integral(state%p), state%delta)
-         report%load_error = abs(load)/abs(problem%load%force)
-         self%rhs(system%n) = -load
+         self%rhs(system%n) = -problem%load%residual(grid%integral(state%p), state%delta)
          worth = sqrt(sum(self%rhs**2))
       end associate
    end subroutine assemble

@@ -2,7 +2,7 @@
  * on the unknowns off their bound (SNESVINEWTONRSLS). F'(x) is a shell matrix; PETSc cuts its active rows and columns
  * out by a virtual submatrix, those of the sparse near matrix, which is only factorised, by a copy.
  *
- * Knows nothing of the contact: the equations come as functions with a context (petsc_solver.f90). In C because
+ * Knows nothing of the contact: the equations come as functions with a context (petsc_binding.f90). In C because
  * PETSc's Fortran interface passes contexts through implicit interfaces and compiler-specific module files; here
  * callbacks are ordinary functions, and PETSc may have been built with another Fortran compiler.
  *
@@ -16,7 +16,7 @@
 
 _Static_assert(sizeof(PetscScalar) == sizeof(double), "PETSc must be built with real numbers in double precision");
 
-enum { judged_converged = 1, judged_broken = 2 }; /* as in petsc_solver.f90 */
+enum { status_converged = 0, status_not_finite = 4 }; /* as in core/status.f90 */
 
 typedef struct {
    void *context;
@@ -24,7 +24,7 @@ typedef struct {
    void (*linearise)(void *context, const double *x, double *matrix); /* about x; nonzeros of the near matrix */
    void (*multiply)(void *context, const double *x, double *y);       /* y = F'(x_0) x, x_0: last linearised */
    double (*step_length)(void *context, const double *change);        /* longest step along -change from x_0 */
-   int (*judge)(void *context, const double *x);                      /* 0: go on, or judged_... */
+   int (*judge)(void *context, const double *x);                      /* status; any but those above: go on */
 } equations_t;
 
 typedef struct {
@@ -122,17 +122,17 @@ static PetscErrorCode judge(SNES snes, PetscInt steps, PetscReal x_norm, PetscRe
    const equations_t *eq = given;
    const double *at;
    Vec x;
-   int verdict;
+   int status;
 
    PetscFunctionBegin;
    (void)steps, (void)x_norm, (void)step_norm;
    PetscCall(SNESGetSolution(snes, &x));
    PetscCall(VecGetArrayRead(x, &at));
-   verdict = eq->judge(eq->context, at);
+   status = eq->judge(eq->context, at);
    PetscCall(VecRestoreArrayRead(x, &at));
    *reason = SNES_CONVERGED_ITERATING;
-   if (verdict == judged_converged) *reason = SNES_CONVERGED_FNORM_ABS;
-   if (verdict == judged_broken || PetscIsInfOrNanReal(f_norm)) *reason = SNES_DIVERGED_FNORM_NAN;
+   if (status == status_converged) *reason = SNES_CONVERGED_FNORM_ABS;
+   if (status == status_not_finite || PetscIsInfOrNanReal(f_norm)) *reason = SNES_DIVERGED_FNORM_NAN;
    PetscFunctionReturn(0);
 }
 

@@ -1,0 +1,264 @@
+!> The discrete problem of one level as a variational inequality between vectors.
+module ehlwave_contact_inequality
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+   use ehlwave_contact_problem, only: contact_problem_t
+   use ehlwave_formula, only: moes_film_formula
+   use ehlwave_kernel, only: cell_influence
+   use ehlwave_kinds, only: dp
+   use ehlwave_level_solver, only: solve_report_t
+   use ehlwave_load_balance, only: load_factor
+   use ehlwave_near_matrix, only: near_matrix_t
+   use ehlwave_reynolds, only: diagonal_scale, flow_t, new_flow, reynolds_jacobian, reynolds_residual
+   use ehlwave_state, only: new_state, state_t
+   use ehlwave_status, only: status_not_finite
+   implicit none (type, external)
+   private
+
+   !> Unit of the vectors that PETSc sees. Its active set takes an unknown below 1e-8 for one at its bound; true
+   !> pressures near the free boundary are smaller than that, and then Newton's method loses its speed (measured:
+   !> M = 2000, D = 1, 257^2: the residual falls by 0.4 a step in place of quadratically).
+   real(dp), parameter :: unit = 1e-8_dp
+   integer, parameter :: largest_trials = 40   ! of a step length
+
+   !> P >= 0, F >= 0, P F = 0 at the unknown nodes, with the load balance for Delta, as vectors:
+   !>
+   !>     F = -R |A_ii|^(-1/4)   node (i, j), number (i - 1) rows + j - first_row + 1: flow order
+   !>     F = load balance       last
+   !>
+   !> The weights |A_ii|^(-1/4) are those of the best state when `return_to_best` was last called.
+   type, public :: contact_inequality_t
+      integer :: n = 0                            !! unknowns
+      real(dp), allocatable :: lower(:)           !! their bounds
+      type(near_matrix_t) :: near_matrix
+      real(dp) :: largest_change = 0, smallest_film_factor = 0   !! limits of a step, set by the owner
+      real(dp), allocatable :: best(:)            !! vector of the best state judged since `start`
+      type(solve_report_t) :: report              !! errors and status of the state judged last, and the history
+      type(contact_problem_t), pointer, private :: problem => null()
+      integer, private :: rows = 0                ! unknown nodes along Y
+      real(dp), private :: self_influence = 0, tolerance = 0
+      real(dp), private :: least = huge(1.0_dp)   ! worst error of the best state
+      ! of the state visited last, (0:nx, 0:ny)
+      type(state_t), private :: state
+      type(flow_t), private :: flow
+      real(dp), allocatable, dimension(:, :), private :: r, scale
+      logical, allocatable, private :: is_cavitated(:, :)
+      ! the point of linearisation
+      type(state_t), private :: base
+      type(flow_t), private :: base_flow
+      ! weights and scratch
+      real(dp), allocatable, dimension(:, :), private :: weight, change, film_change, r_change, work
+   contains
+      procedure :: init
+      procedure :: start
+      procedure :: return_to_best
+      procedure :: finish
+      procedure :: evaluate
+      procedure :: linearise
+      procedure :: multiply
+      procedure :: step_length
+      procedure :: judge
+   end type contact_inequality_t
+
+contains
+
+   !> Work space for a problem's grid.
+   subroutine init(self, problem)
+      class(contact_inequality_t), intent(out) :: self
+      type(contact_problem_t), intent(in) :: problem
+      real(dp), allocatable :: zero(:, :)
+
+      associate (grid => problem%grid, elliptic => problem%conditions%elliptic)
+         self%rows = grid%ny - grid%first_row
+         self%n = self%rows*(grid%nx - 1) + 1
+         self%self_influence = cell_influence(0.0_dp, 0.0_dp, grid%hx, grid%hy, elliptic%kappa, elliptic%k)
+         self%flow = new_flow(grid)
+         self%base_flow = self%flow
+         self%state = new_state(grid)
+         self%base = self%state
+         allocate (zero(0:grid%nx, 0:grid%ny), source=0.0_dp)
+         allocate (self%r, self%scale, self%weight, self%change, self%film_change, self%r_change, self%work, source=zero)
+         allocate (self%is_cavitated(0:grid%nx, 0:grid%ny), source=.false.)
+         allocate (self%best(self%n), self%lower(self%n), source=0.0_dp)
+         self%lower(self%n) = -huge(1.0_dp)   ! Delta is free
+         call self%near_matrix%init(problem)
+      end associate
+   end subroutine init
+
+   !> Begin a solve with a guess as the best state. A guess whose surfaces overlap is opened first, to the film of the
+   !> formula at the closest point.
+   subroutine start(self, problem, guess, tolerance)
+      class(contact_inequality_t), intent(inout) :: self
+      type(contact_problem_t), intent(inout), target :: problem   !! must live until the end of the solve
+      type(state_t), intent(in) :: guess
+      real(dp), intent(in) :: tolerance
+      type(solve_report_t) :: blank
+
+      self%problem => problem
+      self%tolerance = tolerance
+      self%report = blank
+      allocate (self%report%history(0))
+      self%least = huge(1.0_dp)
+      call pack_field(self, max(guess%p, 0.0_dp)/unit, self%best)
+      self%best(self%n) = guess%delta/unit
+      call visit(self, self%best)
+      if (.not. minval(self%state%h) > 0) &
+         self%best(self%n) = self%best(self%n) + (minval(self%state%h) - moes_film_formula(problem%conditions) &
+                                                  /problem%conditions%moes_film_factor)/unit
+      call self%return_to_best()
+   end subroutine start
+
+   !> Visit and judge the best state once more, and weight by it from now on.
+   subroutine return_to_best(self)
+      class(contact_inequality_t), intent(inout) :: self
+      call visit(self, self%best)
+      call judge_state(self)
+      self%weight = sqrt(sqrt(self%scale))
+   end subroutine return_to_best
+
+   !> End a solve: hand over the state visited last and the report on it, steps not counted.
+   subroutine finish(self, state, report)
+      class(contact_inequality_t), intent(inout) :: self
+      type(state_t), intent(inout) :: state
+      type(solve_report_t), intent(inout) :: report
+      state = self%state
+      report = self%report
+      nullify (self%problem)
+   end subroutine finish
+
+   !> f = F(x).
+   subroutine evaluate(self, x, f)
+      class(contact_inequality_t), intent(inout) :: self
+      real(dp), intent(in) :: x(:)
+      real(dp), intent(inout) :: f(:)
+      call visit(self, x)
+      call pack_field(self, -self%weight*self%r/unit, f)
+      f(self%n) = self%problem%load%residual(self%problem%grid%integral(self%state%p), self%state%delta)/unit
+   end subroutine evaluate
+
+   !> Linearise about x; `a`: nonzeros of the near matrix.
+   subroutine linearise(self, x, a)
+      class(contact_inequality_t), intent(inout) :: self
+      real(dp), intent(in) :: x(:)
+      real(dp), intent(inout) :: a(:)
+
+      call visit(self, x)
+      self%base = self%state
+      self%base_flow = self%flow
+      self%change = 0
+      self%film_change = -1   ! Delta column: dH = -1
+      call multiply_reynolds(self)
+      call self%near_matrix%fill(self%problem, self%base_flow, self%base%p, self%r_change, self%weight, a)
+   end subroutine linearise
+
+   !> y = F'(x_0) x, deformation by FFT included; x_0: where it was linearised.
+   subroutine multiply(self, x, y)
+      class(contact_inequality_t), intent(inout) :: self
+      real(dp), intent(in) :: x(:)
+      real(dp), intent(inout) :: y(:)
+
+      associate (problem => self%problem)
+         call unpack_field(self, 1.0_dp, x, self%change)
+         call problem%deformation%apply(self%change, self%film_change)
+         self%film_change = self%film_change - x(self%n)
+         call multiply_reynolds(self)
+         call pack_field(self, -self%weight*self%r_change, y)
+         y(self%n) = load_factor*problem%grid%integral(self%change) + problem%load%inertia*x(self%n)
+      end associate
+   end subroutine multiply
+
+   !> Longest step, at most 1, from x_0 along -x with pressures cut off at 0 that keeps to the limits; 0 if there is none.
+   real(dp) function step_length(self, x) result(step)
+      class(contact_inequality_t), intent(inout) :: self
+      real(dp), intent(in) :: x(:)
+      real(dp) :: largest
+      integer :: trial
+
+      step = 0
+      if (.not. ieee_is_finite(sum(x))) return
+      call unpack_field(self, unit, x, self%change)
+      largest = maxval(abs(self%change), mask=self%change < self%base%p)   ! those not cut off by a full step
+      step = 1
+      if (largest > self%largest_change) step = self%largest_change/largest
+      do trial = 1, largest_trials
+         call self%problem%film(max(self%base%p - step*self%change, 0.0_dp), self%base%delta - step*unit*x(self%n), &
+                                self%film_change)
+         if (all(self%film_change >= self%smallest_film_factor*self%base%h)) return
+         step = 0.7_dp*step
+      end do
+      step = 0
+   end function step_length
+
+   !> Status of the state of a vector, noted in the history; the best one is remembered.
+   integer function judge(self, x)
+      class(contact_inequality_t), intent(inout) :: self
+      real(dp), intent(in) :: x(:)
+
+      call visit(self, x)
+      call judge_state(self)
+      self%report%history = [self%report%history, self%report%residual]
+      judge = self%report%status
+      if (judge == status_not_finite .or. .not. self%report%worst() < self%least) return
+      self%least = self%report%worst()
+      self%best = x
+   end function judge
+
+   !> Pressure, film, flow, residual, row scale and active set of a vector.
+   subroutine visit(self, x)
+      class(contact_inequality_t), intent(inout) :: self
+      real(dp), intent(in) :: x(:)
+
+      associate (problem => self%problem, kappa => self%problem%conditions%elliptic%kappa, state => self%state)
+         call unpack_field(self, unit, x, state%p)
+         state%delta = unit*x(self%n)
+         call problem%film(state%p, state%delta, state%h)
+         call self%flow%evaluate(problem%rheology, problem%conditions%lambdabar, state%p, state%h)
+         call reynolds_residual(problem%grid, problem%transport, kappa, self%flow, state%p, self%r)
+         call diagonal_scale(problem%grid, problem%transport, kappa, self%self_influence, self%flow, self%scale)
+         self%is_cavitated = self%scale > 0 .and. state%p + self%scale*self%r <= 0
+      end associate
+   end subroutine visit
+
+   !> Errors and status of the state visited last.
+   subroutine judge_state(self)
+      class(contact_inequality_t), intent(inout) :: self
+      call self%report%judge(self%problem, self%state, self%r, self%is_cavitated, self%tolerance)
+   end subroutine judge_state
+
+   !> r_change = dR for `change` of pressure and `film_change`, at the point of linearisation.
+   subroutine multiply_reynolds(self)
+      class(contact_inequality_t), intent(inout) :: self
+      call reynolds_jacobian(self%problem%grid, self%problem%transport, self%problem%conditions%elliptic%kappa, &
+                             self%base_flow, self%base%p, self%change, self%film_change, self%r_change, self%work)
+   end subroutine multiply_reynolds
+
+   !> Vector of the values at the unknown nodes.
+   pure subroutine pack_field(self, field, x)
+      class(contact_inequality_t), intent(in) :: self
+      real(dp), intent(in) :: field(0:, 0:)
+      real(dp), intent(inout) :: x(:)
+      integer :: i, j, low
+
+      low = self%problem%grid%first_row - 1
+      do i = 1, self%problem%grid%nx - 1
+         do j = 1, self%rows
+            x((i - 1)*self%rows + j) = field(i, j + low)
+         end do
+      end do
+   end subroutine pack_field
+
+   !> Values at the unknown nodes of a vector times `factor`; the outer boundary is left as it is.
+   pure subroutine unpack_field(self, factor, x, field)
+      class(contact_inequality_t), intent(in) :: self
+      real(dp), intent(in) :: factor, x(:)
+      real(dp), intent(inout) :: field(0:, 0:)
+      integer :: i, j, low
+
+      low = self%problem%grid%first_row - 1
+      do j = 1, self%rows
+         do i = 1, self%problem%grid%nx - 1
+            field(i, j + low) = factor*x((i - 1)*self%rows + j)
+         end do
+      end do
+   end subroutine unpack_field
+
+end module ehlwave_contact_inequality
