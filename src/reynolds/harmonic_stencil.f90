@@ -13,7 +13,6 @@ module ehlwave_harmonic_stencil
    !> Pattern isotropic in metres, but a little longer along X, and the influence of the cells in it.
    type, public :: harmonic_stencil_t
       integer :: reach_x = 2, reach_y = 1             !! largest offsets
-      real(dp) :: self_influence = 0                  !! deformation at a node under its own unit pressure
       real(dp), allocatable :: influence(:, :)        !! (-reach_x-2:reach_x+2, -reach_y-1:reach_y+1) used in rows
    contains
       procedure :: fill_lines
@@ -47,7 +46,6 @@ contains
       aspect = grid%hy/(kappa*grid%hx)
       self%reach_x = min(largest_reach, max(3, nint(2*aspect)))   ! the wedge alone reaches two nodes upstream
       self%reach_y = min(largest_reach, max(1, nint(1.5_dp/aspect)))
-      self%self_influence = cell_influence(0.0_dp, 0.0_dp, grid%hx, grid%hy, kappa, k)
       radius = softening_reach*min((self%reach_x + 1)*kappa*grid%hx, (self%reach_y + 1)*grid%hy)
       allocate (self%influence(-self%reach_x - 2:self%reach_x + 2, -self%reach_y - 1:self%reach_y + 1), source=0.0_dp)
       do j = -self%reach_y - 1, self%reach_y + 1
@@ -70,7 +68,6 @@ contains
 
       self%reach_x = largest_reach
       self%reach_y = 0
-      self%self_influence = cell_influence(0.0_dp, 0.0_dp, grid%hx, grid%hy, 0.0_dp, 1.0_dp)
       radius = softening_reach*(self%reach_x + 1)*grid%hx
       allocate (self%influence(-self%reach_x - 2:self%reach_x + 2, -1:1), source=0.0_dp)
       do i = -self%reach_x - 2, self%reach_x + 2

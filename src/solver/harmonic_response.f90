@@ -25,13 +25,12 @@ module ehlwave_harmonic_response
       complex(dp), allocatable :: p(:, :), h(:, :)   !! amplitudes of P and H over A, (0:nx, 0:ny)
    end type harmonic_response_t
 
-   !> Linear systems of a level and of those below it. They point at each other and at the levels' problems:
-   !> declare it a target, do not copy it.
+   !> The linear system of a steady state. It points at the problems of the levels: do not copy it.
    type, public :: harmonic_solver_t
       ! Of the linear residual. 1e-4 leaves up to 0.3 % where Ad/Ai is a few per cent (2e-4 of Ai), 1e-5 a tenth of that
       ! for one or two steps more.
       real(dp) :: tolerance = 1e-5_dp
-      type(harmonic_system_t), allocatable, private :: systems(:)
+      type(harmonic_system_t), private :: system
       type(complex_gmres_t), private :: gmres
    contains
       procedure :: init
@@ -42,23 +41,14 @@ contains
 
    !> Linearise about the steady state of the finest of `levels`.
    subroutine init(self, levels)
-      class(harmonic_solver_t), intent(inout), target :: self
+      class(harmonic_solver_t), intent(inout) :: self
       type(level_t), intent(in), target :: levels(:)   !! coarsest first
-      integer :: l, n
-
-      n = size(levels)
-      if (allocated(self%systems)) deallocate (self%systems)
-      allocate (self%systems(n))
-      do l = 1, n
-         call self%systems(l)%init(levels(l)%problem)
-         if (l > 1) self%systems(l)%coarser => self%systems(l - 1)
-      end do
-      call self%systems(n)%linearise(levels(n)%state)
+      call self%system%init(levels)
    end subroutine init
 
    !> Response to one pattern. It depends on nothing but the steady state and the pattern.
    subroutine respond(self, waviness, natural_frequency, steps_per_cell, response)
-      class(harmonic_solver_t), intent(inout), target :: self
+      class(harmonic_solver_t), intent(inout) :: self
       type(waviness_t), intent(in) :: waviness
       real(dp), intent(in) :: natural_frequency      !! Omega of the equation of motion; 0: force balance
       integer, intent(in) :: steps_per_cell          !! m for dT = hX/m: enters through the equation of motion only
@@ -69,7 +59,8 @@ contains
       complex(dp) :: inertia
       real(dp) :: frequency
 
-      associate (system => self%systems(size(self%systems)), grid => self%systems(size(self%systems))%problem%grid)
+      associate (system => self%system, finest => self%system%levels(size(self%system%levels)), &
+                 grid => self%system%levels(size(self%system%levels))%problem%grid)
          allocate (b(system%n), x(system%n), g(0:grid%nx, 0:grid%ny), dh(0:grid%nx, 0:grid%ny))
          g = waviness%amplitude_at(grid%x, grid%y)
          frequency = 0
@@ -87,7 +78,7 @@ contains
             response%status = status_converged
          end if
          q(0:grid%nx, 0:grid%ny) => x(:system%n - 1)
-         call system%film_change(q, x(system%n), dh)
+         call finest%film_change(q, x(system%n), dh)
          dh = dh + g
          response%film = cmplx(grid%value_at_centre(real(dh, dp)), grid%value_at_centre(aimag(dh)), dp)
          response%approach = x(system%n)

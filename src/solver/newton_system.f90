@@ -8,6 +8,7 @@ module ehlwave_newton_system
    use ehlwave_load_balance, only: load_factor
    use ehlwave_near_stencil, only: near_stencil_t, new_near_stencil
    use ehlwave_reynolds, only: diagonal_scale, flow_t, new_flow, reynolds_jacobian
+   use ehlwave_smooth_share, only: set_smooth_share
    use ehlwave_stencil_ilu, only: new_stencil_ilu, stencil_ilu_t
    use ehlwave_transfer, only: inject, prolong, restrict
    use ehlwave_transport, only: implicit_part, transport_t
@@ -27,7 +28,7 @@ module ehlwave_newton_system
       real(dp), pointer, contiguous :: p(:, :) => null()    !! pressure of the present iterate
       real(dp), allocatable :: scale(:, :)                  !! 1/|A_ii|, 0 on the boundary
       real(dp), allocatable :: row_scale(:, :)              !! weight of each Reynolds row, 0 on the boundary
-      real(dp), allocatable, private :: filter(:, :)        ! share of the smooth residual that the factors leave alone
+      real(dp), allocatable, private :: smooth_share(:, :)  ! of the residual, left to the coarser grid
       logical, allocatable :: is_cavitated(:, :)
       type(near_stencil_t), private :: stencil
       type(stencil_ilu_t), private :: ilu
@@ -49,7 +50,6 @@ module ehlwave_newton_system
    integer, parameter :: largest_reach = 8   !! cells of the near stencil, keeps memory bounded
    ! Measured over 0 to 1 on 257^2 to 1025^2: least GMRES steps for steady states and time steps alike.
    real(dp), parameter :: near_taper = 0.5_dp
-   real(dp), parameter :: largest_filter = 0.8_dp
 
 contains
 
@@ -67,27 +67,20 @@ contains
          self%ilu = new_stencil_ilu(rows, grid%nx - 1, self%stencil%dj, self%stencil%di)
          self%self_influence = cell_influence(0.0_dp, 0.0_dp, grid%hx, grid%hy, elliptic%kappa, elliptic%k)
          allocate (self%scale(0:grid%nx, 0:grid%ny), self%row_scale(0:grid%nx, 0:grid%ny), self%dh(0:grid%nx, 0:grid%ny), &
-                   self%filter(0:grid%nx, 0:grid%ny), self%work(0:grid%nx, 0:grid%ny), source=0.0_dp)
+                   self%smooth_share(0:grid%nx, 0:grid%ny), self%work(0:grid%nx, 0:grid%ny), source=0.0_dp)
          allocate (self%is_cavitated(0:grid%nx, 0:grid%ny), source=.false.)
          allocate (self%line(grid%nx - 1, self%stencil%entries), self%packed(rows, grid%nx - 1), source=0.0_dp)
          allocate (self%column(self%n), self%guess(self%n), self%defect(self%n), self%rhs(self%n), source=0.0_dp)
       end associate
    end subroutine init
 
-   !> Row scale and filter at the present iterate. The filter is strong where the node's own deformation makes up most of
-   !> the diagonal, that is at high pressure, and weak where Poiseuille flow does.
+   !> Row scale and share of the smooth residual at the present iterate.
    subroutine set_scale(self)
       class(newton_system_t), intent(inout) :: self
-      integer :: i, j
       call diagonal_scale(self%problem%grid, self%transport, self%problem%conditions%elliptic%kappa, &
                           self%self_influence, self%flow, self%scale)
       self%row_scale = sqrt(sqrt(self%scale))
-      do j = 0, self%problem%grid%ny
-         do i = 0, self%problem%grid%nx
-            self%filter(i, j) = largest_filter*sqrt(self%scale(i, j)*self%transport%w0(i)*self%flow%f_h(i, j) &
-                                                    *self%self_influence)
-         end do
-      end do
+      call set_smooth_share(self%scale, self%transport%w0, self%flow%f_h, self%self_influence, self%smooth_share)
    end subroutine set_scale
 
    !> Preconditioner at the present iterate: ILU(0), in flow order, of local terms and near deformation,
@@ -214,7 +207,7 @@ contains
          coarser => self%coarser
          field(0:grid%nx, 0:grid%ny) => v(:n - 1)
          fine(0:grid%nx, 0:grid%ny) => self%guess(:n - 1)
-         coarse_field(0:coarse%nx, 0:coarse%ny) => coarser%defect(:coarser%n - 1)
+         coarse_field(0:coarse%nx, 0:coarse%ny) => coarser%rhs(:coarser%n - 1)
          self%work = 0
          where (self%row_scale > 0 .and. .not. self%is_cavitated) self%work = field/self%row_scale
          call restrict(coarse, self%work, coarse_field)
@@ -223,10 +216,8 @@ contains
          elsewhere
             coarse_field = coarse_field*coarser%row_scale
          end where
-         coarser%defect(coarser%n) = 0
-         coarser%rhs = coarser%defect
+         coarser%rhs(coarser%n) = 0
          call cycle_pressure(coarser, coarser%rhs)
-         coarse_field(0:coarse%nx, 0:coarse%ny) => coarser%rhs(:coarser%n - 1)
          call prolong(coarse, coarse_field, fine)
          where (self%is_cavitated) fine = 0
          fine(0, :) = 0
@@ -239,28 +230,13 @@ contains
          self%defect(n) = 0
          call multiply_reynolds(self, self%guess, self%defect)
          v = v - self%defect
-         call remove_smooth_part(self, v)
+         call restrict(coarse, field, coarse_field)         ! the smooth part: see `smooth_share`
+         call prolong(coarse, coarse_field, self%work)
+         where (.not. self%is_cavitated) field = field - self%smooth_share*self%work
          call solve_pressure(self, v)
          v = v + self%guess
       end associate
    end subroutine cycle_pressure
-
-   !> Take from a residual most of what the coarser grid can represent. The factors know the deformation by the nearest
-   !> cells only; for smooth changes of pressure that is a small part of it, so their answer to a smooth residual is
-   !> several times too large, the more the finer the grid, and would spoil the correction from the coarser grid.
-   subroutine remove_smooth_part(self, v)
-      class(newton_system_t), intent(inout), target :: self
-      real(dp), intent(inout), contiguous, target :: v(:)
-      real(dp), pointer, contiguous :: field(:, :), coarse_field(:, :)
-
-      associate (grid => self%problem%grid, coarse => self%coarser%problem%grid)
-         field(0:grid%nx, 0:grid%ny) => v(:self%n - 1)
-         coarse_field(0:coarse%nx, 0:coarse%ny) => self%coarser%defect(:self%coarser%n - 1)
-         call restrict(coarse, field, coarse_field)
-         call prolong(coarse, coarse_field, self%work)
-         where (.not. self%is_cavitated) field = field - self%filter*self%work
-      end associate
-   end subroutine remove_smooth_part
 
    !> Pressure part of v solved in place with the factors.
    subroutine solve_pressure(self, v)

@@ -3,7 +3,7 @@
 !> Rungs, in this order: from the solution before (time steps only), continuation from an easier neighbour, Newton's
 !> method where another one was asked for, Newton's method with short steps, PETSc where the build has it.
 module ehlwave_rescue
-   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+   use ehlwave_capped_solver, only: capped_solver_t
    use ehlwave_continuation, only: adaptive_path_t, given_t, neighbour_t
    use ehlwave_full_multigrid, only: full_multigrid_t, level_t
    use ehlwave_kinds, only: dp
@@ -11,7 +11,7 @@ module ehlwave_rescue
    use ehlwave_newton, only: newton_t
    use ehlwave_petsc_solver, only: has_petsc, petsc_solver_t
    use ehlwave_state, only: state_t
-   use ehlwave_status, only: status_converged, status_diverged, status_not_finite, status_stalled
+   use ehlwave_status, only: status_converged
    implicit none (type, external)
    private
    public :: rung_name
@@ -23,16 +23,13 @@ module ehlwave_rescue
    real(dp), parameter :: short_film_factor = 0.5_dp   !! of H
    integer, parameter :: damped_patience = 4           !! times as many steps as usual
 
-   type, public :: rescue_t
+   type, extends(capped_solver_t), public :: rescue_t
       logical :: is_ready = .true.       !! climb the ladder; false: only what costs little
-      integer :: steps_left = huge(1)    !! nonlinear steps of the finest level that the case may still take
       integer :: rung = rung_direct      !! the highest one that a solution needed, or that was tried in vain
       integer :: rescued = 0             !! solutions that took more than the direct solve
-      real(dp) :: thinnest = huge(1.0_dp)  !! smallest H of all that was solved on the way, with places of a continuation
    contains
       procedure :: solve_steady
       procedure :: solve_step
-      procedure, private :: attempt
       procedure, private :: climb
       procedure, private :: continue_conditions
       procedure, private :: continue_step
@@ -70,9 +67,8 @@ contains
 
       n = size(multigrid%levels)
       associate (level => multigrid%levels(n))
-         call multigrid%solve(bounded(limits, self%steps_left), coarse_tolerance)
-         call check(level%state, level%report)
-         self%steps_left = self%steps_left - level%report%nonlinear_steps
+         level%report = solve_report_t()
+         call self%attempt_from_coarsest(multigrid, limits, coarse_tolerance)
          if (level%report%status == status_converged .or. .not. self%is_ready) return
          call multigrid%start_level(n)
          guess = level%state
@@ -91,7 +87,6 @@ contains
       type(state_t), intent(in) :: before              !! the last solution
       type(given_t), intent(in) :: given_before        !! and what it was given
       type(solve_limits_t), intent(in) :: limits
-
       logical :: starts_there
 
       level%report = solve_report_t()
@@ -134,30 +129,6 @@ contains
       end do
    end subroutine climb
 
-   !> Solve once within what is left of the cap; add the steps to those of earlier attempts.
-   subroutine attempt(self, level, limits, solver)
-      class(rescue_t), intent(inout) :: self
-      type(level_t), intent(inout), target :: level
-      type(solve_limits_t), intent(in) :: limits
-      class(level_solver_t), intent(inout), optional :: solver   !! in place of that of the level
-      type(solve_report_t) :: report
-
-      if (self%steps_left <= 0) then
-         level%report%status = status_stalled
-         return
-      end if
-      if (present(solver)) then
-         call solver%solve(level%problem, level%state, bounded(limits, self%steps_left), report)
-      else
-         call level%solver%solve(level%problem, level%state, bounded(limits, self%steps_left), report)
-      end if
-      call check(level%state, report)
-      if (report%status == status_converged) self%thinnest = min(self%thinnest, minval(level%state%h))
-      self%steps_left = self%steps_left - report%nonlinear_steps
-      call add_steps(report, level%report)
-      level%report = report
-   end subroutine attempt
-
    !> Continuation in M and L: solve an easier neighbour from scratch, then approach the case from it.
    subroutine continue_conditions(self, multigrid, limits, coarse_tolerance)
       class(rescue_t), intent(inout) :: self
@@ -167,7 +138,6 @@ contains
       type(neighbour_t) :: neighbour
       type(adaptive_path_t) :: path
       type(solve_limits_t) :: loose
-      type(solve_report_t) :: spent
       type(state_t) :: last
       integer :: distance
 
@@ -175,13 +145,9 @@ contains
       loose%tolerance = max(limits%tolerance, coarse_tolerance)
       associate (level => multigrid%levels(size(multigrid%levels)))
          do distance = 1, 3
-            spent = level%report
             call neighbour%choose(multigrid, distance)
             call neighbour%impose(multigrid, 0.0_dp)
-            call multigrid%solve(bounded(loose, self%steps_left), coarse_tolerance)
-            call check(level%state, level%report)
-            self%steps_left = self%steps_left - level%report%nonlinear_steps
-            call add_steps(level%report, spent)
+            call self%attempt_from_coarsest(multigrid, loose, coarse_tolerance)
             path = adaptive_path_t()
             last = level%state
             do while (level%report%status == status_converged .or. path%can_retry())
@@ -271,34 +237,6 @@ contains
       self%rung = max(self%rung, rung)
       if (report%status == status_converged) self%rescued = self%rescued + 1
    end subroutine note
-
-   !> No solver may pass off a state as converged that is not finite or has no film.
-   pure subroutine check(state, report)
-      type(state_t), intent(in) :: state
-      type(solve_report_t), intent(inout) :: report
-      if (report%status /= status_converged) return
-      if (.not. (ieee_is_finite(sum(state%p)) .and. ieee_is_finite(sum(state%h)))) then
-         report%status = status_not_finite
-      else if (minval(state%h) <= 0) then
-         report%status = status_diverged
-      end if
-   end subroutine check
-
-   pure subroutine add_steps(report, spent)
-      type(solve_report_t), intent(inout) :: report
-      type(solve_report_t), intent(in) :: spent
-      report%nonlinear_steps = report%nonlinear_steps + spent%nonlinear_steps
-      report%linear_steps = report%linear_steps + spent%linear_steps
-      report%factorisations = report%factorisations + spent%factorisations
-   end subroutine add_steps
-
-   pure function bounded(limits, steps_left) result(tighter)
-      type(solve_limits_t), intent(in) :: limits
-      integer, intent(in) :: steps_left
-      type(solve_limits_t) :: tighter
-      tighter = limits
-      tighter%largest_steps = max(0, min(limits%largest_steps, steps_left))
-   end function bounded
 
    pure logical function is_newton(solver)
       class(level_solver_t), intent(in) :: solver

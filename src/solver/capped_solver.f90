@@ -1,0 +1,88 @@
+!> Solves within a cap on the work of a case, whose outcome is checked before it counts as converged.
+module ehlwave_capped_solver
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+   use ehlwave_full_multigrid, only: full_multigrid_t, level_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_level_solver, only: level_solver_t, solve_limits_t, solve_report_t
+   use ehlwave_state, only: state_t
+   use ehlwave_status, only: status_converged, status_diverged, status_not_finite, status_stalled
+   implicit none (type, external)
+   private
+
+   type, public :: capped_solver_t
+      integer :: steps_left = huge(1)      !! nonlinear steps of the finest level that the case may still take
+      real(dp) :: thinnest = huge(1.0_dp)  !! smallest H of all that `attempt` solved, places of a continuation too
+   contains
+      procedure :: attempt
+      procedure :: attempt_from_coarsest
+   end type capped_solver_t
+
+contains
+
+   !> Solve once within what is left of the cap; add the steps to those in the report of the level.
+   subroutine attempt(self, level, limits, solver)
+      class(capped_solver_t), intent(inout) :: self
+      type(level_t), intent(inout), target :: level
+      type(solve_limits_t), intent(in) :: limits
+      class(level_solver_t), intent(inout), optional :: solver   !! in place of that of the level
+      type(solve_report_t) :: report
+
+      if (self%steps_left <= 0) then
+         level%report%status = status_stalled
+         return
+      end if
+      if (present(solver)) then
+         call solver%solve(level%problem, level%state, bounded(limits, self%steps_left), report)
+      else
+         call level%solver%solve(level%problem, level%state, bounded(limits, self%steps_left), report)
+      end if
+      call close_attempt(self, level%state, report, level%report)
+      if (report%status == status_converged) self%thinnest = min(self%thinnest, minval(level%state%h))
+      level%report = report
+   end subroutine attempt
+
+   !> The same by full multigrid, for the finest level.
+   subroutine attempt_from_coarsest(self, multigrid, limits, coarse_tolerance)
+      class(capped_solver_t), intent(inout) :: self
+      type(full_multigrid_t), intent(inout), target :: multigrid
+      type(solve_limits_t), intent(in) :: limits       !! for the finest level
+      real(dp), intent(in) :: coarse_tolerance         !! for the others
+      type(solve_report_t) :: spent
+
+      associate (level => multigrid%levels(size(multigrid%levels)))
+         spent = level%report
+         call multigrid%solve(bounded(limits, self%steps_left), coarse_tolerance)
+         call close_attempt(self, level%state, level%report, spent)
+      end associate
+   end subroutine attempt_from_coarsest
+
+   !> Take the steps of an attempt from the cap, and add those of earlier ones to its report. No solver may pass off a state
+   !> as converged that is not finite or has no film.
+   pure subroutine close_attempt(self, state, report, spent)
+      class(capped_solver_t), intent(inout) :: self
+      type(state_t), intent(in) :: state
+      type(solve_report_t), intent(inout) :: report   !! of this attempt
+      type(solve_report_t), intent(in) :: spent       !! before it
+
+      if (report%status == status_converged) then
+         if (.not. (ieee_is_finite(sum(state%p)) .and. ieee_is_finite(sum(state%h)))) then
+            report%status = status_not_finite
+         else if (minval(state%h) <= 0) then
+            report%status = status_diverged
+         end if
+      end if
+      self%steps_left = self%steps_left - report%nonlinear_steps
+      report%nonlinear_steps = report%nonlinear_steps + spent%nonlinear_steps
+      report%linear_steps = report%linear_steps + spent%linear_steps
+      report%factorisations = report%factorisations + spent%factorisations
+   end subroutine close_attempt
+
+   pure function bounded(limits, steps_left) result(tighter)
+      type(solve_limits_t), intent(in) :: limits
+      integer, intent(in) :: steps_left
+      type(solve_limits_t) :: tighter
+      tighter = limits
+      tighter%largest_steps = max(0, min(limits%largest_steps, steps_left))
+   end function bounded
+
+end module ehlwave_capped_solver
