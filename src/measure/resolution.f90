@@ -1,5 +1,6 @@
 !> Whether a grid, its domain and the time step resolve a case: theory section 7.
 module ehlwave_resolution
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use ehlwave_conditions, only: conditions_t, slender_over_line
    use ehlwave_formula, only: moes_film_formula
    use ehlwave_kinds, only: dp
@@ -68,7 +69,7 @@ contains
       inlet_gap = conditions%s*(-x_min*root - log(-x_min + root))/expected_film(conditions)
    end function inlet_gap
 
-   !> Why a solution with this smallest film is not resolved; '' when it is.
+   !> Why a solution with this smallest film is not resolved; '' when it is, or when there is no smooth film (NaN).
    !>
    !> Waves higher than the film of the side lobes or the outlet press it out where they pass. Measured (Ai = 60 to 90
    !> per cent, waves of a quarter of a, 128 and 256 cells): time steps converge down to 0.04 to 2 per cent of the
@@ -78,6 +79,7 @@ contains
       real(dp), intent(in) :: central_film    !! smooth H(0,0)
       character(len=:), allocatable :: reason
       reason = ''
+      if (ieee_is_nan(central_film)) return
       if (smallest_film < touching_film*central_film) reason = 'the waves touch the other surface: the film falls to '// &
          to_text(100*smallest_film/central_film, 2)//' per cent of the smooth central one, at least '// &
          to_text(100*touching_film, 2)//' needed: reduce amplitude_over_film; '
