@@ -4,6 +4,7 @@ Needs slurmctld, slurmd, sbatch (Debian: slurm-wlm) and munge; scripts/install-r
 """
 
 import os
+import re
 import sys
 import tempfile
 import time
@@ -39,9 +40,9 @@ class Slurm(unittest.TestCase):
         return path.read_text() if path.exists() else ""
 
     def is_over(self, task):
-        """Whether a task ended without a word of another start."""
-        lines = self.log(task).rstrip().split("\n")
-        return "exit status" in lines[-1] and "exit status 85" not in lines[-1]
+        """Whether the job script of a task has said how it ended, and that is not 85, to be continued."""
+        said = re.search(r"task \d+: exit status (\d+)$", self.log(task).rstrip())
+        return said is not None and said.group(1) != "85"
 
     def wait(self, is_done, seconds=780):
         """Wait for the jobs; one that is requeued starts again at once, not after the two minutes of Slurm.
