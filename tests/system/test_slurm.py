@@ -18,6 +18,7 @@ from store_reading import count_records, finished
 
 ROOT = Path(__file__).parents[2]
 TASKS = 2
+REST = 4     # seconds from the requeue of a job to its next start
 CASES = 10   # so many that a task is not over before the signal comes
 
 
@@ -45,16 +46,21 @@ class Slurm(unittest.TestCase):
         return said is not None and said.group(1) != "85"
 
     def wait(self, is_done, seconds=780):
-        """Wait for the jobs; one that is requeued starts again at once, not after the two minutes of Slurm.
+        """Wait for the jobs; one that is requeued starts again after some seconds, not after the two minutes of Slurm.
 
-        An empty queue means nothing by itself: a job that is being requeued can be missing from it.
+        Not at once: a start in the second of the requeue is refused, as its credential counts as revoked. An empty queue
+        means nothing by itself: a job that is being requeued can be missing from it.
         """
         end = time.monotonic() + seconds
+        since = {}   # when a job was first seen waiting
         while not is_done() and time.monotonic() < end:
-            for line in self.slurm.call("squeue", "-h", "-t", "all", "-o", "%i %T").split("\n"):
-                if line.endswith(" PENDING"):
-                    self.slurm.call("scontrol", "update", f"jobid={line.split()[0]}", "StartTime=now", check=False)
-            time.sleep(2)
+            waiting = [line.split()[0] for line in self.slurm.call("squeue", "-h", "-t", "all", "-o", "%i %T").split("\n")
+                       if line.endswith(" PENDING")]
+            since = {job: since.get(job, time.monotonic()) for job in waiting}
+            for job in waiting:
+                if time.monotonic() > since[job] + REST:
+                    self.slurm.call("scontrol", "update", f"jobid={job}", "StartTime=now", check=False)
+            time.sleep(1)
 
     def test_array_requeues_until_it_is_done(self):
         sweeps = []
