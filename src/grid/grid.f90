@@ -26,7 +26,7 @@ module ehlwave_grid
 
    !> Width of the strip that stands for a line contact: under the Hertz pressure of a line, (1 - X^2)^(1/2), it bears
    !> what an elliptical contact bears under its own, int P dX dY = 2 pi/3, so that one load balance serves both.
-   real(dp), parameter, public :: strip_width = 4/3.0_dp
+   real(dp), parameter :: strip_width = 4/3.0_dp
 
 contains
 

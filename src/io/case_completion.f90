@@ -193,14 +193,8 @@ contains
       type(error_t), allocatable, intent(inout) :: error
       real(dp) :: ratio
 
-      if (case%cells_x > 0 .and. (case%cells_x < 16 .or. case%cells_x > 8192 .or. modulo(case%cells_x, 2) /= 0)) then
-         call raise(error, '&grid cells_x = '//to_text(case%cells_x)//': give an even number from 16 to 8192, '// &
-                    'best one that can be halved several times (64, 96, 128, ...), or 0 for the plan to choose')
-      else if (case%radius_ratio_d > 0 .and. case%cells_y > 0 .and. &
-               (case%cells_y < 16 .or. case%cells_y > 8192 .or. modulo(case%cells_y, 2) /= 0)) then
-         call raise(error, '&grid cells_y = '//to_text(case%cells_y)//': give an even number from 16 to 8192, '// &
-                    'best one that can be halved several times (64, 96, 128, ...), or 0 for the plan to choose')
-      end if
+      call check_cells(case%cells_x, 'cells_x', error)
+      if (case%radius_ratio_d > 0) call check_cells(case%cells_y, 'cells_y', error)
       if (allocated(error)) return
       ratio = case%time_step_over_cell
       if (ratio <= 0) ratio = 1
@@ -217,5 +211,17 @@ contains
                     "'equation_of_motion' or remove natural_frequency")
       end if
    end subroutine check_grid_and_time
+
+   !> 0 leaves the number of cells to the plan.
+   subroutine check_cells(cells, key, error)
+      integer, intent(in) :: cells
+      character(len=*), intent(in) :: key
+      type(error_t), allocatable, intent(inout) :: error
+
+      if (allocated(error) .or. cells <= 0) return
+      if (cells < 16 .or. cells > 8192 .or. modulo(cells, 2) /= 0) call raise(error, '&grid '//key//' = '//to_text(cells)// &
+         ': give an even number from 16 to 8192, best one that can be halved several times (64, 96, 128, ...), or 0 for '// &
+         'the plan to choose')
+   end subroutine check_cells
 
 end module ehlwave_case_completion

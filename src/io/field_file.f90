@@ -10,7 +10,6 @@ module ehlwave_field_file
    use ehlwave_hdf5_file, only: hdf5_file_t
    use ehlwave_provenance, only: compiler, compiler_flags, git_revision, library_versions, program_version
    use ehlwave_status, only: status_name
-   use ehlwave_text, only: to_text
    implicit none (type, external)
    private
    public :: check_writable, write_case_file, write_provenance

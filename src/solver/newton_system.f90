@@ -2,7 +2,6 @@
 module ehlwave_newton_system
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_gmres, only: linear_system_t
-   use ehlwave_grid, only: grid_t
    use ehlwave_kernel, only: cell_influence
    use ehlwave_kinds, only: dp, sp
    use ehlwave_load_balance, only: load_factor

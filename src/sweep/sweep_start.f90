@@ -2,7 +2,6 @@
 module ehlwave_sweep_start
    use, intrinsic :: iso_fortran_env, only: output_unit
    use ehlwave_case_account, only: blank_result
-   use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_text, only: effective_input
    use ehlwave_case_work, only: store_result
