@@ -110,9 +110,7 @@ def v(
     """
     wave = _not_negative("wavelength_over_a", wavelength_over_a)
     load = _not_negative("load_m", load_m) * _not_negative("gamma", gamma)
-    lubricant = _not_negative("lubricant_l", lubricant_l)
-    if np.any(lubricant == 0):
-        raise ValueError("lubricant_l is zero")
+    lubricant = _positive("lubricant_l", lubricant_l)
     return np.asarray(wave * np.sqrt(load / lubricant))
 
 
@@ -158,9 +156,7 @@ def recommended_parameter(
         If an argument is negative, or L is zero.
     """
     load = _not_negative("load_m", load_m) * _not_negative("gamma", gamma)
-    lubricant = _not_negative("lubricant_l", lubricant_l)
-    if np.any(lubricant == 0):
-        raise ValueError("lubricant_l is zero")
+    lubricant = _positive("lubricant_l", lubricant_l)
     wave, along = wave_and_direction(wavelength_x, wavelength_y)
     power = -RECOMMENDED_L_EXPONENT * along
     return np.asarray(RECOMMENDED_SCALE * wave * np.sqrt(load) * lubricant**power)
@@ -232,4 +228,11 @@ def _not_negative(name: str, values: ArrayLike) -> Floats:
     array = np.asarray(values, dtype=np.float64)
     if np.any(array < 0):
         raise ValueError(f"{name} is negative")
+    return array
+
+
+def _positive(name: str, values: ArrayLike) -> Floats:
+    array = _not_negative(name, values)
+    if np.any(array == 0):
+        raise ValueError(f"{name} is zero")
     return array
