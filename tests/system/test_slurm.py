@@ -54,8 +54,7 @@ class Slurm(unittest.TestCase):
         end = time.monotonic() + seconds
         since = {}   # when a job was first seen waiting
         while not is_done() and time.monotonic() < end:
-            waiting = [line.split()[0] for line in self.slurm.call("squeue", "-h", "-t", "all", "-o", "%i %T").split("\n")
-                       if line.endswith(" PENDING")]
+            waiting = self.slurm.call("squeue", "-h", "-t", "PENDING", "-o", "%i").split()
             since = {job: since.get(job, time.monotonic()) for job in waiting}
             for job in waiting:
                 if time.monotonic() > since[job] + REST:
