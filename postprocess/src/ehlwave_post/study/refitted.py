@@ -145,7 +145,7 @@ def coefficient_table(refits: list[Refit]) -> Table:
 def coefficient_figure(refits: list[Refit]) -> Figure:
     """Draw c1 and c2 with their intervals, one line per set of points."""
     entries = [
-        (refit.name if row.group == "all" else f"{row.group}", row)
+        (refit.name if row.group == "all" else row.group, row)
         for refit in refits
         for row in refit.rows
         if row.group == "all" or refit.name == MAIN
@@ -160,7 +160,7 @@ def coefficient_figure(refits: list[Refit]) -> Figure:
             axes.plot([low, high], [y, y], color="#0072B2", linewidth=1.5)
             axes.plot([value], [y], "o", color="#0072B2", markersize=4)
         axes.axvline(paper, color="black", linestyle=":", linewidth=0.9)
-        axes.set_xlabel(f"{name[0]}{name[1]}")
+        axes.set_xlabel(name)
         axes.grid(axis="x", linewidth=0.3)
     panels[0].set_yticks(place, [name for name, _ in entries], fontsize=8)
     return figure
