@@ -15,33 +15,34 @@ module ehlwave_eyring_law
       procedure :: points_needed
    end type eyring_law_t
 
-   real(dp), parameter :: series_below = 1          ! |sigma|^2 under which the power series is used: error below 1e-17
    real(dp), parameter :: c(0:8) = 1/[1.0_dp, 6.0_dp, 120.0_dp, 5040.0_dp, 362880.0_dp, 39916800.0_dp, 6227020800.0_dp, &
                                       1307674368000.0_dp, 355687428096000.0_dp]   ! sinh(r)/r = sum c_n r^(2n)
+   real(dp), parameter :: s_at_1 = sinh(1.0_dp), slope_at_1 = 0.5_dp*(cosh(1.0_dp) - sinh(1.0_dp))
 
 contains
 
+   !> Power series up to |sigma|^2 = 1, plus what the closed form adds beyond: no branches, so that exp is vectorised.
    pure subroutine shear_factor(self, n, stress2, s, slope)
       class(eyring_law_t), intent(in) :: self
       integer, intent(in) :: n
       real(dp), intent(in) :: stress2(n)
       real(dp), intent(out) :: s(n), slope(n)
-      real(dp) :: excess, grown, r, series, series_slope, x
+      real(dp) :: grown, large, largest2, r, s_beyond, x
       integer :: i
 
+      largest2 = self%largest_stress**2
       do i = 1, n
-         x = min(stress2(i), self%largest_stress**2)
-         excess = stress2(i) - x
-         r = sqrt(max(x, series_below))
+         large = min(max(stress2(i), 1.0_dp), largest2)
+         r = sqrt(large)
          grown = exp(r)
-         s(i) = 0.5_dp*(grown - 1/grown)/r
-         slope(i) = 0.5_dp*(0.5_dp*(grown + 1/grown) - s(i))/max(x, series_below)
-         x = min(x, series_below)
-         series = c(0) + x*(c(1) + x*(c(2) + x*(c(3) + x*(c(4) + x*(c(5) + x*(c(6) + x*(c(7) + x*c(8))))))))
-         series_slope = c(1) + x*(2*c(2) + x*(3*c(3) + x*(4*c(4) + x*(5*c(5) + x*(6*c(6) + x*(7*c(7) + x*8*c(8)))))))
-         s(i) = merge(series, s(i), stress2(i) < series_below)
-         slope(i) = merge(series_slope, slope(i), stress2(i) < series_below)
-         s(i) = s(i) + slope(i)*excess
+         s_beyond = 0.5_dp*(grown - 1/grown)/r
+         slope(i) = 0.25_dp*(grown + 1/grown - 2*s_beyond)/large - slope_at_1
+         x = min(stress2(i), 1.0_dp)
+         s(i) = s_beyond - s_at_1 &
+                + c(0) + x*(c(1) + x*(c(2) + x*(c(3) + x*(c(4) + x*(c(5) + x*(c(6) + x*(c(7) + x*c(8))))))))
+         slope(i) = slope(i) &
+                    + c(1) + x*(2*c(2) + x*(3*c(3) + x*(4*c(4) + x*(5*c(5) + x*(6*c(6) + x*(7*c(7) + x*8*c(8)))))))
+         s(i) = s(i) + slope(i)*max(stress2(i) - largest2, 0.0_dp)
       end do
    end subroutine shear_factor
 

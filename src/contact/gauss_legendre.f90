@@ -18,7 +18,7 @@ contains
    pure function new_gauss_rule(n) result(self)
       integer, intent(in) :: n   !! number of points, at least 1
       type(gauss_rule_t) :: self
-      integer, parameter :: steps = 8
+      integer, parameter :: steps = 5
       real(dp) :: slope, value, z
       integer :: i, step
 
