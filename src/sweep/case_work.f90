@@ -1,8 +1,8 @@
 !> Works through one case of a sweep: run it, store what it came to.
 module ehlwave_case_work
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_json, only: result_json
    use ehlwave_case_plan, only: case_plan_t, run_march
+   use ehlwave_case_record, only: case_record, circumstances_t
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_text, only: text_identity
    use ehlwave_checkpoint_file, only: checkpoint_t
@@ -13,6 +13,7 @@ module ehlwave_case_work
    use ehlwave_kinds, only: dp
    use ehlwave_monitor, only: give_up, go_on, monitor_t, stop_now
    use ehlwave_posix, only: signal_caught, watchdog
+   use ehlwave_quantity_output, only: json_of
    use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_status, only: status_interrupted, status_pending
    use ehlwave_store, only: store_t
@@ -121,12 +122,8 @@ contains
       type(error_t), allocatable, intent(inout) :: error
       type(json_t) :: record
 
-      if (case%fields) call write_case_file(store%fields_path(text_identity(input)), case, plan%conditions, result, error)
-      record = result_json(case, plan, result)
-      call record%add('host', store%host)
-      call record%add('rank', store%rank)
-      call record%add('started', trim(started))
-      call record%add('finished', trim(time_stamp()))
+      if (case%fields) call write_case_file(store%fields_path(text_identity(input)), case, plan, result, error)
+      record = json_of(case_record(case, plan, result, circumstances_t(store%host, store%rank, started, time_stamp())))
       call store%keep(record, input, error)
    end subroutine store_result
 
