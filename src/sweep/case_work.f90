@@ -11,6 +11,7 @@ module ehlwave_case_work
    use ehlwave_field_file, only: write_case_file
    use ehlwave_json, only: json_t
    use ehlwave_kinds, only: dp
+   use ehlwave_march_keeper, only: march_keeper_t
    use ehlwave_monitor, only: give_up, go_on, monitor_t, stop_now
    use ehlwave_posix, only: signal_caught, watchdog
    use ehlwave_quantity_output, only: json_of
@@ -54,15 +55,15 @@ module ehlwave_case_work
 
    abstract interface
       !> The interface of `run_case`.
-      subroutine case_procedure(case, plan, monitor, result, shared, checkpoint)
-         import :: case_plan_t, case_result_t, case_t, checkpoint_t, monitor_t, shared_steady_t
+      subroutine case_procedure(case, plan, monitor, result, shared, keeper)
+         import :: case_plan_t, case_result_t, case_t, march_keeper_t, monitor_t, shared_steady_t
          implicit none (type, external)
          type(case_t), intent(in) :: case
          type(case_plan_t), intent(in) :: plan
          class(monitor_t), intent(inout) :: monitor
          type(case_result_t), intent(out) :: result
          type(shared_steady_t), intent(inout), target, optional :: shared
-         type(checkpoint_t), intent(inout), optional :: checkpoint
+         class(march_keeper_t), intent(inout), optional :: keeper
       end subroutine case_procedure
    end interface
 
