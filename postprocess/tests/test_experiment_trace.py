@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from ehlwave_post.deform import cut_period, read_surface
-from ehlwave_post.study.experiment.trace import (
+from studies.experiment.trace import (
     fit_sinusoid,
     fits_of_trace,
     harmonic,
