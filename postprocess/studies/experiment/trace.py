@@ -22,14 +22,6 @@ WAVELENGTH_UM = 60.0
 AMPLITUDE_UM = 0.14
 PARTS = 5
 
-_HEADING = """\
-# SYNTHETIC stylus trace of the sputtered pattern of Venner, Kaneta and Lubrecht (2000), Figure 4.
-# The paper's own trace exists in print only. This one has the properties that the paper states: a
-# least-squares sinusoid of wavelength 60 um and amplitude 0.14 um, and of amplitudes 0.13 to
-# 0.16 um over parts. Made by synthetic_trace of studies.experiment.trace; see there.
-x [um],height [um]
-"""
-
 
 @dataclass(frozen=True)
 class Sinusoid:
@@ -50,7 +42,7 @@ def synthetic_trace() -> tuple[Floats, Floats]:
     phase wanders by 0.05 rad; with a second harmonic of 5 % and a third of 2 % (troughs wider than
     crests); with four waves of 9 to 41 um and 1 to 2 nm for what is left of the ground surface; on
     the level of 9.5 um that the paper's figure has. The whole is scaled so that the fitted
-    amplitude is 0.14 um. Heights are rounded to 0.1 nm, as in the file.
+    amplitude is 0.14 um. Heights are rounded to 0.1 nm, as in inputs/full/sputtered_profile.csv.
     """
     x = np.arange(-300.0, 301.0)
     amplitude = 1 + 0.27 * np.exp(-(((x + 125) / 90) ** 2))
@@ -108,12 +100,6 @@ def fits_of_trace(x: Floats, height: Floats, parts: int = PARTS) -> list[tuple[s
         piece = slice(first, last + 1)
         found.append((name, fit_sinusoid(x[piece], height[piece], WAVELENGTH_UM)))
     return found
-
-
-def write_trace(path: Path) -> None:
-    """Write the synthetic trace as CSV, with a heading that says what it is."""
-    rows = (f"{x:.0f},{height:.4f}\n" for x, height in zip(*synthetic_trace(), strict=True))
-    path.write_text(_HEADING + "".join(rows), encoding="utf-8")
 
 
 def read_trace(path: Path) -> tuple[Floats, Floats]:
