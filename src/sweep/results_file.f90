@@ -12,16 +12,14 @@ module ehlwave_results_file
    use ehlwave_field_file, only: write_provenance
    use ehlwave_hdf5_file, only: hdf5_file_t
    use ehlwave_json, only: json_t
-   use ehlwave_json_reader, only: json_string
    use ehlwave_quantities, only: add_case
    use ehlwave_quantity, only: quantity_list_t, quantity_t
    use ehlwave_quantity_output, only: json_of, take_json
    use ehlwave_results_column, only: column_t
    use ehlwave_status, only: status_name, status_pending
    use ehlwave_store, only: store_t
-   use ehlwave_store_contents, only: add_layout, contents_t, run_element
+   use ehlwave_store_contents, only: add_layout, contents_t
    use ehlwave_sweep_cases, only: sweep_t
-   use ehlwave_text_difference, only: text_from_difference
    implicit none (type, external)
    private
    public :: write_results
@@ -57,11 +55,11 @@ contains
       if (allocated(error)) return
       call file%create(path, error)
       if (allocated(error)) return
-      call file%attribute('', 'title', 'ehlwave: amplitude reduction of waviness in EHL contacts')
-      call file%attribute('', 'format', 'ehlwave-results')
-      call file%attribute('', 'format_version', 1)
+      call file%attribute('title', 'ehlwave: amplitude reduction of waviness in EHL contacts')
+      call file%attribute('format', 'ehlwave-results')
+      call file%attribute('format_version', 1)
       call write_provenance(file)
-      call file%attribute('', 'sweep_input', sweep_text)
+      call file%attribute('sweep_input', sweep_text)
       call file%write('case', [(i, i=1, n)], '', '1', 'number of the case in the sweep')
       call file%dimension('case')
       call write_inputs(file, sweep)
@@ -78,24 +76,12 @@ contains
       integer :: i
       do i = 1, size(place)
          if (place(i) == 0) cycle
-         if (text_identity(stored_input(contents, place(i))) == contents%cases(place(i))%identity) cycle
+         if (text_identity(contents%input(place(i))) == contents%cases(place(i))%identity) cycle
          call raise(error, 'the store has a record of case '//contents%cases(place(i))%identity//' with the input of '// &
                     'another case: keep the store for inspection and name another results file')
          return
       end do
    end subroutine check_inputs
-
-   !> Effective input of a stored case.
-   function stored_input(contents, place) result(text)
-      type(contents_t), intent(in) :: contents
-      integer, intent(in) :: place
-      character(len=:), allocatable :: text
-      text = ''
-      associate (log => contents%logs(contents%cases(place)%log))
-         if (allocated(log%base_input)) &
-            text = text_from_difference(log%base_input, json_string(contents%value(place, 'effective_input')))
-      end associate
-   end function stored_input
 
    !> Columns that follow from the sweep file; pending cases have them, too.
    subroutine write_inputs(file, sweep)
@@ -155,7 +141,7 @@ contains
                call column%init(quantity, size(place))
                do i = 1, size(place)
                   if (place(i) > 0) then
-                     call take_json(contents%cases(place(i))%element(number), quantity)
+                     call take_json(contents%cases(place(i))%element(number(contents%cases(place(i))%layout)), quantity)
                   else
                      call take_pending(sweep%plans(i), quantity)
                   end if
@@ -210,7 +196,7 @@ contains
          of_log = header%items(k)
          call take_json('', of_log(0))
          do log = 1, size(contents%logs)
-            call take_json(run_element(contents%logs(log), header%items(k)%name), of_log(log))
+            call take_json(contents%logs(log)%element(header%items(k)%name), of_log(log))
          end do
          call column%init(header%items(k), size(place))
          do i = 1, size(place)
