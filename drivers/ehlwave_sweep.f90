@@ -9,7 +9,8 @@ program ehlwave_sweep
    use ehlwave_posix, only: catch_signals
    use ehlwave_provenance, only: program_version
    use ehlwave_sweep_cases, only: sweep_t
-   use ehlwave_sweep_job, only: exit_bad_input, exit_done, exit_failed, exit_unfinished, job_options_t, run_job
+   use ehlwave_sweep_job, only: run_job
+   use ehlwave_sweep_leader, only: exit_bad_input, exit_done, exit_failed, exit_unfinished, job_options_t
    use ehlwave_sweep_report, only: print_sweep_plan
    use ehlwave_sweep_status, only: print_status
    use ehlwave_time_text, only: read_time

@@ -4,7 +4,7 @@ module ehlwave_case_table
    use ehlwave_case_definition, only: case_t, name_length, orientations
    use ehlwave_case_input, only: read_case_groups
    use ehlwave_case_row, only: set_row
-   use ehlwave_case_work, only: case_limits_t
+   use ehlwave_case_terms, only: case_limits_t
    use ehlwave_conditions, only: conditions_t
    use ehlwave_csv, only: csv_t, read_csv
    use ehlwave_errors, only: error_t, raise

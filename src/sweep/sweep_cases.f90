@@ -3,8 +3,8 @@ module ehlwave_sweep_cases
    use ehlwave_case_completion, only: complete_case
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t, make_plan
+   use ehlwave_case_terms, only: case_limits_t
    use ehlwave_case_text, only: case_identity
-   use ehlwave_case_work, only: case_limits_t
    use ehlwave_errors, only: error_t
    use ehlwave_identity_index, only: identity_index_t, identity_length
    implicit none (type, external)

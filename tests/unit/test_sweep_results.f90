@@ -1,0 +1,180 @@
+!> Rows of a results file: what was stored bit for bit, what is known of a case that has not run, units and long names.
+program test_sweep_results
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
+   use ehlwave_case_account, only: blank_result
+   use ehlwave_case_definition, only: case_t
+   use ehlwave_case_record, only: store_result
+   use ehlwave_case_result, only: case_result_t
+   use ehlwave_case_text, only: effective_input
+   use ehlwave_errors, only: error_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_record_file, only: record_writer_t
+   use ehlwave_results_file, only: write_results
+   use ehlwave_status, only: status_stalled
+   use ehlwave_store, only: prepare_store, store_t
+   use ehlwave_store_contents, only: contents_t, read_store
+   use ehlwave_store_folder, only: log_name
+   use ehlwave_sweep_cases, only: sweep_t
+   use hdf5_readback, only: attribute_of, numbers_of, text_of
+   use testing, only: test_t
+   implicit none (type, external)
+
+   character(len=*), parameter :: path = 'test_sweep_results.h5', folder = 'test_sweep_results.store', lf = new_line('a')
+   real(dp), parameter :: history(2) = [1.0_dp, 0.1_dp]
+   type(test_t) :: test
+   type(sweep_t) :: sweep
+   type(case_result_t) :: result
+
+   call execute_command_line('rm -rf '//folder)
+   call make_sweep()
+   call store_second()
+   call write_file()
+   call check_inputs()
+   call check_outcomes()
+   call check_descriptions()
+   call check_older_store()
+   call check_foreign_record()
+   call test%finish()
+
+contains
+
+   subroutine make_sweep()
+      type(case_t) :: case
+      type(error_t), allocatable :: error
+      integer :: i
+      call sweep%begin(skips_unresolved=.false.)
+      do i = 1, 3
+         case = case_t()
+         case%load_parameter_m = 100*i
+         case%lubricant_parameter_l = 12.05_dp
+         case%radius_ratio_d = 1
+         case%cells_x = 64
+         case%cells_y = 32
+         call sweep%add(case, '', error)
+         call test%check_no_error(error, 'case')
+      end do
+      call sweep%finish()
+   end subroutine make_sweep
+
+   !> Case 2 has run and failed.
+   subroutine store_second()
+      type(store_t) :: store
+      type(error_t), allocatable :: error
+      character(len=:), allocatable :: warning
+      store%host = 'here'
+      call prepare_store(folder, store, warning, error)
+      result = blank_result(sweep%cases(2), sweep%plans(2))
+      result%status = status_stalled
+      result%message = 'steady state stalled'
+      result%is_resolved = .false.
+      result%central_film = 1/3.0_dp
+      result%nonlinear_steps = 7
+      result%residual_history = history
+      result%seconds = 0.25_dp
+      call store_result(sweep%cases(2), sweep%plans(2), effective_input(sweep%cases(2)), result, 'some time', store, error)
+      call store%close(error)
+      call test%check_no_error(error, 'store')
+   end subroutine store_second
+
+   subroutine write_file()
+      type(contents_t) :: contents
+      type(error_t), allocatable :: error
+      call read_store(folder, contents, error)
+      call write_results(path, '&sweep /'//lf, sweep, contents, error)
+      call test%check_no_error(error, 'results file')
+   end subroutine write_file
+
+   subroutine check_inputs()
+      call test%check_close(numbers_of(path, 'case'), [1.0_dp, 2.0_dp, 3.0_dp], 'numbers', relative=0.0_dp)
+      call test%check_close(numbers_of(path, 'load_parameter_m'), [100.0_dp, 200.0_dp, 300.0_dp], 'M', relative=0.0_dp)
+      call test%check_close(numbers_of(path, 'cells_y'), [32.0_dp, 32.0_dp, 32.0_dp], 'cells', relative=0.0_dp)
+      call test%check_close(numbers_of(path, 'lambdabar'), sweep%plans%conditions%lambdabar, 'lambdabar', relative=0.0_dp)
+      call test%check_equal(text_of(path, 'case_id', 3), sweep%identity(3), 'identity')
+      call test%check_equal(text_of(path, 'orientation', 1), 'none', 'a word')
+      call test%check_equal(text_of(path, 'effective_input', 2), effective_input(sweep%cases(2)), 'effective input')
+      call test%check_equal(attribute_of(path, '/', 'format'), 'ehlwave-results', 'format')
+   end subroutine check_inputs
+
+   !> One case has run, two have not.
+   subroutine check_outcomes()
+      real(dp), allocatable :: film(:), lists(:)
+      call test%check_equal(text_of(path, 'status', 1)//' '//text_of(path, 'status', 2), 'pending stalled', 'status')
+      call test%check_equal(text_of(path, 'message', 2), result%message, 'message')
+      film = numbers_of(path, 'central_film')
+      call test%check_equal(size(film), 3, 'films')
+      if (size(film) /= 3) return
+      call test%check(ieee_is_nan(film(1)) .and. ieee_is_nan(film(3)), 'no film of cases that have not run')
+      call test%check_close(film(2), 1/3.0_dp, 'film', relative=0.0_dp)
+      call test%check_close(numbers_of(path, 'nonlinear_steps'), [-1.0_dp, 7.0_dp, -1.0_dp], 'whole numbers', relative=0.0_dp)
+      call test%check_close(numbers_of(path, 'is_resolved'), &
+                            [merge(1.0_dp, 0.0_dp, sweep%plans(1)%resolution%is_resolved), 0.0_dp, &
+                             merge(1.0_dp, 0.0_dp, sweep%plans(3)%resolution%is_resolved)], 'is_resolved', relative=0.0_dp)
+      lists = numbers_of(path, 'residual_history')
+      call test%check_equal(size(lists), 6, 'a list for each case')
+      if (size(lists) == 6) call test%check_close(lists(3:4), history, 'list of the case that has one', relative=0.0_dp)
+      if (size(lists) == 6) call test%check(all(ieee_is_nan(lists([1, 2, 5, 6]))), 'nothing in the others')
+      call test%check_close(numbers_of(path, 'run'), [-1.0_dp, 1.0_dp, -1.0_dp], 'run', relative=0.0_dp)
+      call test%check_equal(text_of(path, 'host', 2), 'here', 'host')
+      call test%check_equal(text_of(path, 'host', 1), '', 'no host')
+      call test%check_equal(size(numbers_of(path, 'central_film_um')), 0, 'no film in um without dimensions')
+   end subroutine check_outcomes
+
+   subroutine check_descriptions()
+      call test%check_equal(attribute_of(path, 'phase_fit', 'units'), 'rad', 'unit')
+      call test%check_equal(attribute_of(path, 'seconds', 'units'), 's', 'unit of the time')
+      call test%check_equal(attribute_of(path, 'central_film', 'units'), '1', 'unit of a plain number')
+      call test%check_equal(attribute_of(path, 'central_film', 'long_name'), 'smooth central film thickness H(0,0)', 'long name')
+      call test%check_equal(attribute_of(path, 'run', 'long_name'), &
+                            'run of the program, counted from 1 in its store; -1: not run', 'long name of the run')
+   end subroutine check_descriptions
+
+   !> A record of another version, with a quantity that this one does not know and without those that it knows.
+   subroutine check_older_store()
+      type(record_writer_t) :: writer
+      type(error_t), allocatable :: error
+      call writer%create(folder//'/records/'//log_name(2, 0), error)
+      call writer%append('run [[["run","integer"],["rank","integer"],["program_version","text"]],[2,0,"0.0.1"]]', error)
+      call writer%append('input ['//quoted(effective_input(sweep%cases(3)))//']', error)
+      call writer%append('columns [["case_id","text"],["status","text"],["seconds","real"],["old_number","real"],'// &
+                         '["effective_input","text"]]', error)
+      call writer%append('case ["'//sweep%identity(3)//'","converged",0.5,0.1,""]', error)
+      call writer%close(error)
+      call write_file()
+      call test%check_equal(text_of(path, 'status', 3), 'converged', 'status of another version')
+      call test%check_equal(text_of(path, 'program_version', 3), '0.0.1', 'its version')
+      call test%check_equal(attribute_of(path, 'old_number', 'long_name'), 'old_number', 'an unknown quantity has its name')
+      associate (old => numbers_of(path, 'old_number'), film => numbers_of(path, 'central_film'))
+         call test%check_close(old(3:3), [0.1_dp], 'its value', relative=0.0_dp)
+         call test%check(ieee_is_nan(old(2)), 'the others have none')
+         call test%check(ieee_is_nan(film(3)), 'what it lacks is missing')
+      end associate
+   end subroutine check_older_store
+
+   !> JSON of an effective input.
+   function quoted(text)
+      use ehlwave_json, only: json_t
+      character(len=*), intent(in) :: text
+      character(len=:), allocatable :: quoted
+      type(json_t) :: json
+      call json%add('text', text)
+      quoted = json%value_list()
+      quoted = quoted(2:len(quoted) - 1)
+   end function quoted
+
+   !> A record whose input is that of another case.
+   subroutine check_foreign_record()
+      type(record_writer_t) :: writer
+      type(contents_t) :: contents
+      type(error_t), allocatable :: error
+      call writer%create(folder//'/records/'//log_name(3, 0), error)
+      call writer%append('run [[["run","integer"],["rank","integer"]],[3,0]]', error)
+      call writer%append('input ['//quoted(effective_input(sweep%cases(2)))//']', error)
+      call writer%append('columns [["case_id","text"],["status","text"],["effective_input","text"]]', error)
+      call writer%append('case ["'//sweep%identity(1)//'","converged",""]', error)
+      call writer%close(error)
+      call read_store(folder, contents, error)
+      call write_results(path, '&sweep /'//lf, sweep, contents, error)
+      call test%check_error(error, sweep%identity(1), 'a record with the input of another case')
+   end subroutine check_foreign_record
+
+end program test_sweep_results
