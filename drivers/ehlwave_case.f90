@@ -4,7 +4,6 @@ program ehlwave_case
    use ehlwave_arguments, only: arguments_t, read_arguments
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_file, only: read_case
-   use ehlwave_case_json, only: plan_json, result_json
    use ehlwave_case_plan, only: case_plan_t, make_plan
    use ehlwave_case_report, only: print_plan, print_result
    use ehlwave_case_result, only: case_result_t
@@ -16,6 +15,9 @@ program ehlwave_case
    use ehlwave_log, only: log_monitor_t
    use ehlwave_petsc_solver, only: finish_petsc
    use ehlwave_provenance, only: program_version
+   use ehlwave_quantities, only: add_plan, add_result
+   use ehlwave_quantity, only: quantity_list_t
+   use ehlwave_quantity_output, only: json_of
    use ehlwave_status, only: is_success
    implicit none (type, external)
 
@@ -46,6 +48,7 @@ program ehlwave_case
    type(error_t), allocatable :: error
    type(json_t) :: json
    type(log_monitor_t) :: monitor
+   type(quantity_list_t) :: quantities
    integer :: i
 
    call read_arguments(['--plan   ', '--json   ', '--quiet  ', '--keys   ', '--help   ', '--version'], ['--output'], &
@@ -75,7 +78,8 @@ program ehlwave_case
    call print_plan(output_unit, case, plan)
    if (arguments%has('--plan')) then
       if (arguments%has('--json')) then
-         json = plan_json(case, plan)
+         call add_plan(quantities, case, plan)
+         json = json_of(quantities)
          write (output_unit, '(a)') json%to_string()
       end if
       stop 0, quiet=.true.
@@ -87,11 +91,12 @@ program ehlwave_case
    call finish_petsc()
    call print_result(output_unit, case, plan, result)
    if (arguments%has('--output')) then
-      call write_case_file(arguments%value('--output'), case, plan%conditions, result, error)
+      call write_case_file(arguments%value('--output'), case, plan, result, error)
       if (allocated(error)) write (error_unit, '(a)') 'ehlwave-case: '//error%message
    end if
    if (arguments%has('--json')) then
-      json = result_json(case, plan, result)
+      call add_result(quantities, case, plan, result)
+      json = json_of(quantities)
       write (output_unit, '(a)') json%to_string()
    end if
    flush (output_unit)

@@ -31,8 +31,8 @@ module ehlwave_hdf5_file
       generic :: attribute => text_attribute, integer_attribute
       procedure :: dimension
       procedure :: has
-      generic :: write => write_real, write_reals, write_integers, write_texts, write_plane
-      procedure, private :: write_real, write_reals, write_integers, write_texts, write_plane
+      generic :: write => write_real, write_integer, write_reals, write_integers, write_texts, write_plane
+      procedure, private :: write_real, write_integer, write_reals, write_integers, write_texts, write_plane
       procedure, private :: text_attribute, integer_attribute
       procedure, private :: note, attach, write_values
    end type hdf5_file_t
@@ -245,6 +245,15 @@ contains
       real(dp), intent(in), target :: value
       call self%write_values(name, h5t_native_double, h5t_native_double, [integer(hsize_t) ::], c_loc(value), units, long_name)
    end subroutine write_real
+
+   !> One whole number.
+   subroutine write_integer(self, name, value, units, long_name)
+      class(hdf5_file_t), intent(inout) :: self
+      character(len=*), intent(in) :: name, units, long_name
+      integer, intent(in), target :: value
+      call self%write_values(name, h5t_native_integer, h5t_native_integer, [integer(hsize_t) ::], c_loc(value), units, &
+                             long_name)
+   end subroutine write_integer
 
    !> Real values over one dimension.
    subroutine write_reals(self, name, values, scale, units, long_name)

@@ -1,7 +1,7 @@
 !> Factors of the near part of the equations of a small wave on one grid, which a preconditioner solves with.
 module ehlwave_harmonic_factors
-   use ehlwave_complex_band, only: complex_band_t, new_complex_band
-   use ehlwave_complex_ilu, only: complex_ilu_t, new_complex_ilu
+   use ehlwave_complex_band, only: band_t, new_band
+   use ehlwave_complex_ilu, only: ilu_t, new_ilu
    use ehlwave_harmonic_level, only: harmonic_level_t
    use ehlwave_harmonic_stencil, only: harmonic_stencil_t, new_harmonic_stencil
    use ehlwave_kinds, only: dp
@@ -15,8 +15,8 @@ module ehlwave_harmonic_factors
       logical :: is_line = .false.
       integer :: first_row = 0
       type(harmonic_stencil_t) :: stencil
-      type(complex_ilu_t) :: ilu                         ! of elliptical contacts,
-      type(complex_band_t) :: band                       ! of line contacts
+      type(ilu_t) :: ilu                                 ! of elliptical contacts,
+      type(band_t) :: band                               ! of line contacts
       complex(dp), allocatable :: packed(:, :)           ! values at the unknown nodes, row first
    contains
       procedure :: init
@@ -43,9 +43,9 @@ contains
          columns = grid%nx - 1
          allocate (self%packed(rows, columns), source=(0.0_dp, 0.0_dp))
          if (self%is_line) then
-            self%band = new_complex_band(columns, self%stencil%reach_x)
+            self%band = new_band(columns, self%stencil%reach_x)
          else
-            self%ilu = new_complex_ilu(rows, columns, self%stencil%reach_y, self%stencil%reach_x)
+            self%ilu = new_ilu(rows, columns, self%stencil%reach_y, self%stencil%reach_x)
          end if
       end associate
    end subroutine init
@@ -92,7 +92,7 @@ contains
             end do
             rows(:, diagonal) = (1 + shift)*rows(:, diagonal)
             if (self%is_line) then
-               self%band%a(:, i) = rows(1, :)
+               self%band%a(i, :) = rows(1, :)
             else
                call self%ilu%set_line(i, rows)
             end if

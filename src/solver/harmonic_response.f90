@@ -1,6 +1,6 @@
 !> Response of a steady contact to small harmonic waviness: one linear system, no time stepping.
 module ehlwave_harmonic_response
-   use ehlwave_complex_gmres, only: complex_gmres_t
+   use ehlwave_complex_gmres, only: gmres_t
    use ehlwave_full_multigrid, only: level_t
    use ehlwave_harmonic_system, only: harmonic_system_t
    use ehlwave_kinds, only: dp, pi
@@ -31,7 +31,7 @@ module ehlwave_harmonic_response
       ! for one or two steps more.
       real(dp) :: tolerance = 1e-5_dp
       type(harmonic_system_t), private :: system
-      type(complex_gmres_t), private :: gmres
+      type(gmres_t), private :: gmres
    contains
       procedure :: init
       procedure :: respond

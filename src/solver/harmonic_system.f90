@@ -1,6 +1,6 @@
 !> The linear system of the response to a small wave.
 module ehlwave_harmonic_system
-   use ehlwave_complex_gmres, only: complex_system_t
+   use ehlwave_complex_gmres, only: linear_system_t
    use ehlwave_full_multigrid, only: level_t
    use ehlwave_grid, only: grid_t
    use ehlwave_harmonic_cycle, only: cycle_level_t, cycle_pressure
@@ -11,7 +11,7 @@ module ehlwave_harmonic_system
 
    !> Unknowns: amplitude of the change of P at all nodes (0 on the boundary), then that of Delta; one vector of
    !> length n = (nx+1)(ny+1) + 1. The last row is that of the load.
-   type, extends(complex_system_t), public :: harmonic_system_t
+   type, extends(linear_system_t), public :: harmonic_system_t
       integer :: n = 0
       type(cycle_level_t), allocatable :: levels(:)      !! equations, coarsest grid first; the system is that of the last
       complex(dp), private :: inertia = 0                ! weight of Delta in the load row

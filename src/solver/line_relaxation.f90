@@ -10,6 +10,7 @@ module ehlwave_line_relaxation
    use ehlwave_kernel, only: cell_influence
    use ehlwave_kinds, only: dp
    use ehlwave_near_stencil, only: link_i, link_j, links, row_links
+   use ehlwave_real_band, only: band_t, new_band
    use ehlwave_reynolds, only: diagonal_scale, flow_t, new_flow, reynolds_residual
    use ehlwave_state, only: new_state, state_t
    use ehlwave_step_limit, only: limit_step
@@ -35,7 +36,7 @@ module ehlwave_line_relaxation
       real(dp), allocatable, private :: shape(:, :, :)      ! pressure of a change, (-reach-2:reach+2, 0:1, kind)
       real(dp), allocatable, private :: influence(:, :, :)  ! its deformation
       real(dp), allocatable, private :: change(:, :)        ! of P in this sweep
-      real(dp), allocatable, private :: band(:, :)          ! system of one line: (node, offset)
+      type(band_t), private :: band                         ! system of one line
       real(dp), allocatable, private :: delta(:)            ! its right side, then its solution
       real(dp), allocatable, private :: by_p(:, :), by_h(:, :)  ! derivatives, (node, link)
       type(state_t), private :: before                      ! the sweep
@@ -80,8 +81,9 @@ contains
          allocate (self%residual(0:grid%nx, 0:grid%ny), self%scale(0:grid%nx, 0:grid%ny), &
                    self%change(0:grid%nx, 0:grid%ny), source=0.0_dp)
          allocate (self%is_cavitated(0:grid%nx, 0:grid%ny), source=.false.)
-         allocate (self%delta(grid%nx - 1), self%band(grid%nx - 1, -self%reach:self%reach), &
-                   self%by_p(grid%nx - 1, links), self%by_h(grid%nx - 1, links), source=0.0_dp)
+         self%band = new_band(grid%nx - 1, self%reach)
+         allocate (self%delta(grid%nx - 1), self%by_p(grid%nx - 1, links), self%by_h(grid%nx - 1, links), &
+                   source=0.0_dp)
          allocate (self%kind(grid%nx - 1), source=single)
       end associate
 
@@ -127,7 +129,9 @@ contains
             change(n + 1:grid%nx - 1, j) = -state%p(n + 1:grid%nx - 1, j)
             if (n == 0) cycle
             call set_up_line(self, problem, state%p, j, n)
-            call solve_band(self%reach, n, size(self%band, 1), self%band, self%delta)
+            self%band%n = n
+            call self%band%factorise()
+            call self%band%solve(self%delta)
             do i = 1, n
                if (self%kind(i) == single) then
                   change(i, j) = change(i, j) + damping*self%delta(i)
@@ -200,8 +204,8 @@ contains
          end do
          do i = 1, n
             if (.not. self%is_cavitated(i, j)) cycle
-            self%band(i, :) = 0
-            self%band(i, 0) = 1
+            self%band%a(i, :) = 0
+            self%band%a(i, 0) = 1
             self%delta(i) = -p(i, j) - change(i, j)
          end do
       end associate
@@ -216,42 +220,15 @@ contains
             g(link) = self%influence(link_i(link) - d, abs(link_j(link)), kind)
          end do
          do i = i1, i2
-            self%band(i, d) = self%by_h(i, 1)*g(1) + self%by_h(i, 2)*g(2) + self%by_h(i, 3)*g(3) + self%by_h(i, 4)*g(4) &
+            self%band%a(i, d) = self%by_h(i, 1)*g(1) + self%by_h(i, 2)*g(2) + self%by_h(i, 3)*g(3) + self%by_h(i, 4)*g(4) &
                               + self%by_h(i, 6)*g(6)
          end do
          do link = 1, links
             if (link == 5) cycle      ! added to 4
             s = self%shape(link_i(link) - d, abs(link_j(link)), kind)
-            if (abs(s) > 0) self%band(i1:i2, d) = self%band(i1:i2, d) + s*self%by_p(i1:i2, link)
+            if (abs(s) > 0) self%band%a(i1:i2, d) = self%band%a(i1:i2, d) + s*self%by_p(i1:i2, link)
          end do
       end subroutine add_column
    end subroutine set_up_line
-
-   !> Gauss elimination without pivoting; band(i, d) is the coefficient of unknown i + d in row i.
-   pure subroutine solve_band(reach, n, rows, band, x)
-      integer, intent(in) :: reach, n, rows                 !! unknowns n <= rows
-      real(dp), intent(inout) :: band(rows, -reach:reach)
-      real(dp), intent(inout) :: x(n)   !! right side, then solution
-      real(dp) :: factor, inverse
-      integer :: d, i, k
-
-      do i = 1, n
-         inverse = 1/band(i, 0)
-         band(i, 0) = inverse
-         do k = i + 1, min(i + reach, n)
-            factor = band(k, i - k)*inverse
-            do d = 1, reach
-               band(k, i - k + d) = band(k, i - k + d) - factor*band(i, d)
-            end do
-            x(k) = x(k) - factor*x(i)
-         end do
-      end do
-      do i = n, 1, -1
-         do d = 1, min(reach, n - i)
-            x(i) = x(i) - band(i, d)*x(i + d)
-         end do
-         x(i) = x(i)*band(i, 0)
-      end do
-   end subroutine solve_band
 
 end module ehlwave_line_relaxation

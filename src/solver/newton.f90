@@ -2,10 +2,10 @@
 module ehlwave_newton
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_contact_problem, only: contact_problem_t
-   use ehlwave_gmres, only: gmres_t, new_gmres
    use ehlwave_kinds, only: dp
    use ehlwave_level_solver, only: level_solver_t, solve_limits_t, solve_report_t
    use ehlwave_newton_system, only: newton_system_t
+   use ehlwave_real_gmres, only: gmres_t
    use ehlwave_reynolds, only: reynolds_residual
    use ehlwave_state, only: state_t
    use ehlwave_status, only: status_converged, status_diverged, status_stalled
@@ -44,7 +44,7 @@ contains
 
       self%own_problem => problem
       call self%system%init(problem)
-      self%gmres = new_gmres(self%system%n, self%largest_krylov)
+      self%gmres%largest_steps = self%largest_krylov
       allocate (self%cavitated_before(0:problem%grid%nx, 0:problem%grid%ny), &
                 self%cavitated_earlier(0:problem%grid%nx, 0:problem%grid%ny), source=.false.)
       allocate (self%residual(0:problem%grid%nx, 0:problem%grid%ny), &

@@ -1,14 +1,14 @@
 !> The linear system of one Newton step, its FFT products and its preconditioner.
 module ehlwave_newton_system
    use ehlwave_contact_problem, only: contact_problem_t
-   use ehlwave_gmres, only: linear_system_t
    use ehlwave_kernel, only: cell_influence
-   use ehlwave_kinds, only: dp, sp
+   use ehlwave_kinds, only: dp
    use ehlwave_load_balance, only: load_factor
    use ehlwave_near_stencil, only: near_stencil_t, new_near_stencil
+   use ehlwave_real_gmres, only: linear_system_t
+   use ehlwave_real_ilu, only: ilu_t, new_ilu
    use ehlwave_reynolds, only: diagonal_scale, flow_t, new_flow, reynolds_jacobian
    use ehlwave_smooth_share, only: set_smooth_share
-   use ehlwave_stencil_ilu, only: new_stencil_ilu, stencil_ilu_t
    use ehlwave_transfer, only: inject, prolong, restrict
    use ehlwave_transport, only: implicit_part, transport_t
    implicit none (type, external)
@@ -30,7 +30,7 @@ module ehlwave_newton_system
       real(dp), allocatable, private :: smooth_share(:, :)  ! of the residual, left to the coarser grid
       logical, allocatable :: is_cavitated(:, :)
       type(near_stencil_t), private :: stencil
-      type(stencil_ilu_t), private :: ilu
+      type(ilu_t), private :: ilu
       real(dp), allocatable, private :: dh(:, :), work(:, :), line(:, :), packed(:, :)
       real(dp), allocatable, private :: guess(:), defect(:), rhs(:) ! of a cycle
       real(dp), allocatable, private :: p_own(:, :)         ! pressure of a coarser system
@@ -63,7 +63,7 @@ contains
          self%flow = new_flow(grid)
          self%stencil = new_near_stencil(grid, elliptic%kappa, elliptic%k, largest_reach, near_taper)
          rows = grid%ny - grid%first_row
-         self%ilu = new_stencil_ilu(rows, grid%nx - 1, self%stencil%dj, self%stencil%di)
+         self%ilu = new_ilu(rows, grid%nx - 1, self%stencil%reach_y, self%stencil%reach_x)
          self%self_influence = cell_influence(0.0_dp, 0.0_dp, grid%hx, grid%hy, elliptic%kappa, elliptic%k)
          allocate (self%scale(0:grid%nx, 0:grid%ny), self%row_scale(0:grid%nx, 0:grid%ny), self%dh(0:grid%nx, 0:grid%ny), &
                    self%smooth_share(0:grid%nx, 0:grid%ny), self%work(0:grid%nx, 0:grid%ny), source=0.0_dp)
@@ -99,7 +99,7 @@ contains
                   line(i, :) = 0
                   line(i, centre) = 1/self%row_scale(i, j)
                end if
-               self%ilu%a(:, j - grid%first_row + 1, i) = real(self%row_scale(i, j)*line(i, self%ilu%order), sp)
+               call self%ilu%set_row(j - grid%first_row + 1, i, self%row_scale(i, j)*line(i, :))
             end do
          end do
       end associate

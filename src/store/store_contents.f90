@@ -29,6 +29,8 @@ module ehlwave_store_contents
       integer :: layout = 0, log = 0, run = 0
       character(len=:), allocatable :: text
       integer, allocatable :: first(:), last(:)
+   contains
+      procedure :: element => numbered_element
    end type stored_case_t
 
    !> One log: who wrote it and what it was at.
@@ -218,6 +220,15 @@ contains
          return
       end do
    end function element
+
+   !> Value of a column as JSON; empty when the record has no such column.
+   pure function numbered_element(self, column) result(text)
+      class(stored_case_t), intent(in) :: self
+      integer, intent(in) :: column(:)         !! number of the column in each layout, 0: not there
+      character(len=:), allocatable :: text
+      text = ''
+      if (column(self%layout) > 0) text = self%text(self%first(column(self%layout)):self%last(column(self%layout)))
+   end function numbered_element
 
    !> Value of the last record of a case as JSON; empty when it has no such value.
    pure function value(self, place, name) result(text)

@@ -1,8 +1,8 @@
 !> Works through one case of a sweep: run it, store what it came to.
 module ehlwave_case_work
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_json, only: result_json
    use ehlwave_case_plan, only: case_plan_t, run_march
+   use ehlwave_case_record, only: case_record, circumstances_t
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_text, only: text_identity
    use ehlwave_checkpoint_file, only: checkpoint_t
@@ -11,8 +11,10 @@ module ehlwave_case_work
    use ehlwave_field_file, only: write_case_file
    use ehlwave_json, only: json_t
    use ehlwave_kinds, only: dp
+   use ehlwave_march_keeper, only: march_keeper_t
    use ehlwave_monitor, only: give_up, go_on, monitor_t, stop_now
    use ehlwave_posix, only: signal_caught, watchdog
+   use ehlwave_quantity_output, only: json_of
    use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_status, only: status_interrupted, status_pending
    use ehlwave_store, only: store_t
@@ -53,15 +55,15 @@ module ehlwave_case_work
 
    abstract interface
       !> The interface of `run_case`.
-      subroutine case_procedure(case, plan, monitor, result, shared, checkpoint)
-         import :: case_plan_t, case_result_t, case_t, checkpoint_t, monitor_t, shared_steady_t
+      subroutine case_procedure(case, plan, monitor, result, shared, keeper)
+         import :: case_plan_t, case_result_t, case_t, march_keeper_t, monitor_t, shared_steady_t
          implicit none (type, external)
          type(case_t), intent(in) :: case
          type(case_plan_t), intent(in) :: plan
          class(monitor_t), intent(inout) :: monitor
          type(case_result_t), intent(out) :: result
          type(shared_steady_t), intent(inout), target, optional :: shared
-         type(checkpoint_t), intent(inout), optional :: checkpoint
+         class(march_keeper_t), intent(inout), optional :: keeper
       end subroutine case_procedure
    end interface
 
@@ -121,12 +123,8 @@ contains
       type(error_t), allocatable, intent(inout) :: error
       type(json_t) :: record
 
-      if (case%fields) call write_case_file(store%fields_path(text_identity(input)), case, plan%conditions, result, error)
-      record = result_json(case, plan, result)
-      call record%add('host', store%host)
-      call record%add('rank', store%rank)
-      call record%add('started', trim(started))
-      call record%add('finished', trim(time_stamp()))
+      if (case%fields) call write_case_file(store%fields_path(text_identity(input)), case, plan, result, error)
+      record = json_of(case_record(case, plan, result, circumstances_t(store%host, store%rank, started, time_stamp())))
       call store%keep(record, input, error)
    end subroutine store_result
 

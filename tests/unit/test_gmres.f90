@@ -1,6 +1,6 @@
 !> GMRES on small dense systems, with and without preconditioner.
 module dense_system
-   use ehlwave_gmres, only: linear_system_t
+   use ehlwave_real_gmres, only: linear_system_t
    use ehlwave_kinds, only: dp
    implicit none (type, external)
    private
@@ -40,7 +40,7 @@ end module dense_system
 
 program test_gmres
    use dense_system, only: dense_t
-   use ehlwave_gmres, only: dot, gmres_t, new_gmres, norm
+   use ehlwave_real_gmres, only: dot, gmres_t, norm
    use ehlwave_kinds, only: dp
    use sample_contact, only: noise
    use testing, only: test_t
@@ -92,7 +92,7 @@ contains
       system = make_system(is_scaled)
       expected = [(noise(5*i, 3), i=1, n)]
       b = matmul(system%a, expected)
-      gmres = new_gmres(n, 2*n)
+      gmres%largest_steps = 2*n
       call gmres%solve(system, b, x, 1e-13_dp)
       call test%check_close(x, expected, 'solution', absolute=1e-11_dp)
       call test%check(gmres%steps <= n, 'at most n steps')
@@ -108,7 +108,7 @@ contains
       real(dp) :: b(n), x(n)
       system = make_system(.false.)
       b = 1
-      gmres = new_gmres(n, 4)
+      gmres%largest_steps = 4
       call gmres%solve(system, b, x, 1e-13_dp)
       call test%check(gmres%steps == 4 .and. system%products == 4, 'step cap')
       call test%check_close(norm(b - matmul(system%a, x))/norm(b), gmres%reduction, 'reduction at the cap', relative=1e-9_dp)
@@ -121,7 +121,6 @@ contains
       real(dp) :: b(n), x(n)
       integer :: i
       system = make_system(.false.)
-      gmres = new_gmres(n, n)
       b = 0
       call gmres%solve(system, b, x, 1e-10_dp)
       call test%check(all(abs(x) <= 0) .and. gmres%steps == 0, 'right side zero')
