@@ -2,13 +2,15 @@
 program test_sweep_results
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use ehlwave_case_account, only: blank_result
-   use ehlwave_case_definition, only: case_t
+   use ehlwave_case_input, only: case_input_t
+   use ehlwave_case_key, only: most_keys
    use ehlwave_case_record, only: store_result
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_text, only: effective_input
    use ehlwave_errors, only: error_t
    use ehlwave_hdf5_file, only: hdf5_file_t
    use ehlwave_kinds, only: dp
+   use ehlwave_key_list, only: case_key_list, find_key, key_list_t
    use ehlwave_quantity, only: quantity_list_t
    use ehlwave_record_file, only: record_writer_t
    use ehlwave_results_column, only: column_t
@@ -43,18 +45,28 @@ program test_sweep_results
 contains
 
    subroutine make_sweep()
-      type(case_t) :: case
+      type(case_input_t) :: input
+      type(key_list_t) :: keys
       type(error_t), allocatable :: error
+      logical :: is_moes(most_keys)
       integer :: i
+      keys = case_key_list()
+      is_moes = .false.
+      is_moes(:keys%count) = [(any(keys%keys(i)%name == [character(len=21) :: 'load_parameter_m', 'lubricant_parameter_l', &
+                                                         'radius_ratio_d']), i=1, keys%count)]
       call sweep%begin(skips_unresolved=.false.)
+      call sweep%vary([find_key(keys%keys, 'method'), find_key(keys%keys, 'tolerance')], has_f_v=.false.)
       do i = 1, 3
-         case = case_t()
-         case%load_parameter_m = 100*i
-         case%lubricant_parameter_l = 12.05_dp
-         case%radius_ratio_d = 1
-         case%cells_x = 64
-         case%cells_y = 32
-         call sweep%add(case, '', error)
+         input = case_input_t()
+         input%is_given = is_moes
+         input%case%load_parameter_m = 100*i
+         input%case%lubricant_parameter_l = 12.05_dp
+         input%case%radius_ratio_d = 1
+         input%case%cells_x = 64
+         if (i == 2) input%case%method = 'fas'
+         input%case%tolerance = 1e-5_dp/i
+         input%case%cells_y = 32
+         call sweep%add(input, '', error)
          call test%check_no_error(error, 'case')
       end do
       call sweep%finish()
@@ -95,6 +107,9 @@ contains
       call test%check_close(numbers_of(path, 'lambdabar'), sweep%plans%conditions%lambdabar, 'lambdabar', relative=0.0_dp)
       call test%check_equal(text_of(path, 'case_id', 3), sweep%identity(3), 'identity')
       call test%check_equal(text_of(path, 'orientation', 1), 'none', 'a word')
+      call test%check_equal(text_of(path, 'method', 2)//' '//text_of(path, 'method', 3), 'fas newton', 'a word that varies')
+      call test%check_close(numbers_of(path, 'tolerance'), sweep%cases%tolerance, 'a number that varies', relative=0.0_dp)
+      call test%check_equal(size(numbers_of(path, 'step_tolerance')), 0, 'no column of what does not vary')
       call test%check_equal(text_of(path, 'effective_input', 2), effective_input(sweep%cases(2)), 'effective input')
       call test%check_equal(attribute_of(path, '/', 'format'), 'ehlwave-results', 'format')
    end subroutine check_inputs
