@@ -16,6 +16,8 @@ module ehlwave_sweep_cases
    character(len=key_length), parameter :: shown_anyway(5) = [character(len=key_length) :: 'load_parameter_m', &
       'lubricant_parameter_l', 'radius_ratio_d', 'orientation', 'wavelength_over_a']
 
+   integer, parameter, public :: variation_length = 160   !! what is longer is cut in the list of cases
+
    type, public :: sweep_t
       character(len=:), allocatable :: output      !! results file
       type(case_t), allocatable :: cases(:)        !! completed, no two alike
