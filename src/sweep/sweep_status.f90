@@ -135,7 +135,8 @@ contains
             shown = shown + 1
             if (shown > failed_shown) cycle
             write (unit, '(a)') merge('Failed       ', '             ', shown == 1)// &
-               one_case(contents, found(i), variation(i))//', '//status_name(record%status)//': '//json_string(contents%value(found(i), 'message'))
+               one_case(contents, found(i), variation(i))//', '//status_name(record%status)//': '// &
+               json_string(contents%value(found(i), 'message'))
          end associate
       end do
       if (shown > failed_shown) write (unit, '(a)') '             and '//to_text(shown - failed_shown)//' more'
