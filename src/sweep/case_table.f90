@@ -104,7 +104,7 @@ contains
       do while (lists%next())
          input = base
          call lists%put(input)
-         call sweep%add(input, reader%file%path//': ', error)
+         call sweep%add(input, table, reader%file%path//': ', error)
          if (allocated(error)) return
          is_used = is_used .or. input%is_given
       end do
@@ -135,7 +135,7 @@ contains
       do row = 1, size(rows%line)
          input = base
          call set_row(rows, row, table, columns, input, error)
-         call sweep%add(input, path//':'//to_text(rows%line(row))//': ', error)
+         call sweep%add(input, table, path//':'//to_text(rows%line(row))//': ', error)
          if (allocated(error)) return
          is_used = is_used .or. input%is_given
       end do
