@@ -5,6 +5,7 @@
 module ehlwave_results_file
    use ehlwave_case_account, only: blank_result
    use ehlwave_case_definition, only: case_t
+   use ehlwave_case_key, only: key_long_name, number_kind, truth_kind, whole_kind
    use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_record, only: case_record, circumstances_t
    use ehlwave_case_text, only: effective_input, text_identity
@@ -13,6 +14,7 @@ module ehlwave_results_file
    use ehlwave_hdf5_file, only: hdf5_file_t
    use ehlwave_json, only: json_t
    use ehlwave_json_reader, only: json_string
+   use ehlwave_key_list, only: case_key_list, key_list_t
    use ehlwave_quantities, only: add_case
    use ehlwave_quantity, only: quantity_list_t, quantity_t
    use ehlwave_quantity_output, only: json_of, take_json
@@ -105,13 +107,13 @@ contains
       type(quantity_list_t) :: inputs
       integer :: i, k
 
-      inputs = input_row(sweep%cases(1), sweep%plans(1))
+      inputs = input_row(sweep%cases(1), sweep%plans(1), sweep%varied)
       allocate (columns(inputs%count))
       do k = 1, size(columns)
          call columns(k)%init(inputs%items(k), size(sweep%cases))
       end do
       do i = 1, size(sweep%cases)
-         inputs = input_row(sweep%cases(i), sweep%plans(i))
+         inputs = input_row(sweep%cases(i), sweep%plans(i), sweep%varied)
          do k = 1, size(columns)
             call columns(k)%set(i, inputs%items(k))
          end do
@@ -122,15 +124,39 @@ contains
    end subroutine write_inputs
 
    !> What a case is, as far as the sweep file and the plan tell it.
-   function input_row(case, plan) result(row)
+   function input_row(case, plan, varied) result(row)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
+      integer, allocatable, intent(in) :: varied(:)   !! numbers of the keys that the sweep varies
       type(quantity_list_t) :: row
       call add_case(row, case, plan)
       call row%add('wavelength_over_a', 'shorter wavelength over a, 0: smooth', case%wavelength_over_a)
       call row%add('amplitude_over_film', 'Ai over the smooth central film', case%amplitude_over_film)
+      if (allocated(varied)) call add_varied(row, case, varied)
       call row%add('effective_input', 'case file that reproduces the case', effective_input(case))
    end function input_row
+
+   !> The keys that the sweep varies, of those that have no column yet.
+   subroutine add_varied(row, case, varied)
+      type(quantity_list_t), intent(inout) :: row
+      type(case_t), intent(in) :: case
+      integer, intent(in) :: varied(:)
+      type(key_list_t) :: list
+      integer :: i
+
+      list = case_key_list(case)
+      do i = 1, size(varied)
+         associate (key => list%keys(varied(i)), value => list%values(varied(i)))
+            if (row%find(trim(key%name)) > 0) cycle
+            select case (key%kind)
+            case (number_kind); call row%add(trim(key%name), key_long_name(key), value%number, unit=trim(key%unit))
+            case (whole_kind); call row%add(trim(key%name), key_long_name(key), value%whole)
+            case (truth_kind); call row%add(trim(key%name), key_long_name(key), value%truth)
+            case default; call row%add(trim(key%name), key_long_name(key), value%word)
+            end select
+         end associate
+      end do
+   end subroutine add_varied
 
    !> Every column of the records that the file has not yet, described as in the table of quantities.
    subroutine write_outcomes(file, sweep, contents, place, table)

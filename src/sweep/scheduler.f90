@@ -8,15 +8,13 @@
 !> Messages between rank 0 and another rank: `ask` is answered by `case` (number 0: there is none), every case by
 !> `done`, and rank 0 sends exactly one `stop`: when everybody is to stop, or at the end.
 module ehlwave_scheduler
-   use ehlwave_case_completion, only: complete_case
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_input, only: read_case_groups
+   use ehlwave_case_file, only: case_from_text
    use ehlwave_case_plan, only: case_plan_t, make_plan
    use ehlwave_case_text, only: effective_input
    use ehlwave_case_work, only: case_procedure, case_watch_t, message_length, outcome_t, work_on_case
    use ehlwave_errors, only: error_t, raise
    use ehlwave_kinds, only: dp
-   use ehlwave_namelist, only: namelist_t
    use ehlwave_results_writer, only: results_writer_t
    use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_status, only: status_interrupted, status_pending
@@ -260,7 +258,6 @@ contains
       character(len=:), allocatable, intent(out) :: input   !! its effective input
       type(error_t), allocatable, intent(inout) :: error
       type(mpi_status) :: status
-      type(namelist_t) :: file
       character(len=:), allocatable :: text
       integer :: length
 
@@ -271,9 +268,7 @@ contains
       read (text(:number_digits), *) number
       if (number == no_case) return
       input = text(number_digits + 2:)
-      call file%load_text('case', input, error)
-      call read_case_groups(file, case, error)
-      if (.not. allocated(error)) call complete_case(case, '', error)
+      call case_from_text(input, case, error)
       if (.not. allocated(error)) call make_plan(case, plan, error)
       case%fields = text(number_digits + 1:number_digits + 1) == 'T'
       if (.not. allocated(error)) then

@@ -16,7 +16,7 @@ module ehlwave_sweep_start
    use ehlwave_store, only: store_t
    use ehlwave_store_contents, only: contents_t, log_t, run_element
    use ehlwave_store_folder, only: cases_name
-   use ehlwave_sweep_cases, only: sweep_t
+   use ehlwave_sweep_cases, only: sweep_t, variation_length
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
@@ -174,21 +174,27 @@ contains
       end do
    end subroutine set_aside_crashed
 
-   !> The list of all cases, with what their time is told from, for `--status`.
+   !> The list of all cases, with what their time is told from and the keys that vary, for `--status`. All lines have
+   !> the same length.
    subroutine write_case_list(sweep, store, error)
       type(sweep_t), intent(in) :: sweep
       class(store_t), intent(in) :: store
       type(error_t), allocatable, intent(inout) :: error
       character(len=16 + 13*feature_count) :: line
+      character(len=variation_length) :: variation(size(sweep%cases))
       character(len=:), allocatable :: text
       integer :: i, status, width
 
       if (allocated(error)) return
-      width = len(line) + 1
+      do i = 1, size(sweep%cases)
+         variation(i) = sweep%variation(i)
+      end do
+      width = len(line) + 1 + maxval(len_trim(variation)) + 1
       allocate (character(len=width*size(sweep%cases)) :: text)
       do i = 1, size(sweep%cases)
          write (line, '(a16,*(1x,es12.5))') sweep%identity(i), cost_features(sweep%plans(i))
-         text((i - 1)*width + 1:i*width) = line//new_line('a')
+         text((i - 1)*width + 1:i*width) = line//' '//variation(i)
+         text(i*width:i*width) = new_line('a')
       end do
       call replace_file(store%folder//'/'//cases_name, text, status)
       if (status /= 0) call raise(error, 'cannot write '//store%folder//'/'//cases_name//': '//reason_text(status))

@@ -10,6 +10,7 @@ module ehlwave_sweep_status
    use ehlwave_status, only: is_success, last_status, status_name
    use ehlwave_store_folder, only: cases_name, check_store, lock_name, store_path
    use ehlwave_store_contents, only: contents_t, read_store
+   use ehlwave_sweep_cases, only: variation_length
    use ehlwave_sweep_progress, only: duration
    use ehlwave_text, only: to_text
    implicit none (type, external)
@@ -17,12 +18,14 @@ module ehlwave_sweep_status
    public :: print_status
 
    integer, parameter :: slowest_shown = 5, failed_shown = 20
+   integer, parameter :: feature_width = 13   ! of a feature in the list of cases
 
    !> The cases of the sweep: identity and features of the cost model.
    type :: list_t
       character(len=identity_length), allocatable :: identity(:)
       real(dp), allocatable :: features(:, :)
       integer, allocatable :: place(:)           !! in the contents, 0: not there
+      character(len=variation_length), allocatable :: variation(:)   !! keys that vary
    end type list_t
 
 contains
@@ -44,7 +47,7 @@ contains
 
       is_finished = .false.
       failed = 0
-      allocate (list%identity(0), list%place(0))
+      allocate (list%identity(0), list%place(0), list%variation(0))
       folder = store_path(path)
       call check_store(folder, is_there, error)
       if (.not. (is_there .or. allocated(error))) &
@@ -73,8 +76,10 @@ contains
       if (contents%bad_lines > 0) write (unit, '(a)') 'Damaged      '//to_text(contents%bad_lines)// &
          ' records were cut off; they count as not written'
       call print_times(unit, contents, list, found)
-      call print_slowest(unit, contents, found)
-      call print_failed(unit, contents, found)
+      associate (variation => pack(list%variation, list%place > 0))
+         call print_slowest(unit, contents, found, variation)
+         call print_failed(unit, contents, found, variation)
+      end associate
    end subroutine print_status
 
    subroutine read_list(folder, contents, list, error)
@@ -93,14 +98,15 @@ contains
          return
       end if
       n = len(text)/width
-      deallocate (list%identity, list%place)
-      allocate (list%identity(n), list%place(n), list%features(feature_count, n))
+      deallocate (list%identity, list%place, list%variation)
+      allocate (list%identity(n), list%place(n), list%features(feature_count, n), list%variation(n))
       do i = 1, n
          associate (line => text((i - 1)*width + 1:i*width - 1))
             list%identity(i) = line(:identity_length)
             list%place(i) = contents%index%find(list%identity(i))
             read (line(identity_length + 1:), '(*(1x,es12.5))', iostat=io) list%features(:, i)
             if (io /= 0) list%features(:, i) = 0
+            list%variation(i) = line(min(len(line), identity_length + feature_width*feature_count + 1) + 1:)
          end associate
       end do
    end subroutine read_list
@@ -136,10 +142,11 @@ contains
       end if
    end subroutine print_times
 
-   subroutine print_slowest(unit, contents, found)
+   subroutine print_slowest(unit, contents, found, variation)
       integer, intent(in) :: unit
       type(contents_t), intent(in) :: contents
       integer, intent(in) :: found(:)
+      character(len=*), intent(in) :: variation(:)
       logical :: is_shown(size(found))
       integer :: k, place
 
@@ -147,15 +154,16 @@ contains
       do k = 1, min(slowest_shown, size(found))
          place = maxloc(contents%cases(found)%seconds, 1, mask=.not. is_shown)
          is_shown(place) = .true.
-         write (unit, '(a)') merge('Slowest      ', '             ', k == 1)//one_case(contents, found(place))//', '// &
-            to_text(contents%cases(found(place))%seconds, 4)//' s'
+         write (unit, '(a)') merge('Slowest      ', '             ', k == 1)//one_case(contents, found(place), variation(place))// &
+            ', '//to_text(contents%cases(found(place))%seconds, 4)//' s'
       end do
    end subroutine print_slowest
 
-   subroutine print_failed(unit, contents, found)
+   subroutine print_failed(unit, contents, found, variation)
       integer, intent(in) :: unit
       type(contents_t), intent(in) :: contents
       integer, intent(in) :: found(:)
+      character(len=*), intent(in) :: variation(:)
       integer :: i, shown
 
       shown = 0
@@ -164,21 +172,24 @@ contains
             if (is_success(record%status)) cycle
             shown = shown + 1
             if (shown > failed_shown) cycle
-            write (unit, '(a)') merge('Failed       ', '             ', shown == 1)//one_case(contents, found(i))//', '// &
-               status_name(record%status)//': '//json_string(contents%value(found(i), 'message'))
+            write (unit, '(a)') merge('Failed       ', '             ', shown == 1)//one_case(contents, found(i), variation(i))// &
+               ', '//status_name(record%status)//': '//json_string(contents%value(found(i), 'message'))
          end associate
       end do
       if (shown > failed_shown) write (unit, '(a)') '             and '//to_text(shown - failed_shown)//' more'
    end subroutine print_failed
 
-   !> Identity and conditions of a case.
-   function one_case(contents, place) result(text)
+   !> Identity, conditions and what else varies of a case.
+   function one_case(contents, place, variation) result(text)
       type(contents_t), intent(in) :: contents
       integer, intent(in) :: place
+      character(len=*), intent(in) :: variation
       character(len=:), allocatable :: text
       text = contents%cases(place)%identity//' (M = '//contents%value(place, 'load_parameter_m')//', L = '// &
              contents%value(place, 'lubricant_parameter_l')//', D = '//contents%value(place, 'radius_ratio_d')// &
-             ', '//json_string(contents%value(place, 'orientation'))//')'
+             ', '//json_string(contents%value(place, 'orientation'))
+      if (variation /= '') text = text//', '//trim(variation)
+      text = text//')'
    end function one_case
 
 end module ehlwave_sweep_status
