@@ -2,12 +2,14 @@
 
 import argparse
 import csv
+import hashlib
 import math
 import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from ehlwave_post.deform import Surface, simulation_surface, write_simulation_surface
 from ehlwave_post.errors import ResultsError
 from ehlwave_post.read import read_results
 from studies.programs import Groups, namelist
@@ -64,6 +66,23 @@ def read_sweep(folder: Path, name: str, cases: int | None = None) -> list[Row]:
 def fields_file(folder: Path, name: str, row: Row) -> Path:
     """Return where the fields of a case are, if its sweep keeps them (``&output fields``)."""
     return folder / f"{name}.store" / "fields" / f"{row['case_id']}.h5"
+
+
+def surface_file(folder: Path, surface: Surface) -> Path:
+    """Return where a surface is for the simulation.
+
+    A sweep knows a case by its input, in which the surface is a path: the name tells heights apart.
+    """
+    heights = hashlib.sha256(surface.height.tobytes() + str(surface.step_x_m).encode())
+    return folder / f"{surface.name}-{heights.hexdigest()[:8]}.h5"
+
+
+def write_surface(folder: Path, surface: Surface, repeats: int = 1) -> Path:
+    """Write a surface, so many times one behind the other, and return its path."""
+    folder.mkdir(parents=True, exist_ok=True)
+    path = surface_file(folder, surface)
+    write_simulation_surface(simulation_surface(surface, "none", repeats), path)
+    return path
 
 
 def flat(groups: Groups) -> Row:

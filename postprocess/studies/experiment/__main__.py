@@ -12,7 +12,7 @@ from pathlib import Path
 
 from studies.experiment import FOLDER, TRACE_FILE, section
 from studies.experiment.cases import COSINE, SMOOTH, TRACE, read_input
-from studies.experiment.stage import prepare_surface, write_runs
+from studies.experiment.stage import write_runs
 from studies.programs import ROOT
 from studies.section import write_picture, write_table
 from studies.sweeps import run_command
@@ -42,9 +42,8 @@ def _run(options: argparse.Namespace) -> None:
         return
     folder.mkdir(parents=True, exist_ok=True)
     shutil.copyfile(INPUTS / TRACE_FILE, folder / TRACE_FILE)
-    if options.step == TRACE:
-        prepare_surface(folder / TRACE_FILE, folder)
-    print(write_runs(folder, options.step, read_input(INPUTS / "experiment.nml")))
+    base = read_input(INPUTS / "experiment.nml")
+    print(write_runs(folder, options.step, base, folder / TRACE_FILE))
 
 
 if __name__ == "__main__":

@@ -104,7 +104,7 @@ def keys_of(run: Run, base: Groups, smooth_film_m: float | None = None) -> dict[
     return keys
 
 
-def shared_groups(surface: str, base: Groups, file: Path) -> Groups:
+def shared_groups(surface: str, base: Groups, file: Path | None) -> Groups:
     """Return what all runs of a kind of surface share; ``file`` is that of the trace's wave."""
     left_out = {SMOOTH: ("surface", "dynamics"), COSINE: ("surface",), TRACE: ()}[surface]
     groups = {name: keys for name, keys in base.items() if name not in left_out}

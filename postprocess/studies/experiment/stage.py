@@ -3,31 +3,25 @@
 from pathlib import Path
 from typing import Any
 
-from ehlwave_post.deform import cut_period, read_surface, simulation_surface
+from ehlwave_post.deform import cut_period, read_surface
 from ehlwave_post.deform.prepare import remove_form
-from ehlwave_post.deform.simulation import write_simulation_surface
 from ehlwave_post.errors import ResultsError
 from studies import sweeps
-from studies.experiment.cases import COSINE, Groups, Run, all_runs, keys_of, shared_groups
+from studies.experiment.cases import COSINE, TRACE, Groups, Run, all_runs, keys_of, shared_groups
 from studies.experiment.trace import WAVELENGTH_UM
 
 REPEATS = 16
 """Waves one behind the other: with the fronts faded they cover the contact from T = 4.0 on."""
 
-SURFACE_FILE = "sputtered_wave.h5"
 
-
-def prepare_surface(trace: Path, folder: Path) -> None:
-    """Write the file of one wave of a trace, from its middle, repeated."""
+def prepare_surface(trace: Path, folder: Path) -> Path:
+    """Write the file of one wave of a trace, from its middle, repeated; return its path."""
     wave = cut_period(remove_form(read_surface(trace), "plane"), WAVELENGTH_UM * 1e-6)
-    target = folder / SURFACE_FILE
-    part = target.with_suffix(".part.h5")
-    write_simulation_surface(simulation_surface(wave, "none", REPEATS), part)
-    part.replace(target)
+    return sweeps.write_surface(folder, wave, REPEATS)
 
 
-def write_runs(folder: Path, surface: str, base: Groups) -> Path:
-    """Write the sweep of a kind of surface; return the path of its file.
+def write_runs(folder: Path, surface: str, base: Groups, trace: Path) -> Path:
+    """Write the sweep of a kind of surface, with the wave of `trace`; return its path.
 
     The cosine needs the results of the smooth contacts: amplitudes are counted in their films.
     """
@@ -37,7 +31,8 @@ def write_runs(folder: Path, surface: str, base: Groups) -> Path:
         if surface == COSINE:
             film = finished(folder, run.smooth)["central_film_um"] * 1e-6
         rows.append(keys_of(run, base, film))
-    shared = shared_groups(surface, base, (folder / SURFACE_FILE).resolve())
+    file = prepare_surface(trace, folder).resolve() if surface == TRACE else None
+    shared = shared_groups(surface, base, file)
     return sweeps.write_sweep(folder, surface, rows, shared)
 
 

@@ -21,7 +21,7 @@ from ehlwave_post.deform import (
 from ehlwave_post.deform.prepare import TAPERED_SHARE
 from ehlwave_post.errors import ResultsError
 from studies import sweeps
-from studies.microgeometry.simulate import SPEEDS, conditions_at, surface_file, table_file
+from studies.microgeometry.simulate import SPEEDS, conditions_at, table_file
 from studies.microgeometry.surfaces import Floats, amplitude_of
 
 
@@ -67,7 +67,7 @@ def compare_speeds(
         If a simulation is not finished, or did not converge.
     """
     rows = sweeps.read_sweep(folder, surface.name, len(speeds))
-    moved = read_surface(surface_file(folder, surface))
+    moved = read_surface(sweeps.surface_file(folder, surface))
     found = []
     for speed, row in zip(speeds, rows, strict=True):
         if row["status"] not in ("converged", "unresolved"):

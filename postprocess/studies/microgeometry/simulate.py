@@ -10,8 +10,6 @@ from ehlwave_post.deform import (
     Conditions,
     Surface,
     conditions_from_keys,
-    simulation_surface,
-    write_simulation_surface,
 )
 from ehlwave_post.deform.harmonics import write_harmonic_table
 from ehlwave_post.points import select_points
@@ -77,20 +75,13 @@ def write_surface(
     folder: Path, surface: Surface, cells: int, speeds: Sequence[float] = SPEEDS
 ) -> Path:
     """Write a surface and its sweep over the speeds; return the path of the sweep's file."""
-    folder.mkdir(parents=True, exist_ok=True)
-    write_simulation_surface(simulation_surface(surface, "none"), surface_file(folder, surface))
     groups = {
         **_shared(cells),
-        "surface": {"file": str(surface_file(folder, surface).resolve())},
+        "surface": {"file": str(sweeps.write_surface(folder, surface).resolve())},
         "output": {"fields": True},
     }
     rows = ({"mean_speed_m_per_s": speed} for speed in speeds)
     return sweeps.write_sweep(folder, surface.name, rows, groups)
-
-
-def surface_file(folder: Path, surface: Surface) -> Path:
-    """Return where the simulation finds a surface."""
-    return folder / f"{surface.name}-surface.h5"
 
 
 def _shared(cells: int) -> dict[str, dict[str, Any]]:
