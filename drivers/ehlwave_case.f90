@@ -12,7 +12,7 @@ program ehlwave_case
    use ehlwave_field_file, only: check_writable, write_case_file
    use ehlwave_json, only: json_t
    use ehlwave_log, only: log_monitor_t
-   use ehlwave_petsc_solver, only: finish_petsc
+   use ehlwave_petsc_library, only: finish_petsc
    use ehlwave_provenance, only: program_version
    use ehlwave_quantities, only: add_plan, add_result
    use ehlwave_quantity, only: quantity_list_t

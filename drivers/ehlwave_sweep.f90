@@ -5,7 +5,7 @@ program ehlwave_sweep
    use ehlwave_estimated_case, only: run_estimated_case
    use ehlwave_case_table, only: read_output_name, read_sweep
    use ehlwave_errors, only: error_t
-   use ehlwave_petsc_solver, only: finish_petsc
+   use ehlwave_petsc_library, only: finish_petsc
    use ehlwave_posix, only: catch_signals
    use ehlwave_provenance, only: program_version
    use ehlwave_sweep_cases, only: sweep_t

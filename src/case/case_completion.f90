@@ -4,7 +4,7 @@ module ehlwave_case_completion
    use ehlwave_conditions, only: conditions_from_dimensional, conditions_from_moes, conditions_t
    use ehlwave_errors, only: error_t, raise
    use ehlwave_kinds, only: dp
-   use ehlwave_petsc_solver, only: require_petsc
+   use ehlwave_petsc_library, only: require_petsc
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
