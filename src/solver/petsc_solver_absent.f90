@@ -1,11 +1,12 @@
 !> Stands in for `petsc_solver.f90` in builds without PETSc: same interface, no solver.
 module ehlwave_petsc_solver
-   use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_errors, only: error_t, raise
+   use ehlwave_hierarchy, only: hierarchy_t
    use ehlwave_kinds, only: dp
-   use ehlwave_level_solver, only: level_solver_t, solve_limits_t, solve_report_t
-   use ehlwave_state, only: state_t
+   use ehlwave_level_solver, only: level_solver_t
+   use ehlwave_solve_report, only: solve_limits_t, solve_report_t
    use ehlwave_status, only: status_pending
+   use ehlwave_step_limit, only: step_limit_t
    implicit none (type, external)
    private
    public :: finish_petsc, require_petsc
@@ -14,8 +15,7 @@ module ehlwave_petsc_solver
 
    !> Settings of the true solver, without effect here.
    type, extends(level_solver_t), public :: petsc_solver_t
-      real(dp) :: largest_change = 0
-      real(dp) :: smallest_film_factor = 0
+      type(step_limit_t) :: limit
       real(dp) :: linear_tolerance = 0
       integer :: largest_krylov = 0
       integer :: restart = 0
@@ -39,27 +39,28 @@ contains
    end subroutine finish_petsc
 
    !> Nothing to make.
-   subroutine init(self, problem)
+   subroutine init(self, hierarchy, finest)
       class(petsc_solver_t), intent(inout) :: self
-      type(contact_problem_t), intent(in), target :: problem
+      type(hierarchy_t), intent(in) :: hierarchy
+      integer, intent(in) :: finest
       if (.false.) then   ! silence unused-argument warnings
-         associate (a => self, b => problem)
+         associate (a => self, b => hierarchy, c => finest)
          end associate
       end if
    end subroutine init
 
    !> Leaves the state alone and reports that nothing was run.
-   subroutine solve(self, problem, state, limits, report)
+   subroutine solve(self, hierarchy, l, limits, report)
       class(petsc_solver_t), intent(inout) :: self
-      type(contact_problem_t), intent(inout), target :: problem
-      type(state_t), intent(inout), target :: state
+      type(hierarchy_t), intent(inout), target :: hierarchy
+      integer, intent(in) :: l
       type(solve_limits_t), intent(in) :: limits
       type(solve_report_t), intent(out) :: report
 
       allocate (report%history(0))
       report%status = status_pending
       if (.false.) then   ! silence unused-argument warnings
-         associate (a => self, b => problem, c => state, d => limits)
+         associate (a => self, b => hierarchy, c => l, d => limits)
          end associate
       end if
    end subroutine solve
