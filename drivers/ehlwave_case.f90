@@ -3,8 +3,7 @@ program ehlwave_case
    use, intrinsic :: iso_fortran_env, only: error_unit, output_unit
    use ehlwave_arguments, only: arguments_t, read_arguments
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_input, only: read_case
-   use ehlwave_case_json, only: plan_json, result_json
+   use ehlwave_case_file, only: read_case
    use ehlwave_case_plan, only: case_plan_t, make_plan
    use ehlwave_case_report, only: print_plan, print_result
    use ehlwave_case_result, only: case_result_t
@@ -12,13 +11,17 @@ program ehlwave_case
    use ehlwave_estimated_case, only: run_estimated_case
    use ehlwave_field_file, only: check_writable, write_case_file
    use ehlwave_json, only: json_t
+   use ehlwave_key_reference, only: case_key_reference
    use ehlwave_log, only: log_monitor_t
-   use ehlwave_petsc_solver, only: finish_petsc
+   use ehlwave_petsc_library, only: finish_petsc
    use ehlwave_provenance, only: program_version
+   use ehlwave_quantities, only: add_plan, add_result
+   use ehlwave_quantity, only: quantity_list_t
+   use ehlwave_quantity_output, only: json_of
    use ehlwave_status, only: is_success
    implicit none (type, external)
 
-   character(len=*), parameter :: usage(17) = [character(len=96) :: &
+   character(len=*), parameter :: usage(18) = [character(len=96) :: &
       'Usage: ehlwave-case INPUT.nml [--plan] [--json] [--output FILE.h5] [--quiet]', &
       '', &
       'Solves one elastohydrodynamic contact, smooth or wavy, described by a namelist file.', &
@@ -27,6 +30,7 @@ program ehlwave_case
       '  --json           last line of the output: plan or result as one JSON object', &
       '  --output FILE    write result, history at the contact centre and fields to an HDF5 file', &
       '  --quiet          no progress lines', &
+      '  --keys           all keys of an input, with defaults and meaning', &
       '  --version        version of the program', &
       '  --help           this text', &
       '', &
@@ -35,7 +39,7 @@ program ehlwave_case
       '', &
       'A minimal input:   &conditions load_parameter_m = 100, lubricant_parameter_l = 12.05,', &
       '                   radius_ratio_d = 1 /', &
-      'All keys are described in the README.']
+      'All keys are described in inputs/README.md.']
 
    type(arguments_t) :: arguments
    type(case_t) :: case
@@ -44,13 +48,17 @@ program ehlwave_case
    type(error_t), allocatable :: error
    type(json_t) :: json
    type(log_monitor_t) :: monitor
+   type(quantity_list_t) :: quantities
    integer :: i
 
-   call read_arguments(['--plan   ', '--json   ', '--quiet  ', '--help   ', '--version'], ['--output'], &
+   call read_arguments(['--plan   ', '--json   ', '--quiet  ', '--keys   ', '--help   ', '--version'], ['--output'], &
                        arguments, error)
    if (allocated(error)) call fail(error%message//'; see ehlwave-case --help', 2)
    if (arguments%has('--help')) then
       write (output_unit, '(a)') (trim(usage(i)), i=1, size(usage))
+      stop 0, quiet=.true.
+   else if (arguments%has('--keys')) then
+      write (output_unit, '(a)', advance='no') case_key_reference(is_markdown=.false.)
       stop 0, quiet=.true.
    else if (arguments%has('--version')) then
       write (output_unit, '(a)') 'ehlwave '//program_version
@@ -70,7 +78,8 @@ program ehlwave_case
    call print_plan(output_unit, case, plan)
    if (arguments%has('--plan')) then
       if (arguments%has('--json')) then
-         json = plan_json(case, plan)
+         call add_plan(quantities, case, plan)
+         json = json_of(quantities)
          write (output_unit, '(a)') json%to_string()
       end if
       stop 0, quiet=.true.
@@ -82,11 +91,12 @@ program ehlwave_case
    call finish_petsc()
    call print_result(output_unit, case, plan, result)
    if (arguments%has('--output')) then
-      call write_case_file(arguments%value('--output'), case, plan%conditions, result, error)
+      call write_case_file(arguments%value('--output'), case, plan, result, error)
       if (allocated(error)) write (error_unit, '(a)') 'ehlwave-case: '//error%message
    end if
    if (arguments%has('--json')) then
-      json = result_json(case, plan, result)
+      call add_result(quantities, case, plan, result)
+      json = json_of(quantities)
       write (output_unit, '(a)') json%to_string()
    end if
    flush (output_unit)

@@ -14,9 +14,9 @@ from ehlwave_post.formula import (
     v,
     wave_and_direction,
 )
-from ehlwave_post.study import better_formula_figures, better_formula_tables
-from ehlwave_post.study.better_formula import is_better, section
-from ehlwave_post.study.candidates import (
+from studies.paper import better_formula_figures, better_formula_tables
+from studies.paper.better_formula import is_better, section
+from studies.paper.candidates import (
     LADDER,
     ONE_PARAMETER,
     PAPER,
@@ -25,7 +25,7 @@ from ehlwave_post.study.candidates import (
     ROUNDED,
     Candidate,
 )
-from ehlwave_post.study.crossvalidation import (
+from studies.paper.crossvalidation import (
     bootstrapped,
     fitted,
     grouped_folds,
@@ -37,7 +37,7 @@ from ehlwave_post.study.crossvalidation import (
     rms_standard_error,
     scored,
 )
-from ehlwave_post.study.fit_points import DIRECTIONS, Points
+from studies.paper.fit_points import DIRECTIONS, Points
 
 GAMMA = {1.0: 1.0, 0.12: 0.168}
 TRUTH = np.array([0.25, 0.3, 1.4, 9.0])

@@ -2,9 +2,10 @@ import math
 
 import pytest
 
-from ehlwave_post.error_time import errors, figures, model
-from ehlwave_post.error_time.runs import FULL, QUICK, SMOOTH, WAVY, Contact, Run, all_runs
-from ehlwave_post.error_time.table import OUTCOMES, Row
+from studies.error_time import errors, figures, model
+from studies.error_time.runs import FULL, QUICK, SMOOTH, WAVY, Contact, Run, all_runs
+from studies.error_time.table import OUTCOMES, Row
+from studies.programs import namelist
 
 LIMIT = 0.5
 
@@ -38,10 +39,11 @@ def test_runs_are_unique_and_cheap_ones_come_first() -> None:
 
 
 def test_every_input_names_its_run() -> None:
-    text = Run(*WAVY[0], 64, method="fas", time_step_over_cell=2.0).namelist()
+    groups = Run(*WAVY[0], 64, method="fas", time_step_over_cell=2.0).groups
+    text = namelist(groups)
     for part in ("'fas'", "time_step_over_cell = 2.0", "cells_x = 64", "wavelength_over_a = 0.5"):
         assert part in text
-    assert "wavelength" not in Run(*SMOOTH[0], 64).namelist()
+    assert "wavelength" not in namelist(Run(*SMOOTH[0], 64).groups)
 
 
 def test_second_order_is_extrapolated_exactly(table: list[Row]) -> None:

@@ -12,8 +12,8 @@ import pytest
 
 from ehlwave_post.deform import conditions_from_keys
 from ehlwave_post.errors import ResultsError
-from ehlwave_post.study.experiment import FOLDER, TRACE_FILE, section
-from ehlwave_post.study.experiment.cases import (
+from studies.experiment import FOLDER, TRACE_FILE, section
+from studies.experiment.cases import (
     COSINE,
     GRIDS,
     PAPER_ML,
@@ -25,12 +25,11 @@ from ehlwave_post.study.experiment.cases import (
     Run,
     all_runs,
     groups_of,
-    namelist_text,
     read_input,
 )
-from ehlwave_post.study.experiment.discussion import outcome
-from ehlwave_post.study.experiment.maps import RED_UM, REFRACTIVE_INDEX, fringes, whole
-from ehlwave_post.study.experiment.measure import (
+from studies.experiment.discussion import outcome
+from studies.experiment.maps import RED_UM, REFRACTIVE_INDEX, fringes, whole
+from studies.experiment.measure import (
     extrapolated,
     half_range_um,
     line_amplitude_um,
@@ -42,8 +41,9 @@ from ehlwave_post.study.experiment.measure import (
     time_amplitude_um,
     time_mean_um,
 )
-from ehlwave_post.study.experiment.stage import SURFACE_FILE, Stage
-from ehlwave_post.study.section import COMPARISON
+from studies.experiment.stage import SURFACE_FILE, Stage
+from studies.programs import namelist
+from studies.section import COMPARISON
 
 INPUTS = Path(__file__).parents[2] / "inputs" / "full"
 A_UM, C_UM = 184.6, 2.722
@@ -60,7 +60,7 @@ def write_run(folder: Path, run: Run, film_um: float, amplitude_um: float) -> No
     time = np.arange(0, 4.5, 4 / run.cells_x)
     history = level + height * np.cos(2 * np.pi * time * A_UM / 60 + 0.3)
     base = read_input(INPUTS / "experiment.nml")
-    text = namelist_text(groups_of(run, base, 0.24e-6, SURFACE_FILE))
+    text = namelist(groups_of(run, base, 0.24e-6, SURFACE_FILE))
     (folder / f"{run.name}.nml").write_text(text)
     values = f90nml.reads(text)
     keys = dict(values["conditions"]) | {"pressure_viscosity_per_pa": 2.25e-8}
@@ -176,7 +176,7 @@ def test_inputs_say_what_is_meant() -> None:
     assert groups["grid"] == {"cells_x": 128, "cells_y": 64}
     assert set(groups_of(run.smooth, base, None, "s.h5")) & {"surface", "waviness"} == set()
     assert groups_of(replace(run, surface=TRACE), base, None, "s.h5")["surface"]["file"] == "s.h5"
-    assert f90nml.reads(namelist_text(groups))["conditions"]["mean_speed_m_per_s"] == 0.048
+    assert f90nml.reads(namelist(groups))["conditions"]["mean_speed_m_per_s"] == 0.048
     for speed in SPEEDS:
         keys = groups_of(Run(TRACE, speed, 128, 64, PAPER_ML), base, None, "s.h5")["conditions"]
         moes = conditions_from_keys(keys | {"pressure_viscosity_per_pa": 2.25e-8})

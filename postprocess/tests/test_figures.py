@@ -83,7 +83,7 @@ def test_unresolved_points_are_grey_and_not_fitted(tmp_path: Path) -> None:
     names = [text.get_text() for text in figure.axes[0].get_legend().get_texts()]
     assert "grey: unresolved" in names
     label = figure.axes[1].get_legend().get_texts()[1].get_text()
-    assert "c_1=0.2,\\ c_2=0.03" in label
+    assert label == "refitted\n$c_1=0.2$\n$c_2=0.03$"
 
 
 def test_no_refitted_curve_without_resolved_points(tmp_path: Path) -> None:

@@ -6,8 +6,7 @@ import xarray as xr
 from synthetic import Columns, make_columns, write_results
 
 from ehlwave_post import ResultsError, read_results
-from ehlwave_post.cli import main
-from ehlwave_post.linearity import linearity_figure, linearity_points, linearity_text
+from studies.linearity import linearity_figure, linearity_points, linearity_text, main
 
 
 def _columns() -> Columns:
@@ -65,7 +64,7 @@ def test_figure_has_two_lines_for_each_pattern(tmp_path: Path) -> None:
 
 def test_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     results = write_results(tmp_path / "r.h5", _columns())
-    assert main(["linearity", str(results), "--output", str(tmp_path / "out")]) == 0
+    assert main([str(results), "--output", str(tmp_path / "out")]) == 0
     assert "Ai/Hc" in capsys.readouterr().out
     names = {path.name for path in (tmp_path / "out").iterdir()}
     assert names == {"linearity.csv", "linearity.png", "linearity.pdf"}

@@ -4,15 +4,16 @@ from pathlib import Path
 
 import pytest
 
-from ehlwave_post import speed
 from ehlwave_post.errors import ResultsError
+from studies import speed
+from studies.programs import Groups
 
 
-def answer(text: str) -> speed.Answer:
+def answer(groups: Groups) -> speed.Answer:
     """Return costs that tell the runs apart."""
-    fine = "cells_x = 1024" in text
-    waves = "waviness" in text
-    tight = "e-10" in text or "e-6" in text
+    fine = groups["grid"]["cells_x"] == 1024
+    waves = "waviness" in groups
+    tight = {"tolerance", "step_tolerance"} & groups["solver"].keys()
     return {
         "seconds": 10.0 if fine else 4.0 if waves else 0.5,
         "work_units": 3000.0 if waves else 100.0,
@@ -41,18 +42,21 @@ def test_fastest_counts() -> None:
     """Of repeated runs the fastest is taken."""
     seconds = iter([9.0, 2.0, 5.0] * 100)
 
-    def run(text: str) -> speed.Answer:
-        return answer(text) | {"seconds": next(seconds)}
+    def run(groups: Groups) -> speed.Answer:
+        return answer(groups) | {"seconds": next(seconds)}
 
     assert speed.measure(run, 3)[2].figure == pytest.approx(2.0)
 
 
-def test_program_that_fails(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_program_that_fails(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
     """A run that does not converge ends the command with its message."""
     program = tmp_path / "program"
     program.write_text("#!/bin/sh\necho stalled >&2\nexit 1\n")
     program.chmod(0o755)
+    monkeypatch.setenv("EHLWAVE_CASE", str(program))
     with pytest.raises(ResultsError, match="stalled"):
-        speed.run_case(program, "")
-    assert speed.main(["--program", str(program), "--output", str(tmp_path)]) == 1
+        speed.solved({})
+    assert speed.main(["--output", str(tmp_path)]) == 1
     assert "stalled" in capsys.readouterr().err

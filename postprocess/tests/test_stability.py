@@ -6,10 +6,11 @@ from typing import Any
 
 import pytest
 
-from ehlwave_post.stability import corner_cases, full_cases, judge, parameter_map, quick_cases
-from ehlwave_post.stability.__main__ import main
-from ehlwave_post.stability.cases import Case
-from ehlwave_post.stability.outcome import (
+from studies.programs import namelist
+from studies.stability import corner_cases, full_cases, judge, parameter_map, quick_cases
+from studies.stability.__main__ import main
+from studies.stability.cases import Case
+from studies.stability.outcome import (
     CONVERGED,
     FAILED,
     REFUSED,
@@ -17,8 +18,8 @@ from ehlwave_post.stability.outcome import (
     UNSOLVED,
     film_formula,
 )
-from ehlwave_post.stability.run import run_case
-from ehlwave_post.stability.table import summary
+from studies.stability.run import run_case
+from studies.stability.table import summary
 
 CASE = Case("steady", "smooth", {"conditions": {"load_parameter_m": 100.0}})
 GOOD = {
@@ -114,7 +115,7 @@ def test_cases_cover_the_range_and_have_inputs_of_their_own() -> None:
     everything = [*full_cases(), *corner_cases()]
     assert {case.family for case in quick_cases()} <= {case.family for case in everything}
     for cases in (everything, quick_cases()):
-        assert len({case.namelist() for case in cases}) == len(cases)
+        assert len({namelist(case.groups) for case in cases}) == len(cases)
     reached = [
         ("load_parameter_m", 3.0, 10000.0),
         ("lubricant_parameter_l", 0.0, 30.0),

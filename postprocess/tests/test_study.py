@@ -14,10 +14,10 @@ from ehlwave_post.formula import amplitude_ratio_formula
 from ehlwave_post.points import select_points
 from ehlwave_post.read import read_results
 from ehlwave_post.refit import RefitSettings
-from ehlwave_post.study import html, line_contact, paper_points, refitted
-from ehlwave_post.study.data import matched, read_stage, read_stages
-from ehlwave_post.study.report import write_report
-from ehlwave_post.study.section import COMPARISON, Picture, Section, Table, comparison_row
+from studies.paper import html, line_contact, paper_points, refitted
+from studies.paper.data import matched, read_stage, read_stages
+from studies.paper.report import write_report
+from studies.section import COMPARISON, Picture, Section, Table, comparison_row
 
 ERROR = 0.004
 

@@ -1,11 +1,10 @@
 !> The account that a case keeps: a result that is blank at first and takes in one solution after the other.
 module ehlwave_case_account
-   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan, ieee_quiet_nan, ieee_value
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_result, only: case_result_t
    use ehlwave_formula, only: amplitude_formula, anisotropy_factor, wave_parameter_v, wave_parameter_v2
-   use ehlwave_harmonic_result, only: no_harmonic_result
    use ehlwave_kinds, only: dp
    use ehlwave_solve_report, only: solve_report_t
    use ehlwave_monitor, only: give_up, stop_now
@@ -24,19 +23,6 @@ contains
       type(case_result_t) :: result
       result%message = ''
       result%is_resolved = plan%resolution%is_resolved
-      result%amplitude_ratio = ieee_value(1.0_dp, ieee_quiet_nan)   ! until measured
-      result%amplitude_ratio_fit = result%amplitude_ratio
-      result%phase_fit = result%amplitude_ratio
-      result%mean_film = result%amplitude_ratio
-      result%harmonic = no_harmonic_result()
-      result%central_film = result%amplitude_ratio
-      result%minimum_film = result%amplitude_ratio
-      result%central_film_moes = result%amplitude_ratio
-      result%max_pressure = result%amplitude_ratio
-      result%central_film_error = result%amplitude_ratio
-      result%minimum_film_error = result%amplitude_ratio
-      result%film_order = result%amplitude_ratio
-      result%amplitude_ratio_error = result%amplitude_ratio
       if (plan%waviness%is_present .and. .not. allocated(plan%waviness%surface)) then
          result%v = wave_parameter_v(plan%conditions, case%wavelength_over_a)
          result%v2 = wave_parameter_v2(plan%conditions, case%wavelength_over_a)

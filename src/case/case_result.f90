@@ -1,8 +1,8 @@
-!> What one case came to.
+!> What one case came to. What is only known once it has been computed is NaN until then.
 module ehlwave_case_result
    use ehlwave_error_estimate, only: basis_none
    use ehlwave_harmonic_result, only: harmonic_result_t
-   use ehlwave_kinds, only: dp
+   use ehlwave_kinds, only: dp, no_value
    use ehlwave_status, only: status_pending
    implicit none (type, external)
    private
@@ -13,23 +13,23 @@ module ehlwave_case_result
       integer :: status = status_pending
       logical :: is_resolved = .true.
       character(len=:), allocatable :: message       !! why not converged or not resolved, else empty
-      ! smooth steady contact; NaN unless it converged
-      real(dp) :: central_film = 0                   !! H(0,0)
-      real(dp) :: minimum_film = 0                   !! smallest H on the grid
-      real(dp) :: central_film_moes = 0              !! H(0,0) in the scale of theory eq. (6)
-      real(dp) :: max_pressure = 0                   !! largest P
+      ! smooth steady contact
+      real(dp) :: central_film = no_value            !! H(0,0)
+      real(dp) :: minimum_film = no_value            !! smallest H on the grid
+      real(dp) :: central_film_moes = no_value       !! H(0,0) in the scale of theory eq. (6)
+      real(dp) :: max_pressure = no_value            !! largest P
       ! estimated relative discretisation errors; NaN where there is no estimate
-      real(dp) :: central_film_error = 0             !! of H(0,0), from the multigrid levels
-      real(dp) :: minimum_film_error = 0             !! of the smallest H, likewise
-      real(dp) :: film_order = 0                     !! observed order of H(0,0) on the three finest levels
-      real(dp) :: amplitude_ratio_error = 0          !! of Ad/Ai
+      real(dp) :: central_film_error = no_value      !! of H(0,0), from the multigrid levels
+      real(dp) :: minimum_film_error = no_value      !! of the smallest H, likewise
+      real(dp) :: film_order = no_value              !! observed order of H(0,0) on the three finest levels
+      real(dp) :: amplitude_ratio_error = no_value   !! of Ad/Ai
       integer :: amplitude_error_basis = basis_none  !! what that is from, see ehlwave_error_estimate
-      ! waviness; the three measured numbers are NaN until measured
-      real(dp) :: amplitude_ratio = 0                !! Ad/Ai by theory eq. (14)
-      real(dp) :: amplitude_ratio_fit = 0            !! Ad/Ai by harmonic fit
-      real(dp) :: phase_fit = 0                      !! radian by which H(0,0) follows the pattern there, by harmonic fit
-      real(dp) :: mean_film = 0                      !! mean of H(0,0) over the measured periods
-      real(dp) :: v = 0, v2 = 0, f_r = 0             !! theory eq. (15) to (17)
+      ! waviness
+      real(dp) :: amplitude_ratio = no_value         !! Ad/Ai by theory eq. (14)
+      real(dp) :: amplitude_ratio_fit = no_value     !! Ad/Ai by harmonic fit
+      real(dp) :: phase_fit = no_value               !! radian by which H(0,0) follows the pattern there, by harmonic fit
+      real(dp) :: mean_film = no_value               !! mean of H(0,0) over the measured periods
+      real(dp) :: v = 0, v2 = 0, f_r = 0             !! theory eq. (17), (16), (15)
       real(dp) :: formula_ratio = 0                  !! theory eq. (18)
       type(harmonic_result_t) :: harmonic            !! linear response, if asked for
       ! the largest over all solutions of the case

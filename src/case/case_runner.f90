@@ -5,7 +5,6 @@ module ehlwave_case_runner
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t, run_march, run_standing
    use ehlwave_case_result, only: case_result_t
-   use ehlwave_checkpoint_file, only: checkpoint_t
    use ehlwave_clock, only: peak_memory_mib, wall_seconds
    use ehlwave_error_estimate, only: estimate_error, observed_order
    use ehlwave_full_multigrid, only: full_multigrid_t
@@ -13,6 +12,7 @@ module ehlwave_case_runner
    use ehlwave_harmonic_case, only: run_response
    use ehlwave_hierarchy, only: hierarchy_t, level_t
    use ehlwave_kinds, only: dp, pi
+   use ehlwave_march_keeper, only: march_keeper_t
    use ehlwave_monitor, only: go_on, monitor_t
    use ehlwave_resolution, only: touching_reason
    use ehlwave_rescue, only: rescue_t, rung_name
@@ -34,30 +34,30 @@ contains
 
    !> Run a case as planned. Whatever happens inside is told by `result%status`. With `shared`, its steady state is
    !> used if it is that of the case, and left there for the next.
-   subroutine run_case(case, plan, monitor, result, shared, checkpoint)
+   subroutine run_case(case, plan, monitor, result, shared, keeper)
       type(case_t), intent(in) :: case              !! completed input
       type(case_plan_t), intent(in) :: plan
       class(monitor_t), intent(inout) :: monitor
       type(case_result_t), intent(out) :: result
       type(shared_steady_t), intent(inout), optional :: shared
-      type(checkpoint_t), intent(inout), optional :: checkpoint   !! lets a march go on where it was stopped
+      class(march_keeper_t), intent(inout), optional :: keeper   !! lets a march go on where it was stopped
       type(shared_steady_t), allocatable :: own
 
       if (present(shared)) then
-         call run_about(case, plan, monitor, shared, result, checkpoint)
+         call run_about(case, plan, monitor, shared, result, keeper)
       else
          allocate (own)
-         call run_about(case, plan, monitor, own, result, checkpoint)
+         call run_about(case, plan, monitor, own, result, keeper)
       end if
    end subroutine run_case
 
-   subroutine run_about(case, plan, monitor, steady, result, checkpoint)
+   subroutine run_about(case, plan, monitor, steady, result, keeper)
       type(case_t), intent(in) :: case              !! completed input
       type(case_plan_t), intent(in) :: plan
       class(monitor_t), intent(inout) :: monitor
       type(shared_steady_t), intent(inout) :: steady
       type(case_result_t), intent(out) :: result
-      type(checkpoint_t), intent(inout), optional :: checkpoint
+      class(march_keeper_t), intent(inout), optional :: keeper
       type(solve_limits_t) :: limits
       type(rescue_t) :: rescue
       character(len=:), allocatable :: unresolved
@@ -79,7 +79,7 @@ contains
          if (result%status == status_converged) then
             select case (plan%kind)
             case (run_march)
-               call run_moving(case, plan, steady%multigrid, rescue, monitor, result, checkpoint)
+               call run_moving(case, plan, steady%multigrid, rescue, monitor, result, keeper)
             case (run_standing)
                call run_standing_pattern(case, plan, steady%multigrid, limits, rescue, monitor, result)
             end select
@@ -105,7 +105,7 @@ contains
          result%message = result%message//unresolved
       end if
       result%seconds = wall_seconds() - start
-      if (present(checkpoint)) result%seconds = result%seconds + checkpoint%seconds_before
+      if (present(keeper)) result%seconds = result%seconds + keeper%seconds_before
       result%work_units = result%seconds/work_unit_seconds(plan%cells_x, plan%cells_y)
       result%peak_memory_mib = peak_memory_mib()
    end subroutine run_about
@@ -133,14 +133,14 @@ contains
    end subroutine estimate_film_errors
 
    !> Moving pattern: march in time, then measure over the last period.
-   subroutine run_moving(case, plan, multigrid, rescue, monitor, result, checkpoint)
+   subroutine run_moving(case, plan, multigrid, rescue, monitor, result, keeper)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       type(full_multigrid_t), intent(inout) :: multigrid
       type(rescue_t), intent(inout) :: rescue
       class(monitor_t), intent(inout) :: monitor
       type(case_result_t), intent(inout) :: result
-      type(checkpoint_t), intent(inout), optional :: checkpoint
+      class(march_keeper_t), intent(inout), optional :: keeper
       type(march_settings_t) :: settings
       type(march_t) :: march
       type(march_result_t) :: history
@@ -163,12 +163,12 @@ contains
       limits = solve_limits_t(tolerance=case%step_tolerance*min(1.0_dp, amplitude_over_film/usual_amplitude), &
                               largest_steps=case%largest_steps)
       call march%begin(multigrid%levels(finest), settings, rescue)
-      if (present(checkpoint)) call checkpoint%load(march)
+      if (present(keeper)) call keeper%load(march)
       if (march%result%steps > 0) call march%restore(multigrid%levels(finest))
       do while (march%result%steps < plan%steps)
          call march%advance(multigrid, limits, monitor)
          if (march%result%status /= status_converged) exit
-         if (present(checkpoint) .and. modulo(march%result%steps, steps_per_stretch) == 0) call checkpoint%keep(march)
+         if (present(keeper) .and. modulo(march%result%steps, steps_per_stretch) == 0) call keeper%keep(march)
          if (monitor%request /= go_on) exit
       end do
       history = march%result
@@ -176,7 +176,7 @@ contains
       result%status = history%status
       if (history%status == status_converged .and. history%steps < plan%steps) &
          call end_early(monitor%request, 'time step '//to_text(history%steps)//' of '//to_text(plan%steps), result)
-      if (result%status == status_interrupted .and. present(checkpoint)) call checkpoint%save()
+      if (result%status == status_interrupted .and. present(keeper)) call keeper%save()
       result%time_steps = history%steps
       result%residual = worse(worse(result%residual, history%worst_residual), multigrid%levels(finest)%report%residual)
       result%load_error = worse(worse(result%load_error, history%worst_load_error), multigrid%levels(finest)%report%load_error)

@@ -6,11 +6,11 @@ module ehlwave_estimated_case
    use ehlwave_case_plan, only: case_plan_t, make_plan
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_runner, only: run_case
-   use ehlwave_checkpoint_file, only: checkpoint_t
    use ehlwave_clock, only: wall_seconds
    use ehlwave_error_estimate, only: basis_coarse_grid, basis_model, estimate_error
    use ehlwave_errors, only: error_t
    use ehlwave_kinds, only: dp
+   use ehlwave_march_keeper, only: march_keeper_t
    use ehlwave_monitor, only: go_on, monitor_t, stop_now
    use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_status, only: is_success, status_interrupted, status_over_budget, status_pending
@@ -41,20 +41,20 @@ contains
    !> estimate is the expected error of the plan, if there is one. Linear responses come with their own estimate, `harmonic_error`;
    !> without a transient there is none of its Ad/Ai. `shared`: see run_case.
    !>
-   !> The checkpoint is of the case itself; stopped in a coarse run, the case counts as interrupted, and its coarse
+   !> What `keeper` keeps is the march of the case itself; stopped in a coarse run, the case counts as interrupted, and its coarse
    !> runs start again. When its time is up in a coarse run, the estimate is that of the plan.
-   subroutine run_estimated_case(case, plan, monitor, result, shared, checkpoint)
+   subroutine run_estimated_case(case, plan, monitor, result, shared, keeper)
       type(case_t), intent(in) :: case              !! completed input
       type(case_plan_t), intent(in) :: plan
       class(monitor_t), intent(inout) :: monitor
       type(case_result_t), intent(out) :: result
       type(shared_steady_t), intent(inout), target, optional :: shared
-      type(checkpoint_t), intent(inout), optional :: checkpoint   !! see `run_case`
+      class(march_keeper_t), intent(inout), optional :: keeper   !! see `run_case`
       real(dp), allocatable :: ratios(:)
       real(dp) :: estimate, seconds
       integer :: status
 
-      call run_case(case, plan, monitor, result, shared, checkpoint)
+      call run_case(case, plan, monitor, result, shared, keeper)
       if (.not. plan%waviness%is_present .or. .not. is_success(result%status)) return
       if (.not. ieee_is_finite(result%amplitude_ratio_fit)) return
       if (.not. plan%conditions%is_line()) then
@@ -66,7 +66,7 @@ contains
       call coarse_ratios(case, plan, monitor, ratios, seconds, status)
       if (status == status_interrupted) then
          result%status = status
-         if (present(checkpoint)) call checkpoint%save()
+         if (present(keeper)) call keeper%save()
       end if
       if (status == status_interrupted .or. status == status_over_budget) return
       result%work_units = result%work_units*(1 + seconds/result%seconds)

@@ -1,15 +1,16 @@
-!> HDF5 file of one case: history at the contact centre, fields of the last solution, effective input.
+!> HDF5 file of one case: its quantities, history at the contact centre, fields of the last solution, effective input.
 module ehlwave_field_file
    use ehlwave_case_definition, only: case_t
+   use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_result, only: case_result_t
-   use ehlwave_case_text, only: case_identity, effective_input
+   use ehlwave_case_text, only: effective_input
    use ehlwave_clock, only: time_stamp
-   use ehlwave_conditions, only: conditions_t
-   use ehlwave_error_estimate, only: basis_name
    use ehlwave_errors, only: error_t, raise
    use ehlwave_hdf5_file, only: hdf5_file_t
    use ehlwave_provenance, only: compiler, compiler_flags, git_revision, library_versions, program_version
-   use ehlwave_status, only: status_name
+   use ehlwave_quantities, only: add_result
+   use ehlwave_quantity, only: quantity_list_t
+   use ehlwave_quantity_output, only: write_quantities
    implicit none (type, external)
    private
    public :: check_writable, write_case_file, write_provenance
@@ -38,43 +39,23 @@ contains
    end subroutine check_writable
 
    !> Write one case. Fails when the file cannot be written completely.
-   subroutine write_case_file(path, case, conditions, result, error)
+   subroutine write_case_file(path, case, plan, result, error)
       character(len=*), intent(in) :: path
       type(case_t), intent(in) :: case
-      type(conditions_t), intent(in) :: conditions
+      type(case_plan_t), intent(in) :: plan
       type(case_result_t), intent(in) :: result
       type(error_t), allocatable, intent(out) :: error
       type(hdf5_file_t) :: file
+      type(quantity_list_t) :: quantities
 
       call file%create(path, error)
       if (allocated(error)) return
-      call file%attribute('', 'title', 'ehlwave: one elastohydrodynamic contact')
-      call file%attribute('', 'format', 'ehlwave-case')
+      call file%attribute('title', 'ehlwave: one elastohydrodynamic contact')
+      call file%attribute('format', 'ehlwave-case')
       call write_provenance(file)
-      call file%attribute('', 'case_id', case_identity(case))
-      call file%attribute('', 'effective_input', effective_input(case))
-      call file%attribute('', 'status', status_name(result%status))
-      call file%attribute('', 'message', result%message)
-      call file%attribute('', 'rung', trim(result%rung))
-      call file%attribute('', 'amplitude_error_basis', trim(basis_name(result%amplitude_error_basis)))
-
-      call file%write('central_film', result%central_film, '1', 'smooth central film thickness H(0,0)')
-      call file%write('minimum_film', result%minimum_film, '1', 'smallest film thickness H of the smooth contact')
-      call file%write('amplitude_ratio', result%amplitude_ratio, '1', 'Ad/Ai from the samples')
-      call file%write('amplitude_ratio_fit', result%amplitude_ratio_fit, '1', 'Ad/Ai from a harmonic fit')
-      call file%write('central_film_error', result%central_film_error, '1', 'estimated relative error of central_film')
-      call file%write('minimum_film_error', result%minimum_film_error, '1', 'estimated relative error of minimum_film')
-      call file%write('amplitude_ratio_error', result%amplitude_ratio_error, '1', 'estimated relative error of Ad/Ai')
-      call file%write('harmonic_ratio', result%harmonic%ratio, '1', 'Ad/Ai of small waves, linear response')
-      call file%write('harmonic_phase', result%harmonic%phase, 'rad', 'phase of the linear response of H(0,0)')
-      call file%write('harmonic_extrapolated', result%harmonic%extrapolated, '1', 'harmonic_ratio at mesh size 0')
-      call file%write('harmonic_error', result%harmonic%error, '1', 'estimated relative error of harmonic_ratio')
-      if (conditions%has_dimensions) then
-         call file%write('length_a_m', conditions%a_m, 'm', 'Hertz semi-axis in x')
-         call file%write('length_b_m', conditions%b_m, 'm', 'Hertz semi-axis in y')
-         call file%write('length_c_m', conditions%c_m, 'm', 'Hertz approach')
-         call file%write('hertz_pressure_pa', conditions%hertz_pressure_pa, 'Pa', 'largest Hertz pressure')
-      end if
+      call file%attribute('effective_input', effective_input(case))
+      call add_result(quantities, case, plan, result)
+      call write_quantities(file, quantities)
       if (allocated(result%time)) then
          if (size(result%time) > 0) then
             call file%write('time', result%time, '', '1', 'T, or phase over 2 pi for a standing pattern')
@@ -108,12 +89,12 @@ contains
    !> What wrote the file and how it was built.
    subroutine write_provenance(file)
       type(hdf5_file_t), intent(inout) :: file
-      call file%attribute('', 'program_version', program_version)
-      call file%attribute('', 'git_revision', git_revision)
-      call file%attribute('', 'compiler', compiler)
-      call file%attribute('', 'compiler_flags', compiler_flags)
-      call file%attribute('', 'library_versions', library_versions)
-      call file%attribute('', 'written', time_stamp())
+      call file%attribute('program_version', program_version)
+      call file%attribute('git_revision', git_revision)
+      call file%attribute('compiler', compiler)
+      call file%attribute('compiler_flags', compiler_flags)
+      call file%attribute('library_versions', library_versions)
+      call file%attribute('written', time_stamp())
    end subroutine write_provenance
 
 end module ehlwave_field_file

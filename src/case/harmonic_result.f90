@@ -1,22 +1,21 @@
 !> What the linear response of a case came to.
 module ehlwave_harmonic_result
-   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_quiet_nan, ieee_value
-   use ehlwave_kinds, only: dp
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+   use ehlwave_kinds, only: dp, no_value
    implicit none (type, external)
    private
-   public :: no_harmonic_result
 
    !> All numbers are NaN without a response; `extrapolated` and `error` also without a second grid.
    type, public :: harmonic_result_t
-      real(dp) :: ratio = 0             !! |H(0,0)| over Ai on the grid of the case: Ad/Ai for small waves
-      real(dp) :: phase = 0             !! radian by which the film at the centre follows the pattern there
-      real(dp) :: real_part = 0         !! complex transfer function from the pattern to H(0,0)
-      real(dp) :: imaginary_part = 0
-      real(dp) :: approach_ratio = 0    !! amplitude of the mutual approach over Ai
-      real(dp) :: extrapolated = 0      !! ratio extrapolated to mesh size 0
-      real(dp) :: error = 0             !! estimated discretisation error of `ratio` and bound for `extrapolated`, relative
-      integer :: linear_steps = 0       !! GMRES steps on the grid of the case
-      real(dp) :: work_units = 0        !! of the response on the grid of the case, without the steady state
+      real(dp) :: ratio = no_value           !! |H(0,0)| over Ai on the grid of the case: Ad/Ai for small waves
+      real(dp) :: phase = no_value           !! radian by which the film at the centre follows the pattern there
+      real(dp) :: real_part = no_value       !! complex transfer function from the pattern to H(0,0)
+      real(dp) :: imaginary_part = no_value
+      real(dp) :: approach_ratio = no_value  !! amplitude of the mutual approach over Ai
+      real(dp) :: extrapolated = no_value    !! ratio extrapolated to mesh size 0
+      real(dp) :: error = no_value           !! estimated discretisation error of `ratio` and bound for `extrapolated`, relative
+      integer :: linear_steps = 0            !! GMRES steps on the grid of the case
+      real(dp) :: work_units = no_value      !! of the response on the grid of the case, without the steady state
       complex(dp), allocatable :: p(:, :), h(:, :)   !! amplitudes of P and H over Ai, if asked for
    contains
       procedure :: take
@@ -26,14 +25,6 @@ module ehlwave_harmonic_result
    real(dp), parameter :: error_ratio = 4   !! of a second-order scheme on two grids, mesh sizes 2 to 1
 
 contains
-
-   !> No response.
-   pure function no_harmonic_result() result(self)
-      type(harmonic_result_t) :: self
-      real(dp) :: nan
-      nan = ieee_value(1.0_dp, ieee_quiet_nan)
-      self = harmonic_result_t(nan, nan, nan, nan, nan, nan, nan, 0, nan)
-   end function no_harmonic_result
 
    !> Take the transfer functions of film and approach on the grid of the case.
    pure subroutine take(self, film, approach)

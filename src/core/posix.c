@@ -1,7 +1,8 @@
-/* What a store of results needs of POSIX and Fortran cannot say: appending durably, locks, folders, signals.
+/* What is needed of POSIX and Fortran cannot say: appending durably, locks, folders, signals, libraries.
    Functions return 0 or an errno value unless they say otherwise. The interfaces are in posix.f90. */
 #define _DEFAULT_SOURCE
 #include <dirent.h>
+#include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
@@ -180,4 +181,17 @@ void ehlwave_watchdog(int seconds)
 {
    signal(SIGALRM, SIG_DFL);
    alarm((unsigned)(seconds > 0 ? seconds : 0));
+}
+
+/* A function of a shared library, whose symbols stay its own. The library is loaded if `loads`, else it must have been.
+   NULL if there is none; then the system's words for why stand in `reason`, cut to its size, and end with a zero. */
+void (*ehlwave_find_procedure(const char *library, const char *name, int loads, char *reason, long size))(void)
+{
+   void *handle = dlopen(library, RTLD_NOW | RTLD_LOCAL | (loads ? 0 : RTLD_NOLOAD));
+   void *address = handle ? dlsym(handle, name) : NULL;
+   void (*procedure)(void) = NULL;
+   const char *words = address ? "" : dlerror();
+   snprintf(reason, (size_t)size, "%s", words ? words : "not loaded");
+   memcpy(&procedure, &address, sizeof procedure);   /* ISO C has no conversion of one into the other, POSIX has */
+   return procedure;
 }

@@ -3,6 +3,7 @@ module ehlwave_checkpoint_file
    use, intrinsic :: iso_fortran_env, only: error_unit
    use ehlwave_clock, only: wall_seconds
    use ehlwave_kinds, only: dp
+   use ehlwave_march_keeper, only: march_keeper_t
    use ehlwave_posix, only: checksum, reason_text, remove_file, replace_file
    use ehlwave_provenance, only: compiler, compiler_flags, git_revision, program_version
    use ehlwave_record_file, only: read_whole_file
@@ -17,12 +18,11 @@ module ehlwave_checkpoint_file
 
    !> Where the checkpoint of one case is kept, and when. The file is replaced as a whole and carries a checksum;
    !> one that is torn, of another case or of another build of the program is not used.
-   type, public :: checkpoint_t
+   type, extends(march_keeper_t), public :: checkpoint_t
       character(len=:), allocatable :: path
       character(len=16) :: identity = ''        !! of the case
       real(dp) :: interval_s = 600              !! between two files while the case runs
       real(dp) :: start_s = 0                   !! wall_seconds at the start of the case in this run
-      real(dp) :: seconds_before = 0            !! wall time of the case in earlier runs
       logical, private :: is_kept = .false.     ! `kept` is newer than the file
       type(march_t), private :: kept
       real(dp), private :: saved_s = 0

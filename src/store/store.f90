@@ -21,6 +21,8 @@ module ehlwave_store
    use ehlwave_json, only: json_t
    use ehlwave_posix, only: list_folder, process_id
    use ehlwave_provenance, only: compiler, compiler_flags, git_revision, library_versions, program_version
+   use ehlwave_quantity, only: quantity_list_t
+   use ehlwave_quantity_output, only: json_of
    use ehlwave_record_file, only: record_writer_t
    use ehlwave_store_folder, only: log_name, records_name, take_folder
    use ehlwave_text_difference, only: text_difference
@@ -31,13 +33,14 @@ module ehlwave_store
    !> What one rank writes to the store.
    type, public :: store_t
       character(len=:), allocatable :: folder
-      character(len=:), allocatable :: host, job, mpi_library
+      character(len=256) :: host = '', job = '', mpi_library = ''
       integer :: run = 0                   !! number of this run of the program on the store
       integer :: rank = 0
       type(record_writer_t), private :: log
       logical, private :: is_open = .false.
       character(len=:), allocatable, private :: columns, base_input
    contains
+      procedure :: header
       procedure :: start
       procedure :: stop => stop_case
       procedure :: keep
@@ -89,22 +92,29 @@ contains
 
       if (self%is_open .or. allocated(error)) return
       call self%log%create(self%folder//'/'//records_name//'/'//log_name(self%run, self%rank), error)
-      call json%add('run', self%run)
-      call json%add('rank', self%rank)
-      call json%add('host', self%host)
-      call json%add('job', self%job)
-      call json%add('process', process_id())
-      call json%add('opened', time_stamp())
-      call json%add('program_version', program_version)
-      call json%add('git_revision', git_revision)
-      call json%add('compiler', compiler)
-      call json%add('compiler_flags', compiler_flags)
-      call json%add('library_versions', library_versions)
-      call json%add('mpi_library', self%mpi_library)
+      json = json_of(self%header())
       call self%log%append('run ['//json%column_list()//','//json%value_list()//']', error)
       self%is_open = .not. allocated(error)
       self%columns = ''
    end subroutine open_log
+
+   !> Who writes: what the log of a rank begins with.
+   function header(self) result(list)
+      class(store_t), intent(in) :: self
+      type(quantity_list_t) :: list
+      call list%add('run', 'run of the program, counted from 1 in its store; -1: not run', self%run)
+      call list%add('rank', 'MPI rank', self%rank)
+      call list%add('host', 'machine', trim(self%host))
+      call list%add('job', 'batch job the case ran in', trim(self%job))
+      call list%add('process', 'number of the process', process_id())
+      call list%add('opened', 'local time', time_stamp())
+      call list%add('program_version', 'version of the program', program_version)
+      call list%add('git_revision', 'revision of its source', git_revision)
+      call list%add('compiler', 'compiler', compiler)
+      call list%add('compiler_flags', 'flags of the compiler', compiler_flags)
+      call list%add('library_versions', 'libraries', library_versions)
+      call list%add('mpi_library', 'MPI library, as it names itself', trim(self%mpi_library))
+   end function header
 
    !> A case begins. Until it is done or stopped, a death of this process counts against it.
    subroutine start(self, identity, error)

@@ -1,24 +1,35 @@
 !> HDF5 file of a sweep: one row per case over the dimension `case`, whatever its status.
 !>
-!> The rows are made from the sweep file (what each case is) and from the store (what it came to).
+!> The rows are made from the sweep file (what each case is) and from the store (what it came to). Nothing but the columns
+!> that `run_columns` takes from the runs is named here: the others are those of the table of quantities and of the records.
 module ehlwave_results_file
    use ehlwave_case_account, only: blank_result
-   use ehlwave_case_json, only: result_json
-   use ehlwave_case_text, only: effective_input, effective_length, text_identity
+   use ehlwave_case_plan, only: case_plan_t
+   use ehlwave_case_record, only: case_record, circumstances_t
+   use ehlwave_case_text, only: effective_input, text_identity
    use ehlwave_errors, only: error_t, raise
    use ehlwave_field_file, only: write_provenance
    use ehlwave_hdf5_file, only: hdf5_file_t
    use ehlwave_json, only: json_t
-   use ehlwave_json_reader, only: json_number, json_string
-   use ehlwave_kinds, only: dp
-   use ehlwave_results_columns, only: write_outcomes, write_runs
+   use ehlwave_key_list, only: case_key_list, key_list_t
+   use ehlwave_quantities, only: add_case, add_key
+   use ehlwave_quantity, only: quantity_list_t, quantity_t
+   use ehlwave_quantity_output, only: json_of, take_json
+   use ehlwave_results_column, only: column_t
    use ehlwave_status, only: status_name, status_pending
+   use ehlwave_store, only: store_t
    use ehlwave_store_contents, only: add_layout, contents_t
    use ehlwave_sweep_cases, only: sweep_t
-   use ehlwave_text_difference, only: text_from_difference
    implicit none (type, external)
    private
    public :: write_results
+
+   !> Keys that have a column in every file, besides those that vary and those that the table of quantities has.
+   character(len=*), parameter :: always_shown(2) = [character(len=19) :: 'wavelength_over_a', 'amplitude_over_film']
+
+   !> What of the header of a log goes into the rows of its cases.
+   character(len=*), parameter :: run_columns(8) = [character(len=16) :: 'run', 'job', 'program_version', 'git_revision', &
+                                                   'compiler', 'compiler_flags', 'library_versions', 'mpi_library']
 
 contains
 
@@ -31,12 +42,14 @@ contains
       type(contents_t), intent(inout) :: contents      !! gets the columns of a case that has not run, if missing
       type(error_t), allocatable, intent(inout) :: error
       type(hdf5_file_t) :: file
+      type(quantity_list_t) :: table                   ! all quantities that a record can have
       type(json_t) :: blank
       integer :: place(size(sweep%cases))              ! in the contents; 0: not there
       integer :: i, layout, n
 
       n = size(sweep%cases)
-      blank = result_json(sweep%cases(1), sweep%plans(1), blank_result(sweep%cases(1), sweep%plans(1)))
+      table = case_record(sweep%cases(1), sweep%plans(1), blank_result(sweep%cases(1), sweep%plans(1)), circumstances_t())
+      blank = json_of(table)
       call add_layout(blank%column_list(), contents, layout)
       do i = 1, n
          place(i) = contents%index%find(sweep%identity(i))
@@ -45,16 +58,15 @@ contains
       if (allocated(error)) return
       call file%create(path, error)
       if (allocated(error)) return
-      call file%attribute('', 'title', 'ehlwave: amplitude reduction of waviness in EHL contacts')
-      call file%attribute('', 'format', 'ehlwave-results')
-      call file%attribute('', 'format_version', 1)
+      call file%attribute('title', 'ehlwave: amplitude reduction of waviness in EHL contacts')
+      call file%attribute('format', 'ehlwave-results')
+      call file%attribute('format_version', 1)
       call write_provenance(file)
-      call file%attribute('', 'sweep_input', sweep_text)
+      call file%attribute('sweep_input', sweep_text)
       call file%write('case', [(i, i=1, n)], '', '1', 'number of the case in the sweep')
       call file%dimension('case')
-      call write_inputs(file, sweep, contents, place)
-      call write_status(file, sweep, contents, place)
-      call write_outcomes(file, contents, place)
+      call write_inputs(file, sweep)
+      call write_outcomes(file, sweep, contents, place, table)
       call write_runs(file, contents, place)
       call file%finish(error)
    end subroutine write_results
@@ -67,101 +79,145 @@ contains
       integer :: i
       do i = 1, size(place)
          if (place(i) == 0) cycle
-         if (text_identity(stored_input(contents, place(i))) == contents%cases(place(i))%identity) cycle
+         if (text_identity(contents%input(place(i))) == contents%cases(place(i))%identity) cycle
          call raise(error, 'the store has a record of case '//contents%cases(place(i))%identity//' with the input of '// &
                     'another case: keep the store for inspection and name another results file')
          return
       end do
    end subroutine check_inputs
 
-   !> Effective input of a stored case.
-   function stored_input(contents, place) result(text)
-      type(contents_t), intent(in) :: contents
-      integer, intent(in) :: place
-      character(len=:), allocatable :: text
-      text = ''
-      associate (log => contents%logs(contents%cases(place)%log))
-         if (allocated(log%base_input)) &
-            text = text_from_difference(log%base_input, json_string(contents%value(place, 'effective_input')))
-      end associate
-   end function stored_input
-
    !> Columns that follow from the sweep file; pending cases have them, too.
-   subroutine write_inputs(file, sweep, contents, place)
+   subroutine write_inputs(file, sweep)
       type(hdf5_file_t), intent(inout) :: file
       type(sweep_t), intent(in) :: sweep
-      type(contents_t), intent(in) :: contents
-      integer, intent(in) :: place(:)
-      character(len=effective_length), allocatable :: inputs(:)
-      logical :: is_resolved(size(place))
-      integer :: i
+      type(column_t), allocatable :: columns(:)
+      type(quantity_list_t) :: inputs
+      integer :: i, k
 
-      call file%write('case_id', sweep%identity, 'case', '', 'identity of the effective input')
-      associate (cases => sweep%cases, plans => sweep%plans)
-         call file%write('orientation', cases%orientation, 'case', '', 'orientation of the waviness')
-         call reals('load_parameter_m', plans%conditions%m, 'Moes load parameter M')
-         call reals('lubricant_parameter_l', plans%conditions%l, 'Moes lubricant parameter L')
-         call reals('radius_ratio_d', plans%conditions%d, 'D = Rx/Ry')
-         call reals('slip_parameter', cases%slip_parameter, 'speed of the wavy surface over the mean speed')
-         call reals('wavelength_over_a', cases%wavelength_over_a, 'shorter wavelength over a, 0: smooth')
-         call reals('wavelength_x_over_a', cases%wavelength_x_over_a, 'lambda_x/a, 0: no variation along x')
-         call reals('wavelength_y_over_a', cases%wavelength_y_over_a, 'lambda_y/a, 0: no variation along y')
-         call file%write('response', cases%response, 'case', '', 'transient, harmonic (small waves) or both')
-         call reals('amplitude_over_film', cases%amplitude_over_film, 'Ai over the smooth central film')
-         call reals('kappa', plans%conditions%elliptic%kappa, 'ellipticity a/b')
-         call reals('gamma', plans%conditions%gamma, 'pressure factor of the ellipticity')
-         call reals('alphabar', plans%conditions%alphabar, 'alpha ph')
-         call reals('lambdabar', plans%conditions%lambdabar, 'dimensionless speed parameter')
-         call file%write('cells_x', plans%cells_x, 'case', '1', 'cells along X')
-         call file%write('cells_y', plans%cells_y, 'case', '1', 'cells along Y, whole domain')
-         call reals('points_per_wave_x', plans%resolution%points_x, 'mesh sizes per wave along X')
-         call reals('points_per_wave_y', plans%resolution%points_y, 'mesh sizes per wave along Y')
-         call file%write('deformation', plans%deformation, 'case', '', 'fft or mlmi on the finest grid')
-         call reals('inlet_resolution', plans%resolution%inlet, 'hX over the length of the inlet pressure sweep')
-         call reals('inlet_gap_over_film', plans%resolution%inlet_gap, 'gap at x_min over the film of the formula')
-         is_resolved = plans%resolution%is_resolved
-         do i = 1, size(place)            ! only a case that has run shows whether its surfaces touch
-            if (place(i) == 0) cycle
-            is_resolved(i) = is_resolved(i) .and. json_number(contents%value(place(i), 'is_resolved')) > 0.5_dp
+      inputs = input_row(sweep, 1)
+      allocate (columns(inputs%count))
+      do k = 1, size(columns)
+         call columns(k)%init(inputs%items(k), size(sweep%cases))
+      end do
+      do i = 1, size(sweep%cases)
+         inputs = input_row(sweep, i)
+         do k = 1, size(columns)
+            call columns(k)%set(i, inputs%items(k))
          end do
-         call file%write('is_resolved', merge(1, 0, is_resolved), 'case', '1', '1 when the grid resolves the case')
-         allocate (inputs(size(cases)))
-         do i = 1, size(cases)
-            inputs(i) = effective_input(cases(i))
-         end do
-         call file%write('effective_input', inputs, 'case', '', 'case file that reproduces the case')
-      end associate
-
-   contains
-
-      subroutine reals(name, values, long_name)
-         character(len=*), intent(in) :: name, long_name
-         real(dp), intent(in) :: values(:)
-         call file%write(name, values, 'case', '1', long_name)
-      end subroutine reals
-
+      end do
+      do k = 1, size(columns)
+         call columns(k)%write(file)
+      end do
    end subroutine write_inputs
 
-   subroutine write_status(file, sweep, contents, place)
+   !> What a case is, as far as the sweep file and the plan tell it; the keys that vary are among it. Where the plan
+   !> chooses, its choice has the name of the key.
+   function input_row(sweep, case) result(row)
+      type(sweep_t), intent(in) :: sweep
+      integer, intent(in) :: case
+      type(quantity_list_t) :: row
+      type(key_list_t) :: keys
+      integer :: i
+
+      call add_case(row, sweep%cases(case), sweep%plans(case))
+      keys = case_key_list(sweep%cases(case))
+      do i = 1, size(keys%keys)
+         associate (name => keys%keys(i)%name)
+            if (row%find(trim(name)) > 0) cycle
+            if (any(always_shown == name) .or. sweep%varies(i)) call add_key(row, keys, trim(name))
+         end associate
+      end do
+      call row%add('effective_input', 'case file that reproduces the case', effective_input(sweep%cases(case)))
+   end function input_row
+
+   !> Every column of the records that the file has not yet, described as in the table of quantities.
+   subroutine write_outcomes(file, sweep, contents, place, table)
       type(hdf5_file_t), intent(inout) :: file
       type(sweep_t), intent(in) :: sweep
       type(contents_t), intent(in) :: contents
       integer, intent(in) :: place(:)
-      character(len=16) :: status(size(place))
-      character(len=256) :: message(size(place))
-      integer :: i
-      status = status_name(status_pending)
-      message = ''
-      do i = 1, size(place)
-         if (place(i) == 0) then
-            if (.not. sweep%plans(i)%resolution%is_resolved) message(i) = sweep%plans(i)%resolution%reason
-            cycle
-         end if
-         status(i) = json_string(contents%value(place(i), 'status'))
-         message(i) = json_string(contents%value(place(i), 'message'))
+      type(quantity_list_t), intent(in) :: table
+      type(column_t) :: column
+      type(quantity_t) :: quantity
+      integer :: number(size(contents%layouts))   ! of the present column, in each layout
+      integer :: i, k, l, other
+
+      do l = 1, size(contents%layouts)
+         associate (layout => contents%layouts(l))
+            do k = 1, size(layout%names)
+               if (file%has(trim(layout%names(k)))) cycle
+               quantity = described(table, trim(layout%names(k)), layout%kinds(k))
+               do other = 1, size(contents%layouts)
+                  number(other) = findloc(contents%layouts(other)%names, layout%names(k), 1)
+               end do
+               call column%init(quantity, size(place))
+               do i = 1, size(place)
+                  if (place(i) > 0) then
+                     call take_json(contents%cases(place(i))%element(number(contents%cases(place(i))%layout)), quantity)
+                  else
+                     call take_pending(sweep%plans(i), quantity)
+                  end if
+                  call column%set(i, quantity)
+               end do
+               call column%write(file)
+            end do
+         end associate
       end do
-      call file%write('status', status, 'case', '', 'outcome')
-      call file%write('message', message, 'case', '', 'why a case did not converge or is not resolved')
-   end subroutine write_status
+   end subroutine write_outcomes
+
+   !> A column as the table describes it; one of another version, which the table has not, goes by its name.
+   function described(table, name, kind) result(quantity)
+      type(quantity_list_t), intent(in) :: table
+      character(len=*), intent(in) :: name, kind
+      type(quantity_t) :: quantity
+      if (table%find(name) > 0) then
+         quantity = table%items(table%find(name))
+      else
+         quantity%name = name
+         quantity%long_name = name
+         quantity%unit = '1'
+      end if
+      quantity%kind = kind
+      quantity%exists = .true.
+   end function described
+
+   !> What is known of the outcome of a case that has not run.
+   subroutine take_pending(plan, quantity)
+      type(case_plan_t), intent(in) :: plan
+      type(quantity_t), intent(inout) :: quantity
+      call take_json('', quantity)
+      if (quantity%name == 'status') quantity%text = status_name(status_pending)
+      if (quantity%name == 'message') quantity%text = plan%resolution%reason
+      if (quantity%name == 'is_resolved') quantity%number = merge(1, 0, plan%resolution%is_resolved)
+   end subroutine take_pending
+
+   !> Which run of which build made each row.
+   subroutine write_runs(file, contents, place)
+      type(hdf5_file_t), intent(inout) :: file
+      type(contents_t), intent(in) :: contents
+      integer, intent(in) :: place(:)
+      type(store_t) :: no_store
+      type(quantity_list_t) :: header
+      type(quantity_t) :: of_log(0:size(contents%logs))   ! 0: has not run
+      type(column_t) :: column
+      integer :: i, k, log
+
+      header = no_store%header()
+      do k = 1, header%count
+         if (.not. any(run_columns == header%items(k)%name)) cycle
+         of_log = header%items(k)
+         call take_json('', of_log(0))
+         do log = 1, size(contents%logs)
+            call take_json(contents%logs(log)%element(header%items(k)%name), of_log(log))
+         end do
+         call column%init(header%items(k), size(place))
+         do i = 1, size(place)
+            log = 0
+            if (place(i) > 0) log = contents%cases(place(i))%log
+            call column%set(i, of_log(log))
+         end do
+         call column%write(file)
+      end do
+   end subroutine write_runs
 
 end module ehlwave_results_file

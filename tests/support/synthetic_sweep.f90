@@ -6,9 +6,9 @@ module synthetic_case
    use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_text, only: case_identity
-   use ehlwave_checkpoint_file, only: checkpoint_t
    use ehlwave_clock, only: wall_seconds
    use ehlwave_kinds, only: dp, i8, pi
+   use ehlwave_march_keeper, only: march_keeper_t
    use ehlwave_monitor, only: monitor_t
    use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_status, only: status_converged
@@ -31,13 +31,13 @@ module synthetic_case
 contains
 
    !> Stands for run_case.
-   subroutine sleep_through(case, plan, monitor, result, shared, checkpoint)
+   subroutine sleep_through(case, plan, monitor, result, shared, keeper)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       class(monitor_t), intent(inout) :: monitor
       type(case_result_t), intent(out) :: result
       type(shared_steady_t), intent(inout), target, optional :: shared
-      type(checkpoint_t), intent(inout), optional :: checkpoint
+      class(march_keeper_t), intent(inout), optional :: keeper
       real(dp) :: begin, normal, uniform(2), wanted
       integer(i8) :: bits
       character(len=16) :: identity
@@ -60,7 +60,7 @@ contains
       result%amplitude_ratio_fit = uniform(2)
       result%seconds = max(1e-6_dp, wall_seconds() - begin)
       in_cases = in_cases + result%seconds
-      if (present(checkpoint)) checkpoint%seconds_before = 0
+      if (present(keeper)) keeper%seconds_before = 0
       if (present(shared)) shared%has_coarse = .false.
    end subroutine sleep_through
 
@@ -82,7 +82,8 @@ program synthetic_sweep
    use ehlwave_errors, only: error_t
    use ehlwave_kinds, only: dp
    use ehlwave_sweep_cases, only: sweep_t
-   use ehlwave_sweep_job, only: job_options_t, run_job
+   use ehlwave_sweep_job, only: run_job
+   use ehlwave_sweep_leader, only: job_options_t
    use ehlwave_text, only: to_text
    use mpi_f08, only: mpi_allreduce, mpi_barrier, mpi_bcast, mpi_comm_rank, mpi_comm_size, mpi_comm_world, &
       mpi_double_precision, mpi_finalize, mpi_init, mpi_sum

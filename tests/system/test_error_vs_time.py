@@ -10,11 +10,9 @@ from pathlib import Path
 
 from ehlwave_program import SKIPPED, TestCase
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "postprocess" / "src"))
 try:
-    from ehlwave_post.error_time import cli, runs
-    from ehlwave_post.error_time.table import read_table, run_table
+    from studies.error_time import cli, runs
+    from studies.error_time.table import read_table, run_table
     from ehlwave_post.errors import ResultsError
 except ImportError as error:
     print(f"SKIPPED: this Python cannot run ehlwave-post: {error}")

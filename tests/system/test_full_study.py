@@ -31,8 +31,8 @@ class Inputs(unittest.TestCase):
     @unittest.skipUnless(importlib.util.find_spec("scipy"), "scipy is not installed for this Python")
     def test_sweeps_have_the_cases_they_say(self):
         with tempfile.TemporaryDirectory() as folder:
-            subprocess.run([sys.executable, "-m", "ehlwave_post.study.cases", "dense", "dense.csv"],
-                           cwd=folder, check=True, env={**os.environ, "PYTHONPATH": str(ROOT / "postprocess" / "src")})
+            subprocess.run([sys.executable, "-m", "studies.paper.cases", "dense", "dense.csv"],
+                           cwd=folder, check=True)
             for name, said in CASES.items():
                 with self.subTest(sweep=name):
                     outcome = run("sweep", INPUTS / f"{name}.nml", "--plan", folder=folder)

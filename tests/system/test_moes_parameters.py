@@ -1,6 +1,5 @@
 """The Moes parameters and Hertz lengths of ehlwave-post are those of ehlwave-case."""
 
-import os
 import re
 import sys
 import tempfile
@@ -9,7 +8,6 @@ from pathlib import Path
 
 from ehlwave_program import SKIPPED, last_line, namelist, run
 
-sys.path.insert(0, os.environ["EHLWAVE_POST"])
 try:
     from ehlwave_post.deform import conditions_from_keys, read_conditions
 except ImportError as error:

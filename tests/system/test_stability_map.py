@@ -8,10 +8,9 @@ from pathlib import Path
 
 from ehlwave_program import SKIPPED, last_line, namelist, run
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "postprocess" / "src"))
 try:
-    from ehlwave_post.stability import quick_cases, run_cases
-    from ehlwave_post.stability.outcome import CONVERGED, REFUSED
+    from studies.stability import quick_cases, run_cases
+    from studies.stability.outcome import CONVERGED, REFUSED
 except ImportError as error:
     print(f"skipped: the stability map needs the packages of postprocess ({error})")
     sys.exit(SKIPPED)

@@ -1,6 +1,5 @@
 """The experiment of Venner, Kaneta and Lubrecht (2000), section 4: smooth central film at 0.024 m/s, and the study's input."""
 
-import os
 import subprocess
 import sys
 import tempfile
@@ -9,10 +8,9 @@ from pathlib import Path
 
 from ehlwave_program import SKIPPED, TestCase, last_line, report, run, solve
 
-sys.path.insert(0, os.environ["EHLWAVE_POST"])
 try:
-    from ehlwave_post.study.experiment.cases import SMOOTH, Run, groups_of, read_input
-    from ehlwave_post.study.experiment.measure import richardson
+    from studies.experiment.cases import SMOOTH, Run, groups_of, read_input
+    from studies.experiment.measure import richardson
 except ImportError as error:
     print(f"SKIPPED: ehlwave_post cannot be imported ({error})")
     sys.exit(SKIPPED)
@@ -40,8 +38,7 @@ class Experiment(TestCase):
         with tempfile.TemporaryDirectory() as folder:
             command = [sys.executable, "-c", "import sys; from ehlwave_post.cli import main; sys.exit(main())", "surface",
                        INPUTS/"sputtered_profile.csv", "--period", "60", "--repeat", "16", "--output", "sputtered_wave.h5"]
-            environment = {**os.environ, "PYTHONPATH": os.environ["EHLWAVE_POST"]}
-            subprocess.run(command, cwd=folder, env=environment, check=True, capture_output=True)
+            subprocess.run(command, cwd=folder, check=True, capture_output=True)
             outcome = run("case", INPUTS/"experiment.nml", "--plan", "--json", folder=folder)
         self.assertEqual(outcome.returncode, 0, outcome.stderr)
         plan = last_line(outcome)

@@ -5,7 +5,7 @@ import unittest
 
 from compare_linear_response import CHOSEN, respond_linearly
 from ehlwave_program import TestCase, report, solve
-from reference_values import case_groups, case_name, rows
+from reference_values import case_name, rows
 
 REFERENCE = 1e-3   # measured: 4.2e-4 with M = 100, D = 1 on 65 nodes, 2e-4 elsewhere
 SMALL = 3e-3       # transient at Ai = 1 % of the film

@@ -3,7 +3,6 @@
 scripts/validate-microgeometry does the same for four surfaces at two conditions on finer grids.
 """
 
-import os
 import sys
 import tempfile
 import unittest
@@ -11,11 +10,10 @@ from pathlib import Path
 
 from ehlwave_program import SKIPPED
 
-sys.path[:0] = [os.environ["EHLWAVE_POST"], os.environ["EHLWAVE_SCRIPTS"]]
 try:
     import numpy as np
-    import validate_microgeometry as study
     from ehlwave_post.deform import conditions_from_keys, read_table, trace_surface
+    from studies import microgeometry as study
 except ImportError as error:
     print(f"SKIPPED: ehlwave_post cannot be imported ({error})")
     sys.exit(SKIPPED)

@@ -47,9 +47,9 @@ contains
 
    real(dp) function number(column, row)
       integer, intent(in) :: column, row
-      number = 0
-      call table%real_value(column, row, number, error)
-      call test%check_no_error(error, 'number')
+      integer :: status
+      read (table%cells(column, row), *, iostat=status) number
+      call test%check_equal(status, 0, 'number')
    end function number
 
    subroutine compare_row(row)

@@ -8,14 +8,14 @@ from pathlib import Path
 
 import xarray as xr
 
-from ehlwave_post import figures, linearity, tables
+from ehlwave_post import figures, tables
+from ehlwave_post.contact import contact_figure, read_contact
 from ehlwave_post.deform.cli import add_commands
 from ehlwave_post.deform.harmonics import write_harmonic_table
 from ehlwave_post.errors import ResultsError
 from ehlwave_post.points import RATIO_COLUMNS, VARIABLES, remarks, resolved_only, select_points
 from ehlwave_post.read import read_results
 from ehlwave_post.refit import RefitSettings, refit_groups
-from ehlwave_post.study.cli import add_command as add_report
 
 COLLAPSE_COLUMNS = (
     "case_id",
@@ -90,17 +90,6 @@ def _refit(options: argparse.Namespace) -> None:
     print(document if options.json else tables.refit_text(rows, settings))
 
 
-def _linearity(options: argparse.Namespace) -> None:
-    points = linearity.linearity_points(read_results(options.results))
-    options.output.mkdir(parents=True, exist_ok=True)
-    table = options.output / "linearity.csv"
-    tables.write_dataset_csv(table, points, linearity.COLUMNS)
-    figure = linearity.linearity_figure(points)
-    written = [table, *figures.write_figure(figure, options.output, "linearity")]
-    print(linearity.linearity_text(points))
-    print("\n".join(str(path) for path in sorted(written)))
-
-
 def _table(options: argparse.Namespace) -> None:
     print(tables.summary_text(read_results(options.results)))
 
@@ -109,6 +98,13 @@ def _export(options: argparse.Namespace) -> None:
     results = read_results(options.results)
     tables.write_dataset_csv(options.csv, results)
     print(f"{options.csv}: {results.sizes['case']} cases")
+
+
+def _contact(options: argparse.Namespace) -> None:
+    figure = contact_figure(read_contact(options.case))
+    options.output.mkdir(parents=True, exist_ok=True)
+    written = figures.write_figure(figure, options.output, options.case.stem)
+    print("\n".join(str(path) for path in written))
 
 
 def _harmonics(options: argparse.Namespace) -> None:
@@ -156,10 +152,6 @@ def _parser() -> argparse.ArgumentParser:
     refitting.add_argument(
         "--seed", type=_count, default=defaults.seed, help="of the bootstrap's random numbers"
     )
-    linear = command("linearity", _linearity, "compare transients with linear responses")
-    linear.add_argument(
-        "--output", type=Path, default=Path(), metavar="DIR", help="default: this directory"
-    )
     command("table", _table, "count cases by status and list the failed ones")
     export = command("export", _export, "write all columns to a CSV file")
     export.add_argument("--csv", type=Path, required=True, metavar="FILE", help="file to write")
@@ -167,8 +159,16 @@ def _parser() -> argparse.ArgumentParser:
         "harmonics", _harmonics, "write a harmonic table for deform --table from resolved cases"
     )
     harmonics.add_argument("--csv", type=Path, required=True, metavar="FILE", help="file to write")
+    text = "draw film and pressure of one case"
+    contact = commands.add_parser("contact", help=text, description=text)
+    contact.add_argument(
+        "case", type=Path, metavar="FILE", help="HDF5 file of ehlwave-case --output"
+    )
+    contact.add_argument(
+        "--output", type=Path, default=Path(), metavar="DIR", help="default: this directory"
+    )
+    contact.set_defaults(run=_contact)
     add_commands(commands)
-    add_report(commands)
     return parser
 
 

@@ -59,13 +59,14 @@ def collapse_figure(points: xr.Dataset, variable: Variable) -> Figure:
     resolved_x = resolved_only(points)[variable].values
     markers = _markers(points["radius_ratio_d"].values)
     with rc_context(_STYLE):
-        figure = Figure(figsize=(3.6, 7.4), layout="constrained")
-        panels = figure.subplots(len(ORIENTATIONS), 1, sharex=True, sharey=True)
+        figure = Figure(figsize=(7.6, 2.9), layout="constrained")
+        panels = figure.subplots(1, len(ORIENTATIONS), sharex=True, sharey=True)
         for axes, orientation in zip(panels, ORIENTATIONS, strict=True):
             _draw_curves(axes, refitted, resolved_x)
             _draw_points(axes, of_orientation(points, orientation), variable, markers)
             _finish_panel(axes, orientation)
-        panels[-1].set_xlabel(X_LABELS[variable])
+            axes.set_xlabel(X_LABELS[variable])
+        panels[0].set_ylabel(r"$A_d/A_i$")
         has_grey = not points["is_point_resolved"].values.all()
         panels[0].legend(handles=_point_handles(markers, has_grey), loc="lower left", frameon=False)
         panels[1].legend(handles=_curve_handles(refitted), loc="lower left", frameon=False)
@@ -153,7 +154,6 @@ def _finish_panel(axes: Axes, orientation: str) -> None:
     axes.set_yticks(np.arange(0, 1.01, 0.2))
     axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
     axes.tick_params(which="both", direction="in", top=True, right=True)
-    axes.set_ylabel(r"$A_d/A_i$")
     axes.text(0.97, 0.94, orientation, transform=axes.transAxes, ha="right", va="top")
 
 
@@ -181,7 +181,7 @@ def _point_handles(markers: dict[float, tuple[str, str]], has_grey: bool) -> Seq
 
 def _curve_handles(refitted: FormulaFit | None) -> Sequence[Line2D]:
     def curve(name: str, c1: float, c2: float, line: Literal["--", "-"], width: float) -> Line2D:
-        label = f"{name}\n$c_1={c1:.3g},\\ c_2={c2:.3g}$"
+        label = f"{name}\n$c_1={c1:.3g}$\n$c_2={c2:.3g}$"
         return Line2D([], [], linestyle=line, color="black", linewidth=width, label=label)
 
     handles = [curve("formula (18)", PAPER_C1, PAPER_C2, "--", 1.1)]

@@ -1,8 +1,0 @@
-"""The experiment of Venner, Kaneta and Lubrecht (2000), section 4.
-
-``python -m ehlwave_post.study.experiment`` runs it; :func:`section` is its part of the report.
-"""
-
-from ehlwave_post.study.experiment.report import FOLDER, TRACE_FILE, section
-
-__all__ = ["FOLDER", "TRACE_FILE", "section"]

@@ -1,0 +1,152 @@
+"""Figures: error against seconds, against work units, and against the tolerance."""
+
+from collections.abc import Callable, Iterable, Sequence
+from typing import NamedTuple
+
+from matplotlib import rc_context
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+
+from studies.error_time.errors import FILMS, RATIO, contact_of, has_defaults
+from studies.error_time.runs import SMOOTH, TIGHT, WAVY, Contact
+from studies.error_time.table import Row
+
+COSTS = {"seconds": "run time, s", "work_units": "run time, work units"}
+QUANTITIES = {
+    "central_film": "error of $H_c$",
+    "minimum_film": r"error of $H_{\min}$",
+    RATIO: "error of $A_d/A_i$",
+}
+_STYLE = {"font.size": 8.5, "axes.titlesize": 8.5, "legend.fontsize": 8}
+
+
+class _Line(NamedTuple):
+    label: str
+    belongs: Callable[[Row], bool]
+    marker: str
+    colour: str
+
+
+def _of(method: str, deformation: str, step: float) -> Callable[[Row], bool]:
+    def belongs(row: Row) -> bool:
+        return (
+            has_defaults(row, "method", "deformation", "time_step_over_cell")
+            and row["method"] == method
+            and row["deformation"] == deformation
+            and row["time_step_over_cell"] == step
+        )
+
+    return belongs
+
+
+# Colours that stay apart for colour-blind readers (Okabe and Ito).
+_LINES = (
+    _Line("newton, FFT", _of("newton", "fft", 1.0), "o", "#0072B2"),
+    _Line("newton, FFT, dT = 2 hX", _of("newton", "fft", 2.0), "s", "#56B4E9"),
+    _Line("newton, FFT, dT = 4 hX", _of("newton", "fft", 4.0), "^", "#E69F00"),
+    _Line("newton, MLMI", _of("newton", "mlmi", 1.0), "x", "#D55E00"),
+    _Line("FAS, FFT", _of("fas", "fft", 1.0), "D", "#009E73"),
+    _Line("PETSc, FFT", _of("petsc", "fft", 1.0), "+", "#CC79A7"),
+)
+
+
+def error_figure(errors: Sequence[Row], cost: str, panels: Sequence[tuple[Contact, str]]) -> Figure:
+    """Draw error against cost, one panel for each contact and quantity, one line for each method.
+
+    Parameters
+    ----------
+    errors : sequence of rows
+        From :func:`studies.error_time.errors.error_rows`.
+    cost : {"seconds", "work_units"}
+        The abscissa.
+    panels : sequence of (Contact, quantity)
+        What is drawn; two panels a row.
+    """
+    with rc_context(_STYLE):
+        rows = (len(panels) + 1) // 2
+        figure = Figure(figsize=(7.2, 0.7 + 2.1 * rows), layout="constrained")
+        axes = figure.subplots(rows, 2, squeeze=False)
+        lines = {}
+        for panel, (contact, quantity) in zip(axes.flat, panels, strict=False):
+            chosen = [r for r in errors if contact_of(r) == contact and r["quantity"] == quantity]
+            lines.update(_draw_methods(panel, chosen, cost))
+            panel.set_title(contact.title)
+            panel.set_ylabel(QUANTITIES[quantity])
+            _label_axes(panel)
+            panel.grid(visible=True, which="major", linewidth=0.3)
+        for panel in axes[-1]:
+            panel.set_xlabel(COSTS[cost])
+        figure.legend(lines.values(), lines, loc="outside upper center", ncols=3, frameon=False)
+        figure.supxlabel("Numbers at the points: cells along X.", fontsize=8)
+    return figure
+
+
+def all_panels() -> dict[str, list[tuple[Contact, str]]]:
+    """Return the panels of each figure by its name."""
+    return {
+        "ratio": [(contact, RATIO) for contact in WAVY],
+        "film": [(contact, quantity) for contact in SMOOTH for quantity in FILMS],
+    }
+
+
+def short_panels() -> list[tuple[Contact, str]]:
+    """Return the panels of the figure in the README."""
+    return [(SMOOTH[0], FILMS[0]), (WAVY[0], RATIO)]
+
+
+def tolerance_figure(errors: Iterable[Row]) -> Figure:
+    """Draw the algebraic error of Ad/Ai against the step tolerance beside the whole error."""
+    with rc_context(_STYLE):
+        figure = Figure(figsize=(7.2, 3.2), layout="constrained")
+        left, right = figure.subplots(1, 2, sharey=True)
+        chosen = [r for r in errors if r["quantity"] == RATIO and has_defaults(r, "step_tolerance")]
+        for contact in WAVY:
+            rows = [r for r in chosen if contact_of(r) == contact]
+            cells = max((r["cells"] for r in rows if r["step_tolerance"] == TIGHT), default=0)
+            if not cells:
+                continue
+            rows = sorted(
+                (r for r in rows if r["cells"] == cells), key=lambda r: r["step_tolerance"]
+            )
+            x = [r["step_tolerance"] for r in rows]
+            label = f"{contact.title.replace('transverse, ', '')}, {cells:.0f} cells"
+            left.plot(x, [r["algebraic_error"] for r in rows], "o-", markersize=3, label=label)
+            right.plot(x, [r["error"] for r in rows], "o-", markersize=3)
+        for panel, title in ((left, "of the iteration alone"), (right, "whole")):
+            panel.set(xscale="log", yscale="log", xlabel="step_tolerance")
+            panel.set_title(f"error of $A_d/A_i$, {title}")
+            panel.grid(visible=True, which="major", linewidth=0.3)
+        if left.lines:
+            figure.legend(loc="outside lower center", ncols=2, frameon=False)
+    return figure
+
+
+def _label_axes(axes: Axes) -> None:
+    """Label decades, and 2 and 5 between them where there are few decades."""
+    for axis, limits in ((axes.xaxis, axes.get_xlim()), (axes.yaxis, axes.get_ylim())):
+        is_short = limits[1] < 50 * limits[0]
+        axis.set_major_locator(LogLocator(subs=(1, 2, 5) if is_short else (1,)))
+        axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+        axis.set_minor_formatter(NullFormatter())
+
+
+def _draw_methods(axes: Axes, rows: Sequence[Row], cost: str) -> dict[str, object]:
+    axes.set(xscale="log", yscale="log")
+    drawn = {}
+    for line in _LINES:
+        chosen = sorted(
+            (r for r in rows if line.belongs(r) and r["error"] < 1), key=lambda r: r["cells"]
+        )
+        if not chosen:
+            continue
+        x, y = [r[cost] for r in chosen], [r["error"] for r in chosen]
+        style = {"marker": line.marker, "color": line.colour, "markersize": 4, "linewidth": 0.9}
+        drawn[line.label] = axes.plot(x, y, fillstyle="none", **style)[0]
+        if line is _LINES[0]:
+            for row in chosen:
+                place = (row[cost], row["error"])
+                axes.annotate(
+                    f"{row['cells']:.0f}", place, (3, 3), textcoords="offset points", fontsize=6.5
+                )
+    return drawn

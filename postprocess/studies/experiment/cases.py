@@ -1,0 +1,143 @@
+"""What is run for the experiment: speeds, kinds of surface, grids, and variants of the model."""
+
+import copy
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import f90nml
+
+from ehlwave_post.deform import conditions_from_keys
+from ehlwave_post.errors import ResultsError
+from studies.experiment.trace import AMPLITUDE_UM, WAVELENGTH_UM
+
+SPEEDS = (0.024, 0.048, 0.096)
+GRIDS = ((256, 128), (384, 192))
+"""Cells along X and Y: 257 x 129 and 385 x 193 nodes."""
+
+SMOOTH, TRACE, COSINE = "smooth", "trace", "cosine"
+PAPER_ML = "printed_ml"
+Z_DEFAULT, INCOMPRESSIBLE = "z_0.68", "incompressible"
+PRINTED_M = {0.024: 130.77, 0.048: 79.90, 0.096: 47.51}
+PRINTED_L = {0.024: 6.61, 0.048: 7.88, 0.096: 9.36}
+
+Groups = dict[str, dict[str, Any]]
+
+
+@dataclass(frozen=True)
+class Run:
+    """One call of ``ehlwave-case``.
+
+    ``surface`` is smooth, trace (one wave of the trace, repeated) or cosine; ``variant`` is empty,
+    or says in what the model differs from the paper's Table 1.
+    """
+
+    surface: str
+    speed: float
+    cells_x: int
+    cells_y: int
+    variant: str = ""
+
+    @property
+    def name(self) -> str:
+        """Of its files."""
+        parts = (self.surface, f"{self.speed:g}", str(self.cells_x), self.variant)
+        return "-".join(part for part in parts if part)
+
+    @property
+    def smooth(self) -> "Run":
+        """The same with smooth surfaces."""
+        return Run(SMOOTH, self.speed, self.cells_x, self.cells_y, self.variant)
+
+
+def all_runs(grids: tuple[tuple[int, int], ...] = GRIDS) -> list[Run]:
+    """Return every run, the smooth ones first: the amplitude of the cosine needs their film."""
+    runs = list(_runs(grids))
+    return sorted(runs, key=lambda run: (run.surface != SMOOTH, -run.cells_x * run.cells_y))
+
+
+def read_input(path: Path) -> Groups:
+    """Return the groups of the study's input file.
+
+    Raises
+    ------
+    ResultsError
+        If it cannot be read.
+    """
+    if not path.is_file():
+        raise ResultsError(f"{path}: no such file; --inputs names the folder of experiment.nml")
+    return {name: dict(keys) for name, keys in f90nml.read(path).items()}
+
+
+def groups_of(run: Run, base: Groups, smooth_film_m: float | None, surface: str) -> Groups:
+    """Return the input of a run.
+
+    Parameters
+    ----------
+    run : Run
+        What is run.
+    base : dict
+        The study's input file: the trace at the lowest speed.
+    smooth_film_m : float or None
+        Central film of the smooth contact on the same grid, m, which ``&waviness`` counts
+        amplitudes in; needed for the cosine.
+    surface : str
+        The surface file, as seen from the folder of the input.
+    """
+    groups = copy.deepcopy(base)
+    groups["conditions"]["mean_speed_m_per_s"] = run.speed
+    groups["grid"] |= {"cells_x": run.cells_x, "cells_y": run.cells_y}
+    if run.variant == PAPER_ML:
+        groups["conditions"] |= _keys_of_printed_ml(groups, run.speed)
+    elif run.variant == Z_DEFAULT:
+        groups["lubricant"]["roelands_index"] = 0.68
+    elif run.variant == INCOMPRESSIBLE:
+        groups["lubricant"]["density_law"] = "incompressible"
+    groups["surface"]["file"] = surface
+    if run.surface != TRACE:
+        del groups["surface"]
+    if run.surface == SMOOTH:
+        del groups["dynamics"]
+    if run.surface == COSINE:
+        if smooth_film_m is None:
+            raise ValueError("the cosine needs the film of the smooth contact")
+        groups["waviness"] = {
+            "orientation": "transverse",
+            "wavelength_over_a": WAVELENGTH_UM * 1e-6 / semi_axis_m(groups),
+            "amplitude_over_film": AMPLITUDE_UM * 1e-6 / smooth_film_m,
+        }
+    return groups
+
+
+def semi_axis_m(groups: Groups) -> float:
+    """Return the Hertz semi-axis a of an input, m."""
+    return conditions_from_keys(groups["conditions"]).semi_axis_a_m
+
+
+def _keys_of_printed_ml(groups: Groups, speed: float) -> dict[str, float]:
+    """Return load and viscosity that give the M and L the paper prints, at its R, E' and alpha.
+
+    2U = (L/G)^4 and W = M (2U)^(3/4), eq. (2).
+    """
+    keys = groups["conditions"]
+    modulus, radius = keys["reduced_modulus_pa"], keys["radius_x_m"]
+    g = groups["lubricant"]["pressure_viscosity_per_pa"] * modulus
+    two_u = (PRINTED_L[speed] / g) ** 4
+    w = PRINTED_M[speed] * two_u**0.75
+    return {
+        "load_n": w * modulus * radius**2,
+        "viscosity_pa_s": two_u * modulus * radius / (2 * speed),
+    }
+
+
+def _runs(grids: tuple[tuple[int, int], ...]) -> Iterator[Run]:
+    coarse = min(grids)
+    for speed in SPEEDS:
+        for grid in grids:
+            for surface in (SMOOTH, TRACE, COSINE):
+                yield Run(surface, speed, *grid)
+        for surface in (SMOOTH, TRACE):
+            yield Run(surface, speed, *coarse, PAPER_ML)
+        for variant in (Z_DEFAULT, INCOMPRESSIBLE):
+            yield Run(SMOOTH, speed, *coarse, variant)

@@ -1,0 +1,177 @@
+"""Films and amplitudes beside those of the paper, and what they depend on."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from studies.experiment import paper
+from studies.experiment.cases import (
+    COSINE,
+    GRIDS,
+    INCOMPRESSIBLE,
+    PAPER_ML,
+    SMOOTH,
+    SPEEDS,
+    TRACE,
+    Z_DEFAULT,
+    Run,
+)
+from studies.experiment.conditions import formula_ratio, formula_v
+from studies.experiment.measure import (
+    Value,
+    extrapolated,
+    half_range_um,
+    line_amplitude_um,
+    line_mean_um,
+    middle_um,
+    read_solved,
+    smooth_film_um,
+    time_amplitude_um,
+    time_mean_um,
+)
+from studies.experiment.trace import AMPLITUDE_UM
+from studies.section import Cell, comparison_row
+
+UM = "um"
+MEASURES = {
+    "line_mean": line_mean_um,
+    "time_mean": time_mean_um,
+    "line_amplitude": line_amplitude_um,
+    "time_amplitude": time_amplitude_um,
+    "half_range": half_range_um,
+    "middle": middle_um,
+}
+
+
+@dataclass(frozen=True)
+class Films:
+    """Results at one speed, um, at mesh size 0; of the trace and of the cosine by measure."""
+
+    speed: float
+    smooth: Value
+    smooth_mean: Value
+    """Mean of the smooth contact over the central region."""
+    trace: dict[str, Value]
+    cosine: dict[str, Value]
+    v: float
+    formula_ratio: float
+
+
+def read_films(folder: Path, speed: float) -> Films:
+    """Read what a speed needs and extrapolate it."""
+    smooth = read_solved(folder, Run(SMOOTH, speed, *max(GRIDS)))
+    trace, cosine = (
+        {name: extrapolated(folder, kind, speed, measure) for name, measure in MEASURES.items()}
+        for kind in (TRACE, COSINE)
+    )
+    return Films(
+        speed,
+        extrapolated(folder, SMOOTH, speed, smooth_film_um),
+        extrapolated(folder, SMOOTH, speed, line_mean_um),
+        trace,
+        cosine,
+        formula_v(smooth),
+        formula_ratio(smooth),
+    )
+
+
+def film_rows(films: Films, wave_amplitude_um: float) -> Iterator[tuple[Cell, ...]]:
+    """Yield a comparison for every film and amplitude the paper gives at a speed.
+
+    ``wave_amplitude_um`` is that of the wave that was cut out of the trace.
+    """
+    printed, at = paper.PRINTED[films.speed], f" at {films.speed:g} m/s"
+
+    def row(quantity: str, theirs: float | None, ours: Value, remark: str) -> tuple[Cell, ...]:
+        return comparison_row(quantity + at, UM, theirs, ours.value, ours.error, remark)
+
+    trace, cosine = films.trace, films.cosine
+    yield row("smooth central film", printed.smooth_film, films.smooth, "H(0,0)")
+    for theirs, whose in ((printed.computed_mean, "computed"), (printed.measured_mean, "measured")):
+        remark = f"paper: {whose}; trace, three waves on the centre line"
+        yield row(f"mean film, {whose}", theirs, trace["line_mean"], remark)
+        remark = f"paper: {whose}; trace, one wave passing the centre"
+        yield row(f"mean film in time, {whose}", theirs, trace["time_mean"], remark)
+    remark = "paper: computed; cosine, three waves on the centre line"
+    yield row("mean film, cosine", printed.computed_mean, cosine["line_mean"], remark)
+    raised = None
+    if printed.smooth_film is not None:
+        raised = printed.computed_mean - printed.smooth_film
+    value = Value(
+        trace["line_mean"].value - films.smooth_mean.value,
+        abs(trace["line_mean"].error) + abs(films.smooth_mean.error),
+        trace["line_mean"].coarse - films.smooth_mean.coarse,
+        trace["line_mean"].fine - films.smooth_mean.fine,
+    )
+    yield row("rise of the mean film by the waves", raised, value, "same region of both")
+    roughly = AMPLITUDE_UM
+    for theirs, whose in (
+        (printed.computed_amplitude, "computed"),
+        (printed.measured_amplitude, "measured"),
+    ):
+        remark = f"paper: {whose}"
+        if theirs is None:
+            remark += ", 'roughly equals the undeformed'"
+        given = roughly if theirs is None else theirs
+        name = f"amplitude of the film, {whose}"
+        yield row(name, given, trace["line_amplitude"], remark + "; trace, centre line")
+        yield row(name + ", in time", given, trace["time_amplitude"], remark + "; trace")
+        yield row(name + ", half range", given, trace["half_range"], remark + "; trace, in time")
+    given = printed.computed_amplitude or roughly
+    yield row("amplitude of the film, cosine", given, cosine["time_amplitude"], "in time")
+    given = None
+    if printed.computed_amplitude is not None:
+        given = printed.computed_amplitude / AMPLITUDE_UM
+    for name, found, undeformed in (
+        ("trace", trace["time_amplitude"], wave_amplitude_um),
+        ("cosine", cosine["time_amplitude"], AMPLITUDE_UM),
+    ):
+        remark = "paper: 0.13/0.14 um" if given else f"formula (18): {films.formula_ratio:.2f}"
+        yield comparison_row(
+            f"Ad/Ai, {name}{at}", "-", given, found.value / undeformed,
+            found.error / undeformed, remark,
+        )  # fmt: skip
+
+
+def definition_rows(folder: Path) -> Iterator[tuple[Cell, ...]]:
+    """Yield the mean film by its possible definitions, um, on the finest grid."""
+    for speed in SPEEDS:
+        wavy = read_solved(folder, Run(TRACE, speed, *max(GRIDS)))
+        means = [line_mean_um(wavy, waves) for waves in (1, 2, 3, 4, 5)]
+        in_time = time_mean_um(wavy), middle_um(wavy)
+        yield (speed, *means, *in_time, paper.PRINTED[speed].computed_mean)
+
+
+def variant_rows(folder: Path) -> Iterator[tuple[Cell, ...]]:
+    """Yield smooth and mean films of variants of the model, um, on the coarser grid.
+
+    For the printed M and L load and viscosity are what gives them, with the paper's R, E' and
+    alpha.
+    """
+    names = {"": "Table 1", PAPER_ML: "printed M and L", Z_DEFAULT: "z = 0.68"}
+    names[INCOMPRESSIBLE] = "incompressible lubricant"
+    for speed in SPEEDS:
+        base = smooth_film_um(read_solved(folder, Run(SMOOTH, speed, *min(GRIDS))))
+        for variant, name in names.items():
+            smooth = smooth_film_um(read_solved(folder, Run(SMOOTH, speed, *min(GRIDS), variant)))
+            mean = None
+            if variant in ("", PAPER_ML):
+                mean = line_mean_um(read_solved(folder, Run(TRACE, speed, *min(GRIDS), variant)))
+            yield (speed, name, smooth, 100 * (smooth / base - 1), mean)
+
+
+def run_rows(folder: Path, runs: list[Run]) -> Iterator[tuple[Cell, ...]]:
+    """Yield what every run took."""
+    for run in runs:
+        result = read_solved(folder, run).result
+        yield (
+            run.name,
+            run.cells_x,
+            run.cells_y,
+            result["status"],
+            result["time_steps"],
+            result["residual"],
+            result["points_per_wave_x"] or None,
+            result["inlet_resolution"],
+            result["seconds"],
+        )

@@ -1,0 +1,186 @@
+"""What is read off the results of the experiment, in micrometres."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import h5py
+import numpy as np
+from numpy.typing import NDArray
+from scipy.interpolate import CubicSpline
+
+from ehlwave_post.errors import ResultsError
+from studies.experiment.cases import GRIDS, Run
+from studies.experiment.stage import read_record
+from studies.experiment.trace import WAVELENGTH_UM
+
+Floats = NDArray[np.float64]
+
+CENTRAL_WAVES = 3
+"""Whole waves of the central region: 180 um about the centre, half of the contact."""
+
+HARMONICS = 3
+
+
+@dataclass(frozen=True)
+class Solved:
+    """One run: fields of its last solution, history at the contact centre."""
+
+    run: Run
+    result: dict[str, Any]
+    a_um: float
+    c_um: float
+    hertz_pressure_pa: float
+    x: Floats
+    y: Floats
+    film: Floats
+    """H, shape (y, x); all of y in 0 to y_max where the run took half of the domain."""
+    pressure: Floats
+    time: Floats
+    film_at_centre: Floats
+
+    @property
+    def line_x_um(self) -> Floats:
+        """Positions along the centre line, um."""
+        return self.x * self.a_um
+
+    @property
+    def line_um(self) -> Floats:
+        """Film along the centre line y = 0, um."""
+        return self.film[int(np.argmin(np.abs(self.y)))] * self.c_um
+
+
+@dataclass(frozen=True)
+class Value:
+    """A value extrapolated to mesh size 0, and its distance from that of the finest grid."""
+
+    value: float
+    error: float
+    coarse: float
+    fine: float
+
+
+def read_solved(folder: Path, run: Run) -> Solved:
+    """Read a finished run.
+
+    Raises
+    ------
+    ResultsError
+        If the run is not finished, or did not converge on a grid that resolves it.
+    """
+    record = read_record(folder, run)
+    if record is None:
+        raise ResultsError(f"{folder / run.name}.json: no finished run; run the stage first")
+    result = record["result"]
+    if result["status"] != "converged":
+        raise ResultsError(f"{folder / run.name}.json: status {result['status']}")
+    with h5py.File(folder / f"{run.name}.h5") as file:
+        empty = np.zeros(0)
+        return Solved(
+            run=run,
+            result=result,
+            a_um=float(file["length_a_m"][()]) * 1e6,
+            c_um=float(file["length_c_m"][()]) * 1e6,
+            hertz_pressure_pa=float(file["hertz_pressure_pa"][()]),
+            x=file["x"][()],
+            y=file["y"][()],
+            film=file["film"][()],
+            pressure=file["pressure"][()],
+            time=file["time"][()] if "time" in file else empty,
+            film_at_centre=file["film_at_centre"][()] if "film_at_centre" in file else empty,
+        )
+
+
+def extrapolated(
+    folder: Path, surface: str, speed: float, measure: Callable[[Solved], float]
+) -> Value:
+    """Return a measure at mesh size 0, from the two grids, its error of second order (Richardson).
+
+    The order is that of the discretisation, observed as 1.8 to 2.0.
+    """
+    grids = sorted(GRIDS)
+    values = [measure(read_solved(folder, Run(surface, speed, *grid))) for grid in grids]
+    return richardson(values[0], values[1], grids[1][0] / grids[0][0])
+
+
+def richardson(coarse: float, fine: float, ratio: float) -> Value:
+    """Return the limit of values with an error of second order; ``ratio`` of the mesh sizes."""
+    limit = fine + (fine - coarse) / (ratio**2 - 1)
+    return Value(limit, abs(limit - fine), coarse, fine)
+
+
+def smooth_film_um(solved: Solved) -> float:
+    """Return the central film of a smooth contact, um."""
+    return solved.result["central_film"] * solved.c_um
+
+
+def line_mean_um(solved: Solved, waves: float = CENTRAL_WAVES) -> float:
+    """Return the mean film on the centre line over whole waves about the centre, um."""
+    half = 0.5 * waves * WAVELENGTH_UM
+    spline = CubicSpline(solved.line_x_um, solved.line_um)
+    return float(spline.integrate(-half, half)) / (2 * half)
+
+
+def line_transfer(solved: Solved) -> complex:
+    """Return the wave in the film on the centre line, um, over the whole waves of the region.
+
+    Least squares with a level, a slope and a curvature, which the smooth film has too.
+    """
+    half = 0.5 * CENTRAL_WAVES * WAVELENGTH_UM
+    x = np.linspace(-half, half, 40 * CENTRAL_WAVES, endpoint=False)
+    film = CubicSpline(solved.line_x_um, solved.line_um)(x)
+    basis = np.column_stack((np.ones(x.size), x / half, (x / half) ** 2, _waves(x / WAVELENGTH_UM)))
+    found = np.linalg.lstsq(basis, film, rcond=None)[0]
+    return complex(found[3], -found[4])
+
+
+def line_amplitude_um(solved: Solved) -> float:
+    """Return the amplitude of the wave in the film on the centre line, um."""
+    return abs(line_transfer(solved))
+
+
+def time_mean_um(solved: Solved) -> float:
+    """Return the mean film at the contact centre over the last wave to pass, um."""
+    return float(_history_fit(solved)[0])
+
+
+def time_amplitude_um(solved: Solved) -> float:
+    """Return the amplitude of the wave in the film at the contact centre, um."""
+    return float(np.hypot(*_history_fit(solved)[1:3]))
+
+
+def half_range_um(solved: Solved) -> float:
+    """Return half the distance of the highest and the lowest film at the centre, um."""
+    last = solved.film_at_centre[_last_wave(solved)] * solved.c_um
+    return float(last.max() - last.min()) / 2
+
+
+def middle_um(solved: Solved) -> float:
+    """Return the middle between the highest and the lowest film at the centre, um."""
+    last = solved.film_at_centre[_last_wave(solved)] * solved.c_um
+    return float(last.max() + last.min()) / 2
+
+
+def _history_fit(solved: Solved) -> Floats:
+    """Return level, cosine and sine of the film at the centre; higher harmonics fitted with them.
+
+    A wave does not hold a whole number of samples, so that their plain mean is not the level.
+    """
+    chosen = _last_wave(solved)
+    phase = solved.time[chosen] * solved.a_um / WAVELENGTH_UM
+    basis = np.column_stack((np.ones(phase.size), _waves(phase)))
+    found = np.linalg.lstsq(basis, solved.film_at_centre[chosen] * solved.c_um, rcond=None)[0]
+    return np.asarray(found)
+
+
+def _last_wave(solved: Solved) -> NDArray[np.bool_]:
+    """Return which samples belong to the last wave to pass; T is in units of a/ubar."""
+    period = WAVELENGTH_UM / solved.a_um
+    return np.asarray(solved.time > solved.time[-1] - period * (1 + 1e-9))
+
+
+def _waves(cycles: Floats) -> Floats:
+    """Return columns cos, sin of the first harmonics of a phase in cycles."""
+    angles = [2 * np.pi * number * cycles for number in range(1, HARMONICS + 1)]
+    return np.column_stack([wave(angle) for angle in angles for wave in (np.cos, np.sin)])

@@ -1,0 +1,123 @@
+"""Run the programs of the build, for studies and tests; the standard library is all it needs.
+
+``EHLWAVE_CASE``, ``EHLWAVE_SWEEP`` and ``EHLWAVE_MPIEXEC`` name other programs than those of the
+release build and ``mpiexec``.
+"""
+
+import json
+import os
+import subprocess
+import tempfile
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+ROOT = Path(__file__).resolve().parents[2]
+
+# Open MPI as root in a container: no vader copies, loopback only.
+MPI_ENVIRONMENT = {
+    "OMPI_ALLOW_RUN_AS_ROOT": "1",
+    "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+    "OMPI_MCA_btl_vader_single_copy_mechanism": "none",
+}
+MPI_ARGUMENTS = (
+    *("--oversubscribe", "--mca", "oob_tcp_if_include", "lo"),
+    *("--mca", "btl_tcp_if_include", "lo"),
+)
+
+Outcome = subprocess.CompletedProcess[str]
+Groups = Mapping[str, Mapping[str, Any]]
+"""An input file: values by group and key; a sequence is a list of values."""
+
+
+def program(name: str) -> Path:
+    """Return where ``case`` or ``sweep`` is."""
+    built = ROOT / "build" / "release" / "drivers" / f"ehlwave-{name}"
+    return Path(os.environ.get(f"EHLWAVE_{name.upper()}") or built)
+
+
+def namelist(groups: Groups) -> str:
+    """Return the text of an input file, one key a line; lists become comma-separated values."""
+
+    def written(value: object) -> str:
+        if isinstance(value, bool):
+            return ".true." if value else ".false."
+        if isinstance(value, str):
+            return f"'{value}'"
+        if isinstance(value, Sequence):
+            return ", ".join(written(one) for one in value)
+        return str(value)
+
+    lines = []
+    for group, keys in groups.items():
+        lines += [f"&{group}", *(f"  {key} = {written(value)}" for key, value in keys.items()), "/"]
+    return "\n".join(lines) + "\n"
+
+
+def run(
+    name: str,
+    *arguments: object,
+    ranks: int = 0,
+    folder: str | Path | None = None,
+    seconds: float | None = None,
+) -> Outcome:
+    """Run ``case`` or ``sweep`` in `folder`; with `ranks` under mpiexec.
+
+    Raises
+    ------
+    subprocess.TimeoutExpired
+        If it takes longer than `seconds`; it has been stopped then.
+    OSError
+        If there is no such program.
+    """
+    command = [str(program(name)), *map(str, arguments)]
+    if ranks:
+        mpiexec = os.environ.get("EHLWAVE_MPIEXEC") or "mpiexec"
+        command = [mpiexec, "-n", str(ranks), *MPI_ARGUMENTS, *command]
+    return subprocess.run(
+        command,
+        cwd=folder,
+        env={**os.environ, **MPI_ENVIRONMENT},
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=seconds,
+    )
+
+
+def last_line(outcome: Outcome) -> Any:  # noqa: ANN401 - an object as JSON has it
+    """Return the JSON object on the last line of the output."""
+    return json.loads(outcome.stdout.rstrip("\n").split("\n")[-1], parse_constant=_not_json)
+
+
+def solve(**groups: Any) -> dict[str, Any]:  # noqa: ANN401 - groups, or one of m, l, d
+    """Return the result of one case that has to converge.
+
+    ``m``, ``l`` (12.05 if absent) and ``d`` may stand for the keys of ``conditions``.
+
+    Raises
+    ------
+    AssertionError
+        If it does not; the message has the input and what the program said.
+    """
+    if "m" in groups:
+        moes = {
+            "load_parameter_m": groups.pop("m"),
+            "lubricant_parameter_l": groups.pop("l", 12.05),
+            "radius_ratio_d": groups.pop("d"),
+        }
+        groups["conditions"] = {**moes, **groups.get("conditions", {})}
+    text = namelist(groups)
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder, "case.nml")
+        path.write_text(text, encoding="utf-8")
+        outcome = run("case", path, "--json", "--quiet")
+    if outcome.returncode != 0:
+        said = outcome.stdout + outcome.stderr
+        raise AssertionError(f"exit status {outcome.returncode} for\n{text}\n{said}")
+    result: dict[str, Any] = last_line(outcome)
+    return result
+
+
+def _not_json(word: str) -> float:
+    raise ValueError(f"{word} is not JSON")

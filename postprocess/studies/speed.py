@@ -1,0 +1,148 @@
+"""The command behind ``scripts/speed-table``: what the solvers cost, in seconds and work units."""
+
+import argparse
+import csv
+import sys
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from ehlwave_post.errors import ResultsError
+from studies.programs import Groups, solve
+
+CONTACT = {"load_parameter_m": 100, "lubricant_parameter_l": 12.05, "radius_ratio_d": 1}
+WAVES = {"orientation": "transverse", "wavelength_over_a": 0.5}
+
+Answer = dict[str, float | str | None]
+
+
+@dataclass(frozen=True)
+class Row:
+    """One line of the table."""
+
+    work: str
+    method: str
+    unit: str
+    figure: float
+    at_most: float
+    aim: float
+    algebraic_error: float = float("nan")
+    discretisation_error: float = float("nan")
+
+
+METHODS: dict[str, dict[str, str]] = {"newton": {}, "fas": {"cycle": "v"}}
+"""What is compared, with the keys of ``&solver`` that a march is meant to be used with."""
+
+
+def case_groups(cells: int, method: str, waves: bool = False, **solver: object) -> Groups:
+    """Return an input of ``ehlwave-case``; further keys are those of ``&solver``."""
+    usual = {"method": method, "deformation": "fft", "error_estimate": "model"}
+    return {
+        "conditions": CONTACT,
+        **({"waviness": WAVES} if waves else {}),
+        "grid": {"cells_x": cells, "cells_y": cells},
+        "solver": {**usual, **solver},
+    }
+
+
+def solved(groups: Groups) -> Answer:
+    """Run a case; raise ResultsError unless it converged."""
+    try:
+        return solve(**groups)
+    except AssertionError as error:
+        raise ResultsError(str(error).strip()[-500:]) from error
+
+
+def number(answer: Answer, name: str) -> float:
+    """Return a number of an answer, NaN where it has none."""
+    value = answer.get(name)
+    return float("nan") if value is None else float(value)
+
+
+def measure(run: Callable[[Groups], Answer], repeats: int) -> list[Row]:
+    """Run everything by `run`, each case `repeats` times, and take the fastest."""
+
+    def fastest(groups: Groups) -> Answer:
+        return min((run(groups) for _ in range(repeats)), key=lambda a: number(a, "seconds"))
+
+    rows = []
+    for name, march_keys in METHODS.items():
+        steady = fastest(case_groups(256, name))
+        exact = run(case_groups(256, name, tolerance=1e-10))
+        fine = fastest(case_groups(1024, name))
+        march = fastest(case_groups(256, name, waves=True, **march_keys))
+        tight = run(case_groups(256, name, waves=True, step_tolerance=1e-6))
+        rows += [
+            Row(
+                "steady state, 257 x 257",
+                name,
+                "WU",
+                number(steady, "work_units"),
+                300,
+                120,
+                abs(number(steady, "central_film") / number(exact, "central_film") - 1),
+                number(steady, "central_film_error"),
+            ),
+            Row(
+                "one time step, 257 x 257",
+                name,
+                "WU",
+                (number(march, "work_units") - number(steady, "work_units"))
+                / number(march, "time_steps"),
+                40,
+                15,
+                abs(
+                    number(march, "amplitude_ratio_fit") / number(tight, "amplitude_ratio_fit") - 1
+                ),
+                number(march, "amplitude_ratio_error"),
+            ),
+            Row("whole transient", name, "s", number(march, "seconds"), 20, 6),
+            Row(
+                "steady state, 1025 x 1025 over 257 x 257",
+                name,
+                "times",
+                number(fine, "seconds") / number(steady, "seconds"),
+                25,
+                18,
+            ),
+            Row("memory, 1025 x 1025", name, "MiB", number(fine, "peak_memory_mib"), 2048, 1024),
+        ]
+    return rows
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Measure, print and write the table; return 0, or 1 with a message."""
+    parser = argparse.ArgumentParser(prog="speed-table", description=__doc__)
+    parser.add_argument("--output", type=Path, required=True, help="folder; made when absent")
+    parser.add_argument("--repeats", type=int, default=3, help="runs, of which the fastest counts")
+    options = parser.parse_args(arguments)
+    try:
+        rows = measure(solved, options.repeats)
+        options.output.mkdir(parents=True, exist_ok=True)
+        path = options.output / "speed.csv"
+        with path.open("w", newline="", encoding="utf-8") as file:
+            writer = csv.writer(file)
+            writer.writerow(Row.__dataclass_fields__)
+            for row in rows:
+                writer.writerow(
+                    [f"{v:.4g}" if isinstance(v, float) else v for v in vars(row).values()]
+                )
+    except (ResultsError, OSError) as error:
+        print(f"speed-table: error: {error}", file=sys.stderr)
+        return 1
+    for row in rows:
+        errors = (
+            f", algebraic error {row.algebraic_error:.1e} of {row.discretisation_error:.1e}"
+            if row.algebraic_error == row.algebraic_error
+            else ""
+        )
+        print(
+            f"{row.work:42} {row.method:7} {row.figure:8.3g} {row.unit} "
+            f"(at most {row.at_most:g}, aim {row.aim:g}){errors}"
+        )
+    print(path)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,91 @@
+"""The table of the stability map, and what it says in a few lines."""
+
+import csv
+from collections import Counter
+from collections.abc import Sequence
+from pathlib import Path
+
+from studies.stability.outcome import CONVERGED, FAILED, OUTCOMES, Row
+
+_INPUTS = {
+    "load_parameter_m": "",
+    "lubricant_parameter_l": "",
+    "radius_ratio_d": "",
+    "slip_parameter": 1.0,
+    "viscosity_law": "roelands",
+    "density_law": "dowson_higginson",
+    "orientation": "none",
+    "wavelength_over_a": 0.0,
+    "amplitude_over_film": 0.0,
+    "time_step_over_cell": 1.0,
+    "load_balance": "force_balance",
+    "load_factor": 1.0,
+    "end_time": 0.0,
+}
+_RESULTS = (
+    "cells_x",
+    "cells_y",
+    "is_resolved",
+    "status",
+    "rung",
+    "rescued_solutions",
+    "time_steps",
+    "nonlinear_steps",
+    "linear_steps",
+    "work_units",
+    "residual",
+    "load_error",
+    "inlet_resolution",
+    "inlet_gap_over_film",
+    "central_film_moes",
+    "amplitude_ratio_fit",
+)
+
+
+def write_table(path: Path, rows: Sequence[Row]) -> None:
+    """Write one line per case: its inputs, its outcome, its effort and what is wrong with it."""
+    names = ["family", "variant", *_INPUTS, "outcome", *_RESULTS, "seconds", "message", "faults"]
+    with path.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(names)
+        for row in rows:
+            inputs = [row.case.value(key, usual) for key, usual in _INPUTS.items()]
+            results = [_short(row.result.get(name)) for name in _RESULTS]
+            cells = [row.case.family, row.case.variant, *inputs, row.outcome, *results]
+            writer.writerow([*cells, f"{row.seconds:.2f}", row.message, "; ".join(row.faults)])
+
+
+def summary(rows: Sequence[Row]) -> str:
+    """Return counts by family and outcome, the rungs used, and every bad case."""
+    families = list(dict.fromkeys(row.case.family for row in rows))
+    lines = [f"{'family':<12}" + "".join(f"{name:>27}" for name in OUTCOMES)]
+    for family in (*families, "all"):
+        members = [row for row in rows if family in (row.case.family, "all")]
+        counts = Counter(row.outcome for row in members)
+        lines.append(f"{family:<12}" + "".join(f"{counts[name]:>27}" for name in OUTCOMES))
+    resolved = [row for row in rows if row.outcome in (CONVERGED, FAILED)]
+    good = sum(row.outcome == CONVERGED for row in resolved)
+    rungs = Counter(row.result.get("rung") for row in resolved if row.outcome == CONVERGED)
+    lines += [
+        "",
+        f"{good} of {len(resolved)} resolved cases converged; highest rung used: "
+        + ", ".join(f"{name} {count}" for name, count in rungs.most_common()),
+        f"{sum(bool(row.faults) for row in rows)} results that claim what they should not",
+    ]
+    lines += [bad_line(row) for row in rows if row.is_bad]
+    return "\n".join(lines)
+
+
+def bad_line(row: Row) -> str:
+    """Return what the case was and what is wrong with it."""
+    case = row.case
+    keys = ("load_parameter_m", "lubricant_parameter_l", "radius_ratio_d")
+    m, l, d = (case.value(key) for key in keys)
+    why = "; ".join([row.message, *row.faults]).strip("; ")
+    return f"BAD {case.family}, {case.variant}, M = {m:g}, L = {l:g}, D = {d:g}: {why}"
+
+
+def _short(value: object) -> object:
+    if isinstance(value, float):
+        return f"{value:.6g}"
+    return "" if value is None else value

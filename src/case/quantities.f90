@@ -1,0 +1,189 @@
+!> The table of quantities: what a case is, what its plan says and what it came to. Everything that is printed as JSON,
+!> stored, or written to HDF5 files follows from it, so a new quantity is one entry here and what computes it.
+!>
+!> An entry gives name, long name, how the value is got, the unit where the number is not a plain one, and where only
+!> some cases have it, which (`exists`). What is a key as well is described in the table of keys: `add_key` takes it over.
+module ehlwave_quantities
+   use ehlwave_case_definition, only: case_t
+   use ehlwave_case_key, only: key_long_name, number_kind, truth_kind, whole_kind
+   use ehlwave_case_plan, only: case_plan_t
+   use ehlwave_case_result, only: case_result_t
+   use ehlwave_case_text, only: case_identity
+   use ehlwave_error_estimate, only: basis_name
+   use ehlwave_key_list, only: case_key_list, find_key, key_list_t
+   use ehlwave_harmonic_result, only: harmonic_result_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_quantity, only: quantity_list_t
+   use ehlwave_status, only: status_name
+   implicit none (type, external)
+   private
+   public :: add_case, add_key, add_plan, add_result
+
+   real(dp), parameter :: um_per_m = 1e6_dp
+
+contains
+
+   !> What the case is.
+   subroutine add_case(list, case, plan)
+      type(quantity_list_t), intent(inout) :: list
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      type(key_list_t) :: keys
+
+      keys = case_key_list(case)
+      associate (c => plan%conditions)
+         call list%add('case_id', 'identity of the effective input', case_identity(case))
+         call list%add('load_parameter_m', 'Moes load parameter M', c%m)
+         call list%add('lubricant_parameter_l', 'Moes lubricant parameter L', c%l)
+         call list%add('radius_ratio_d', 'D = Rx/Ry', c%d)
+         call add_key(list, keys, 'slip_parameter')
+         call list%add('kappa', 'ellipticity a/b', c%elliptic%kappa)
+         call list%add('gamma', 'pressure factor of the ellipticity', c%gamma)
+         call list%add('alphabar', 'alpha ph', c%alphabar)
+         call list%add('lambdabar', 'dimensionless speed parameter', c%lambdabar)
+      end associate
+      call add_key(list, keys, 'orientation')
+      call add_key(list, keys, 'response')
+      call list%add('surface_file', 'measured surface in place of waviness', trim(case%surface_file), &
+                    exists=allocated(plan%waviness%surface))
+      call add_key(list, keys, 'wavelength_x_over_a')
+      call add_key(list, keys, 'wavelength_y_over_a')
+      call list%add('deformation', 'fft or mlmi on the finest grid', trim(plan%deformation))
+      call list%add('expected_error', 'relative error expected by the plan', plan%expected_error)
+      call list%add('expected_work_units', 'work expected by the plan, in plain FFT convolutions of the grid', &
+                    plan%expected_work_units)
+      call list%add('cells_x', 'cells along X', plan%cells_x)
+      call list%add('cells_y', 'cells along Y, whole domain', plan%cells_y)
+      call list%add('inlet_resolution', 'hX over the length of the inlet pressure sweep', plan%resolution%inlet)
+      call list%add('inlet_gap_over_film', 'gap at x_min over the film of the formula', plan%resolution%inlet_gap)
+      call list%add('points_per_wave_x', 'mesh sizes per wave along X', plan%resolution%points_x)
+      call list%add('points_per_wave_y', 'mesh sizes per wave along Y', plan%resolution%points_y)
+   end subroutine add_case
+
+   !> What the plan says before the case has run.
+   subroutine add_plan(list, case, plan)
+      type(quantity_list_t), intent(inout) :: list
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      type(key_list_t) :: keys
+      character(len=8), parameter :: kinds(4) = [character(len=8) :: 'smooth', 'standing', 'march', 'harmonic']
+
+      keys = case_key_list(case)
+      call add_case(list, case, plan)
+      call list%add('run', 'what is computed: smooth, standing, march or harmonic', trim(kinds(plan%kind)))
+      call list%add('time_steps', 'time steps to be done', plan%steps)
+      call list%add('time_step', 'dT', plan%dt)
+      call list%add('steady_states', 'steady states to be solved', 1 + plan%phases)
+      call list%add('is_half_domain', '1 when only Y >= 0 is computed', plan%is_half)
+      call list%add('is_resolved', '1 when the grid resolves the case', plan%resolution%is_resolved)
+      call list%add('message', 'why the grid does not resolve the case', plan%resolution%reason)
+      call add_key(list, keys, 'accuracy')
+      call list%add('expected_seconds', 'time expected by the plan', plan%expected_seconds(), unit='s')
+      call add_key(list, keys, 'step_tolerance')
+      call add_key(list, keys, 'tolerance')
+   end subroutine add_plan
+
+   !> A key of the case with the value in use.
+   subroutine add_key(list, keys, name)
+      type(quantity_list_t), intent(inout) :: list
+      type(key_list_t), intent(in) :: keys      !! of the case
+      character(len=*), intent(in) :: name
+      integer :: k
+
+      k = find_key(keys%keys, name)
+      associate (key => keys%keys(k), value => keys%values(k))
+         select case (key%kind)
+         case (number_kind); call list%add(name, key_long_name(key), value%number, unit=trim(key%unit))
+         case (whole_kind); call list%add(name, key_long_name(key), value%whole)
+         case (truth_kind); call list%add(name, key_long_name(key), value%truth)
+         case default; call list%add(name, key_long_name(key), value%word)
+         end select
+      end associate
+   end subroutine add_key
+
+   !> What the case is and what it came to.
+   subroutine add_result(list, case, plan, result)
+      type(quantity_list_t), intent(inout) :: list
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      type(case_result_t), intent(in) :: result
+
+      call list%add('status', 'outcome', status_name(result%status))
+      call list%add('message', 'why a case did not converge or is not resolved', result%message)
+      call add_case(list, case, plan)
+      call list%add('is_resolved', '1 when the grid resolves the case', result%is_resolved)
+      call add_smooth_film(list, plan, result)
+      call list%add('load_error', 'largest load error of the solutions', result%load_error)
+      call list%add('residual', 'largest mass residual of the solutions', result%residual)
+      call list%add('amplitude_ratio', 'Ad/Ai from the samples', result%amplitude_ratio)
+      call list%add('amplitude_ratio_fit', 'Ad/Ai from a harmonic fit', result%amplitude_ratio_fit)
+      call list%add('phase_fit', 'phase of the harmonic fit against the pattern at the centre', result%phase_fit, unit='rad')
+      call list%add('mean_film', 'mean of H(0,0) over what is measured: a period, all phases, or a surface', result%mean_film)
+      call list%add('central_film_error', 'estimated relative error of central_film', result%central_film_error)
+      call list%add('minimum_film_error', 'estimated relative error of minimum_film', result%minimum_film_error)
+      call list%add('film_order', 'observed order of central_film on three levels', result%film_order)
+      call list%add('amplitude_ratio_error', 'estimated relative error of Ad/Ai', result%amplitude_ratio_error)
+      call list%add('amplitude_error_basis', 'what amplitude_ratio_error is from', &
+                    trim(basis_name(result%amplitude_error_basis)))
+      call add_response(list, result%harmonic)
+      call list%add('v', 'V of theory eq. (17)', result%v)
+      call list%add('v2', 'V2 of theory eq. (16)', result%v2)
+      call list%add('f_r', 'f(r) of theory eq. (15)', result%f_r)
+      call list%add('formula_ratio', 'Ad/Ai by theory eq. (18)', result%formula_ratio)
+      call add_effort(list, result)
+   end subroutine add_result
+
+   subroutine add_smooth_film(list, plan, result)
+      type(quantity_list_t), intent(inout) :: list
+      type(case_plan_t), intent(in) :: plan
+      type(case_result_t), intent(in) :: result
+
+      call list%add('central_film', 'smooth central film thickness H(0,0)', result%central_film)
+      call list%add('minimum_film', 'smallest film thickness H of the smooth contact', result%minimum_film)
+      call list%add('central_film_moes', 'H(0,0) in the Moes scale', result%central_film_moes)
+      call list%add('max_pressure', 'largest P of the smooth contact', result%max_pressure)
+      associate (c => plan%conditions)
+         call list%add('central_film_um', 'smooth central film thickness h(0,0)', result%central_film*c%c_m*um_per_m, &
+                       unit='um', exists=c%has_dimensions)
+         call list%add('minimum_film_um', 'smallest film thickness h of the smooth contact', &
+                       result%minimum_film*c%c_m*um_per_m, unit='um', exists=c%has_dimensions)
+         call list%add('length_a_m', 'Hertz semi-axis in x', c%a_m, unit='m', exists=c%has_dimensions)
+         call list%add('length_b_m', 'Hertz semi-axis in y', c%b_m, unit='m', exists=c%has_dimensions)
+         call list%add('length_c_m', 'Hertz approach', c%c_m, unit='m', exists=c%has_dimensions)
+         call list%add('hertz_pressure_pa', 'largest Hertz pressure', c%hertz_pressure_pa, unit='Pa', exists=c%has_dimensions)
+      end associate
+   end subroutine add_smooth_film
+
+   subroutine add_response(list, harmonic)
+      type(quantity_list_t), intent(inout) :: list
+      type(harmonic_result_t), intent(in) :: harmonic
+
+      call list%add('harmonic_ratio', 'Ad/Ai of small waves, linear response', harmonic%ratio)
+      call list%add('harmonic_phase', 'phase of the linear response of H(0,0)', harmonic%phase, unit='rad')
+      call list%add('harmonic_real', 'transfer function pattern to H(0,0), real part', harmonic%real_part)
+      call list%add('harmonic_imaginary', 'transfer function pattern to H(0,0), imaginary part', harmonic%imaginary_part)
+      call list%add('harmonic_approach', 'amplitude of the approach over Ai', harmonic%approach_ratio)
+      call list%add('harmonic_extrapolated', 'harmonic_ratio at mesh size 0', harmonic%extrapolated)
+      call list%add('harmonic_error', 'estimated relative error of harmonic_ratio', harmonic%error)
+      call list%add('harmonic_linear_steps', 'GMRES steps of the linear response', harmonic%linear_steps)
+      call list%add('harmonic_work_units', 'processor time of the linear response in plain FFT convolutions of the grid', &
+                    harmonic%work_units)
+   end subroutine add_response
+
+   subroutine add_effort(list, result)
+      type(quantity_list_t), intent(inout) :: list
+      type(case_result_t), intent(in) :: result
+
+      call list%add('time_steps', 'time steps done', result%time_steps)
+      call list%add('nonlinear_steps', 'Newton steps, or FAS cycles, on the finest grid', result%nonlinear_steps)
+      call list%add('linear_steps', 'GMRES steps, or FAS sweeps, on the finest grid', result%linear_steps)
+      call list%add('rung', 'highest rung of the rescue ladder used', trim(result%rung))
+      call list%add('rescued_solutions', 'solutions that took more than the direct solve', result%rescued_solutions)
+      call list%add('seconds', 'wall time of the case', result%seconds, unit='s')
+      call list%add('work_units', 'wall time in plain FFT convolutions of the grid', result%work_units)
+      call list%add('peak_memory_mib', 'peak memory of the process so far', result%peak_memory_mib, unit='MiB')
+      call list%add('residual_history', 'mass residual of the solution that failed, before each step and at the end', &
+                    result%residual_history)
+   end subroutine add_effort
+
+end module ehlwave_quantities
