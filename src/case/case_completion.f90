@@ -3,6 +3,7 @@ module ehlwave_case_completion
    use ehlwave_case_definition, only: case_t, largest_line_cells, usual_largest_cells
    use ehlwave_case_input, only: case_input_t
    use ehlwave_case_key, only: key_length
+   use ehlwave_case_lubricant, only: check_lubricant, pressure_viscosity
    use ehlwave_conditions, only: conditions_from_dimensional, conditions_from_moes, conditions_t
    use ehlwave_errors, only: error_t, raise
    use ehlwave_formula, only: anisotropy_factor, wave_parameter_v
@@ -17,8 +18,9 @@ module ehlwave_case_completion
 
    character(len=key_length), parameter :: moes_keys(3) = [character(len=key_length) :: 'load_parameter_m', &
       'lubricant_parameter_l', 'radius_ratio_d']
+   !> Those that say that there are dimensional data; reduced_modulus_pa may be given besides M, L and D.
    character(len=key_length), parameter :: data_keys(6) = [character(len=key_length) :: 'radius_x_m', 'radius_y_m', &
-      'reduced_modulus_pa', 'load_n', 'mean_speed_m_per_s', 'viscosity_pa_s']
+      'load_n', 'load_n_per_m', 'mean_speed_m_per_s', 'viscosity_pa_s']
 
 contains
 
@@ -63,7 +65,8 @@ contains
       else if (.not. all(has_moes)) then
          call raise(error, '&conditions '//trim(moes_keys(findloc(has_moes, .false., 1)))//' is missing: give '// &
                     'load_parameter_m, lubricant_parameter_l and radius_ratio_d, or dimensional data (radius_x_m, '// &
-                    'radius_y_m, reduced_modulus_pa, load_n, mean_speed_m_per_s, viscosity_pa_s)')
+                    'radius_y_m, reduced_modulus_pa, load_n, mean_speed_m_per_s, viscosity_pa_s; of a line contact '// &
+                    'load_n_per_m in place of radius_y_m and load_n)')
       end if
    end subroutine settle_conditions
 
@@ -162,21 +165,26 @@ contains
       if (case%largest_cells == 0) case%largest_cells = largest_line_cells
    end subroutine complete_line
 
-   !> Operating conditions of a case; also sets M, L, D of a case given by dimensional data.
+   !> Operating conditions of a case whose lubricant has all it needs; also sets M, L, D of a case given by dimensional data.
    subroutine case_conditions(case, conditions, error)
       type(case_t), intent(inout) :: case
       type(conditions_t), intent(out) :: conditions
       type(error_t), allocatable, intent(inout) :: error
+      real(dp) :: alpha_per_pa
 
+      call check_lubricant(case, error)
+      if (allocated(error)) return
+      alpha_per_pa = pressure_viscosity(case)
       if (case%is_dimensional) then
-         case%data%pressure_viscosity_per_pa = case%pressure_viscosity_per_pa
+         case%data%pressure_viscosity_per_pa = alpha_per_pa
          call conditions_from_dimensional(case%data, conditions, error)
          case%load_parameter_m = conditions%m
          case%lubricant_parameter_l = conditions%l
          case%radius_ratio_d = conditions%d
       else
          call conditions_from_moes(case%load_parameter_m, case%lubricant_parameter_l, case%radius_ratio_d, &
-                                   case%pressure_viscosity_per_pa, conditions, error)
+                                   alpha_per_pa, conditions, error)
+         conditions%data%reduced_modulus_pa = case%data%reduced_modulus_pa
       end if
    end subroutine case_conditions
 

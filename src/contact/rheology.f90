@@ -1,5 +1,6 @@
 !> Density and viscosity of the lubricant as functions of dimensionless pressure.
 module ehlwave_rheology
+   use ehlwave_flow_law, only: flow_law_t
    use ehlwave_kinds, only: dp
    use ehlwave_tait_density, only: tait_density_t
    use ehlwave_viscosity_law, only: largest_exponent, viscosity_law_t
@@ -26,12 +27,16 @@ module ehlwave_rheology
       real(dp) :: ph_pa = 0         !! ph, Pa
       class(viscosity_law_t), allocatable :: law   !! viscosity_special
       type(tait_density_t) :: tait                 !! density_tait
+      class(flow_law_t), allocatable, public :: flow_law       !! unallocated: Newtonian
+      real(dp), public :: modulus_times_stress_pa2 = 0         !! E' tau0, tau0 the stress of the flow law
+      real(dp), public :: slip_parameter = 1                   !! S
    contains
       procedure :: evaluate
       procedure :: density
       procedure :: at_pressure
       procedure :: use_viscosity
       procedure :: use_density
+      procedure :: use_flow
    end type rheology_t
 
 contains
@@ -69,6 +74,17 @@ contains
       self%tait = tait
    end subroutine use_density
 
+   !> Take a flow law other than Newton's.
+   pure subroutine use_flow(self, law, modulus_times_stress_pa2, slip_parameter)
+      class(rheology_t), intent(inout) :: self
+      class(flow_law_t), intent(in) :: law
+      real(dp), intent(in) :: modulus_times_stress_pa2   !! E' tau0, tau0 the stress that makes the law dimensionless, Pa^2
+      real(dp), intent(in) :: slip_parameter             !! S
+      self%flow_law = law
+      self%modulus_times_stress_pa2 = modulus_times_stress_pa2
+      self%slip_parameter = slip_parameter
+   end subroutine use_flow
+
    !> The same laws for a contact at another Hertz pressure.
    pure function at_pressure(self, alphabar, hertz_pressure_pa) result(other)
       class(rheology_t), intent(in) :: self
@@ -78,6 +94,7 @@ contains
       other = new_rheology(self%viscosity_law, self%density_law, alphabar, self%z, hertz_pressure_pa)
       if (allocated(self%law)) other%law = self%law
       other%tait = self%tait
+      if (allocated(self%flow_law)) call other%use_flow(self%flow_law, self%modulus_times_stress_pa2, self%slip_parameter)
    end function at_pressure
 
    !> Density, fluidity 1/eta and their derivatives at pressures P >= 0, theory section 3:
