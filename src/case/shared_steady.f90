@@ -35,8 +35,8 @@ module ehlwave_shared_steady
 
 contains
 
-   !> What the steady state of a case depends on: all of its input but the waves and what is done with them. Cells,
-   !> domain and cap on the steps are those of the plan.
+   !> What the steady state of a case depends on: all of its input but the waves and what is done with them, of a Newtonian oil but
+   !> the sliding, too. Cells, domain and cap on the steps are those of the plan.
    function steady_key(case, plan) result(key)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
@@ -45,7 +45,7 @@ contains
 
       bare = case
       bare%orientation = 'none'
-      bare%slip_parameter = defaults%slip_parameter
+      if (case%flow_law == 'newtonian') bare%slip_parameter = defaults%slip_parameter
       bare%load_balance = defaults%load_balance
       bare%natural_frequency = defaults%natural_frequency
       bare%cells_x = plan%cells_x
