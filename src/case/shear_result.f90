@@ -25,6 +25,7 @@ module ehlwave_shear_result
       procedure, private :: estimate_temperatures
    end type shear_result_t
 
+   real(dp), parameter :: least_pressure = 1e-12_dp ! P of nodes that bear; solvers leave 1e-30 at some cavitated ones
    real(dp), parameter :: much_load = 0.01_dp       ! of a share beyond the limit,
    real(dp), parameter :: thin_film = 0.95_dp       ! of the factor of the inlet,
    real(dp), parameter :: warm_contact_k = 10       ! viscosity falls by a third: what makes a warning
@@ -47,11 +48,11 @@ contains
       call shear(problem, state, slip_parameter, stress, b, factor_x, factor_y)
       associate (grid => problem%grid, c => problem%conditions)
          if (allocated(problem%film_flow)) then
-            self%largest_b = maxval(abs(b), mask=state%p > 0)
+            self%largest_b = maxval(abs(b), mask=state%p > least_pressure)
             self%tangent_factor = [grid%value_at_centre(factor_x), grid%value_at_centre(factor_y)]
          end if
          if (.not. knows_stress(c)) return
-         self%friction_coefficient = load_factor*grid%integral(merge(stress, 0.0_dp, state%p > 0))
+         self%friction_coefficient = load_factor*grid%integral(merge(stress, 0.0_dp, state%p > least_pressure))
          self%share_beyond_limit = grid%integral(merge(state%p, 0.0_dp, &
                                                        abs(stress) > limiting_stress_over_pressure*state%p))/grid%integral(state%p)
          if (c%has_dimensions) call self%estimate_temperatures(c, slip_parameter, grid%value_at_centre(state%h))
