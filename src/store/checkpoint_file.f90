@@ -115,7 +115,7 @@ contains
       real(dp), intent(inout) :: seconds        !! wall time of the case so far
 
       associate (r => march%result, past => march%past, given => march%given, rescue => march%rescue)
-         if (.not. allocated(given%rough)) allocate (given%rough, source=0*given%carried)   ! before the first step
+         if (.not. allocated(given%rough)) allocate (given%rough, source=0*given%transport%carried)   ! before step 1
          call bytes%number(seconds)
          call bytes%numbers(march%approach, size(march%approach))
          call bytes%number(past%before%delta)
@@ -141,7 +141,7 @@ contains
          call bytes%numbers(past%earlier%p, size(past%earlier%p))
          call bytes%numbers(past%earliest%p, size(past%earliest%p))
          call bytes%numbers(march%history, size(march%history))
-         call bytes%numbers(given%carried, size(given%carried))
+         call bytes%numbers(given%transport%carried, size(given%transport%carried))
          call bytes%numbers(given%rough, size(given%rough))
       end associate
    end subroutine pass_march
