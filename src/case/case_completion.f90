@@ -9,7 +9,7 @@ module ehlwave_case_completion
    use ehlwave_kinds, only: dp
    use ehlwave_key_applicability, only: check_applicability
    use ehlwave_key_list, only: find_key, key_list_t
-   use ehlwave_petsc_solver, only: require_petsc
+   use ehlwave_petsc_library, only: require_petsc
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private

@@ -98,8 +98,9 @@ contains
          'product of cosines', applies=is_custom, when=custom))
       call v%see(case%amplitude_over_film, key_t('amplitude_over_film', 'amplitude Ai over the smooth central film '// &
          'thickness', above=0.0_dp, maximum=1.0_dp, is_written=is_wavy))
-      call v%see(case%response, key_t('response', "response; 'transient': waves of this amplitude in time, 'harmonic': the "// &
-         "linear response to small waves, without time steps, 'both'", choices='transient harmonic both', is_written=is_wavy))
+      call v%see(case%response, key_t('response', "response to the waves; 'transient': waves of this amplitude in time, "// &
+         "'harmonic': the linear response to small waves, without time steps, 'both'", choices='transient harmonic both', &
+         is_written=is_wavy))
       call v%enter('surface', 'A measured surface in place of &waviness.')
       call v%see(case%surface_file, key_t('file', 'surface written by `ehlwave-post surface`; it enters at x_min, moves with '// &
          'S and is followed until its trailing end is at the contact centre, or end_time; needs dimensional conditions. '// &
@@ -124,8 +125,8 @@ contains
          maximum=8192.0_dp, applies=is_elliptical, when=elliptical))
       call v%see(case%largest_cells, key_t('largest_cells', 'limit of what is chosen', minimum=64.0_dp, maximum=8192.0_dp, &
          default='1024; of line contacts 8192', is_written=min(case%cells_x, case%cells_y) == 0))
-      call v%see(case%domain, key_t('domain', "domain; 'auto': half of it where the case is even in Y, 'whole': always all "// &
-         'of it', choices='auto whole', applies=is_elliptical, when=elliptical))
+      call v%see(case%domain, key_t('domain', "computed domain; 'auto': half of it where the case is even in Y, 'whole': "// &
+         'always all of it', choices='auto whole', applies=is_elliptical, when=elliptical))
    end subroutine visit_grid
 
    subroutine visit_solver(case, v)
@@ -146,8 +147,9 @@ contains
       call v%see(case%largest_total_steps, key_t('largest_total_steps', 'largest number of Newton steps of a case on the '// &
          'finest grid; rescues included; 0: 600, and 40 for each time step, 300 for each phase of a standing pattern', &
          minimum=0.0_dp, maximum=1e9_dp, is_written=case%largest_total_steps > 0))
-      call v%see(case%method, key_t('method', "method; 'fas': FAS multigrid with hybrid line relaxation, the paper's method, "// &
-         "'petsc': the finest level by PETSc's variational inequality solver, an independent check (builds with PETSc)", &
+      call v%see(case%method, key_t('method', "method of solution; 'fas': FAS multigrid with hybrid line relaxation, the "// &
+         "paper's method, 'petsc': the finest level by PETSc's variational inequality solver, an "// &
+         "independent check (builds with PETSc)", &
          choices='newton fas petsc'))
       call v%see(case%cycle, key_t('cycle', 'multigrid cycle', choices='f v w', default="'f'", applies=case%method == 'fas', &
          when="method = 'fas'"))

@@ -7,7 +7,7 @@ module ehlwave_field_file
    use ehlwave_clock, only: time_stamp
    use ehlwave_errors, only: error_t, raise
    use ehlwave_hdf5_file, only: hdf5_file_t
-   use ehlwave_provenance, only: compiler, compiler_flags, git_revision, library_versions, program_version
+   use ehlwave_provenance_list, only: add_provenance
    use ehlwave_quantities, only: add_result
    use ehlwave_quantity, only: quantity_list_t
    use ehlwave_quantity_output, only: write_quantities
@@ -50,10 +50,10 @@ contains
 
       call file%create(path, error)
       if (allocated(error)) return
-      call file%attribute('', 'title', 'ehlwave: one elastohydrodynamic contact')
-      call file%attribute('', 'format', 'ehlwave-case')
+      call file%attribute('title', 'ehlwave: one elastohydrodynamic contact')
+      call file%attribute('format', 'ehlwave-case')
       call write_provenance(file)
-      call file%attribute('', 'effective_input', effective_input(case))
+      call file%attribute('effective_input', effective_input(case))
       call add_result(quantities, case, plan, result)
       call write_quantities(file, quantities)
       if (allocated(result%time)) then
@@ -89,12 +89,13 @@ contains
    !> What wrote the file and how it was built.
    subroutine write_provenance(file)
       type(hdf5_file_t), intent(inout) :: file
-      call file%attribute('', 'program_version', program_version)
-      call file%attribute('', 'git_revision', git_revision)
-      call file%attribute('', 'compiler', compiler)
-      call file%attribute('', 'compiler_flags', compiler_flags)
-      call file%attribute('', 'library_versions', library_versions)
-      call file%attribute('', 'written', time_stamp())
+      type(quantity_list_t) :: list
+      integer :: i
+      call add_provenance(list)
+      do i = 1, list%count
+         call file%attribute(list%items(i)%name, list%items(i)%text)
+      end do
+      call file%attribute('written', time_stamp())
    end subroutine write_provenance
 
 end module ehlwave_field_file

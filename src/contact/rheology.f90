@@ -1,17 +1,19 @@
 !> Density and viscosity of the lubricant as functions of dimensionless pressure.
 module ehlwave_rheology
    use ehlwave_kinds, only: dp
+   use ehlwave_tait_density, only: tait_density_t
+   use ehlwave_viscosity_law, only: largest_exponent, viscosity_law_t
    implicit none (type, external)
    private
    public :: new_rheology
 
-   integer, parameter, public :: viscosity_roelands = 1, viscosity_barus = 2, viscosity_constant = 3
-   integer, parameter, public :: density_dowson_higginson = 1, density_constant = 2
+   integer, parameter, public :: viscosity_roelands = 1, viscosity_barus = 2, viscosity_constant = 3, &
+                                 viscosity_special = 4   !! a law with parameters of its own
+   integer, parameter, public :: density_dowson_higginson = 1, density_constant = 2, density_tait = 3
 
    real(dp), parameter, public :: roelands_pressure_pa = 1.96e8_dp     !! p0 of the Roelands law
    real(dp), parameter :: dowson_higginson_pa = 5.9e8_dp               !! ambient modulus of the density law
    real(dp), parameter :: dowson_higginson_factor = 1.34_dp            !! rho at infinite pressure
-   real(dp), parameter :: largest_exponent = 600                       !! keeps exp() finite
 
    type, public :: rheology_t
       private
@@ -21,10 +23,15 @@ module ehlwave_rheology
       real(dp) :: z = 0.68_dp       !! Roelands index
       real(dp) :: ph_over_p0 = 0    !! ph/p0
       real(dp) :: ph_over_dh = 0    !! ph/5.9e8 Pa
+      real(dp) :: ph_pa = 0         !! ph, Pa
+      class(viscosity_law_t), allocatable :: law   !! viscosity_special
+      type(tait_density_t) :: tait                 !! density_tait
    contains
       procedure :: evaluate
       procedure :: density
       procedure :: at_pressure
+      procedure :: use_viscosity
+      procedure :: use_density
    end type rheology_t
 
 contains
@@ -43,7 +50,24 @@ contains
       self%z = roelands_index
       self%ph_over_p0 = hertz_pressure_pa/roelands_pressure_pa
       self%ph_over_dh = hertz_pressure_pa/dowson_higginson_pa
+      self%ph_pa = hertz_pressure_pa
    end function new_rheology
+
+   !> Take a viscosity law with parameters of its own.
+   pure subroutine use_viscosity(self, law)
+      class(rheology_t), intent(inout) :: self
+      class(viscosity_law_t), intent(in) :: law
+      self%viscosity_law = viscosity_special
+      self%law = law
+   end subroutine use_viscosity
+
+   !> Take Tait's density.
+   pure subroutine use_density(self, tait)
+      class(rheology_t), intent(inout) :: self
+      type(tait_density_t), intent(in) :: tait
+      self%density_law = density_tait
+      self%tait = tait
+   end subroutine use_density
 
    !> The same laws for a contact at another Hertz pressure.
    pure function at_pressure(self, alphabar, hertz_pressure_pa) result(other)
@@ -52,6 +76,8 @@ contains
       real(dp), intent(in) :: hertz_pressure_pa           !! ph, Pa
       type(rheology_t) :: other
       other = new_rheology(self%viscosity_law, self%density_law, alphabar, self%z, hertz_pressure_pa)
+      if (allocated(self%law)) other%law = self%law
+      other%tait = self%tait
    end function at_pressure
 
    !> Density, fluidity 1/eta and their derivatives at pressures P >= 0, theory section 3:
@@ -60,6 +86,7 @@ contains
    !>     eta = exp((alpha p0/z) ((1 + ph P/p0)^z - 1))                  Roelands
    !>     eta = exp(alphabar P)                                          Barus
    !>
+   !> or the law that was given.
    !> Written as plain loops over contiguous arrays so that exp and log are vectorised.
    pure subroutine evaluate(self, n, p, rho, drho, fluidity, dln_eta)
       class(rheology_t), intent(in) :: self
@@ -69,7 +96,7 @@ contains
       real(dp), intent(out) :: drho(n)      !! d rho/d P
       real(dp), intent(out) :: fluidity(n)  !! eta0/eta
       real(dp), intent(out) :: dln_eta(n)   !! d ln(eta)/d P
-      real(dp) :: c, f, g, power, x, z
+      real(dp) :: c, f, g, p_pa(merge(n, 0, self%viscosity_law == viscosity_special)), power, x, z
       integer :: i
 
       select case (self%density_law)
@@ -80,6 +107,11 @@ contains
             x = 1/(1 + f*p(i))
             rho(i) = 1 + g*f*p(i)*x
             drho(i) = g*f*x*x
+         end do
+      case (density_tait)
+         do i = 1, n
+            rho(i) = self%tait%density(self%ph_pa*p(i))
+            drho(i) = -rho(i)**2*self%tait%volume_slope_per_pa(self%ph_pa*p(i))*self%ph_pa
          end do
       case default
          do i = 1, n
@@ -104,6 +136,11 @@ contains
             fluidity(i) = exp(-min(self%alphabar*p(i), largest_exponent))
             dln_eta(i) = self%alphabar
          end do
+      case (viscosity_special)
+         p_pa = self%ph_pa*p
+         call self%law%evaluate(n, p_pa, fluidity, dln_eta)
+         fluidity = exp(-fluidity)
+         dln_eta = self%ph_pa*dln_eta
       case default
          do i = 1, n
             fluidity(i) = 1
@@ -119,6 +156,7 @@ contains
       density = 1
       if (self%density_law == density_dowson_higginson) &
          density = 1 + (dowson_higginson_factor - 1)*self%ph_over_dh*p/(1 + self%ph_over_dh*p)
+      if (self%density_law == density_tait) density = self%tait%density(self%ph_pa*p)
    end function density
 
 end module ehlwave_rheology

@@ -1,6 +1,6 @@
 !> One HDF5 file being written: datasets with units, names and dimensions that xarray reads.
 !>
-!> Every status is kept. The file is made in memory; `finish` writes it, waits for the disk and only then gives it its
+!> The status of every call of the library that makes or writes something counts. The file is made in memory; `finish` writes it, waits for the disk and only then gives it its
 !> name, so that a reader never sees a broken file. (The library itself notices a full disk late, and can crash then.)
 module ehlwave_hdf5_file
    use, intrinsic :: iso_c_binding, only: c_loc, c_null_ptr, c_ptr
@@ -46,18 +46,18 @@ contains
       type(error_t), allocatable, intent(out) :: error
       integer(size_t), parameter :: increment = 1048576   ! bytes by which the memory grows
       integer(hid_t) :: properties
-      integer :: status
+      integer :: status(6)
 
       self%path = path
       self%is_good = .true.
-      call h5open_f(status)
-      call h5eset_auto_f(0, status)      ! our own messages, not the library's stack
-      call h5pcreate_f(h5p_file_access_f, properties, status)
-      call h5pset_fapl_core_f(properties, increment, .false., status)
+      call h5open_f(status(1))
+      call h5eset_auto_f(0, status(2))      ! our own messages, not the library's stack
+      call h5pcreate_f(h5p_file_access_f, properties, status(3))
+      call h5pset_fapl_core_f(properties, increment, .false., status(4))
+      call h5fcreate_f(path, h5f_acc_trunc_f, self%id, status(5), access_prp=properties)
+      call h5pclose_f(properties, status(6))
       call self%note(status)
-      call h5fcreate_f(path, h5f_acc_trunc_f, self%id, status, access_prp=properties)
-      call h5pclose_f(properties, status)
-      if (self%id < 0) call raise(error, 'cannot make '//path//' in memory: is there too little of it?')
+      if (.not. self%is_good) call raise(error, 'cannot make '//path//' in memory: is there too little of it?')
    end subroutine create
 
    !> Write the file and give it its name. Fails when anything since `create` did.
@@ -67,21 +67,18 @@ contains
       character(len=:), allocatable, target :: image
       type(c_ptr) :: buffer
       integer(size_t) :: length
-      integer :: status, written
+      integer :: status(5), written
 
       length = 0
-      call h5fflush_f(self%id, h5f_scope_global_f, status)
-      call self%note(status)
+      call h5fflush_f(self%id, h5f_scope_global_f, status(1))
       buffer = c_null_ptr
-      call h5fget_file_image_f(self%id, buffer, 0_size_t, status, length)
-      call self%note(status)
+      call h5fget_file_image_f(self%id, buffer, 0_size_t, status(2), length)
       allocate (character(len=length) :: image)
       buffer = c_loc(image)
-      call h5fget_file_image_f(self%id, buffer, length, status)
+      call h5fget_file_image_f(self%id, buffer, length, status(3))
+      call h5fclose_f(self%id, status(4))
+      call h5close_f(status(5))
       call self%note(status)
-      call h5fclose_f(self%id, status)
-      call self%note(status)
-      call h5close_f(status)
       if (.not. self%is_good) then
          call raise(error, 'making '//self%path//' failed: is there too little memory? What was there before is unchanged')
          return
@@ -91,44 +88,33 @@ contains
                                    '. What was there before is unchanged')
    end subroutine finish
 
+   !> Remember for `finish` whether calls of the library failed.
    subroutine note(self, status)
       class(hdf5_file_t), intent(inout) :: self
-      integer, intent(in) :: status
-      if (status < 0) self%is_good = .false.
+      integer, intent(in) :: status(:)
+      if (any(status < 0)) self%is_good = .false.
    end subroutine note
 
-   !> Text attribute of the file (`object` empty) or of a dataset.
-   subroutine text_attribute(self, object, name, text)
+   !> Text attribute of the file.
+   subroutine text_attribute(self, name, text)
       class(hdf5_file_t), intent(inout) :: self
-      character(len=*), intent(in) :: object, name, text
-      integer(hid_t) :: dataset
-      integer :: status
-
-      if (len(object) == 0) then
-         call write_attribute(self, self%id, name, text)
-      else
-         call h5dopen_f(self%id, object, dataset, status)
-         call self%note(status)
-         call write_attribute(self, dataset, name, text)
-         call h5dclose_f(dataset, status)
-      end if
+      character(len=*), intent(in) :: name, text
+      call write_attribute(self, self%id, name, text)
    end subroutine text_attribute
 
    !> Whole-number attribute of the file.
-   subroutine integer_attribute(self, object, name, value)
+   subroutine integer_attribute(self, name, value)
       class(hdf5_file_t), intent(inout) :: self
-      character(len=*), intent(in) :: object, name
+      character(len=*), intent(in) :: name
       integer, intent(in) :: value
       integer(hid_t) :: id, space
-      integer :: status
-      if (len(object) > 0) self%is_good = .false.
-      call h5screate_f(h5s_scalar_f, space, status)
-      call h5acreate_f(self%id, name, h5t_native_integer, space, id, status)
+      integer :: status(5)
+      call h5screate_f(h5s_scalar_f, space, status(1))
+      call h5acreate_f(self%id, name, h5t_native_integer, space, id, status(2))
+      call h5awrite_f(id, h5t_native_integer, value, [1_hsize_t], status(3))
+      call h5aclose_f(id, status(4))
+      call h5sclose_f(space, status(5))
       call self%note(status)
-      call h5awrite_f(id, h5t_native_integer, value, [1_hsize_t], status)
-      call self%note(status)
-      call h5aclose_f(id, status)
-      call h5sclose_f(space, status)
    end subroutine integer_attribute
 
    subroutine write_attribute(self, object, name, text)
@@ -136,22 +122,19 @@ contains
       integer(hid_t), intent(in) :: object
       character(len=*), intent(in) :: name, text
       integer(hid_t) :: space, type, id
-      integer :: status
+      character(len=max(1, len_trim(text))) :: value
+      integer :: status(8)
 
-      call h5screate_f(h5s_scalar_f, space, status)
-      call h5tcopy_f(h5t_fortran_s1, type, status)
-      call h5tset_size_f(type, int(max(1, len_trim(text)), size_t), status)
-      call h5acreate_f(object, name, type, space, id, status)
+      value = text
+      call h5screate_f(h5s_scalar_f, space, status(1))
+      call h5tcopy_f(h5t_fortran_s1, type, status(2))
+      call h5tset_size_f(type, len(value, size_t), status(3))
+      call h5acreate_f(object, name, type, space, id, status(4))
+      call h5awrite_f(id, type, value, [1_hsize_t], status(5))
+      call h5aclose_f(id, status(6))
+      call h5tclose_f(type, status(7))
+      call h5sclose_f(space, status(8))
       call self%note(status)
-      if (len_trim(text) > 0) then
-         call h5awrite_f(id, type, trim(text), [1_hsize_t], status)
-      else
-         call h5awrite_f(id, type, ' ', [1_hsize_t], status)
-      end if
-      call self%note(status)
-      call h5aclose_f(id, status)
-      call h5tclose_f(type, status)
-      call h5sclose_f(space, status)
    end subroutine write_attribute
 
    !> Make a dataset already written the scale of the dimension of its name.
@@ -159,15 +142,14 @@ contains
       class(hdf5_file_t), intent(inout) :: self
       character(len=*), intent(in) :: name
       integer(hid_t) :: id
-      integer :: status
-      call h5dopen_f(self%id, name, id, status)
+      integer :: status(3)
+      call h5dopen_f(self%id, name, id, status(1))
+      call h5dsset_scale_f(id, status(2), name)
+      call h5dclose_f(id, status(3))
       call self%note(status)
-      call h5dsset_scale_f(id, status, name)
-      call self%note(status)
-      call h5dclose_f(id, status)
    end subroutine dimension
 
-   !> Whether a dataset has been written.
+   !> Whether a dataset has been written. If that cannot be found out it counts as not; writing it then fails.
    logical function has(self, name)
       class(hdf5_file_t), intent(in) :: self
       character(len=*), intent(in) :: name
@@ -175,21 +157,26 @@ contains
       has = .false.
       if (len(name) == 0) return
       call h5lexists_f(self%id, name, has, status)
+      has = has .and. status >= 0
    end function has
 
    !> Properties of a new dataset: long ones are compressed, in chunks that are compressed one by one.
-   integer(hid_t) function storage(extent) result(properties)
+   integer(hid_t) function storage(self, extent) result(properties)
+      class(hdf5_file_t), intent(inout) :: self
       integer(hsize_t), intent(in) :: extent(:)
       integer(hsize_t), parameter :: longest_chunk = 16384
       integer(hsize_t) :: chunk(size(extent))
-      integer :: status
-      call h5pcreate_f(h5p_dataset_create_f, properties, status)
-      if (product(extent) < compressed_from) return
-      chunk = extent
-      chunk(size(chunk)) = max(1_hsize_t, min(extent(size(extent)), longest_chunk*extent(size(extent))/product(extent)))
-      call h5pset_chunk_f(properties, size(chunk), chunk, status)
-      call h5pset_shuffle_f(properties, status)
-      call h5pset_deflate_f(properties, deflate_level, status)
+      integer :: status(4)
+      status = 0
+      call h5pcreate_f(h5p_dataset_create_f, properties, status(1))
+      if (product(extent) >= compressed_from) then
+         chunk = extent
+         chunk(size(chunk)) = max(1_hsize_t, min(extent(size(extent)), longest_chunk*extent(size(extent))/product(extent)))
+         call h5pset_chunk_f(properties, size(chunk), chunk, status(2))
+         call h5pset_shuffle_f(properties, status(3))
+         call h5pset_deflate_f(properties, deflate_level, status(4))
+      end if
+      call self%note(status)
    end function storage
 
    !> One dataset and what belongs to it: units, long_name and its scales, slowest dimension first.
@@ -201,25 +188,24 @@ contains
       type(c_ptr), intent(in) :: values                      !! contiguous
       character(len=*), intent(in), optional :: scale, second_scale
       integer(hid_t) :: id, properties, space
-      integer :: status
+      integer :: status(6)
 
       if (size(extent) == 0) then
-         call h5screate_f(h5s_scalar_f, space, status)
+         call h5screate_f(h5s_scalar_f, space, status(1))
       else
-         call h5screate_simple_f(size(extent), extent, space, status)
+         call h5screate_simple_f(size(extent), extent, space, status(1))
       end if
-      properties = storage(extent)
-      call h5dcreate_f(self%id, name, in_file, space, id, status, dcpl_id=properties)
-      call self%note(status)
-      call h5pclose_f(properties, status)
-      call h5dwrite_f(id, in_memory, values, status)
-      call self%note(status)
+      properties = storage(self, extent)
+      call h5dcreate_f(self%id, name, in_file, space, id, status(2), dcpl_id=properties)
+      call h5pclose_f(properties, status(3))
+      call h5dwrite_f(id, in_memory, values, status(4))
       if (len(units) > 0) call write_attribute(self, id, 'units', units)
       call write_attribute(self, id, 'long_name', long_name)
       if (present(scale)) call self%attach(id, scale, 1)
       if (present(second_scale)) call self%attach(id, second_scale, 2)
-      call h5dclose_f(id, status)
-      call h5sclose_f(space, status)
+      call h5dclose_f(id, status(5))
+      call h5sclose_f(space, status(6))
+      call self%note(status)
    end subroutine write_values
 
    !> Attach a dimension scale; `number` counts dimensions in C order, slowest first.
@@ -229,13 +215,12 @@ contains
       character(len=*), intent(in) :: scale   !! empty: the dataset is a scale itself
       integer, intent(in) :: number
       integer(hid_t) :: scale_id
-      integer :: status
+      integer :: status(3)
       if (len_trim(scale) == 0) return
-      call h5dopen_f(self%id, trim(scale), scale_id, status)
+      call h5dopen_f(self%id, trim(scale), scale_id, status(1))
+      call h5dsattach_scale_f(id, scale_id, number, status(2))
+      call h5dclose_f(scale_id, status(3))
       call self%note(status)
-      call h5dsattach_scale_f(id, scale_id, number, status)
-      call self%note(status)
-      call h5dclose_f(scale_id, status)
    end subroutine attach
 
    !> One real value.
@@ -280,16 +265,17 @@ contains
       character(len=*), intent(in), target, contiguous :: values(:)
       integer(hid_t) :: in_memory, in_file
       type(c_ptr) :: address   ! as an argument, c_loc of text shifts the lengths of the texts after it (gfortran 12)
-      integer :: status
-      call h5tcopy_f(h5t_fortran_s1, in_memory, status)
-      call h5tset_size_f(in_memory, int(len(values), size_t), status)
-      call h5tcopy_f(h5t_c_s1, in_file, status)
-      call h5tset_size_f(in_file, int(max(1, maxval(len_trim(values))), size_t), status)
-      call h5tset_strpad_f(in_file, h5t_str_nullpad_f, status)
+      integer :: status(7)
+      call h5tcopy_f(h5t_fortran_s1, in_memory, status(1))
+      call h5tset_size_f(in_memory, len(values, size_t), status(2))
+      call h5tcopy_f(h5t_c_s1, in_file, status(3))
+      call h5tset_size_f(in_file, int(max(1, maxval(len_trim(values))), size_t), status(4))
+      call h5tset_strpad_f(in_file, h5t_str_nullpad_f, status(5))
       address = c_loc(values)
       call self%write_values(name, in_memory, in_file, shape(values, hsize_t), address, units, long_name, scale)
-      call h5tclose_f(in_memory, status)
-      call h5tclose_f(in_file, status)
+      call h5tclose_f(in_memory, status(6))
+      call h5tclose_f(in_file, status(7))
+      call self%note(status)
    end subroutine write_texts
 
    !> Field values(nx, ny) over two dimensions. In the file (C order) y comes first.

@@ -59,7 +59,7 @@ contains
             case ('real'); call file%write(q%name, q%number, q%unit, q%long_name)
             case ('integer', 'logical'); call file%write(q%name, nint(q%number), q%unit, q%long_name)
             case ('list'); call file%write(q%name, q%list, '', q%unit, q%long_name)
-            case default; call file%attribute('', q%name, q%text)
+            case default; call file%attribute(q%name, q%text)
             end select
          end associate
       end do

@@ -1,8 +1,8 @@
 #define SCALAR(kind) complex(kind)
+#define SINGLE(z) cmplx(z, kind=sp)
 #define PARTS 2
-#define SPLIT(z) [real(z, sp), real(aimag(z), sp)]
-#define A_AT(f, m, s) cmplx(a(f, 1, m, s), a(f, 2, m, s), sp)
-#define X_AT(f, s) cmplx(x(f, 1, s), x(f, 2, s), sp)
+#define AT(a, f, k) cmplx(a(f, 1, k), a(f, 2, k), sp)
+#define STORE(a, f, k, z) a(f, 1, k) = real(z); a(f, 2, k) = aimag(z)
 !> Incomplete factors of complex stencil matrices.
 module ehlwave_complex_ilu
    use ehlwave_kinds, only: dp, sp

@@ -1,8 +1,8 @@
 #define SCALAR(kind) real(kind)
+#define SINGLE(z) real(z, sp)
 #define PARTS 1
-#define SPLIT(z) [real(z, sp)]
-#define A_AT(f, m, s) a(f, 1, m, s)
-#define X_AT(f, s) x(f, 1, s)
+#define AT(a, f, k) a(f, 1, k)
+#define STORE(a, f, k, z) a(f, 1, k) = z
 !> Incomplete factors of real stencil matrices.
 module ehlwave_real_ilu
    use ehlwave_kinds, only: dp, sp

@@ -1,22 +1,18 @@
 !> The discrete problem of one level solved by SNES of PETSc: an independent reference.
 !>
 !> Shares with `newton` the discrete equations only: Newton's method, active set, line search, GMRES and the
-!> incomplete factors are PETSc's (SNESVINEWTONRSLS, Benson and Munson 2006). Where PETSc is absent,
-!> `petsc_solver_absent.f90` takes the place of this file.
+!> incomplete factors are PETSc's (SNESVINEWTONRSLS, Benson and Munson 2006). Ask `require_petsc` first whether PETSc can
+!> be had; without it a solve ends where it began, as a failed one.
 module ehlwave_petsc_solver
    use ehlwave_contact_inequality, only: contact_inequality_t
    use ehlwave_contact_problem, only: contact_problem_t
-   use ehlwave_errors, only: error_t
    use ehlwave_kinds, only: dp
    use ehlwave_level_solver, only: level_solver_t, solve_limits_t, solve_report_t
-   use ehlwave_petsc_binding, only: finish_petsc, out_of_steps, outcome_t, run_snes, settings_t
+   use ehlwave_petsc_binding, only: out_of_steps, outcome_t, run_snes, settings_t
    use ehlwave_state, only: state_t
    use ehlwave_status, only: status_diverged, status_stalled
    implicit none (type, external)
    private
-   public :: finish_petsc, require_petsc
-
-   logical, parameter, public :: has_petsc = .true.   !! whether this build has PETSc
 
    !> Newton steps are limited so that no pressure changes by more than `largest_change` and no film thickness
    !> falls below `smallest_film_factor` of its value, then shortened by a line search. When that fails, a second
@@ -35,12 +31,6 @@ module ehlwave_petsc_solver
    end type petsc_solver_t
 
 contains
-
-   !> An error in builds without PETSc.
-   subroutine require_petsc(error)
-      type(error_t), allocatable, intent(out) :: error
-      if (.false.) allocate (error)   ! never; silences a warning
-   end subroutine require_petsc
 
    !> Work space for a problem's grid. PETSc itself is started by the first solve.
    subroutine init(self, problem)

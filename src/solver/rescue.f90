@@ -9,7 +9,8 @@ module ehlwave_rescue
    use ehlwave_kinds, only: dp
    use ehlwave_level_solver, only: level_solver_t, solve_limits_t, solve_report_t
    use ehlwave_newton, only: newton_t
-   use ehlwave_petsc_solver, only: has_petsc, petsc_solver_t
+   use ehlwave_petsc_library, only: has_petsc
+   use ehlwave_petsc_solver, only: petsc_solver_t
    use ehlwave_state, only: state_t
    use ehlwave_status, only: status_converged
    implicit none (type, external)
@@ -117,9 +118,9 @@ contains
       do rung = rung_newton, rung_petsc
          if (self%steps_left <= 0) return
          if (rung == rung_newton .and. is_newton(level%solver)) cycle
-         if (rung == rung_petsc .and. .not. has_petsc) cycle
          level%state = guess
          if (rung == rung_petsc) then
+            if (.not. has_petsc()) return      ! the last rung
             call self%solve_by_petsc(level, limits)
          else
             call self%solve_by_newton(level, limits, is_damped=rung == rung_damped)

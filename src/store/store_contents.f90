@@ -5,40 +5,39 @@ module ehlwave_store_contents
    use ehlwave_identity_index, only: identity_index_t, identity_length
    use ehlwave_json_reader, only: json_number, json_string, split_list
    use ehlwave_kinds, only: dp
+   use ehlwave_layout, only: layout_t, new_layout, values_t
    use ehlwave_posix, only: list_folder
+   use ehlwave_provenance, only: git_revision, program_version
    use ehlwave_record_file, only: next_record, read_whole_file
    use ehlwave_status, only: status_of_name, status_pending
    use ehlwave_store_folder, only: check_store, log_name, records_name
+   use ehlwave_text_difference, only: text_from_difference
    implicit none (type, external)
    private
-   public :: add_layout, read_store, run_element
+   public :: add_layout, read_store
 
-   integer, parameter :: name_length = 64
+   character(len=*), parameter, public :: this_build = program_version//' '//git_revision
 
-   !> Names and kinds of the values of a record.
-   type, public :: layout_t
-      character(len=:), allocatable :: text            !! as stored
-      character(len=name_length), allocatable :: names(:), kinds(:)
-   end type layout_t
-
-   !> The last record of a case. Value k, as JSON, is text(first(k):last(k)).
-   type, public :: stored_case_t
+   !> The last record of a case.
+   type, extends(values_t), public :: stored_case_t
       character(len=identity_length) :: identity = ''
       integer :: status = status_pending
       real(dp) :: seconds = 0
       integer :: layout = 0, log = 0, run = 0
-      character(len=:), allocatable :: text
-      integer, allocatable :: first(:), last(:)
-   contains
-      procedure :: element => numbered_element
    end type stored_case_t
 
    !> One log: who wrote it and what it was at.
    type, public :: log_t
       integer :: run = 0, rank = 0
-      character(len=:), allocatable :: header, base_input
+      type(values_t) :: header
       type(layout_t) :: columns                        !! of the header
+      character(len=:), allocatable :: base_input      !! effective input that those of its cases differ from
       character(len=identity_length) :: in_flight = '' !! case that was begun, and neither done nor stopped
+      logical :: is_by_this_build = .false.            !! version and revision
+   contains
+      procedure :: has_header
+      procedure :: element => header_element
+      procedure :: build
    end type log_t
 
    type, public :: contents_t
@@ -52,6 +51,7 @@ module ehlwave_store_contents
       type(identity_index_t) :: index                  !! from identity to place in `cases`
    contains
       procedure :: value
+      procedure :: input
       procedure :: deaths
    end type contents_t
 
@@ -97,6 +97,7 @@ contains
       type(log_t), allocatable :: more(:)
       integer, allocatable :: first(:), last(:)
       integer :: begins, blank, ends, layout, position
+      logical :: fits
 
       position = 1
       layout = 0
@@ -110,9 +111,11 @@ contains
                call split_list(value, first, last)
                if (size(first) /= 2) exit
                log%columns = new_layout(value(first(1):last(1)))
-               log%header = value(first(2):last(2))
-               log%run = nint(json_number(run_element(log, 'run')))
-               log%rank = nint(json_number(run_element(log, 'rank')))
+               call log%header%split(value(first(2):last(2)), log%columns, fits)
+               if (.not. fits) exit
+               log%run = nint(json_number(log%element('run')))
+               log%rank = nint(json_number(log%element('rank')))
+               log%is_by_this_build = log%build() == this_build
             case ('input')
                log%base_input = json_string(value(2:len(value) - 1))
             case ('start')
@@ -123,12 +126,12 @@ contains
                call add_layout(value, contents, layout)
             case ('case')
                log%in_flight = ''
-               if (layout > 0 .and. allocated(log%header)) call take_case(value, layout, log%run, contents)
+               if (layout > 0 .and. log%has_header()) call take_case(value, layout, log%run, contents)
             end select
          end associate
       end do
       contents%runs = max(contents%runs, log%run)
-      if (.not. allocated(log%header)) return
+      if (.not. log%has_header()) return
       if (contents%log_count == size(contents%logs)) then
          allocate (more(2*contents%log_count))
          more(:contents%log_count) = contents%logs
@@ -146,19 +149,19 @@ contains
       type(stored_case_t) :: record
       type(stored_case_t), allocatable :: more(:)
       integer :: before, place
+      logical :: fits
 
-      call split_list(text, record%first, record%last)
-      if (size(record%first) /= size(contents%layouts(layout)%names)) then
+      call record%split(text, contents%layouts(layout), fits)
+      if (.not. fits) then
          contents%bad_lines = contents%bad_lines + 1
          return
       end if
       record%layout = layout
       record%run = run
       record%log = contents%log_count + 1
-      record%text = text
-      record%identity = json_string(element(contents%layouts(layout), record, 'case_id'))
-      record%status = status_of_name(json_string(element(contents%layouts(layout), record, 'status')))
-      record%seconds = json_number(element(contents%layouts(layout), record, 'seconds'))
+      record%identity = json_string(contents%layouts(layout)%element(record, 'case_id'))
+      record%status = status_of_name(json_string(contents%layouts(layout)%element(record, 'status')))
+      record%seconds = json_number(contents%layouts(layout)%element(record, 'seconds'))
       if (.not. ieee_is_finite(record%seconds)) record%seconds = 0
 
       before = contents%index%count
@@ -186,70 +189,47 @@ contains
       contents%layouts = [contents%layouts, new_layout(text)]
    end subroutine add_layout
 
-   function new_layout(text) result(layout)
-      character(len=*), intent(in) :: text   !! [[name, kind],...]
-      type(layout_t) :: layout
-      integer, allocatable :: first(:), last(:), a(:), b(:)
-      integer :: k
-      layout%text = text
-      call split_list(text, first, last)
-      allocate (layout%names(size(first)), layout%kinds(size(first)))
-      do k = 1, size(first)
-         associate (pair => text(first(k):last(k)))
-            call split_list(pair, a, b)
-            layout%names(k) = ''
-            layout%kinds(k) = ''
-            if (size(a) /= 2) cycle
-            layout%names(k) = json_string(pair(a(1):b(1)))
-            layout%kinds(k) = json_string(pair(a(2):b(2)))
-         end associate
-      end do
-   end function new_layout
-
-   !> Value of a column of a record as JSON; empty when it has no such column.
-   pure function element(layout, record, name) result(text)
-      type(layout_t), intent(in) :: layout
-      type(stored_case_t), intent(in) :: record
-      character(len=*), intent(in) :: name
-      character(len=:), allocatable :: text
-      integer :: k
-      text = ''
-      do k = 1, size(layout%names)
-         if (layout%names(k) /= name) cycle
-         text = record%text(record%first(k):record%last(k))
-         return
-      end do
-   end function element
-
-   !> Value of a column as JSON; empty when the record has no such column.
-   pure function numbered_element(self, column) result(text)
-      class(stored_case_t), intent(in) :: self
-      integer, intent(in) :: column(:)         !! number of the column in each layout, 0: not there
-      character(len=:), allocatable :: text
-      text = ''
-      if (column(self%layout) > 0) text = self%text(self%first(column(self%layout)):self%last(column(self%layout)))
-   end function numbered_element
-
    !> Value of the last record of a case as JSON; empty when it has no such value.
    pure function value(self, place, name) result(text)
       class(contents_t), intent(in) :: self
       integer, intent(in) :: place             !! in `cases`
       character(len=*), intent(in) :: name
       character(len=:), allocatable :: text
-      text = element(self%layouts(self%cases(place)%layout), self%cases(place), name)
+      text = self%layouts(self%cases(place)%layout)%element(self%cases(place), name)
    end function value
 
-   !> Value of the header of a log as JSON; empty when it has no such value.
-   function run_element(log, name) result(text)
-      type(log_t), intent(in) :: log
+   !> Effective input of a case as it was stored.
+   function input(self, place) result(text)
+      class(contents_t), intent(in) :: self
+      integer, intent(in) :: place             !! in `cases`
+      character(len=:), allocatable :: text
+      text = ''
+      associate (log => self%logs(self%cases(place)%log))
+         if (allocated(log%base_input)) &
+            text = text_from_difference(log%base_input, json_string(self%value(place, 'effective_input')))
+      end associate
+   end function input
+
+   !> Whether the log tells who wrote it; else it is not believed.
+   pure logical function has_header(self)
+      class(log_t), intent(in) :: self
+      has_header = self%run > 0
+   end function has_header
+
+   !> Value of the header as JSON; empty when it has no such value.
+   pure function header_element(self, name) result(text)
+      class(log_t), intent(in) :: self
       character(len=*), intent(in) :: name
       character(len=:), allocatable :: text
-      type(stored_case_t) :: record
-      record%text = log%header
-      call split_list(record%text, record%first, record%last)
-      text = ''
-      if (size(record%first) == size(log%columns%names)) text = element(log%columns, record, name)
-   end function run_element
+      text = self%columns%element(self%header, name)
+   end function header_element
+
+   !> Version and revision of the program that wrote a log.
+   function build(self) result(text)
+      class(log_t), intent(in) :: self
+      character(len=:), allocatable :: text
+      text = json_string(self%element('program_version'))//' '//json_string(self%element('git_revision'))
+   end function build
 
    !> In how many runs the death of one process, and of no other, happened in this case since it was last done.
    !>

@@ -2,42 +2,24 @@
 module ehlwave_case_work
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t, run_march
-   use ehlwave_case_record, only: case_record, circumstances_t
+   use ehlwave_case_record, only: store_result
    use ehlwave_case_result, only: case_result_t
+   use ehlwave_case_terms, only: case_limits_t, message_length, outcome_t
    use ehlwave_case_text, only: text_identity
    use ehlwave_checkpoint_file, only: checkpoint_t
    use ehlwave_clock, only: time_stamp, wall_seconds
    use ehlwave_errors, only: error_t
-   use ehlwave_field_file, only: write_case_file
-   use ehlwave_json, only: json_t
    use ehlwave_kinds, only: dp
    use ehlwave_march_keeper, only: march_keeper_t
    use ehlwave_monitor, only: give_up, go_on, monitor_t, stop_now
    use ehlwave_posix, only: signal_caught, watchdog
-   use ehlwave_quantity_output, only: json_of
    use ehlwave_shared_steady, only: shared_steady_t
-   use ehlwave_status, only: status_interrupted, status_pending
+   use ehlwave_status, only: status_interrupted
    use ehlwave_store, only: store_t
    use ehlwave_time_march, only: steps_per_stretch
    implicit none (type, external)
    private
-   public :: case_procedure, store_result, work_on_case
-
-   integer, parameter, public :: message_length = 256   !! longest message told to rank 0
-
-   !> What a sweep asks of every case.
-   type, public :: case_limits_t
-      real(dp) :: largest_case_seconds = 0    !! a case that takes longer is given up; 0: no limit
-      real(dp) :: checkpoint_seconds = 600    !! between two checkpoints of a march
-   end type case_limits_t
-
-   !> What rank 0 is told of a case.
-   type, public :: outcome_t
-      integer :: status = status_pending      !! pending: not run, or not stored
-      real(dp) :: seconds = 0
-      character(len=message_length) :: message = ''
-      logical :: is_store_broken = .false.    !! the message says why
-   end type outcome_t
+   public :: case_procedure, work_on_case
 
    !> Watches the time while a case runs and keeps a rank in touch with the others.
    type, extends(monitor_t), public :: case_watch_t
@@ -111,22 +93,6 @@ contains
       end if
       if (allocated(error)) outcome = outcome_t(message=error%message, is_store_broken=.true.)
    end subroutine work_on_case
-
-   !> Store a case that is done: all that its report offers, and where and when it ran.
-   subroutine store_result(case, plan, input, result, started, store, error)
-      type(case_t), intent(in) :: case
-      type(case_plan_t), intent(in) :: plan
-      character(len=*), intent(in) :: input      !! effective input of the case
-      type(case_result_t), intent(in) :: result
-      character(len=*), intent(in) :: started
-      class(store_t), intent(inout) :: store
-      type(error_t), allocatable, intent(inout) :: error
-      type(json_t) :: record
-
-      if (case%fields) call write_case_file(store%fields_path(text_identity(input)), case, plan, result, error)
-      record = json_of(case_record(case, plan, result, circumstances_t(store%host, store%rank, started, time_stamp())))
-      call store%keep(record, input, error)
-   end subroutine store_result
 
    !> Called between the steps of a case.
    subroutine look_up(self, stage, done, total)

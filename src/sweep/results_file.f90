@@ -4,8 +4,6 @@
 !> that `run_columns` takes from the runs is named here: the others are those of the table of quantities and of the records.
 module ehlwave_results_file
    use ehlwave_case_account, only: blank_result
-   use ehlwave_case_definition, only: case_t
-   use ehlwave_case_key, only: key_long_name, number_kind, truth_kind, whole_kind
    use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_record, only: case_record, circumstances_t
    use ehlwave_case_text, only: effective_input, text_identity
@@ -13,24 +11,25 @@ module ehlwave_results_file
    use ehlwave_field_file, only: write_provenance
    use ehlwave_hdf5_file, only: hdf5_file_t
    use ehlwave_json, only: json_t
-   use ehlwave_json_reader, only: json_string
    use ehlwave_key_list, only: case_key_list, key_list_t
-   use ehlwave_quantities, only: add_case
+   use ehlwave_quantities, only: add_case, add_key
    use ehlwave_quantity, only: quantity_list_t, quantity_t
    use ehlwave_quantity_output, only: json_of, take_json
    use ehlwave_results_column, only: column_t
    use ehlwave_status, only: status_name, status_pending
    use ehlwave_store, only: store_t
-   use ehlwave_store_contents, only: add_layout, contents_t, run_element
+   use ehlwave_store_contents, only: add_layout, contents_t
    use ehlwave_sweep_cases, only: sweep_t
-   use ehlwave_text_difference, only: text_from_difference
    implicit none (type, external)
    private
    public :: write_results
 
+   !> Keys that have a column in every file, besides those that vary and those that the table of quantities has.
+   character(len=*), parameter :: always_shown(2) = [character(len=19) :: 'wavelength_over_a', 'amplitude_over_film']
+
    !> What of the header of a log goes into the rows of its cases.
-   character(len=*), parameter :: run_columns(8) = [character(len=16) :: 'run', 'job', 'program_version', 'git_revision', &
-                                                   'compiler', 'compiler_flags', 'library_versions', 'mpi_library']
+   character(len=*), parameter :: run_columns(10) = [character(len=16) :: 'run', 'job', 'program_version', &
+      'git_revision', 'compiler', 'compiler_flags', 'build_type', 'library_versions', 'mpi_library', 'processor']
 
 contains
 
@@ -59,11 +58,11 @@ contains
       if (allocated(error)) return
       call file%create(path, error)
       if (allocated(error)) return
-      call file%attribute('', 'title', 'ehlwave: amplitude reduction of waviness in EHL contacts')
-      call file%attribute('', 'format', 'ehlwave-results')
-      call file%attribute('', 'format_version', 1)
+      call file%attribute('title', 'ehlwave: amplitude reduction of waviness in EHL contacts')
+      call file%attribute('format', 'ehlwave-results')
+      call file%attribute('format_version', 1)
       call write_provenance(file)
-      call file%attribute('', 'sweep_input', sweep_text)
+      call file%attribute('sweep_input', sweep_text)
       call file%write('case', [(i, i=1, n)], '', '1', 'number of the case in the sweep')
       call file%dimension('case')
       call write_inputs(file, sweep)
@@ -80,24 +79,12 @@ contains
       integer :: i
       do i = 1, size(place)
          if (place(i) == 0) cycle
-         if (text_identity(stored_input(contents, place(i))) == contents%cases(place(i))%identity) cycle
+         if (text_identity(contents%input(place(i))) == contents%cases(place(i))%identity) cycle
          call raise(error, 'the store has a record of case '//contents%cases(place(i))%identity//' with the input of '// &
                     'another case: keep the store for inspection and name another results file')
          return
       end do
    end subroutine check_inputs
-
-   !> Effective input of a stored case.
-   function stored_input(contents, place) result(text)
-      type(contents_t), intent(in) :: contents
-      integer, intent(in) :: place
-      character(len=:), allocatable :: text
-      text = ''
-      associate (log => contents%logs(contents%cases(place)%log))
-         if (allocated(log%base_input)) &
-            text = text_from_difference(log%base_input, json_string(contents%value(place, 'effective_input')))
-      end associate
-   end function stored_input
 
    !> Columns that follow from the sweep file; pending cases have them, too.
    subroutine write_inputs(file, sweep)
@@ -107,13 +94,13 @@ contains
       type(quantity_list_t) :: inputs
       integer :: i, k
 
-      inputs = input_row(sweep%cases(1), sweep%plans(1), sweep%varied)
+      inputs = input_row(sweep, 1)
       allocate (columns(inputs%count))
       do k = 1, size(columns)
          call columns(k)%init(inputs%items(k), size(sweep%cases))
       end do
       do i = 1, size(sweep%cases)
-         inputs = input_row(sweep%cases(i), sweep%plans(i), sweep%varied)
+         inputs = input_row(sweep, i)
          do k = 1, size(columns)
             call columns(k)%set(i, inputs%items(k))
          end do
@@ -123,40 +110,25 @@ contains
       end do
    end subroutine write_inputs
 
-   !> What a case is, as far as the sweep file and the plan tell it.
-   function input_row(case, plan, varied) result(row)
-      type(case_t), intent(in) :: case
-      type(case_plan_t), intent(in) :: plan
-      integer, allocatable, intent(in) :: varied(:)   !! numbers of the keys that the sweep varies
+   !> What a case is, as far as the sweep file and the plan tell it; the keys that vary are among it. Where the plan
+   !> chooses, its choice has the name of the key.
+   function input_row(sweep, case) result(row)
+      type(sweep_t), intent(in) :: sweep
+      integer, intent(in) :: case
       type(quantity_list_t) :: row
-      call add_case(row, case, plan)
-      call row%add('wavelength_over_a', 'shorter wavelength over a, 0: smooth', case%wavelength_over_a)
-      call row%add('amplitude_over_film', 'Ai over the smooth central film', case%amplitude_over_film)
-      if (allocated(varied)) call add_varied(row, case, varied)
-      call row%add('effective_input', 'case file that reproduces the case', effective_input(case))
-   end function input_row
-
-   !> The keys that the sweep varies, of those that have no column yet.
-   subroutine add_varied(row, case, varied)
-      type(quantity_list_t), intent(inout) :: row
-      type(case_t), intent(in) :: case
-      integer, intent(in) :: varied(:)
-      type(key_list_t) :: list
+      type(key_list_t) :: keys
       integer :: i
 
-      list = case_key_list(case)
-      do i = 1, size(varied)
-         associate (key => list%keys(varied(i)), value => list%values(varied(i)))
-            if (row%find(trim(key%name)) > 0) cycle
-            select case (key%kind)
-            case (number_kind); call row%add(trim(key%name), key_long_name(key), value%number, unit=trim(key%unit))
-            case (whole_kind); call row%add(trim(key%name), key_long_name(key), value%whole)
-            case (truth_kind); call row%add(trim(key%name), key_long_name(key), value%truth)
-            case default; call row%add(trim(key%name), key_long_name(key), value%word)
-            end select
+      call add_case(row, sweep%cases(case), sweep%plans(case))
+      keys = case_key_list(sweep%cases(case))
+      do i = 1, size(keys%keys)
+         associate (name => keys%keys(i)%name)
+            if (row%find(trim(name)) > 0) cycle
+            if (any(always_shown == name) .or. sweep%varies(i)) call add_key(row, keys, trim(name))
          end associate
       end do
-   end subroutine add_varied
+      call row%add('effective_input', 'case file that reproduces the case', effective_input(sweep%cases(case)))
+   end function input_row
 
    !> Every column of the records that the file has not yet, described as in the table of quantities.
    subroutine write_outcomes(file, sweep, contents, place, table)
@@ -181,7 +153,7 @@ contains
                call column%init(quantity, size(place))
                do i = 1, size(place)
                   if (place(i) > 0) then
-                     call take_json(contents%cases(place(i))%element(number), quantity)
+                     call take_json(contents%cases(place(i))%element(number(contents%cases(place(i))%layout)), quantity)
                   else
                      call take_pending(sweep%plans(i), quantity)
                   end if
@@ -236,7 +208,7 @@ contains
          of_log = header%items(k)
          call take_json('', of_log(0))
          do log = 1, size(contents%logs)
-            call take_json(run_element(contents%logs(log), header%items(k)%name), of_log(log))
+            call take_json(contents%logs(log)%element(header%items(k)%name), of_log(log))
          end do
          call column%init(header%items(k), size(place))
          do i = 1, size(place)

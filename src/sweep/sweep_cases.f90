@@ -5,8 +5,8 @@ module ehlwave_sweep_cases
    use ehlwave_case_input, only: case_input_t
    use ehlwave_case_key, only: key_length, value_text
    use ehlwave_case_plan, only: case_plan_t, make_plan
+   use ehlwave_case_terms, only: case_limits_t
    use ehlwave_case_text, only: case_identity
-   use ehlwave_case_work, only: case_limits_t
    use ehlwave_errors, only: error_t
    use ehlwave_identity_index, only: identity_index_t, identity_length
    use ehlwave_key_list, only: case_key_list, find_key, key_list_t
@@ -15,8 +15,6 @@ module ehlwave_sweep_cases
 
    character(len=key_length), parameter :: shown_anyway(5) = [character(len=key_length) :: 'load_parameter_m', &
       'lubricant_parameter_l', 'radius_ratio_d', 'orientation', 'wavelength_over_a']
-
-   integer, parameter, public :: variation_length = 160   !! what is longer is cut in the list of cases
 
    type, public :: sweep_t
       character(len=:), allocatable :: output      !! results file
@@ -33,6 +31,7 @@ module ehlwave_sweep_cases
       procedure :: begin
       procedure :: vary
       procedure :: add
+      procedure :: varies
       procedure :: variation
       procedure :: finish
    end type sweep_t
@@ -65,6 +64,14 @@ contains
       wavelength = find_key(list%keys, 'wavelength_over_a')
       self%varied = pack([(i, i=1, list%count)], [(any(keys == i) .or. (has_f_v .and. i == wavelength), i=1, list%count)])
    end subroutine vary
+
+   !> Whether the key of a number varies.
+   pure logical function varies(self, key)
+      class(sweep_t), intent(in) :: self
+      integer, intent(in) :: key
+      varies = .false.
+      if (allocated(self%varied)) varies = any(self%varied == key)
+   end function varies
 
    !> What makes a case, of the keys that vary and have no column of their own in plans and reports: 'key = value, ...'.
    function variation(self, case) result(text)

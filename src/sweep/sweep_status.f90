@@ -1,16 +1,14 @@
 !> What a store holds, told without the sweep file and without disturbing a job at work.
 module ehlwave_sweep_status
-   use ehlwave_cost_model, only: cost_model_t, feature_count, fit_cost_model
+   use ehlwave_case_list, only: case_list_t
+   use ehlwave_cost_model, only: cost_model_t, fit_cost_model
    use ehlwave_errors, only: error_t, raise
-   use ehlwave_identity_index, only: identity_length
    use ehlwave_json_reader, only: json_string
    use ehlwave_kinds, only: dp
    use ehlwave_posix, only: is_locked
-   use ehlwave_record_file, only: read_whole_file
    use ehlwave_status, only: is_success, last_status, status_name
-   use ehlwave_store_folder, only: cases_name, check_store, lock_name, store_path
+   use ehlwave_store_folder, only: check_store, lock_name, store_path
    use ehlwave_store_contents, only: contents_t, read_store
-   use ehlwave_sweep_cases, only: variation_length
    use ehlwave_sweep_progress, only: duration
    use ehlwave_text, only: to_text
    implicit none (type, external)
@@ -18,15 +16,6 @@ module ehlwave_sweep_status
    public :: print_status
 
    integer, parameter :: slowest_shown = 5, failed_shown = 20
-   integer, parameter :: feature_width = 13   ! of a feature in the list of cases
-
-   !> The cases of the sweep: identity and features of the cost model.
-   type :: list_t
-      character(len=identity_length), allocatable :: identity(:)
-      real(dp), allocatable :: features(:, :)
-      integer, allocatable :: place(:)           !! in the contents, 0: not there
-      character(len=variation_length), allocatable :: variation(:)   !! keys that vary
-   end type list_t
 
 contains
 
@@ -39,15 +28,15 @@ contains
       integer, intent(out) :: failed
       type(error_t), allocatable, intent(out) :: error
       type(contents_t) :: contents
-      type(list_t) :: list
+      type(case_list_t) :: list
+      integer, allocatable :: place(:)           ! of each case in the contents, 0: not there
       character(len=:), allocatable :: folder
       integer, allocatable :: found(:)
-      integer :: n, status
+      integer :: i, n, status
       logical :: is_there, is_working
 
       is_finished = .false.
       failed = 0
-      allocate (list%identity(0), list%place(0), list%variation(0))
       folder = store_path(path)
       call check_store(folder, is_there, error)
       if (.not. (is_there .or. allocated(error))) &
@@ -55,11 +44,12 @@ contains
       if (allocated(error)) return
       is_working = is_locked(folder//'/'//lock_name)
       call read_store(folder, contents, error)
-      if (.not. allocated(error)) call read_list(folder, contents, list, error)
+      call list%read(folder, error)
       if (allocated(error)) return
 
-      found = pack(list%place, list%place > 0)
       n = size(list%identity)
+      place = [(contents%index%find(list%identity(i)), i=1, n)]
+      found = pack(place, place > 0)
       is_finished = size(found) == n
       failed = count(.not. is_success(contents%cases(found)%status))
       write (unit, '(a)') 'Store        '//folder//', '//trim(merge('a job is at work ', 'no job is at work', is_working))
@@ -75,63 +65,35 @@ contains
          ' finished cases that the sweep file no longer lists'
       if (contents%bad_lines > 0) write (unit, '(a)') 'Damaged      '//to_text(contents%bad_lines)// &
          ' records were cut off; they count as not written'
-      call print_times(unit, contents, list, found)
-      associate (variation => pack(list%variation, list%place > 0))
+      call print_times(unit, contents, list, place, found)
+      associate (variation => pack(list%variation, place > 0))
          call print_slowest(unit, contents, found, variation)
          call print_failed(unit, contents, found, variation)
       end associate
    end subroutine print_status
 
-   subroutine read_list(folder, contents, list, error)
-      character(len=*), intent(in) :: folder
-      type(contents_t), intent(in) :: contents
-      type(list_t), intent(inout) :: list
-      type(error_t), allocatable, intent(inout) :: error
-      character(len=:), allocatable :: text
-      integer :: i, io, n, width
-
-      call read_whole_file(folder//'/'//cases_name, text)
-      width = 0
-      if (allocated(text)) width = index(text, new_line('a'))
-      if (width <= identity_length) then
-         call raise(error, folder//' has no list of cases yet: no job has begun to work on it')
-         return
-      end if
-      n = len(text)/width
-      deallocate (list%identity, list%place, list%variation)
-      allocate (list%identity(n), list%place(n), list%features(feature_count, n), list%variation(n))
-      do i = 1, n
-         associate (line => text((i - 1)*width + 1:i*width - 1))
-            list%identity(i) = line(:identity_length)
-            list%place(i) = contents%index%find(list%identity(i))
-            read (line(identity_length + 1:), '(*(1x,es12.5))', iostat=io) list%features(:, i)
-            if (io /= 0) list%features(:, i) = 0
-            list%variation(i) = line(min(len(line), identity_length + feature_width*feature_count + 1) + 1:)
-         end associate
-      end do
-   end subroutine read_list
-
    !> Time so far and time left.
-   subroutine print_times(unit, contents, list, found)
+   subroutine print_times(unit, contents, list, place, found)
       integer, intent(in) :: unit
       type(contents_t), intent(in) :: contents
-      type(list_t), intent(in) :: list
+      type(case_list_t), intent(in) :: list
+      integer, intent(in) :: place(:)            !! of each case in the contents, 0: not there
       integer, intent(in) :: found(:)
       type(cost_model_t) :: model
-      real(dp) :: left, seconds(size(list%place))
+      real(dp) :: left, seconds(size(place))
       integer :: i, ranks
 
       seconds = 0
-      do i = 1, size(list%place)
-         if (list%place(i) > 0) seconds(i) = contents%cases(list%place(i))%seconds
+      do i = 1, size(place)
+         if (place(i) > 0) seconds(i) = contents%cases(place(i))%seconds
       end do
       write (unit, '(a)') 'Time         '//duration(sum(contents%cases(found)%seconds))//' of computing in '// &
          to_text(contents%runs)//' runs of the program'
-      if (size(found) == size(list%place)) return
+      if (size(found) == size(place)) return
       model = fit_cost_model(list%features, seconds)
       left = 0
-      do i = 1, size(list%place)
-         if (list%place(i) == 0) left = left + model%seconds(list%features(:, i))
+      do i = 1, size(place)
+         if (place(i) == 0) left = left + model%seconds(list%features(:, i))
       end do
       ranks = max(1, count(contents%logs%run == contents%runs))
       if (model%is_fitted) then
@@ -146,7 +108,7 @@ contains
       integer, intent(in) :: unit
       type(contents_t), intent(in) :: contents
       integer, intent(in) :: found(:)
-      character(len=*), intent(in) :: variation(:)
+      character(len=*), intent(in) :: variation(:)   !! of the cases that were found
       logical :: is_shown(size(found))
       integer :: k, place
 
@@ -154,8 +116,8 @@ contains
       do k = 1, min(slowest_shown, size(found))
          place = maxloc(contents%cases(found)%seconds, 1, mask=.not. is_shown)
          is_shown(place) = .true.
-         write (unit, '(a)') merge('Slowest      ', '             ', k == 1)//one_case(contents, found(place), variation(place))// &
-            ', '//to_text(contents%cases(found(place))%seconds, 4)//' s'
+         write (unit, '(a)') merge('Slowest      ', '             ', k == 1)// &
+            one_case(contents, found(place), variation(place))//', '//to_text(contents%cases(found(place))%seconds, 4)//' s'
       end do
    end subroutine print_slowest
 
@@ -163,7 +125,7 @@ contains
       integer, intent(in) :: unit
       type(contents_t), intent(in) :: contents
       integer, intent(in) :: found(:)
-      character(len=*), intent(in) :: variation(:)
+      character(len=*), intent(in) :: variation(:)   !! of the cases that were found
       integer :: i, shown
 
       shown = 0
@@ -172,8 +134,9 @@ contains
             if (is_success(record%status)) cycle
             shown = shown + 1
             if (shown > failed_shown) cycle
-            write (unit, '(a)') merge('Failed       ', '             ', shown == 1)//one_case(contents, found(i), variation(i))// &
-               ', '//status_name(record%status)//': '//json_string(contents%value(found(i), 'message'))
+            write (unit, '(a)') merge('Failed       ', '             ', shown == 1)// &
+               one_case(contents, found(i), variation(i))//', '//status_name(record%status)//': '// &
+               json_string(contents%value(found(i), 'message'))
          end associate
       end do
       if (shown > failed_shown) write (unit, '(a)') '             and '//to_text(shown - failed_shown)//' more'

@@ -82,7 +82,8 @@ program synthetic_sweep
    use ehlwave_errors, only: error_t
    use ehlwave_kinds, only: dp
    use ehlwave_sweep_cases, only: sweep_t
-   use ehlwave_sweep_job, only: job_options_t, run_job
+   use ehlwave_sweep_job, only: run_job
+   use ehlwave_sweep_leader, only: job_options_t
    use ehlwave_text, only: to_text
    use mpi_f08, only: mpi_allreduce, mpi_barrier, mpi_bcast, mpi_comm_rank, mpi_comm_size, mpi_comm_world, &
       mpi_double_precision, mpi_finalize, mpi_init, mpi_sum

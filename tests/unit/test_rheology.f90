@@ -3,6 +3,8 @@ program test_rheology
    use ehlwave_kinds, only: dp
    use ehlwave_rheology, only: density_constant, density_dowson_higginson, new_rheology, rheology_t, viscosity_barus, &
       viscosity_constant, viscosity_roelands
+   use ehlwave_mcewen_law, only: mcewen_law_t
+   use ehlwave_tait_density, only: tait_density_t
    use testing, only: test_t
    implicit none (type, external)
 
@@ -11,6 +13,7 @@ program test_rheology
 
    call check_values()
    call check_derivatives()
+   call check_special()
    call check_extremes()
    call test%finish()
 
@@ -72,6 +75,30 @@ contains
          end do
       end do
    end subroutine check_derivatives
+
+   !> A law of its own with Tait's density: the same laws in units of ph, at this Hertz pressure and another.
+   subroutine check_special()
+      type(mcewen_law_t), parameter :: mcewen = mcewen_law_t(alpha0_per_pa=2e-8_dp, exponent=9.0_dp)
+      type(tait_density_t), parameter :: tait = tait_density_t(modulus_pa=1.2e9_dp, modulus_rate=11.0_dp)
+      real(dp), parameter :: p = 0.7_dp, pressures(2) = [ph, 0.5_dp*ph]
+      type(rheology_t) :: rheology
+      real(dp) :: rho, drho, fluidity, dln_eta, x
+      integer :: k
+
+      rheology = new_rheology(viscosity_roelands, density_dowson_higginson, alphabar, z, ph)
+      call rheology%use_viscosity(mcewen)
+      call rheology%use_density(tait)
+      do k = 1, size(pressures)
+         if (k == 2) rheology = rheology%at_pressure(0.5_dp*alphabar, pressures(k))
+         call at(rheology, p, rho, drho, fluidity, dln_eta)
+         x = 1 + 2e-8_dp*pressures(k)*p/9
+         call test%check_close([1/fluidity, dln_eta], [x**9, 2e-8_dp*pressures(k)/x], 'McEwen', relative=1e-12_dp)
+         x = 1 + 12*pressures(k)*p/1.2e9_dp
+         call test%check_close(1/rho, 1 - log(x)/12, 'Tait', relative=1e-13_dp)
+         call test%check_close(drho, rho**2*pressures(k)/(1.2e9_dp*x), 'its derivative', relative=1e-13_dp)
+         call test%check_close(rheology%density(p), rho, 'density alone', relative=1e-15_dp)
+      end do
+   end subroutine check_special
 
    !> No overflow at any pressure that an iterate can have; the builds with traps would stop here.
    subroutine check_extremes()

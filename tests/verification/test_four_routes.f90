@@ -10,7 +10,7 @@ program test_four_routes
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_kinds, only: dp, pi
    use ehlwave_level_solver, only: solve_limits_t
-   use ehlwave_petsc_solver, only: finish_petsc, has_petsc, require_petsc
+   use ehlwave_petsc_library, only: finish_petsc, is_petsc_built, require_petsc
    use ehlwave_reynolds, only: flow_t, new_flow, reynolds_residual
    use ehlwave_rheology, only: density_dowson_higginson, new_rheology, rheology_t, viscosity_roelands
    use ehlwave_state, only: state_t
@@ -28,14 +28,14 @@ program test_four_routes
    type(test_t) :: test
    type(error_t), allocatable :: error
 
-   if (has_petsc) call require_petsc(error)
+   if (is_petsc_built) call require_petsc(error)
    call test%check_no_error(error, 'PETSc can be used')
    call compare_contact('M = 20, L = 2.5, D = 1', 20.0_dp, 2.5_dp, 1.0_dp)
    call compare_contact('M = 100, L = 12.05, D = 1', 100.0_dp, 12.05_dp, 1.0_dp)
    call compare_contact('M = 100, L = 12.05, D = 0.12', 100.0_dp, 12.05_dp, 0.12_dp)
    call compare_contact('M = 2000, L = 12.05, D = 0.35', 2000.0_dp, 12.05_dp, 0.35_dp)
    call compare_march()
-   if (has_petsc) call finish_petsc()
+   if (is_petsc_built) call finish_petsc()
    call test%finish()
 
 contains
@@ -48,7 +48,7 @@ contains
       call solve(name//', Newton', m, l, d, 'newton', 'fft', newton)
       call solve(name//', FAS', m, l, d, 'fas', 'fft', fas)
       call compare(name//', FAS and Newton', fas, newton, agreement, agreement)
-      if (has_petsc) then
+      if (is_petsc_built) then
          call solve(name//', PETSc', m, l, d, 'petsc', 'fft', petsc)
          call compare(name//', FAS and PETSc', fas, petsc, agreement, agreement)
       end if

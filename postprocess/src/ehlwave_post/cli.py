@@ -9,6 +9,7 @@ from pathlib import Path
 import xarray as xr
 
 from ehlwave_post import figures, tables
+from ehlwave_post.contact import contact_figure, read_contact
 from ehlwave_post.deform.cli import add_commands
 from ehlwave_post.deform.harmonics import write_harmonic_table
 from ehlwave_post.errors import ResultsError
@@ -99,6 +100,13 @@ def _export(options: argparse.Namespace) -> None:
     print(f"{options.csv}: {results.sizes['case']} cases")
 
 
+def _contact(options: argparse.Namespace) -> None:
+    figure = contact_figure(read_contact(options.case))
+    options.output.mkdir(parents=True, exist_ok=True)
+    written = figures.write_figure(figure, options.output, options.case.stem)
+    print("\n".join(str(path) for path in written))
+
+
 def _harmonics(options: argparse.Namespace) -> None:
     points = select_points(read_results(options.results))
     count = write_harmonic_table(options.csv, points)
@@ -151,6 +159,15 @@ def _parser() -> argparse.ArgumentParser:
         "harmonics", _harmonics, "write a harmonic table for deform --table from resolved cases"
     )
     harmonics.add_argument("--csv", type=Path, required=True, metavar="FILE", help="file to write")
+    text = "draw film and pressure of one case"
+    contact = commands.add_parser("contact", help=text, description=text)
+    contact.add_argument(
+        "case", type=Path, metavar="FILE", help="HDF5 file of ehlwave-case --output"
+    )
+    contact.add_argument(
+        "--output", type=Path, default=Path(), metavar="DIR", help="default: this directory"
+    )
+    contact.set_defaults(run=_contact)
     add_commands(commands)
     return parser
 

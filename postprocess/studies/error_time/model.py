@@ -1,6 +1,6 @@
 """Fit what ``ehlwave-case --plan`` expects: error and cost as functions of the case.
 
-The functions are those of src/measure/accuracy_model.f90, which holds the coefficients.
+The functions are those of src/case/accuracy_model.f90, which holds the coefficients.
 """
 
 import math

@@ -2,7 +2,8 @@
  * on the unknowns off their bound (SNESVINEWTONRSLS). F'(x) is a shell matrix; PETSc cuts its active rows and columns
  * out by a virtual submatrix, those of the sparse near matrix, which is only factorised, by a copy.
  *
- * Knows nothing of the contact: the equations come as functions with a context (petsc_binding.f90). In C because
+ * A library of its own, which the program loads when it is asked for PETSc: it needs nothing of the program. Knows
+ * nothing of the contact: the equations come as functions with a context (solver/petsc_binding.f90). In C because
  * PETSc's Fortran interface passes contexts through implicit interfaces and compiler-specific module files; here
  * callbacks are ordinary functions, and PETSc may have been built with another Fortran compiler.
  *

@@ -1,0 +1,88 @@
+!> Ree-Eyring oil: shear rate = (tau0/eta) sinh(tau/tau0).
+module ehlwave_eyring_law
+   use ehlwave_flow_law, only: flow_law_t
+   use ehlwave_kinds, only: dp
+   implicit none (type, external)
+   private
+
+   !> s = sinh(|sigma|)/|sigma|; Ree and Eyring, Journal of Applied Physics 26, 1955, 793-800.
+   type, extends(flow_law_t), public :: eyring_law_t
+      private
+      real(dp) :: largest_stress = 300   !! |sigma| beyond which s is continued: exp(300)^2 is finite
+   contains
+      procedure :: shear_factor
+      procedure :: first_stress
+      procedure :: points_needed
+   end type eyring_law_t
+
+   real(dp), parameter :: c(0:8) = 1/[1.0_dp, 6.0_dp, 120.0_dp, 5040.0_dp, 362880.0_dp, 39916800.0_dp, 6227020800.0_dp, &
+                                      1307674368000.0_dp, 355687428096000.0_dp]   ! sinh(r)/r = sum c_n r^(2n)
+   real(dp), parameter :: s_at_1 = sinh(1.0_dp), slope_at_1 = 0.5_dp*(cosh(1.0_dp) - sinh(1.0_dp))
+
+contains
+
+   !> Power series up to |sigma|^2 = 1, and what the closed form adds beyond: no branches within a loop, so that exp is
+   !> vectorised, but most blocks of places need one of the two only.
+   pure subroutine shear_factor(self, n, stress2, s, slope)
+      class(eyring_law_t), intent(in) :: self
+      integer, intent(in) :: n
+      real(dp), intent(in) :: stress2(n)
+      real(dp), intent(out) :: s(n), slope(n)
+      real(dp) :: grown, inverse, largest2, r, s_beyond, x
+      integer :: i
+
+      s = s_at_1
+      slope = slope_at_1
+      if (any(stress2 < 1)) then
+         do i = 1, n
+            x = min(stress2(i), 1.0_dp)
+            s(i) = c(0) + x*(c(1) + x*(c(2) + x*(c(3) + x*(c(4) + x*(c(5) + x*(c(6) + x*(c(7) + x*c(8))))))))
+            slope(i) = c(1) + x*(2*c(2) + x*(3*c(3) + x*(4*c(4) + x*(5*c(5) + x*(6*c(6) + x*(7*c(7) + x*8*c(8)))))))
+         end do
+      end if
+      if (all(stress2 <= 1)) return
+      largest2 = self%largest_stress**2
+      do i = 1, n
+         x = min(max(stress2(i), 1.0_dp), largest2)
+         r = sqrt(x)
+         grown = exp(r)
+         inverse = 1/(grown*x)
+         s_beyond = 0.5_dp*(grown - inverse*x)*(inverse*grown)*r
+         s(i) = s(i) + (s_beyond - s_at_1)
+         slope(i) = slope(i) + (0.25_dp*(grown + inverse*x - 2*s_beyond)*(inverse*grown) - slope_at_1)
+      end do
+      if (all(stress2 <= largest2)) return
+      s = s + slope*max(stress2 - largest2, 0.0_dp)
+   end subroutine shear_factor
+
+   !> asinh, written so that it is vectorised.
+   pure subroutine first_stress(self, n, rate, stress)
+      class(eyring_law_t), intent(in) :: self
+      integer, intent(in) :: n
+      real(dp), intent(in) :: rate(n)
+      real(dp), intent(out) :: stress(n)
+      integer :: i
+      do i = 1, n
+         stress(i) = min(log(rate(i) + sqrt(1 + rate(i)**2)), self%largest_stress)
+      end do
+   end subroutine first_stress
+
+   !> Measured: 4, 6, 8, 12, 16 and 24 points up to |Sigma| = 0.059, 0.57, 1.76, 6.2, 13 and 34, with sigma_m up to 14; then about
+   !> as the root.
+   elemental real(dp) function points_needed(self, variation)
+      class(eyring_law_t), intent(in) :: self
+      real(dp), intent(in) :: variation
+      if (variation < 0.055_dp) then
+         points_needed = 4
+      else if (variation < 0.55_dp) then
+         points_needed = 6
+      else if (variation < 1.7_dp) then
+         points_needed = 8
+      else if (variation < 6) then
+         points_needed = 12
+      else
+         points_needed = 4.5_dp*sqrt(min(variation, self%largest_stress))
+      end if
+   end function points_needed
+
+end module ehlwave_eyring_law

@@ -1,0 +1,178 @@
+!> Flow of a generalised Newtonian oil across the film under a pressure gradient and sliding, with all its derivatives.
+!>
+!> The shear stress varies linearly across the film: sigma(zeta) = sigma_m + zeta Sigma, -1 <= zeta <= 1, in units of tau0,
+!> with Sigma = N0 H g, g = (dP/dX, kappa dP/dY). The mean stress sigma_m follows from the sliding speed,
+!>
+!>     1/2 integral s(|sigma|) sigma dzeta = B e_x,        B = (lambdabar N0/6) 2 (S - 1) eta/H,
+!>
+!> two equations that are the gradient of a convex function, and the flow is
+!>
+!>     Qhat = (H^2/(eta lambdabar)) (3/(2 N0)) integral zeta s sigma dzeta      -> (H^3/(eta lambdabar)) g as tau0 -> inf.
+module ehlwave_film_flow
+   use ehlwave_flow_law, only: flow_law_t
+   use ehlwave_gauss_legendre, only: gauss_rule_t, new_gauss_rule
+   use ehlwave_kinds, only: dp
+   use ehlwave_film_stress, only: block_size, film_stress_t
+   implicit none (type, external)
+   private
+   public :: new_film_flow
+
+   integer, parameter :: rule_points(*) = [4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256]
+   real(dp), parameter :: largest_rate = 1e100_dp      ! of |B|: exp(230)
+
+   integer, parameter, public :: along_x = 1, along_y = 2   !! components of the flow
+   integer, parameter, public :: flow_values = 5            !! columns of what `evaluate` returns:
+   integer, parameter, public :: flow_q = 1                 !! Qhat,
+   integer, parameter, public :: flow_by_ln_eta = 2         !! its derivatives by ln(eta), H, g_x and g_y
+   integer, parameter, public :: flow_by_h = 3
+   integer, parameter, public :: flow_by_gx = 4
+   integer, parameter, public :: flow_by_gy = 5
+
+   type, public :: film_flow_t
+      class(flow_law_t), allocatable :: law
+      real(dp) :: n0 = 0                          !! N0 = c ph/(2 a tau0)
+      real(dp) :: lambdabar = 0                   !! dimensionless speed
+      real(dp), private :: rate = 0               ! B H/eta
+      type(gauss_rule_t), allocatable, private :: rule(:)
+   contains
+      procedure :: evaluate
+      procedure :: mean_stress
+      procedure, private :: choose_rules
+   end type film_flow_t
+
+contains
+
+   !> Flow between surfaces with slip parameter S = u1/ubar.
+   pure function new_film_flow(law, n0, lambdabar, slip_parameter) result(self)
+      class(flow_law_t), intent(in) :: law
+      real(dp), intent(in) :: n0               !! N0 = c ph/(2 a tau0) > 0
+      real(dp), intent(in) :: lambdabar        !! dimensionless speed
+      real(dp), intent(in) :: slip_parameter   !! S
+      type(film_flow_t) :: self
+      integer :: i
+
+      allocate (self%law, source=law)
+      self%n0 = n0
+      self%lambdabar = lambdabar
+      self%rate = lambdabar*n0/3*(slip_parameter - 1)
+      allocate (self%rule(size(rule_points)))
+      do i = 1, size(rule_points)
+         self%rule(i) = new_gauss_rule(rule_points(i))
+      end do
+   end function new_film_flow
+
+   !> One component of Qhat and its derivatives at n places.
+   pure subroutine evaluate(self, component, fluidity, h, gx, gy, flow)
+      class(film_flow_t), intent(in) :: self
+      integer, intent(in) :: component          !! along_x or along_y
+      real(dp), intent(in) :: fluidity(:)       !! eta0/eta, (n)
+      real(dp), intent(in) :: h(:)              !! H > 0, (n)
+      real(dp), intent(in) :: gx(:), gy(:)      !! dP/dX and kappa dP/dY, (n)
+      real(dp), intent(out) :: flow(:, :)       !! (n, flow_values)
+      type(film_stress_t) :: stress
+      integer :: first(size(rule_points) + 1), i, j, k, last, m, order(size(h)), start
+      real(dp) :: b, by_b, by_sigma(2), scale
+
+      call self%choose_rules(h, gx, gy, order, first)
+      do k = 1, size(rule_points)
+         do start = first(k), first(k + 1) - 1, block_size
+            last = min(start + block_size, first(k + 1)) - 1
+            m = last - start + 1
+            call load(self, order(start:last), fluidity, h, gx, gy, stress)
+            call stress%solve(self%law, self%rule(k))
+            do j = 1, m
+               i = order(start + j - 1)
+               scale = 3*h(i)**2*fluidity(i)/(self%lambdabar*self%n0)
+               b = stress%b(j)
+               by_b = stress%flow_by_b(j, component)
+               by_sigma = stress%flow_by_sigma(j, component, :)
+               flow(i, flow_q) = scale*stress%flow(j, component)
+               flow(i, flow_by_ln_eta) = scale*(by_b*b - stress%flow(j, component))
+               flow(i, flow_by_h) = scale*((2*stress%flow(j, component) - by_b*b)/h(i) &
+                                           + self%n0*(by_sigma(1)*gx(i) + by_sigma(2)*gy(i)))
+               flow(i, flow_by_gx) = scale*self%n0*h(i)*by_sigma(1)
+               flow(i, flow_by_gy) = scale*self%n0*h(i)*by_sigma(2)
+            end do
+         end do
+      end do
+   end subroutine evaluate
+
+   !> Mean of the shear stresses at the two surfaces over tau0, B and the tangent factors: what a small pressure gradient drives
+   !> along X and along Y over what it drives in a Newtonian oil.
+   pure subroutine mean_stress(self, fluidity, h, gx, gy, sigma_x, b, factor)
+      class(film_flow_t), intent(in) :: self
+      real(dp), intent(in) :: fluidity(:)         !! eta0/eta, (n)
+      real(dp), intent(in) :: h(:)                !! H > 0, (n)
+      real(dp), intent(in) :: gx(:), gy(:)        !! dP/dX and kappa dP/dY, (n)
+      real(dp), intent(out) :: sigma_x(:)         !! sigma_m,x, (n)
+      real(dp), intent(out) :: b(:)               !! B, (n)
+      real(dp), intent(out) :: factor(:, :)       !! (2, n) along X, along Y
+      type(film_stress_t) :: stress
+      integer :: first(size(rule_points) + 1), k, last, m, order(size(h)), start
+
+      call self%choose_rules(h, gx, gy, order, first)
+      do k = 1, size(rule_points)
+         do start = first(k), first(k + 1) - 1, block_size
+            last = min(start + block_size, first(k + 1)) - 1
+            m = last - start + 1
+            call load(self, order(start:last), fluidity, h, gx, gy, stress)
+            call stress%solve(self%law, self%rule(k))
+            sigma_x(order(start:last)) = stress%mean(:m, 1)
+            b(order(start:last)) = stress%b(:m)
+            factor(1, order(start:last)) = 3*stress%flow_by_sigma(:m, 1, 1)
+            factor(2, order(start:last)) = 3*stress%flow_by_sigma(:m, 2, 2)
+         end do
+      end do
+   end subroutine mean_stress
+
+   !> Sort the places by the number of Gauss points that each needs.
+   pure subroutine choose_rules(self, h, gx, gy, order, first)
+      class(film_flow_t), intent(in) :: self
+      real(dp), intent(in) :: h(:), gx(:), gy(:)
+      integer, intent(out) :: order(:)                         !! places, those of rule 1 first
+      integer, intent(out) :: first(size(rule_points) + 1)     !! where those of each rule begin
+      integer :: i, k, needed(size(h)), place(size(rule_points) + 1)
+
+      first = 0
+      do i = 1, size(h)
+         needed(i) = rule_for(self%law%points_needed(self%n0*h(i)*sqrt(gx(i)**2 + gy(i)**2)))
+         first(needed(i)) = first(needed(i)) + 1
+      end do
+      first(size(first)) = size(h) + 1
+      do k = size(rule_points), 1, -1
+         first(k) = first(k + 1) - first(k)
+      end do
+      place = first
+      do i = 1, size(h)
+         order(place(needed(i))) = i
+         place(needed(i)) = place(needed(i)) + 1
+      end do
+   end subroutine choose_rules
+
+   !> The shortest rule with so many points, or the longest that there is.
+   pure integer function rule_for(points)
+      real(dp), intent(in) :: points
+      do rule_for = 1, size(rule_points) - 1
+         if (rule_points(rule_for) >= points) return
+      end do
+   end function rule_for
+
+   !> Dimensionless stress variation and shear rate of some places.
+   pure subroutine load(self, place, fluidity, h, gx, gy, stress)
+      class(film_flow_t), intent(in) :: self
+      integer, intent(in) :: place(:)
+      real(dp), intent(in) :: fluidity(:), h(:), gx(:), gy(:)
+      type(film_stress_t), intent(inout) :: stress
+      integer :: j
+
+      stress%n = size(place)
+      do j = 1, size(place)
+         associate (i => place(j))
+            stress%sigma(j, 1) = self%n0*h(i)*gx(i)
+            stress%sigma(j, 2) = self%n0*h(i)*gy(i)
+            stress%b(j) = sign(min(abs(self%rate)/(h(i)*max(fluidity(i), tiny(h))), largest_rate), self%rate)
+         end associate
+      end do
+   end subroutine load
+
+end module ehlwave_film_flow

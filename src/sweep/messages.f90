@@ -1,0 +1,142 @@
+!> The messages between rank 0 and the others: all of MPI that the work on cases needs.
+!>
+!> A request is answered by a case (number 0: there is none), every case by its outcome, and rank 0 sends exactly one
+!> `stop` to each of the others. A case travels as its effective input, so only rank 0 reads the sweep file; results do not
+!> travel: every rank puts its own into the store.
+module ehlwave_messages
+   use ehlwave_case_definition, only: case_t
+   use ehlwave_case_file, only: case_from_text
+   use ehlwave_case_plan, only: case_plan_t, make_plan
+   use ehlwave_case_terms, only: message_length, outcome_t
+   use ehlwave_case_text, only: effective_input
+   use ehlwave_errors, only: error_t, raise
+   use ehlwave_kinds, only: dp
+   use ehlwave_text, only: to_text
+   use mpi_f08, only: mpi_any_source, mpi_any_tag, mpi_character, mpi_comm, mpi_double_precision, mpi_get_count, &
+      mpi_iprobe, mpi_probe, mpi_recv, mpi_send, mpi_status, mpi_status_ignore
+   implicit none (type, external)
+   private
+   public :: is_stop_waiting, is_waiting, next_message, receive_case, receive_outcome, receive_stop, send_case, &
+      send_outcome, send_request, send_stop
+
+   integer, parameter, public :: no_case = 0
+   integer, parameter :: tag_ask = 1, tag_case = 2, tag_numbers = 3, tag_text = 4, tag_stop = 5
+   integer, parameter :: number_digits = 12   !! of the number of a case, before its input; then T: keep fields
+
+contains
+
+   !> Rank 0: whether there is a message.
+   logical function is_waiting(comm)
+      type(mpi_comm), intent(in) :: comm
+      call mpi_iprobe(mpi_any_source, mpi_any_tag, comm, is_waiting, mpi_status_ignore)
+   end function is_waiting
+
+   !> Rank 0: wait for a message; a request is received with that, an outcome is not.
+   subroutine next_message(comm, rank, is_request)
+      type(mpi_comm), intent(in) :: comm
+      integer, intent(out) :: rank              !! that sent it
+      logical, intent(out) :: is_request
+      type(mpi_status) :: status
+      call mpi_probe(mpi_any_source, mpi_any_tag, comm, status)
+      rank = status%mpi_source
+      is_request = status%mpi_tag == tag_ask
+      if (is_request) call receive_nothing(comm, rank, tag_ask)
+   end subroutine next_message
+
+   !> Ask rank 0 for a case.
+   subroutine send_request(comm)
+      type(mpi_comm), intent(in) :: comm
+      call mpi_send('', 0, mpi_character, 0, tag_ask, comm)
+   end subroutine send_request
+
+   !> Answer a request.
+   subroutine send_case(comm, rank, number, case)
+      type(mpi_comm), intent(in) :: comm
+      integer, intent(in) :: rank, number
+      type(case_t), intent(in), optional :: case   !! absent: there is none
+      character(len=number_digits) :: digits
+      character(len=:), allocatable :: text
+
+      write (digits, '(i12)') number
+      text = digits
+      if (present(case)) text = digits//merge('T', 'F', case%fields)//effective_input(case)
+      call mpi_send(text, len(text), mpi_character, rank, tag_case, comm)
+   end subroutine send_case
+
+   !> Receive a case and plan it as rank 0 did. Fails when it does not come out the same.
+   subroutine receive_case(comm, number, case, plan, input, error)
+      type(mpi_comm), intent(in) :: comm
+      integer, intent(out) :: number
+      type(case_t), intent(out) :: case
+      type(case_plan_t), intent(out) :: plan
+      character(len=:), allocatable, intent(out) :: input   !! its effective input
+      type(error_t), allocatable, intent(inout) :: error
+      type(mpi_status) :: status
+      character(len=:), allocatable :: text
+      integer :: length
+
+      call mpi_probe(0, tag_case, comm, status)
+      call mpi_get_count(status, mpi_character, length)
+      allocate (character(len=length) :: text)
+      call mpi_recv(text, length, mpi_character, 0, tag_case, comm, mpi_status_ignore)
+      read (text(:number_digits), *) number
+      if (number == no_case) return
+      input = text(number_digits + 2:)
+      call case_from_text(input, case, error)
+      if (.not. allocated(error)) call make_plan(case, plan, error)
+      case%fields = text(number_digits + 1:number_digits + 1) == 'T'
+      if (.not. allocated(error)) then
+         if (effective_input(case) /= input) &
+            call raise(error, 'case '//to_text(number)//' arrived with another input')
+      end if
+   end subroutine receive_case
+
+   !> Tell rank 0 what a case came to.
+   subroutine send_outcome(comm, number, outcome)
+      type(mpi_comm), intent(in) :: comm
+      integer, intent(in) :: number
+      type(outcome_t), intent(in) :: outcome
+      call mpi_send([real(dp) :: number, outcome%status, outcome%seconds, merge(1, 0, outcome%is_store_broken)], 4, &
+                    mpi_double_precision, 0, tag_numbers, comm)
+      call mpi_send(outcome%message, message_length, mpi_character, 0, tag_text, comm)
+   end subroutine send_outcome
+
+   subroutine receive_outcome(comm, rank, number, outcome)
+      type(mpi_comm), intent(in) :: comm
+      integer, intent(in) :: rank
+      integer, intent(out) :: number
+      type(outcome_t), intent(out) :: outcome
+      real(dp) :: numbers(4)
+      call mpi_recv(numbers, 4, mpi_double_precision, rank, tag_numbers, comm, mpi_status_ignore)
+      call mpi_recv(outcome%message, message_length, mpi_character, rank, tag_text, comm, mpi_status_ignore)
+      number = nint(numbers(1))
+      outcome%status = nint(numbers(2))
+      outcome%seconds = numbers(3)
+      outcome%is_store_broken = numbers(4) > 0.5_dp
+   end subroutine receive_outcome
+
+   subroutine send_stop(comm, rank)
+      type(mpi_comm), intent(in) :: comm
+      integer, intent(in) :: rank
+      call mpi_send('', 0, mpi_character, rank, tag_stop, comm)
+   end subroutine send_stop
+
+   !> Whether rank 0 wants this rank to stop.
+   logical function is_stop_waiting(comm)
+      type(mpi_comm), intent(in) :: comm
+      call mpi_iprobe(0, tag_stop, comm, is_stop_waiting, mpi_status_ignore)
+   end function is_stop_waiting
+
+   subroutine receive_stop(comm)
+      type(mpi_comm), intent(in) :: comm
+      call receive_nothing(comm, 0, tag_stop)
+   end subroutine receive_stop
+
+   subroutine receive_nothing(comm, source, tag)
+      type(mpi_comm), intent(in) :: comm
+      integer, intent(in) :: source, tag
+      character(len=1) :: nothing
+      call mpi_recv(nothing, 0, mpi_character, source, tag, comm, mpi_status_ignore)
+   end subroutine receive_nothing
+
+end module ehlwave_messages

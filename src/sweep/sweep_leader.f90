@@ -1,0 +1,175 @@
+!> What rank 0 does in a run of a sweep besides scheduling: it takes over the store, keeps the user and the results file up to
+!> date, and says at the end what became of it all.
+module ehlwave_sweep_leader
+   use, intrinsic :: iso_fortran_env, only: error_unit, output_unit
+   use ehlwave_case_list, only: case_list_t
+   use ehlwave_case_terms, only: outcome_t
+   use ehlwave_clock, only: time_stamp, wall_seconds
+   use ehlwave_cost_model, only: cost_features, feature_count
+   use ehlwave_errors, only: error_t, raise
+   use ehlwave_field_file, only: check_writable
+   use ehlwave_kinds, only: dp
+   use ehlwave_provenance, only: program_version
+   use ehlwave_results_writer, only: results_writer_t
+   use ehlwave_scheduler, only: leader_t
+   use ehlwave_status, only: last_status
+   use ehlwave_store, only: prepare_store, store_t
+   use ehlwave_store_contents, only: contents_t, read_store
+   use ehlwave_store_folder, only: check_store, discard_store, store_path
+   use ehlwave_sweep_cases, only: sweep_t
+   use ehlwave_sweep_notices, only: print_notices
+   use ehlwave_sweep_progress, only: progress_t
+   use ehlwave_sweep_queue, only: new_queue
+   use ehlwave_sweep_report, only: print_sweep_result
+   use ehlwave_sweep_start, only: choose_cases, set_aside_crashed
+   use ehlwave_text, only: to_text
+   use ehlwave_text_file, only: read_text
+   implicit none (type, external)
+   private
+
+   integer, parameter, public :: exit_done = 0, exit_failed = 1, exit_bad_input = 2, exit_not_written = 3, &
+      exit_unfinished = 85
+
+   !> What the user asked for on the command line.
+   type, public :: job_options_t
+      logical :: overwrite = .false.
+      character(len=16) :: retry = ''            !! 'failed' or 'version'
+      real(dp) :: time_limit_s = huge(1.0_dp)    !! from the start of the program on
+   end type job_options_t
+
+   !> Rank 0 also takes over the store, counts the cases, tells the progress and keeps the results file up to date.
+   type, extends(leader_t), public :: job_t
+      type(progress_t) :: progress
+      type(results_writer_t) :: writer
+   contains
+      procedure :: prepare
+      procedure :: conclude
+      procedure :: count_case
+      procedure :: look_after
+   end type job_t
+
+contains
+
+   !> Take over the store, find out what is left to run, say so.
+   subroutine prepare(self, sweep_path, sweep, options, ranks, store, error)
+      class(job_t), intent(inout) :: self
+      character(len=*), intent(in) :: sweep_path
+      type(sweep_t), intent(in), target :: sweep
+      type(job_options_t), intent(in) :: options
+      integer, intent(in) :: ranks
+      type(store_t), intent(inout) :: store
+      type(error_t), allocatable, intent(inout) :: error
+      type(contents_t) :: contents
+      character(len=:), allocatable :: folder, warning
+      logical, allocatable :: to_run(:)
+      integer, allocatable :: status(:)
+      real(dp), allocatable :: seconds(:)
+      integer :: i
+
+      folder = store_path(sweep%output)
+      call check_writable(sweep%output, error)
+      if (options%overwrite) call discard_store(folder, error)
+      if (.not. (allocated(error) .or. options%overwrite)) call refuse_foreign_results(sweep%output, folder, error)
+      call prepare_store(folder, store, warning, error)
+      call read_store(folder, contents, error)
+      if (.not. allocated(error)) call read_text(sweep_path, self%writer%sweep_text, error)
+      if (allocated(error)) return
+
+      write (output_unit, '(a)') 'ehlwave-sweep '//program_version//': '//to_text(size(sweep%cases))//' cases on '// &
+         to_text(ranks)//' ranks, results in '//sweep%output
+      if (allocated(warning)) write (output_unit, '(a)') 'NOTICE: '//warning
+      if (sweep%skipped > 0) write (output_unit, '(a)') to_text(sweep%skipped)//' unresolved cases are left out as asked'
+      allocate (to_run(size(sweep%cases)), status(size(sweep%cases)), seconds(size(sweep%cases)))
+      call choose_cases(sweep, store, contents, options%retry, to_run, status, seconds)
+      call print_notices(sweep, contents, to_run, options%retry)
+      call list_cases(sweep, folder, error)
+      call set_aside_crashed(sweep, contents, store, to_run, status, error)
+      if (allocated(error)) return
+      flush (output_unit)
+
+      self%sweep => sweep
+      self%writer%sweep => sweep
+      self%writer%folder = folder
+      self%writer%ranks = ranks
+      self%progress%total = size(sweep%cases)
+      self%progress%ranks = ranks
+      self%progress%start_s = wall_seconds()
+      do i = 1, size(sweep%cases)
+         if (.not. to_run(i)) call self%progress%count_case(status(i), seconds(i))
+      end do
+      self%queue = new_queue(sweep%cases, sweep%plans, to_run, seconds, ranks)
+   end subroutine prepare
+
+   !> The list of all cases, for `--status`.
+   subroutine list_cases(sweep, folder, error)
+      type(sweep_t), intent(in) :: sweep
+      character(len=*), intent(in) :: folder     !! of the store
+      type(error_t), allocatable, intent(inout) :: error
+      type(case_list_t) :: list
+      integer :: i
+      allocate (list%identity, source=sweep%identity)
+      allocate (list%features(feature_count, size(sweep%plans)), list%variation(size(sweep%plans)))
+      do i = 1, size(sweep%plans)
+         list%features(:, i) = cost_features(sweep%plans(i))
+         list%variation(i) = sweep%variation(i)
+      end do
+      call list%write(folder, error)
+   end subroutine list_cases
+
+   !> A results file without a store was not made by this sweep: it is not replaced unasked.
+   subroutine refuse_foreign_results(output, folder, error)
+      character(len=*), intent(in) :: output, folder
+      type(error_t), allocatable, intent(inout) :: error
+      logical :: has_results, has_store
+      call check_store(folder, has_store, error)
+      inquire (file=output, exist=has_results)
+      if (has_results .and. .not. (has_store .or. allocated(error))) call raise(error, 'results file '//output// &
+         ' exists but not its store '//folder//': move it away, name another with --output, or give --overwrite')
+   end subroutine refuse_foreign_results
+
+   subroutine count_case(self, case, outcome)
+      class(job_t), intent(inout) :: self
+      integer, intent(in) :: case
+      type(outcome_t), intent(in) :: outcome
+      call self%progress%finished(case, outcome)
+   end subroutine count_case
+
+   subroutine look_after(self)
+      class(job_t), intent(inout) :: self
+      call self%progress%tick(self%queue%seconds_left())
+      call self%writer%renew(self%progress%done())
+   end subroutine look_after
+
+   !> Make the results file from the store and say what became of the sweep.
+   subroutine conclude(self, code)
+      class(job_t), intent(inout) :: self
+      integer, intent(out) :: code
+      type(contents_t) :: contents
+      type(error_t), allocatable :: error
+      integer :: i, place, stored(0:last_status), lost
+
+      call self%writer%write(contents, error)
+      stored = 0
+      do i = 1, size(self%sweep%cases)
+         place = contents%index%find(self%sweep%identity(i))
+         if (place > 0) stored(contents%cases(place)%status) = stored(contents%cases(place)%status) + 1
+      end do
+      lost = self%progress%done() - sum(stored)
+      if (lost > 0 .and. .not. allocated(error)) call raise(error, to_text(lost)//' cases were reported as done but are '// &
+         'not in the store '//self%writer%folder//': is the disk broken? The same command computes them again')
+
+      call self%progress%tick(self%queue%seconds_left(), is_last=.true.)
+      call print_sweep_result(output_unit, self%progress, self%sweep%output)
+      code = merge(exit_failed, exit_done, self%progress%failed() > 0)
+      if (self%progress%done() < self%progress%total) then
+         code = exit_unfinished
+         write (output_unit, '(a)') time_stamp()//' stopped, because '//trim(self%reason)// &
+            '; the same command goes on with the rest'
+      end if
+      if (self%is_store_broken .or. allocated(error)) code = exit_not_written
+      flush (output_unit)
+      if (self%is_store_broken) write (error_unit, '(a)') 'ehlwave-sweep: '//trim(self%reason)
+      if (allocated(error)) write (error_unit, '(a)') 'ehlwave-sweep: '//error%message
+   end subroutine conclude
+
+end module ehlwave_sweep_leader

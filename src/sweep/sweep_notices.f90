@@ -1,0 +1,84 @@
+!> What the user should know about a store that a sweep goes on with.
+module ehlwave_sweep_notices
+   use, intrinsic :: iso_fortran_env, only: output_unit
+   use ehlwave_case_text, only: effective_input
+   use ehlwave_store_contents, only: contents_t, this_build
+   use ehlwave_sweep_cases, only: sweep_t
+   use ehlwave_text, only: to_text
+   implicit none (type, external)
+   private
+   public :: print_notices
+
+contains
+
+   !> Tell what is in the store and how it differs from what is asked for now.
+   subroutine print_notices(sweep, contents, to_run, retry)
+      type(sweep_t), intent(in) :: sweep
+      type(contents_t), intent(in) :: contents
+      logical, intent(in) :: to_run(:)
+      character(len=*), intent(in) :: retry
+      integer :: i, other, other_build, unlisted
+
+      if (contents%bad_lines > 0) write (output_unit, '(a)') to_text(contents%bad_lines)// &
+         ' records were cut off or damaged (killed while writing, full disk); they count as not written'
+      if (contents%count == 0) return
+      write (output_unit, '(a)') to_text(count(.not. to_run))//' of '//to_text(size(to_run))// &
+         ' cases are in the store already, '//to_text(count(to_run))//' to run'
+      other = 0
+      unlisted = 0
+      other_build = 0
+      do i = 1, contents%count
+         if (sweep%index%find(contents%cases(i)%identity) == 0) then
+            unlisted = unlisted + 1
+         else if (.not. contents%logs(contents%cases(i)%log)%is_by_this_build) then
+            other = contents%cases(i)%log
+            other_build = other_build + 1
+         end if
+      end do
+      if (unlisted > 0) then
+         write (output_unit, '(a)') 'NOTICE: the store also holds '//to_text(unlisted)//' finished cases that this sweep '// &
+            'file does not list; they stay in the store and out of the results file'
+         call print_changed_settings(sweep, contents)
+      end if
+      if (other_build > 0 .and. retry /= 'version') write (output_unit, '(a)') 'NOTICE: '//to_text(other_build)// &
+         ' finished cases were computed by ehlwave '//contents%logs(other)%build()//', this is '//this_build// &
+         '; they are kept (each row of the results tells its version; --retry version computes them again)'
+   end subroutine print_notices
+
+   !> Lines of the effective input, beyond what a sweep varies, that differ from those of an earlier run.
+   subroutine print_changed_settings(sweep, contents)
+      type(sweep_t), intent(in) :: sweep
+      type(contents_t), intent(in) :: contents
+      character(len=:), allocatable :: earlier, line, now
+      integer :: first, last, log
+
+      now = settings_of(effective_input(sweep%cases(1)))
+      do log = size(contents%logs), 1, -1
+         if (.not. allocated(contents%logs(log)%base_input)) cycle
+         earlier = settings_of(contents%logs(log)%base_input)
+         if (earlier == now) cycle
+         first = 1
+         do while (first <= len(earlier))
+            last = first + index(earlier(first:), new_line('a')) - 2
+            line = earlier(first:last)
+            if (index(now, line//new_line('a')) == 0) &
+               write (output_unit, '(a)') '   an earlier run had '//trim(adjustl(line))
+            first = last + 2
+         end do
+         exit
+      end do
+   end subroutine print_changed_settings
+
+   !> The groups &lubricant, &grid, &solver and &dynamics.
+   pure function settings_of(input) result(text)
+      character(len=*), intent(in) :: input
+      character(len=:), allocatable :: text
+      integer :: grid, lubricant, waviness
+      lubricant = index(input, '&lubricant')
+      waviness = index(input, '&waviness')
+      grid = index(input, '&grid')
+      text = ''
+      if (lubricant > 0 .and. waviness > lubricant .and. grid > waviness) text = input(lubricant:waviness - 1)//input(grid:)
+   end function settings_of
+
+end module ehlwave_sweep_notices

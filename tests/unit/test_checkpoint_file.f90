@@ -1,0 +1,137 @@
+!> A monitor that stops a march.
+module step_counter
+   use ehlwave_monitor, only: monitor_t, stop_now
+   implicit none (type, external)
+   private
+
+   !> Counts time steps and stops the case at one of them.
+   type, extends(monitor_t), public :: counter_t
+      integer :: steps = 0, stop_at = huge(1)
+   contains
+      procedure :: step_done => count_step
+   end type counter_t
+
+contains
+
+   subroutine count_step(self, stage, done, total)
+      class(counter_t), intent(inout) :: self
+      character(len=*), intent(in) :: stage
+      integer, intent(in) :: done, total
+      if (stage /= 'time step') return
+      self%steps = self%steps + 1
+      if (done >= self%stop_at .and. done < total) self%request = stop_now
+   end subroutine count_step
+
+end module step_counter
+
+!> A march that is stopped goes on from its checkpoint with the same bits; one that is torn or of something else is not used.
+program test_checkpoint_file
+   use ehlwave_case_completion, only: complete_case
+   use ehlwave_case_definition, only: case_t
+   use ehlwave_case_plan, only: case_plan_t, make_plan
+   use ehlwave_case_result, only: case_result_t
+   use ehlwave_case_runner, only: run_case
+   use ehlwave_checkpoint_file, only: checkpoint_t
+   use ehlwave_errors, only: error_t
+   use ehlwave_kinds, only: i8
+   use ehlwave_posix, only: remove_file, replace_file
+   use ehlwave_record_file, only: read_whole_file
+   use ehlwave_status, only: is_success, status_interrupted
+   use ehlwave_time_march, only: steps_per_stretch
+   use step_counter, only: counter_t
+   use testing, only: test_t
+   implicit none (type, external)
+
+   character(len=*), parameter :: path = 'test_checkpoint_file.checkpoint', identity = '0123456789ABCDEF'
+   type(test_t) :: test
+   type(case_t) :: case
+   type(case_plan_t) :: plan
+   type(case_result_t) :: whole, stopped
+   character(len=:), allocatable :: text
+   integer :: i, places(5), status
+
+   call make_case()
+   call run_with(whole, text='', expected_steps=plan%steps, what='a march without a checkpoint')
+   call test%check(is_success(whole%status), 'the whole march')
+   call stop_march()
+   call read_whole_file(path, text)
+   call test%check(allocated(text), 'there is a checkpoint')
+   if (.not. allocated(text)) call test%finish()
+   call run_with(stopped, text, expected_steps=plan%steps - steps_per_stretch, what='a march that goes on')
+   call compare('a march that goes on')
+   call check_unusable()
+   call remove_file(path, status)
+   call test%finish()
+
+contains
+
+   subroutine make_case()
+      type(error_t), allocatable :: error
+      case%load_parameter_m = 200
+      case%lubricant_parameter_l = 12.05
+      case%radius_ratio_d = 0.35
+      case%orientation = 'transverse'
+      case%wavelength_over_a = 1
+      case%load_balance = 'equation_of_motion'     ! for it the approach of the steps before counts
+      case%natural_frequency = 6
+      case%cells_x = 32
+      case%cells_y = 32
+      call complete_case(case, '', error)
+      if (.not. allocated(error)) call make_plan(case, plan, error)
+      call test%check_no_error(error, 'case')
+      call test%check(plan%steps > steps_per_stretch, 'the march is longer than a stretch')
+   end subroutine make_case
+
+   subroutine stop_march()
+      type(checkpoint_t) :: checkpoint
+      type(counter_t) :: monitor
+      checkpoint%path = path
+      checkpoint%identity = identity
+      monitor%stop_at = 5
+      call run_case(case, plan, monitor, stopped, keeper=checkpoint)
+      call test%check_equal(stopped%status, status_interrupted, 'a march that is stopped')
+      call test%check_equal(stopped%time_steps, steps_per_stretch, 'it goes on to the end of its stretch')
+   end subroutine stop_march
+
+   !> Run the case with a checkpoint file of this content (empty: none) and count its steps.
+   subroutine run_with(result, text, expected_steps, what)
+      type(case_result_t), intent(out) :: result
+      character(len=*), intent(in) :: text, what
+      integer, intent(in) :: expected_steps
+      type(checkpoint_t) :: checkpoint
+      type(counter_t) :: monitor
+      call remove_file(path, status)
+      if (len(text) > 0) call replace_file(path, text, status)
+      checkpoint%path = path
+      checkpoint%identity = identity
+      call run_case(case, plan, monitor, result, keeper=checkpoint)
+      call test%check_equal(monitor%steps, expected_steps, 'steps of '//what)
+   end subroutine run_with
+
+   !> All numbers of `stopped` against those of `whole`, bit for bit.
+   subroutine compare(what)
+      character(len=*), intent(in) :: what
+      call test%check_equal(stopped%status, whole%status, 'status of '//what)
+      call test%check(all(transfer(stopped%film_history, [0_i8]) == transfer(whole%film_history, [0_i8])), 'film of '//what)
+      call test%check(all(transfer(stopped%approach_history, [0_i8]) == transfer(whole%approach_history, [0_i8])), &
+                      'approach of '//what)
+      call test%check_equal(transfer(stopped%amplitude_ratio, 0_i8), transfer(whole%amplitude_ratio, 0_i8), 'Ad/Ai of '//what)
+      call test%check_equal(transfer(stopped%residual, 0_i8), transfer(whole%residual, 0_i8), 'residual of '//what)
+      call test%check_equal(stopped%linear_steps, whole%linear_steps, 'linear steps of '//what)
+   end subroutine compare
+
+   !> Torn, damaged, of another case or of another build: the march begins anew and comes to the same.
+   subroutine check_unusable()
+      character(len=:), allocatable :: bad
+      places = [1, index(text, identity), len(text)/2, len(text) - 8, len(text)]
+      do i = 1, size(places)
+         bad = text
+         bad(places(i):places(i)) = achar(ieor(iachar(bad(places(i):places(i))), 1))
+         call run_with(stopped, bad, expected_steps=plan%steps, what='a damaged checkpoint')
+         call compare('a damaged checkpoint')
+      end do
+      call run_with(stopped, text(:len(text) - 1), expected_steps=plan%steps, what='a torn checkpoint')
+      call run_with(stopped, text(:index(text, identity)), expected_steps=plan%steps, what='half a heading')
+   end subroutine check_unusable
+
+end program test_checkpoint_file
