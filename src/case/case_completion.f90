@@ -119,6 +119,9 @@ contains
       call case_conditions(case, conditions, error)
       if (.not. allocated(error) .and. conditions%is_line()) call complete_line(case, error)
       if (case%largest_cells == 0) case%largest_cells = usual_largest_cells
+      if (.not. allocated(error) .and. case%surface_file /= '' .and. case%orientation /= 'none') call raise(error, &
+         "&surface file = '"//trim(case%surface_file)//"' and &waviness orientation = '"//trim(case%orientation)// &
+         "': give one of the two")
       if (.not. allocated(error)) call complete_waviness(case, error)
       if (.not. allocated(error)) call check_grid_and_time(case, error)
       if (.not. allocated(error)) call check_response(case, error)
