@@ -1,5 +1,6 @@
 """The HDF5 file of a case: fields looked up by coordinates, history, and an input that repeats the run."""
 
+import math
 import tempfile
 import unittest
 from pathlib import Path
@@ -80,6 +81,20 @@ class CaseFile(unittest.TestCase):
         result, _, data = self.run_case(namelist(groups))
         self.assertAlmostEqual(float(data["length_a_m"])*1e3, 0.185, delta=0.001)
         self.assertAlmostEqual(float(data["length_c_m"])*result["central_film"]*1e6, result["central_film_um"], delta=1e-9)
+
+    def test_sliding(self):
+        """The example of sliding: the stress field adds up to the friction, and the report says both."""
+        text = Path(__file__).resolve().parents[2].joinpath("inputs", "sliding.nml").read_text()
+        result, _, data = self.run_case(text)
+        cell = (data["x"][1] - data["x"][0])*(data["y"][1] - data["y"][0])
+        bears = data["pressure"] > 1e-12
+        rows = (data["mean_shear_stress_pa"]*bears).sum(axis=1)
+        force = cell*(rows[0] + 2*rows[1:].sum())           # half of the domain is kept
+        self.assertAlmostEqual(3/(2*math.pi)*force/result["hertz_pressure_pa"], result["friction_coefficient"], delta=1e-12)
+        self.assertAlmostEqual(result["friction_coefficient"], 0.0394, delta=2e-4)
+        self.assertGreater(result["largest_b"], result["tangent_factor_x"])
+        self.assertGreater(result["tangent_factor_x"], result["tangent_factor_y"])
+        self.assertEqual(result["warning"], "")
 
 
 if __name__ == "__main__":

@@ -1,5 +1,6 @@
 """Sliding with a Ree-Eyring oil: an independent solver, symmetry between S and 2 - S, the Newtonian limit, identities."""
 
+import math
 import unittest
 
 from ehlwave_program import TestCase, report, solve
@@ -7,6 +8,7 @@ from reference_values import case_groups, case_name, rows
 
 STEADY = 1e-5     # films, pressure and friction on the same grid
 RESPONSE = 1e-3   # complex film over Ai on the same grid
+LIMIT = 1e-9      # against a Newtonian oil
 TIGHT = {"tolerance": 1e-9}
 
 
@@ -57,6 +59,50 @@ class Sliding(TestCase):
                 self.assertLessEqual(deviation, RESPONSE)
                 worst = max(worst, (deviation, name_of(row)))
         report(f"largest deviation {worst[0]:.1e} of Ai: {worst[1]}")
+
+    def test_either_surface_the_faster_one(self):
+        """S and 2 - S: the same film, friction the other way round."""
+        eyring = {"flow_law": "eyring", "eyring_stress_pa": 5e6}
+        carreau = {"flow_law": "carreau", "carreau_modulus_pa": 7e6, "carreau_exponent": 0.35}
+        for lubricant in (eyring, carreau):
+            fast, slow = (solve(**small(slip_parameter=s), lubricant=lubricant) for s in (1.3, 0.7))
+            for key in ["central_film", "minimum_film", "max_pressure", "largest_b", "tangent_factor_x", "tangent_factor_y"]:
+                self.check_close(fast[key], slow[key], 1e-9, key)
+            self.check_close(fast["friction_coefficient"], -slow["friction_coefficient"], 1e-9, "friction")
+            self.assertGreater(fast["friction_coefficient"], 0)
+
+    def test_newtonian_limit(self):
+        """A stress of 1e15 Pa, and Carreau's n = 1, flow like a Newtonian oil: film, friction, response."""
+        waves = {"waviness": {"orientation": "isotropic", "wavelength_over_a": 1, "response": "harmonic"}}
+        newtonian = solve(**small(slip_parameter=1.5), **waves)
+        self.assertIsNone(newtonian["largest_b"])
+        for lubricant in ({"flow_law": "eyring", "eyring_stress_pa": 1e15},
+                          {"flow_law": "carreau", "carreau_modulus_pa": 7e6, "carreau_exponent": 1}):
+            result = solve(**small(slip_parameter=1.5), lubricant=lubricant, **waves)
+            for key in ["central_film", "minimum_film", "max_pressure", "friction_coefficient", "tangent_factor_x",
+                        "tangent_factor_y", "harmonic_real", "harmonic_imaginary"]:
+                self.check_close(result[key], newtonian[key], LIMIT, f"{key} of {lubricant}")
+
+    def test_line_loads(self):
+        """A line contact by its load per length is that of its M and L."""
+        lubricant = {"flow_law": "eyring", "eyring_stress_pa": 5e6}
+        groups = {"grid": {"cells_x": 256}, "solver": TIGHT, "lubricant": lubricant}
+        given = solve(conditions={"radius_x_m": 0.01, "reduced_modulus_pa": 2.26e11, "load_n_per_m": 3e5, "slip_parameter": 1.2,
+                                  "mean_speed_m_per_s": 1, "viscosity_pa_s": 0.05}, **groups)
+        u2 = 0.05*2*1/(2.26e11*0.01)
+        self.check_close(given["load_parameter_m"], 3e5/(2.26e11*0.01)*u2**-0.5, 1e-12, "M")
+        self.check_close(given["lubricant_parameter_l"], 2.2e-8*2.26e11*u2**0.25, 1e-12, "L")
+        a = (8*3e5*0.01/(math.pi*2.26e11))**0.5
+        self.check_close(given["length_a_m"], a, 1e-12, "a")
+        self.check_close(given["hertz_pressure_pa"], 2*3e5/(math.pi*a), 1e-12, "ph")
+        same = solve(m=given["load_parameter_m"], l=given["lubricant_parameter_l"], d=0, **groups,
+                     conditions={"reduced_modulus_pa": 2.26e11, "slip_parameter": 1.2})
+        for key in ["central_film", "friction_coefficient"]:
+            self.check_close(same[key], given[key], 1e-9, key)
+        self.check_close(given["central_film_um"], given["central_film"]*a**2/0.02*1e6, 1e-12, "h(0,0)")
+        self.assertNotIn("inlet_temperature_rise_k", same)
+        self.assertGreater(given["contact_temperature_rise_k"], given["inlet_temperature_rise_k"])
+        self.assertIn("the oil in the contact would warm", given["warning"])
 
 
 if __name__ == "__main__":
