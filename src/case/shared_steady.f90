@@ -37,8 +37,8 @@ module ehlwave_shared_steady
 
 contains
 
-   !> What the steady state of a case depends on: all of its input but the waves and what is done with them. Cells,
-   !> domain and cap on the steps are those of the plan.
+   !> What the steady state of a case depends on: all of its input but the waves and what is done with them, of a Newtonian oil but
+   !> the sliding, too. Cells, domain and cap on the steps are those of the plan.
    function steady_key(case, plan) result(key)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
