@@ -1,0 +1,157 @@
+"""Waves through a line contact beside Venner and others (1997): section of the page."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import xarray as xr
+from matplotlib.figure import Figure
+
+from ehlwave_post.figures import COLOURS
+from studies.section import Cell, Picture, Section, Table
+from studies.validation.line_runs import (
+    DOMAINS,
+    FINE_CELLS,
+    OILS,
+    QUICK_CELLS,
+    responses,
+    transients,
+)
+from studies.validation.published import LineRatio, line_ratios, small_line_ratios
+
+
+@dataclass(frozen=True)
+class Ratio:
+    """Ad/Ai to mesh size 0 and its error, absolute."""
+
+    value: float
+    error: float
+
+
+def section(folder: Path) -> Section:
+    """Return the part of the page about the line contact; runs in `folder` what is not there."""
+    linear = linear_ratios(responses(folder, cells=FINE_CELLS))
+    domain = domain_changes(folder)
+    marched = marched_ratios(transients(folder), linear, domain)
+    table = value_table(marched, linear, domain)
+    return Section(
+        "Waves through a line contact",
+        _text(table, domain),
+        [table, oil_table(folder)],
+        [
+            Picture(
+                "venner",
+                "Ad/Ai less the published value, for three amplitudes; lines: linear response. "
+                "The published values have three decimals",
+                deviation_figure(marched, linear),
+            )
+        ],
+    )
+
+
+def linear_ratios(results: xr.Dataset) -> dict[float, Ratio]:
+    """Return by lambda/a what linear responses give, extrapolated by the program."""
+    columns = ("wavelength_over_a", "harmonic_extrapolated", "harmonic_error")
+    rows = zip(*(results[name].values.tolist() for name in columns), strict=True)
+    return {wave: Ratio(value, abs(value * error)) for wave, value, error in rows}
+
+
+def domain_changes(folder: Path) -> dict[float, float]:
+    """Return by lambda/a the change of Ad/Ai on the wide domain, at equal mesh size."""
+    near, wide = (responses(folder, domain) for domain in DOMAINS)
+    change = wide["harmonic_ratio"].values - near["harmonic_ratio"].values
+    return dict(zip(near["wavelength_over_a"].values.tolist(), change.tolist(), strict=True))
+
+
+def marched_ratios(
+    results: xr.Dataset, linear: dict[float, Ratio], domain: dict[float, float]
+) -> dict[LineRatio, Ratio]:
+    """Return Ad/Ai of eq. (14) by published value.
+
+    What the march has more than the linear response on its own grid is added to the linear
+    response at mesh size 0: both have the same discretisation error to first order. The error is
+    the change of that difference from the coarser grid to the finer one, the linear response's
+    own, and what the domain changes.
+    """
+    ratios = {}
+    for one in line_ratios():
+        wave = one.wavelength_over_a
+        chosen = np.isclose(results["wavelength_over_a"].values, wave)
+        chosen &= np.isclose(results["amplitude_over_film"].values, one.amplitude_over_film)
+        both = results.isel(case=np.flatnonzero(chosen)).sortby("cells_x")
+        coarse, fine = (both["amplitude_ratio"] - both["harmonic_ratio"]).values.tolist()
+        error = abs(fine - coarse) + linear[wave].error + abs(domain[wave])
+        ratios[one] = Ratio(linear[wave].value + fine, error)
+    return ratios
+
+
+def value_table(
+    marched: dict[LineRatio, Ratio], linear: dict[float, Ratio], domain: dict[float, float]
+) -> Table:
+    """Return all published values beside the march and the linear response."""
+    rows: list[tuple[Cell, ...]] = []
+    for one, found in marched.items():
+        small = linear[one.wavelength_over_a]
+        bar = small.error + abs(domain[one.wavelength_over_a])
+        rows.append(
+            (
+                *(one.wavelength_over_a, one.amplitude_over_film, one.amplitude_ratio),
+                *(found.value, found.value - one.amplitude_ratio, found.error),
+                *(small.value, small.value - one.amplitude_ratio, bar),
+            )
+        )
+    return Table(
+        "venner",
+        "Line contact, M = 100, L = 11, pure rolling, Ad/Ai; lambda counted in the half width",
+        (
+            *("lambda/b", "Ai/Hc", "published", "march", "difference", "error bar"),
+            *("linear response", "difference", "error bar"),
+        ),
+        rows,
+    )
+
+
+def oil_table(folder: Path) -> Table:
+    """Return the linear response with other oils of the same L."""
+    columns = [responses(folder, oil=oil)["harmonic_extrapolated"].values for oil in OILS]
+    rows = [
+        (wave, ratio, *(float(column[index]) for column in columns))
+        for index, (wave, ratio) in enumerate(small_line_ratios().items())
+    ]
+    names = [", ".join(f"{key} = {value}" for key, value in keys.items()) for keys in OILS.values()]
+    return Table(
+        "venner_oils",
+        "Linear response with other oils of the same L: the published one's z and alpha are not "
+        f"known (default: alpha = 2.2e-8, z = 0.68); on {QUICK_CELLS} cells",
+        ("lambda/b", "published, Ai = 0.1 Hc", "default", *names[1:]),
+        rows,
+    )
+
+
+def deviation_figure(marched: dict[LineRatio, Ratio], linear: dict[float, Ratio]) -> Figure:
+    """Draw Ad/Ai less the published value against lambda/b."""
+    figure = Figure(figsize=(6.0, 3.4), layout="constrained")
+    axes = figure.subplots()
+    amplitudes = sorted({one.amplitude_over_film for one in marched})
+    for index, amplitude in enumerate(amplitudes):
+        some = [one for one in marched if one.amplitude_over_film == amplitude]
+        x = np.array([one.wavelength_over_a for one in some])
+        known = np.array([one.amplitude_ratio for one in some])
+        y = np.array([marched[one].value for one in some]) - known
+        colour, label = COLOURS[index], f"Ai = {amplitude:g} Hc"
+        error = [marched[one].error for one in some]
+        axes.errorbar(
+            x * 1.04 ** (index - 1), y, error, fmt="o", color=colour, label=label, markersize=4
+        )
+        small = [linear[one.wavelength_over_a].value for one in some]
+        axes.plot(x, small - known, color=colour, linewidth=0.8)
+    axes.axhline(0, color="black", linewidth=0.6)
+    axes.set_xscale("log")
+    axes.set_xlabel("lambda/b")
+    axes.set_ylabel("Ad/Ai less published")
+    axes.legend(fontsize=8, frameon=False)
+    return figure
+
+
+def _text(table: Table, domain: dict[float, float]) -> list[str]:
+    return []
