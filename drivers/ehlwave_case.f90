@@ -3,7 +3,7 @@ program ehlwave_case
    use, intrinsic :: iso_fortran_env, only: error_unit, output_unit
    use ehlwave_arguments, only: arguments_t, read_arguments
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_input, only: read_case
+   use ehlwave_case_file, only: read_case
    use ehlwave_case_plan, only: case_plan_t, make_plan
    use ehlwave_case_report, only: print_plan, print_result
    use ehlwave_case_result, only: case_result_t
@@ -11,16 +11,17 @@ program ehlwave_case
    use ehlwave_estimated_case, only: run_estimated_case
    use ehlwave_field_file, only: check_writable, write_case_file
    use ehlwave_json, only: json_t
+   use ehlwave_key_reference, only: case_key_reference
    use ehlwave_log, only: log_monitor_t
-   use ehlwave_petsc_solver, only: finish_petsc
-   use ehlwave_provenance, only: program_version
+   use ehlwave_petsc_library, only: finish_petsc
+   use ehlwave_provenance_list, only: print_version
    use ehlwave_quantities, only: add_plan, add_result
    use ehlwave_quantity, only: quantity_list_t
    use ehlwave_quantity_output, only: json_of
    use ehlwave_status, only: is_success
    implicit none (type, external)
 
-   character(len=*), parameter :: usage(17) = [character(len=96) :: &
+   character(len=*), parameter :: usage(18) = [character(len=96) :: &
       'Usage: ehlwave-case INPUT.nml [--plan] [--json] [--output FILE.h5] [--quiet]', &
       '', &
       'Solves one elastohydrodynamic contact, smooth or wavy, described by a namelist file.', &
@@ -29,7 +30,8 @@ program ehlwave_case
       '  --json           last line of the output: plan or result as one JSON object', &
       '  --output FILE    write result, history at the contact centre and fields to an HDF5 file', &
       '  --quiet          no progress lines', &
-      '  --version        version of the program', &
+      '  --keys           all keys of an input, with defaults and meaning', &
+      '  --version        version of the program; --verbose: with build, libraries, processor', &
       '  --help           this text', &
       '', &
       'Exit status: 0 converged (or unresolved, flagged in the result); 1 not converged;', &
@@ -37,7 +39,7 @@ program ehlwave_case
       '', &
       'A minimal input:   &conditions load_parameter_m = 100, lubricant_parameter_l = 12.05,', &
       '                   radius_ratio_d = 1 /', &
-      'All keys are described in the README.']
+      'All keys are described in inputs/README.md.']
 
    type(arguments_t) :: arguments
    type(case_t) :: case
@@ -49,14 +51,17 @@ program ehlwave_case
    type(quantity_list_t) :: quantities
    integer :: i
 
-   call read_arguments(['--plan   ', '--json   ', '--quiet  ', '--help   ', '--version'], ['--output'], &
-                       arguments, error)
+   call read_arguments(['--plan   ', '--json   ', '--quiet  ', '--keys   ', '--help   ', '--version', '--verbose'], &
+                       ['--output'], arguments, error)
    if (allocated(error)) call fail(error%message//'; see ehlwave-case --help', 2)
    if (arguments%has('--help')) then
       write (output_unit, '(a)') (trim(usage(i)), i=1, size(usage))
       stop 0, quiet=.true.
+   else if (arguments%has('--keys')) then
+      write (output_unit, '(a)', advance='no') case_key_reference(is_markdown=.false.)
+      stop 0, quiet=.true.
    else if (arguments%has('--version')) then
-      write (output_unit, '(a)') 'ehlwave '//program_version
+      call print_version(output_unit, arguments%has('--verbose'))
       stop 0, quiet=.true.
    end if
    if (size(arguments%files) /= 1) call fail('give one input file; see ehlwave-case --help', 2)

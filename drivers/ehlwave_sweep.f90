@@ -5,11 +5,12 @@ program ehlwave_sweep
    use ehlwave_estimated_case, only: run_estimated_case
    use ehlwave_case_table, only: read_output_name, read_sweep
    use ehlwave_errors, only: error_t
-   use ehlwave_petsc_solver, only: finish_petsc
+   use ehlwave_petsc_library, only: finish_petsc
    use ehlwave_posix, only: catch_signals
-   use ehlwave_provenance, only: program_version
+   use ehlwave_provenance_list, only: print_version
    use ehlwave_sweep_cases, only: sweep_t
-   use ehlwave_sweep_job, only: run_job
+   use ehlwave_sweep_job, only: mpi_library, run_job
+   use ehlwave_sweep_keys, only: sweep_key_reference
    use ehlwave_sweep_leader, only: exit_bad_input, exit_done, exit_failed, exit_unfinished, job_options_t
    use ehlwave_sweep_report, only: print_sweep_plan
    use ehlwave_sweep_status, only: print_status
@@ -17,7 +18,7 @@ program ehlwave_sweep
    use mpi_f08, only: mpi_bcast, mpi_comm_rank, mpi_comm_world, mpi_finalize, mpi_init, mpi_logical
    implicit none (type, external)
 
-   character(len=*), parameter :: usage(32) = [character(len=104) :: &
+   character(len=*), parameter :: usage(33) = [character(len=104) :: &
       'Usage: mpirun -n RANKS ehlwave-sweep SWEEP.nml [--plan] [--output FILE.h5] [--time-limit TIME]', &
       '                                     [--retry failed|version] [--overwrite]', &
       '       ehlwave-sweep --status FILE.h5|SWEEP.nml', &
@@ -37,7 +38,8 @@ program ehlwave_sweep
       '  --retry version   run cases of other versions of the program once more', &
       '  --overwrite       drop the store and the results file, begin anew', &
       '  --status FILE     say what a store holds (counts, slowest, failed, time left); compute nothing', &
-      '  --version         version of the program', &
+      '  --keys            all keys of a sweep file, with defaults and meaning; --markdown: as inputs/README.md', &
+      '  --version         version of the program; --verbose: with build, libraries, MPI, processor', &
       '  --help            this text', &
       '', &
       'SIGTERM, SIGUSR1 and SIGINT stop a run as --time-limit does. scripts/run-sweep starts the rest of a', &
@@ -49,7 +51,7 @@ program ehlwave_sweep
       '', &
       'A minimal sweep:   &sweep load_parameter_m = 100, 200, lubricant_parameter_l = 12.05,', &
       "                   radius_ratio_d = 1, 0.35, orientation = 'transverse', wavelength_over_a = 1 /", &
-      'All keys are described in the README.']
+      'All keys are described in inputs/README.md.']
 
    type(arguments_t) :: arguments
    type(error_t), allocatable :: error
@@ -59,12 +61,17 @@ program ehlwave_sweep
 
    call mpi_init()
    call mpi_comm_rank(mpi_comm_world, rank)
-   call read_arguments(['--plan     ', '--overwrite', '--help     ', '--version  '], &
-                       ['--output    ', '--time-limit', '--retry     ', '--status    '], arguments, error)
+   call read_arguments(['--plan     ', '--overwrite', '--keys     ', '--markdown ', '--help     ', '--version  ', &
+                        '--verbose  '], ['--output    ', '--time-limit', '--retry     ', '--status    '], arguments, error)
    if (allocated(error)) call refuse(error%message//'; see ehlwave-sweep --help')
    if (arguments%has('--help') .or. arguments%has('--version')) then
       if (rank == 0 .and. arguments%has('--help')) write (output_unit, '(a)') (trim(usage(i)), i=1, size(usage))
-      if (rank == 0 .and. .not. arguments%has('--help')) write (output_unit, '(a)') 'ehlwave '//program_version
+      if (rank == 0 .and. .not. arguments%has('--help')) &
+         call print_version(output_unit, arguments%has('--verbose'), mpi_library())
+      call finish(exit_done)
+   end if
+   if (arguments%has('--keys')) then
+      if (rank == 0) write (output_unit, '(a)', advance='no') sweep_key_reference(arguments%has('--markdown'))
       call finish(exit_done)
    end if
    if (arguments%has('--status')) call show_status()
@@ -74,6 +81,7 @@ program ehlwave_sweep
    if (.not. arguments%has('--plan')) call catch_signals()
    if (rank == 0) call read_sweep(trim(arguments%files(1)), sweep, error)
    call refuse_together()
+   if (rank == 0) write (output_unit, '(a)', advance='no') sweep%notice
    if (arguments%has('--output')) sweep%output = arguments%value('--output')
    if (arguments%has('--plan')) then
       if (rank == 0) call print_sweep_plan(output_unit, sweep)

@@ -1,16 +1,17 @@
 #!/usr/bin/env bash
-# An ehlwave sweep as a Slurm job. Needs no root. From the top folder of ehlwave:
+# An ehlwave sweep as a Slurm job. Needs no root. From any folder:
 #
-#     sbatch --ntasks=64 scripts/batch/slurm.sh inputs/paper_quick.nml results.h5
+#     sbatch --ntasks=64 EHLWAVE/scripts/batch/slurm.sh SWEEP.nml results.h5
 #
 # or several sweeps as a job array, each with the results file that it names itself (key output of &sweep):
 #
-#     sbatch --ntasks=64 --array=0-2 scripts/batch/slurm.sh A.nml B.nml C.nml
+#     sbatch --ntasks=64 --array=0-2 EHLWAVE/scripts/batch/slurm.sh A.nml B.nml C.nml
 #
-# 1. Once, on the login node, with the modules or Spack packages of EDIT HERE loaded:
+# EHLWAVE is the top folder of ehlwave or share/ehlwave of an installation ($EHLWAVE_HOME with its module).
+# 1. Once, unless it is installed, on the login node, with the modules or Spack packages of EDIT HERE loaded:
 #        scripts/install-requirements --check && scripts/build native
 #    (native wants a login node with the processors of the compute nodes; else build release.)
-# 2. How many cases, on which grids:   build/native/drivers/ehlwave-sweep SWEEP.nml --plan
+# 2. How many cases, on which grids:   ehlwave-sweep SWEEP.nml --plan
 # 3. Edit what is marked, submit. What is done, what is left:   ehlwave-sweep --status results.h5
 #
 # What to expect: scripts/batch/job.
@@ -29,16 +30,24 @@
 ##SBATCH --account=ACCOUNT
 ##SBATCH --partition=PARTITION
 set -uo pipefail
-# Slurm runs a copy of this script, so only the folder of submission leads to ehlwave.
 cd "${SLURM_SUBMIT_DIR:-.}" || exit 2
 
 # EDIT HERE: the same modules or Spack packages as for the build.
-# module purge; module load gcc openmpi fftw hdf5
+# module purge; module load gcc openmpi fftw hdf5      # or the module of ehlwave
 # . SPACK/share/spack/setup-env.sh; spack load gcc openmpi fftw hdf5
 # EDIT HERE if your cluster wants srun:
 # export EHLWAVE_LAUNCHER='srun --mpi=pmix'
 
-if [ ! -f scripts/batch/job ]; then echo "$PWD is not the top folder of ehlwave: submit from there" >&2; exit 2; fi
+# Slurm runs a copy of this script: the job itself knows where it is from. A copy of your own works where ehlwave's module
+# is loaded, run-sweep is on PATH, or in the top folder of ehlwave.
+original=$(scontrol show job "${SLURM_JOB_ID:-0}" 2>/dev/null | sed -n '/^ *Command=/{s///;s/ .*//;p;q;}')
+home=
+for place in "${EHLWAVE_HOME:-}" "${original%/scripts/batch/*}" . "$(dirname "$(command -v run-sweep)")/../share/ehlwave"; do
+   if [ -z "$place" ] || [ ! -f "$place/scripts/batch/job" ]; then continue; fi
+   home=$(cd "$place" && pwd)
+   break
+done
+if [ -z "$home" ]; then echo 'Where is ehlwave? Set EHLWAVE_HOME to its top folder or load its module' >&2; exit 2; fi
 job=${SLURM_JOB_ID:-none} task=${SLURM_ARRAY_TASK_ID:-} starts=${SLURM_RESTART_COUNT:-0}
 again() { scontrol requeue "${SLURM_ARRAY_JOB_ID:+${SLURM_ARRAY_JOB_ID}_}${SLURM_ARRAY_TASK_ID:-$SLURM_JOB_ID}"; }
-. scripts/batch/job
+. "$home/scripts/batch/job"

@@ -1,31 +1,129 @@
 !> The input of one case made complete: what follows from other keys, and what contradicts them.
 module ehlwave_case_completion
    use ehlwave_case_definition, only: case_t, largest_line_cells, usual_largest_cells
+   use ehlwave_case_input, only: case_input_t
+   use ehlwave_case_key, only: key_length
    use ehlwave_conditions, only: conditions_from_dimensional, conditions_from_moes, conditions_t
    use ehlwave_errors, only: error_t, raise
+   use ehlwave_formula, only: anisotropy_factor, wave_parameter_v
    use ehlwave_kinds, only: dp
-   use ehlwave_petsc_solver, only: require_petsc
+   use ehlwave_key_applicability, only: check_applicability
+   use ehlwave_key_list, only: find_key, key_list_t
+   use ehlwave_petsc_library, only: require_petsc
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
-   public :: complete_case, case_conditions
+   public :: complete_case, complete_input, case_conditions
+
+   character(len=key_length), parameter :: moes_keys(3) = [character(len=key_length) :: 'load_parameter_m', &
+      'lubricant_parameter_l', 'radius_ratio_d']
+   character(len=key_length), parameter :: data_keys(6) = [character(len=key_length) :: 'radius_x_m', 'radius_y_m', &
+      'reduced_modulus_pa', 'load_n', 'mean_speed_m_per_s', 'viscosity_pa_s']
 
 contains
 
-   !> Fill in what follows from other keys and refuse contradictions. `place` begins every message.
+   !> Complete a case as it was given: what its conditions are given by, what its accuracy chooses, and all that follows
+   !> from other keys. Refuses what is missing, what contradicts, and keys that do not apply; those that may idle are
+   !> left out then and count as not given. `place` begins every message.
+   subroutine complete_input(input, list, place, error)
+      type(case_input_t), intent(inout) :: input
+      type(key_list_t), intent(in) :: list         !! of all keys
+      character(len=*), intent(in) :: place
+      type(error_t), allocatable, intent(inout) :: error
+
+      if (allocated(error)) return
+      call settle_conditions(input, list, error)
+      if (.not. allocated(error) .and. input%f_v > 0) call choose_wavelength(input, list, error)
+      if (.not. allocated(error)) call check_applicability(input, error)
+      if (allocated(error)) then
+         error%message = place//error%message
+         return
+      end if
+      if (input%case%accuracy > 0) call choose_for_accuracy(input, list)
+      call complete_case(input%case, place, error)
+   end subroutine complete_input
+
+   !> The conditions are given by the three numbers, all of them, or by dimensional data, from which M, L and D follow.
+   subroutine settle_conditions(input, list, error)
+      type(case_input_t), intent(inout) :: input
+      type(key_list_t), intent(in) :: list
+      type(error_t), allocatable, intent(inout) :: error
+      type(conditions_t) :: conditions
+      logical :: has_data(size(data_keys)), has_moes(size(moes_keys))
+      integer :: i
+
+      has_data = [(input%is_given(find_key(list%keys, data_keys(i))), i=1, size(data_keys))]
+      has_moes = [(input%is_given(find_key(list%keys, moes_keys(i))), i=1, size(moes_keys))]
+      input%case%is_dimensional = any(has_data)
+      if (any(has_data) .and. any(has_moes)) then
+         call raise(error, '&conditions gives both load_parameter_m, lubricant_parameter_l or radius_ratio_d and '// &
+                    'dimensional data (radius_x_m, ...): give one of the two')
+      else if (any(has_data)) then
+         call case_conditions(input%case, conditions, error)
+      else if (.not. all(has_moes)) then
+         call raise(error, '&conditions '//trim(moes_keys(findloc(has_moes, .false., 1)))//' is missing: give '// &
+                    'load_parameter_m, lubricant_parameter_l and radius_ratio_d, or dimensional data (radius_x_m, '// &
+                    'radius_y_m, reduced_modulus_pa, load_n, mean_speed_m_per_s, viscosity_pa_s)')
+      end if
+   end subroutine settle_conditions
+
+   !> The wavelength for which f(r) V has the value asked for.
+   subroutine choose_wavelength(input, list, error)
+      type(case_input_t), intent(inout) :: input
+      type(key_list_t), intent(in) :: list
+      type(error_t), allocatable, intent(inout) :: error
+      type(conditions_t) :: conditions
+      real(dp) :: factor
+
+      call case_conditions(input%case, conditions, error)
+      if (allocated(error)) return
+      factor = anisotropy_factor(merge(0.0_dp, 1.0_dp, input%case%orientation == 'longitudinal'), &
+                                 merge(0.0_dp, 1.0_dp, input%case%orientation == 'transverse'))
+      input%case%wavelength_over_a = input%f_v/(factor*wave_parameter_v(conditions, 1.0_dp))
+      input%is_given(find_key(list%keys, 'wavelength_over_a')) = .true.
+   end subroutine choose_wavelength
+
+   !> What `accuracy` chooses where it is not given: cells and time step by the plan, tolerances well below the accuracy.
+   !> Measured: a step tolerance of 1e-3 leaves up to 2e-3 of Ad/Ai, most for long waves; steady states are exact to
+   !> a tenth of their tolerance or better.
+   subroutine choose_for_accuracy(input, list)
+      type(case_input_t), intent(inout) :: input
+      type(key_list_t), intent(in) :: list
+      type(case_t) :: usual
+
+      associate (case => input%case)
+         if (is_free('cells_x')) case%cells_x = 0
+         if (is_free('cells_y')) case%cells_y = 0
+         if (is_free('time_step_over_cell')) case%time_step_over_cell = 0
+         if (is_free('step_tolerance')) case%step_tolerance = min(usual%step_tolerance, 0.1_dp*case%accuracy)
+         if (is_free('tolerance')) case%tolerance = min(usual%tolerance, 1e-3_dp*case%accuracy)
+      end associate
+
+   contains
+
+      logical function is_free(key)
+         character(len=*), intent(in) :: key
+         is_free = .not. input%is_given(find_key(list%keys, key))
+      end function is_free
+
+   end subroutine choose_for_accuracy
+
+   !> Complete a case all of whose keys are meant, whether or not they apply. `place` begins every message.
    subroutine complete_case(case, place, error)
       type(case_t), intent(inout) :: case
       character(len=*), intent(in) :: place
       type(error_t), allocatable, intent(inout) :: error
       type(conditions_t) :: conditions
 
+      if (allocated(error)) return
       call case_conditions(case, conditions, error)
       if (.not. allocated(error) .and. conditions%is_line()) call complete_line(case, error)
       if (case%largest_cells == 0) case%largest_cells = usual_largest_cells
       if (.not. allocated(error)) call complete_waviness(case, error)
       if (.not. allocated(error)) call check_grid_and_time(case, error)
       if (.not. allocated(error)) call check_response(case, error)
-      if (.not. allocated(error)) call complete_method(case, error)
+      if (.not. allocated(error) .and. case%method == 'petsc') call require_petsc(error)
+      if (case%method == 'fas' .and. case%cycle == '') case%cycle = 'f'
       if (allocated(error)) error%message = place//error%message
    end subroutine complete_case
 
@@ -46,8 +144,6 @@ contains
                     'has no waves along Y: set it to 0')
       else if (len_trim(case%surface_file) > 0) then
          call raise(error, "&surface file = '"//trim(case%surface_file)//"'"//line//'takes harmonic waves only')
-      else if (case%across /= '') then
-         call raise(error, '&grid '//trim(case%across)//line//'is computed on one line along X: remove '//trim(case%across))
       else if (case%method == 'fas') then
          call raise(error, "&solver method = 'fas'"//line//"is solved by 'newton' or 'petsc'")
       else if (case%deformation == 'mlmi') then
@@ -66,98 +162,49 @@ contains
       if (case%largest_cells == 0) case%largest_cells = largest_line_cells
    end subroutine complete_line
 
-   !> The method must be there, and a cycle is one of FAS: F cycles when none is given.
-   subroutine complete_method(case, error)
-      type(case_t), intent(inout) :: case
-      type(error_t), allocatable, intent(inout) :: error
-      if (case%method == 'petsc') call require_petsc(error)
-      if (case%method == 'fas') then
-         if (case%cycle == '') case%cycle = 'f'
-      else if (case%cycle /= '') then
-         call raise(error, 'cycle = '''//trim(case%cycle)//''' is of method = ''fas'' only: leave it out or set method = ''fas''')
-      end if
-   end subroutine complete_method
-
    !> Operating conditions of a case; also sets M, L, D of a case given by dimensional data.
    subroutine case_conditions(case, conditions, error)
       type(case_t), intent(inout) :: case
       type(conditions_t), intent(out) :: conditions
       type(error_t), allocatable, intent(inout) :: error
 
-      if (case%has_data) then
+      if (case%is_dimensional) then
          case%data%pressure_viscosity_per_pa = case%pressure_viscosity_per_pa
          call conditions_from_dimensional(case%data, conditions, error)
          case%load_parameter_m = conditions%m
          case%lubricant_parameter_l = conditions%l
          case%radius_ratio_d = conditions%d
       else
-         call require(case%load_parameter_m >= 0, 'load_parameter_m', error)
-         call require(case%lubricant_parameter_l >= 0, 'lubricant_parameter_l', error)
-         call require(case%radius_ratio_d >= 0, 'radius_ratio_d', error)
-         if (allocated(error)) return
          call conditions_from_moes(case%load_parameter_m, case%lubricant_parameter_l, case%radius_ratio_d, &
                                    case%pressure_viscosity_per_pa, conditions, error)
       end if
    end subroutine case_conditions
 
-   subroutine require(is_given, key, error)
-      logical, intent(in) :: is_given
-      character(len=*), intent(in) :: key
-      type(error_t), allocatable, intent(inout) :: error
-      if (.not. (is_given .or. allocated(error))) call raise(error, '&conditions '//key//' is missing: give '// &
-         'load_parameter_m, lubricant_parameter_l and radius_ratio_d, or dimensional data (radius_x_m, radius_y_m, '// &
-         'reduced_modulus_pa, load_n, mean_speed_m_per_s, viscosity_pa_s)')
-   end subroutine require
-
    !> Wavelengths along X and Y from the orientation, and back.
    subroutine complete_waviness(case, error)
       type(case_t), intent(inout) :: case
       type(error_t), allocatable, intent(inout) :: error
-      real(dp) :: wave
 
-      wave = case%wavelength_over_a
       select case (case%orientation)
       case ('none')
-         if (max(wave, case%wavelength_x_over_a, case%wavelength_y_over_a) > 0) then
-            call raise(error, "&waviness gives a wavelength but orientation is 'none': set orientation to "// &
-                       "'transverse', 'isotropic', 'longitudinal' or 'custom', or remove the wavelength")
-            return
-         end if
+         case%wavelength_over_a = 0
+         case%wavelength_x_over_a = 0
+         case%wavelength_y_over_a = 0
       case ('custom')
-         if (wave > 0 .and. max(case%wavelength_x_over_a, case%wavelength_y_over_a) <= 0) then
-            call raise(error, "&waviness orientation 'custom' takes wavelength_x_over_a and wavelength_y_over_a, "// &
-                       'not wavelength_over_a')
-         else if (max(case%wavelength_x_over_a, case%wavelength_y_over_a) <= 0) then
+         if (max(case%wavelength_x_over_a, case%wavelength_y_over_a) <= 0) then
             call raise(error, "&waviness orientation 'custom' needs wavelength_x_over_a or wavelength_y_over_a "// &
                        'above 0 (0 means no variation in that direction)')
-         end if
-         wave = shorter(case%wavelength_x_over_a, case%wavelength_y_over_a)
-         if (case%wavelength_over_a > 0 .and. abs(wave - case%wavelength_over_a) > 0) &
-            call raise(error, "&waviness orientation 'custom' takes wavelength_x_over_a and wavelength_y_over_a: "// &
-                       'remove wavelength_over_a')
-         case%wavelength_over_a = wave
-         if (.not. allocated(error) .and. case%oblique .and. min(case%wavelength_x_over_a, case%wavelength_y_over_a) <= 0) &
+         else if (case%oblique .and. min(case%wavelength_x_over_a, case%wavelength_y_over_a) <= 0) then
             call raise(error, '&waviness oblique needs both wavelength_x_over_a and wavelength_y_over_a above 0')
-      case default
-         if (.not. wave > 0) then
-            call raise(error, "&waviness wavelength_over_a is missing: orientation '"//trim(case%orientation)//"' needs it")
-            return
          end if
-         if (differs(case%wavelength_x_over_a, merge(0.0_dp, wave, case%orientation == 'longitudinal')) .or. &
-             differs(case%wavelength_y_over_a, merge(0.0_dp, wave, case%orientation == 'transverse'))) &
-            call raise(error, "&waviness wavelength_x_over_a and wavelength_y_over_a belong to orientation 'custom'; '"// &
-                       trim(case%orientation)//"' takes wavelength_over_a")
-         if (case%oblique) call raise(error, "&waviness oblique belongs to orientation 'custom'")
-         if (case%orientation /= 'longitudinal') case%wavelength_x_over_a = wave
-         if (case%orientation /= 'transverse') case%wavelength_y_over_a = wave
+         case%wavelength_over_a = shorter(case%wavelength_x_over_a, case%wavelength_y_over_a)
+      case default
+         if (.not. case%wavelength_over_a > 0) &
+            call raise(error, "&waviness wavelength_over_a is missing: orientation '"//trim(case%orientation)//"' needs it")
+         case%wavelength_x_over_a = merge(0.0_dp, case%wavelength_over_a, case%orientation == 'longitudinal')
+         case%wavelength_y_over_a = merge(0.0_dp, case%wavelength_over_a, case%orientation == 'transverse')
       end select
    end subroutine complete_waviness
-
-   !> Whether a value was given and is not the expected one.
-   pure logical function differs(value, expected)
-      real(dp), intent(in) :: value, expected
-      differs = value > 0 .and. abs(value - expected) > 0
-   end function differs
 
    !> The smaller of two wavelengths, 0 standing for infinite.
    pure real(dp) function shorter(x, y)
@@ -204,12 +251,8 @@ contains
                     ': give a whole number (1, 2, 4) or one over a whole number (0.5, 0.25), so that steps follow the '// &
                     'characteristics from node to node')
       if (allocated(error)) return
-      if (case%load_balance == 'equation_of_motion' .and. .not. case%natural_frequency > 0) then
+      if (case%load_balance == 'equation_of_motion' .and. .not. case%natural_frequency > 0) &
          call raise(error, "&dynamics natural_frequency is missing: load_balance 'equation_of_motion' needs Omega")
-      else if (case%load_balance == 'force_balance' .and. case%natural_frequency > 0) then
-         call raise(error, "&dynamics natural_frequency is given but load_balance is 'force_balance': set it to "// &
-                    "'equation_of_motion' or remove natural_frequency")
-      end if
    end subroutine check_grid_and_time
 
    !> 0 leaves the number of cells to the plan.

@@ -1,20 +1,21 @@
-!> The input of one case: every key with its default.
+!> The input of one case: every key with its default. `case_keys` says what each means and may be.
 module ehlwave_case_definition
+   use ehlwave_case_key, only: name_length => choice_length
    use ehlwave_conditions, only: contact_data_t
    use ehlwave_kinds, only: dp
    implicit none (type, external)
    private
+   public :: name_length
 
-   integer, parameter, public :: name_length = 20   !! longest choice, e.g. 'equation_of_motion'
-   integer, parameter, public :: path_length = 512  !! longest name of a surface file
+   integer, parameter, public :: path_length = 512   !! longest name of a file
 
-   !> All keys, in the order of the groups. Not given: M, L, D below 0; wavelengths and dimensional data 0.
+   !> All keys, in the order of the groups.
    type, public :: case_t
       ! &conditions
-      real(dp) :: load_parameter_m = -1, lubricant_parameter_l = -1, radius_ratio_d = -1
+      logical :: is_dimensional = .false.                !! given by dimensional data, from which M, L and D follow
+      type(contact_data_t) :: data
+      real(dp) :: load_parameter_m = 0, lubricant_parameter_l = 0, radius_ratio_d = 0
       real(dp) :: slip_parameter = 1
-      type(contact_data_t) :: data                       !! dimensional data, used when has_data
-      logical :: has_data = .false.
       ! &lubricant
       real(dp) :: pressure_viscosity_per_pa = 2.2e-8_dp
       real(dp) :: roelands_index = 0.68_dp
@@ -22,8 +23,8 @@ module ehlwave_case_definition
       character(len=name_length) :: density_law = 'dowson_higginson'
       ! &waviness
       character(len=name_length) :: orientation = 'none'
-      real(dp) :: wavelength_over_a = 0
-      real(dp) :: wavelength_x_over_a = 0, wavelength_y_over_a = 0
+      real(dp) :: wavelength_over_a = 0                  !! of a custom pattern the shorter one, completed
+      real(dp) :: wavelength_x_over_a = 0, wavelength_y_over_a = 0   !! 0: no variation; completed
       logical :: oblique = .false.
       real(dp) :: amplitude_over_film = 0.2_dp
       character(len=name_length) :: response = 'transient'
@@ -33,7 +34,6 @@ module ehlwave_case_definition
       real(dp) :: x_min = -2.5_dp, x_max = 1.5_dp, y_max = 2
       integer :: cells_x = 256, cells_y = 256            !! 0: chosen by the plan; cells_y of a line contact: completed to 1
       integer :: largest_cells = 0                       !! limit of what the plan chooses, completed
-      character(len=name_length) :: across = ''          !! a given key about Y, which a line contact has not
       character(len=name_length) :: domain = 'auto'
       ! &solver
       real(dp) :: tolerance = 1e-6_dp
@@ -49,15 +49,12 @@ module ehlwave_case_definition
       real(dp) :: accuracy = 0                           !! relative error asked for; 0: none
       ! &dynamics
       character(len=name_length) :: load_balance = 'force_balance'
-      real(dp) :: natural_frequency = 0
+      real(dp) :: natural_frequency = 0                  !! 0: none
       real(dp) :: load_factor = 1
-      real(dp) :: end_time = 0
+      real(dp) :: end_time = 0                           !! 0: until the amplitude is measured
       ! &output
       logical :: fields = .false.
    end type case_t
-
-   character(len=name_length), parameter, public :: orientations(5) = &
-      [character(len=name_length) :: 'none', 'transverse', 'isotropic', 'longitudinal', 'custom']
 
    integer, parameter, public :: usual_largest_cells = 1024   !! that the plan chooses where no limit is given,
    integer, parameter, public :: largest_line_cells = 8192    !! and for line contacts

@@ -2,20 +2,22 @@
 !> stored, or written to HDF5 files follows from it, so a new quantity is one entry here and what computes it.
 !>
 !> An entry gives name, long name, how the value is got, the unit where the number is not a plain one, and where only
-!> some cases have it, which (`exists`).
+!> some cases have it, which (`exists`). What is a key as well is described in the table of keys: `add_key` takes it over.
 module ehlwave_quantities
    use ehlwave_case_definition, only: case_t
+   use ehlwave_case_key, only: key_long_name, number_kind, truth_kind, whole_kind
    use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_text, only: case_identity
    use ehlwave_error_estimate, only: basis_name
+   use ehlwave_key_list, only: case_key_list, find_key, key_list_t
    use ehlwave_harmonic_result, only: harmonic_result_t
    use ehlwave_kinds, only: dp
    use ehlwave_quantity, only: quantity_list_t
    use ehlwave_status, only: status_name
    implicit none (type, external)
    private
-   public :: add_case, add_plan, add_result
+   public :: add_case, add_key, add_plan, add_result
 
    real(dp), parameter :: um_per_m = 1e6_dp
 
@@ -26,24 +28,26 @@ contains
       type(quantity_list_t), intent(inout) :: list
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
+      type(key_list_t) :: keys
 
+      keys = case_key_list(case)
       associate (c => plan%conditions)
          call list%add('case_id', 'identity of the effective input', case_identity(case))
          call list%add('load_parameter_m', 'Moes load parameter M', c%m)
          call list%add('lubricant_parameter_l', 'Moes lubricant parameter L', c%l)
          call list%add('radius_ratio_d', 'D = Rx/Ry', c%d)
-         call list%add('slip_parameter', 'speed of the wavy surface over the mean speed', case%slip_parameter)
+         call add_key(list, keys, 'slip_parameter')
          call list%add('kappa', 'ellipticity a/b', c%elliptic%kappa)
          call list%add('gamma', 'pressure factor of the ellipticity', c%gamma)
          call list%add('alphabar', 'alpha ph', c%alphabar)
          call list%add('lambdabar', 'dimensionless speed parameter', c%lambdabar)
       end associate
-      call list%add('orientation', 'orientation of the waviness', trim(case%orientation))
-      call list%add('response', 'transient, harmonic (small waves) or both', trim(case%response))
+      call add_key(list, keys, 'orientation')
+      call add_key(list, keys, 'response')
       call list%add('surface_file', 'measured surface in place of waviness', trim(case%surface_file), &
                     exists=allocated(plan%waviness%surface))
-      call list%add('wavelength_x_over_a', 'lambda_x/a, 0: no variation along x', case%wavelength_x_over_a)
-      call list%add('wavelength_y_over_a', 'lambda_y/a, 0: no variation along y', case%wavelength_y_over_a)
+      call add_key(list, keys, 'wavelength_x_over_a')
+      call add_key(list, keys, 'wavelength_y_over_a')
       call list%add('deformation', 'fft or mlmi on the finest grid', trim(plan%deformation))
       call list%add('expected_error', 'relative error expected by the plan', plan%expected_error)
       call list%add('expected_work_units', 'work expected by the plan, in plain FFT convolutions of the grid', &
@@ -61,8 +65,10 @@ contains
       type(quantity_list_t), intent(inout) :: list
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
+      type(key_list_t) :: keys
       character(len=8), parameter :: kinds(4) = [character(len=8) :: 'smooth', 'standing', 'march', 'harmonic']
 
+      keys = case_key_list(case)
       call add_case(list, case, plan)
       call list%add('run', 'what is computed: smooth, standing, march or harmonic', trim(kinds(plan%kind)))
       call list%add('time_steps', 'time steps to be done', plan%steps)
@@ -71,11 +77,29 @@ contains
       call list%add('is_half_domain', '1 when only Y >= 0 is computed', plan%is_half)
       call list%add('is_resolved', '1 when the grid resolves the case', plan%resolution%is_resolved)
       call list%add('message', 'why the grid does not resolve the case', plan%resolution%reason)
-      call list%add('accuracy', 'relative error asked for, 0: none', case%accuracy)
+      call add_key(list, keys, 'accuracy')
       call list%add('expected_seconds', 'time expected by the plan', plan%expected_seconds(), unit='s')
-      call list%add('step_tolerance', 'mass residual that ends a time step', case%step_tolerance)
-      call list%add('tolerance', 'mass residual that ends a steady state', case%tolerance)
+      call add_key(list, keys, 'step_tolerance')
+      call add_key(list, keys, 'tolerance')
    end subroutine add_plan
+
+   !> A key of the case with the value in use.
+   subroutine add_key(list, keys, name)
+      type(quantity_list_t), intent(inout) :: list
+      type(key_list_t), intent(in) :: keys      !! of the case
+      character(len=*), intent(in) :: name
+      integer :: k
+
+      k = find_key(keys%keys, name)
+      associate (key => keys%keys(k), value => keys%values(k))
+         select case (key%kind)
+         case (number_kind); call list%add(name, key_long_name(key), value%number, unit=trim(key%unit))
+         case (whole_kind); call list%add(name, key_long_name(key), value%whole)
+         case (truth_kind); call list%add(name, key_long_name(key), value%truth)
+         case default; call list%add(name, key_long_name(key), value%word)
+         end select
+      end associate
+   end subroutine add_key
 
    !> What the case is and what it came to.
    subroutine add_result(list, case, plan, result)

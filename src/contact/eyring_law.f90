@@ -11,7 +11,7 @@ module ehlwave_eyring_law
       real(dp) :: largest_stress = 300   !! |sigma| beyond which s is continued: exp(300)^2 is finite
    contains
       procedure :: shear_factor
-      procedure :: stress_at
+      procedure :: first_stress
       procedure :: points_needed
    end type eyring_law_t
 
@@ -21,36 +21,51 @@ module ehlwave_eyring_law
 
 contains
 
-   !> Power series up to |sigma|^2 = 1, plus what the closed form adds beyond: no branches, so that exp is vectorised.
+   !> Power series up to |sigma|^2 = 1, and what the closed form adds beyond: no branches within a loop, so that exp is
+   !> vectorised, but most blocks of places need one of the two only.
    pure subroutine shear_factor(self, n, stress2, s, slope)
       class(eyring_law_t), intent(in) :: self
       integer, intent(in) :: n
       real(dp), intent(in) :: stress2(n)
       real(dp), intent(out) :: s(n), slope(n)
-      real(dp) :: grown, large, largest2, r, s_beyond, x
+      real(dp) :: grown, inverse, largest2, r, s_beyond, x
       integer :: i
 
+      s = s_at_1
+      slope = slope_at_1
+      if (any(stress2 < 1)) then
+         do i = 1, n
+            x = min(stress2(i), 1.0_dp)
+            s(i) = c(0) + x*(c(1) + x*(c(2) + x*(c(3) + x*(c(4) + x*(c(5) + x*(c(6) + x*(c(7) + x*c(8))))))))
+            slope(i) = c(1) + x*(2*c(2) + x*(3*c(3) + x*(4*c(4) + x*(5*c(5) + x*(6*c(6) + x*(7*c(7) + x*8*c(8)))))))
+         end do
+      end if
+      if (all(stress2 <= 1)) return
       largest2 = self%largest_stress**2
       do i = 1, n
-         large = min(max(stress2(i), 1.0_dp), largest2)
-         r = sqrt(large)
+         x = min(max(stress2(i), 1.0_dp), largest2)
+         r = sqrt(x)
          grown = exp(r)
-         s_beyond = 0.5_dp*(grown - 1/grown)/r
-         slope(i) = 0.25_dp*(grown + 1/grown - 2*s_beyond)/large - slope_at_1
-         x = min(stress2(i), 1.0_dp)
-         s(i) = s_beyond - s_at_1 &
-                + c(0) + x*(c(1) + x*(c(2) + x*(c(3) + x*(c(4) + x*(c(5) + x*(c(6) + x*(c(7) + x*c(8))))))))
-         slope(i) = slope(i) &
-                    + c(1) + x*(2*c(2) + x*(3*c(3) + x*(4*c(4) + x*(5*c(5) + x*(6*c(6) + x*(7*c(7) + x*8*c(8)))))))
-         s(i) = s(i) + slope(i)*max(stress2(i) - largest2, 0.0_dp)
+         inverse = 1/(grown*x)
+         s_beyond = 0.5_dp*(grown - inverse*x)*(inverse*grown)*r
+         s(i) = s(i) + (s_beyond - s_at_1)
+         slope(i) = slope(i) + (0.25_dp*(grown + inverse*x - 2*s_beyond)*(inverse*grown) - slope_at_1)
       end do
+      if (all(stress2 <= largest2)) return
+      s = s + slope*max(stress2 - largest2, 0.0_dp)
    end subroutine shear_factor
 
-   elemental real(dp) function stress_at(self, rate)
+   !> asinh, written so that it is vectorised.
+   pure subroutine first_stress(self, n, rate, stress)
       class(eyring_law_t), intent(in) :: self
-      real(dp), intent(in) :: rate
-      stress_at = min(asinh(rate), self%largest_stress)
-   end function stress_at
+      integer, intent(in) :: n
+      real(dp), intent(in) :: rate(n)
+      real(dp), intent(out) :: stress(n)
+      integer :: i
+      do i = 1, n
+         stress(i) = min(log(rate(i) + sqrt(1 + rate(i)**2)), self%largest_stress)
+      end do
+   end subroutine first_stress
 
    !> Measured: 4, 6, 8, 12, 16 and 24 points up to |Sigma| = 0.059, 0.57, 1.76, 6.2, 13 and 34, with sigma_m up to 14; then about
    !> as the root.

@@ -84,11 +84,11 @@ contains
                i = order(start + j - 1)
                scale = 3*h(i)**2*fluidity(i)/(self%lambdabar*self%n0)
                b = stress%b(j)
-               by_b = stress%flow_by_b(component, j)
-               by_sigma = stress%flow_by_sigma(component, :, j)
-               flow(i, flow_q) = scale*stress%flow(component, j)
-               flow(i, flow_by_ln_eta) = scale*(by_b*b - stress%flow(component, j))
-               flow(i, flow_by_h) = scale*((2*stress%flow(component, j) - by_b*b)/h(i) &
+               by_b = stress%flow_by_b(j, component)
+               by_sigma = stress%flow_by_sigma(j, component, :)
+               flow(i, flow_q) = scale*stress%flow(j, component)
+               flow(i, flow_by_ln_eta) = scale*(by_b*b - stress%flow(j, component))
+               flow(i, flow_by_h) = scale*((2*stress%flow(j, component) - by_b*b)/h(i) &
                                            + self%n0*(by_sigma(1)*gx(i) + by_sigma(2)*gy(i)))
                flow(i, flow_by_gx) = scale*self%n0*h(i)*by_sigma(1)
                flow(i, flow_by_gy) = scale*self%n0*h(i)*by_sigma(2)
@@ -117,10 +117,10 @@ contains
             m = last - start + 1
             call load(self, order(start:last), fluidity, h, gx, gy, stress)
             call stress%solve(self%law, self%rule(k))
-            sigma_x(order(start:last)) = stress%mean(1, :m)
+            sigma_x(order(start:last)) = stress%mean(:m, 1)
             b(order(start:last)) = stress%b(:m)
-            factor(1, order(start:last)) = 3*stress%flow_by_sigma(1, 1, :m)
-            factor(2, order(start:last)) = 3*stress%flow_by_sigma(2, 2, :m)
+            factor(1, order(start:last)) = 3*stress%flow_by_sigma(:m, 1, 1)
+            factor(2, order(start:last)) = 3*stress%flow_by_sigma(:m, 2, 2)
          end do
       end do
    end subroutine mean_stress
@@ -131,23 +131,31 @@ contains
       real(dp), intent(in) :: h(:), gx(:), gy(:)
       integer, intent(out) :: order(:)                         !! places, those of rule 1 first
       integer, intent(out) :: first(size(rule_points) + 1)     !! where those of each rule begin
-      integer :: i, k, n, needed(size(h))
+      integer :: i, k, needed(size(h)), place(size(rule_points) + 1)
 
+      first = 0
       do i = 1, size(h)
-         n = ceiling(min(self%law%points_needed(self%n0*h(i)*sqrt(gx(i)**2 + gy(i)**2)), 1e6_dp))
-         needed(i) = min(count(rule_points < n) + 1, size(rule_points))
+         needed(i) = rule_for(self%law%points_needed(self%n0*h(i)*sqrt(gx(i)**2 + gy(i)**2)))
+         first(needed(i)) = first(needed(i)) + 1
       end do
-      n = 0
-      do k = 1, size(rule_points)
-         first(k) = n + 1
-         do i = 1, size(h)
-            if (needed(i) /= k) cycle
-            n = n + 1
-            order(n) = i
-         end do
+      first(size(first)) = size(h) + 1
+      do k = size(rule_points), 1, -1
+         first(k) = first(k + 1) - first(k)
       end do
-      first(size(rule_points) + 1) = n + 1
+      place = first
+      do i = 1, size(h)
+         order(place(needed(i))) = i
+         place(needed(i)) = place(needed(i)) + 1
+      end do
    end subroutine choose_rules
+
+   !> The shortest rule with so many points, or the longest that there is.
+   pure integer function rule_for(points)
+      real(dp), intent(in) :: points
+      do rule_for = 1, size(rule_points) - 1
+         if (rule_points(rule_for) >= points) return
+      end do
+   end function rule_for
 
    !> Dimensionless stress variation and shear rate of some places.
    pure subroutine load(self, place, fluidity, h, gx, gy, stress)
@@ -160,8 +168,8 @@ contains
       stress%n = size(place)
       do j = 1, size(place)
          associate (i => place(j))
-            stress%sigma(1, j) = self%n0*h(i)*gx(i)
-            stress%sigma(2, j) = self%n0*h(i)*gy(i)
+            stress%sigma(j, 1) = self%n0*h(i)*gx(i)
+            stress%sigma(j, 2) = self%n0*h(i)*gy(i)
             stress%b(j) = sign(min(abs(self%rate)/(h(i)*max(fluidity(i), tiny(h))), largest_rate), self%rate)
          end associate
       end do

@@ -18,15 +18,17 @@ module ehlwave_film_stress
    integer, parameter :: most_steps = 60             ! of Newton; 15 were the most met for |B| to 1e6, |Sigma| to 60
    real(dp), parameter :: newton_tolerance = 1e-8_dp ! of the last step, which is still made: an error of its square
 
-   !> Places 1..n of a block. Set n, sigma and b, then `solve`.
+   real(dp), parameter :: nothing = 1e-100_dp        ! gives a direction to Sigma = 0
+
+   !> Places 1..n of a block. Set n, sigma and b, then `solve`. The last index is the component along X or Y.
    type, public :: film_stress_t
       integer :: n = 0
-      real(dp) :: sigma(2, block_size)               !! Sigma, half the change of the stress across the film
+      real(dp) :: sigma(block_size, 2)               !! Sigma, half the change of the stress across the film
       real(dp) :: b(block_size)                      !! B, dimensionless shear rate along X
-      real(dp) :: mean(2, block_size)                !! sigma_m
-      real(dp) :: flow(2, block_size)                !! 1/2 integral zeta s sigma dzeta
-      real(dp) :: flow_by_b(2, block_size)           !! its derivative by B, sigma_m following
-      real(dp) :: flow_by_sigma(2, 2, block_size)    !! by Sigma, sigma_m following; symmetric
+      real(dp) :: mean(block_size, 2)                !! sigma_m
+      real(dp) :: flow(block_size, 2)                !! 1/2 integral zeta s sigma dzeta
+      real(dp) :: flow_by_b(block_size, 2)           !! its derivative by B, sigma_m following
+      real(dp) :: flow_by_sigma(block_size, 2, 2)    !! by Sigma, sigma_m following; symmetric
    contains
       procedure :: solve
    end type film_stress_t
@@ -45,30 +47,24 @@ contains
       class(flow_law_t), intent(in) :: law
       type(gauss_rule_t), intent(in) :: rule
       type(moments_t) :: moments
-      real(dp), dimension(block_size) :: step_x, step_y
-      real(dp) :: length, rate(2), share, size_m
-      logical :: has_converged
+      real(dp), dimension(block_size) :: length, size_m, step_x, step_y
+      real(dp) :: share
       integer :: i, step
 
       call start(self, law, rule)
       do step = 1, most_steps
          call integrate(self, law, rule, moments)
-         has_converged = .true.
+         call newton_step(self, moments, step_x, step_y)
          do i = 1, self%n
-            associate (m => self%mean(:, i), t0 => tensor(moments, 0, self%mean(:, i), self%sigma(:, i), i))
-               rate = moments%a(i, 0)*m + moments%a(i, 1)*self%sigma(:, i)
-               call solve_symmetric(t0, self%b(i) - rate(1), -rate(2), step_x(i), step_y(i))
-               size_m = sqrt(m(1)**2 + m(2)**2)
-            end associate
-            length = sqrt(step_x(i)**2 + step_y(i)**2)
-            has_converged = has_converged .and. length <= newton_tolerance*max(1.0_dp, size_m)
-            share = min(1.0_dp, law%largest_step(size_m)/max(length, tiny(length)))
-            step_x(i) = share*step_x(i)
-            step_y(i) = share*step_y(i)
+            size_m(i) = sqrt(self%mean(i, 1)**2 + self%mean(i, 2)**2)
+            length(i) = sqrt(step_x(i)**2 + step_y(i)**2)
          end do
-         if (has_converged) exit
-         self%mean(1, :self%n) = self%mean(1, :self%n) + step_x(:self%n)
-         self%mean(2, :self%n) = self%mean(2, :self%n) + step_y(:self%n)
+         if (all(length(:self%n) <= newton_tolerance*max(1.0_dp, size_m(:self%n)))) exit
+         do i = 1, self%n
+            share = min(1.0_dp, law%largest_step(size_m(i))/max(length(i), tiny(share)))
+            self%mean(i, 1) = self%mean(i, 1) + share*step_x(i)
+            self%mean(i, 2) = self%mean(i, 2) + share*step_y(i)
+         end do
       end do
       call finish(self, moments, step_x, step_y)
    end subroutine solve
@@ -80,46 +76,83 @@ contains
       class(flow_law_t), intent(in) :: law
       type(gauss_rule_t), intent(in) :: rule
       type(moments_t) :: moments
-      real(dp) :: across, along, length, rate, unit(2)
+      real(dp), dimension(block_size) :: across, along, rate, stress, unit_x, unit_y
+      real(dp) :: length2
       integer :: i
 
-      self%mean(:, :self%n) = 0
+      self%mean(:self%n, :) = 0
       if (maxval(abs(self%b(:self%n))) <= 0) return
       call integrate(self, law, rule, moments)
       do i = 1, self%n
-         length = sqrt(self%sigma(1, i)**2 + self%sigma(2, i)**2)
-         unit = [1, 0]
-         if (length > 0) unit = self%sigma(:, i)/length
-         along = self%b(i)*unit(1)/(moments%a(i, 0) + length**2*moments%e(i, 2))
-         across = -self%b(i)*unit(2)/moments%a(i, 0)
-         rate = max(sqrt(along**2 + across**2), tiny(rate))
-         self%mean(:, i) = law%stress_at(rate)/rate*[along*unit(1) - across*unit(2), along*unit(2) + across*unit(1)]
+         unit_x(i) = self%sigma(i, 1) + nothing
+         length2 = unit_x(i)**2 + self%sigma(i, 2)**2
+         unit_x(i) = unit_x(i)/sqrt(length2)
+         unit_y(i) = self%sigma(i, 2)/sqrt(length2)
+         along(i) = self%b(i)*unit_x(i)/(moments%a(i, 0) + length2*moments%e(i, 2))
+         across(i) = -self%b(i)*unit_y(i)/moments%a(i, 0)
+         rate(i) = max(sqrt(along(i)**2 + across(i)**2), tiny(length2))
+      end do
+      call law%first_stress(self%n, rate, stress)
+      do i = 1, self%n
+         self%mean(i, 1) = stress(i)/rate(i)*(along(i)*unit_x(i) - across(i)*unit_y(i))
+         self%mean(i, 2) = stress(i)/rate(i)*(along(i)*unit_y(i) + across(i)*unit_x(i))
       end do
    end subroutine start
+
+   !> T_0^(-1) (B e_x - rate).
+   pure subroutine newton_step(self, moments, step_x, step_y)
+      type(film_stress_t), intent(in) :: self
+      type(moments_t), intent(in) :: moments
+      real(dp), intent(out) :: step_x(block_size), step_y(block_size)
+      real(dp) :: determinant, left_x, left_y, xx, xy, yy
+      integer :: i
+
+      associate (m => self%mean, s => self%sigma, a => moments%a, e => moments%e)
+         do i = 1, self%n
+            xx = a(i, 0) + e(i, 0)*m(i, 1)**2 + 2*e(i, 1)*m(i, 1)*s(i, 1) + e(i, 2)*s(i, 1)**2
+            xy = e(i, 0)*m(i, 1)*m(i, 2) + e(i, 1)*(m(i, 1)*s(i, 2) + m(i, 2)*s(i, 1)) + e(i, 2)*s(i, 1)*s(i, 2)
+            yy = a(i, 0) + e(i, 0)*m(i, 2)**2 + 2*e(i, 1)*m(i, 2)*s(i, 2) + e(i, 2)*s(i, 2)**2
+            left_x = self%b(i) - a(i, 0)*m(i, 1) - a(i, 1)*s(i, 1)
+            left_y = -a(i, 0)*m(i, 2) - a(i, 1)*s(i, 2)
+            determinant = xx*yy - xy**2
+            step_x(i) = (yy*left_x - xy*left_y)/determinant
+            step_y(i) = (xx*left_y - xy*left_x)/determinant
+         end do
+      end associate
+   end subroutine newton_step
 
    !> Flow and its derivatives from the moments at the last sigma_m and the last step.
    pure subroutine finish(self, moments, step_x, step_y)
       type(film_stress_t), intent(inout) :: self
       type(moments_t), intent(in) :: moments
       real(dp), intent(in) :: step_x(block_size), step_y(block_size)
-      real(dp) :: column(2, 2), t0(3), t1(3), t2(3)
-      integer :: i
+      real(dp) :: determinant, t(3, 0:2), xx, xy, yx, yy
+      integer :: i, k
 
-      do i = 1, self%n
-         t0 = tensor(moments, 0, self%mean(:, i), self%sigma(:, i), i)
-         t1 = tensor(moments, 1, self%mean(:, i), self%sigma(:, i), i)
-         t2 = tensor(moments, 2, self%mean(:, i), self%sigma(:, i), i)
-         call solve_symmetric(t0, t1(1), t1(2), column(1, 1), column(2, 1))   ! T_0^(-1) T_1
-         call solve_symmetric(t0, t1(2), t1(3), column(1, 2), column(2, 2))
-         self%flow(:, i) = moments%a(i, 1)*self%mean(:, i) + moments%a(i, 2)*self%sigma(:, i) &
-                           + step_x(i)*t1(1:2) + step_y(i)*t1(2:3)
-         self%mean(:, i) = self%mean(:, i) + [step_x(i), step_y(i)]
-         self%flow_by_b(:, i) = column(1, :)
-         self%flow_by_sigma(1, 1, i) = t2(1) - t1(1)*column(1, 1) - t1(2)*column(2, 1)
-         self%flow_by_sigma(2, 1, i) = t2(2) - t1(2)*column(1, 1) - t1(3)*column(2, 1)
-         self%flow_by_sigma(1, 2, i) = self%flow_by_sigma(2, 1, i)
-         self%flow_by_sigma(2, 2, i) = t2(3) - t1(2)*column(1, 2) - t1(3)*column(2, 2)
-      end do
+      associate (m => self%mean, s => self%sigma, a => moments%a, e => moments%e)
+         do i = 1, self%n
+            do k = 0, 2
+               t(1, k) = a(i, k) + e(i, k)*m(i, 1)**2 + 2*e(i, k + 1)*m(i, 1)*s(i, 1) + e(i, k + 2)*s(i, 1)**2
+               t(2, k) = e(i, k)*m(i, 1)*m(i, 2) + e(i, k + 1)*(m(i, 1)*s(i, 2) + m(i, 2)*s(i, 1)) + e(i, k + 2)*s(i, 1)*s(i, 2)
+               t(3, k) = a(i, k) + e(i, k)*m(i, 2)**2 + 2*e(i, k + 1)*m(i, 2)*s(i, 2) + e(i, k + 2)*s(i, 2)**2
+            end do
+            determinant = t(1, 0)*t(3, 0) - t(2, 0)**2
+            xx = (t(3, 0)*t(1, 1) - t(2, 0)*t(2, 1))/determinant      ! T_0^(-1) T_1
+            yx = (t(1, 0)*t(2, 1) - t(2, 0)*t(1, 1))/determinant
+            xy = (t(3, 0)*t(2, 1) - t(2, 0)*t(3, 1))/determinant
+            yy = (t(1, 0)*t(3, 1) - t(2, 0)*t(2, 1))/determinant
+            self%flow_by_b(i, 1) = xx
+            self%flow_by_b(i, 2) = xy
+            self%flow_by_sigma(i, 1, 1) = t(1, 2) - t(1, 1)*xx - t(2, 1)*yx
+            self%flow_by_sigma(i, 2, 1) = t(2, 2) - t(2, 1)*xx - t(3, 1)*yx
+            self%flow_by_sigma(i, 1, 2) = self%flow_by_sigma(i, 2, 1)
+            self%flow_by_sigma(i, 2, 2) = t(3, 2) - t(2, 1)*xy - t(3, 1)*yy
+            self%flow(i, 1) = a(i, 1)*m(i, 1) + a(i, 2)*s(i, 1) + step_x(i)*t(1, 1) + step_y(i)*t(2, 1)
+            self%flow(i, 2) = a(i, 1)*m(i, 2) + a(i, 2)*s(i, 2) + step_x(i)*t(2, 1) + step_y(i)*t(3, 1)
+            self%mean(i, 1) = m(i, 1) + step_x(i)
+            self%mean(i, 2) = m(i, 2) + step_y(i)
+         end do
+      end associate
    end subroutine finish
 
    !> Moments a_0..a_2 and e_0..e_4 by Gauss quadrature.
@@ -132,20 +165,20 @@ contains
       real(dp) :: e, w, z
       integer :: i, k
 
-      moments%a = 0
-      moments%e = 0
+      moments%a(:self%n, :) = 0
+      moments%e(:self%n, :) = 0
       do k = 1, rule%n
          z = rule%node(k)
          do i = 1, self%n
-            stress2(i) = (self%mean(1, i) + z*self%sigma(1, i))**2 + (self%mean(2, i) + z*self%sigma(2, i))**2
+            stress2(i) = (self%mean(i, 1) + z*self%sigma(i, 1))**2 + (self%mean(i, 2) + z*self%sigma(i, 2))**2
          end do
          call law%shear_factor(self%n, stress2, s, slope)
          w = 0.5_dp*rule%weight(k)
          do i = 1, self%n
             e = 2*w*slope(i)
             moments%a(i, 0) = moments%a(i, 0) + w*s(i)
-            moments%a(i, 1) = moments%a(i, 1) + w*z*s(i)
-            moments%a(i, 2) = moments%a(i, 2) + w*z*z*s(i)
+            moments%a(i, 1) = moments%a(i, 1) + (w*z)*s(i)
+            moments%a(i, 2) = moments%a(i, 2) + (w*z*z)*s(i)
             moments%e(i, 0) = moments%e(i, 0) + e
             moments%e(i, 1) = moments%e(i, 1) + z*e
             moments%e(i, 2) = moments%e(i, 2) + z*z*e
@@ -154,28 +187,5 @@ contains
          end do
       end do
    end subroutine integrate
-
-   !> T_k of place i: components xx, xy, yy.
-   pure function tensor(moments, k, m, s, i) result(t)
-      type(moments_t), intent(in) :: moments
-      integer, intent(in) :: k, i
-      real(dp), intent(in) :: m(2), s(2)   !! sigma_m, Sigma
-      real(dp) :: t(3)
-      associate (e0 => moments%e(i, k), e1 => moments%e(i, k + 1), e2 => moments%e(i, k + 2), a => moments%a(i, k))
-         t(1) = a + e0*m(1)**2 + 2*e1*m(1)*s(1) + e2*s(1)**2
-         t(2) = e0*m(1)*m(2) + e1*(m(1)*s(2) + m(2)*s(1)) + e2*s(1)*s(2)
-         t(3) = a + e0*m(2)**2 + 2*e1*m(2)*s(2) + e2*s(2)**2
-      end associate
-   end function tensor
-
-   !> Solve a symmetric 2 by 2 system with components xx, xy, yy.
-   pure subroutine solve_symmetric(t, right_x, right_y, x, y)
-      real(dp), intent(in) :: t(3), right_x, right_y
-      real(dp), intent(out) :: x, y
-      real(dp) :: determinant
-      determinant = t(1)*t(3) - t(2)**2
-      x = (t(3)*right_x - t(2)*right_y)/determinant
-      y = (t(1)*right_y - t(2)*right_x)/determinant
-   end subroutine solve_symmetric
 
 end module ehlwave_film_stress

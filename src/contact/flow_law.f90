@@ -10,7 +10,7 @@ module ehlwave_flow_law
       logical :: steps_grow = .false.   !! whether s varies as a power of the stress, not exponentially
    contains
       procedure(shear_factor), deferred :: shear_factor
-      procedure(stress_at), deferred :: stress_at
+      procedure(first_stress), deferred :: first_stress
       procedure(points_needed), deferred :: points_needed
       procedure :: largest_step
    end type flow_law_t
@@ -28,12 +28,14 @@ module ehlwave_flow_law
       end subroutine shear_factor
 
       !> The stress whose dimensionless shear rate s(|sigma|) |sigma| is `rate`; a first guess, so a few digits suffice.
-      elemental real(dp) function stress_at(self, rate)
+      pure subroutine first_stress(self, n, rate, stress)
          import :: dp, flow_law_t
          implicit none (type, external)
          class(flow_law_t), intent(in) :: self
-         real(dp), intent(in) :: rate          !! >= 0
-      end function stress_at
+         integer, intent(in) :: n
+         real(dp), intent(in) :: rate(n)       !! > 0
+         real(dp), intent(out) :: stress(n)    !! |sigma|
+      end subroutine first_stress
 
       !> Gauss points across the film that keep the error of its integrals below 1e-12 of them.
       elemental real(dp) function points_needed(self, variation)

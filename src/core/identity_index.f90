@@ -1,9 +1,9 @@
-!> Finds the place of an identity (16 hexadecimal digits) in a list in constant time.
+!> Identities of texts, 16 hexadecimal digits each, and a list of them in which a place is found in constant time.
 module ehlwave_identity_index
    use ehlwave_kinds, only: i8
    implicit none (type, external)
    private
-   public :: identity_index_t
+   public :: identity_index_t, text_identity
 
    integer, parameter, public :: identity_length = 16
 
@@ -77,5 +77,38 @@ contains
          slot = iand(slot + 1, size(self%place) - 1)
       end do
    end function slot
+
+   !> Identity of a text: 16 hexadecimal digits, its 64-bit FNV-1a hash.
+   pure function text_identity(text) result(identity)
+      character(len=*), intent(in) :: text
+      character(len=identity_length) :: identity
+      integer(i8) :: hash
+      integer :: i
+
+      hash = -3750763034362895579_i8               ! 14695981039346656037 as a signed number
+      do i = 1, len(text)
+         hash = ieor(hash, int(iachar(text(i:i)), i8))
+         hash = times_prime(hash)
+      end do
+      write (identity, '(z16.16)') hash
+   end function text_identity
+
+   !> hash * 1099511628211 modulo 2^64, without signed overflow: the prime is 2^40 + 2^8 + 0xb3.
+   pure integer(i8) function times_prime(hash)
+      integer(i8), intent(in) :: hash
+      integer(i8) :: low, high
+      low = iand(hash, int(z'FFFFFFFF', i8))
+      high = ishft(hash, -32)
+      times_prime = sum_of(ishft(hash, 40), sum_of(low*435_i8, ishft(high*435_i8, 32)))
+   end function times_prime
+
+   !> Sum modulo 2^64.
+   pure integer(i8) function sum_of(a, b)
+      integer(i8), intent(in) :: a, b
+      integer(i8) :: low, high
+      low = iand(a, int(z'FFFFFFFF', i8)) + iand(b, int(z'FFFFFFFF', i8))
+      high = ishft(a, -32) + ishft(b, -32) + ishft(low, -32)
+      sum_of = ior(ishft(high, 32), iand(low, int(z'FFFFFFFF', i8)))
+   end function sum_of
 
 end module ehlwave_identity_index

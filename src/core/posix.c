@@ -1,7 +1,8 @@
-/* What a store of results needs of POSIX and Fortran cannot say: appending durably, locks, folders, signals.
+/* What is needed of POSIX and Fortran cannot say: appending durably, locks, folders, signals, libraries.
    Functions return 0 or an errno value unless they say otherwise. The interfaces are in posix.f90. */
 #define _DEFAULT_SOURCE
 #include <dirent.h>
+#include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
@@ -10,6 +11,9 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#ifdef __GLIBC__
+#include <gnu/libc-version.h>
+#endif
 
 /* CRC-32 of ISO 3309 (that of zlib and PNG). */
 uint32_t ehlwave_crc32(const unsigned char *text, long length)
@@ -180,4 +184,37 @@ void ehlwave_watchdog(int seconds)
 {
    signal(SIGALRM, SIG_DFL);
    alarm((unsigned)(seconds > 0 ? seconds : 0));
+}
+
+/* A function of a shared library, whose symbols stay its own. The library is loaded if `loads`, else it must have been.
+   NULL if there is none; then the system's words for why stand in `reason`, cut to its size, and end with a zero. */
+void (*ehlwave_find_procedure(const char *library, const char *name, int loads, char *reason, long size))(void)
+{
+   void *handle = dlopen(library, RTLD_NOW | RTLD_LOCAL | (loads ? 0 : RTLD_NOLOAD));
+   void *address = handle ? dlsym(handle, name) : NULL;
+   void (*procedure)(void) = NULL;
+   const char *words = address ? "" : dlerror();
+   snprintf(reason, (size_t)size, "%s", words ? words : "not loaded");
+   memcpy(&procedure, &address, sizeof procedure);   /* ISO C has no conversion of one into the other, POSIX has */
+   return procedure;
+}
+
+/* The text in an array of characters that a library has for all, such as fftw_version of FFTW, cut to `size` and ended by a
+   zero; empty if no library that the program was started with has it. */
+void ehlwave_library_text(const char *name, char *text, long size)
+{
+   void *handle = dlopen(NULL, RTLD_NOW);
+   const char *found = handle ? dlsym(handle, name) : NULL;
+   snprintf(text, (size_t)size, "%s", found ? found : "");
+   if (handle) dlclose(handle);
+}
+
+/* Name and version of the C library, whose vector functions results depend on; empty if it does not say. */
+void ehlwave_c_library(char *text, long size)
+{
+#ifdef __GLIBC__
+   snprintf(text, (size_t)size, "glibc %s", gnu_get_libc_version());
+#else
+   snprintf(text, (size_t)size, "%s", "");
+#endif
 }

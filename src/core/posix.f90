@@ -1,13 +1,14 @@
-!> What a store of results needs of POSIX: appending durably, locks, folders, signals.
+!> What is needed of POSIX: appending durably, locks, folders, signals, libraries that are loaded when they are asked for.
 !>
 !> Fortran's own output is not enough: compilers report a full disk late or never, and none can wait until a
 !> record is on the disk.
 module ehlwave_posix
-   use, intrinsic :: iso_c_binding, only: c_char, c_int, c_int32_t, c_long, c_null_char
+   use, intrinsic :: iso_c_binding, only: c_char, c_funptr, c_int, c_int32_t, c_long, c_null_char
    implicit none (type, external)
    private
-   public :: append_text, catch_signals, checksum, close_file, create_file, is_locked, lock_file, list_folder, &
-      make_folder, process_id, remove_file, replace_file, reason_text, set_note, signal_caught, sync_file, watchdog
+   public :: append_text, c_library, catch_signals, checksum, close_file, create_file, find_procedure, is_locked, &
+      library_text, lock_file, list_folder, make_folder, process_id, remove_file, replace_file, reason_text, set_note, &
+      signal_caught, sync_file, watchdog
 
    integer, parameter, public :: lock_taken = 0, lock_refused = 1, lock_absent = 2, lock_unwritable = -1
 
@@ -104,6 +105,27 @@ module ehlwave_posix
          implicit none (type, external)
          integer(c_int), value :: seconds
       end subroutine watchdog
+      type(c_funptr) function c_find_procedure(library, name, loads, reason, size) bind(c, name='ehlwave_find_procedure')
+         import :: c_char, c_funptr, c_int, c_long
+         implicit none (type, external)
+         character(kind=c_char), intent(in) :: library(*), name(*)
+         integer(c_int), value :: loads
+         character(kind=c_char), intent(out) :: reason(*)
+         integer(c_long), value :: size
+      end function c_find_procedure
+      subroutine c_library_text(name, text, size) bind(c, name='ehlwave_library_text')
+         import :: c_char, c_long
+         implicit none (type, external)
+         character(kind=c_char), intent(in) :: name(*)
+         character(kind=c_char), intent(out) :: text(*)
+         integer(c_long), value :: size
+      end subroutine c_library_text
+      subroutine c_c_library(text, size) bind(c, name='ehlwave_c_library')
+         import :: c_char, c_long
+         implicit none (type, external)
+         character(kind=c_char), intent(out) :: text(*)
+         integer(c_long), value :: size
+      end subroutine c_c_library
       function c_strerror(number) result(text) bind(c, name='strerror')
          use, intrinsic :: iso_c_binding, only: c_int, c_ptr
          implicit none (type, external)
@@ -208,6 +230,36 @@ contains
       character(len=*), intent(in) :: text
       call c_set_note(file, text, int(len(text), c_long))
    end subroutine set_note
+
+   !> A C function of a shared library, not associated if there is none. `may_load`: load the library if it has not been.
+   subroutine find_procedure(library, name, may_load, procedure, reason)
+      character(len=*), intent(in) :: library   !! a path, or a name to look for where the system looks
+      character(len=*), intent(in) :: name
+      logical, intent(in) :: may_load
+      type(c_funptr), intent(out) :: procedure
+      character(len=:), allocatable, intent(out) :: reason   !! the system's words for why there is none, else empty
+      character(len=1000) :: buffer
+      procedure = c_find_procedure(library//c_null_char, name//c_null_char, merge(1_c_int, 0_c_int, may_load), buffer, &
+                                   int(len(buffer), c_long))
+      reason = buffer(:index(buffer, c_null_char) - 1)
+   end subroutine find_procedure
+
+   !> The text that a loaded library has under a name, as `fftw_version` of FFTW; empty if there is none.
+   function library_text(name) result(text)
+      character(len=*), intent(in) :: name
+      character(len=:), allocatable :: text
+      character(len=200) :: buffer
+      call c_library_text(name//c_null_char, buffer, int(len(buffer), c_long))
+      text = buffer(:index(buffer, c_null_char) - 1)
+   end function library_text
+
+   !> Name and version of the C library, empty if it does not say.
+   function c_library() result(text)
+      character(len=:), allocatable :: text
+      character(len=200) :: buffer
+      call c_c_library(buffer, int(len(buffer), c_long))
+      text = buffer(:index(buffer, c_null_char) - 1)
+   end function c_library
 
    !> The system's words for an error number.
    function reason_text(status) result(text)

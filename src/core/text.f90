@@ -3,7 +3,9 @@ module ehlwave_text
    use ehlwave_kinds, only: dp, i8
    implicit none (type, external)
    private
-   public :: to_text, lower_case
+   public :: lower_case, shown, to_text
+
+   integer, parameter :: most_shown = 60   ! characters of a text from outside that a message repeats
 
    !> Number or logical as trimmed text; reals with `digits` significant digits (default: 17, lossless).
    interface to_text
@@ -88,5 +90,17 @@ contains
          lower(i:i) = achar(code)
       end do
    end function lower_case
+
+   !> A text from outside as a message may repeat it: short, and without bytes that a terminal would obey.
+   pure function shown(text) result(clean)
+      character(len=*), intent(in) :: text
+      character(len=:), allocatable :: clean
+      integer :: i
+      clean = text(:min(len(text), most_shown))
+      do i = 1, len(clean)
+         if (iachar(clean(i:i)) < 32 .or. iachar(clean(i:i)) == 127) clean(i:i) = '?'
+      end do
+      if (len(text) > most_shown) clean = clean//'...'
+   end function shown
 
 end module ehlwave_text

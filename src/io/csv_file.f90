@@ -1,16 +1,15 @@
 !> A small table from a comma-separated file: a line of column names, then rows of values.
 module ehlwave_csv
    use ehlwave_errors, only: error_t, raise
-   use ehlwave_kinds, only: dp
-   use ehlwave_namelist_scanner, only: value_t
-   use ehlwave_namelist_values, only: read_value
-   use ehlwave_text, only: lower_case, to_text
+   use ehlwave_identity_index, only: identity_index_t, text_identity
+   use ehlwave_text, only: lower_case, shown, to_text
    use ehlwave_text_file, only: read_text
    implicit none (type, external)
    private
    public :: read_csv
 
    integer, parameter, public :: cell_length = 64
+   character(len=*), parameter :: byte_order_mark = char(239)//char(187)//char(191)   ! as spreadsheets write it
 
    type, public :: csv_t
       character(len=:), allocatable :: path
@@ -19,12 +18,12 @@ module ehlwave_csv
       integer, allocatable :: line(:)                          !! (rows) line number in the file
    contains
       procedure :: place
-      procedure :: real_value
    end type csv_t
 
 contains
 
-   !> Read a file. Empty lines and lines that begin with # are skipped; quotes around values are dropped.
+   !> Read a file. Empty lines, lines that begin with # and a byte order mark are skipped; quotes around values are
+   !> dropped.
    !> Fails on an unreadable file, on rows of another length than the header, and on values that are too long.
    subroutine read_csv(path, table, error)
       character(len=*), intent(in) :: path
@@ -41,6 +40,7 @@ contains
       allocate (table%line(count_lines(text)))
       rows = 0
       first = 1
+      if (index(text, byte_order_mark) == 1) first = 4
       number = 0
       do while (first <= len(text))
          last = index(text(first:), new_line('a'))
@@ -89,12 +89,13 @@ contains
       type(csv_t), intent(in) :: table
       integer, intent(in) :: number   !! line of the header
       type(error_t), allocatable, intent(inout) :: error
-      integer :: i
-      do i = 2, size(table%names)
-         if (any(table%names(:i - 1) == table%names(i))) then
-            call raise(error, table%path//':'//to_text(number)//": column '"//trim(table%names(i))//"' is given twice")
-            return
-         end if
+      type(identity_index_t) :: known
+      integer :: i, place
+      do i = 1, size(table%names)
+         call known%add(text_identity(trim(table%names(i))), place)
+         if (place == i) cycle
+         call raise(error, table%path//':'//to_text(number)//": column '"//shown(trim(table%names(i)))//"' is given twice")
+         return
       end do
    end subroutine refuse_doubled_names
 
@@ -114,10 +115,10 @@ contains
       character(len=cell_length), allocatable, intent(out) :: values(:)
       type(error_t), allocatable, intent(inout) :: error
       character(len=:), allocatable :: value
-      integer :: comma, first
-      allocate (values(0))
+      integer :: comma, first, i
+      allocate (values(1 + count([(line(i:i) == ',', i=1, len(line))])))
       first = 1
-      do
+      do i = 1, size(values)
          comma = index(line(first:), ',')
          if (comma == 0) comma = len(line) - first + 2
          value = trim(adjustl(line(first:first + comma - 2)))
@@ -127,9 +128,8 @@ contains
          end if
          if (len(value) > cell_length) call raise(error, 'value longer than '//to_text(cell_length)//' characters')
          if (allocated(error)) return
-         values = [character(len=cell_length) :: values, value]
+         values(i) = value
          first = first + comma
-         if (first > len(line) + 1) exit
       end do
    end subroutine split
 
@@ -140,25 +140,5 @@ contains
       character(len=:), allocatable :: place
       place = self%path//':'//to_text(self%line(row))//': column '//trim(self%names(column))//': '
    end function place
-
-   !> A cell as a finite number; fails when it is not one.
-   subroutine real_value(self, column, row, value, error)
-      class(csv_t), intent(in) :: self
-      integer, intent(in) :: column, row
-      real(dp), intent(inout) :: value
-      type(error_t), allocatable, intent(inout) :: error
-      type(value_t) :: item
-      real(dp) :: candidate
-      character(len=:), allocatable :: problem
-
-      if (allocated(error)) return
-      item%text = trim(self%cells(column, row))
-      call read_value(item, candidate, problem)
-      if (allocated(problem)) then
-         call raise(error, self%place(column, row)//"'"//item%text//"' is not a number that can be used: "//problem)
-      else
-         value = candidate
-      end if
-   end subroutine real_value
 
 end module ehlwave_csv

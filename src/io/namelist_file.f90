@@ -1,199 +1,186 @@
-!> Typed access to an input file in Fortran namelist format.
+!> An input file in Fortran namelist format: its groups and keys, where they stand, and which nobody asked for.
 !>
 !> The reader is our own because a compiler's reports nearly all mistakes as 'End of file' and lets NaN,
-!> 1d400, empty values and doubled keys pass. Use: `load`, then `get` and `get_list` for every key there
+!> 1d400, empty values and doubled keys pass. Use: `load`, then `value_of` or `values_of` for every key there
 !> is, then `check_all_used`. The keys asked for are the keys known; no other list is needed. All of
 !> these do nothing when `error` is already allocated, so that one check after the last is enough.
-!> A key that is absent leaves the value, the default, as it was. Names do not depend on case.
+!> Names do not depend on case.
 module ehlwave_namelist
-   use ehlwave_errors, only: error_t
-   use ehlwave_kinds, only: dp
-   use ehlwave_namelist_entries, only: namelist_entries_t
-   use ehlwave_namelist_scanner, only: value_t
-   use ehlwave_namelist_values, only: check_bounds, read_value
-   use ehlwave_text, only: to_text
+   use ehlwave_errors, only: error_t, raise
+   use ehlwave_namelist_known, only: known_names_t
+   use ehlwave_namelist_scanner, only: contents_t, scan_namelist, value_t
+   use ehlwave_namelist_tokens, only: line_prefix
+   use ehlwave_text, only: lower_case, shown, to_text
+   use ehlwave_text_file, only: read_text
    implicit none (type, external)
    private
-   public :: namelist_t
 
-   type, extends(namelist_entries_t) :: namelist_t
+   type, public :: namelist_t
+      character(len=:), allocatable :: path
+      character(len=:), allocatable :: text   !! the file, byte by byte
+      type(contents_t), private :: contents
+      type(known_names_t), private :: known
    contains
-      generic :: get => get_real, get_integer, get_logical, get_text
-      procedure :: get_fixed
-      generic :: get_list => get_reals, get_texts
-      procedure, private :: get_real, get_integer, get_logical, get_text, get_reals, get_texts
-      procedure, private :: read_real, read_text
+      procedure :: load
+      procedure :: load_text
+      procedure :: has, has_group
+      procedure :: place
+      procedure :: check_all_used
+      procedure :: values_of, value_of
+      procedure :: refuse
+      procedure, private :: find
    end type namelist_t
 
 contains
 
-   !> Real number; a whole number is accepted.
-   subroutine get_real(self, group, key, value, error, minimum, maximum, above, below)
+   !> Read and split a file. Fails when it cannot be read or breaks the format; then nothing changes.
+   subroutine load(self, path, error)
+      class(namelist_t), intent(inout) :: self
+      character(len=*), intent(in) :: path
+      type(error_t), allocatable, intent(inout) :: error
+      character(len=:), allocatable :: text
+
+      if (allocated(error)) return
+      call read_text(path, text, error)
+      if (allocated(error)) return
+      call self%load_text(path, text, error)
+   end subroutine load
+
+   !> Split a text that is at hand already. Fails when it breaks the format; then nothing changes.
+   subroutine load_text(self, path, text, error)
+      class(namelist_t), intent(inout) :: self
+      character(len=*), intent(in) :: path   !! where the text is from, for messages
+      character(len=*), intent(in) :: text
+      type(error_t), allocatable, intent(inout) :: error
+      type(contents_t) :: contents
+
+      if (allocated(error)) return
+      call scan_namelist(path, text, contents, error)
+      if (allocated(error)) return
+      self%path = trim(path)
+      self%text = text
+      self%contents = contents
+      self%known = known_names_t()
+   end subroutine load_text
+
+   !> Whether the file gives a key; the key counts as known afterwards. Give the call a statement of its
+   !> own: beside '.and.' or '.or.' a compiler may leave it out, and then the key stays unknown.
+   logical function has(self, group, key)
       class(namelist_t), intent(inout) :: self
       character(len=*), intent(in) :: group, key
-      real(dp), intent(inout) :: value
-      type(error_t), allocatable, intent(inout) :: error
-      real(dp), intent(in), optional :: minimum, maximum   !! allowed themselves
-      real(dp), intent(in), optional :: above, below       !! not allowed themselves
-      type(value_t), allocatable :: item
-      real(dp) :: candidate
+      type(error_t), allocatable :: error
+      integer :: i
+      call self%find(group, key, i, error)
+      has = i > 0
+   end function has
 
-      call self%value_of(group, key, item, error)
-      if (.not. allocated(item)) return
-      call self%read_real(group, key, item, candidate, error, minimum, maximum, above, below)
-      if (.not. allocated(error)) value = candidate
-   end subroutine get_real
-
-   !> Whole number.
-   subroutine get_integer(self, group, key, value, error, minimum, maximum, above, below)
+   !> Whether the file has a group; the group counts as known afterwards. A statement of its own, as `has`.
+   logical function has_group(self, group)
       class(namelist_t), intent(inout) :: self
+      character(len=*), intent(in) :: group
+      call self%known%learn(group)
+      has_group = self%contents%group_place(group) > 0
+   end function has_group
+
+   !> `FILE:LINE: ` of a key, else of its group, or `FILE: `; for messages of the caller.
+   function place(self, group, key) result(prefix)
+      class(namelist_t), intent(in) :: self
       character(len=*), intent(in) :: group, key
-      integer, intent(inout) :: value
-      type(error_t), allocatable, intent(inout) :: error
-      integer, intent(in), optional :: minimum, maximum    !! allowed themselves
-      integer, intent(in), optional :: above, below        !! not allowed themselves
-      real(dp), allocatable :: low, high, over, under      ! unallocated: absent
-      type(value_t), allocatable :: item
-      character(len=:), allocatable :: problem
-      integer :: candidate
-
-      call self%value_of(group, key, item, error)
-      if (.not. allocated(item)) return
-      if (present(minimum)) low = minimum
-      if (present(maximum)) high = maximum
-      if (present(above)) over = above
-      if (present(below)) under = below
-      call read_value(item, candidate, problem)
-      if (.not. allocated(problem)) call check_bounds(item, real(candidate, dp), problem, low, high, over, under)
-      call self%refuse(group, key, problem, error, item%line)
-      if (.not. allocated(error)) value = candidate
-   end subroutine get_integer
-
-   !> true or false.
-   subroutine get_logical(self, group, key, value, error)
-      class(namelist_t), intent(inout) :: self
-      character(len=*), intent(in) :: group, key
-      logical, intent(inout) :: value
-      type(error_t), allocatable, intent(inout) :: error
-      type(value_t), allocatable :: item
-      character(len=:), allocatable :: problem
-      logical :: candidate
-
-      call self%value_of(group, key, item, error)
-      if (.not. allocated(item)) return
-      call read_value(item, candidate, problem)
-      call self%refuse(group, key, problem, error, item%line)
-      if (.not. allocated(error)) value = candidate
-   end subroutine get_logical
-
-   !> Text in quotes.
-   subroutine get_text(self, group, key, value, error, choices)
-      class(namelist_t), intent(inout) :: self
-      character(len=*), intent(in) :: group, key
-      character(len=:), allocatable, intent(inout) :: value   !! with `choices`: the choice in lower case
-      type(error_t), allocatable, intent(inout) :: error
-      character(len=*), intent(in), optional :: choices(:)    !! the only texts allowed, in any case
-      type(value_t), allocatable :: item
-      character(len=:), allocatable :: candidate
-
-      call self%value_of(group, key, item, error)
-      if (.not. allocated(item)) return
-      call self%read_text(group, key, item, candidate, error, choices)
-      if (.not. allocated(error)) call move_alloc(candidate, value)
-   end subroutine get_text
-
-   !> As `get`, for text of fixed length, which the standard does not let share that name.
-   subroutine get_fixed(self, group, key, value, error, choices)
-      class(namelist_t), intent(inout) :: self
-      character(len=*), intent(in) :: group, key
-      character(len=*), intent(inout) :: value                !! text that is longer is refused
-      type(error_t), allocatable, intent(inout) :: error
-      character(len=*), intent(in), optional :: choices(:)
-      character(len=:), allocatable :: candidate, problem
-
-      call self%get(group, key, candidate, error, choices)
-      if (.not. allocated(candidate)) return
-      if (len_trim(candidate) > len(value)) problem = 'text of '//to_text(len_trim(candidate))//' characters: write '// &
-                                                      to_text(len(value))//' at most'
-      call self%refuse(group, key, problem, error)
-      if (.not. allocated(error)) value = candidate
-   end subroutine get_fixed
-
-   !> One or more real numbers.
-   subroutine get_reals(self, group, key, value, error, minimum, maximum, above, below)
-      class(namelist_t), intent(inout) :: self
-      character(len=*), intent(in) :: group, key
-      real(dp), allocatable, intent(inout) :: value(:)
-      type(error_t), allocatable, intent(inout) :: error
-      real(dp), intent(in), optional :: minimum, maximum, above, below   !! for each, as in `get`
-      type(value_t), allocatable :: items(:)
-      real(dp), allocatable :: candidate(:)
+      character(len=:), allocatable :: prefix
       integer :: i
 
-      call self%values_of(group, key, items, error)
-      if (.not. allocated(items)) return
-      allocate (candidate(size(items)))
-      do i = 1, size(items)
-         call self%read_real(group, key, items(i), candidate(i), error, minimum, maximum, above, below)
+      prefix = self%path//': '
+      i = self%contents%group_place(group)
+      if (i > 0) prefix = line_prefix(self%path, self%contents%groups(i)%line)
+      i = self%contents%entry_place(group, key)
+      if (i > 0) prefix = line_prefix(self%path, self%contents%entries(i)%line)
+   end function place
+
+   !> Refuse the first group or key of the file that nobody asked for. Call it after all others.
+   subroutine check_all_used(self, error)
+      class(namelist_t), intent(in) :: self
+      type(error_t), allocatable, intent(inout) :: error
+      character(len=:), allocatable :: problem
+      integer :: i
+
+      if (allocated(error)) return
+      do i = 1, self%contents%n_groups
+         associate (group => self%contents%groups(i))
+            problem = self%known%group_problem(group%name)
+            if (problem /= '') call raise(error, line_prefix(self%path, group%line)//problem)
+         end associate
          if (allocated(error)) return
       end do
-      call move_alloc(candidate, value)
-   end subroutine get_reals
+      do i = 1, self%contents%n_entries
+         associate (entry => self%contents%entries(i))
+            problem = self%known%key_problem(entry%group, entry%key)
+            if (problem /= '') call raise(error, line_prefix(self%path, entry%line)//problem)
+         end associate
+         if (allocated(error)) return
+      end do
+   end subroutine check_all_used
 
-   !> One or more texts, all of the length of the longest.
-   subroutine get_texts(self, group, key, value, error, choices)
+   !> Values of a key as written; unallocated when it is absent or `error` is allocated.
+   subroutine values_of(self, group, key, items, error)
       class(namelist_t), intent(inout) :: self
       character(len=*), intent(in) :: group, key
-      character(len=:), allocatable, intent(inout) :: value(:)
+      type(value_t), allocatable, intent(out) :: items(:)
+      type(error_t), allocatable, intent(in) :: error
+      integer :: i
+      call self%find(group, key, i, error)
+      if (i > 0) items = self%contents%values(self%contents%entries(i)%first:self%contents%entries(i)%last)
+   end subroutine values_of
+
+   !> As `values_of`; a list is refused.
+   subroutine value_of(self, group, key, item, error)
+      class(namelist_t), intent(inout) :: self
+      character(len=*), intent(in) :: group, key
+      type(value_t), allocatable, intent(out) :: item
       type(error_t), allocatable, intent(inout) :: error
-      character(len=*), intent(in), optional :: choices(:)    !! for each, as in `get`
-      type(value_t), allocatable :: items(:)
-      character(len=:), allocatable :: one
-      integer :: i, longest
+      character(len=:), allocatable :: problem
+      integer :: i, n
 
-      call self%values_of(group, key, items, error)
-      if (.not. allocated(items)) return
-      longest = 0
-      do i = 1, size(items)
-         call self%read_text(group, key, items(i), one, error, choices)
-         if (allocated(error)) return
-         longest = max(longest, len(one))
-         call move_alloc(one, items(i)%text)
-      end do
-      if (allocated(value)) deallocate (value)
-      allocate (character(len=longest) :: value(size(items)))
-      do i = 1, size(items)
-         value(i) = items(i)%text
-      end do
-   end subroutine get_texts
+      call self%find(group, key, i, error)
+      if (i == 0) return
+      associate (first => self%contents%entries(i)%first, values => self%contents%values)
+         n = self%contents%entries(i)%last - first + 1
+         if (n > 1) then
+            problem = to_text(n)//' values ('//shown(values(first)%text)//', '//shown(values(first + 1)%text)// &
+                      trim(merge(', ...', '     ', n > 2))//') where one is needed: write one, with a point as '// &
+                      'decimal mark, and ''='' after each key'
+            call self%refuse(group, key, problem, error)
+         else
+            item = values(first)
+         end if
+      end associate
+   end subroutine value_of
 
-   !> A value as a real number inside its bounds.
-   subroutine read_real(self, group, key, item, value, error, minimum, maximum, above, below)
+   !> Raise an error about a key, if there is a problem with it.
+   subroutine refuse(self, group, key, problem, error, line)
       class(namelist_t), intent(in) :: self
       character(len=*), intent(in) :: group, key
-      type(value_t), intent(in) :: item
-      real(dp), intent(out) :: value
+      character(len=:), allocatable, intent(in) :: problem   !! unallocated: none
       type(error_t), allocatable, intent(inout) :: error
-      real(dp), intent(in), optional :: minimum, maximum, above, below
-      character(len=:), allocatable :: problem
+      integer, intent(in), optional :: line                  !! of the value; without, that of the key is named
+      character(len=:), allocatable :: where
 
-      call read_value(item, value, problem)
-      if (.not. allocated(problem)) call check_bounds(item, value, problem, minimum, maximum, above, below)
-      call self%refuse(group, key, problem, error, item%line)
-   end subroutine read_real
+      if (.not. allocated(problem)) return
+      where = self%place(group, key)
+      if (present(line)) where = line_prefix(self%path, line)
+      call raise(error, where//'key '''//trim(lower_case(key))//''' in &'//trim(lower_case(group))//': '//problem)
+   end subroutine refuse
 
-   !> A value as text, one of the choices if there are any.
-   subroutine read_text(self, group, key, item, value, error, choices)
-      class(namelist_t), intent(in) :: self
+   !> Index of an entry, 0 when it is absent or `error` is allocated.
+   subroutine find(self, group, key, i, error)
+      class(namelist_t), intent(inout) :: self
       character(len=*), intent(in) :: group, key
-      type(value_t), intent(in) :: item
-      character(len=:), allocatable, intent(out) :: value
-      type(error_t), allocatable, intent(inout) :: error
-      character(len=*), intent(in), optional :: choices(:)
-      character(len=:), allocatable :: problem
+      integer, intent(out) :: i
+      type(error_t), allocatable, intent(in) :: error
 
-      call read_value(item, value, problem, choices)
-      call self%refuse(group, key, problem, error, item%line)
-   end subroutine read_text
+      i = 0
+      if (allocated(error)) return
+      call self%known%learn(group, key)
+      i = self%contents%entry_place(group, key)
+   end subroutine find
 
 end module ehlwave_namelist

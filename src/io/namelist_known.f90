@@ -1,5 +1,6 @@
 !> Groups and keys somebody asked for, and advice about those nobody did.
 module ehlwave_namelist_known
+   use ehlwave_identity_index, only: identity_index_t, text_identity
    use ehlwave_namelist_scanner, only: name_length
    use ehlwave_spelling, only: nearest_word
    use ehlwave_text, only: lower_case
@@ -13,6 +14,7 @@ module ehlwave_namelist_known
 
    type :: known_names_t
       type(name_t), allocatable, private :: names(:)       !! in the order of asking
+      type(identity_index_t), private :: index
    contains
       procedure :: learn
       procedure :: group_problem
@@ -22,17 +24,18 @@ module ehlwave_namelist_known
 contains
 
    !> Note a group, or a key and its group.
-   pure subroutine learn(self, group, key)
+   subroutine learn(self, group, key)
       class(known_names_t), intent(inout) :: self
       character(len=*), intent(in) :: group
       character(len=*), intent(in), optional :: key
       type(name_t) :: new
+      integer :: i
 
       new%group = lower_case(group)
       if (present(key)) new%key = lower_case(key)
       if (.not. allocated(self%names)) allocate (self%names(0))
-      if (any(self%names%group == new%group .and. self%names%key == new%key)) return
-      self%names = [self%names, new]
+      call self%index%add(text_identity(trim(new%group)//' '//trim(new%key)), i)
+      if (i > size(self%names)) self%names = [self%names, new]
    end subroutine learn
 
    !> Empty for a known group; otherwise what is wrong and what to change.
@@ -50,17 +53,17 @@ contains
    end function group_problem
 
    !> Empty for a known key of a known group; otherwise what is wrong and what to change.
-   pure function key_problem(self, group, key) result(problem)
+   function key_problem(self, group, key) result(problem)
       class(known_names_t), intent(in) :: self
       character(len=name_length), intent(in) :: group, key   !! the group is known
       character(len=:), allocatable :: problem
-      character(len=name_length) :: groups(size(self%names)), keys(size(self%names))
+      character(len=name_length), allocatable :: groups(:), keys(:)
       integer :: i
 
+      problem = ''
+      if (self%index%find(text_identity(trim(group)//' '//trim(key))) > 0) return
       groups = self%names%group
       keys = self%names%key
-      problem = ''
-      if (any(groups == group .and. keys == key)) return
       do i = 1, size(keys)
          if (keys(i) == key) problem = problem//' or &'//trim(groups(i))
       end do

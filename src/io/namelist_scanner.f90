@@ -6,11 +6,12 @@
 !> elements, text in quotes stays on one line and a word without quotes is never text.
 module ehlwave_namelist_scanner
    use ehlwave_errors, only: error_t, raise
+   use ehlwave_identity_index, only: identity_index_t, text_identity
    use ehlwave_namelist_tokens, only: cursor_t, token_t, end_of_text, quoted, word
-   use ehlwave_text, only: lower_case, to_text
+   use ehlwave_text, only: lower_case, shown, to_text
    implicit none (type, external)
    private
-   public :: scan_namelist, group_t, entry_t, value_t
+   public :: contents_t, scan_namelist, value_t
 
    integer, parameter, public :: name_length = 63   !! longest name of a group or key
    integer, parameter :: max_values = 100000        !! in one file, repeat counts included
@@ -34,46 +35,65 @@ module ehlwave_namelist_scanner
       integer :: line = 0
    end type value_t
 
+   !> Groups, entries and values in the order of the file; lists are longer than what is in use.
+   type :: contents_t
+      type(group_t), allocatable :: groups(:)
+      type(entry_t), allocatable :: entries(:)
+      type(value_t), allocatable :: values(:)
+      integer :: n_groups = 0, n_entries = 0, n_values = 0
+      type(identity_index_t), private :: group_index, entry_index
+   contains
+      procedure :: group_place
+      procedure :: entry_place
+   end type contents_t
+
    !> What was found so far, the token at hand and the one after it.
    type :: scanner_t
       type(cursor_t) :: cursor
       type(token_t) :: token, after
-      type(group_t), allocatable :: groups(:)
-      type(entry_t), allocatable :: entries(:)
-      type(value_t), allocatable :: values(:)       !! the first `n_values` are in use
-      integer :: n_values = 0
+      type(contents_t) :: found
       type(entry_t) :: current                      !! key being read; line 0 before the first of a group
       logical :: needs_value = .false.              !! after '=' or ','
    end type scanner_t
 
 contains
 
-   !> Split `text`; groups, entries and values are in the order of the file.
-   subroutine scan_namelist(path, text, groups, entries, values, error)
+   !> Place of a group among all groups, 0 when it is not there.
+   integer function group_place(self, group)
+      class(contents_t), intent(in) :: self
+      character(len=*), intent(in) :: group
+      group_place = self%group_index%find(text_identity(lower_case(trim(group))))
+   end function group_place
+
+   !> Place of a key among all entries, 0 when it is not there.
+   integer function entry_place(self, group, key)
+      class(contents_t), intent(in) :: self
+      character(len=*), intent(in) :: group, key
+      entry_place = self%entry_index%find(text_identity(lower_case(trim(group)//' '//trim(key))))
+   end function entry_place
+
+   !> Split `text`.
+   subroutine scan_namelist(path, text, contents, error)
       character(len=*), intent(in) :: path          !! for messages
       character(len=*), intent(in) :: text
-      type(group_t), allocatable, intent(out) :: groups(:)
-      type(entry_t), allocatable, intent(out) :: entries(:)
-      type(value_t), allocatable, intent(out) :: values(:)
+      type(contents_t), intent(out) :: contents
       type(error_t), allocatable, intent(out) :: error
       type(scanner_t) :: s
 
       s%cursor%path = trim(path)
       s%cursor%text = text
-      allocate (s%groups(0), s%entries(0), s%values(64))
+      allocate (s%found%groups(8), s%found%entries(64), s%found%values(64))
       call s%cursor%take(s%after, error)
       if (.not. allocated(error)) call shift(s, error)
       do while (.not. allocated(error) .and. s%token%kind /= end_of_text)
          call take_group(s, error)
       end do
       if (allocated(error)) return
-      if (size(s%groups) == 0) then
+      if (s%found%n_groups == 0) then
          call raise(error, s%cursor%path//': holds no group: write at least one ''&name ... /''')
          return
       end if
-      call move_alloc(s%groups, groups)
-      call move_alloc(s%entries, entries)
-      call move_alloc(s%values, values)
+      contents = s%found
    end subroutine scan_namelist
 
    !> Go one token further.
@@ -93,7 +113,7 @@ contains
 
       group%line = s%token%line
       if (s%token%kind /= '&') then
-         call s%cursor%fail(error, group%line, ''''//s%token%text//''' stands outside a group: '// &
+         call s%cursor%fail(error, group%line, ''''//shown(s%token%text)//''' stands outside a group: '// &
                             'move it between ''&name'' and ''/'', or make it a comment with ''!''')
          return
       end if
@@ -102,14 +122,15 @@ contains
       call check_name(s, 'group', error)
       if (allocated(error)) return
       group%name = lower_case(s%token%text)
-      do i = 1, size(s%groups)
-         if (s%groups(i)%name == group%name) then
-            call s%cursor%fail(error, group%line, 'group &'//trim(group%name)//' is given twice (first on line '// &
-                               to_text(s%groups(i)%line)//'): put all its keys into one')
-            return
-         end if
-      end do
-      s%groups = [s%groups, group]
+      call s%found%group_index%add(text_identity(trim(group%name)), i)
+      if (i <= s%found%n_groups) then
+         call s%cursor%fail(error, group%line, 'group &'//trim(group%name)//' is given twice (first on line '// &
+                            to_text(s%found%groups(i)%line)//'): put all its keys into one')
+         return
+      end if
+      if (i > size(s%found%groups)) s%found%groups = [s%found%groups, s%found%groups]   ! room for as many again
+      s%found%groups(i) = group
+      s%found%n_groups = i
       call shift(s, error)
       do while (.not. allocated(error) .and. s%token%kind /= '/')
          call take_item(s, group, error)
@@ -154,10 +175,10 @@ contains
          if (s%token%kind == word .and. s%after%kind == '=') then
             call begin_key(s, error)
          else if (s%token%kind == word .and. s%after%kind == '(') then
-            call s%cursor%fail(error, s%token%line, '''('' after '''//s%token%text//''': array elements are not '// &
+            call s%cursor%fail(error, s%token%line, '''('' after '''//shown(s%token%text)//''': array elements are not '// &
                                'accepted: write the whole list as ''key = a, b, c''')
          else if (s%current%line == 0) then
-            call s%cursor%fail(error, s%token%line, 'no key before '''//s%token%text//''', or no ''='' after it: '// &
+            call s%cursor%fail(error, s%token%line, 'no key before '''//shown(s%token%text)//''', or no ''='' after it: '// &
                                'write ''key = value''')
          else
             call take_value(s, error)
@@ -176,17 +197,16 @@ contains
       if (allocated(error)) return
       call check_name(s, 'key', error)
       if (allocated(error)) return
-      new%group = s%groups(size(s%groups))%name
+      new%group = s%found%groups(s%found%n_groups)%name
       new%key = lower_case(s%token%text)
       new%line = s%token%line
-      new%first = s%n_values + 1
-      do i = 1, size(s%entries)
-         if (s%entries(i)%group == new%group .and. s%entries(i)%key == new%key) then
-            call s%cursor%fail(error, new%line, 'key '''//trim(new%key)//''' is given twice (first on line '// &
-                               to_text(s%entries(i)%line)//'): remove one')
-            return
-         end if
-      end do
+      new%first = s%found%n_values + 1
+      call s%found%entry_index%add(text_identity(trim(new%group)//' '//trim(new%key)), i)
+      if (i <= s%found%n_entries) then
+         call s%cursor%fail(error, new%line, 'key '''//trim(new%key)//''' is given twice (first on line '// &
+                            to_text(s%found%entries(i)%line)//'): remove one')
+         return
+      end if
       s%current = new
       s%needs_value = .true.
       call shift(s, error)
@@ -199,12 +219,14 @@ contains
 
       s%needs_value = .false.
       if (s%current%line == 0) return
-      s%current%last = s%n_values
+      s%current%last = s%found%n_values
       if (s%current%last < s%current%first) then
          call s%cursor%fail(error, s%current%line, 'key '''//trim(s%current%key)// &
                             ''' has no value: give one, or remove the key')
       else
-         s%entries = [s%entries, s%current]
+         if (s%found%n_entries == size(s%found%entries)) s%found%entries = [s%found%entries, s%found%entries]
+         s%found%n_entries = s%found%n_entries + 1
+         s%found%entries(s%found%n_entries) = s%current
       end if
       s%current = entry_t()
    end subroutine end_key
@@ -218,7 +240,7 @@ contains
       call take_repeat_count(s, repeats, error)
       if (allocated(error)) return
       if (s%after%is_attached .and. scan(s%after%kind, word//quoted) > 0) then
-         call s%cursor%fail(error, s%token%line, 'key '''//trim(s%current%key)//''': '''//s%token%text// &
+         call s%cursor%fail(error, s%token%line, 'key '''//trim(s%current%key)//''': '''//shown(s%token%text)// &
                             ''' and what follows are not apart: put '','' between values and a whole text '// &
                             'into one pair of quotes, a quote inside it doubled')
          return
@@ -241,7 +263,7 @@ contains
       repeats = 0
       if (star <= 10) read (s%token%text(:star - 1), *) repeats
       if (repeats < 1 .or. repeats > max_values) then
-         call s%cursor%fail(error, s%token%line, 'repeat count in '''//s%token%text//''' of key '''// &
+         call s%cursor%fail(error, s%token%line, 'repeat count in '''//shown(s%token%text)//''' of key '''// &
                             trim(s%current%key)//''' must be from 1 to '//to_text(max_values))
       else if (star < len(s%token%text)) then
          s%token%text = s%token%text(star + 1:)
@@ -249,7 +271,7 @@ contains
          call shift(s, error)
       else
          call s%cursor%fail(error, s%token%line, 'empty value of key '''//trim(s%current%key)// &
-                            ''': give a value after '''//s%token%text//'''')
+                            ''': give a value after '''//shown(s%token%text)//'''')
       end if
    end subroutine take_repeat_count
 
@@ -261,27 +283,27 @@ contains
       type(value_t), allocatable :: grown(:)
       integer :: i, n
 
-      n = s%n_values + repeats
+      n = s%found%n_values + repeats
       if (n > max_values) then
          call s%cursor%fail(error, s%token%line, 'key '''//trim(s%current%key)//''': more than '// &
                             to_text(max_values)//' values in the file: give fewer')
          return
       end if
-      if (n > size(s%values)) then
+      if (n > size(s%found%values)) then
          allocate (grown(2*n))
-         do i = 1, s%n_values
-            call move_alloc(s%values(i)%text, grown(i)%text)
-            grown(i)%is_quoted = s%values(i)%is_quoted
-            grown(i)%line = s%values(i)%line
+         do i = 1, s%found%n_values
+            call move_alloc(s%found%values(i)%text, grown(i)%text)
+            grown(i)%is_quoted = s%found%values(i)%is_quoted
+            grown(i)%line = s%found%values(i)%line
          end do
-         call move_alloc(grown, s%values)
+         call move_alloc(grown, s%found%values)
       end if
-      do i = s%n_values + 1, n
-         s%values(i)%text = s%token%text
-         s%values(i)%is_quoted = s%token%kind == quoted
-         s%values(i)%line = s%token%line
+      do i = s%found%n_values + 1, n
+         s%found%values(i)%text = s%token%text
+         s%found%values(i)%is_quoted = s%token%kind == quoted
+         s%found%values(i)%line = s%token%line
       end do
-      s%n_values = n
+      s%found%n_values = n
       s%needs_value = .false.
    end subroutine store_value
 
@@ -297,7 +319,7 @@ contains
       if (is_name) is_name = verify(lower_case(s%token%text(1:1)), letters) == 0 .and. &
                              verify(lower_case(s%token%text), letters//digits//'_') == 0
       if (.not. is_name) then
-         call s%cursor%fail(error, s%token%line, ''''//s%token%text//''' is not the name of a '//what// &
+         call s%cursor%fail(error, s%token%line, ''''//shown(s%token%text)//''' is not the name of a '//what// &
                             ': use letters, digits and ''_'', at most '//to_text(name_length)//', a letter first')
       end if
    end subroutine check_name

@@ -5,11 +5,10 @@
 module ehlwave_namelist_values
    use ehlwave_kinds, only: dp, i8
    use ehlwave_namelist_scanner, only: value_t
-   use ehlwave_spelling, only: nearest_word
-   use ehlwave_text, only: lower_case, to_text
+   use ehlwave_text, only: lower_case, shown, to_text
    implicit none (type, external)
    private
-   public :: read_value, check_bounds
+   public :: read_value
 
    character(len=*), parameter :: digits = '0123456789'
 
@@ -36,9 +35,9 @@ contains
       if (scan(item%text(:mantissa_end(item%text)), '123456789') == 0) return
       power = decimal_power(item%text)
       if (power > 307) then
-         problem = item%text//' is too large: write a number below 1e308'
+         problem = shown(item%text)//' is too large: write a number below 1e308'
       else if (power < -307) then
-         problem = item%text//' is too small: write 0 or a number from 1e-307'
+         problem = shown(item%text)//' is too small: write 0 or a number from 1e-307'
       else
          read (item%text, *) value
       end if
@@ -64,7 +63,7 @@ contains
             return
          end if
       end if
-      problem = item%text//' is too large for a whole number here: write one from -'//to_text(huge(value))// &
+      problem = shown(item%text)//' is too large for a whole number here: write one from -'//to_text(huge(value))// &
                 ' to '//to_text(huge(value))
    end subroutine read_integer
 
@@ -83,80 +82,24 @@ contains
       end select
    end subroutine read_logical
 
-   !> Text in quotes; with `choices` one of them, in any case, returned in lower case without trailing blanks.
-   pure subroutine read_text_value(item, value, problem, choices)
+   !> Text in quotes.
+   pure subroutine read_text_value(item, value, problem)
       type(value_t), intent(in) :: item
       character(len=:), allocatable, intent(out) :: value
       character(len=:), allocatable, intent(out) :: problem
-      character(len=*), intent(in), optional :: choices(:)
 
       value = item%text
-      if (.not. item%is_quoted) then
-         problem = item%text//' is not in quotes: write '''//item%text//''''
-      else if (present(choices)) then
-         value = lower_case(trim(item%text))
-         call check_choice(value, choices, problem)
-      end if
+      if (.not. item%is_quoted) problem = shown(item%text)//' is not in quotes: write '''//shown(item%text)//''''
    end subroutine read_text_value
-
-   pure subroutine check_choice(value, choices, problem)
-      character(len=*), intent(in) :: value        !! in lower case
-      character(len=*), intent(in) :: choices(:)
-      character(len=:), allocatable, intent(out) :: problem
-      character(len=len(choices)) :: known(size(choices))
-      character(len=:), allocatable :: list
-      integer :: i
-
-      list = ''
-      do i = 1, size(choices)
-         known(i) = lower_case(choices(i))
-         list = list//', '''//trim(known(i))//''''
-      end do
-      if (any(known == value)) return
-      problem = ''''//value//''' is not one of the choices: write one of '//list(3:)
-      i = nearest_word(value, known)
-      if (i > 0) problem = problem//'; did you mean '''//trim(known(i))//'''?'
-   end subroutine check_choice
-
-   !> Whether a finite `value` is inside the bounds that are present.
-   pure subroutine check_bounds(item, value, problem, minimum, maximum, above, below)
-      type(value_t), intent(in) :: item
-      real(dp), intent(in) :: value
-      character(len=:), allocatable, intent(out) :: problem
-      real(dp), intent(in), optional :: minimum, maximum   !! allowed themselves
-      real(dp), intent(in), optional :: above, below       !! not allowed themselves
-      character(len=:), allocatable :: range
-      logical :: is_inside
-
-      is_inside = .true.
-      range = ''
-      if (present(above)) then
-         is_inside = is_inside .and. value > above
-         range = range//' and above '//to_text(above, 15)
-      end if
-      if (present(minimum)) then
-         is_inside = is_inside .and. value >= minimum
-         range = range//' and at least '//to_text(minimum, 15)
-      end if
-      if (present(below)) then
-         is_inside = is_inside .and. value < below
-         range = range//' and below '//to_text(below, 15)
-      end if
-      if (present(maximum)) then
-         is_inside = is_inside .and. value <= maximum
-         range = range//' and at most '//to_text(maximum, 15)
-      end if
-      if (.not. is_inside) problem = item%text//' is out of range: write a value '//range(6:)
-   end subroutine check_bounds
 
    pure function misfit(item, wanted) result(problem)
       type(value_t), intent(in) :: item
       character(len=*), intent(in) :: wanted
       character(len=:), allocatable :: problem
       if (item%is_quoted) then
-         problem = ''''//item%text//''' in quotes is text: write '//wanted//', without quotes'
+         problem = ''''//shown(item%text)//''' in quotes is text: write '//wanted//', without quotes'
       else
-         problem = ''''//item%text//''' does not fit: write '//wanted
+         problem = ''''//shown(item%text)//''' does not fit: write '//wanted
       end if
    end function misfit
 

@@ -41,6 +41,7 @@ contains
       shortest = huge(shortest)
       do i = 1, size(candidates)
          letters = max(len_trim(word), len_trim(candidates(i)))
+         if (abs(len_trim(word) - len_trim(candidates(i))) > max(1, letters/3)) cycle
          distance = edit_distance(word, candidates(i))
          if (distance > max(1, letters/3) .or. distance >= letters) cycle
          if (distance < shortest) then

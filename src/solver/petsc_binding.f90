@@ -1,10 +1,12 @@
-!> The Fortran side of petsc_snes.c: its types and functions, and the callbacks that give it the equations.
+!> The Fortran side of petsc/petsc_snes.c: its types and its solver, and the callbacks that give it the equations.
 module ehlwave_petsc_binding
-   use, intrinsic :: iso_c_binding, only: c_double, c_f_pointer, c_funloc, c_funptr, c_int, c_loc, c_ptr
+   use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_f_procpointer, c_funloc, c_funptr, c_int, &
+      c_loc, c_ptr
    use ehlwave_contact_inequality, only: contact_inequality_t
+   use ehlwave_petsc_library, only: find_solver
    implicit none (type, external)
    private
-   public :: finish_petsc, run_snes
+   public :: run_snes
 
    integer, parameter, public :: out_of_steps = -5   !! SNES_DIVERGED_MAX_IT
 
@@ -22,9 +24,8 @@ module ehlwave_petsc_binding
       type(c_funptr) :: evaluate, linearise, multiply, step_length, judge
    end type equations_t
 
-   interface
-      integer(c_int) function solve_inequality(n, row_start, column, x, lower, settings, equations, outcome) &
-         bind(c, name='ehlwave_solve_inequality')
+   abstract interface
+      integer(c_int) function solve_inequality_t(n, row_start, column, x, lower, settings, equations, outcome) bind(c)
          import :: c_double, c_int, equations_t, outcome_t, settings_t
          implicit none (type, external)
          integer(c_int), value :: n
@@ -34,13 +35,7 @@ module ehlwave_petsc_binding
          type(settings_t), intent(in) :: settings
          type(equations_t), intent(inout) :: equations
          type(outcome_t), intent(inout) :: outcome
-      end function solve_inequality
-
-      !> End PETSc if it was started here, and MPI if that was too. For drivers: after the last solve, before
-      !> MPI_Finalize. No solve afterwards.
-      subroutine finish_petsc() bind(c, name='ehlwave_finish_petsc')
-         implicit none (type, external)
-      end subroutine finish_petsc
+      end function solve_inequality_t
    end interface
 
 contains
@@ -50,10 +45,17 @@ contains
       type(contact_inequality_t), intent(inout), target :: inequality
       type(settings_t), intent(in) :: settings
       type(outcome_t), intent(inout) :: outcome
-      logical, intent(out) :: has_failed            !! PETSc has, as a program
+      logical, intent(out) :: has_failed            !! PETSc has, as a program, or cannot be had
+      procedure(solve_inequality_t), pointer :: solve_inequality
       type(equations_t) :: equations
+      type(c_funptr) :: solver
+      character(len=:), allocatable :: reason
       real(c_double), allocatable :: x(:)
 
+      call find_solver(solver, reason)
+      has_failed = .not. c_associated(solver)
+      if (has_failed) return
+      call c_f_procpointer(solver, solve_inequality)
       equations = equations_t(c_loc(inequality), c_funloc(evaluate), c_funloc(linearise), c_funloc(multiply), &
                               c_funloc(step_length), c_funloc(judge))
       allocate (x, source=inequality%best)

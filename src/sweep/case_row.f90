@@ -1,76 +1,118 @@
-!> One row of a CSV file of cases.
+!> Rows of a CSV file of cases.
 module ehlwave_case_row
-   use ehlwave_case_definition, only: case_t, orientations
-   use ehlwave_csv, only: cell_length, csv_t
+   use ehlwave_case_input, only: case_input_t
+   use ehlwave_case_key, only: key_t, key_value_t, number_kind, whole_kind, word_kind
+   use ehlwave_csv, only: csv_t
    use ehlwave_errors, only: error_t, raise
    use ehlwave_kinds, only: dp
-   use ehlwave_text, only: lower_case, to_text
+   use ehlwave_key_bounds, only: read_key, says_none, says_nothing => is_none
+   use ehlwave_key_list, only: find_key, key_list_t
+   use ehlwave_namelist_scanner, only: value_t
+   use ehlwave_namelist_values, only: read_value
+   use ehlwave_spelling, only: nearest_word
+   use ehlwave_sweep_keys, only: f_v_key
+   use ehlwave_text, only: shown, to_text
    implicit none (type, external)
    private
-   public :: set_row
+   public :: find_columns, set_row
 
 contains
 
-   !> Override what a case has by the values of a row. Fails on unknown columns and values that do not fit.
-   subroutine set_row(table, row, case, f_v, error)
+   !> Number of the key of each column, 0: f_v. Fails on columns that are none, or of keys that cannot vary.
+   subroutine find_columns(table, list, columns, error)
+      type(csv_t), intent(in) :: table
+      type(key_list_t), intent(in) :: list
+      integer, allocatable, intent(out) :: columns(:)
+      type(error_t), allocatable, intent(inout) :: error
+      character(len=:), allocatable :: problem
+      integer :: i, near
+
+      if (allocated(error)) return
+      allocate (columns(size(table%names)), source=0)
+      do i = 1, size(columns)
+         if (table%names(i) == f_v_key%name) cycle
+         columns(i) = find_key(list%keys, trim(table%names(i)))
+         if (columns(i) > 0) then
+            if (list%keys(columns(i))%can_vary) cycle
+            problem = 'this key cannot vary in a sweep: remove it'
+         else
+            problem = 'unknown: columns are named as the keys of a case, or f_v (ehlwave-sweep --keys lists them)'
+            near = nearest_word(table%names(i), list%keys%name)
+            if (near > 0) problem = "unknown: did you mean '"//trim(list%keys(near)%name)//"'?"
+         end if
+         call raise(error, table%path//": column '"//shown(trim(table%names(i)))//"': "//problem)
+         return
+      end do
+   end subroutine find_columns
+
+   !> Give the values of a row to a case. An empty cell leaves what the case groups give; 0 of a key that has no value by
+   !> default (a wavelength, an end time) says that there is none. What could say so and does not must apply to the row;
+   !> what needs a value in every row (cells_y beside line contacts) is left out where it does not apply.
+   subroutine set_row(table, row, list, columns, input, error)
       type(csv_t), intent(in) :: table
       integer, intent(in) :: row
-      type(case_t), intent(inout) :: case
-      real(dp), intent(out) :: f_v                 !! f(r) V asked for in place of a wavelength, 0: none
+      type(key_list_t), intent(in) :: list             !! keys with their defaults
+      integer, intent(in) :: columns(:)
+      type(case_input_t), intent(inout) :: input
       type(error_t), allocatable, intent(inout) :: error
-      integer :: column
+      type(key_value_t) :: f_v, values(size(columns))
+      type(value_t) :: item
+      logical :: is_none(size(columns)), is_set(size(columns))
+      integer :: i
 
-      f_v = 0
-      do column = 1, size(table%names)
-         call set_cell(table, column, row, case, f_v, error)
+      is_set = .false.
+      is_none = .false.
+      do i = 1, size(columns)
+         if (allocated(error)) return
+         item%text = trim(table%cells(i, row))
+         if (item%text == '') cycle
+         if (columns(i) == 0) then
+            call read_cell(table, row, i, f_v_key, item, key_value_t(kind=number_kind), f_v, is_none(i), error)
+            input%f_v = f_v%number
+         else
+            is_set(i) = .true.
+            call read_cell(table, row, i, list%keys(columns(i)), item, list%values(columns(i)), values(i), is_none(i), error)
+         end if
       end do
+      if (allocated(error)) return
+      call input%set(pack(columns, is_set), pack(values, is_set))
+      input%is_given(pack(columns, is_set .and. is_none)) = .false.
+      do i = 1, size(columns)
+         if (is_set(i)) input%may_idle(columns(i)) = .not. says_nothing(list%values(columns(i)), list%values(columns(i)))
+      end do
+      if (.not. input%f_v > 0) return
+      i = find_key(list%keys, 'wavelength_over_a')
+      if (any(columns == i .and. is_set .and. .not. is_none)) call raise(error, table%path//':'// &
+         to_text(table%line(row))//': gives wavelength_over_a and f_v: give one of the two')
+      input%may_idle(i) = .false.
    end subroutine set_row
 
-   subroutine set_cell(table, column, row, case, f_v, error)
+   !> Value of one cell. Words need no quotes in a table, and a whole number may be written as 64.0.
+   subroutine read_cell(table, row, column, key, item, default, value, is_none, error)
       type(csv_t), intent(in) :: table
-      integer, intent(in) :: column, row
-      type(case_t), intent(inout) :: case
-      real(dp), intent(inout) :: f_v
+      integer, intent(in) :: row, column
+      type(key_t), intent(in) :: key
+      type(value_t), intent(inout) :: item
+      type(key_value_t), intent(in) :: default
+      type(key_value_t), intent(inout) :: value
+      logical, intent(out) :: is_none                  !! the cell says that there is none
       type(error_t), allocatable, intent(inout) :: error
-      character(len=cell_length) :: word
+      character(len=:), allocatable :: problem
       real(dp) :: number
 
-      if (allocated(error)) return
-      number = 0
-      if (table%names(column) == 'orientation') then
-         word = lower_case(table%cells(column, row))
-         if (.not. any(orientations == word)) then
-            call raise(error, table%place(column, row)//"'"//trim(table%cells(column, row))//"' is not one of none, "// &
-                       'transverse, isotropic, longitudinal, custom')
-            return
+      item%is_quoted = key%kind == word_kind
+      is_none = says_none(key, item, default)
+      value = default
+      if (is_none) return
+      if (key%kind == whole_kind) then
+         call read_value(item, number, problem)
+         if (.not. allocated(problem) .and. abs(number) < 1e9_dp) then
+            if (abs(number - nint(number)) <= 0) item%text = to_text(nint(number))
          end if
-         case%orientation = trim(word)
-         return
+         if (allocated(problem)) deallocate (problem)
       end if
-      call table%real_value(column, row, number, error)
-      select case (table%names(column))
-      case ('load_parameter_m'); case%load_parameter_m = number
-      case ('lubricant_parameter_l'); case%lubricant_parameter_l = number
-      case ('radius_ratio_d'); case%radius_ratio_d = number
-      case ('slip_parameter'); case%slip_parameter = number
-      case ('wavelength_over_a'); case%wavelength_over_a = number
-      case ('wavelength_x_over_a'); case%wavelength_x_over_a = number
-      case ('wavelength_y_over_a'); case%wavelength_y_over_a = number
-      case ('f_v'); f_v = number
-      case ('amplitude_over_film'); case%amplitude_over_film = number
-      case ('cells_x'); case%cells_x = nint(min(number, 1e6_dp))
-      case ('cells_y'); case%cells_y = nint(min(number, 1e6_dp))
-      case default
-         call raise(error, table%path//": unknown column '"//trim(table%names(column))//"': columns may be "// &
-                    'load_parameter_m, lubricant_parameter_l, radius_ratio_d, slip_parameter, orientation, '// &
-                    'wavelength_over_a, wavelength_x_over_a, wavelength_y_over_a, f_v, amplitude_over_film, cells_x, cells_y')
-      end select
-      if (allocated(error)) return
-      if (number < 0) then
-         call raise(error, table%place(column, row)//to_text(number, 6)//' must not be negative')
-      else if (table%names(column)(1:6) == 'cells_' .and. abs(number - nint(min(number, 1e6_dp))) > 0) then
-         call raise(error, table%place(column, row)//to_text(number, 6)//' must be a whole number')
-      end if
-   end subroutine set_cell
+      call read_key(key, item, value, problem)
+      if (allocated(problem)) call raise(error, table%place(column, row)//problem)
+   end subroutine read_cell
 
 end module ehlwave_case_row

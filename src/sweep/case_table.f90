@@ -1,30 +1,20 @@
-!> Reads a sweep file: its cases are the cross product of lists, or the rows of a CSV file.
+!> Reads a sweep file: its cases are the combinations of lists, or the rows of a CSV file.
 module ehlwave_case_table
-   use ehlwave_case_completion, only: case_conditions
-   use ehlwave_case_definition, only: case_t, name_length, orientations
-   use ehlwave_case_input, only: read_case_groups
-   use ehlwave_case_row, only: set_row
-   use ehlwave_case_terms, only: case_limits_t
-   use ehlwave_conditions, only: conditions_t
+   use ehlwave_case_input, only: case_input_t, key_reader_t
+   use ehlwave_case_key, only: most_keys
+   use ehlwave_case_keys, only: visit_case_keys
+   use ehlwave_case_row, only: find_columns, set_row
    use ehlwave_csv, only: csv_t, read_csv
    use ehlwave_errors, only: error_t, raise
-   use ehlwave_formula, only: anisotropy_factor, wave_parameter_v
-   use ehlwave_kinds, only: dp
-   use ehlwave_namelist, only: namelist_t
+   use ehlwave_key_bounds, only: is_none
+   use ehlwave_key_list, only: case_key_list, find_key, key_list_t
    use ehlwave_sweep_cases, only: sweep_t
+   use ehlwave_sweep_keys, only: sweep_group, sweep_settings_t, visit_sweep_keys
+   use ehlwave_sweep_lists, only: read_lists, sweep_lists_t
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
    public :: read_output_name, read_sweep
-   character(len=*), parameter :: usual_output = 'results.h5'
-
-   !> Lists of the &sweep group.
-   type :: lists_t
-      real(dp), allocatable :: m(:), l(:), d(:), wavelength(:), f_v(:)
-      character(len=:), allocatable :: orientation(:)
-      character(len=:), allocatable :: case_file, output, unresolved
-      type(case_limits_t) :: limits
-   end type lists_t
 
 contains
 
@@ -33,43 +23,32 @@ contains
       character(len=*), intent(in) :: path
       type(sweep_t), intent(out) :: sweep
       type(error_t), allocatable, intent(out) :: error
-      type(namelist_t) :: file
-      type(lists_t) :: lists
-      type(case_t) :: base
+      type(key_reader_t) :: reader
+      type(sweep_settings_t) :: settings
+      type(case_input_t) :: base
+      type(key_list_t) :: table
+      type(sweep_lists_t) :: lists
 
-      call file%load(path, error)
-      call read_lists(file, lists, error)
-      call read_case_groups(file, base, error)
-      call file%check_all_used(error)
-      if (allocated(error)) return
-      if (len_trim(base%surface_file) > 0) then
-         call raise(error, file%place('surface', 'file')//'a sweep measures amplitudes of waves and a surface has none: '// &
-                    'run it by ehlwave-case')
+      call reader%file%load(path, reader%error)
+      call visit_case_keys(base%case, reader)
+      base%is_given = reader%is_given
+      call visit_sweep_keys(settings, reader)
+      table = case_key_list()
+      call read_lists(reader%file, table, lists, reader%error)
+      call reader%file%check_all_used(reader%error)
+      if (.not. allocated(reader%error)) call check_settings(reader, settings, lists)
+      if (allocated(reader%error)) then
+         call move_alloc(reader%error, error)
          return
       end if
-      if (base%has_data .and. (allocated(lists%m) .or. allocated(lists%l) .or. allocated(lists%d))) then
-         call raise(error, file%place('conditions', 'radius_x_m')//'&conditions gives dimensional data (radius_x_m, ...) '// &
-                    'and &sweep gives load_parameter_m, lubricant_parameter_l or radius_ratio_d: give one of the two')
-         return
-      end if
-      ! what is said about Y may be for the elliptical contacts of a sweep that has line contacts too
-      if (allocated(lists%d)) then
-         if (any(lists%d > 0)) base%across = ''
-      else if (len(lists%case_file) > 0) then
-         base%across = ''
-      end if
-      call sweep%begin(skips_unresolved=lists%unresolved == 'skip')
-      sweep%output = lists%output
-      sweep%limits = lists%limits
-      if (len(lists%case_file) > 0) then
-         if (allocated(lists%m) .or. allocated(lists%l) .or. allocated(lists%d) .or. allocated(lists%wavelength) .or. &
-             allocated(lists%f_v) .or. allocated(lists%orientation)) then
-            call raise(error, file%place('sweep', 'case_file')//'&sweep gives case_file and lists: give one of the two')
-            return
-         end if
-         call add_rows(lists%case_file, base, sweep, error)
+      base%may_idle = base%is_given
+      call sweep%begin(skips_unresolved=settings%unresolved == 'skip')
+      sweep%output = trim(settings%output)
+      sweep%limits = settings%limits
+      if (settings%case_file /= '') then
+         call add_rows(trim(settings%case_file), reader, base, table, sweep, error)
       else
-         call add_product(path, base, lists, sweep, error)
+         call add_product(reader, base, table, lists, sweep, error)
       end if
       if (allocated(error)) return
       call sweep%finish()
@@ -82,130 +61,128 @@ contains
       character(len=*), intent(in) :: path
       character(len=:), allocatable, intent(out) :: output
       type(error_t), allocatable, intent(inout) :: error
-      type(namelist_t) :: file
-      output = usual_output
-      call file%load(path, error)
-      call file%get('sweep', 'output', output, error)
+      type(key_reader_t) :: reader
+      type(sweep_settings_t) :: settings
+      call reader%file%load(path, reader%error)
+      call visit_sweep_keys(settings, reader)
+      output = trim(settings%output)
+      if (allocated(reader%error)) call move_alloc(reader%error, error)
    end subroutine read_output_name
 
-   subroutine read_lists(file, lists, error)
-      type(namelist_t), intent(inout) :: file
-      type(lists_t), intent(inout) :: lists
-      type(error_t), allocatable, intent(inout) :: error
-      character(len=*), parameter :: group = 'sweep'
+   !> What cannot be together in a sweep file.
+   subroutine check_settings(reader, settings, lists)
+      type(key_reader_t), intent(inout) :: reader
+      type(sweep_settings_t), intent(in) :: settings
+      type(sweep_lists_t), intent(in) :: lists
 
-      lists%case_file = ''
-      lists%output = usual_output
-      lists%unresolved = 'run'
-      call file%get_list(group, 'load_parameter_m', lists%m, error, above=0.0_dp)
-      call file%get_list(group, 'lubricant_parameter_l', lists%l, error, minimum=0.0_dp)
-      call file%get_list(group, 'radius_ratio_d', lists%d, error, minimum=0.0_dp)
-      call file%get_list(group, 'wavelength_over_a', lists%wavelength, error, above=0.0_dp)
-      call file%get_list(group, 'f_v', lists%f_v, error, above=0.0_dp)
-      call file%get_list(group, 'orientation', lists%orientation, error, orientations)
-      call file%get(group, 'case_file', lists%case_file, error)
-      call file%get(group, 'output', lists%output, error)
-      call file%get(group, 'largest_case_seconds', lists%limits%largest_case_seconds, error, above=0.0_dp)
-      call file%get(group, 'checkpoint_seconds', lists%limits%checkpoint_seconds, error, minimum=0.0_dp)
-      call file%get(group, 'unresolved', lists%unresolved, error, [character(len=4) :: 'run', 'skip'])
-      if (allocated(error)) return
-      if (allocated(lists%wavelength) .and. allocated(lists%f_v)) &
-         call raise(error, file%place(group, 'f_v')//'&sweep gives wavelength_over_a and f_v: give one of the two')
-   end subroutine read_lists
+      if (settings%case_file /= '' .and. (size(lists%keys) > 0 .or. lists%has_f_v)) then
+         call raise(reader%error, reader%file%place(sweep_group, 'case_file')//'&sweep gives case_file and lists: give one '// &
+                    'of the two')
+      end if
+   end subroutine check_settings
 
-   !> Every combination of the lists; a list that is absent stands for the value of the case groups.
-   subroutine add_product(path, base, lists, sweep, error)
-      character(len=*), intent(in) :: path
-      type(case_t), intent(in) :: base
-      type(lists_t), intent(in) :: lists
+   !> Every combination of the lists; a list takes the place of what the group of its key gives.
+   subroutine add_product(reader, base, table, lists, sweep, error)
+      type(key_reader_t), intent(in) :: reader
+      type(case_input_t), intent(inout) :: base
+      type(key_list_t), intent(in) :: table
+      type(sweep_lists_t), intent(inout) :: lists
       type(sweep_t), intent(inout) :: sweep
       type(error_t), allocatable, intent(inout) :: error
-      type(case_t) :: case
-      real(dp), allocatable :: m(:), l(:), d(:), wave(:)
-      character(len=name_length), allocatable :: orientation(:)
-      integer :: im, il, id, iw, io
+      type(case_input_t) :: input
+      logical :: is_used(most_keys)
 
-      call list_or(lists%m, base%load_parameter_m, m)
-      call list_or(lists%l, base%lubricant_parameter_l, l)
-      call list_or(lists%d, base%radius_ratio_d, d)
-      call list_or(lists%wavelength, base%wavelength_over_a, wave)
-      if (allocated(lists%f_v)) call list_or(lists%f_v, 0.0_dp, wave)
-      if (allocated(lists%orientation)) then
-         allocate (orientation(size(lists%orientation)))
-         orientation = lists%orientation
-      else
-         allocate (orientation(1), source=base%orientation)
-      end if
-      do id = 1, size(d)
-         do il = 1, size(l)
-            do im = 1, size(m)
-               do io = 1, size(orientation)
-                  do iw = 1, size(wave)
-                     case = base
-                     case%load_parameter_m = m(im)
-                     case%lubricant_parameter_l = l(il)
-                     case%radius_ratio_d = d(id)
-                     case%orientation = orientation(io)
-                     case%wavelength_over_a = 0
-                     if (orientation(io) /= 'none' .and. orientation(io) /= 'custom') then
-                        case%wavelength_over_a = wave(iw)
-                        if (allocated(lists%f_v)) call set_f_v(case, wave(iw), error)
-                     end if
-                     call sweep%add(case, path//': ', error)
-                     if (allocated(error)) return
-                  end do
-               end do
-            end do
-         end do
+      call sweep%vary(lists%keys, lists%has_f_v)
+      call note_replaced(reader, base, table, sweep)
+      base%may_idle(lists%keys) = .true.
+      if (lists%has_f_v) base%may_idle(find_key(table%keys, 'wavelength_over_a')) = .true.
+      is_used = .false.
+      do while (lists%next())
+         input = base
+         call lists%put(input)
+         call sweep%add(input, table, reader%file%path//': ', error)
+         if (allocated(error)) return
+         is_used = is_used .or. input%is_given
       end do
+      base%is_given(lists%keys) = .true.
+      call refuse_idle(reader, base, table, lists%keys, is_used, error)
    end subroutine add_product
 
-   pure subroutine list_or(list, value, values)
-      real(dp), intent(in), allocatable :: list(:)
-      real(dp), intent(in) :: value
-      real(dp), allocatable, intent(out) :: values(:)
-      if (allocated(list)) then
-         allocate (values, source=list)
-      else
-         allocate (values(1), source=value)
-      end if
-   end subroutine list_or
-
-   !> Wavelength for which f(r) V has a value.
-   subroutine set_f_v(case, f_v, error)
-      type(case_t), intent(inout) :: case
-      real(dp), intent(in) :: f_v
-      type(error_t), allocatable, intent(inout) :: error
-      type(conditions_t) :: conditions
-      real(dp) :: factor
-
-      call case_conditions(case, conditions, error)
-      if (allocated(error)) return
-      factor = anisotropy_factor(merge(0.0_dp, 1.0_dp, case%orientation == 'longitudinal'), &
-                                 merge(0.0_dp, 1.0_dp, case%orientation == 'transverse'))
-      case%wavelength_over_a = f_v/(factor*wave_parameter_v(conditions, 1.0_dp))
-   end subroutine set_f_v
-
-   !> One case for each row of a CSV file; its columns override the case groups.
-   subroutine add_rows(path, base, sweep, error)
+   !> One case for each row of a CSV file; its columns take the place of what the groups of their keys give.
+   subroutine add_rows(path, reader, base, table, sweep, error)
       character(len=*), intent(in) :: path
-      type(case_t), intent(in) :: base
+      type(key_reader_t), intent(in) :: reader
+      type(case_input_t), intent(in) :: base
+      type(key_list_t), intent(in) :: table
       type(sweep_t), intent(inout) :: sweep
       type(error_t), allocatable, intent(inout) :: error
-      type(csv_t) :: table
-      type(case_t) :: case
-      real(dp) :: f_v
+      type(csv_t) :: rows
+      type(case_input_t) :: input
+      logical :: is_used(most_keys)
+      integer, allocatable :: columns(:)
       integer :: row
 
-      call read_csv(path, table, error)
+      call read_csv(path, rows, error)
+      call find_columns(rows, table, columns, error)
       if (allocated(error)) return
-      do row = 1, size(table%line)
-         case = base
-         call set_row(table, row, case, f_v, error)
-         if (.not. allocated(error) .and. f_v > 0) call set_f_v(case, f_v, error)
-         call sweep%add(case, path//':'//to_text(table%line(row))//': ', error)
+      call sweep%vary(pack(columns, columns > 0), any(columns == 0))
+      call note_replaced(reader, base, table, sweep)
+      is_used = .false.
+      do row = 1, size(rows%line)
+         input = base
+         call set_row(rows, row, table, columns, input, error)
+         call sweep%add(input, table, path//':'//to_text(rows%line(row))//': ', error)
          if (allocated(error)) return
+         is_used = is_used .or. input%is_given
       end do
+      is_used(pack(columns, columns > 0)) = .true.
+      call refuse_idle(reader, base, table, [integer ::], is_used, error)
    end subroutine add_rows
+
+   !> Say which keys of the case groups are given for nothing, since lists or columns take their place.
+   subroutine note_replaced(reader, base, table, sweep)
+      type(key_reader_t), intent(in) :: reader
+      type(case_input_t), intent(in) :: base
+      type(key_list_t), intent(in) :: table
+      type(sweep_t), intent(inout) :: sweep
+      integer :: i
+
+      sweep%notice = ''
+      do i = 1, table%count
+         if (.not. (base%is_given(i) .and. any(sweep%varied == i))) cycle
+         associate (key => table%keys(i))
+            sweep%notice = sweep%notice//'NOTICE: '//reader%file%place(trim(key%group), trim(key%name))//trim(key%name)// &
+               ' of &'//trim(key%group)//' gives way to the values that the sweep lists for it'//new_line('a')
+         end associate
+      end do
+   end subroutine note_replaced
+
+   !> Refuse a key that is given, says something and applies to none of the cases.
+   subroutine refuse_idle(reader, base, table, listed, is_used, error)
+      type(key_reader_t), intent(in) :: reader
+      type(case_input_t), intent(in) :: base
+      type(key_list_t), intent(in) :: table            !! with the defaults
+      integer, intent(in) :: listed(:)                 !! numbers of the keys that have lists
+      logical, intent(in) :: is_used(:)
+      type(error_t), allocatable, intent(inout) :: error
+      type(key_list_t) :: given
+      character(len=:), allocatable :: group, name
+      integer :: i
+
+      given = case_key_list(base%case)
+      do i = 1, table%count
+         if (is_used(i) .or. .not. base%is_given(i)) cycle
+         group = trim(table%keys(i)%group)
+         if (any(listed == i)) then
+            group = sweep_group
+         else if (is_none(given%values(i), table%values(i))) then
+            cycle
+         end if
+         name = trim(table%keys(i)%name)
+         call raise(error, reader%file%place(group, name)//"key '"//name//"' in &"//group//': belongs to '// &
+                    trim(table%keys(i)%when)//', which none of the cases has: remove it, or change that')
+         return
+      end do
+   end subroutine refuse_idle
 
 end module ehlwave_case_table

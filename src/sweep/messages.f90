@@ -4,15 +4,13 @@
 !> `stop` to each of the others. A case travels as its effective input, so only rank 0 reads the sweep file; results do not
 !> travel: every rank puts its own into the store.
 module ehlwave_messages
-   use ehlwave_case_completion, only: complete_case
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_input, only: read_case_groups
+   use ehlwave_case_file, only: case_from_text
    use ehlwave_case_plan, only: case_plan_t, make_plan
    use ehlwave_case_terms, only: message_length, outcome_t
    use ehlwave_case_text, only: effective_input
    use ehlwave_errors, only: error_t, raise
    use ehlwave_kinds, only: dp
-   use ehlwave_namelist, only: namelist_t
    use ehlwave_text, only: to_text
    use mpi_f08, only: mpi_any_source, mpi_any_tag, mpi_character, mpi_comm, mpi_double_precision, mpi_get_count, &
       mpi_iprobe, mpi_probe, mpi_recv, mpi_send, mpi_status, mpi_status_ignore
@@ -74,7 +72,6 @@ contains
       character(len=:), allocatable, intent(out) :: input   !! its effective input
       type(error_t), allocatable, intent(inout) :: error
       type(mpi_status) :: status
-      type(namelist_t) :: file
       character(len=:), allocatable :: text
       integer :: length
 
@@ -85,9 +82,7 @@ contains
       read (text(:number_digits), *) number
       if (number == no_case) return
       input = text(number_digits + 2:)
-      call file%load_text('case', input, error)
-      call read_case_groups(file, case, error)
-      if (.not. allocated(error)) call complete_case(case, '', error)
+      call case_from_text(input, case, error)
       if (.not. allocated(error)) call make_plan(case, plan, error)
       case%fields = text(number_digits + 1:number_digits + 1) == 'T'
       if (.not. allocated(error)) then

@@ -4,7 +4,6 @@
 !> that `run_columns` takes from the runs is named here: the others are those of the table of quantities and of the records.
 module ehlwave_results_file
    use ehlwave_case_account, only: blank_result
-   use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_record, only: case_record, circumstances_t
    use ehlwave_case_text, only: effective_input, text_identity
@@ -12,7 +11,8 @@ module ehlwave_results_file
    use ehlwave_field_file, only: write_provenance
    use ehlwave_hdf5_file, only: hdf5_file_t
    use ehlwave_json, only: json_t
-   use ehlwave_quantities, only: add_case
+   use ehlwave_key_list, only: case_key_list, key_list_t
+   use ehlwave_quantities, only: add_case, add_key
    use ehlwave_quantity, only: quantity_list_t, quantity_t
    use ehlwave_quantity_output, only: json_of, take_json
    use ehlwave_results_column, only: column_t
@@ -24,9 +24,12 @@ module ehlwave_results_file
    private
    public :: write_results
 
+   !> Keys that have a column in every file, besides those that vary and those that the table of quantities has.
+   character(len=*), parameter :: always_shown(2) = [character(len=19) :: 'wavelength_over_a', 'amplitude_over_film']
+
    !> What of the header of a log goes into the rows of its cases.
-   character(len=*), parameter :: run_columns(8) = [character(len=16) :: 'run', 'job', 'program_version', 'git_revision', &
-                                                   'compiler', 'compiler_flags', 'library_versions', 'mpi_library']
+   character(len=*), parameter :: run_columns(10) = [character(len=16) :: 'run', 'job', 'program_version', &
+      'git_revision', 'compiler', 'compiler_flags', 'build_type', 'library_versions', 'mpi_library', 'processor']
 
 contains
 
@@ -91,13 +94,13 @@ contains
       type(quantity_list_t) :: inputs
       integer :: i, k
 
-      inputs = input_row(sweep%cases(1), sweep%plans(1))
+      inputs = input_row(sweep, 1)
       allocate (columns(inputs%count))
       do k = 1, size(columns)
          call columns(k)%init(inputs%items(k), size(sweep%cases))
       end do
       do i = 1, size(sweep%cases)
-         inputs = input_row(sweep%cases(i), sweep%plans(i))
+         inputs = input_row(sweep, i)
          do k = 1, size(columns)
             call columns(k)%set(i, inputs%items(k))
          end do
@@ -107,15 +110,24 @@ contains
       end do
    end subroutine write_inputs
 
-   !> What a case is, as far as the sweep file and the plan tell it.
-   function input_row(case, plan) result(row)
-      type(case_t), intent(in) :: case
-      type(case_plan_t), intent(in) :: plan
+   !> What a case is, as far as the sweep file and the plan tell it; the keys that vary are among it. Where the plan
+   !> chooses, its choice has the name of the key.
+   function input_row(sweep, case) result(row)
+      type(sweep_t), intent(in) :: sweep
+      integer, intent(in) :: case
       type(quantity_list_t) :: row
-      call add_case(row, case, plan)
-      call row%add('wavelength_over_a', 'shorter wavelength over a, 0: smooth', case%wavelength_over_a)
-      call row%add('amplitude_over_film', 'Ai over the smooth central film', case%amplitude_over_film)
-      call row%add('effective_input', 'case file that reproduces the case', effective_input(case))
+      type(key_list_t) :: keys
+      integer :: i
+
+      call add_case(row, sweep%cases(case), sweep%plans(case))
+      keys = case_key_list(sweep%cases(case))
+      do i = 1, size(keys%keys)
+         associate (name => keys%keys(i)%name)
+            if (row%find(trim(name)) > 0) cycle
+            if (any(always_shown == name) .or. sweep%varies(i)) call add_key(row, keys, trim(name))
+         end associate
+      end do
+      call row%add('effective_input', 'case file that reproduces the case', effective_input(sweep%cases(case)))
    end function input_row
 
    !> Every column of the records that the file has not yet, described as in the table of quantities.

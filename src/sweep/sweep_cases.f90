@@ -1,14 +1,20 @@
 !> The cases of a sweep: completed, planned, no two alike.
 module ehlwave_sweep_cases
-   use ehlwave_case_completion, only: complete_case
+   use ehlwave_case_completion, only: complete_input
    use ehlwave_case_definition, only: case_t
+   use ehlwave_case_input, only: case_input_t
+   use ehlwave_case_key, only: key_length, value_text
    use ehlwave_case_plan, only: case_plan_t, make_plan
    use ehlwave_case_terms, only: case_limits_t
    use ehlwave_case_text, only: case_identity
    use ehlwave_errors, only: error_t
    use ehlwave_identity_index, only: identity_index_t, identity_length
+   use ehlwave_key_list, only: case_key_list, find_key, key_list_t
    implicit none (type, external)
    private
+
+   character(len=key_length), parameter :: shown_anyway(5) = [character(len=key_length) :: 'load_parameter_m', &
+      'lubricant_parameter_l', 'radius_ratio_d', 'orientation', 'wavelength_over_a']
 
    type, public :: sweep_t
       character(len=:), allocatable :: output      !! results file
@@ -17,11 +23,16 @@ module ehlwave_sweep_cases
       character(len=identity_length), allocatable :: identity(:)
       type(case_limits_t) :: limits                !! what is asked of every case
       integer :: skipped = 0                       !! unresolved cases left out on request
+      integer, allocatable :: varied(:)            !! numbers of the keys that its lists or columns give; unallocated: none
+      character(len=:), allocatable :: notice      !! what the user should know about the sweep file, lines
       type(identity_index_t) :: index              !! from identity to number of the case
       logical, private :: skips_unresolved = .false.
    contains
       procedure :: begin
+      procedure :: vary
       procedure :: add
+      procedure :: varies
+      procedure :: variation
       procedure :: finish
    end type sweep_t
 
@@ -41,19 +52,63 @@ contains
       call resize(self, self%index%count)
    end subroutine finish
 
-   !> Complete, plan and add a case unless it is there already or left out as unresolved.
-   subroutine add(self, case, place, error)
+   !> Note the keys that vary.
+   subroutine vary(self, keys, has_f_v)
       class(sweep_t), intent(inout) :: self
-      type(case_t), intent(inout) :: case
+      integer, intent(in) :: keys(:)               !! their numbers
+      logical, intent(in) :: has_f_v               !! the wavelength varies, too
+      type(key_list_t) :: list
+      integer :: i, wavelength
+
+      list = case_key_list()
+      wavelength = find_key(list%keys, 'wavelength_over_a')
+      self%varied = pack([(i, i=1, list%count)], [(any(keys == i) .or. (has_f_v .and. i == wavelength), i=1, list%count)])
+   end subroutine vary
+
+   !> Whether the key of a number varies.
+   pure logical function varies(self, key)
+      class(sweep_t), intent(in) :: self
+      integer, intent(in) :: key
+      varies = .false.
+      if (allocated(self%varied)) varies = any(self%varied == key)
+   end function varies
+
+   !> What makes a case, of the keys that vary and have no column of their own in plans and reports: 'key = value, ...'.
+   function variation(self, case) result(text)
+      class(sweep_t), intent(in) :: self
+      integer, intent(in) :: case
+      character(len=:), allocatable :: text
+      character(len=:), allocatable :: parts
+      type(key_list_t) :: list
+      integer :: i
+
+      text = ''
+      if (.not. allocated(self%varied)) return
+      parts = ''
+      list = case_key_list(self%cases(case))
+      do i = 1, size(self%varied)
+         associate (key => list%keys(self%varied(i)), value => list%values(self%varied(i)))
+            if (any(shown_anyway == key%name) .or. .not. key%applies) cycle
+            parts = parts//', '//trim(key%name)//' = '//value_text(value, 6)
+         end associate
+      end do
+      text = parts(min(3, len(parts) + 1):)
+   end function variation
+
+   !> Complete, plan and add a case unless it is there already or left out as unresolved.
+   subroutine add(self, input, table, place, error)
+      class(sweep_t), intent(inout) :: self
+      type(case_input_t), intent(inout) :: input
+      type(key_list_t), intent(in) :: table        !! of all keys
       character(len=*), intent(in) :: place        !! begins every message
       type(error_t), allocatable, intent(inout) :: error
       type(case_plan_t) :: plan
       character(len=identity_length) :: identity
       integer :: before, i
 
-      if (.not. allocated(error)) call complete_case(case, place, error)
+      if (.not. allocated(error)) call complete_input(input, table, place, error)
       if (allocated(error)) return
-      call make_plan(case, plan, error)
+      call make_plan(input%case, plan, error)
       if (allocated(error)) then
          error%message = place//error%message
          return
@@ -62,12 +117,12 @@ contains
          self%skipped = self%skipped + 1
          return
       end if
-      identity = case_identity(case)
+      identity = case_identity(input%case)
       before = self%index%count
       call self%index%add(identity, i)
       if (i <= before) return
       if (i > size(self%cases)) call resize(self, 2*size(self%cases))
-      self%cases(i) = case
+      self%cases(i) = input%case
       self%plans(i) = plan
       self%identity(i) = identity
    end subroutine add

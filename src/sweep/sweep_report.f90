@@ -19,16 +19,17 @@ contains
       integer :: i
 
       write (unit, '(a)') '   case        M       L        D  orientation   lambda/a        grid       '// &
-         'run                  resolved'
+         'run                  resolved   keys that vary besides'
       do i = 1, size(sweep%cases)
          associate (case => sweep%cases(i), plan => sweep%plans(i))
             run = to_text(plan%steps)//' time steps'
             if (plan%kind /= run_march) run = to_text(1 + plan%phases)//' steady states'
             if (plan%kind == run_smooth) run = '1 steady state'
             if (plan%kind == run_harmonic) run = 'linear response'
-            write (unit, '(i7,f9.1,f8.3,f9.4,2x,a12,f11.4,i7,a,i0,t76,a,t97,a)') i, plan%conditions%m, plan%conditions%l, &
+            write (unit, '(i7,f9.1,f8.3,f9.4,2x,a12,f11.4,i7,a,i0,t76,a,t97,a,t106,a)') i, plan%conditions%m, plan%conditions%l, &
                plan%conditions%d, case%orientation, case%wavelength_over_a, plan%cells_x, ' x ', plan%cells_y, &
-               trim(run), merge('yes', 'NO ', plan%resolution%is_resolved)
+               trim(run), merge('yes', 'NO ', plan%resolution%is_resolved), &
+               sweep%variation(i)
          end associate
       end do
       write (unit, '(i0,a,i0,a,i0,a)') size(sweep%cases), ' cases, ', count(sweep%plans%resolution%is_resolved), &

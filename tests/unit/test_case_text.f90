@@ -2,10 +2,12 @@
 program test_case_text
    use ehlwave_case_completion, only: complete_case
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_input, only: read_case
+   use ehlwave_case_file, only: read_case
+   use ehlwave_case_key, only: key_value_t
    use ehlwave_case_plan, only: case_plan_t, make_plan
-   use ehlwave_case_text, only: case_identity, effective_input
+   use ehlwave_case_text, only: case_identity, effective_input, writer_t
    use ehlwave_errors, only: error_t
+   use ehlwave_key_list, only: case_key_list, find_key, key_list_t
    use ehlwave_kinds, only: dp
    use testing, only: test_t
    implicit none (type, external)
@@ -20,6 +22,8 @@ program test_case_text
    call check_reread(oblique(), 'oblique')
    call check_reread(chosen_grid(), 'grid chosen by the plan')
    call check_differences()
+   call check_identities()
+   call check_late_key()
    call test%finish()
 
 contains
@@ -55,7 +59,7 @@ contains
 
    function dimensional() result(case)
       type(case_t) :: case
-      case%has_data = .true.
+      case%is_dimensional = .true.
       case%data%radius_x_m = 12.52e-3_dp
       case%data%radius_y_m = 25e-3_dp
       case%data%reduced_modulus_pa = 1.17e11_dp
@@ -75,6 +79,88 @@ contains
       case%cells_y = 0
       case%largest_cells = 64
    end function chosen_grid
+
+   !> Line contact.
+   function line() result(case)
+      type(case_t) :: case
+      case%load_parameter_m = 100
+      case%lubricant_parameter_l = 11
+      case%radius_ratio_d = 0
+      case%orientation = 'transverse'
+      case%wavelength_over_a = 0.5_dp
+      case%response = 'harmonic'
+      case%cells_x = 0
+   end function line
+
+   !> Stores hold cases by these identities: they are those of the first version of the program, and must never change.
+   subroutine check_identities()
+      call check_identity(smooth(), '13A8A1479AFEA8E4', 'smooth')
+      call check_identity(wavy(), 'C212255D6EEA3CC6', 'wavy')
+      call check_identity(dimensional(), 'C5F17D3C49678A15', 'dimensional data, equation of motion')
+      call check_identity(oblique(), '20D686BB4D899409', 'oblique')
+      call check_identity(chosen_grid(), '03DF80226B653EAD', 'grid chosen by the plan')
+      call check_identity(line(), '2EF9381FF78EF23F', 'line contact')
+      call check_file()
+   end subroutine check_identities
+
+   subroutine check_identity(given, identity, what)
+      type(case_t), intent(in) :: given
+      character(len=*), intent(in) :: identity, what
+      type(case_t) :: case
+      type(error_t), allocatable :: error
+      case = given
+      call complete_case(case, '', error)
+      call test%check_equal(case_identity(case), identity, 'identity: '//what)
+   end subroutine check_identity
+
+   !> The whole text of a case with what is chosen by an accuracy, as the first version of the program wrote it.
+   subroutine check_file()
+      character(len=*), parameter :: lf = new_line('a')
+      character(len=*), parameter :: expected = '&conditions'//lf//'  load_parameter_m = 100'//lf// &
+         '  lubricant_parameter_l = 12.050000000000001'//lf//'  radius_ratio_d = 0.34999999999999998'//lf// &
+         '  slip_parameter = 1'//lf//'/'//lf//'&lubricant'//lf//'  pressure_viscosity_per_pa = 2.1999999999999998e-8'//lf// &
+         '  roelands_index = 0.68000000000000005'//lf//"  viscosity_law = 'roelands'"//lf// &
+         "  density_law = 'dowson_higginson'"//lf//'/'//lf//'&waviness'//lf//"  orientation = 'longitudinal'"//lf// &
+         '  wavelength_over_a = 1'//lf//'  amplitude_over_film = 0.20000000000000001'//lf//"  response = 'transient'"//lf// &
+         '/'//lf//'&grid'//lf//'  x_min = -2.5'//lf//'  x_max = 1.5'//lf//'  y_max = 2'//lf//'  cells_x = 0'//lf// &
+         '  cells_y = 0'//lf//'  largest_cells = 1024'//lf//"  domain = 'auto'"//lf//'/'//lf//'&solver'//lf// &
+         '  tolerance = 9.9999999999999995e-7'//lf//'  step_tolerance = 0.0001'//lf//'  largest_steps = 60'//lf// &
+         '  settling_periods = 1'//lf//'  largest_total_steps = 900'//lf//"  method = 'fas'"//lf//"  cycle = 'f'"//lf// &
+         "  deformation = 'auto'"//lf//"  error_estimate = 'coarse_grid'"//lf//'  accuracy = 0.01'//lf//'/'//lf// &
+         '&dynamics'//lf//"  load_balance = 'force_balance'"//lf//'  load_factor = 1'//lf//'/'//lf
+      type(case_t) :: case
+      type(error_t), allocatable :: error
+      integer :: unit
+
+      open (newunit=unit, file=path, status='replace')
+      write (unit, '(a)') '&conditions load_parameter_m = 100, lubricant_parameter_l = 12.05, radius_ratio_d = 0.35 /', &
+         "&waviness orientation = 'Longitudinal', wavelength_over_a = 1 /", &
+         "&solver method = 'fas', accuracy = 0.01, largest_total_steps = 900 /"
+      close (unit)
+      call read_case(path, case, error)
+      call test%check_no_error(error, 'case file')
+      call test%check_equal(effective_input(case), expected, 'effective input')
+      call test%check_equal(case_identity(case), '3378B297C81CD317', 'its identity')
+   end subroutine check_file
+
+   !> A key that is added later is written where it is not the default, and only there.
+   subroutine check_late_key()
+      type(writer_t) :: writer
+      type(key_list_t) :: list
+      type(key_value_t) :: value
+      integer :: slip
+
+      list = case_key_list()
+      slip = find_key(list%keys, 'slip_parameter')
+      list%keys(slip)%is_late = .true.
+      value = list%values(slip)
+      call writer%visit(list%keys(slip), value)
+      call test%check_equal(writer%text, '', 'the default of a late key')
+      value%number = 0.5_dp
+      call writer%visit(list%keys(slip), value)
+      call test%check_equal(writer%text, '&conditions'//new_line('a')//'  slip_parameter = 0.5'//new_line('a'), &
+                            'another value of a late key')
+   end subroutine check_late_key
 
    !> From Python, with `text` what effective_input gives:
    !>     h = 14695981039346656037

@@ -72,6 +72,8 @@ contains
       case%radius_ratio_d = 0.35
       case%orientation = 'transverse'
       case%wavelength_over_a = 1
+      case%load_balance = 'equation_of_motion'     ! for it the approach of the steps before counts
+      case%natural_frequency = 6
       case%cells_x = 32
       case%cells_y = 32
       call complete_case(case, '', error)

@@ -2,20 +2,14 @@
 program test_namelist
    use, intrinsic :: iso_fortran_env, only: int64
    use ehlwave_errors, only: error_t, raise
-   use ehlwave_kinds, only: dp
    use ehlwave_namelist, only: namelist_t
+   use ehlwave_namelist_scanner, only: value_t
    use ehlwave_text, only: to_text
    use testing, only: test_t
    implicit none (type, external)
 
    character(len=1), parameter :: nl = achar(10), cr = achar(13), tab = achar(9)
    character(len=*), parameter :: bom = char(239)//char(187)//char(191)
-   character(len=*), parameter :: shapes(3) = [character(len=8) :: 'cosine', 'Triangle', 'flat']
-   !> A list of texts; as plain variables such lists get false 'uninitialized' warnings from gfortran 12.
-   type :: texts_t
-      character(len=:), allocatable :: list(:)
-   end type texts_t
-
    type(test_t) :: test
    character(len=:), allocatable :: path   ! of the temporary file
    integer(int64) :: ticks
@@ -23,7 +17,8 @@ program test_namelist
    call system_clock(ticks)
    path = 'test_namelist_'//to_text(ticks)//'.tmp'
    call accept_layouts()
-   call keep_defaults()
+   call leave_absent_keys()
+   call read_many_keys()
    call refuse_files()
    call refuse_unknown_names()
    call keep_first_error()
@@ -37,8 +32,8 @@ contains
       type(namelist_t) :: nml
       type(error_t), allocatable :: error
       character(len=:), allocatable :: text
-      real(dp), allocatable :: list(:)
-      integer :: a, b, c
+      type(value_t), allocatable :: items(:)
+      integer :: i
 
       text = bom//'! caf'//char(195)//char(169)//' it''s a comment / & = "'//cr//nl//cr//nl// &
              '&First'//tab//'a=1,B = 2 ! both'//cr//nl//' c'//nl//tab//'='//nl//'! between'//nl//' 3,'//nl//'/ ! end'//nl// &
@@ -47,13 +42,14 @@ contains
       call test%check_no_error(error, 'layout')
       call test%check_equal(nml%text, text, 'text is kept as it is')
       call test%check_equal(nml%path, path, 'path is kept')
-      call nml%get('first', 'a', a, error)
-      call nml%get('first', 'b', b, error)
-      call nml%get('first', 'c', c, error)
-      call test%check(all([a, b, c] == [1, 2, 3]), 'several keys on a line and a key over several lines')
-      call nml%get_list('third', 'list', list, error)
-      call test%check_close(list, [1.0_dp, 2.0_dp, 3.0_dp, 4.5_dp, 4.5_dp, 5.0_dp, 6.0_dp], &
-                            'blanks and commas, repeat count, several lines', absolute=0.0_dp)
+      call test%check_equal(text_of(nml, 'first', 'a')//text_of(nml, 'first', 'b')//text_of(nml, 'first', 'c'), '123', &
+                            'several keys on a line and a key over several lines')
+      call nml%values_of('third', 'list', items, error)
+      text = ''
+      do i = 1, size(items)
+         text = text//items(i)%text//' '
+      end do
+      call test%check_equal(text, '1 2 3 4.5 4.5 5 6 ', 'blanks and commas, repeat count, several lines')
       call test%check(nml%has_group('SECOND'), 'group that is there')
       call test%check(.not. nml%has_group('fourth'), 'group that is absent')
       call test%check(nml%has('first', 'A'), 'key that is there')
@@ -66,44 +62,48 @@ contains
       call test%check_no_error(error, 'everything was asked for')
    end subroutine accept_layouts
 
-   subroutine keep_defaults()
+   !> Nothing for a key that is absent.
+   function text_of(nml, group, key) result(text)
+      type(namelist_t), intent(inout) :: nml
+      character(len=*), intent(in) :: group, key
+      character(len=:), allocatable :: text
+      type(value_t), allocatable :: item
+      type(error_t), allocatable :: error
+      text = ''
+      call nml%value_of(group, key, item, error)
+      if (allocated(item)) text = item%text
+   end function text_of
+
+   subroutine leave_absent_keys()
       type(namelist_t) :: nml
       type(error_t), allocatable :: error
-      real(dp) :: x
-      integer :: n
-      logical :: is_on
-      character(len=:), allocatable :: name
-      type(texts_t) :: names
-      character(len=4) :: short
-      real(dp), allocatable :: list(:)
+      type(value_t), allocatable :: item, items(:)
 
-      x = 1.5_dp
-      n = 7
-      is_on = .true.
-      allocate (name, source='Default')
-      short = 'four'
-      list = [1.0_dp, 2.0_dp]
-      names%list = ['a', 'b']
       call load(nml, '&g x = 1 /', error)
-      call nml%get('g', 'a', x, error, minimum=100.0_dp)
-      call nml%get('g', 'b', n, error, minimum=100)
-      call nml%get('h', 'c', is_on, error)
-      call nml%get('g', 'd', name, error, choices=shapes)
-      call nml%get_fixed('g', 'd', short, error, choices=shapes)
-      call nml%get_list('g', 'e', list, error, minimum=100.0_dp)
-      call nml%get_list('g', 'f', names%list, error, choices=shapes)
+      call nml%value_of('g', 'a', item, error)
+      call nml%value_of('h', 'x', item, error)
+      call nml%values_of('g', 'b', items, error)
       call test%check_no_error(error, 'absent keys')
-      call test%check_close(x, 1.5_dp, 'default real', absolute=0.0_dp)
-      call test%check_equal(n, 7, 'default integer')
-      call test%check(is_on, 'default logical')
-      call test%check_equal(name, 'Default', 'default text')
-      call test%check_equal(short, 'four', 'default text of fixed length')
-      call test%check_close(list, [1.0_dp, 2.0_dp], 'default list', absolute=0.0_dp)
-      call test%check_equal(names%list(1)//names%list(2), 'ab', 'default list of texts')
-      call load(nml, '&g x = -1 /', error)
-      call nml%get('g', 'x', x, error, minimum=0.0_dp)
-      call test%check_close(x, 1.5_dp, 'a refused value does not replace the default', absolute=0.0_dp)
-   end subroutine keep_defaults
+      call test%check(.not. (allocated(item) .or. allocated(items)), 'no values of absent keys')
+   end subroutine leave_absent_keys
+
+   !> A hundred thousand keys take no longer than a hundred thousand values.
+   subroutine read_many_keys()
+      integer, parameter :: n = 100000
+      type(namelist_t) :: nml
+      type(error_t), allocatable :: error
+      character(len=:), allocatable :: text
+      integer :: i
+      allocate (character(len=18*n) :: text)
+      do i = 1, n
+         write (text(18*i - 17:18*i), '(a,i6.6,a,i6.6,1x)') ' k', i, ' =', i
+      end do
+      call nml%load_text('many', '&g '//text//' /', error)
+      call test%check_no_error(error, 'many keys')
+      call test%check_equal(text_of(nml, 'g', 'k000001')//text_of(nml, 'g', 'K100000'), '000001100000', 'first and last key')
+      call nml%load_text('many', '&g '//text//' k000007 = 1 /', error)
+      call test%check_error(error, "key 'k000007' is given twice (first on line 1)", 'a key twice among many')
+   end subroutine read_many_keys
 
    subroutine refuse_files()
       type(namelist_t) :: nml
@@ -154,16 +154,14 @@ contains
       character(len=*), intent(in) :: text, needle, what
       type(namelist_t) :: nml
       type(error_t), allocatable :: error
-      real(dp) :: load_number, speed
-      integer :: levels
-      character(len=:), allocatable :: shape
+      type(value_t), allocatable :: item
       logical :: is_there
 
       call load(nml, text, error)
-      call nml%get('Contact', 'load', load_number, error)
-      call nml%get('contact', 'Speed', speed, error)
-      call nml%get('contact', 'shape', shape, error)
-      call nml%get('grid', 'levels', levels, error)
+      call nml%value_of('Contact', 'load', item, error)
+      call nml%value_of('contact', 'Speed', item, error)
+      call nml%value_of('contact', 'shape', item, error)
+      call nml%value_of('grid', 'levels', item, error)
       is_there = nml%has('output', 'levels')
       is_there = nml%has_group('bare')
       call test%check_no_error(error, what)
@@ -178,57 +176,36 @@ contains
    subroutine keep_first_error()
       type(namelist_t) :: nml
       type(error_t), allocatable :: error
-      real(dp) :: x
-      real(dp), allocatable :: list(:)
-      character(len=:), allocatable :: name
-      type(texts_t) :: names
-      character(len=4) :: short
-      integer :: n
-      logical :: is_on
+      type(value_t), allocatable :: item, items(:)
 
-      call load(nml, '&g x = 1, n = 2, is_on = T, name = ''a'', bad = nan, unknown = 1 /', error)
+      call load(nml, '&g x = 1, list = 1, 2, unknown = 1 /', error)
       call raise(error, 'first')
-      x = 0
-      n = 0
-      is_on = .false.
-      short = 'four'
-      call nml%get('g', 'x', x, error)
-      call nml%get('g', 'n', n, error)
-      call nml%get('g', 'is_on', is_on, error)
-      call nml%get('g', 'name', name, error)
-      call nml%get_fixed('g', 'name', short, error)
-      call nml%get_list('g', 'x', list, error)
-      call nml%get_list('g', 'name', names%list, error)
-      call nml%get('g', 'bad', x, error)
+      call nml%value_of('g', 'x', item, error)
+      call nml%value_of('g', 'list', item, error)
+      call nml%values_of('g', 'list', items, error)
       call nml%check_all_used(error)
       call nml%load('no such file.nml', error)
       call test%check_equal(error%message, 'first', 'the first error stays')
-      call test%check(abs(x) <= 0 .and. n == 0 .and. .not. is_on .and. short == 'four', 'no value after an error')
-      call test%check(.not. (allocated(name) .or. allocated(list) .or. allocated(names%list)), 'no list after an error')
+      call test%check(.not. (allocated(item) .or. allocated(items)), 'no value after an error')
    end subroutine keep_first_error
 
    !> A reader can be used for several files; a failed load leaves it as it was.
    subroutine load_again()
       type(namelist_t) :: nml
       type(error_t), allocatable :: error
-      integer :: n
 
-      n = 0
-      call nml%get('g', 'x', n, error)
+      call test%check_equal(text_of(nml, 'g', 'x'), '', 'before the first load every key is absent')
       call nml%check_all_used(error)
-      call test%check(.not. allocated(error) .and. n == 0, 'before the first load every key is absent')
+      call test%check_no_error(error, 'before the first load')
       call test%check(.not. nml%has_group('g'), 'before the first load every group is absent')
       call load(nml, '&g x = 1, y = 2 /', error)
-      call nml%get('g', 'x', n, error)
-      call nml%get('g', 'y', n, error)
+      call test%check_equal(text_of(nml, 'g', 'x')//text_of(nml, 'g', 'y'), '12', 'first load')
       call load(nml, '&g x = 3, y = 4', error)
       call test%check_error(error, 'not closed', 'second load')
       deallocate (error)
-      call nml%get('g', 'y', n, error)
-      call test%check_equal(n, 2, 'a failed load changes nothing')
+      call test%check_equal(text_of(nml, 'g', 'y'), '2', 'a failed load changes nothing')
       call load(nml, '&g x = 3, y = 4 /', error)
-      call nml%get('g', 'x', n, error)
-      call test%check_equal(n, 3, 'third load')
+      call test%check_equal(text_of(nml, 'g', 'x'), '3', 'third load')
       call nml%check_all_used(error)
       call test%check_error(error, 'unknown key ''y''', 'what was known in one file is not known in the next')
    end subroutine load_again

@@ -2,13 +2,18 @@
 program test_sweep_results
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use ehlwave_case_account, only: blank_result
-   use ehlwave_case_definition, only: case_t
+   use ehlwave_case_input, only: case_input_t
+   use ehlwave_case_key, only: most_keys
    use ehlwave_case_record, only: store_result
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_text, only: effective_input
    use ehlwave_errors, only: error_t
+   use ehlwave_hdf5_file, only: hdf5_file_t
    use ehlwave_kinds, only: dp
+   use ehlwave_key_list, only: case_key_list, find_key, key_list_t
+   use ehlwave_quantity, only: quantity_list_t
    use ehlwave_record_file, only: record_writer_t
+   use ehlwave_results_column, only: column_t
    use ehlwave_results_file, only: write_results
    use ehlwave_status, only: status_stalled
    use ehlwave_store, only: prepare_store, store_t
@@ -32,6 +37,7 @@ program test_sweep_results
    call check_inputs()
    call check_outcomes()
    call check_descriptions()
+   call check_partial_columns()
    call check_older_store()
    call check_foreign_record()
    call test%finish()
@@ -39,18 +45,28 @@ program test_sweep_results
 contains
 
    subroutine make_sweep()
-      type(case_t) :: case
+      type(case_input_t) :: input
+      type(key_list_t) :: keys
       type(error_t), allocatable :: error
+      logical :: is_moes(most_keys)
       integer :: i
+      keys = case_key_list()
+      is_moes = .false.
+      is_moes(:keys%count) = [(any(keys%keys(i)%name == [character(len=21) :: 'load_parameter_m', 'lubricant_parameter_l', &
+                                                         'radius_ratio_d']), i=1, keys%count)]
       call sweep%begin(skips_unresolved=.false.)
+      call sweep%vary([find_key(keys%keys, 'method'), find_key(keys%keys, 'tolerance')], has_f_v=.false.)
       do i = 1, 3
-         case = case_t()
-         case%load_parameter_m = 100*i
-         case%lubricant_parameter_l = 12.05_dp
-         case%radius_ratio_d = 1
-         case%cells_x = 64
-         case%cells_y = 32
-         call sweep%add(case, '', error)
+         input = case_input_t()
+         input%is_given = is_moes
+         input%case%load_parameter_m = 100*i
+         input%case%lubricant_parameter_l = 12.05_dp
+         input%case%radius_ratio_d = 1
+         input%case%cells_x = 64
+         if (i == 2) input%case%method = 'fas'
+         input%case%tolerance = 1e-5_dp/i
+         input%case%cells_y = 32
+         call sweep%add(input, keys, '', error)
          call test%check_no_error(error, 'case')
       end do
       call sweep%finish()
@@ -91,28 +107,33 @@ contains
       call test%check_close(numbers_of(path, 'lambdabar'), sweep%plans%conditions%lambdabar, 'lambdabar', relative=0.0_dp)
       call test%check_equal(text_of(path, 'case_id', 3), sweep%identity(3), 'identity')
       call test%check_equal(text_of(path, 'orientation', 1), 'none', 'a word')
+      call test%check_equal(text_of(path, 'method', 2)//' '//text_of(path, 'method', 3), 'fas newton', 'a word that varies')
+      call test%check_close(numbers_of(path, 'tolerance'), sweep%cases%tolerance, 'a number that varies', relative=0.0_dp)
+      call test%check_equal(size(numbers_of(path, 'step_tolerance')), 0, 'no column of what does not vary')
       call test%check_equal(text_of(path, 'effective_input', 2), effective_input(sweep%cases(2)), 'effective input')
       call test%check_equal(attribute_of(path, '/', 'format'), 'ehlwave-results', 'format')
    end subroutine check_inputs
 
    !> One case has run, two have not.
    subroutine check_outcomes()
-      real(dp), allocatable :: film(:), lists(:)
       call test%check_equal(text_of(path, 'status', 1)//' '//text_of(path, 'status', 2), 'pending stalled', 'status')
       call test%check_equal(text_of(path, 'message', 2), result%message, 'message')
-      film = numbers_of(path, 'central_film')
-      call test%check_equal(size(film), 3, 'films')
-      if (size(film) /= 3) return
-      call test%check(ieee_is_nan(film(1)) .and. ieee_is_nan(film(3)), 'no film of cases that have not run')
-      call test%check_close(film(2), 1/3.0_dp, 'film', relative=0.0_dp)
+      associate (film => numbers_of(path, 'central_film'))
+         call test%check_equal(size(film), 3, 'films')
+         if (size(film) /= 3) return
+         call test%check(ieee_is_nan(film(1)) .and. ieee_is_nan(film(3)), 'no film of cases that have not run')
+         call test%check_close(film(2), 1/3.0_dp, 'film', relative=0.0_dp)
+      end associate
       call test%check_close(numbers_of(path, 'nonlinear_steps'), [-1.0_dp, 7.0_dp, -1.0_dp], 'whole numbers', relative=0.0_dp)
       call test%check_close(numbers_of(path, 'is_resolved'), &
                             [merge(1.0_dp, 0.0_dp, sweep%plans(1)%resolution%is_resolved), 0.0_dp, &
                              merge(1.0_dp, 0.0_dp, sweep%plans(3)%resolution%is_resolved)], 'is_resolved', relative=0.0_dp)
-      lists = numbers_of(path, 'residual_history')
-      call test%check_equal(size(lists), 6, 'a list for each case')
-      if (size(lists) == 6) call test%check_close(lists(3:4), history, 'list of the case that has one', relative=0.0_dp)
-      if (size(lists) == 6) call test%check(all(ieee_is_nan(lists([1, 2, 5, 6]))), 'nothing in the others')
+      associate (lists => numbers_of(path, 'residual_history'))
+         call test%check_equal(size(lists), 6, 'a list for each case')
+         if (size(lists) /= 6) return
+         call test%check_close(lists(3:4), history, 'list of the case that has one', relative=0.0_dp)
+         call test%check(all(ieee_is_nan(lists([1, 2, 5, 6]))), 'nothing in the others')
+      end associate
       call test%check_close(numbers_of(path, 'run'), [-1.0_dp, 1.0_dp, -1.0_dp], 'run', relative=0.0_dp)
       call test%check_equal(text_of(path, 'host', 2), 'here', 'host')
       call test%check_equal(text_of(path, 'host', 1), '', 'no host')
@@ -127,6 +148,37 @@ contains
       call test%check_equal(attribute_of(path, 'run', 'long_name'), &
                             'run of the program, counted from 1 in its store; -1: not run', 'long name of the run')
    end subroutine check_descriptions
+
+   !> Quantities that only one of three cases has, and one that none has.
+   subroutine check_partial_columns()
+      character(len=*), parameter :: partial = 'test_sweep_results_partial.h5'
+      type(hdf5_file_t) :: file
+      type(quantity_list_t) :: list
+      type(column_t) :: column
+      type(error_t), allocatable :: error
+      integer :: k
+      call list%add('length', 'a length', 0.5_dp, unit='m')
+      call list%add('steps', 'a number of steps', 4)
+      call list%add('word', 'a word', 'here')
+      call list%add('nobody', 'what no case has', 1.0_dp, exists=.false.)
+      call file%create(partial, error)
+      call file%write('case', [1, 2, 3], '', '1', 'number')
+      call file%dimension('case')
+      do k = 1, list%count
+         call column%init(list%items(k), cases=3)
+         call column%set(2, list%items(k))
+         call column%write(file)
+      end do
+      call file%finish(error)
+      call test%check_no_error(error, 'columns')
+      associate (length => numbers_of(partial, 'length'))
+         call test%check_close(length(2:2), [0.5_dp], 'a number', relative=0.0_dp)
+         call test%check(all(ieee_is_nan(length([1, 3]))), 'NaN elsewhere')
+      end associate
+      call test%check_close(numbers_of(partial, 'steps'), [-1.0_dp, 4.0_dp, -1.0_dp], 'whole number', relative=0.0_dp)
+      call test%check_equal(text_of(partial, 'word', 1)//text_of(partial, 'word', 2), 'here', 'text')
+      call test%check_equal(size(numbers_of(partial, 'nobody')), 0, 'a column that no case has is left out')
+   end subroutine check_partial_columns
 
    !> A record of another version, with a quantity that this one does not know and without those that it knows.
    subroutine check_older_store()

@@ -73,10 +73,12 @@ end module planned_case
 
 !> One rank works through a queue: longest first, every case stored; limits, stops and broken stores are heeded.
 program test_sweep_scheduler
-   use ehlwave_case_definition, only: case_t
+   use ehlwave_case_input, only: case_input_t
+   use ehlwave_case_key, only: most_keys
    use ehlwave_errors, only: error_t
    use ehlwave_json_reader, only: json_number
    use ehlwave_kinds, only: dp
+   use ehlwave_key_list, only: case_key_list, key_list_t
    use ehlwave_scheduler, only: run_sweep
    use ehlwave_status, only: status_converged, status_over_budget
    use ehlwave_store, only: prepare_store, store_t
@@ -108,22 +110,30 @@ contains
       type(sweep_t), intent(out), target :: sweep
       type(store_t), intent(out), target :: store
       logical, intent(in) :: with_endless
-      type(case_t) :: case
+      type(case_input_t) :: input
+      type(key_list_t) :: keys
       type(error_t), allocatable :: error
       character(len=:), allocatable :: warning
+      logical :: is_moes(most_keys)
       integer :: i
 
+      keys = case_key_list()
+      is_moes = .false.
+      is_moes(:keys%count) = [(any(keys%keys(i)%name == [character(len=21) :: 'load_parameter_m', &
+                                                         'lubricant_parameter_l', 'radius_ratio_d']), &
+                               i=1, keys%count)]
       call execute_command_line('rm -rf '//folder)
       call sweep%begin(skips_unresolved=.false.)
       do i = 1, 4
-         case = case_t()
-         case%load_parameter_m = 100 + i
-         if (i == 3 .and. with_endless) case%load_parameter_m = endless_m
-         case%lubricant_parameter_l = 12.05_dp
-         case%radius_ratio_d = 1
-         case%cells_x = cells(i)
-         case%cells_y = cells(i)
-         call sweep%add(case, '', error)
+         input = case_input_t()
+         input%is_given = is_moes
+         input%case%load_parameter_m = 100 + i
+         if (i == 3 .and. with_endless) input%case%load_parameter_m = endless_m
+         input%case%lubricant_parameter_l = 12.05_dp
+         input%case%radius_ratio_d = 1
+         input%case%cells_x = cells(i)
+         input%case%cells_y = cells(i)
+         call sweep%add(input, keys, '', error)
       end do
       call sweep%finish()
       store%host = 'here'

@@ -1,0 +1,59 @@
+"""The commands behind ``scripts/error-vs-time``: write the sweep, and what its results say."""
+
+import argparse
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from studies.error_time import errors, figures, model
+from studies.error_time.runs import FULL, QUICK
+from studies.error_time.table import read_table, write_cases
+from studies.sweeps import run_command, write_rows
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Write the sweep, or tables and figures; return 0, or 1 with a message."""
+    parser = argparse.ArgumentParser(prog="error-vs-time", description=__doc__)
+    parser.add_argument("step", choices=("cases", "report"))
+    parser.add_argument("folder", type=Path, help="of all files; made when absent")
+    parser.add_argument("--quick", action="store_true", help="small grids, minutes")
+    return run_command(parser, _run, arguments)
+
+
+def _run(options: argparse.Namespace) -> None:
+    extent = QUICK if options.quick else FULL
+    if options.step == "cases":
+        print(write_cases(options.folder, extent))
+    else:
+        table = read_table(options.folder, extent)
+        print("\n".join(str(path) for path in write_all(table, options.folder)))
+
+
+def write_all(table: Sequence[errors.Row], folder: Path) -> list[Path]:
+    """Write runs, errors, orders, estimates, models and figures of a table; return the paths."""
+    found = errors.error_rows(table)
+    tables = {
+        "runs": table,
+        "errors": found,
+        "orders": errors.order_rows(table),
+        "estimates": errors.estimate_rows(table),
+        "models": [fit.row() for fit in model.fit_models(table)],
+    }
+    paths = []
+    for name, rows in tables.items():
+        if rows:
+            paths.append(folder / f"{name}.csv")
+            write_rows(paths[-1], rows, digits=6)
+    drawn = {"tolerance": figures.tolerance_figure(found)}
+    for cost in figures.COSTS:
+        for name, panels in figures.all_panels().items():
+            drawn[f"{name}-{cost.replace('_', '-')}"] = figures.error_figure(found, cost, panels)
+    drawn["summary"] = figures.error_figure(found, "seconds", figures.short_panels())
+    for name, figure in drawn.items():
+        paths.append(folder / f"{name}.png")
+        figure.savefig(paths[-1], dpi=150)
+    return paths
+
+
+if __name__ == "__main__":
+    sys.exit(main())

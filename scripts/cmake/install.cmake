@@ -1,0 +1,58 @@
+# What `cmake --install` puts into one prefix, which can be moved. Components: core, petsc, python.
+#
+#     bin/                            the programs, run-sweep, ehlwave-post
+#     lib/libehlwave_petsc.so         PETSc's solver, which the programs load when it is asked for (petsc)
+#     share/ehlwave/                  scripts, scripts/batch and inputs, as in the source
+#     share/man, share/bash-completion, share/modulefiles, share/doc
+#     EHLWAVE_INSTALL_PYTHONDIR       the Python package (python)
+set(EHLWAVE_INSTALL_PYTHONDIR ${CMAKE_INSTALL_DATADIR}/ehlwave/python CACHE STRING
+    "Folder of the Python package below the prefix, e.g. lib/python3.12/site-packages")
+set(data ${CMAKE_INSTALL_DATADIR}/ehlwave)
+set(packaging ${CMAKE_SOURCE_DIR}/scripts/packaging)
+set(made ${CMAKE_BINARY_DIR}/installation)
+
+set(programs ehlwave-case)
+if(TARGET ehlwave-sweep)
+  list(APPEND programs ehlwave-sweep)
+endif()
+install(TARGETS ${programs} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT core)
+if(TARGET ehlwave_petsc)
+  install(TARGETS ehlwave_petsc LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT petsc)
+endif()
+
+# Manual pages and completion are what the programs say of themselves, so a cross build goes without.
+if(NOT CMAKE_CROSSCOMPILING)
+  set(pages)
+  foreach(program ${programs})
+    set(page ${made}/${program}.1)
+    add_custom_command(OUTPUT ${page} ${made}/${program}
+      COMMAND sh ${CMAKE_SOURCE_DIR}/scripts/cmake/describe $<TARGET_FILE:${program}> ${PROJECT_VERSION} ${made}
+      DEPENDS ${program} scripts/cmake/describe scripts/cmake/manual.awk scripts/cmake/completion.awk VERBATIM)
+    list(APPEND pages ${page})
+  endforeach()
+  add_custom_target(manual ALL DEPENDS ${pages})
+  install(FILES ${pages} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT core)
+  list(TRANSFORM programs PREPEND ${made}/ OUTPUT_VARIABLE completions)
+  install(FILES ${completions} DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT core)
+endif()
+
+# The scripts look for each other beside themselves, so bin has starters only.
+file(RELATIVE_PATH script ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_DATADIR}/ehlwave/scripts/run-sweep)
+configure_file(${packaging}/starter.in ${made}/starters/run-sweep @ONLY)
+install(PROGRAMS ${made}/starters/run-sweep DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT core)
+install(PROGRAMS scripts/run-sweep DESTINATION ${data}/scripts COMPONENT core)
+install(FILES scripts/environment DESTINATION ${data}/scripts COMPONENT core)
+install(DIRECTORY scripts/batch DESTINATION ${data}/scripts USE_SOURCE_PERMISSIONS COMPONENT core)
+install(DIRECTORY inputs DESTINATION ${data} COMPONENT core)
+install(FILES README.md CHANGELOG.md LICENSE CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT core)
+
+set(modules ${CMAKE_INSTALL_DATADIR}/modulefiles)
+file(RELATIVE_PATH prefix_of_module ${CMAKE_INSTALL_PREFIX}/${modules}/ehlwave ${CMAKE_INSTALL_PREFIX})
+configure_file(${packaging}/modulefile.in ${made}/modulefile @ONLY)
+install(FILES ${made}/modulefile DESTINATION ${modules}/ehlwave RENAME ${PROJECT_VERSION} COMPONENT core)
+
+install(DIRECTORY postprocess/src/ehlwave_post DESTINATION ${EHLWAVE_INSTALL_PYTHONDIR} COMPONENT python
+        FILES_MATCHING PATTERN "*.py" PATTERN "py.typed" PATTERN "__pycache__" EXCLUDE)
+file(RELATIVE_PATH python_folder ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_PREFIX}/${EHLWAVE_INSTALL_PYTHONDIR})
+configure_file(${packaging}/ehlwave-post.in ${made}/starters/ehlwave-post @ONLY)
+install(PROGRAMS ${made}/starters/ehlwave-post DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT python)

@@ -1,0 +1,188 @@
+!> One key of an input: what is said about it, its value whatever its kind, and what visits keys.
+module ehlwave_case_key
+   use ehlwave_kinds, only: dp
+   use ehlwave_text, only: to_text
+   implicit none (type, external)
+   private
+   public :: key_long_name, value_text, words_of
+
+   integer, parameter, public :: number_kind = 1, whole_kind = 2, truth_kind = 3, word_kind = 4
+   integer, parameter, public :: most_keys = 96      !! of one table
+   integer, parameter, public :: key_length = 32     !! longest name
+   integer, parameter, public :: choice_length = 20  !! longest choice, e.g. 'equation_of_motion'
+
+   !> An entry of a table of keys. What is not said of a key is as here.
+   type, public :: key_t
+      character(len=key_length) :: name = ''
+      character(len=512) :: help = ''                !! one line; up to the first ':' or ';' its long name
+      character(len=8) :: unit = '1'
+      real(dp) :: above = -huge(1.0_dp)              !! not allowed itself
+      real(dp) :: minimum = -huge(1.0_dp), maximum = huge(1.0_dp)   !! allowed themselves
+      character(len=80) :: choices = ''              !! of a word, blanks between; none: any text
+      logical :: is_required = .false.               !! has no default
+      character(len=64) :: default = ''              !! what the reference says where the default is not a value
+      logical :: applies = .true.                    !! to the case at hand: refused where it is given and does not
+      character(len=160) :: when = ''                !! the same for people: 'belongs to ...'
+      logical :: is_written = .true.                 !! in the effective input of the case at hand, if it applies
+      logical :: is_late = .false.                   !! added after stores were made: written where it is not the default
+      logical :: can_vary = .true.                   !! in a sweep
+      ! filled in by the visit
+      integer :: number = 0                          !! place in the table
+      integer :: kind = 0
+      character(len=choice_length) :: group = ''
+   end type key_t
+
+   !> Value of a key of any kind.
+   type, public :: key_value_t
+      integer :: kind = 0
+      real(dp) :: number = 0
+      integer :: whole = 0
+      logical :: truth = .false.
+      character(len=:), allocatable :: word
+   end type key_value_t
+
+   !> Goes through a table: a table is a procedure that calls `enter` for every group and `see` for every key.
+   type, abstract, public :: key_visitor_t
+      integer :: count = 0                           !! keys seen
+      character(len=choice_length) :: group = ''
+      character(len=256) :: group_help = ''
+   contains
+      procedure :: begin
+      procedure :: enter
+      generic :: see => see_number, see_whole, see_truth, see_word
+      procedure(visit), deferred :: visit
+      procedure, private :: see_number, see_whole, see_truth, see_word, pass => pass_on
+   end type key_visitor_t
+
+   abstract interface
+      !> What is done with each key; a value that is changed is changed in the case.
+      subroutine visit(self, key, value)
+         import :: key_t, key_value_t, key_visitor_t
+         implicit none (type, external)
+         class(key_visitor_t), intent(inout) :: self
+         type(key_t), intent(in) :: key
+         type(key_value_t), intent(inout) :: value
+      end subroutine visit
+   end interface
+
+contains
+
+   !> A table begins.
+   subroutine begin(self)
+      class(key_visitor_t), intent(inout) :: self
+      self%count = 0
+      self%group = ''
+   end subroutine begin
+
+   !> The keys of a group follow.
+   subroutine enter(self, group, help)
+      class(key_visitor_t), intent(inout) :: self
+      character(len=*), intent(in) :: group, help
+      self%group = group
+      self%group_help = help
+   end subroutine enter
+
+   subroutine see_number(self, component, key)
+      class(key_visitor_t), intent(inout) :: self
+      real(dp), intent(inout) :: component
+      type(key_t), intent(in) :: key
+      type(key_value_t) :: value
+      value%number = component
+      call self%pass(key, number_kind, value)
+      component = value%number
+   end subroutine see_number
+
+   subroutine see_whole(self, component, key)
+      class(key_visitor_t), intent(inout) :: self
+      integer, intent(inout) :: component
+      type(key_t), intent(in) :: key
+      type(key_value_t) :: value
+      value%whole = component
+      call self%pass(key, whole_kind, value)
+      component = value%whole
+   end subroutine see_whole
+
+   subroutine see_truth(self, component, key)
+      class(key_visitor_t), intent(inout) :: self
+      logical, intent(inout) :: component
+      type(key_t), intent(in) :: key
+      type(key_value_t) :: value
+      value%truth = component
+      call self%pass(key, truth_kind, value)
+      component = value%truth
+   end subroutine see_truth
+
+   subroutine see_word(self, component, key)
+      class(key_visitor_t), intent(inout) :: self
+      character(len=*), intent(inout) :: component
+      type(key_t), intent(in) :: key
+      type(key_value_t) :: value
+      value%word = trim(component)
+      call self%pass(key, word_kind, value)
+      component = value%word
+   end subroutine see_word
+
+   !> Give the visitor a key with its place, kind and group.
+   subroutine pass_on(self, key, kind, value)
+      class(key_visitor_t), intent(inout) :: self
+      type(key_t), intent(in) :: key
+      integer, intent(in) :: kind
+      type(key_value_t), intent(inout) :: value
+      type(key_t) :: whole
+
+      self%count = self%count + 1
+      whole = key
+      whole%number = self%count
+      whole%kind = kind
+      whole%group = self%group
+      value%kind = kind
+      call self%visit(whole, value)
+   end subroutine pass_on
+
+   !> A value as a namelist takes it.
+   pure function value_text(value, digits) result(text)
+      type(key_value_t), intent(in) :: value
+      integer, intent(in), optional :: digits   !! of a number; without: lossless
+      character(len=:), allocatable :: text
+      integer :: i
+
+      select case (value%kind)
+      case (number_kind)
+         text = to_text(value%number, digits)
+      case (whole_kind)
+         text = to_text(value%whole)
+      case (truth_kind)
+         text = '.'//to_text(value%truth)//'.'
+      case default
+         text = "'"
+         do i = 1, len(value%word)
+            text = text//repeat(value%word(i:i), merge(2, 1, value%word(i:i) == "'"))
+         end do
+         text = text//"'"
+      end select
+   end function value_text
+
+   !> The help up to its first ';' or ':'.
+   pure function key_long_name(key) result(name)
+      type(key_t), intent(in) :: key
+      character(len=:), allocatable :: name
+      name = trim(key%help(:scan(trim(key%help)//';', ';:') - 1))
+   end function key_long_name
+
+   !> The words of a list of choices, one blank between them.
+   pure function words_of(list) result(words)
+      character(len=*), intent(in) :: list
+      character(len=choice_length), allocatable :: words(:)
+      integer :: first, i, last
+
+      allocate (words(merge(1 + count([(list(i:i) == ' ', i=1, len_trim(list))]), 0, list /= '')))
+      first = 1
+      do i = 1, size(words)
+         first = first + verify(list(first:), ' ') - 1
+         last = first + scan(list(first:)//' ', ' ') - 2
+         words(i) = list(first:last)
+         first = last + 1
+      end do
+   end function words_of
+
+end module ehlwave_case_key

@@ -1,0 +1,86 @@
+!> The discrete contact problem on one grid: everything but the unknowns.
+module ehlwave_contact_problem
+   use ehlwave_conditions, only: conditions_t
+   use ehlwave_deformation, only: deformation_t
+   use ehlwave_deformation_fft, only: deformation_fft_t
+   use ehlwave_deformation_line, only: deformation_line_t
+   use ehlwave_given, only: given_t
+   use ehlwave_grid, only: grid_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_load_balance, only: force_balance
+   use ehlwave_rheology, only: rheology_t
+   use ehlwave_transport, only: steady_transport
+   implicit none (type, external)
+   private
+
+   !> A contact and what its solution is given: the steady problem of smooth surfaces at first; a time march gives it more.
+   type, extends(given_t), public :: contact_problem_t
+      type(grid_t) :: grid
+      type(conditions_t) :: conditions
+      type(rheology_t) :: rheology
+      class(deformation_t), allocatable :: deformation
+      real(dp), allocatable :: smooth_gap(:, :)  !! S X^2 + (1 - S) Y^2, (0:nx, 0:ny)
+   contains
+      procedure :: init
+      procedure :: film
+      procedure :: film_of
+      procedure :: set_rough
+   end type contact_problem_t
+
+contains
+
+   !> Steady problem of smooth surfaces on a grid.
+   subroutine init(self, grid, conditions, rheology)
+      class(contact_problem_t), intent(inout) :: self
+      type(grid_t), intent(in) :: grid
+      type(conditions_t), intent(in) :: conditions
+      type(rheology_t), intent(in) :: rheology
+      integer :: j
+
+      self%grid = grid
+      self%conditions = conditions
+      self%rheology = rheology
+      if (conditions%is_line() .and. .not. allocated(self%deformation)) allocate (deformation_line_t :: self%deformation)
+      if (.not. allocated(self%deformation)) allocate (deformation_fft_t :: self%deformation)
+      call self%deformation%init(grid, conditions%elliptic%kappa, conditions%elliptic%k)
+      self%transport = steady_transport(grid)
+      self%load = force_balance(1.0_dp)
+      if (allocated(self%rough)) deallocate (self%rough)
+      if (allocated(self%smooth_gap)) deallocate (self%smooth_gap)
+      allocate (self%smooth_gap(0:grid%nx, 0:grid%ny))
+      do j = 0, grid%ny
+         self%smooth_gap(:, j) = conditions%s*grid%x**2 + (1 - conditions%s)*grid%y(j)**2
+      end do
+   end subroutine init
+
+   !> Film thickness H = -Delta + S X^2 + (1 - S) Y^2 + Rough + Dbar(P), theory eq. (8).
+   subroutine film(self, p, delta, h)
+      class(contact_problem_t), intent(inout) :: self
+      real(dp), intent(in) :: p(0:, 0:)    !! P, (0:nx, 0:ny)
+      real(dp), intent(in) :: delta        !! mutual approach
+      real(dp), intent(out) :: h(0:, 0:)   !! H, (0:nx, 0:ny)
+      call self%film_of(self%given_t, p, delta, h)
+   end subroutine film
+
+   !> The same with the roughness of something else given.
+   subroutine film_of(self, given, p, delta, h)
+      class(contact_problem_t), intent(inout) :: self
+      type(given_t), intent(in) :: given
+      real(dp), intent(in) :: p(0:, 0:), delta
+      real(dp), intent(out) :: h(0:, 0:)
+
+      call self%deformation%apply(p, h)
+      h = h + self%smooth_gap - delta
+      if (allocated(given%rough)) h = h + given%rough
+   end subroutine film_of
+
+   !> Set the roughness added to the gap.
+   pure subroutine set_rough(self, rough)
+      class(contact_problem_t), intent(inout) :: self
+      real(dp), intent(in) :: rough(0:, 0:)   !! (0:nx, 0:ny)
+      if (.not. allocated(self%rough)) &
+         allocate (self%rough(0:self%grid%nx, 0:self%grid%ny))
+      self%rough = rough
+   end subroutine set_rough
+
+end module ehlwave_contact_problem

@@ -1,0 +1,64 @@
+!> The keys of &sweep that are about the sweep itself; every key of a case that can vary is a list there, too.
+module ehlwave_sweep_keys
+   use ehlwave_case_definition, only: case_t, path_length
+   use ehlwave_case_key, only: choice_length, key_t, key_value_t, key_visitor_t, number_kind
+   use ehlwave_case_terms, only: case_limits_t
+   use ehlwave_case_keys, only: visit_case_keys
+   use ehlwave_kinds, only: dp
+   use ehlwave_key_reference, only: reference_t
+   implicit none (type, external)
+   private
+   public :: sweep_key_reference, visit_sweep_keys
+
+   character(len=*), parameter, public :: sweep_group = 'sweep'
+
+   type, public :: sweep_settings_t
+      character(len=path_length) :: case_file = ''
+      character(len=path_length) :: output = 'results.h5'
+      character(len=choice_length) :: unresolved = 'run'
+      type(case_limits_t) :: limits
+   end type sweep_settings_t
+
+   !> A list or column that stands for wavelengths.
+   type(key_t), parameter, public :: f_v_key = key_t(name='f_v', help='f(r) V; a list in place of wavelengths', &
+      above=0.0_dp, default='none', kind=number_kind, group=sweep_group)
+
+contains
+
+   !> Show the keys to a visitor.
+   subroutine visit_sweep_keys(settings, v)
+      type(sweep_settings_t), intent(inout) :: settings
+      class(key_visitor_t), intent(inout) :: v
+
+      call v%begin()
+      call v%enter(sweep_group, 'Of sweep files only: lists of any of the keys above, in place of what its group gives, '// &
+         'and the keys below. The other groups hold what all cases share.')
+      call v%see(settings%case_file, key_t('case_file', 'CSV file of cases in place of lists; its columns are named as the '// &
+         'keys above, or f_v', maximum=real(path_length, dp)))
+      call v%see(settings%output, key_t('output', 'results file', maximum=real(path_length, dp)))
+      call v%see(settings%unresolved, key_t('unresolved', "cases that their grid does not resolve; 'skip' leaves them out", &
+         choices='run skip'))
+      call v%see(settings%limits%largest_case_seconds, key_t('largest_case_seconds', 'wall time after which a case is given '// &
+         'up as over_budget; steps are limited by largest_steps', unit='s', above=0.0_dp))
+      call v%see(settings%limits%checkpoint_seconds, key_t('checkpoint_seconds', 'wall time between two checkpoints of a '// &
+         'time march', unit='s', minimum=0.0_dp))
+   end subroutine visit_sweep_keys
+
+   !> Reference of all keys of a sweep file: those of a case, then its own.
+   function sweep_key_reference(is_markdown) result(text)
+      logical, intent(in) :: is_markdown
+      character(len=:), allocatable :: text
+      type(reference_t) :: reference
+      type(case_t) :: case
+      type(sweep_settings_t) :: settings
+      type(key_value_t) :: none
+
+      reference%is_markdown = is_markdown
+      call visit_case_keys(case, reference)
+      call visit_sweep_keys(settings, reference)
+      none%kind = number_kind
+      call reference%visit(f_v_key, none)
+      text = reference%text
+   end function sweep_key_reference
+
+end module ehlwave_sweep_keys

@@ -1,0 +1,142 @@
+"""An installation that was staged, moved and is used from another folder: programs, scripts, manual, module, Python."""
+
+import csv
+import importlib.util
+import os
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+from ehlwave_program import last_line, namelist
+
+BUILD = Path(os.environ["EHLWAVE_BUILD"])
+STAGED = Path("opt", "ehlwave")
+CONTACT = {"load_parameter_m": 100, "lubricant_parameter_l": 12.05, "radius_ratio_d": 1}
+GRID = {"cells_x": 32, "cells_y": 32}
+COMPLETE = """. "$1"; COMP_WORDS=("$2" "$3" "$4"); COMP_CWORD=2; _${2//-/_} "$2" "$4" "$3"; echo "${COMPREPLY[@]}" """
+MODULE = """
+foreach name {module-whatis conflict} { proc $name args {} }
+foreach name {setenv prepend-path} { proc $name {variable value} { puts "$variable=$value" } }
+set ModulesCurrentModulefile [lindex $argv 0]
+source $ModulesCurrentModulefile
+"""
+
+
+def install(stage, *options):
+    """Install the build as a packager does, into a staging folder; returns the files below the prefix."""
+    subprocess.run([os.environ["EHLWAVE_CMAKE"], "--install", BUILD, "--prefix", Path("/", STAGED), *options], check=True,
+                   env={**os.environ, "DESTDIR": str(stage)}, stdout=subprocess.DEVNULL)
+    return {path.relative_to(stage/STAGED) for path in (stage/STAGED).rglob("*") if path.is_file()}
+
+
+class Install(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        place = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(place.cleanup)
+        cls.place = Path(place.name)
+        cls.files = install(cls.place/"stage")
+        cls.prefix = (cls.place/"stage"/STAGED).rename(cls.place/"moved")
+        cls.home = cls.prefix/"share"/"ehlwave"
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        (self.folder/"case.nml").write_text(namelist({"conditions": CONTACT, "grid": GRID}))
+        (self.folder/"sweep.nml").write_text(namelist({"sweep": {**CONTACT, "radius_ratio_d": [1, 0.5]}, "grid": GRID}))
+
+    def run_here(self, *command, status=0, **variables):
+        """Run in the folder of the test, with nothing of the environment that could help."""
+        kept = {name: os.environ[name] for name in ("HOME", "TMPDIR", "ASAN_OPTIONS") if name in os.environ}
+        outcome = subprocess.run(command, cwd=self.folder, capture_output=True, text=True, check=False,
+                                 env={**kept, "PATH": os.defpath + ":/usr/local/bin:" + os.environ["PATH"], **variables})
+        self.assertEqual(outcome.returncode, status, outcome.stdout + outcome.stderr)
+        return outcome
+
+    def test_a_case(self):
+        outcome = self.run_here(self.prefix/"bin"/"ehlwave-case", "case.nml", "--json", "--output", "case.h5")
+        self.assertLess(last_line(outcome)["residual"], 1e-6)
+        self.assertTrue((self.folder/"case.h5").exists())
+
+    def test_every_input_can_be_planned(self):
+        inputs = [path for path in (self.home/"inputs").glob("*.nml") if "&sweep" not in path.read_text()]
+        self.assertGreater(len(inputs), 3)
+        for path in inputs:
+            self.run_here(self.prefix/"bin"/"ehlwave-case", path, "--plan")
+
+    def test_a_sweep_on_two_ranks(self):
+        self.run_here(self.prefix/"bin"/"run-sweep", "--ranks", "2", "sweep.nml", "--output", "results.h5")
+        status = self.run_here(self.prefix/"bin"/"ehlwave-sweep", "--status", "results.h5").stdout
+        self.assertIn("2 finished, 0 left", status)
+
+    def test_batch_scripts_run_from_their_copies(self):
+        """As batch systems start them: copied, in the folder of submission, told of the home or with the module loaded."""
+        for name, home in (("slurm.sh", {"EHLWAVE_HOME": str(self.home)}),
+                           ("pbs.sh", {"PATH": f"{self.prefix}/bin:{os.environ['PATH']}"})):
+            copy = shutil.copy(self.home/"scripts"/"batch"/name, self.folder)
+            results = f"{name}.h5"
+            output = self.run_here("bash", copy, "sweep.nml", results, EHLWAVE_RANKS="2", sweep="sweep.nml", results=results,
+                                   SLURM_SUBMIT_DIR=str(self.folder), PBS_O_WORKDIR=str(self.folder), **home).stdout
+            self.assertIn("exit status 0", output)
+            self.assertTrue((self.folder/results).exists())
+
+    def test_a_batch_script_that_cannot_find_the_rest(self):
+        copy = shutil.copy(self.home/"scripts"/"batch"/"slurm.sh", self.folder)
+        self.assertIn("EHLWAVE_HOME", self.run_here("bash", copy, "sweep.nml", status=2).stderr)
+
+    def test_manual_and_completion_have_every_option(self):
+        for program in ("ehlwave-case", "ehlwave-sweep"):
+            options = re.findall(r"^  (--[a-z-]+)", self.run_here(self.prefix/"bin"/program, "--help").stdout, re.MULTILINE)
+            page = (self.prefix/"share"/"man"/"man1"/f"{program}.1").read_text().replace("\\-", "-")
+            completion = self.prefix/"share"/"bash-completion"/"completions"/program
+            offered = self.run_here("bash", "-c", COMPLETE, "-", completion, program, "x.nml", "--").stdout.split()
+            self.assertEqual(offered, list(dict.fromkeys(options)))
+            for option in options:
+                self.assertRegex(page, rf"\n\.B {option}\b")
+        offered = self.run_here("bash", "-c", COMPLETE, "-", completion, program, "--retry", "").stdout.split()
+        self.assertEqual(offered, ["failed", "version"])
+
+    @unittest.skipUnless(shutil.which("tclsh"), "no tclsh")
+    def test_the_module_names_folders_that_are_there(self):
+        (module,) = (self.prefix/"share"/"modulefiles"/"ehlwave").iterdir()
+        (self.folder/"harness.tcl").write_text(MODULE)
+        set_to = dict(line.split("=") for line in
+                      self.run_here("tclsh", "harness.tcl", module, MANPATH="/usr/share/man").stdout.split())
+        self.assertEqual(Path(set_to["PATH"]), self.prefix/"bin")
+        self.assertEqual(Path(set_to["EHLWAVE_HOME"]), self.home)
+        for folder in set_to.values():
+            self.assertTrue(Path(folder).is_dir(), folder)
+
+    @unittest.skipUnless(importlib.util.find_spec("xarray"), "no xarray: set EHLWAVE_PYTHON")
+    def test_the_python_package(self):
+        self.run_here(self.prefix/"bin"/"run-sweep", "--ranks", "1", "sweep.nml", "--output", "results.h5")
+        self.run_here(self.prefix/"bin"/"ehlwave-post", "export", "results.h5", "--csv", "rows.csv",
+                      EHLWAVE_PYTHON=os.environ.get("EHLWAVE_PYTHON", "python3"))
+        with (self.folder/"rows.csv").open(newline="") as table:
+            self.assertEqual(len(list(csv.DictReader(table))), 2)
+
+    @unittest.skipUnless((BUILD/"lib"/"libehlwave_petsc.so").exists(), "built without PETSc")
+    def test_the_library_of_petsc(self):
+        (self.folder/"petsc.nml").write_text(namelist({"conditions": CONTACT, "grid": GRID, "solver": {"method": "petsc"}}))
+        self.run_here(self.prefix/"bin"/"ehlwave-case", "petsc.nml", "--quiet")
+
+    @unittest.skipUnless(shutil.which("readelf"), "no readelf")
+    def test_run_paths_lead_out_of_the_build(self):
+        for path in (self.prefix/"bin"/"ehlwave-case", *self.prefix.glob("lib*/libehlwave_petsc.so")):
+            outcome = self.run_here("readelf", "-d", path).stdout
+            self.assertRegex(outcome, r"R(UN)?PATH.*\[\$ORIGIN/\.\./lib")
+            self.assertNotIn(str(BUILD), outcome)
+
+    def test_components_are_parts_of_the_whole(self):
+        parts = [install(self.folder/name, "--component", name) for name in ("core", "petsc", "python")
+                 if name != "petsc" or (BUILD/"lib"/"libehlwave_petsc.so").exists()]
+        self.assertEqual(set.union(*parts), self.files)
+        self.assertEqual(sum(len(part) for part in parts), len(self.files))
+
+
+if __name__ == "__main__":
+    unittest.main()
