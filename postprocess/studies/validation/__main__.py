@@ -5,7 +5,7 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from ehlwave_post.errors import ResultsError
+from studies.sweeps import run_command
 from studies.validation.page import PARTS, write_validation
 
 
@@ -15,19 +15,17 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(prog="validate", description=__doc__)
     parser.add_argument("--output", type=Path, required=True, metavar="DIR")
     parser.add_argument("--part", action="append", choices=names, help="default: all")
-    options = parser.parse_args(arguments)
-    try:
+
+    def work(options: argparse.Namespace) -> None:
         written = write_validation(
             options.output / "runs",
             options.output,
             options.part or names,
             lambda text: print(text, flush=True),
         )
-    except (ResultsError, OSError) as error:
-        print(f"validate: error: {error}", file=sys.stderr)
-        return 1
-    print(f"{written[0]}: {len(written) - 1} tables and figures beside it")
-    return 0
+        print(f"{written[0]}: {len(written) - 1} tables and figures beside it")
+
+    return run_command(parser, work, arguments)
 
 
 if __name__ == "__main__":

@@ -6,13 +6,13 @@ from pathlib import Path
 import numpy as np
 
 from studies.validation.dimple_runs import (
-    CELLS_PER_A,
     RADIUS_UM,
     WIDE_DOMAIN,
     Floats,
+    Grid,
     Line,
-    dimple_line,
-    smooth_line,
+    dimple_lines,
+    smooth_lines,
 )
 from studies.validation.published import centre_line
 
@@ -20,6 +20,10 @@ OUTSIDE, INSIDE = 0.05, 0.08
 """Allowed deviation of the film from the published simulation, outside the dimple and inside."""
 
 INSTANTS = (1, 4)
+
+GRIDS = (Grid(32), Grid(64))
+DOMAINS = (Grid(16), Grid(16, WIDE_DOMAIN))
+"""Two mesh sizes, of which the second counts, and two domains."""
 
 
 @dataclass(frozen=True)
@@ -61,23 +65,17 @@ def dimple_place(x_um: Floats, film_nm: Floats) -> float:
 
 def computed(folder: Path) -> Dimple:
     """Run what is needed in `folder`; the dimple is put where the published film has it."""
-    coarse, fine = CELLS_PER_A
-    wanted = dimple_place(*(np.array(one) for one in centre_line("simulated", 4, "film")))
-    found = dimple_line(folder, "dimple_first", coarse, wanted)
+    published = (np.array(one) for one in centre_line("simulated", 4, "film"))
+    wanted = dimple_place(*published)
+    (found,) = dimple_lines(folder, "dimple_first", GRIDS[:1], wanted)
     places = np.linspace(-60, 60, 2401)
-    lag = dimple_place(places, found.at("film", places)) - wanted
-    smooth, rough = (
-        {per_a: run(per_a) for per_a in CELLS_PER_A}
-        for run in (
-            lambda per_a: smooth_line(folder, per_a),
-            lambda per_a: dimple_line(folder, f"dimple_{per_a}", per_a, wanted - lag),
-        )
-    )
-    near, wide = (smooth_line(folder, coarse // 2, *one) for one in ((), (WIDE_DOMAIN,)))
-    centre = np.zeros(1)
+    centre = wanted - (dimple_place(places, found.at("film", places)) - wanted)
+    rough = dimple_lines(folder, "dimple", GRIDS, centre)
+    *smooth, near, wide = smooth_lines(folder, (*GRIDS, *DOMAINS))
+    middle = np.zeros(1)
     return Dimple(
-        wanted - lag,
-        {1: smooth[fine], 4: rough[fine]},
-        {1: smooth[coarse], 4: rough[coarse]},
-        float(wide.at("film", centre)[0] / near.at("film", centre)[0] - 1),
+        centre,
+        dict(zip(INSTANTS, (smooth[1], rough[1]), strict=True)),
+        dict(zip(INSTANTS, (smooth[0], rough[0]), strict=True)),
+        float(wide.at("film", middle)[0] / near.at("film", middle)[0] - 1),
     )

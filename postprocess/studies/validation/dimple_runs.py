@@ -1,17 +1,18 @@
 """Runs of the rolling dimple of Mourier, Mazuyer, Lubrecht and Donnet (2006)."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
-import h5py
 import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
-from ehlwave_post.deform import conditions_from_keys, map_surface, write_simulation_surface
-from ehlwave_post.errors import ResultsError
-from studies.programs import Groups, namelist, run
+from ehlwave_post.contact import read_contact
+from ehlwave_post.deform import conditions_from_keys, map_surface
+from studies.programs import Groups
+from studies.sweeps import fields_file, write_surface
+from studies.validation.sweep import swept
 
 Floats = NDArray[np.float64]
 
@@ -31,15 +32,32 @@ DEPTH_NM = 175.0
 RADIUS_UM = 1.2 * 15.5
 """Where the dimple of their simulation crosses the undisturbed surface."""
 
-CELLS_PER_A = (32, 64)
-DOMAIN = (-4.0, 1.5, 3.0)
-"""x_min, x_max and y_max, units of a; P = 0 at its edges."""
-
-WIDE_DOMAIN = (-10.0, 1.5, 6.0)
+DOMAIN, WIDE_DOMAIN = (-4.0, 1.5, 3.0), (-10.0, 1.5, 6.0)
+"""x_min and x_max, units of a, and y_max; P = 0 at the edges."""
 
 _END = 4.5  # T: a whole number of steps on every grid, with the dimple past the contact centre
 _REACH = 2.2  # radii to which the dimple is followed: 1e-4 of its depth is left
 _STEP_UM = 0.4
+
+
+_SHARED = {"conditions": CONTACT, "lubricant": OIL, "output": {"fields": True}}
+
+
+@dataclass(frozen=True)
+class Grid:
+    """A mesh of square cells, so many in a, on a domain."""
+
+    per_a: int
+    domain: tuple[float, float, float] = DOMAIN
+
+    def keys(self) -> dict[str, float]:
+        """Return the keys of a case."""
+        x_min, x_max, y_max = self.domain
+        return {
+            **{"x_min": x_min, "x_max": x_max, "y_max": y_max},
+            "cells_x": round((x_max - x_min) * self.per_a),
+            "cells_y": round(2 * y_max * self.per_a),
+        }
 
 
 @dataclass(frozen=True)
@@ -57,7 +75,7 @@ class Line:
 
 def semi_axis_um() -> float:
     """Return the Hertz semi-axis a, um."""
-    return conditions_from_keys(CONTACT | {"pressure_viscosity_per_pa": 22e-9}).semi_axis_a_m * 1e6
+    return conditions_from_keys(CONTACT).semi_axis_a_m * 1e6
 
 
 def dimple_heights(x_um: Floats, y_um: Floats) -> Floats:
@@ -66,14 +84,13 @@ def dimple_heights(x_um: Floats, y_um: Floats) -> Floats:
     return -1e-9 * DEPTH_NM * np.cos(0.5 * np.pi * q) * np.exp(-2 * q**2)
 
 
-def smooth_line(folder: Path, per_a: int, domain: tuple[float, float, float] = DOMAIN) -> Line:
-    """Return the steady state of smooth surfaces, on a mesh of `per_a` cells in a."""
-    name = f"smooth_{per_a}" + ("" if domain == DOMAIN else "_wide")
-    return _line(folder, name, _groups(per_a, domain))
+def smooth_lines(folder: Path, grids: Sequence[Grid]) -> list[Line]:
+    """Return the steady state of smooth surfaces on each grid."""
+    return _lines(folder, "smooth", _SHARED, grids)
 
 
-def dimple_line(folder: Path, name: str, per_a: int, centre_um: float) -> Line:
-    """Return the centre line when the middle of the dimple of the surface is at `centre_um`.
+def dimple_lines(folder: Path, name: str, grids: Sequence[Grid], centre_um: float) -> list[Line]:
+    """Return the lines on each grid when the dimple of the surface is at `centre_um`.
 
     The front of the surface starts at x_min, so its flat part ahead of the dimple is made as long
     as the dimple has to lie behind it at the end: the time is that of a whole step on every grid.
@@ -84,47 +101,27 @@ def dimple_line(folder: Path, name: str, per_a: int, centre_um: float) -> Line:
     x = step * np.arange(-count, round(ahead / step) + 1)
     y = _STEP_UM * np.arange(-round(_REACH * RADIUS_UM / _STEP_UM), 1)
     y = np.concatenate([y, -y[-2::-1]])
-    surface = map_surface(dimple_heights(x, y), step * 1e-6, _STEP_UM * 1e-6, "dimple")
-    write_simulation_surface(surface, folder / f"{name}_surface.h5")
+    heights = dimple_heights(x, y)
+    surface = map_surface(heights, step * 1e-6, _STEP_UM * 1e-6, "dimple")
     march = {
-        "surface": {"file": f"{name}_surface.h5"},
+        "surface": {"file": str(write_surface(folder, surface).resolve())},
         "dynamics": {"end_time": _END},
         "solver": {"error_estimate": "model"},
     }
-    # the place is in the text, so that a run with the dimple elsewhere is another one
-    return _line(folder, name, {**_groups(per_a, DOMAIN), **march}, f"! {centre_um:.6f} um\n")
+    return _lines(folder, name, {**_SHARED, **march}, grids)
 
 
-def _groups(per_a: int, domain: tuple[float, float, float]) -> dict[str, dict[str, Any]]:
-    x_min, x_max, y_max = domain
-    return {
-        "conditions": CONTACT,
-        "lubricant": OIL,
-        "grid": {
-            **{"x_min": x_min, "x_max": x_max, "y_max": y_max},
-            "cells_x": round((x_max - x_min) * per_a),
-            "cells_y": round(2 * y_max * per_a),
-        },
-    }
-
-
-def _line(folder: Path, name: str, groups: Groups, remark: str = "") -> Line:
-    """Return the centre line of a case, run unless there is a file of the same input."""
-    text = remark + namelist(groups)
-    source, target = folder / f"{name}.nml", folder / f"{name}.h5"
-    if not (target.is_file() and source.is_file() and source.read_text(encoding="utf-8") == text):
-        target.unlink(missing_ok=True)
-        source.write_text(text, encoding="utf-8")
-        outcome = run("case", source.name, "--quiet", "--output", target.name, folder=folder)
-        if outcome.returncode != 0:
-            raise ResultsError(f"{source}: {(outcome.stderr or outcome.stdout).strip()[-500:]}")
-    with h5py.File(target) as file:
-        status = file.attrs["status"].decode()
-        if status != "converged":
-            raise ResultsError(f"{target}: status {status}")
-        middle = int(np.argmin(np.abs(file["y"][()])))
-        return Line(
-            file["x"][()] * float(file["length_a_m"][()]) * 1e6,
-            file["film"][middle] * float(file["length_c_m"][()]) * 1e9,
-            file["pressure"][middle] * float(file["hertz_pressure_pa"][()]) * 1e-6,
+def _lines(folder: Path, name: str, groups: Groups, grids: Sequence[Grid]) -> list[Line]:
+    results = swept(folder, name, groups, [grid.keys() for grid in grids])
+    lines = []
+    for case_id in results["case_id"].values.tolist():
+        fields = read_contact(fields_file(folder, name, {"case_id": case_id}))
+        middle = int(np.argmin(np.abs(fields["y"].values)))
+        lines.append(
+            Line(
+                fields["x"].values * float(fields["length_a_m"]) * 1e6,
+                fields["film"].values[middle] * float(fields["length_c_m"]) * 1e9,
+                fields["pressure"].values[middle] * float(fields["hertz_pressure_pa"]) * 1e-6,
+            )
         )
+    return lines

@@ -23,14 +23,15 @@ def section(folder: Path) -> Section:
     text = [
         f"Steady states of smooth surfaces at {len(found)} conditions (M {LOADS[0]} to "
         f"{LOADS[-1]}, L {LUBRICANTS[0]:g} to {LUBRICANTS[-1]}, D {RATIOS[0]} to {RATIOS[-1]}; "
-        f"Roelands, z = 0.68, Dowson-Higginson, alpha E' = {G:.0f}), beside the formulas in use. Films are "
-        "extrapolated from 128 x 128 and 256 x 256 cells and corrected by the ratio of a domain "
-        "twice as long and wide to this one on equal mesh size; the error of the central films is "
-        f"at most {100 * largest:.1f} %. {left_out} of the map are left out, because the fine grid "
-        f"does not resolve them or their error is above {100 * LARGEST_ERROR:.0f} %.",
-        "The formulas were fitted to solutions of 1977 to 1994 on far coarser grids, with other "
-        "oils and, of Nijenbanning, Venner and Moes, to asymptotes: a deviation is that of a "
-        "fit in common use, no error of this program's.",
+        f"Roelands, z = 0.68, Dowson-Higginson, alpha E' = {G:.0f}), beside the formulas in use. "
+        "Films are extrapolated from 128 x 128 and 256 x 256 cells and corrected by the ratio of "
+        "a domain twice as long and wide to this one on equal mesh size; the error of the central "
+        f"films is at most {100 * largest:.1f} %. {left_out} of the map are left out, because the "
+        "fine grid does not resolve them or their error is above "
+        f"{100 * LARGEST_ERROR:.0f} %.",
+        "The formulas were fitted to the solutions of their time, on far coarser grids and with "
+        "other oils; Nijenbanning, Venner and Moes join asymptotes. A deviation is what a user of "
+        "the formula has to expect, and says little about this program.",
     ]
     caption = "Formula over computed film, less 1, against M. Colours: L; markers: D"
     return Section(

@@ -12,7 +12,7 @@ INPUT = ROOT / "inputs" / "full" / "companion.nml"
 
 def section(folder: Path) -> Section:
     """Return the part of the full study's report on that value, computed in `folder`."""
-    run_sweep(folder, INPUT.stem, INPUT.read_text(encoding="utf-8"))
+    run_sweep(INPUT, folder / f"{INPUT.stem}.h5")
     part = companion.section(folder)
     part.text.append(
         "Everything else that the paper prints, its Figures 1 and 2 and its experiment with a "

@@ -1,6 +1,5 @@
-"""Sweeps of this study, by ``ehlwave-sweep``: what is finished is kept."""
+"""Sweeps of this study, run by ``ehlwave-sweep`` where they are not finished."""
 
-import csv
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
@@ -9,54 +8,40 @@ import xarray as xr
 from ehlwave_post.errors import ResultsError
 from ehlwave_post.read import read_results
 from ehlwave_post.schema import CONVERGED, UNRESOLVED
-from studies.programs import Groups, namelist, run
+from studies.programs import Groups, run
+from studies.sweeps import write_sweep
 
-Rows = Sequence[Mapping[str, object]]
 
-
-def swept(folder: Path, name: str, groups: Groups, rows: Rows) -> xr.Dataset:
-    """Return the results of one case for each row, run in `folder` unless they are there.
-
-    Parameters
-    ----------
-    folder : Path
-        Gets ``<name>.csv``, ``<name>.nml`` and ``<name>.h5``.
-    groups : mapping
-        The keys that all cases have in common.
-    rows : sequence of mappings
-        The keys of each case, the same for all.
+def swept(
+    folder: Path, name: str, groups: Groups, rows: Sequence[Mapping[str, object]]
+) -> xr.Dataset:
+    """Return the results of one case for each row, with `groups` in common.
 
     Raises
     ------
     ResultsError
         If a case fails; unresolved ones are for the caller to judge.
     """
-    with (folder / f"{name}.csv").open("w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
-    sweep = {"sweep": {"case_file": f"{name}.csv", "output": f"{name}.h5"}}
-    return run_sweep(folder, name, namelist({**sweep, **groups}))
+    return run_sweep(write_sweep(folder, name, rows, groups), folder / f"{name}.h5")
 
 
-def run_sweep(folder: Path, name: str, text: str) -> xr.Dataset:
-    """Return the results of the sweep of which `text` is the input; its output is ``<name>.h5``.
+def run_sweep(path: Path, output: Path) -> xr.Dataset:
+    """Return the results of the sweep file `path`, which go to `output`.
 
     Raises
     ------
     ResultsError
         If a case fails.
     """
-    (folder / f"{name}.nml").write_text(text, encoding="utf-8")
-    outcome = run("sweep", f"{name}.nml", folder=folder)
+    outcome = run("sweep", path, "--output", output)
     if outcome.returncode not in (0, 1):
-        raise ResultsError(f"{name}: {(outcome.stderr or outcome.stdout).strip()[-500:]}")
-    results = read_results([folder / f"{name}.h5"])
+        raise ResultsError(f"{path}: {(outcome.stderr or outcome.stdout).strip()[-500:]}")
+    results = read_results([output])
     bad = ~results["status"].isin((CONVERGED, UNRESOLVED))
     if bool(bad.any()):
         first = results.isel(case=int(bad.argmax()))
         raise ResultsError(
-            f"{name}: {int(bad.sum())} case(s) failed, the first with status "
+            f"{output}: {int(bad.sum())} case(s) failed, the first with status "
             f"{first['status'].item()}: {first['message'].item()}"
         )
     return results
