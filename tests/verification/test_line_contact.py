@@ -9,7 +9,7 @@ from studies.validation.published import line_ratios, small_line_ratios
 # Of Ai, by the shortest wave it holds for. Measured 0.004 at 0.5 a and longer, 0.017 at 0.25 a, 0.050 at 0.125 a, to 3e-4:
 # their z and alpha are not known, nor their error.
 PUBLISHED_BANDS = ((0.5, 0.006), (0.25, 0.025), (0.125, 0.055))
-LARGE_BAND = 0.02        # at Ai = 0.5 Hc; measured 0.016
+LARGE_BAND = 0.02        # at Ai = 0.5 Hc; measured 0.015
 # Moes (1992), Barus and incompressible; measured +0.038 to -0.062. With the default lubricant films lie 1 to 28 per cent
 # below it, most of that by the density at the contact centre.
 FORMULA_BAND = 0.07
@@ -56,7 +56,7 @@ class LineContact(TestCase):
         for one in (one for one in line_ratios() if one.wavelength_over_a in (1, 0.5)):
             wavelength, amplitude = one.wavelength_over_a, one.amplitude_over_film
             small = line(100, 11, 2048, waviness=waves(wavelength))["harmonic_extrapolated"]
-            result = line(100, 11, 256, waviness=waves(wavelength, "both", amplitude))
+            result = line(100, 11, 256, waviness=waves(wavelength, "both", amplitude), solver={"settling_periods": 4})
             ratio = small + result["amplitude_ratio"] - result["harmonic_ratio"]
             found[wavelength, amplitude] = ratio - one.amplitude_ratio
             self.assertLessEqual(abs(found[wavelength, amplitude]), LARGE_BAND if amplitude > 0.2 else band(wavelength),
