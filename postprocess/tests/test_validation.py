@@ -16,7 +16,8 @@ from studies.validation.dimple_section import line_figure, point_table, summary_
 from studies.validation.film_map import Film
 from studies.validation.film_section import figure
 from studies.validation.film_section import summary_table as film_summary
-from studies.validation.line_section import Ratio, deviation_figure, marched_ratios, value_table
+from studies.validation.line_ratios import Ratio, marched_ratios
+from studies.validation.line_section import deviation_figure, value_table
 from studies.validation.published import centre_line, line_ratios, small_line_ratios
 
 
