@@ -24,6 +24,11 @@ module ehlwave_mean_film
 
    real(dp), parameter :: tolerance = 1e-4_dp   !! of the linear residual
 
+   !> Amplitude over H(0,0) at which the mean residual is taken, before it is scaled with the square of the amplitude. At the
+   !> steep end of the pressure large waves leave the range of the second order: M = 100, D = 1, transverse, 0.5 a, 65 x 65
+   !> nodes, rise over Ai at Ai = 0.2 H(0,0): 0.0362 taken at 0.2, 0.0393 at 0.02 and below, 0.0389 in a long march.
+   real(dp), parameter :: probe_over_film = 0.005_dp
+
    !> Change of the mean and, with it, the thinnest film that occurs.
    type, public :: mean_change_t
       integer :: status = status_stalled   !! converged, stalled or not finite
@@ -84,11 +89,14 @@ contains
       real(dp), allocatable, target :: b(:), x(:)
       real(dp), allocatable :: dh(:, :)
       real(dp), pointer, contiguous :: q(:, :)
+      real(dp) :: probe
       integer :: rung
 
       associate (linear => self%linear, grid => levels(size(levels))%problem%grid)
          allocate (b(linear%n), x(linear%n), dh(0:grid%nx, 0:grid%ny))
-         call mean_residual(self, levels(size(levels)), response, merge(4, 2, waviness%moves()), amplitude, b)
+         probe = probe_over_film*grid%value_at_centre(self%state%h)
+         call mean_residual(self, levels(size(levels)), response, merge(4, 2, waviness%moves()), probe, b)
+         b = (amplitude/probe)**2*b
          call linear%borrow(levels)
          do rung = 1, size(diagonal_shift)
             if (rung > 1 .or. .not. self%is_factorised) call linear%factorise(rung)
