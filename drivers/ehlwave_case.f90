@@ -14,7 +14,7 @@ program ehlwave_case
    use ehlwave_key_reference, only: case_key_reference
    use ehlwave_log, only: log_monitor_t
    use ehlwave_petsc_library, only: finish_petsc
-   use ehlwave_provenance, only: program_version
+   use ehlwave_provenance_list, only: print_version
    use ehlwave_quantities, only: add_plan, add_result
    use ehlwave_quantity, only: quantity_list_t
    use ehlwave_quantity_output, only: json_of
@@ -31,7 +31,7 @@ program ehlwave_case
       '  --output FILE    write result, history at the contact centre and fields to an HDF5 file', &
       '  --quiet          no progress lines', &
       '  --keys           all keys of an input, with defaults and meaning', &
-      '  --version        version of the program', &
+      '  --version        version of the program; --verbose: with build, libraries, processor', &
       '  --help           this text', &
       '', &
       'Exit status: 0 converged (or unresolved, flagged in the result); 1 not converged;', &
@@ -51,8 +51,8 @@ program ehlwave_case
    type(quantity_list_t) :: quantities
    integer :: i
 
-   call read_arguments(['--plan   ', '--json   ', '--quiet  ', '--keys   ', '--help   ', '--version'], ['--output'], &
-                       arguments, error)
+   call read_arguments(['--plan   ', '--json   ', '--quiet  ', '--keys   ', '--help   ', '--version', '--verbose'], &
+                       ['--output'], arguments, error)
    if (allocated(error)) call fail(error%message//'; see ehlwave-case --help', 2)
    if (arguments%has('--help')) then
       write (output_unit, '(a)') (trim(usage(i)), i=1, size(usage))
@@ -61,7 +61,7 @@ program ehlwave_case
       write (output_unit, '(a)', advance='no') case_key_reference(is_markdown=.false.)
       stop 0, quiet=.true.
    else if (arguments%has('--version')) then
-      write (output_unit, '(a)') 'ehlwave '//program_version
+      call print_version(output_unit, arguments%has('--verbose'))
       stop 0, quiet=.true.
    end if
    if (size(arguments%files) /= 1) call fail('give one input file; see ehlwave-case --help', 2)

@@ -7,9 +7,9 @@ program ehlwave_sweep
    use ehlwave_errors, only: error_t
    use ehlwave_petsc_library, only: finish_petsc
    use ehlwave_posix, only: catch_signals
-   use ehlwave_provenance, only: program_version
+   use ehlwave_provenance_list, only: print_version
    use ehlwave_sweep_cases, only: sweep_t
-   use ehlwave_sweep_job, only: run_job
+   use ehlwave_sweep_job, only: mpi_library, run_job
    use ehlwave_sweep_keys, only: sweep_key_reference
    use ehlwave_sweep_leader, only: exit_bad_input, exit_done, exit_failed, exit_unfinished, job_options_t
    use ehlwave_sweep_report, only: print_sweep_plan
@@ -39,7 +39,7 @@ program ehlwave_sweep
       '  --overwrite       drop the store and the results file, begin anew', &
       '  --status FILE     say what a store holds (counts, slowest, failed, time left); compute nothing', &
       '  --keys            all keys of a sweep file, with defaults and meaning; --markdown: as inputs/README.md', &
-      '  --version         version of the program', &
+      '  --version         version of the program; --verbose: with build, libraries, MPI, processor', &
       '  --help            this text', &
       '', &
       'SIGTERM, SIGUSR1 and SIGINT stop a run as --time-limit does. scripts/run-sweep starts the rest of a', &
@@ -61,12 +61,13 @@ program ehlwave_sweep
 
    call mpi_init()
    call mpi_comm_rank(mpi_comm_world, rank)
-   call read_arguments(['--plan     ', '--overwrite', '--keys     ', '--markdown ', '--help     ', '--version  '], &
-                       ['--output    ', '--time-limit', '--retry     ', '--status    '], arguments, error)
+   call read_arguments(['--plan     ', '--overwrite', '--keys     ', '--markdown ', '--help     ', '--version  ', &
+                        '--verbose  '], ['--output    ', '--time-limit', '--retry     ', '--status    '], arguments, error)
    if (allocated(error)) call refuse(error%message//'; see ehlwave-sweep --help')
    if (arguments%has('--help') .or. arguments%has('--version')) then
       if (rank == 0 .and. arguments%has('--help')) write (output_unit, '(a)') (trim(usage(i)), i=1, size(usage))
-      if (rank == 0 .and. .not. arguments%has('--help')) write (output_unit, '(a)') 'ehlwave '//program_version
+      if (rank == 0 .and. .not. arguments%has('--help')) &
+         call print_version(output_unit, arguments%has('--verbose'), mpi_library())
       call finish(exit_done)
    end if
    if (arguments%has('--keys')) then

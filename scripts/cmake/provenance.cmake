@@ -1,10 +1,58 @@
 # Writes the module ehlwave_provenance at build time; touches the file only when something changed.
-# Variables: SOURCE_DIR OUTPUT VERSION COMPILER FLAGS LIBRARIES
-execute_process(COMMAND git describe --always --dirty --abbrev=12 WORKING_DIRECTORY ${SOURCE_DIR}
-                OUTPUT_VARIABLE revision OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)
-if(failed)
-  set(revision "unknown")
+# Variables: SOURCE_DIR OUTPUT VERSION COMPILER BUILD_TYPE LIBRARIES; COMMANDS, the compile_commands.json of the build, and
+# FLAGS, what stands for it where a generator makes none.
+
+# The revision: what git has written into an archive, else that of the repository of which this is the top folder.
+set(revision "unknown")
+file(STRINGS ${SOURCE_DIR}/scripts/cmake/revision exported)
+if(exported MATCHES "^[0-9a-f]+$")
+  string(SUBSTRING ${exported} 0 12 revision)
+else()
+  execute_process(COMMAND git rev-parse --show-prefix WORKING_DIRECTORY ${SOURCE_DIR}
+                  OUTPUT_VARIABLE below OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)
+  if(NOT failed AND below STREQUAL "")
+    execute_process(COMMAND git describe --always --dirty --abbrev=12 WORKING_DIRECTORY ${SOURCE_DIR}
+                    OUTPUT_VARIABLE described OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+    if(described)
+      set(revision ${described})
+    endif()
+  endif()
 endif()
+
+# The flags: those that the Fortran files of src are compiled with, paths left out; files that have others are named.
+set(flags_of "")
+if(EXISTS "${COMMANDS}")
+  file(STRINGS ${COMMANDS} commands REGEX "\"command\": .*/src/[a-z]+/[A-Za-z0-9_]+\\.[fF]90")
+  foreach(command IN LISTS commands)
+    string(REGEX MATCH "src/[a-z]+/[A-Za-z0-9_]+\\.[fF]90" file "${command}")
+    string(REGEX REPLACE "^.*\"command\": \"[^ ]+|\",? *$" "" command "${command}")
+    string(REGEX REPLACE " -(c|o|isystem) [^ ]+| -[IJ][^ ]+| -fpreprocessed" "" command "${command}")
+    string(REGEX REPLACE "  +" " " command "${command}")
+    string(STRIP "${command}" command)
+    if(flags_of STREQUAL "")
+      set(flags_of "${command}")
+      set(FLAGS "${command}")
+    elseif(NOT command STREQUAL flags_of)
+      string(APPEND FLAGS ", ${file}: ${command}")
+    endif()
+  endforeach()
+endif()
+
+# A text as Fortran constants in lines that are short enough.
+function(quote text result)
+  string(LENGTH "${text}" length)
+  set(lines "''")
+  set(begin 0)
+  while(begin LESS length)
+    string(SUBSTRING "${text}" ${begin} 100 part)
+    string(REPLACE "'" "''" part "${part}")
+    string(APPEND lines "// &\n      '${part}'")
+    math(EXPR begin "${begin} + 100")
+  endwhile()
+  set(${result} "${lines}" PARENT_SCOPE)
+endfunction()
+quote("${FLAGS}" FLAGS)
+
 set(text "!> What this build is made of; written by the build.
 module ehlwave_provenance
    implicit none (type, external)
@@ -12,9 +60,9 @@ module ehlwave_provenance
    character(len=*), parameter, public :: program_version = '${VERSION}'
    character(len=*), parameter, public :: git_revision = '${revision}'
    character(len=*), parameter, public :: compiler = '${COMPILER}'
-   character(len=*), parameter, public :: compiler_flags = &
-      '${FLAGS}'
-   character(len=*), parameter, public :: library_versions = '${LIBRARIES}'
+   character(len=*), parameter, public :: compiler_flags = ${FLAGS}
+   character(len=*), parameter, public :: build_type = '${BUILD_TYPE}'
+   character(len=*), parameter, public :: library_versions = '${LIBRARIES}'   !! found by the build
 end module ehlwave_provenance
 ")
 set(old "")

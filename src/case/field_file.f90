@@ -7,7 +7,7 @@ module ehlwave_field_file
    use ehlwave_clock, only: time_stamp
    use ehlwave_errors, only: error_t, raise
    use ehlwave_hdf5_file, only: hdf5_file_t
-   use ehlwave_provenance, only: compiler, compiler_flags, git_revision, library_versions, program_version
+   use ehlwave_provenance_list, only: add_provenance
    use ehlwave_quantities, only: add_result
    use ehlwave_quantity, only: quantity_list_t
    use ehlwave_quantity_output, only: write_quantities
@@ -89,11 +89,12 @@ contains
    !> What wrote the file and how it was built.
    subroutine write_provenance(file)
       type(hdf5_file_t), intent(inout) :: file
-      call file%attribute('program_version', program_version)
-      call file%attribute('git_revision', git_revision)
-      call file%attribute('compiler', compiler)
-      call file%attribute('compiler_flags', compiler_flags)
-      call file%attribute('library_versions', library_versions)
+      type(quantity_list_t) :: list
+      integer :: i
+      call add_provenance(list)
+      do i = 1, list%count
+         call file%attribute(list%items(i)%name, list%items(i)%text)
+      end do
       call file%attribute('written', time_stamp())
    end subroutine write_provenance
 

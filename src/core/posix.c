@@ -11,6 +11,9 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#ifdef __GLIBC__
+#include <gnu/libc-version.h>
+#endif
 
 /* CRC-32 of ISO 3309 (that of zlib and PNG). */
 uint32_t ehlwave_crc32(const unsigned char *text, long length)
@@ -194,4 +197,24 @@ void (*ehlwave_find_procedure(const char *library, const char *name, int loads, 
    snprintf(reason, (size_t)size, "%s", words ? words : "not loaded");
    memcpy(&procedure, &address, sizeof procedure);   /* ISO C has no conversion of one into the other, POSIX has */
    return procedure;
+}
+
+/* The text in an array of characters that a library has for all, such as fftw_version of FFTW, cut to `size` and ended by a
+   zero; empty if no library that the program was started with has it. */
+void ehlwave_library_text(const char *name, char *text, long size)
+{
+   void *handle = dlopen(NULL, RTLD_NOW);
+   const char *found = handle ? dlsym(handle, name) : NULL;
+   snprintf(text, (size_t)size, "%s", found ? found : "");
+   if (handle) dlclose(handle);
+}
+
+/* Name and version of the C library, whose vector functions results depend on; empty if it does not say. */
+void ehlwave_c_library(char *text, long size)
+{
+#ifdef __GLIBC__
+   snprintf(text, (size_t)size, "glibc %s", gnu_get_libc_version());
+#else
+   snprintf(text, (size_t)size, "%s", "");
+#endif
 }

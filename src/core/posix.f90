@@ -6,8 +6,9 @@ module ehlwave_posix
    use, intrinsic :: iso_c_binding, only: c_char, c_funptr, c_int, c_int32_t, c_long, c_null_char
    implicit none (type, external)
    private
-   public :: append_text, catch_signals, checksum, close_file, create_file, find_procedure, is_locked, lock_file, &
-      list_folder, make_folder, process_id, remove_file, replace_file, reason_text, set_note, signal_caught, sync_file, watchdog
+   public :: append_text, c_library, catch_signals, checksum, close_file, create_file, find_procedure, is_locked, &
+      library_text, lock_file, list_folder, make_folder, process_id, remove_file, replace_file, reason_text, set_note, &
+      signal_caught, sync_file, watchdog
 
    integer, parameter, public :: lock_taken = 0, lock_refused = 1, lock_absent = 2, lock_unwritable = -1
 
@@ -112,6 +113,19 @@ module ehlwave_posix
          character(kind=c_char), intent(out) :: reason(*)
          integer(c_long), value :: size
       end function c_find_procedure
+      subroutine c_library_text(name, text, size) bind(c, name='ehlwave_library_text')
+         import :: c_char, c_long
+         implicit none (type, external)
+         character(kind=c_char), intent(in) :: name(*)
+         character(kind=c_char), intent(out) :: text(*)
+         integer(c_long), value :: size
+      end subroutine c_library_text
+      subroutine c_c_library(text, size) bind(c, name='ehlwave_c_library')
+         import :: c_char, c_long
+         implicit none (type, external)
+         character(kind=c_char), intent(out) :: text(*)
+         integer(c_long), value :: size
+      end subroutine c_c_library
       function c_strerror(number) result(text) bind(c, name='strerror')
          use, intrinsic :: iso_c_binding, only: c_int, c_ptr
          implicit none (type, external)
@@ -229,6 +243,23 @@ contains
                                    int(len(buffer), c_long))
       reason = buffer(:index(buffer, c_null_char) - 1)
    end subroutine find_procedure
+
+   !> The text that a loaded library has under a name, as `fftw_version` of FFTW; empty if there is none.
+   function library_text(name) result(text)
+      character(len=*), intent(in) :: name
+      character(len=:), allocatable :: text
+      character(len=200) :: buffer
+      call c_library_text(name//c_null_char, buffer, int(len(buffer), c_long))
+      text = buffer(:index(buffer, c_null_char) - 1)
+   end function library_text
+
+   !> Name and version of the C library, empty if it does not say.
+   function c_library() result(text)
+      character(len=:), allocatable :: text
+      character(len=200) :: buffer
+      call c_c_library(buffer, int(len(buffer), c_long))
+      text = buffer(:index(buffer, c_null_char) - 1)
+   end function c_library
 
    !> The system's words for an error number.
    function reason_text(status) result(text)

@@ -20,7 +20,7 @@ module ehlwave_store
    use ehlwave_errors, only: error_t
    use ehlwave_json, only: json_t
    use ehlwave_posix, only: list_folder, process_id
-   use ehlwave_provenance, only: compiler, compiler_flags, git_revision, library_versions, program_version
+   use ehlwave_provenance_list, only: add_provenance
    use ehlwave_quantity, only: quantity_list_t
    use ehlwave_quantity_output, only: json_of
    use ehlwave_record_file, only: record_writer_t
@@ -108,11 +108,7 @@ contains
       call list%add('job', 'batch job the case ran in', trim(self%job))
       call list%add('process', 'number of the process', process_id())
       call list%add('opened', 'local time', time_stamp())
-      call list%add('program_version', 'version of the program', program_version)
-      call list%add('git_revision', 'revision of its source', git_revision)
-      call list%add('compiler', 'compiler', compiler)
-      call list%add('compiler_flags', 'flags of the compiler', compiler_flags)
-      call list%add('library_versions', 'libraries', library_versions)
+      call add_provenance(list)
       call list%add('mpi_library', 'MPI library, as it names itself', trim(self%mpi_library))
    end function header
 

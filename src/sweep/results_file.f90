@@ -28,8 +28,8 @@ module ehlwave_results_file
    character(len=*), parameter :: always_shown(2) = [character(len=19) :: 'wavelength_over_a', 'amplitude_over_film']
 
    !> What of the header of a log goes into the rows of its cases.
-   character(len=*), parameter :: run_columns(8) = [character(len=16) :: 'run', 'job', 'program_version', 'git_revision', &
-                                                   'compiler', 'compiler_flags', 'library_versions', 'mpi_library']
+   character(len=*), parameter :: run_columns(10) = [character(len=16) :: 'run', 'job', 'program_version', &
+      'git_revision', 'compiler', 'compiler_flags', 'build_type', 'library_versions', 'mpi_library', 'processor']
 
 contains
 

@@ -15,7 +15,7 @@ module ehlwave_sweep_job
       mpi_max_library_version_string, mpi_max_processor_name
    implicit none (type, external)
    private
-   public :: run_job
+   public :: mpi_library, run_job
 
 contains
 
@@ -63,7 +63,6 @@ contains
       integer, intent(in) :: rank
       type(store_t), intent(inout) :: store
       character(len=mpi_max_processor_name) :: host
-      character(len=mpi_max_library_version_string) :: library
       character(len=64) :: batch_job
       integer :: length
 
@@ -73,9 +72,17 @@ contains
       call get_environment_variable('SLURM_JOB_ID', batch_job)
       if (batch_job == '') call get_environment_variable('PBS_JOBID', batch_job)
       store%job = batch_job
-      call mpi_get_library_version(library, length)
-      store%mpi_library = library(:scan(library(:length)//',', ','//achar(10)//achar(0)) - 1)
+      store%mpi_library = mpi_library()
    end subroutine describe_process
+
+   !> The MPI library as it names itself, up to the first comma or end of line.
+   function mpi_library() result(name)
+      character(len=:), allocatable :: name
+      character(len=mpi_max_library_version_string) :: library
+      integer :: length
+      call mpi_get_library_version(library, length)
+      name = library(:scan(library(:length)//',', ','//achar(10)//achar(0)) - 1)
+   end function mpi_library
 
    !> What all ranks must know.
    subroutine share(comm, sweep, store, limits)
