@@ -18,6 +18,7 @@ from ehlwave_post.figures import COLOURS, write_figure
 from ehlwave_post.read import read_results
 from ehlwave_post.schema import CONVERGED, DIMENSION, UNRESOLVED
 from ehlwave_post.tables import write_dataset_csv
+from studies.sweeps import run_command
 
 COLUMNS = (
     "load_parameter_m",
@@ -129,18 +130,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(prog="linearity", description=__doc__)
     parser.add_argument("results", nargs="+", type=Path, metavar="RESULTS", help="HDF5 file")
     parser.add_argument("--output", type=Path, default=Path(), metavar="DIR")
-    options = parser.parse_args(arguments)
-    try:
-        points = linearity_points(read_results(options.results))
-        table = options.output / "linearity.csv"
-        write_dataset_csv(table, points, COLUMNS)
-        written = [table, *write_figure(linearity_figure(points), options.output, "linearity")]
-    except (ResultsError, OSError) as error:
-        print(f"linearity: error: {error}", file=sys.stderr)
-        return 1
+    return run_command(parser, _run, arguments)
+
+
+def _run(options: argparse.Namespace) -> None:
+    points = linearity_points(read_results(options.results))
+    table = options.output / "linearity.csv"
+    write_dataset_csv(table, points, COLUMNS)
+    written = [table, *write_figure(linearity_figure(points), options.output, "linearity")]
     print(linearity_text(points))
     print("\n".join(str(path) for path in sorted(written)))
-    return 0
 
 
 if __name__ == "__main__":

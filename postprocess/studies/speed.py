@@ -1,14 +1,15 @@
 """The command behind ``scripts/speed-table``: what the solvers cost, in seconds and work units."""
 
 import argparse
-import csv
+import math
 import sys
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from ehlwave_post.errors import ResultsError
 from studies.programs import Groups, solve
+from studies.sweeps import run_command, write_rows
 
 CONTACT = {"load_parameter_m": 100, "lubricant_parameter_l": 12.05, "radius_ratio_d": 1}
 WAVES = {"orientation": "transverse", "wavelength_over_a": 0.5}
@@ -115,33 +116,25 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(prog="speed-table", description=__doc__)
     parser.add_argument("--output", type=Path, required=True, help="folder; made when absent")
     parser.add_argument("--repeats", type=int, default=3, help="runs, of which the fastest counts")
-    options = parser.parse_args(arguments)
-    try:
-        rows = measure(solved, options.repeats)
-        options.output.mkdir(parents=True, exist_ok=True)
-        path = options.output / "speed.csv"
-        with path.open("w", newline="", encoding="utf-8") as file:
-            writer = csv.writer(file)
-            writer.writerow(Row.__dataclass_fields__)
-            for row in rows:
-                writer.writerow(
-                    [f"{v:.4g}" if isinstance(v, float) else v for v in vars(row).values()]
-                )
-    except (ResultsError, OSError) as error:
-        print(f"speed-table: error: {error}", file=sys.stderr)
-        return 1
+    return run_command(parser, _run, arguments)
+
+
+def _run(options: argparse.Namespace) -> None:
+    rows = measure(solved, options.repeats)
+    options.output.mkdir(parents=True, exist_ok=True)
+    path = options.output / "speed.csv"
+    write_rows(path, map(asdict, rows), digits=4)
     for row in rows:
-        errors = (
-            f", algebraic error {row.algebraic_error:.1e} of {row.discretisation_error:.1e}"
-            if row.algebraic_error == row.algebraic_error
-            else ""
-        )
+        errors = ""
+        if math.isfinite(row.algebraic_error):
+            errors = (
+                f", algebraic error {row.algebraic_error:.1e} of {row.discretisation_error:.1e}"
+            )
         print(
             f"{row.work:42} {row.method:7} {row.figure:8.3g} {row.unit} "
             f"(at most {row.at_most:g}, aim {row.aim:g}){errors}"
         )
     print(path)
-    return 0
 
 
 if __name__ == "__main__":

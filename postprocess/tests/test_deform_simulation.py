@@ -14,7 +14,6 @@ from ehlwave_post.deform import (
     trace_surface,
     write_simulation_surface,
 )
-from ehlwave_post.deform.history import transfer_of_history
 from ehlwave_post.errors import SurfaceError
 
 
@@ -79,19 +78,7 @@ def test_what_cannot_move_through_a_contact_is_refused() -> None:
         simulation_surface(trace_surface(heights, 1e-6), "none", 0)
 
 
-@pytest.mark.parametrize("slip", [0.5, 1.0, 1.7])
-def test_transfer_is_found_in_a_history(slip: float) -> None:
-    transfer, amplitude, wave = 0.7 * np.exp(0.5j), 0.02, 0.8
-    time = np.arange(0, 6.0, 1 / 64)
-    position = 2.5 - slip * time  # on the surface, at the contact centre
-    film = 0.09 + np.real(transfer * amplitude * np.exp(2j * np.pi * position / wave))
-    found = transfer_of_history(time, film, amplitude, wave, -2.5, slip)
-    assert found == pytest.approx(transfer, abs=1e-12)
-    with pytest.raises(SurfaceError, match="shorter than a period"):
-        transfer_of_history(time[:10], film[:10], amplitude, wave, -2.5, slip)
-
-
-def test_transfer_of_a_history_predicts_the_film_of_that_wave() -> None:
+def test_a_transfer_predicts_the_film_of_that_wave() -> None:
     """Phases of tables and predictions mean one thing: x on the surface, along its motion."""
     contact = experiment()
     transfer, wave, a = 0.6 * np.exp(0.4j), 0.8, contact.semi_axis_a_m

@@ -1,11 +1,15 @@
+import csv
 import math
+from pathlib import Path
 
+import numpy as np
 import pytest
+from synthetic import write_results
 
+from ehlwave_post.schema import REQUIRED_COLUMNS
 from studies.error_time import errors, figures, model
 from studies.error_time.runs import FULL, QUICK, SMOOTH, WAVY, Contact, Run, all_runs
-from studies.error_time.table import OUTCOMES, Row
-from studies.programs import namelist
+from studies.error_time.table import KEYS, OUTCOMES, Row, read_table, write_cases
 
 LIMIT = 0.5
 
@@ -29,21 +33,40 @@ def table() -> list[Row]:
     return [row(contact, cells) for contact in contacts for cells in (64, 128, 256, 512)]
 
 
-def test_runs_are_unique_and_cheap_ones_come_first() -> None:
+def test_runs_are_unique() -> None:
     for extent in (FULL, QUICK):
         runs = all_runs(extent)
         assert len(runs) == len(set(runs))
-        assert [run.effort for run in runs] == sorted(run.effort for run in runs)
         assert {run.method for run in all_runs(extent, ("newton",))} == {"newton"}
     assert len(all_runs(QUICK)) < len(all_runs(FULL))
 
 
-def test_every_input_names_its_run() -> None:
-    groups = Run(*WAVY[0], 64, method="fas", time_step_over_cell=2.0).groups
-    text = namelist(groups)
-    for part in ("'fas'", "time_step_over_cell = 2.0", "cells_x = 64", "wavelength_over_a = 0.5"):
-        assert part in text
-    assert "wavelength" not in namelist(Run(*SMOOTH[0], 64).groups)
+def test_every_case_names_its_run_and_finds_its_result(tmp_path: Path) -> None:
+    program = tmp_path / "program"
+    program.write_text("#!/bin/sh\nif grep -q petsc $1; then echo no PETSc >&2; exit 2; fi\n")
+    program.chmod(0o755)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("EHLWAVE_CASE", str(program))
+        write_cases(tmp_path, QUICK)
+    with (tmp_path / "cases.csv").open(encoding="utf-8") as file:
+        cases = list(csv.DictReader(file))
+    runs = all_runs(QUICK, ("newton", "fas"))
+    assert len(cases) == len(runs)
+    case = cases[runs.index(Run(*WAVY[0], 64, method="fas"))]
+    assert (case["method"], case["cells_y"], case["wavelength_over_a"]) == ("fas", "64", "0.5")
+    assert cases[runs.index(Run(*SMOOTH[0], 64))]["wavelength_over_a"] == ""
+
+    columns = {name: np.full(len(cases), 0.5) for name in (*REQUIRED_COLUMNS, *OUTCOMES)}
+    columns |= {
+        name: np.full(len(cases), "text, or so") for name in ("case_id", "orientation", "status")
+    }
+    columns["seconds"] = np.arange(len(cases), dtype=float)
+    columns["status"][5] = "pending"
+    write_results(tmp_path / "cases.h5", columns)
+    table = read_table(tmp_path, QUICK)
+    assert len(table) == len(runs) - 1
+    found = next(row for row in table if row["seconds"] == 7)
+    assert [found[name] for name in KEYS] == [getattr(runs[7], name) for name in KEYS]
 
 
 def test_second_order_is_extrapolated_exactly(table: list[Row]) -> None:

@@ -1,18 +1,16 @@
-import json
-import os
-import stat
-import sys
-from dataclasses import replace
+import csv
 from pathlib import Path
 
-import f90nml
-import h5py
 import numpy as np
 import pytest
+import xarray as xr
+from synthetic import write_results
 
 from ehlwave_post.deform import conditions_from_keys
 from ehlwave_post.errors import ResultsError
-from studies.experiment import FOLDER, TRACE_FILE, section
+from ehlwave_post.schema import REQUIRED_COLUMNS
+from studies.experiment import FOLDER, section
+from studies.experiment.__main__ import main
 from studies.experiment.cases import (
     COSINE,
     GRIDS,
@@ -24,11 +22,11 @@ from studies.experiment.cases import (
     TRACE,
     Run,
     all_runs,
-    groups_of,
+    keys_of,
     read_input,
 )
 from studies.experiment.discussion import outcome
-from studies.experiment.maps import RED_UM, REFRACTIVE_INDEX, fringes, whole
+from studies.experiment.maps import RED_UM, REFRACTIVE_INDEX, fringes
 from studies.experiment.measure import (
     extrapolated,
     half_range_um,
@@ -41,8 +39,6 @@ from studies.experiment.measure import (
     time_amplitude_um,
     time_mean_um,
 )
-from studies.experiment.stage import SURFACE_FILE, Stage
-from studies.programs import namelist
 from studies.section import COMPARISON
 
 INPUTS = Path(__file__).parents[2] / "inputs" / "full"
@@ -50,57 +46,70 @@ A_UM, C_UM = 184.6, 2.722
 SMOOTH_UM = {0.024: 0.24, 0.048: 0.38, 0.096: 0.60}
 
 
-def write_run(folder: Path, run: Run, film_um: float, amplitude_um: float) -> None:
-    """Write what a run leaves: a wave of 60 um on a level, both with an error of second order."""
-    error = (64 / run.cells_x) ** 2
-    level, height = film_um * (1 - 0.2 * error), amplitude_um * (1 + 0.5 * error)
+def write_runs(
+    folder: Path, surface: str, film_um: dict[float, float], amplitude_um: float, **columns: str
+) -> None:
+    """Write what a sweep leaves: waves of 60 um on levels, both with an error of second order."""
+    runs = all_runs(surface)
+    base = read_input(INPUTS / "experiment.nml")
+    rows = []
+    for number, run in enumerate(runs):
+        error = (64 / run.cells_x) ** 2
+        level = film_um[run.speed] * (1 - 0.2 * error)
+        write_fields(folder, surface, number, run, level, amplitude_um * (1 + 0.5 * error))
+        keys = keys_of(run, base, 0.24e-6)
+        data = {name: keys.get(name, base["conditions"][name]) for name in base["conditions"]}
+        moes = conditions_from_keys(data | {"pressure_viscosity_per_pa": 2.25e-8})
+        row = {
+            **dict.fromkeys(REQUIRED_COLUMNS, 0.0),
+            "case_id": f"{number:02d}",
+            "orientation": "none",
+            "status": "converged",
+            "central_film": level / C_UM,
+            "central_film_um": level,
+            "load_parameter_m": moes.m,
+            "lubricant_parameter_l": moes.l,
+            "alphabar": 12.36,
+            "lambdabar": 0.0159,
+            "time_steps": 0,
+            "residual": 1e-5,
+            "points_per_wave_x": 0.0,
+            "inlet_resolution": 0.07,
+            "seconds": 1.0,
+        }
+        rows.append(row | columns)
+    write_results(
+        folder / f"{surface}.h5", {name: np.array([row[name] for row in rows]) for name in rows[0]}
+    )
+
+
+def write_fields(
+    folder: Path, surface: str, number: int, run: Run, level: float, height: float
+) -> None:
+    """Write the fields and the history of a run: a wave of an amplitude on a level, um."""
     x, y = np.linspace(-2.5, 1.5, run.cells_x + 1), np.linspace(0, 2, 9)
     line = level + height * np.cos(2 * np.pi * x * A_UM / 60 + 0.7)
     film = np.broadcast_to(line, (y.size, x.size)) + 0.01 * y[:, None] ** 2
-    time = np.arange(0, 4.5, 4 / run.cells_x)
-    history = level + height * np.cos(2 * np.pi * time * A_UM / 60 + 0.3)
-    base = read_input(INPUTS / "experiment.nml")
-    text = namelist(groups_of(run, base, 0.24e-6, SURFACE_FILE))
-    (folder / f"{run.name}.nml").write_text(text)
-    values = f90nml.reads(text)
-    keys = dict(values["conditions"]) | {"pressure_viscosity_per_pa": 2.25e-8}
-    moes = conditions_from_keys(keys)
-    with h5py.File(folder / f"{run.name}.h5", "w") as file:
-        file["length_a_m"], file["length_c_m"] = A_UM * 1e-6, C_UM * 1e-6
-        file["hertz_pressure_pa"] = 0.549e9
-        file["x"], file["y"] = x, y
-        file["film"], file["pressure"] = film / C_UM, np.ones(film.shape)
-        if run.surface != SMOOTH:
-            file["time"], file["film_at_centre"] = time, history / C_UM
-    result = {
-        "status": "converged",
-        "central_film": level / C_UM,
-        "load_parameter_m": moes.m,
-        "lubricant_parameter_l": moes.l,
-        "alphabar": 12.36,
-        "lambdabar": 0.0159,
-        "time_steps": 0,
-        "residual": 1e-5,
-        "points_per_wave_x": 0,
-        "inlet_resolution": 0.07,
-        "seconds": 1.0,
-    }
-    record = {"input": "synthetic", "result": result}
-    (folder / f"{run.name}.json").write_text(json.dumps(record))
+    fields = {"film": (("y", "x"), film / C_UM), "pressure": (("y", "x"), np.ones(film.shape))}
+    lengths = {"length_a_m": A_UM * 1e-6, "length_c_m": C_UM * 1e-6, "hertz_pressure_pa": 0.549e9}
+    contact = xr.Dataset({**fields, **lengths}, {"x": x, "y": y}, {"format": "ehlwave-case"})
+    if surface != SMOOTH:
+        time = np.arange(0, 4.5, 4 / run.cells_x)
+        history = level + height * np.cos(2 * np.pi * time * A_UM / 60 + 0.3)
+        contact = contact.assign_coords(time=time).assign(film_at_centre=("time", history / C_UM))
+    path = folder / f"{surface}.store" / "fields" / f"{number:02d}.h5"
+    path.parent.mkdir(parents=True, exist_ok=True)
+    contact.to_netcdf(path, engine="h5netcdf")
 
 
 @pytest.fixture(scope="module")
 def study(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Return the folder of a study whose films are known: waves raise them by 10 nm."""
     folder = tmp_path_factory.mktemp("study")
-    files = folder / FOLDER
-    files.mkdir()
-    (files / TRACE_FILE).write_text((INPUTS / TRACE_FILE).read_text())
-    Stage(Path("none"), files, {}).prepare_surface(files / TRACE_FILE)
-    for run in all_runs():
-        smooth = SMOOTH_UM[run.speed]
-        film, amplitude = (smooth, 0) if run.surface == SMOOTH else (smooth + 0.01, 0.13)
-        write_run(files, run, film, amplitude)
+    for step in (SMOOTH, TRACE, COSINE):
+        assert main([step, str(folder)]) == 0
+        raised = {speed: film + (step != SMOOTH) * 0.01 for speed, film in SMOOTH_UM.items()}
+        write_runs(folder / FOLDER, step, raised, 0 if step == SMOOTH else 0.13)
     return folder
 
 
@@ -148,13 +157,10 @@ def test_section_compares_every_number_and_says_what_misses(study: Path) -> None
     assert len(found.pictures) == 5
 
 
-def test_a_run_that_did_not_converge_is_named(study: Path, tmp_path: Path) -> None:
+def test_a_run_that_did_not_converge_is_named(tmp_path: Path) -> None:
+    write_runs(tmp_path, SMOOTH, SMOOTH_UM, 0, status="unresolved")
     run = Run(SMOOTH, 0.024, *GRIDS[0])
-    write_run(tmp_path, run, 0.24, 0)
-    record = json.loads((tmp_path / f"{run.name}.json").read_text())
-    record["result"]["status"] = "unresolved"
-    (tmp_path / f"{run.name}.json").write_text(json.dumps(record))
-    with pytest.raises(ResultsError, match=r"smooth-0.024-256.json: status unresolved"):
+    with pytest.raises(ResultsError, match=r"smooth-0.024-256 has status unresolved"):
         read_solved(tmp_path, run)
     with pytest.raises(ResultsError, match="run the stage first"):
         section(tmp_path)
@@ -166,93 +172,38 @@ def test_outcome_says_when_a_target_is_missed() -> None:
     assert "MISSES" in outcome(float("nan"), 0.08)
 
 
-def test_inputs_say_what_is_meant() -> None:
+def test_inputs_say_what_is_meant(study: Path) -> None:
     base = read_input(INPUTS / "experiment.nml")
     run = Run(COSINE, 0.048, 128, 64)
-    groups = groups_of(run, base, 0.28e-6, "s.h5")
-    assert groups["waviness"]["amplitude_over_film"] == pytest.approx(0.5)
-    assert groups["waviness"]["wavelength_over_a"] == pytest.approx(60 / 184.614, rel=1e-4)
-    assert "surface" not in groups
-    assert groups["grid"] == {"cells_x": 128, "cells_y": 64}
-    assert set(groups_of(run.smooth, base, None, "s.h5")) & {"surface", "waviness"} == set()
-    assert groups_of(replace(run, surface=TRACE), base, None, "s.h5")["surface"]["file"] == "s.h5"
-    assert f90nml.reads(namelist(groups))["conditions"]["mean_speed_m_per_s"] == 0.048
+    keys = keys_of(run, base, 0.28e-6)
+    assert keys["amplitude_over_film"] == pytest.approx(0.5)
+    assert keys["wavelength_over_a"] == pytest.approx(60 / 184.614, rel=1e-4)
+    assert (keys["cells_x"], keys["mean_speed_m_per_s"]) == (128, 0.048)
+    with pytest.raises(ValueError, match="smooth contact"):
+        keys_of(run, base)
     for speed in SPEEDS:
-        keys = groups_of(Run(TRACE, speed, 128, 64, PAPER_ML), base, None, "s.h5")["conditions"]
-        moes = conditions_from_keys(keys | {"pressure_viscosity_per_pa": 2.25e-8})
+        printed = keys_of(Run(TRACE, speed, 128, 64, PAPER_ML), base)
+        given = base["conditions"] | printed | {"pressure_viscosity_per_pa": 2.25e-8}
+        moes = conditions_from_keys({k: v for k, v in given.items() if not k.startswith("cells")})
         assert (moes.m, moes.l) == pytest.approx((PRINTED_M[speed], PRINTED_L[speed]))
     with pytest.raises(ResultsError, match="no such file"):
         read_input(INPUTS / "none.nml")
 
-
-def program(folder: Path, ending: str = "") -> Path:
-    """Return a program that stands for ehlwave-case; it notes each input it was given."""
-    path = folder / "case"
-    path.write_text(
-        f"#!{sys.executable} -S\n"
-        "import sys, pathlib\n"
-        "open('calls', 'a').write(sys.argv[1] + '\\n')\n"
-        "pathlib.Path(sys.argv[sys.argv.index('--output') + 1]).write_text('fields')\n"
-        f"{ending}\n"
-        "print('text')\n"
-        'print(\'{"status": "converged", "central_film_um": 0.28}\')\n'
-    )
-    os.chmod(path, path.stat().st_mode | stat.S_IXUSR)  # noqa: PTH101
-    return path
+    files = study / FOLDER
+    groups = {kind: read_input(files / f"{kind}.nml") for kind in (SMOOTH, TRACE, COSINE)}
+    surface = Path(groups[TRACE]["surface"]["file"])
+    assert (surface.parent, surface.exists()) == (files, True)
+    assert [kind for kind in groups if "dynamics" in groups[kind]] == [TRACE, COSINE]
+    assert "surface" not in groups[COSINE] | groups[SMOOTH]
+    with (files / f"{COSINE}.csv").open(encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    # counted in the film of the smooth contact on the same grid
+    expected = 0.14 / (0.24 * (1 - 0.2 * (64 / 256) ** 2))
+    assert float(rows[0]["amplitude_over_film"]) == pytest.approx(expected)
 
 
-def test_stage_runs_each_case_once_and_again_when_its_input_changed(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    runs = [Run(surface, 0.024, 32, 16) for surface in (SMOOTH, TRACE, COSINE)]
-    base = read_input(INPUTS / "experiment.nml")
-    stage = Stage(program(tmp_path), tmp_path, base)
-    stage.prepare_surface(INPUTS / TRACE_FILE)
-    stage.run_all(runs, 2)
-    calls = (tmp_path / "calls").read_text().split()
-    assert (calls[0], sorted(calls)) == (
-        "smooth-0.024-32.nml",
-        ["cosine-0.024-32.nml", "smooth-0.024-32.nml", "trace-0.024-32.nml"],
-    )
-    assert "amplitude_over_film = 0.5" in (tmp_path / "cosine-0.024-32.nml").read_text()
-    assert "0 to go" in capsys.readouterr().out
-    Stage(program(tmp_path), tmp_path, base).run_all(runs, 1)
-    assert len((tmp_path / "calls").read_text().split()) == 3
-    # killed: fields but no record, or a record that was cut off
-    (tmp_path / "trace-0.024-32.json").write_text('{"input": "')
-    (tmp_path / "cosine-0.024-32.h5").unlink()
-    Stage(program(tmp_path), tmp_path, base).run_all(runs, 1)
-    assert sorted((tmp_path / "calls").read_text().split()[3:]) == [
-        "cosine-0.024-32.nml",
-        "trace-0.024-32.nml",
-    ]
-    # another surface: what depends on it, and nothing else
-    shifted = tmp_path / "shifted.csv"
-    rows = (INPUTS / TRACE_FILE).read_text().splitlines()
-    shifted.write_text("\n".join(rows[:5] + rows[25:]) + "\n")
-    stage = Stage(program(tmp_path), tmp_path, base)
-    stage.prepare_surface(shifted)
-    stage.run_all(runs, 1)
-    assert (tmp_path / "calls").read_text().split()[5:] == ["trace-0.024-32.nml"]
-
-
-def test_stage_leaves_no_record_of_a_run_that_failed(tmp_path: Path) -> None:
-    runs = [Run(surface, 0.024, 32, 16) for surface in (SMOOTH, COSINE)]
-    base = read_input(INPUTS / "experiment.nml")
-    stage = Stage(program(tmp_path, "sys.exit('no film')"), tmp_path, base)
-    with pytest.raises(ResultsError, match="exit status 1: no film") as failure:
-        stage.run_all(runs, 1)
-    assert "no result of smooth-0.024-32, which it needs" in str(failure.value)
-    assert not (tmp_path / "smooth-0.024-32.json").exists()
-
-
-def test_fringes_are_dark_where_the_reflections_cancel(study: Path) -> None:
+def test_fringes_are_dark_where_the_reflections_cancel() -> None:
     quarter = RED_UM / (4 * REFRACTIVE_INDEX)
     colours = fringes(np.array([0, quarter, 2 * quarter]))
     np.testing.assert_allclose(colours[:, 0], [0, 1, 0], atol=1e-12)
     assert colours[:, 2].max() == 0
-    solved = read_solved(study / FOLDER, Run(TRACE, 0.024, *GRIDS[0]))
-    y, pressure, film = whole(solved)
-    np.testing.assert_array_equal(y, -y[::-1])
-    np.testing.assert_array_equal(film, film[::-1])
-    assert pressure.shape == film.shape == (17, solved.x.size)

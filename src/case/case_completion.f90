@@ -8,7 +8,7 @@ module ehlwave_case_completion
    use ehlwave_formula, only: anisotropy_factor, wave_parameter_v
    use ehlwave_kinds, only: dp
    use ehlwave_key_applicability, only: check_applicability
-   use ehlwave_key_list, only: case_key_list, find_key, key_list_t
+   use ehlwave_key_list, only: find_key, key_list_t
    use ehlwave_petsc_library, only: require_petsc
    use ehlwave_text, only: to_text
    implicit none (type, external)
@@ -25,17 +25,16 @@ contains
    !> Complete a case as it was given: what its conditions are given by, what its accuracy chooses, and all that follows
    !> from other keys. Refuses what is missing, what contradicts, and keys that do not apply; those that may idle are
    !> left out then and count as not given. `place` begins every message.
-   subroutine complete_input(input, place, error)
+   subroutine complete_input(input, list, place, error)
       type(case_input_t), intent(inout) :: input
+      type(key_list_t), intent(in) :: list         !! of all keys
       character(len=*), intent(in) :: place
       type(error_t), allocatable, intent(inout) :: error
-      type(key_list_t) :: list      ! names and defaults
 
       if (allocated(error)) return
-      list = case_key_list()
       call settle_conditions(input, list, error)
       if (.not. allocated(error) .and. input%f_v > 0) call choose_wavelength(input, list, error)
-      if (.not. allocated(error)) call check_applicability(input, list, error)
+      if (.not. allocated(error)) call check_applicability(input, error)
       if (allocated(error)) then
          error%message = place//error%message
          return

@@ -5,6 +5,7 @@ module ehlwave_case_file
    use ehlwave_case_input, only: case_input_t, key_reader_t
    use ehlwave_case_keys, only: visit_case_keys
    use ehlwave_errors, only: error_t
+   use ehlwave_key_list, only: case_key_list
    implicit none (type, external)
    private
    public :: case_from_text, read_case
@@ -47,7 +48,7 @@ contains
          return
       end if
       input%is_given = reader%is_given
-      call complete_input(input, place, error)
+      call complete_input(input, case_key_list(), place, error)
       case = input%case
    end subroutine read_groups
 

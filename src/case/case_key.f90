@@ -169,19 +169,19 @@ contains
       name = trim(key%help(:scan(trim(key%help)//';', ';:') - 1))
    end function key_long_name
 
-   !> The words of a list of choices.
+   !> The words of a list of choices, one blank between them.
    pure function words_of(list) result(words)
-      character(len=*), intent(in) :: list   !! blanks between
+      character(len=*), intent(in) :: list
       character(len=choice_length), allocatable :: words(:)
-      integer :: first, last
+      integer :: first, i, last
 
-      allocate (words(0))
-      first = verify(list, ' ')
-      do while (first > 0)
+      allocate (words(merge(1 + count([(list(i:i) == ' ', i=1, len_trim(list))]), 0, list /= '')))
+      first = 1
+      do i = 1, size(words)
+         first = first + verify(list(first:), ' ') - 1
          last = first + scan(list(first:)//' ', ' ') - 2
-         words = [words, [character(len=choice_length) :: list(first:last)]]
-         first = verify(list(last + 1:), ' ')
-         if (first > 0) first = last + first
+         words(i) = list(first:last)
+         first = last + 1
       end do
    end function words_of
 

@@ -5,14 +5,13 @@ module ehlwave_key_applicability
    use ehlwave_case_keys, only: visit_case_keys
    use ehlwave_errors, only: error_t, raise
    use ehlwave_key_bounds, only: is_none
-   use ehlwave_key_list, only: key_list_t
+   use ehlwave_key_list, only: key_value
    implicit none (type, external)
    private
    public :: check_applicability
 
    type, extends(key_visitor_t) :: checker_t
       logical :: is_given(most_keys), may_idle(most_keys)
-      type(key_value_t), allocatable :: defaults(:)
       type(error_t), allocatable :: error
    contains
       procedure :: visit => check
@@ -22,15 +21,13 @@ contains
 
    !> Refuse a key that is given, says something and does not apply; one that may idle gets its default instead and
    !> counts as not given. Call it when radius_ratio_d is known.
-   subroutine check_applicability(input, list, error)
+   subroutine check_applicability(input, error)
       type(case_input_t), intent(inout) :: input
-      type(key_list_t), intent(in) :: list             !! of the defaults
       type(error_t), allocatable, intent(inout) :: error
       type(checker_t) :: checker
 
       checker%is_given = input%is_given
       checker%may_idle = input%may_idle
-      checker%defaults = list%values
       call visit_case_keys(input%case, checker)
       input%is_given = checker%is_given
       if (allocated(checker%error)) call move_alloc(checker%error, error)
@@ -40,17 +37,17 @@ contains
       class(checker_t), intent(inout) :: self
       type(key_t), intent(in) :: key
       type(key_value_t), intent(inout) :: value
+      type(key_value_t) :: default
 
       if (key%applies .or. .not. self%is_given(key%number) .or. allocated(self%error)) return
-      associate (default => self%defaults(key%number))
-         if (self%may_idle(key%number) .or. is_none(value, default)) then
-            value = default
-            self%is_given(key%number) = .false.
-         else
-            call raise(self%error, '&'//trim(key%group)//' '//trim(key%name)//' = '//value_text(value, 15)// &
-                       ' belongs to '//trim(key%when)//': remove it, or change that')
-         end if
-      end associate
+      default = key_value(key%number)
+      if (self%may_idle(key%number) .or. is_none(value, default)) then
+         value = default
+         self%is_given(key%number) = .false.
+      else
+         call raise(self%error, '&'//trim(key%group)//' '//trim(key%name)//' = '//value_text(value, 15)// &
+                    ' belongs to '//trim(key%when)//': remove it, or change that')
+      end if
    end subroutine check
 
 end module ehlwave_key_applicability

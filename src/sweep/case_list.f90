@@ -1,4 +1,5 @@
-!> The list of all cases of a sweep that its store keeps, with what their time is told from: `--status` needs no sweep file.
+!> The list of all cases of a sweep that its store keeps, with what their time is told from and what varies: `--status`
+!> needs no sweep file.
 module ehlwave_case_list
    use ehlwave_cost_model, only: feature_count
    use ehlwave_errors, only: error_t, raise
@@ -10,34 +11,39 @@ module ehlwave_case_list
    implicit none (type, external)
    private
 
+   integer, parameter, public :: variation_length = 160   !! what is longer is cut
+
    type, public :: case_list_t
       character(len=identity_length), allocatable :: identity(:)
       real(dp), allocatable :: features(:, :)    !! (feature_count, cases) of the cost model
+      character(len=variation_length), allocatable :: variation(:)   !! keys that vary
    contains
       procedure :: write => write_list
       procedure :: read => read_list
    end type case_list_t
 
    character(len=*), parameter :: features_format = '(*(1x,es12.5))'
-   integer, parameter :: line_length = identity_length + 13*feature_count
+   integer, parameter :: start_length = identity_length + 13*feature_count   !! of a line, before what varies
 
 contains
 
+   !> Write the list, in lines of the same length.
    subroutine write_list(self, folder, error)
       class(case_list_t), intent(in) :: self
       character(len=*), intent(in) :: folder     !! of the store
       type(error_t), allocatable, intent(inout) :: error
+      character(len=start_length) :: start
       character(len=:), allocatable :: text
-      integer :: i, status
+      integer :: i, status, width
 
       if (allocated(error)) return
-      allocate (character(len=(line_length + 1)*size(self%identity)) :: text)
+      width = start_length + 1 + maxval(len_trim(self%variation)) + 1
+      allocate (character(len=width*size(self%identity)) :: text)
       do i = 1, size(self%identity)
-         associate (line => text((i - 1)*(line_length + 1) + 1:i*(line_length + 1)))
-            write (line(identity_length + 1:line_length), features_format) self%features(:, i)
-            line(:identity_length) = self%identity(i)
-            line(line_length + 1:) = new_line('a')
-         end associate
+         start = self%identity(i)
+         write (start(identity_length + 1:), features_format) self%features(:, i)
+         text((i - 1)*width + 1:i*width) = start//' '//self%variation(i)
+         text(i*width:i*width) = new_line('a')
       end do
       call replace_file(folder//'/'//cases_name, text, status)
       if (status /= 0) call raise(error, 'cannot write '//folder//'/'//cases_name//': '//reason_text(status))
@@ -60,12 +66,13 @@ contains
          return
       end if
       n = len(text)/width
-      allocate (self%identity(n), self%features(feature_count, n))
+      allocate (self%identity(n), self%features(feature_count, n), self%variation(n))
       do i = 1, n
          associate (line => text((i - 1)*width + 1:i*width - 1))
             self%identity(i) = line(:identity_length)
             read (line(identity_length + 1:), features_format, iostat=io) self%features(:, i)
             if (io /= 0) self%features(:, i) = 0
+            self%variation(i) = line(min(len(line), start_length + 1) + 1:)
          end associate
       end do
    end subroutine read_list

@@ -1,7 +1,7 @@
 !> Rows of a CSV file of cases.
 module ehlwave_case_row
    use ehlwave_case_input, only: case_input_t
-   use ehlwave_case_key, only: key_t, key_value_t, whole_kind, word_kind
+   use ehlwave_case_key, only: key_t, key_value_t, number_kind, whole_kind, word_kind
    use ehlwave_csv, only: csv_t
    use ehlwave_errors, only: error_t, raise
    use ehlwave_kinds, only: dp
@@ -67,7 +67,7 @@ contains
          item%text = trim(table%cells(i, row))
          if (item%text == '') cycle
          if (columns(i) == 0) then
-            call read_cell(table, row, i, f_v_key, item, key_value_t(number=0), f_v, is_none(i), error)
+            call read_cell(table, row, i, f_v_key, item, key_value_t(kind=number_kind), f_v, is_none(i), error)
             input%f_v = f_v%number
          else
             is_set(i) = .true.

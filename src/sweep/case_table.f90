@@ -36,7 +36,7 @@ contains
       table = case_key_list()
       call read_lists(reader%file, table, lists, reader%error)
       call reader%file%check_all_used(reader%error)
-      if (.not. allocated(reader%error)) call check_settings(reader, base, settings, lists)
+      if (.not. allocated(reader%error)) call check_settings(reader, settings, lists)
       if (allocated(reader%error)) then
          call move_alloc(reader%error, error)
          return
@@ -70,16 +70,12 @@ contains
    end subroutine read_output_name
 
    !> What cannot be together in a sweep file.
-   subroutine check_settings(reader, base, settings, lists)
+   subroutine check_settings(reader, settings, lists)
       type(key_reader_t), intent(inout) :: reader
-      type(case_input_t), intent(in) :: base
       type(sweep_settings_t), intent(in) :: settings
       type(sweep_lists_t), intent(in) :: lists
 
-      if (base%case%surface_file /= '') then
-         call raise(reader%error, reader%file%place('surface', 'file')//'a sweep measures amplitudes of waves and a surface '// &
-                    'has none: run it by ehlwave-case')
-      else if (settings%case_file /= '' .and. (size(lists%keys) > 0 .or. lists%has_f_v)) then
+      if (settings%case_file /= '' .and. (size(lists%keys) > 0 .or. lists%has_f_v)) then
          call raise(reader%error, reader%file%place(sweep_group, 'case_file')//'&sweep gives case_file and lists: give one '// &
                     'of the two')
       end if
@@ -104,7 +100,7 @@ contains
       do while (lists%next())
          input = base
          call lists%put(input)
-         call sweep%add(input, reader%file%path//': ', error)
+         call sweep%add(input, table, reader%file%path//': ', error)
          if (allocated(error)) return
          is_used = is_used .or. input%is_given
       end do
@@ -135,7 +131,7 @@ contains
       do row = 1, size(rows%line)
          input = base
          call set_row(rows, row, table, columns, input, error)
-         call sweep%add(input, path//':'//to_text(rows%line(row))//': ', error)
+         call sweep%add(input, table, path//':'//to_text(rows%line(row))//': ', error)
          if (allocated(error)) return
          is_used = is_used .or. input%is_given
       end do

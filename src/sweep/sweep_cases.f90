@@ -96,16 +96,17 @@ contains
    end function variation
 
    !> Complete, plan and add a case unless it is there already or left out as unresolved.
-   subroutine add(self, input, place, error)
+   subroutine add(self, input, table, place, error)
       class(sweep_t), intent(inout) :: self
       type(case_input_t), intent(inout) :: input
+      type(key_list_t), intent(in) :: table        !! of all keys
       character(len=*), intent(in) :: place        !! begins every message
       type(error_t), allocatable, intent(inout) :: error
       type(case_plan_t) :: plan
       character(len=identity_length) :: identity
       integer :: before, i
 
-      if (.not. allocated(error)) call complete_input(input, place, error)
+      if (.not. allocated(error)) call complete_input(input, table, place, error)
       if (allocated(error)) return
       call make_plan(input%case, plan, error)
       if (allocated(error)) then

@@ -108,9 +108,10 @@ contains
       type(case_list_t) :: list
       integer :: i
       allocate (list%identity, source=sweep%identity)
-      allocate (list%features(feature_count, size(sweep%plans)))
+      allocate (list%features(feature_count, size(sweep%plans)), list%variation(size(sweep%plans)))
       do i = 1, size(sweep%plans)
          list%features(:, i) = cost_features(sweep%plans(i))
+         list%variation(i) = sweep%variation(i)
       end do
       call list%write(folder, error)
    end subroutine list_cases

@@ -66,8 +66,10 @@ contains
       if (contents%bad_lines > 0) write (unit, '(a)') 'Damaged      '//to_text(contents%bad_lines)// &
          ' records were cut off; they count as not written'
       call print_times(unit, contents, list, place, found)
-      call print_slowest(unit, contents, found)
-      call print_failed(unit, contents, found)
+      associate (variation => pack(list%variation, place > 0))
+         call print_slowest(unit, contents, found, variation)
+         call print_failed(unit, contents, found, variation)
+      end associate
    end subroutine print_status
 
    !> Time so far and time left.
@@ -102,10 +104,11 @@ contains
       end if
    end subroutine print_times
 
-   subroutine print_slowest(unit, contents, found)
+   subroutine print_slowest(unit, contents, found, variation)
       integer, intent(in) :: unit
       type(contents_t), intent(in) :: contents
       integer, intent(in) :: found(:)
+      character(len=*), intent(in) :: variation(:)   !! of the cases that were found
       logical :: is_shown(size(found))
       integer :: k, place
 
@@ -113,15 +116,16 @@ contains
       do k = 1, min(slowest_shown, size(found))
          place = maxloc(contents%cases(found)%seconds, 1, mask=.not. is_shown)
          is_shown(place) = .true.
-         write (unit, '(a)') merge('Slowest      ', '             ', k == 1)//one_case(contents, found(place))//', '// &
-            to_text(contents%cases(found(place))%seconds, 4)//' s'
+         write (unit, '(a)') merge('Slowest      ', '             ', k == 1)// &
+            one_case(contents, found(place), variation(place))//', '//to_text(contents%cases(found(place))%seconds, 4)//' s'
       end do
    end subroutine print_slowest
 
-   subroutine print_failed(unit, contents, found)
+   subroutine print_failed(unit, contents, found, variation)
       integer, intent(in) :: unit
       type(contents_t), intent(in) :: contents
       integer, intent(in) :: found(:)
+      character(len=*), intent(in) :: variation(:)   !! of the cases that were found
       integer :: i, shown
 
       shown = 0
@@ -130,21 +134,25 @@ contains
             if (is_success(record%status)) cycle
             shown = shown + 1
             if (shown > failed_shown) cycle
-            write (unit, '(a)') merge('Failed       ', '             ', shown == 1)//one_case(contents, found(i))//', '// &
-               status_name(record%status)//': '//json_string(contents%value(found(i), 'message'))
+            write (unit, '(a)') merge('Failed       ', '             ', shown == 1)// &
+               one_case(contents, found(i), variation(i))//', '//status_name(record%status)//': '// &
+               json_string(contents%value(found(i), 'message'))
          end associate
       end do
       if (shown > failed_shown) write (unit, '(a)') '             and '//to_text(shown - failed_shown)//' more'
    end subroutine print_failed
 
-   !> Identity and conditions of a case.
-   function one_case(contents, place) result(text)
+   !> Identity, conditions and what else varies of a case.
+   function one_case(contents, place, variation) result(text)
       type(contents_t), intent(in) :: contents
       integer, intent(in) :: place
+      character(len=*), intent(in) :: variation
       character(len=:), allocatable :: text
       text = contents%cases(place)%identity//' (M = '//contents%value(place, 'load_parameter_m')//', L = '// &
              contents%value(place, 'lubricant_parameter_l')//', D = '//contents%value(place, 'radius_ratio_d')// &
-             ', '//json_string(contents%value(place, 'orientation'))//')'
+             ', '//json_string(contents%value(place, 'orientation'))
+      if (variation /= '') text = text//', '//trim(variation)
+      text = text//')'
    end function one_case
 
 end module ehlwave_sweep_status

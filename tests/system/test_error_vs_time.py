@@ -1,69 +1,58 @@
-"""scripts/error-vs-time from its programs to its tables and figures, on a table of a few small runs."""
+"""scripts/error-vs-time from its sweep to its tables and figures, on a few small runs."""
 
 import contextlib
 import io
-import os
 import sys
 import tempfile
 import unittest
 from pathlib import Path
 
-from ehlwave_program import SKIPPED, TestCase
+from ehlwave_program import SKIPPED, TestCase, run
 
 try:
-    from studies.error_time import cli, runs
-    from studies.error_time.table import read_table, run_table
     from ehlwave_post.errors import ResultsError
+    from studies.error_time import runs
+    from studies.error_time.__main__ import write_all
+    from studies.error_time.table import read_table, write_cases
 except ImportError as error:
     print(f"SKIPPED: this Python cannot run ehlwave-post: {error}")
     sys.exit(SKIPPED)
 
-PROGRAM = Path(os.environ["EHLWAVE_CASE"])
 EXTENT = runs.Extent(
     steady_cells=(32, 64), tolerances=(1e-2,), wave_cells=(), largest=((runs.WAVY[3], 32), (runs.WAVY[3], 48)),
     series_cells=(), step_tolerances=(), time_steps=(), other_cells=(), petsc_cells=(), further=(), further_cells=())
 
 
 class ErrorVsTime(TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-        self.path = self.folder / "runs.csv"
-
-    def table(self, minutes=10.0):
+    def test_sweep_is_run_and_written(self):
         messages = io.StringIO()
-        with contextlib.redirect_stderr(messages):
-            table = run_table(PROGRAM, self.path, EXTENT, minutes)
-        return table, messages.getvalue()
-
-    def test_table_is_run_once_and_written(self):
-        stopped, messages = self.table(minutes=0)
-        self.assertEqual(stopped, [])
-        self.assertIn("start again to go on", messages)
-        table, messages = self.table()
-        self.assertIn("min left", messages)
-        methods = {row["method"] for row in table}
-        self.assertIn("newton", methods)
-        for method in runs.METHODS:
-            self.assertTrue(method in methods or f"'{method}' is left out" in messages, method)
-        self.assertEqual(len(table), len(runs.all_runs(EXTENT, tuple(methods))))
-        again, messages = self.table()
-        self.assertIn("0 runs to do", messages)
-        self.assertEqual(len(again), len(table))
-        self.assertEqual({tuple(row) for row in again}, {tuple(row) for row in read_table(self.path)})
-
-        written = {path.name for path in cli.write_all(table, self.folder)}
-        self.assertLessEqual({"errors.csv", "estimates.csv", "models.csv", "tolerance.png", "summary.png",
-                              "ratio-seconds.png", "film-work-units.png"}, written)
-        self.assertTrue(all((self.folder / name).stat().st_size > 0 for name in written))
-
-    def test_what_cannot_be_used_is_said(self):
-        with self.assertRaisesRegex(ResultsError, "build it first"):
-            run_table(self.folder / "absent", self.path, EXTENT, 1.0)
-        self.path.write_text("a,b\n1,2\n")
-        with self.assertRaisesRegex(ResultsError, "move it away"):
-            self.table()
+        with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stderr(messages):
+            folder = Path(folder)
+            sweep = write_cases(folder, EXTENT)
+            with self.assertRaisesRegex(ResultsError, "run the sweep"):
+                read_table(folder, EXTENT)
+            outcome = run("sweep", sweep)
+            self.assertIn(outcome.returncode, (0, 1), outcome.stderr)
+            table = read_table(folder, EXTENT)
+            methods = {row["method"] for row in table}
+            self.assertIn("newton", methods)
+            for method in runs.METHODS:
+                self.assertTrue(method in methods or f"'{method}' is left out" in messages.getvalue(), method)
+            self.assertEqual(len(table), len(runs.all_runs(EXTENT, tuple(methods))))
+            self.assertTrue(all(row["seconds"] > 0 and row["work_units"] > 0 for row in table))
+            # what a method and a tolerance change is what their rows say
+            films = {(row["method"], row["deformation"], row["tolerance"]): row["central_film"] for row in table
+                     if runs.Contact(row["m"], row["d"], row["wavelength"]) == runs.SMOOTH[0] and row["cells"] == 64}
+            usual = films["newton", "fft", 1e-6]
+            for (method, deformation, tolerance), film in films.items():
+                allowed = 1e-4 if (deformation, tolerance) == ("fft", 1e-6) else 0.02
+                self.check_close(film, usual, allowed, f"film by {method}, {deformation}, {tolerance}")
+            self.assertNotEqual(films["newton", "fft", 1e-2], usual)
+            self.assertNotEqual(films["newton", "mlmi", 1e-6], usual)
+            written = {path.name for path in write_all(table, folder)}
+            self.assertLessEqual({"runs.csv", "errors.csv", "estimates.csv", "models.csv", "tolerance.png", "summary.png",
+                                  "ratio-seconds.png", "film-work-units.png"}, written)
+            self.assertTrue(all((folder / name).stat().st_size > 0 for name in written))
 
 
 if __name__ == "__main__":

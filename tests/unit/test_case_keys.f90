@@ -169,10 +169,12 @@ contains
       type(key_t), intent(in) :: key
       character(len=*), intent(in) :: text
       character(len=:), allocatable :: problem
+      character(len=cell_length) :: cell
       type(case_input_t) :: input
       type(error_t), allocatable :: error
 
-      call put_row([key%name], [character(len=cell_length) :: text], input, error)
+      cell = text
+      call put_row([key%name], [cell], input, error)
       problem = ''
       if (allocated(error)) problem = behind(error%message, 'T:2: column '//trim(key%name)//': ')
    end function from_table
@@ -187,8 +189,9 @@ contains
       integer, allocatable :: columns(:)
 
       rows%path = 'T'
-      rows%names = [character(len=cell_length) :: names]
-      rows%cells = reshape(cells, [size(cells), 1])
+      allocate (rows%names(size(names)), rows%cells(size(cells), 1))
+      rows%names = names
+      rows%cells(:, 1) = cells
       rows%line = [2]
       call find_columns(rows, table, columns, error)
       if (.not. allocated(error)) call set_row(rows, 1, table, columns, input, error)

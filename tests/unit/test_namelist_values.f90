@@ -98,7 +98,7 @@ contains
       call load_value(nml, '60*1 2 3'//nl//'1*4 5 300*6 7', error)
       call nml%values_of('g', 'x', items, error)
       call test%check_equal(size(items), 365, 'mixed list')
-      call test%check_equal(items(60)%text//items(61)%text//items(63)%text//items(364)%text//items(365)%text, '12457', &
+      call test%check_equal(items(60)%text//items(61)%text//items(63)%text//items(364)%text//items(365)%text, '12467', &
                             'mixed list')
       call test%check(all(items(:62)%line == 2) .and. all(items(63:)%line == 3), 'lines of values')
    end subroutine accept_lists

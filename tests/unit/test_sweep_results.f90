@@ -66,7 +66,7 @@ contains
          if (i == 2) input%case%method = 'fas'
          input%case%tolerance = 1e-5_dp/i
          input%case%cells_y = 32
-         call sweep%add(input, '', error)
+         call sweep%add(input, keys, '', error)
          call test%check_no_error(error, 'case')
       end do
       call sweep%finish()

@@ -133,7 +133,7 @@ contains
          input%case%radius_ratio_d = 1
          input%case%cells_x = cells(i)
          input%case%cells_y = cells(i)
-         call sweep%add(input, '', error)
+         call sweep%add(input, keys, '', error)
       end do
       call sweep%finish()
       store%host = 'here'

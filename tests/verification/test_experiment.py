@@ -9,7 +9,7 @@ from pathlib import Path
 from ehlwave_program import SKIPPED, TestCase, last_line, report, run, solve
 
 try:
-    from studies.experiment.cases import SMOOTH, Run, groups_of, read_input
+    from studies.experiment.cases import SMOOTH, read_input, shared_groups
     from studies.experiment.measure import richardson
 except ImportError as error:
     print(f"SKIPPED: ehlwave_post cannot be imported ({error})")
@@ -25,7 +25,7 @@ class Experiment(TestCase):
         base = read_input(INPUTS/"experiment.nml")
         films = []
         for cells in (128, 192, 256):
-            groups = groups_of(Run(SMOOTH, 0.024, cells, cells//2), base, None, "")
+            groups = {**shared_groups(SMOOTH, base, None), "grid": {"cells_x": cells, "cells_y": cells//2}}
             films.append(solve(**groups)["central_film_um"])
         coarse, fine = richardson(*films[:2], 1.5), richardson(films[0], films[2], 2)
         report(f"smooth central film {fine.value:.5f} um, {coarse.value:.5f} um from the coarser pair, {films} um on the grids")

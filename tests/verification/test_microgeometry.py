@@ -8,17 +8,18 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from ehlwave_program import SKIPPED
+from ehlwave_program import SKIPPED, run
 
 try:
     import numpy as np
-    from ehlwave_post.deform import conditions_from_keys, read_table, trace_surface
-    from studies import microgeometry as study
+    from ehlwave_post.deform import read_table, trace_surface
+    from studies.microgeometry.compare import compare_speeds
+    from studies.microgeometry.simulate import conditions_at, table_file, write_surface, write_tables, write_waves
 except ImportError as error:
     print(f"SKIPPED: ehlwave_post cannot be imported ({error})")
     sys.exit(SKIPPED)
 
-SPEED = 0.024
+SPEEDS = (0.024,)
 CELLS = 64
 WAVES = (0.5, 0.8, 1.3, 2.1, 3.4)
 
@@ -29,18 +30,22 @@ class Microgeometry(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(folder.cleanup)
         cls.folder = Path(folder.name)
-        cls.conditions = conditions_from_keys({**study.CONTACT, "mean_speed_m_per_s": SPEED,
-                                               "pressure_viscosity_per_pa": study.LUBRICANT["pressure_viscosity_per_pa"]})
-        file = cls.folder/"harmonics.csv"
-        study.compute_table(file, cls.folder, SPEED, CELLS, cls.conditions, ratios=(0.0,), waves=WAVES)
-        cls.table = read_table(file)
+        cls.sweep(write_waves(cls.folder, CELLS, SPEEDS, ratios=(0.0,), waves=WAVES))
+        write_tables(cls.folder, SPEEDS)
+
+    @staticmethod
+    def sweep(path):
+        outcome = run("sweep", path)
+        if outcome.returncode != 0:
+            raise AssertionError(outcome.stdout + outcome.stderr)
 
     def compare(self, name, heights, step):
         surface = trace_surface(heights, step, name=name)
-        return study.compare(name, surface, self.folder, SPEED, CELLS, self.conditions, self.table)
+        self.sweep(write_surface(self.folder, surface, CELLS, SPEEDS))
+        return compare_speeds(self.folder, surface, self.folder, SPEEDS)[0]
 
     def test_superposition_of_the_table_is_the_simulated_roughness(self):
-        a = self.conditions.semi_axis_a_m
+        a = conditions_at(*SPEEDS).semi_axis_a_m
         step = a/32
         x = np.arange(193)*step
         waves = [(0.6, 12e-9, 0.3), (0.9, 15e-9, 2.0), (1.7, 15e-9, 4.0)]
@@ -54,9 +59,11 @@ class Microgeometry(unittest.TestCase):
             self.assertGreater(found.error(found.by_formula), 2*found.error(found.by_table), name)
 
     def test_table_has_the_amplitudes_of_the_paper_and_the_lag_of_the_film(self):
-        amplitude = np.hypot(self.table["transfer_real"], self.table["transfer_imag"])
+        table = read_table(table_file(self.folder, *SPEEDS))
+        self.assertEqual(len(table), len(WAVES))
+        amplitude = np.hypot(table["transfer_real"], table["transfer_imag"])
         self.assertTrue((np.diff(amplitude) < 0).all(), amplitude)
-        self.assertTrue((self.table["transfer_imag"] > 0).all())
+        self.assertTrue((table["transfer_imag"] > 0).all())
 
 
 if __name__ == "__main__":

@@ -4,8 +4,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
-from studies.programs import Groups
-
 METHODS = ("newton", "fas", "petsc")
 """Values of the key ``method``; those that a build refuses are left out."""
 
@@ -35,7 +33,7 @@ class Contact(NamedTuple):
 
 @dataclass(frozen=True)
 class Run:
-    """One call of ``ehlwave-case``. The fields, in this order, identify a row of the table."""
+    """One case. The fields, in this order, identify a row of the table."""
 
     m: float
     d: float
@@ -53,36 +51,6 @@ class Run:
     def contact(self) -> Contact:
         """The contact."""
         return Contact(self.m, self.d, self.wavelength, self.orientation, self.lubricant_l)
-
-    @property
-    def effort(self) -> float:
-        """Expected cost in arbitrary units, for the order and the time left."""
-        steps = 1.0
-        if self.orientation not in ("none", "longitudinal"):
-            steps = 0.4 * self.cells / self.time_step_over_cell
-        return self.cells**2.3 * steps * (5.0 if self.method == "petsc" else 1.0)
-
-    @property
-    def groups(self) -> Groups:
-        """Input of ``ehlwave-case``."""
-        waves = {"wavelength_over_a": self.wavelength} if self.wavelength else {}
-        return {
-            "conditions": {
-                "load_parameter_m": self.m,
-                "lubricant_parameter_l": self.lubricant_l,
-                "radius_ratio_d": self.d,
-            },
-            "grid": {"cells_x": self.cells, "cells_y": self.cells},
-            "solver": {
-                "method": self.method,
-                "deformation": self.deformation,
-                "tolerance": self.tolerance,
-                "step_tolerance": self.step_tolerance,
-                "time_step_over_cell": self.time_step_over_cell,
-                "error_estimate": "model",
-            },
-            "waviness": {"orientation": self.orientation, **waves},
-        }
 
 
 @dataclass(frozen=True)
@@ -146,11 +114,9 @@ QUICK = Extent(
 
 
 def all_runs(extent: Extent, methods: tuple[str, ...] = METHODS) -> list[Run]:
-    """Return every run once, cheap ones first, so that an interrupted table is of use."""
+    """Return every run once."""
     runs = (*_steady(extent), *_moving(extent), *_further(extent))
-    return sorted(
-        dict.fromkeys(run for run in runs if run.method in methods), key=lambda run: run.effort
-    )
+    return list(dict.fromkeys(run for run in runs if run.method in methods))
 
 
 def _steady(extent: Extent) -> Iterator[Run]:

@@ -1,19 +1,32 @@
-"""Run the table with ``ehlwave-case`` and keep it in a CSV file; rows that are there stay."""
+"""The table of runs: a sweep of them, and what its results say."""
 
 import csv
-import json
-import math
-import subprocess
 import sys
 import tempfile
-import time
-from collections.abc import Iterable
-from dataclasses import asdict, fields
 from pathlib import Path
+from typing import Any
 
 from ehlwave_post.errors import ResultsError
-from studies import programs
+from studies import programs, sweeps
 from studies.error_time.runs import METHODS, WAVY, Extent, Run, all_runs
+
+NAME = "cases"
+"""Of the sweep's files."""
+
+KEYS = {
+    "m": "load_parameter_m",
+    "d": "radius_ratio_d",
+    "wavelength": "wavelength_over_a",
+    "orientation": "orientation",
+    "lubricant_l": "lubricant_parameter_l",
+    "cells": "cells_x",
+    "method": "method",
+    "deformation": "deformation",
+    "tolerance": "tolerance",
+    "step_tolerance": "step_tolerance",
+    "time_step_over_cell": "time_step_over_cell",
+}
+"""The fields of a run, by which rows of the table are known, as keys of the sweep."""
 
 OUTCOMES = (
     "status",
@@ -36,139 +49,78 @@ OUTCOMES = (
     "seconds",
     "work_units",
 )
-"""Taken from the JSON object of a run."""
+"""Taken from the results of a run."""
 
-KEYS = tuple(field.name for field in fields(Run))
-Row = dict[str, float | str]
+Row = dict[str, Any]
 
 
-def available_methods(program: Path) -> tuple[str, ...]:
-    """Return the methods that this build takes; say on standard error which are left out."""
+def available_methods() -> tuple[str, ...]:
+    """Return the methods that the build takes; say on standard error which are left out."""
     taken = []
     for method in METHODS:
-        outcome = _call(program, Run(*WAVY[0], 32, method=method), "--plan")
+        outcome = _plan(Run(*WAVY[0], 32, method=method))
         if outcome.returncode == 0:
             taken.append(method)
         else:
-            _say(f"method '{method}' is left out: {_last(outcome.stderr)}")
+            said = outcome.stderr.strip() or "(no output)"
+            print(f"error-vs-time: method '{method}' is left out: {said}", file=sys.stderr)
     return tuple(taken)
 
 
-def run_table(program: Path, path: Path, extent: Extent, minutes: float) -> list[Row]:
-    """Run what the table at `path` lacks, for at most `minutes`, and return the whole table.
-
-    Parameters
-    ----------
-    program : Path
-        ``ehlwave-case``.
-    path : Path
-        CSV file; made when absent, appended to after every run.
-    extent : Extent
-        How much is run.
-    minutes : float
-        No run is started after this time.
+def write_cases(folder: Path, extent: Extent) -> Path:
+    """Write the sweep of the runs whose methods the build takes; return the path of its file.
 
     Raises
     ------
     ResultsError
-        When the program cannot be run, refuses a run, or the table at `path` has other columns.
+        If the program cannot be run.
     """
     try:
-        methods = available_methods(program)
+        runs = all_runs(extent, available_methods())
     except OSError as error:
-        message = f"{program}: {error.strerror}; build it first (scripts/build release)"
-        raise ResultsError(message) from error
-    if not methods:
-        raise ResultsError(f"{program} takes none of the methods {', '.join(METHODS)}, see above")
-    table = read_table(path) if path.exists() else []
-    done = {tuple(row[name] for name in KEYS) for row in table}
-    runs = [run for run in all_runs(extent, methods) if tuple(asdict(run).values()) not in done]
-    _say(f"{len(runs)} runs to do, {len(table)} are in {path}")
-    start = time.monotonic()
-    total, spent = sum(run.effort for run in runs), 0.0
-    for number, run in enumerate(runs, 1):
-        if time.monotonic() - start > 60 * minutes:
-            left = len(runs) - number + 1
-            _say(f"stopped after {minutes:g} min with {left} runs left; start again to go on")
-            break
-        row = run_one(program, run)
-        table.append(row)
-        _append(path, row)
-        spent += run.effort
-        left = (time.monotonic() - start) * (total / spent - 1) / 60
-        _say(
-            f"{number}/{len(runs)}  {run.contact.title}, {run.cells} cells, {run.method}, "
-            f"{run.deformation}: {row['status']}, {row['seconds']:.3g} s; about {left:.0f} min left"
-        )
+        raise ResultsError(f"{error.filename}: {error.strerror}; build it first") from error
+    rows = [
+        {
+            **{key: getattr(run, name) for name, key in KEYS.items()},
+            "wavelength_over_a": run.wavelength or "",
+            "cells_y": run.cells,
+        }
+        for run in runs
+    ]
+    return sweeps.write_sweep(folder, NAME, rows, {"solver": {"error_estimate": "model"}})
+
+
+def read_table(folder: Path, extent: Extent) -> list[Row]:
+    """Return the runs that are finished, with their outcome.
+
+    Raises
+    ------
+    ResultsError
+        If the sweep has not been run, or none of its cases is finished.
+    """
+    with (folder / f"{NAME}.csv").open(newline="", encoding="utf-8") as file:
+        methods = {row["method"] for row in csv.DictReader(file)}
+    runs = all_runs(extent, tuple(methods))
+    found = sweeps.read_sweep(folder, NAME, len(runs))
+    table = [
+        {**{name: getattr(run, name) for name in KEYS}, **{name: row[name] for name in OUTCOMES}}
+        for run, row in zip(runs, found, strict=True)
+        if row["status"] != "pending"
+    ]
+    if not table:
+        raise ResultsError(f"{folder}: no run is finished yet; start again to go on")
+    if len(table) < len(runs):
+        left = len(runs) - len(table)
+        print(f"error-vs-time: {left} runs are left; start again to go on", file=sys.stderr)
     return table
 
 
-def run_one(program: Path, run: Run) -> Row:
-    """Run one case; the row holds its inputs and outcome, NaN for what it did not give."""
-    outcome = _call(program, run, "--json", "--quiet")
-    if outcome.returncode not in (0, 1):
-        raise ResultsError(f"{program} refuses a run of the table: {_last(outcome.stderr)}")
-    answer = json.loads(_last(outcome.stdout))
-    row: Row = asdict(run)
-    for name in OUTCOMES:
-        value = answer.get(name)
-        if name == "status":
-            row[name] = str(value)
-        else:
-            row[name] = math.nan if value is None else float(value)
-    return row
-
-
-def read_table(path: Path) -> list[Row]:
-    """Read the table; numbers become floats."""
-    with path.open(newline="", encoding="utf-8") as file:
-        reader = csv.DictReader(file)
-        if tuple(reader.fieldnames or ()) != (*KEYS, *OUTCOMES):
-            message = f"{path} is not a table of this version: move it away to start a new one"
-            raise ResultsError(message)
-        return [{name: _value(text) for name, text in row.items()} for row in reader]
-
-
-def write_rows(path: Path, rows: Iterable[Row]) -> None:
-    """Write rows that have the same columns, numbers with six digits."""
-    rows = [
-        {name: f"{cell:.6g}" if isinstance(cell, float) else cell for name, cell in row.items()}
-        for row in rows
-    ]
-    with path.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, list(rows[0]) if rows else [], lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(rows)
-
-
-def _value(text: str) -> float | str:
-    try:
-        return float(text)
-    except ValueError:
-        return text
-
-
-def _append(path: Path, row: Row) -> None:
-    is_new = not path.exists()
-    with path.open("a", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, [*KEYS, *OUTCOMES], lineterminator="\n")
-        if is_new:
-            writer.writeheader()
-        writer.writerow(row)
-
-
-def _call(program: Path, run: Run, *options: str) -> subprocess.CompletedProcess[str]:
+def _plan(run: Run) -> programs.Outcome:
+    groups = {
+        "conditions": {KEYS[name]: getattr(run, name) for name in ("m", "d", "lubricant_l")},
+        "solver": {"method": run.method},
+    }
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder, "case.nml")
-        path.write_text(programs.namelist(run.groups), encoding="utf-8")
-        command = [program, path, *options]
-        return subprocess.run(command, capture_output=True, text=True, check=False)
-
-
-def _last(text: str) -> str:
-    lines = text.strip().splitlines()
-    return lines[-1] if lines else "(no output)"
-
-
-def _say(text: str) -> None:
-    print(f"error-vs-time: {text}", file=sys.stderr, flush=True)
+        path.write_text(programs.namelist(groups), encoding="utf-8")
+        return programs.run("case", path, "--plan")

@@ -1,61 +1,49 @@
-"""``python -m studies.experiment``: the experiment of the paper, section 4."""
+"""``python -m studies.experiment``: the experiment of the paper, section 4.
+
+Its steps, between which ``scripts/full-study`` runs the sweeps that the first three write: smooth,
+trace, cosine, report.
+"""
 
 import argparse
 import shutil
-import signal
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 
-from ehlwave_post.errors import ResultsError
 from studies.experiment import FOLDER, TRACE_FILE, section
-from studies.experiment.cases import all_runs, read_input
-from studies.experiment.stage import Stage
+from studies.experiment.cases import COSINE, SMOOTH, TRACE, read_input
+from studies.experiment.stage import write_runs
 from studies.programs import ROOT
 from studies.section import write_picture, write_table
+from studies.sweeps import run_command
 
 INPUTS = ROOT / "inputs" / "full"
 
 
-def main() -> int:
-    """Run the stage; return 0, or 1 with a message on standard error."""
-    parser = argparse.ArgumentParser(
-        prog="python -m studies.experiment",
-        description="Run the experiment of Venner, Kaneta and Lubrecht (2000), section 4, and "
-        f"write its tables and figures, all in FOLDER/{FOLDER}. What is done is not run again.",
-    )
-    parser.add_argument("--case-program", type=Path, required=True, metavar="PATH")
-    parser.add_argument("--output", type=Path, required=True, metavar="FOLDER")
-    parser.add_argument("--jobs", type=int, default=1, metavar="N", help="cases at a time")
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Do one step; return 0, or 1 with a message on standard error."""
+    parser = argparse.ArgumentParser(prog="experiment", description=__doc__)
+    parser.add_argument("step", choices=(SMOOTH, TRACE, COSINE, "report"))
     parser.add_argument(
-        "--inputs",
-        type=Path,
-        default=INPUTS,
-        metavar="FOLDER",
-        help="of experiment.nml and sputtered_profile.csv; default: the source's inputs/full",
+        "study", type=Path, metavar="STUDY", help=f"folder; the files are in STUDY/{FOLDER}"
     )
-    options = parser.parse_args()
-    if options.jobs < 1:
-        parser.error(f"--jobs {options.jobs}: give 1 or more")
-    # A time limit's signal ends the programs that run, too.
-    signal.signal(signal.SIGTERM, lambda number, frame: sys.exit(128 + number))
-    folder = options.output.resolve() / FOLDER
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        shutil.copyfile(options.inputs / TRACE_FILE, folder / TRACE_FILE)
-        base = read_input(options.inputs / "experiment.nml")
-        stage = Stage(options.case_program.resolve(), folder, base)
-        stage.prepare_surface(folder / TRACE_FILE)
-        stage.run_all(all_runs(), options.jobs)
-        found = section(options.output)
+    return run_command(parser, _run, arguments)
+
+
+def _run(options: argparse.Namespace) -> None:
+    folder = options.study / FOLDER
+    if options.step == "report":
+        found = section(options.study)
         for table in found.tables:
             write_table(table, folder)
         for picture in found.pictures:
             write_picture(picture, folder)
-    except (ResultsError, OSError) as error:
-        print(f"experiment: error: {error}", file=sys.stderr)
-        return 1
-    print("\n\n".join(found.text))
-    return 0
+        print("\n\n".join(found.text))
+        return
+    folder.mkdir(parents=True, exist_ok=True)
+    shutil.copyfile(INPUTS / TRACE_FILE, folder / TRACE_FILE)
+    base = read_input(INPUTS / "experiment.nml")
+    print(write_runs(folder, options.step, base, folder / TRACE_FILE))
 
 
 if __name__ == "__main__":

@@ -1,6 +1,5 @@
 """What is run for the experiment: speeds, kinds of surface, grids, and variants of the model."""
 
-import copy
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -27,7 +26,7 @@ Groups = dict[str, dict[str, Any]]
 
 @dataclass(frozen=True)
 class Run:
-    """One call of ``ehlwave-case``.
+    """One case.
 
     ``surface`` is smooth, trace (one wave of the trace, repeated) or cosine; ``variant`` is empty,
     or says in what the model differs from the paper's Table 1.
@@ -41,7 +40,7 @@ class Run:
 
     @property
     def name(self) -> str:
-        """Of its files."""
+        """For messages and tables."""
         parts = (self.surface, f"{self.speed:g}", str(self.cells_x), self.variant)
         return "-".join(part for part in parts if part)
 
@@ -51,10 +50,10 @@ class Run:
         return Run(SMOOTH, self.speed, self.cells_x, self.cells_y, self.variant)
 
 
-def all_runs(grids: tuple[tuple[int, int], ...] = GRIDS) -> list[Run]:
-    """Return every run, the smooth ones first: the amplitude of the cosine needs their film."""
-    runs = list(_runs(grids))
-    return sorted(runs, key=lambda run: (run.surface != SMOOTH, -run.cells_x * run.cells_y))
+def all_runs(surface: str | None = None) -> list[Run]:
+    """Return every run, or those of one kind of surface."""
+    runs = _runs(GRIDS)
+    return [run for run in runs if surface in (None, run.surface)]
 
 
 def read_input(path: Path) -> Groups:
@@ -70,8 +69,8 @@ def read_input(path: Path) -> Groups:
     return {name: dict(keys) for name, keys in f90nml.read(path).items()}
 
 
-def groups_of(run: Run, base: Groups, smooth_film_m: float | None, surface: str) -> Groups:
-    """Return the input of a run.
+def keys_of(run: Run, base: Groups, smooth_film_m: float | None = None) -> dict[str, Any]:
+    """Return what a run has of its own, by key.
 
     Parameters
     ----------
@@ -82,32 +81,36 @@ def groups_of(run: Run, base: Groups, smooth_film_m: float | None, surface: str)
     smooth_film_m : float or None
         Central film of the smooth contact on the same grid, m, which ``&waviness`` counts
         amplitudes in; needed for the cosine.
-    surface : str
-        The surface file, as seen from the folder of the input.
     """
-    groups = copy.deepcopy(base)
-    groups["conditions"]["mean_speed_m_per_s"] = run.speed
-    groups["grid"] |= {"cells_x": run.cells_x, "cells_y": run.cells_y}
+    keys = {
+        "mean_speed_m_per_s": run.speed,
+        "cells_x": run.cells_x,
+        "cells_y": run.cells_y,
+    }
     if run.variant == PAPER_ML:
-        groups["conditions"] |= _keys_of_printed_ml(groups, run.speed)
+        keys |= _keys_of_printed_ml(base, run.speed)
     elif run.variant == Z_DEFAULT:
-        groups["lubricant"]["roelands_index"] = 0.68
+        keys["roelands_index"] = 0.68
     elif run.variant == INCOMPRESSIBLE:
-        groups["lubricant"]["density_law"] = "incompressible"
-    groups["surface"]["file"] = surface
-    if run.surface != TRACE:
-        del groups["surface"]
-    if run.surface == SMOOTH:
-        del groups["dynamics"]
+        keys["density_law"] = "incompressible"
     if run.surface == COSINE:
         if smooth_film_m is None:
             raise ValueError("the cosine needs the film of the smooth contact")
-        groups["waviness"] = {
+        keys |= {
             "orientation": "transverse",
-            "wavelength_over_a": WAVELENGTH_UM * 1e-6 / semi_axis_m(groups),
+            "wavelength_over_a": WAVELENGTH_UM * 1e-6 / semi_axis_m(base),
             "amplitude_over_film": AMPLITUDE_UM * 1e-6 / smooth_film_m,
         }
-    return groups
+    return keys
+
+
+def shared_groups(surface: str, base: Groups, file: Path | None) -> Groups:
+    """Return what all runs of a kind of surface share; ``file`` is that of the trace's wave."""
+    left_out = {SMOOTH: ("surface", "dynamics"), COSINE: ("surface",), TRACE: ()}[surface]
+    groups = {name: keys for name, keys in base.items() if name not in left_out}
+    if surface == TRACE:
+        groups["surface"] = {"file": str(file)}
+    return groups | {"output": {"fields": True}}
 
 
 def semi_axis_m(groups: Groups) -> float:

@@ -29,7 +29,7 @@ def condition_rows(folder: Path) -> Iterator[tuple[Cell, ...]]:
     """Yield a comparison for every number of Tables 1 and 2, and of formula (18)."""
     solved = {speed: read_solved(folder, Run(SMOOTH, speed, *max(GRIDS))) for speed in SPEEDS}
     first = solved[SPEEDS[0]]
-    keys = read_input(folder / f"{first.run.name}.nml")
+    keys = read_input(folder / f"{SMOOTH}.nml")
     given, alpha = keys["conditions"], keys["lubricant"]["pressure_viscosity_per_pa"]
     modulus, radius = given["reduced_modulus_pa"], given["radius_x_m"]
     row = comparison_row

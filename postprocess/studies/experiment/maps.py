@@ -18,16 +18,15 @@ HIGHEST_H = 0.3
 
 def surfaces_figure(solved: Solved) -> Figure:
     """Draw P and H over X and Y as surfaces and as maps (Figure 7)."""
-    y, pressure, film = whole(solved)
-    film = np.minimum(film, HIGHEST_H)
+    film = np.minimum(solved.film, HIGHEST_H)
     with rc_context(STYLE | {"xtick.direction": "out", "ytick.direction": "out"}):
         figure = Figure(figsize=(9.0, 8.2), layout="constrained")
-        shown = (("P", pressure, 35), ("H", film, 55))
+        shown = (("P", solved.pressure, 35), ("H", film, 55))
         grid = figure.add_gridspec(2, 2, width_ratios=(1.25, 1))
         for row, (name, values, elevation) in enumerate(shown):
             axes = figure.add_subplot(grid[row, 0], projection="3d")
-            shown_x, shown_y = np.abs(solved.x + 0.1) <= 1.3, np.abs(y) <= 1.3
-            x_mesh, y_mesh = np.meshgrid(solved.x[shown_x], y[shown_y])
+            shown_x, shown_y = np.abs(solved.x + 0.1) <= 1.3, np.abs(solved.y) <= 1.3
+            x_mesh, y_mesh = np.meshgrid(solved.x[shown_x], solved.y[shown_y])
             part = values[np.ix_(shown_y, shown_x)]
             axes.plot_surface(
                 x_mesh,
@@ -47,7 +46,7 @@ def surfaces_figure(solved: Solved) -> Figure:
             axes = figure.add_subplot(grid[row, 1])
             highest = values.max() if name == "P" else 0.25
             mesh = axes.pcolormesh(
-                solved.x, y, values, vmin=0, vmax=highest, cmap="viridis", shading="nearest"
+                solved.x, solved.y, values, vmin=0, vmax=highest, cmap="viridis", shading="nearest"
             )
             mesh.set_rasterized(True)
             figure.colorbar(
@@ -59,9 +58,8 @@ def surfaces_figure(solved: Solved) -> Figure:
 
 def fringes_figure(solved: Solved) -> Figure:
     """Draw the film as duochromatic fringes, and as a map in um (beside Figure 5)."""
-    y, _, film = whole(solved)
-    film_um = film * solved.c_um
-    x_mm, y_mm = solved.x * solved.a_um / 1e3, y * solved.a_um / 1e3
+    film_um = solved.film * solved.c_um
+    x_mm, y_mm = solved.x * solved.a_um / 1e3, solved.y * solved.a_um / 1e3
     with rc_context(STYLE | {"xtick.direction": "out", "ytick.direction": "out"}):
         figure = Figure(figsize=(8.4, 3.9), layout="constrained")
         left, right = figure.subplots(1, 2)
@@ -89,15 +87,3 @@ def fringes(film_um: Floats) -> NDArray[np.float64]:
         path = 2 * np.pi * 2 * REFRACTIVE_INDEX * film_um / wavelength
         colours[..., channel] = 0.5 - 0.5 * np.cos(path)
     return colours
-
-
-def whole(solved: Solved) -> tuple[Floats, Floats, Floats]:
-    """Return y, P and H on the whole domain; a half that was not computed is the mirror image."""
-    if solved.y[0] < 0:
-        return solved.y, solved.pressure, solved.film
-    y = np.concatenate((-solved.y[:0:-1], solved.y))
-    return (
-        y,
-        np.concatenate((solved.pressure[:0:-1], solved.pressure)),
-        np.concatenate((solved.film[:0:-1], solved.film)),
-    )

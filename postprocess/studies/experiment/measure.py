@@ -2,18 +2,19 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 from typing import Any
 
-import h5py
 import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
-from ehlwave_post.errors import ResultsError
+from ehlwave_post.contact import read_contact
 from studies.experiment.cases import GRIDS, Run
-from studies.experiment.stage import read_record
+from studies.experiment.stage import finished
 from studies.experiment.trace import WAVELENGTH_UM
+from studies.sweeps import fields_file
 
 Floats = NDArray[np.float64]
 
@@ -35,7 +36,7 @@ class Solved:
     x: Floats
     y: Floats
     film: Floats
-    """H, shape (y, x); all of y in 0 to y_max where the run took half of the domain."""
+    """H, shape (y, x), on the whole domain."""
     pressure: Floats
     time: Floats
     film_at_centre: Floats
@@ -61,35 +62,31 @@ class Value:
     fine: float
 
 
+@cache
 def read_solved(folder: Path, run: Run) -> Solved:
-    """Read a finished run.
+    """Read a finished run, once.
 
     Raises
     ------
     ResultsError
         If the run is not finished, or did not converge on a grid that resolves it.
     """
-    record = read_record(folder, run)
-    if record is None:
-        raise ResultsError(f"{folder / run.name}.json: no finished run; run the stage first")
-    result = record["result"]
-    if result["status"] != "converged":
-        raise ResultsError(f"{folder / run.name}.json: status {result['status']}")
-    with h5py.File(folder / f"{run.name}.h5") as file:
-        empty = np.zeros(0)
-        return Solved(
-            run=run,
-            result=result,
-            a_um=float(file["length_a_m"][()]) * 1e6,
-            c_um=float(file["length_c_m"][()]) * 1e6,
-            hertz_pressure_pa=float(file["hertz_pressure_pa"][()]),
-            x=file["x"][()],
-            y=file["y"][()],
-            film=file["film"][()],
-            pressure=file["pressure"][()],
-            time=file["time"][()] if "time" in file else empty,
-            film_at_centre=file["film_at_centre"][()] if "film_at_centre" in file else empty,
-        )
+    result = finished(folder, run)
+    fields = read_contact(fields_file(folder, run.surface, result))
+    has_history = "time" in fields
+    return Solved(
+        run=run,
+        result=result,
+        a_um=float(fields["length_a_m"]) * 1e6,
+        c_um=float(fields["length_c_m"]) * 1e6,
+        hertz_pressure_pa=float(fields["hertz_pressure_pa"]),
+        x=fields["x"].values,
+        y=fields["y"].values,
+        film=fields["film"].values,
+        pressure=fields["pressure"].values,
+        time=fields["time"].values if has_history else np.zeros(0),
+        film_at_centre=fields["film_at_centre"].values if has_history else np.zeros(0),
+    )
 
 
 def extrapolated(

@@ -14,6 +14,7 @@ from studies.experiment.cases import (
     TRACE,
     Run,
     all_runs,
+    read_input,
 )
 from studies.experiment.comparison import (
     definition_rows,
@@ -27,7 +28,7 @@ from studies.experiment.discussion import discussion
 from studies.experiment.figures import line_figure, trace_figure
 from studies.experiment.maps import HIGHEST_H, fringes_figure, surfaces_figure
 from studies.experiment.measure import read_solved
-from studies.experiment.stage import REPEATS, SURFACE_FILE
+from studies.experiment.stage import REPEATS
 from studies.experiment.trace import (
     AMPLITUDE_UM,
     WAVELENGTH_UM,
@@ -116,7 +117,8 @@ def section(folder: Path) -> Section:
 
 def _wave(files: Path) -> Floats:
     """Return one wave from the middle of the surface that was run, um, where nothing is faded."""
-    heights = read_surface(files / SURFACE_FILE).height[:, 0] * 1e6
+    file = read_input(files / f"{TRACE}.nml")["surface"]["file"]
+    heights = read_surface(file).height[:, 0] * 1e6
     count = heights.size // REPEATS
     return heights[count * (REPEATS // 2) : count * (REPEATS // 2 + 1)]
 

@@ -15,6 +15,9 @@ _CONDITIONS = (
     (300.0, 0.0, 192, 128),  # isoviscous
     (300.0, 30.0, 128, 64),  # very viscous
 )
+OUTSIDE = "outside"
+"""The family of cases that must be refused."""
+
 _POINTS_PER_WAVE = 8
 _LENGTH = 4.0  # of the default domain along X
 _MOTION = {"load_balance": "equation_of_motion", "natural_frequency": 5.0}
@@ -200,16 +203,16 @@ def _coarse(cells: int = 32) -> Iterator[Case]:
 
 def _outside() -> Iterator[Case]:
     """Yield cases outside the model or the numbers allowed: they must be refused."""
-    yield _case("outside", "D = 0.001", 100.0, 12.05, 0.001)
-    yield _case("outside", "D = 2", 100.0, 12.05, 2.0)
-    yield _case("outside", "M = 0", 0.0, 12.05, 1.0)
-    yield _case("outside", "L = -1", 100.0, -1.0, 1.0)
-    yield _case("outside", "M = 1e30", 1e30, 12.05, 1.0)
-    yield _case("outside", "L = 1e6", 100.0, 1e6, 1.0)
-    yield _case("outside", "S = 3", 100.0, 12.05, 1.0, conditions={"slip_parameter": 3.0})
+    yield _case(OUTSIDE, "D = 0.001", 100.0, 12.05, 0.001)
+    yield _case(OUTSIDE, "D = 2", 100.0, 12.05, 2.0)
+    yield _case(OUTSIDE, "M = 0", 0.0, 12.05, 1.0)
+    yield _case(OUTSIDE, "L = -1", 100.0, -1.0, 1.0)
+    yield _case(OUTSIDE, "M = 1e30", 1e30, 12.05, 1.0)
+    yield _case(OUTSIDE, "L = 1e6", 100.0, 1e6, 1.0)
+    yield _case(OUTSIDE, "S = 3", 100.0, 12.05, 1.0, conditions={"slip_parameter": 3.0})
     usual = (100.0, 12.05, 128, 64)
-    yield _wavy("outside", "amplitude 200 %", usual, 1.0, 2.0)
-    yield _wavy("outside", "S = 1e-9", usual, 1.0, 0.2, conditions={"slip_parameter": 1e-9})
+    yield _wavy(OUTSIDE, "amplitude 200 %", usual, 1.0, 2.0)
+    yield _wavy(OUTSIDE, "S = 1e-9", usual, 1.0, 0.2, conditions={"slip_parameter": 1e-9})
 
 
 def _wavy(

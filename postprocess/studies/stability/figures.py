@@ -7,6 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
+from studies.stability.cases import OUTSIDE
 from studies.stability.outcome import (
     CONVERGED,
     FAILED,
@@ -66,7 +67,7 @@ def parameter_map(rows: Sequence[Row]) -> Figure:
 
     Numbers and rims as in :func:`steady_map`; of a march the Newton steps of each time step.
     """
-    others = [row for row in rows if row.case.family not in ("steady", "outside")]
+    others = [row for row in rows if row.case.family not in ("steady", OUTSIDE)]
     families = list(dict.fromkeys(row.case.family for row in others))
     tables = {name: [row for row in others if row.case.family == name] for name in families}
     shapes = {

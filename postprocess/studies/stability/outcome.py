@@ -4,6 +4,7 @@ import math
 from dataclasses import dataclass, field
 from typing import Any
 
+from studies.programs import Outcome
 from studies.stability.cases import Case
 
 CONVERGED = "converged"
@@ -16,7 +17,7 @@ OUTCOMES = (CONVERGED, UNRESOLVED, UNSOLVED, REFUSED, FAILED)
 
 _FILMS = ("central_film", "minimum_film", "central_film_moes", "max_pressure")
 _RATIOS = ("amplitude_ratio", "amplitude_ratio_fit", "mean_film")
-_EXIT_CODES = {"converged": 0, "unresolved": 0, "stalled": 1, "diverged": 1, "not_finite": 1}
+_UNFINISHED = ("pending", "over_budget", "crashed")
 # Steady states hold the first tolerance, time steps the second (defaults of &solver).
 _LARGEST_RESIDUAL = 1e-3
 _WIDEST_FACTOR = 2.0
@@ -28,7 +29,7 @@ class Row:
 
     case: Case
     outcome: str
-    seconds: float
+    seconds: float = math.nan
     result: dict[str, Any] = field(default_factory=dict)
     message: str = ""
     faults: list[str] = field(default_factory=list)
@@ -39,53 +40,35 @@ class Row:
         return self.outcome == FAILED or bool(self.faults)
 
 
-def judge(
-    case: Case, exit_code: int | None, result: dict[str, Any] | None, message: str, seconds: float
-) -> Row:
-    """Return the row of a case that has ended.
-
-    Parameters
-    ----------
-    case : Case
-        What was run.
-    exit_code : int or None
-        Of ``ehlwave-case``, negative for a signal; None when it was stopped at the time limit.
-    result : dict or None
-        Its JSON object, None when it wrote none.
-    message : str
-        Its standard error, kept when it wrote no result.
-    seconds : float
-        Wall time.
-    """
-    if exit_code is None:
-        return Row(case, FAILED, seconds, message="stopped at the time limit")
-    if exit_code == 2 and result is None:
-        row = Row(case, REFUSED, seconds, message=message)
-        if not message:
-            row.faults.append("refused without a message")
-        return row
-    if exit_code < 0 or result is None:
-        text = f"ended with status {exit_code} and no result: {message}"
-        return Row(case, FAILED, seconds, message=text)
-    row = Row(case, _outcome(result), seconds, result, str(result.get("message", "")))
-    row.faults = list(_faults(result, exit_code))
+def judge(case: Case, result: dict[str, Any]) -> Row:
+    """Return the row of a case of the sweep from the columns of its results."""
+    row = Row(case, _outcome(result), float(result["seconds"]), result, str(result["message"]))
+    if result["status"] in _UNFINISHED:
+        row.message = row.message or f"status {result['status']}"
+    else:
+        row.faults = _faults(result)
     return row
 
 
+def judge_refusal(case: Case, outcome: Outcome) -> Row:
+    """Return the row of a case that must be refused, with a message, from what became of it."""
+    said = outcome.stderr.strip()
+    if outcome.returncode != 2:
+        return Row(case, FAILED, message=f"taken, with exit status {outcome.returncode}: {said}")
+    return Row(case, REFUSED, message=said, faults=[] if said else ["refused without a message"])
+
+
 def _outcome(result: dict[str, Any]) -> str:
-    if result["status"] == "converged":
-        return CONVERGED
-    if result["status"] == "unresolved":
-        return UNRESOLVED
-    return FAILED if result["is_resolved"] else UNSOLVED
+    status = result["status"]
+    if status in ("converged", "unresolved"):
+        return CONVERGED if status == "converged" else UNRESOLVED
+    return FAILED if result["is_resolved"] or status in _UNFINISHED else UNSOLVED
 
 
-def _faults(result: dict[str, Any], exit_code: int) -> list[str]:
+def _faults(result: dict[str, Any]) -> list[str]:
     """Return what a result claims without right."""
     status = result["status"]
     faults = []
-    if _EXIT_CODES.get(status) != exit_code:
-        faults.append(f"exit status {exit_code} with status {status}")
     if (status == "converged") != result["is_resolved"] and status in ("converged", "unresolved"):
         faults.append(f"status {status} with is_resolved {result['is_resolved']}")
     if status != "converged" and not result["message"]:

@@ -1,73 +1,37 @@
-"""Run the cases of the stability map by ``ehlwave-case``, each under a time limit."""
+"""The cases as a sweep, and those that must be refused, which no sweep takes, one by one."""
 
-import json
-import subprocess
 import tempfile
-import time
-from collections.abc import Callable, Sequence
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 
-from studies.programs import namelist
-from studies.stability.cases import Case
-from studies.stability.outcome import Row, judge
+from studies import programs, sweeps
+from studies.stability.cases import OUTSIDE, Case
+from studies.stability.outcome import Row, judge, judge_refusal
+
+NAME = "cases"
+"""Of the sweep's files."""
 
 
-def run_cases(
-    program: Path,
-    cases: Sequence[Case],
-    limit_seconds: float,
-    at_once: int = 1,
-    report: Callable[[int, Row], None] = lambda number, row: None,
-) -> list[Row]:
-    """Run all cases, `at_once` at a time; return their rows in the order of `cases`.
+def write_cases(folder: Path, cases: Sequence[Case], limit_seconds: float) -> Path:
+    """Write the sweep of the cases; return the path of its file.
 
-    A case that takes longer than `limit_seconds` is stopped and counts as failed. `report` is
-    called with the number of cases done and the row of each case as soon as it is there.
+    A case that takes longer than `limit_seconds` is given up and counts as failed.
     """
-    done = 0
-    with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(at_once) as pool:
-        futures = [
-            pool.submit(run_case, program, case, limit_seconds, Path(folder) / f"{number}.nml")
-            for number, case in enumerate(cases)
-        ]
-        rows = []
-        for future in futures:
-            rows.append(future.result())
-            done += 1
-            report(done, rows[-1])
-    return rows
+    rows = [sweeps.flat(case.groups) for case in cases if case.family != OUTSIDE]
+    limit = {"largest_case_seconds": limit_seconds}
+    return sweeps.write_sweep(folder, NAME, rows, {"sweep": limit})
 
 
-def run_case(program: Path, case: Case, limit_seconds: float, file: Path) -> Row:
-    """Write the input of a case to `file`, run it and judge what comes out."""
-    file.write_text(namelist(case.groups), encoding="utf-8")
-    start = time.monotonic()
-    try:
-        ended = subprocess.run(
-            [program, file, "--json", "--quiet"],
-            capture_output=True,
-            text=True,
-            timeout=limit_seconds,
-            check=False,
-        )
-    except subprocess.TimeoutExpired:
-        return judge(case, None, None, "", time.monotonic() - start)
-    seconds = time.monotonic() - start
-    message = ended.stderr.strip().replace(str(file), file.name)
-    return judge(case, ended.returncode, _last_json(ended.stdout), message, seconds)
+def read_rows(folder: Path, cases: Sequence[Case]) -> list[Row]:
+    """Return what became of the cases: of the sweep's from its results, the others are run now."""
+    swept = [case for case in cases if case.family != OUTSIDE]
+    found = sweeps.read_sweep(folder, NAME, len(swept)) if swept else []
+    rows = [judge(case, result) for case, result in zip(swept, found, strict=True)]
+    return rows + [judge_refusal(case, plan(case)) for case in cases if case.family == OUTSIDE]
 
 
-def _last_json(output: str) -> dict[str, Any] | None:
-    lines = output.strip().splitlines()
-    if not lines or not lines[-1].startswith("{"):
-        return None
-    try:
-        return json.loads(lines[-1], parse_constant=_not_json)
-    except ValueError:
-        return None
-
-
-def _not_json(word: str) -> float:
-    raise ValueError(f"{word} is not JSON")
+def plan(case: Case) -> programs.Outcome:
+    """Have ``ehlwave-case`` plan a case."""
+    with tempfile.TemporaryDirectory() as folder:
+        (Path(folder) / "case.nml").write_text(programs.namelist(case.groups), encoding="utf-8")
+        return programs.run("case", "case.nml", "--plan", folder=folder)

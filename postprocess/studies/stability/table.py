@@ -1,10 +1,10 @@
 """The table of the stability map, and what it says in a few lines."""
 
-import csv
 from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
 
+from studies import sweeps
 from studies.stability.outcome import CONVERGED, FAILED, OUTCOMES, Row
 
 _INPUTS = {
@@ -44,15 +44,20 @@ _RESULTS = (
 
 def write_table(path: Path, rows: Sequence[Row]) -> None:
     """Write one line per case: its inputs, its outcome, its effort and what is wrong with it."""
-    names = ["family", "variant", *_INPUTS, "outcome", *_RESULTS, "seconds", "message", "faults"]
-    with path.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(names)
-        for row in rows:
-            inputs = [row.case.value(key, usual) for key, usual in _INPUTS.items()]
-            results = [_short(row.result.get(name)) for name in _RESULTS]
-            cells = [row.case.family, row.case.variant, *inputs, row.outcome, *results]
-            writer.writerow([*cells, f"{row.seconds:.2f}", row.message, "; ".join(row.faults)])
+    lines = (
+        {
+            "family": row.case.family,
+            "variant": row.case.variant,
+            **{key: row.case.value(key, usual) for key, usual in _INPUTS.items()},
+            "outcome": row.outcome,
+            **{name: row.result.get(name, "") for name in _RESULTS},
+            "seconds": row.seconds,
+            "message": row.message,
+            "faults": "; ".join(row.faults),
+        }
+        for row in rows
+    )
+    sweeps.write_rows(path, lines, digits=6)
 
 
 def summary(rows: Sequence[Row]) -> str:
@@ -83,9 +88,3 @@ def bad_line(row: Row) -> str:
     m, l, d = (case.value(key) for key in keys)
     why = "; ".join([row.message, *row.faults]).strip("; ")
     return f"BAD {case.family}, {case.variant}, M = {m:g}, L = {l:g}, D = {d:g}: {why}"
-
-
-def _short(value: object) -> object:
-    if isinstance(value, float):
-        return f"{value:.6g}"
-    return "" if value is None else value

@@ -1,41 +1,39 @@
-"""The command behind ``scripts/error-vs-time``."""
+"""The commands behind ``scripts/error-vs-time``: write the sweep, and what its results say."""
 
 import argparse
 import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from ehlwave_post.errors import ResultsError
 from studies.error_time import errors, figures, model
 from studies.error_time.runs import FULL, QUICK
-from studies.error_time.table import run_table, write_rows
+from studies.error_time.table import read_table, write_cases
+from studies.sweeps import run_command, write_rows
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run the table, write tables and figures; return 0, or 1 with a message."""
+    """Write the sweep, or tables and figures; return 0, or 1 with a message."""
     parser = argparse.ArgumentParser(prog="error-vs-time", description=__doc__)
-    parser.add_argument("--program", type=Path, required=True, help="ehlwave-case")
-    parser.add_argument("--output", type=Path, required=True, help="folder; made when absent")
+    parser.add_argument("step", choices=("cases", "report"))
+    parser.add_argument("folder", type=Path, help="of all files; made when absent")
     parser.add_argument("--quick", action="store_true", help="small grids, minutes")
-    parser.add_argument("--minutes", type=float, default=45.0, help="start no run after these")
-    options = parser.parse_args(arguments)
-    try:
-        options.output.mkdir(parents=True, exist_ok=True)
-        extent = QUICK if options.quick else FULL
-        table = run_table(
-            options.program.resolve(), options.output / "runs.csv", extent, options.minutes
-        )
-        print("\n".join(str(path) for path in write_all(table, options.output)))
-    except (ResultsError, OSError) as error:
-        print(f"error-vs-time: error: {error}", file=sys.stderr)
-        return 1
-    return 0
+    return run_command(parser, _run, arguments)
+
+
+def _run(options: argparse.Namespace) -> None:
+    extent = QUICK if options.quick else FULL
+    if options.step == "cases":
+        print(write_cases(options.folder, extent))
+    else:
+        table = read_table(options.folder, extent)
+        print("\n".join(str(path) for path in write_all(table, options.folder)))
 
 
 def write_all(table: Sequence[errors.Row], folder: Path) -> list[Path]:
-    """Write errors, orders, estimates, models and figures of a table; return the paths."""
+    """Write runs, errors, orders, estimates, models and figures of a table; return the paths."""
     found = errors.error_rows(table)
     tables = {
+        "runs": table,
         "errors": found,
         "orders": errors.order_rows(table),
         "estimates": errors.estimate_rows(table),
@@ -45,7 +43,7 @@ def write_all(table: Sequence[errors.Row], folder: Path) -> list[Path]:
     for name, rows in tables.items():
         if rows:
             paths.append(folder / f"{name}.csv")
-            write_rows(paths[-1], rows)
+            write_rows(paths[-1], rows, digits=6)
     drawn = {"tolerance": figures.tolerance_figure(found)}
     for cost in figures.COSTS:
         for name, panels in figures.all_panels().items():

@@ -1,0 +1,1 @@
+"""Predicted against simulated roughness inside the contact: ``scripts/validate-microgeometry``."""

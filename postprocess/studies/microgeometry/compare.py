@@ -1,0 +1,122 @@
+"""A surface inside the contact: simulated, by formula, by harmonic table."""
+
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+
+from ehlwave_post.contact import read_contact
+from ehlwave_post.deform import (
+    FormulaTransfer,
+    Surface,
+    TableTransfer,
+    deform_surface,
+    read_surface,
+    read_table,
+)
+from ehlwave_post.deform.prepare import TAPERED_SHARE
+from ehlwave_post.errors import ResultsError
+from studies import sweeps
+from studies.microgeometry.simulate import SPEEDS, conditions_at, table_file
+from studies.microgeometry.surfaces import Floats, amplitude_of
+
+
+@dataclass
+class Comparison:
+    """One surface at one condition: positions in units of a, heights and film in m."""
+
+    surface: str
+    speed: float
+    amplitude_over_film: float
+    position: Floats
+    undeformed: Floats
+    simulated: Floats
+    by_formula: Floats
+    by_amplitudes: Floats
+    by_table: Floats
+    simulation_seconds: float
+    prediction_seconds: float
+
+    def error(self, predicted: Floats) -> float:
+        """Return the root mean square error over the undeformed Rq."""
+        left = predicted - self.simulated
+        return float(np.sqrt(np.mean(left**2)) / np.std(self.undeformed))
+
+    def mean_shift(self) -> float:
+        """Return how much thicker the mean film is than the linear prediction, part of the error.
+
+        Over the undeformed Rq.
+        """
+        return float(np.mean(self.by_table - self.simulated) / np.std(self.undeformed))
+
+
+def compare_speeds(
+    folder: Path, surface: Surface, tables: Path, speeds: Sequence[float] = SPEEDS
+) -> list[Comparison]:
+    """Return a surface's comparison at each speed of its sweep in `folder`.
+
+    `tables` is the folder of the harmonic tables.
+
+    Raises
+    ------
+    ResultsError
+        If a simulation is not finished, or did not converge.
+    """
+    rows = sweeps.read_sweep(folder, surface.name, len(speeds))
+    moved = read_surface(sweeps.surface_file(folder, surface))
+    found = []
+    for speed, row in zip(speeds, rows, strict=True):
+        if row["status"] not in ("converged", "unresolved"):
+            raise ResultsError(f"{surface.name} at {speed:g} m/s: status {row['status']}")
+        table = read_table(table_file(tables, speed))
+        fields = sweeps.fields_file(folder, surface.name, row)
+        found.append(_compare(replace(moved, name=surface.name), speed, row, fields, table))
+    return found
+
+
+def _compare(
+    moved: Surface, speed: float, row: dict[str, Any], fields: Path, table: pd.DataFrame
+) -> Comparison:
+    conditions = conditions_at(speed)
+    scale = conditions.hertz_approach_c_m
+    film_m = row["central_film"] * scale
+    known = replace(conditions, central_film_m=film_m, film_source="simulated smooth contact")
+    start = time.perf_counter()
+    by_formula = deform_surface(moved, known, FormulaTransfer(known), "none", "none")
+    seconds = time.perf_counter() - start
+    by_table, by_amplitudes = (
+        deform_surface(moved, known, TableTransfer(known, one), "none", "none")
+        for one in (table, without_phase(table))
+    )
+    simulated = read_contact(fields)
+    at_centre = simulated["surface_position_m"].values
+    film = simulated["film_at_centre"].values * scale
+    length = (moved.height.shape[0] - 1) * moved.step_x_m
+    inside = np.abs(at_centre / length - 0.5) <= 0.5 - TAPERED_SHARE
+    at_centre, film = at_centre[inside], film[inside]
+    positions = np.arange(moved.height.shape[0]) * moved.step_x_m
+    lines = [
+        np.interp(at_centre, positions, heights[:, heights.shape[1] // 2])
+        for heights in (moved.height, by_formula.height, by_amplitudes.height, by_table.height)
+    ]
+    return Comparison(
+        moved.name,
+        speed,
+        amplitude_of(moved) / film_m,
+        at_centre / conditions.semi_axis_a_m,
+        lines[0],
+        film_m - film,
+        *lines[1:],
+        row["seconds"],
+        seconds,
+    )
+
+
+def without_phase(table: pd.DataFrame) -> pd.DataFrame:
+    """Return a table with amplitudes alone, as a formula for them could give them at best."""
+    amplitude = np.hypot(table["transfer_real"], table["transfer_imag"])
+    return table.assign(transfer_real=amplitude, transfer_imag=0.0)

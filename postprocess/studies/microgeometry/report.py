@@ -1,0 +1,76 @@
+"""Comparisons as a table and as a figure."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+from matplotlib.figure import Figure
+
+from ehlwave_post.figures import COLOURS
+from studies.microgeometry.compare import Comparison
+from studies.microgeometry.surfaces import Floats
+
+
+def comparison_table(comparisons: Sequence[Comparison]) -> pd.DataFrame:
+    """Return one row for each surface and condition."""
+    return pd.DataFrame(
+        {
+            "surface": one.surface,
+            "speed_m_per_s": f"{one.speed:g}",
+            "amplitude_over_film": f"{one.amplitude_over_film:.3f}",
+            "rq_undeformed_nm": _rq_nm(one.undeformed),
+            "rq_simulated_nm": _rq_nm(one.simulated),
+            "rq_formula_nm": _rq_nm(one.by_formula),
+            "rq_table_nm": _rq_nm(one.by_table),
+            "error_formula_over_rq": f"{one.error(one.by_formula):.3f}",
+            "error_amplitudes_over_rq": f"{one.error(one.by_amplitudes):.3f}",
+            "error_table_over_rq": f"{one.error(one.by_table):.3f}",
+            "mean_shift_over_rq": f"{one.mean_shift():.3f}",
+            "simulation_s": f"{one.simulation_seconds:.2f}",
+            "prediction_s": f"{one.prediction_seconds:.4f}",
+            "time_ratio": f"{one.simulation_seconds / one.prediction_seconds:.0f}",
+        }
+        for one in comparisons
+    )
+
+
+def write_report(comparisons: Sequence[Comparison], folder: Path) -> str:
+    """Write table.csv, table.txt and profiles.png; return the text of the table."""
+    table = comparison_table(comparisons)
+    table.to_csv(folder / "table.csv", index=False)
+    text = table.to_string(index=False)
+    (folder / "table.txt").write_text(text + "\n", encoding="utf-8")
+    profiles_figure(comparisons).savefig(folder / "profiles.png", dpi=150)
+    return text
+
+
+def profiles_figure(comparisons: Sequence[Comparison]) -> Figure:
+    """Draw overlaid profiles: rows are surfaces, columns speeds."""
+    names = list(dict.fromkeys(one.surface for one in comparisons))
+    speeds = list(dict.fromkeys(one.speed for one in comparisons))
+    figure = Figure(figsize=(9.5, 2.1 * len(names)), layout="constrained")
+    axes = figure.subplots(len(names), len(speeds), sharex=True, squeeze=False)
+    for one in comparisons:
+        axis = axes[names.index(one.surface), speeds.index(one.speed)]
+        for label, values, colour, style, width in (
+            ("undeformed", one.undeformed, "0.75", "-", 1.6),
+            ("simulated", one.simulated, "black", "-", 1.6),
+            ("by formula (18)", one.by_formula, COLOURS[1], "--", 1.0),
+            ("by harmonic table", one.by_table, COLOURS[0], "-", 1.0),
+        ):
+            axis.plot(one.position, 1e9 * values, style, color=colour, linewidth=width, label=label)
+        formula, table = (100 * one.error(line) for line in (one.by_formula, one.by_table))
+        errors = f"error {formula:.0f} % of Rq by formula, {table:.0f} % by table"
+        axis.set_title(f"{one.surface}, {one.speed:g} m/s: {errors}", fontsize=8)
+        axis.tick_params(labelsize=8)
+    for row in axes:
+        row[0].set_ylabel("height [nm]", fontsize=8)
+    for axis in axes[-1]:
+        axis.set_xlabel("$x/a$ on the surface, the leading end on the right", fontsize=8)
+    axes[0, 0].legend(fontsize=7, ncols=2)
+    return figure
+
+
+def _rq_nm(heights: Floats) -> str:
+    return f"{1e9 * np.std(heights):.2f}"

@@ -1,0 +1,127 @@
+"""Studies as sweeps: the files that ``scripts/run-sweep`` is given, and the rows of its results."""
+
+import argparse
+import csv
+import hashlib
+import math
+import sys
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from ehlwave_post.deform import Surface, simulation_surface, write_simulation_surface
+from ehlwave_post.errors import ResultsError
+from ehlwave_post.read import read_results
+from studies.programs import Groups, namelist
+
+Row = dict[str, Any]
+
+
+def write_sweep(
+    folder: Path, name: str, rows: Iterable[Mapping[str, object]], groups: Groups
+) -> Path:
+    """Write ``name``.nml and the CSV file of its cases; return the path of the former.
+
+    Parameters
+    ----------
+    folder : Path
+        Is made when absent. The results become ``name``.h5 there.
+    name : str
+        Of the files.
+    rows : iterable of mappings
+        Values of each case by key; what a row lacks is an empty cell, which leaves the default.
+    groups : mapping
+        What all cases share, by group and key; ``sweep`` may hold further keys of that group.
+    """
+    folder.mkdir(parents=True, exist_ok=True)
+    write_rows(folder / f"{name}.csv", rows)
+    # A relative path counts from the folder in which the program is started.
+    files = {
+        "case_file": f"{folder.resolve()}/{name}.csv",
+        "output": f"{folder.resolve()}/{name}.h5",
+    }
+    path = folder / f"{name}.nml"
+    text = namelist({**groups, "sweep": {**files, **groups.get("sweep", {})}})
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+def read_sweep(folder: Path, name: str, cases: int | None = None) -> list[Row]:
+    """Return the cases of a sweep in the order of its rows; NaN is what a case has no number for.
+
+    Raises
+    ------
+    ResultsError
+        If it has not been run, or has another number of cases than `cases`.
+    """
+    path = folder / f"{name}.h5"
+    if not path.is_file():
+        raise ResultsError(f"{path}: no such file; run the sweep {folder / name}.nml first")
+    rows = read_results([path]).to_dataframe().to_dict("records")
+    if cases not in (None, len(rows)):
+        raise ResultsError(f"{path}: {len(rows)} cases in place of {cases}: of an older sweep file")
+    return rows
+
+
+def fields_file(folder: Path, name: str, row: Row) -> Path:
+    """Return where the fields of a case are, if its sweep keeps them (``&output fields``)."""
+    return folder / f"{name}.store" / "fields" / f"{row['case_id']}.h5"
+
+
+def surface_file(folder: Path, surface: Surface) -> Path:
+    """Return where a surface is for the simulation.
+
+    A sweep knows a case by its input, in which the surface is a path: the name tells heights apart.
+    """
+    heights = hashlib.sha256(surface.height.tobytes() + str(surface.step_x_m).encode())
+    return folder / f"{surface.name}-{heights.hexdigest()[:8]}.h5"
+
+
+def write_surface(folder: Path, surface: Surface, repeats: int = 1) -> Path:
+    """Write a surface, so many times one behind the other, and return its path."""
+    folder.mkdir(parents=True, exist_ok=True)
+    path = surface_file(folder, surface)
+    write_simulation_surface(simulation_surface(surface, "none", repeats), path)
+    return path
+
+
+def flat(groups: Groups) -> Row:
+    """Return the keys of all groups as one row of a CSV file."""
+    return {key: value for keys in groups.values() for key, value in keys.items()}
+
+
+def write_rows(path: Path, rows: Iterable[Mapping[str, object]], digits: int = 0) -> None:
+    """Write rows as CSV, their keys as columns; NaN and what a row lacks become empty cells.
+
+    Numbers have so many `digits`, or all of them.
+    """
+    rows = list(rows)
+    with path.open("w", newline="", encoding="utf-8") as file:
+        columns = dict.fromkeys(key for row in rows for key in row)
+        writer = csv.DictWriter(file, columns, lineterminator="\n")
+        writer.writeheader()
+        writer.writerows({key: _cell(cell, digits) for key, cell in row.items()} for row in rows)
+
+
+def run_command(
+    parser: argparse.ArgumentParser,
+    work: Callable[[argparse.Namespace], int | None],
+    arguments: Sequence[str] | None = None,
+) -> int:
+    """Run a study's command; return its status, or 1 with a message on standard error."""
+    options = parser.parse_args(arguments)
+    try:
+        return work(options) or 0
+    except (ResultsError, OSError) as error:
+        print(f"{parser.prog}: error: {error}", file=sys.stderr)
+        return 1
+
+
+def _cell(value: object, digits: int) -> object:
+    if isinstance(value, bool):
+        return ".true." if value else ".false."
+    if isinstance(value, float):
+        if math.isnan(value):
+            return ""
+        return f"{value:.{digits}g}" if digits else repr(float(value))
+    return value
