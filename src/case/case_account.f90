@@ -6,7 +6,7 @@ module ehlwave_case_account
    use ehlwave_case_result, only: case_result_t
    use ehlwave_formula, only: amplitude_formula, anisotropy_factor, wave_parameter_v, wave_parameter_v2
    use ehlwave_kinds, only: dp
-   use ehlwave_level_solver, only: solve_report_t
+   use ehlwave_solve_report, only: solve_report_t
    use ehlwave_monitor, only: give_up, stop_now
    use ehlwave_status, only: is_success, status_interrupted, status_name, status_over_budget
    use ehlwave_text, only: to_text

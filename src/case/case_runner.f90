@@ -7,16 +7,17 @@ module ehlwave_case_runner
    use ehlwave_case_result, only: case_result_t
    use ehlwave_clock, only: peak_memory_mib, wall_seconds
    use ehlwave_error_estimate, only: estimate_error, observed_order
-   use ehlwave_full_multigrid, only: full_multigrid_t, level_t
-   use ehlwave_continuation, only: given_t
+   use ehlwave_full_multigrid, only: full_multigrid_t
+   use ehlwave_given, only: given_t
    use ehlwave_harmonic_case, only: run_response
+   use ehlwave_hierarchy, only: hierarchy_t, level_t
    use ehlwave_kinds, only: dp, pi
-   use ehlwave_level_solver, only: solve_limits_t
    use ehlwave_march_keeper, only: march_keeper_t
    use ehlwave_monitor, only: go_on, monitor_t
    use ehlwave_resolution, only: touching_reason
    use ehlwave_rescue, only: rescue_t, rung_name
    use ehlwave_shared_steady, only: shared_steady_t
+   use ehlwave_solve_report, only: solve_limits_t
    use ehlwave_state, only: state_t
    use ehlwave_status, only: is_success, status_converged, status_interrupted, status_name, status_unresolved
    use ehlwave_surface_plan, only: surface_positions
@@ -38,9 +39,9 @@ contains
       type(case_plan_t), intent(in) :: plan
       class(monitor_t), intent(inout) :: monitor
       type(case_result_t), intent(out) :: result
-      type(shared_steady_t), intent(inout), target, optional :: shared
+      type(shared_steady_t), intent(inout), optional :: shared
       class(march_keeper_t), intent(inout), optional :: keeper   !! lets a march go on where it was stopped
-      type(shared_steady_t), allocatable, target :: own
+      type(shared_steady_t), allocatable :: own
 
       if (present(shared)) then
          call run_about(case, plan, monitor, shared, result, keeper)
@@ -54,7 +55,7 @@ contains
       type(case_t), intent(in) :: case              !! completed input
       type(case_plan_t), intent(in) :: plan
       class(monitor_t), intent(inout) :: monitor
-      type(shared_steady_t), intent(inout), target :: steady
+      type(shared_steady_t), intent(inout) :: steady
       type(case_result_t), intent(out) :: result
       class(march_keeper_t), intent(inout), optional :: keeper
       type(solve_limits_t) :: limits
@@ -72,24 +73,22 @@ contains
          call monitor%step_done('steady state', 1, 1)
          if (result%status == status_converged) then
             call take_smooth_film(plan, level, result)
-            call estimate_film_errors(steady%multigrid, result)
+            call estimate_film_errors(steady%multigrid%hierarchy_t, result)
             if (plan%responds) call run_response(case, plan, steady, result)
          end if
          if (result%status == status_converged) then
             select case (plan%kind)
             case (run_march)
-               call run_moving(case, plan, level, rescue, monitor, result, keeper)
+               call run_moving(case, plan, steady%multigrid, rescue, monitor, result, keeper)
             case (run_standing)
-               call run_standing_pattern(case, plan, level, limits, rescue, monitor, result)
+               call run_standing_pattern(case, plan, steady%multigrid, limits, rescue, monitor, result)
             end select
          end if
          if (case%fields) then
             allocate (result%x, source=level%problem%grid%x)
-            associate (last => level%problem%grid%last_row())
-               result%y = level%problem%grid%y(:last)
-               result%p = level%state%p(:, :last)
-               result%h = level%state%h(:, :last)
-            end associate
+            allocate (result%y, source=level%problem%grid%y)
+            allocate (result%p, source=level%state%p)
+            allocate (result%h, source=level%state%h)
          end if
       end associate
 
@@ -124,7 +123,7 @@ contains
 
    !> Discretisation errors of the smooth film from the levels that the multigrid start solved on its way.
    subroutine estimate_film_errors(multigrid, result)
-      type(full_multigrid_t), intent(in) :: multigrid
+      type(hierarchy_t), intent(in) :: multigrid
       type(case_result_t), intent(inout) :: result
       integer :: n
       n = size(multigrid%levels)
@@ -134,10 +133,10 @@ contains
    end subroutine estimate_film_errors
 
    !> Moving pattern: march in time, then measure over the last period.
-   subroutine run_moving(case, plan, level, rescue, monitor, result, keeper)
+   subroutine run_moving(case, plan, multigrid, rescue, monitor, result, keeper)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
-      type(level_t), intent(inout), target :: level
+      type(full_multigrid_t), intent(inout) :: multigrid
       type(rescue_t), intent(inout) :: rescue
       class(monitor_t), intent(inout) :: monitor
       type(case_result_t), intent(inout) :: result
@@ -147,8 +146,10 @@ contains
       type(march_result_t) :: history
       type(solve_limits_t) :: limits
       complex(dp) :: fit
+      integer :: finest
       real(dp) :: amplitude, amplitude_over_film
 
+      finest = size(multigrid%levels)
       amplitude = case%amplitude_over_film*result%central_film
       amplitude_over_film = case%amplitude_over_film
       if (allocated(plan%waviness%surface)) then   ! heights are in units of c as they are
@@ -161,11 +162,11 @@ contains
       ! the tolerance is relative to the film; for small waves it has to follow their amplitude
       limits = solve_limits_t(tolerance=case%step_tolerance*min(1.0_dp, amplitude_over_film/usual_amplitude), &
                               largest_steps=case%largest_steps)
-      call march%begin(level, settings, rescue)
+      call march%begin(multigrid%levels(finest), settings, rescue)
       if (present(keeper)) call keeper%load(march)
-      if (march%result%steps > 0) call march%restore(level)
+      if (march%result%steps > 0) call march%restore(multigrid%levels(finest))
       do while (march%result%steps < plan%steps)
-         call march%advance(level, limits, monitor)
+         call march%advance(multigrid, limits, monitor)
          if (march%result%status /= status_converged) exit
          if (present(keeper) .and. modulo(march%result%steps, steps_per_stretch) == 0) call keeper%keep(march)
          if (monitor%request /= go_on) exit
@@ -177,8 +178,8 @@ contains
          call end_early(monitor%request, 'time step '//to_text(history%steps)//' of '//to_text(plan%steps), result)
       if (result%status == status_interrupted .and. present(keeper)) call keeper%save()
       result%time_steps = history%steps
-      result%residual = worse(worse(result%residual, history%worst_residual), level%report%residual)
-      result%load_error = worse(worse(result%load_error, history%worst_load_error), level%report%load_error)
+      result%residual = worse(worse(result%residual, history%worst_residual), multigrid%levels(finest)%report%residual)
+      result%load_error = worse(worse(result%load_error, history%worst_load_error), multigrid%levels(finest)%report%load_error)
       result%nonlinear_steps = result%nonlinear_steps + history%nonlinear_steps
       result%linear_steps = result%linear_steps + history%linear_steps
       result%time = history%time(:history%steps)
@@ -186,11 +187,11 @@ contains
       result%approach_history = history%approach(:history%steps)
       if (history%status /= status_converged) then
          result%message = 'time step '//to_text(history%steps + 1)//' of '//to_text(plan%steps)//' '// &
-                          status_name(history%status)//', residual '//to_text(level%report%residual, 3)// &
-                          ', load error '//to_text(level%report%load_error, 3)
-         call keep_history(level%report, result)
+                          status_name(history%status)//', residual '//to_text(multigrid%levels(finest)%report%residual, 3)// &
+                          ', load error '//to_text(multigrid%levels(finest)%report%load_error, 3)
+         call keep_history(multigrid%levels(finest)%report, result)
       else if (result%status /= status_converged) then
-         call keep_history(level%report, result)
+         call keep_history(multigrid%levels(finest)%report, result)
       else if (allocated(plan%waviness%surface)) then
          result%surface_position = surface_positions(plan%waviness, plan%conditions%a_m, result%time)
          if (plan%first_sample < history%steps) &
@@ -209,10 +210,10 @@ contains
    end subroutine run_moving
 
    !> Pattern that stands still: one steady state for each phase, no time stepping.
-   subroutine run_standing_pattern(case, plan, level, limits, rescue, monitor, result)
+   subroutine run_standing_pattern(case, plan, multigrid, limits, rescue, monitor, result)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
-      type(level_t), intent(inout), target :: level
+      type(full_multigrid_t), intent(inout) :: multigrid
       type(solve_limits_t), intent(in) :: limits
       type(rescue_t), intent(inout) :: rescue
       class(monitor_t), intent(inout) :: monitor
@@ -220,20 +221,23 @@ contains
       type(state_t) :: smooth
       type(given_t) :: given_smooth
       real(dp) :: amplitude, film(plan%phases), turn(plan%phases)
-      integer :: n
+      integer :: finest, n
 
-      smooth = level%state
-      call given_smooth%take(level%problem)
+      finest = size(multigrid%levels)
+      smooth = multigrid%levels(finest)%state
+      given_smooth = multigrid%levels(finest)%problem%given_t
       amplitude = case%amplitude_over_film*result%central_film
       do n = 1, plan%phases
          turn(n) = real(n - 1, dp)/plan%phases
-         call level%problem%set_rough(amplitude*plan%waviness%shape_fixed(level%problem%grid%x, level%problem%grid%y, &
-                                                                          2*pi*turn(n)))
-         level%state = smooth
-         call rescue%solve_step(level, smooth, given_smooth, limits)
-         call take_report(level%report, 'steady state '//to_text(n)//' of '//to_text(plan%phases)//' of the pattern', result)
+         associate (problem => multigrid%levels(finest)%problem)
+            call problem%set_rough(amplitude*plan%waviness%shape_fixed(problem%grid%x, problem%grid%y, 2*pi*turn(n)))
+         end associate
+         multigrid%levels(finest)%state = smooth
+         call rescue%solve_step(multigrid, smooth, given_smooth, limits)
+         call take_report(multigrid%levels(finest)%report, &
+                          'steady state '//to_text(n)//' of '//to_text(plan%phases)//' of the pattern', result)
          if (result%status /= status_converged) return
-         film(n) = level%problem%grid%value_at_centre(level%state%h)
+         film(n) = multigrid%levels(finest)%problem%grid%value_at_centre(multigrid%levels(finest)%state%h)
          call monitor%step_done('steady pattern', n, plan%phases)
          if (monitor%request /= go_on .and. n < plan%phases) then
             call end_early(monitor%request, 'steady state '//to_text(n)//' of '//to_text(plan%phases), result)

@@ -20,15 +20,17 @@ contains
    subroutine run_response(case, plan, steady, result)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
-      type(shared_steady_t), intent(inout), target :: steady
+      type(shared_steady_t), intent(inout) :: steady
       type(case_result_t), intent(inout) :: result
       type(harmonic_response_t) :: response, coarse
       real(dp) :: finish, start
-      integer :: last
+      integer :: n
 
+      n = size(steady%multigrid%levels)
       call steady%linearise(case, plan)
       call cpu_time(start)             ! steadier than the wall clock on a busy machine
-      call steady%response%respond(plan%waviness, case%natural_frequency, plan%steps_per_cell, response)
+      call steady%response%respond(steady%multigrid%levels, plan%waviness, case%natural_frequency, plan%steps_per_cell, &
+                                   response)
       call cpu_time(finish)
       result%harmonic%work_units = (finish - start)/work_unit_seconds(plan%cells_x, plan%cells_y)
       result%harmonic%linear_steps = response%linear_steps
@@ -40,12 +42,12 @@ contains
       end if
       call result%harmonic%take(response%film, response%approach)
       if (case%fields) then
-         last = steady%multigrid%levels(size(steady%multigrid%levels))%problem%grid%last_row()
-         result%harmonic%p = response%p(:, :last)
-         result%harmonic%h = response%h(:, :last)
+         result%harmonic%p = response%p
+         result%harmonic%h = response%h
       end if
       if (.not. steady%has_coarse) return
-      call steady%coarse_response%respond(plan%waviness, case%natural_frequency, plan%steps_per_cell, coarse)
+      call steady%coarse_response%respond(steady%multigrid%levels(:n - 1), plan%waviness, case%natural_frequency, &
+                                          plan%steps_per_cell, coarse)
       if (coarse%status == status_converged) call result%harmonic%extrapolate(coarse%film)
    end subroutine run_response
 

@@ -3,18 +3,19 @@ module ehlwave_shared_steady
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t, run_harmonic
    use ehlwave_case_text, only: effective_input
-   use ehlwave_full_multigrid, only: full_multigrid_t
+   use ehlwave_full_multigrid, only: full_multigrid_t, method_t
+   use ehlwave_grid, only: grid_t, new_grid, new_line_grid
    use ehlwave_harmonic_response, only: harmonic_solver_t
    use ehlwave_kinds, only: dp
-   use ehlwave_level_solver, only: solve_limits_t
    use ehlwave_rescue, only: rescue_t, rung_direct
+   use ehlwave_solve_report, only: solve_limits_t, solve_report_t
    use ehlwave_status, only: status_converged
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
    public :: steady_key
 
-   !> Its parts point at each other: declare it a target, pass it by reference, do not copy it.
+   !> It owns the hierarchy.
    type, public :: shared_steady_t
       type(full_multigrid_t) :: multigrid
       type(rescue_t) :: rescue                       !! as the steady state left it, for what follows in a case
@@ -57,7 +58,7 @@ contains
    !> that has the same. A state that is going to be marched on from is not kept. The numbers, steps included, do not
    !> depend on which it is.
    subroutine prepare(self, case, plan)
-      class(shared_steady_t), intent(inout), target :: self
+      class(shared_steady_t), intent(inout) :: self
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       character(len=:), allocatable :: key
@@ -69,10 +70,8 @@ contains
       end if
       self%key = key
       self%is_linearised = .false.
-      if (allocated(self%multigrid%levels)) deallocate (self%multigrid%levels)
-      call self%multigrid%init(plan%conditions, plan%rheology, case%x_min, case%x_max, case%y_max, &
-                               plan%cells_x, plan%cells_y, plan%is_half, trim(case%method), trim(case%deformation), &
-                               trim(case%cycle))
+      call self%multigrid%init(plan%conditions, plan%rheology, grid_of(case, plan), &
+                               method_t(case%method, case%cycle, case%deformation))
       self%rescue = rescue_t(is_ready=climbs(plan), steps_left=plan%largest_total_steps)
       call self%rescue%solve_steady(self%multigrid, limits_of(case), coarse_tolerance)
    end subroutine prepare
@@ -97,29 +96,36 @@ contains
    !> Linear systems about the steady state, and about that of the next coarser grid, which is solved to the same
    !> tolerance first.
    subroutine linearise(self, case, plan)
-      class(shared_steady_t), intent(inout), target :: self
+      class(shared_steady_t), intent(inout) :: self
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
-      integer :: l, n
+      type(solve_report_t) :: report
+      integer :: n
 
       if (self%is_linearised) return
       n = size(self%multigrid%levels)
       self%has_coarse = n > 1
       if (n > 1) then
-         associate (level => self%multigrid%levels(n - 1))
-            call level%solver%solve(level%problem, level%state, limits_of(case), level%report)
-            self%has_coarse = level%report%status == status_converged
-         end associate
+         call self%multigrid%solve_level(n - 1, limits_of(case), report)
+         self%has_coarse = report%status == status_converged
       end if
-      if (plan%kind == run_harmonic) then
-         do l = 1, n                   ! nothing nonlinear follows: give their memory back
-            deallocate (self%multigrid%levels(l)%solver)
-         end do
-      end if
+      if (plan%kind == run_harmonic) deallocate (self%multigrid%solver)   ! nothing nonlinear follows: give the memory back
       call self%response%init(self%multigrid%levels)
       if (self%has_coarse) call self%coarse_response%init(self%multigrid%levels(:n - 1))
       self%is_linearised = .true.
    end subroutine linearise
+
+   !> The finest grid.
+   pure function grid_of(case, plan) result(grid)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      type(grid_t) :: grid
+      if (plan%conditions%is_line()) then
+         grid = new_line_grid(case%x_min, case%x_max, plan%cells_x)
+      else
+         grid = new_grid(case%x_min, case%x_max, case%y_max, plan%cells_x, plan%cells_y, plan%is_half)
+      end if
+   end function grid_of
 
    pure function limits_of(case) result(limits)
       type(case_t), intent(in) :: case

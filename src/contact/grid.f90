@@ -5,21 +5,23 @@ module ehlwave_grid
    private
    public :: new_grid, new_line_grid
 
-   !> Nodes X(0:nx), Y(0:ny). P = 0 on the outer boundary; unknown P at i = 1..nx-1, j = first_row..ny-1.
-   !> On a half domain Y(0) = 0 is the line of symmetry and row 0 is unknown too. The grid of a line contact is a half
-   !> domain of that row alone: row 1 holds P = 0 and a copy of the film, and nothing depends on it (kappa = 0).
+   !> Nodes X(0:nx), Y(0:ny). P = 0 on the outer boundary; unknown P at i = 1..nx-1, j = first_row..last_row.
+   !> On a half domain Y(0) = 0 is the line of symmetry and row 0 is unknown too. The grid of a line contact has one
+   !> dimension: ny = 0, and row 0 is its own neighbour across, so that differences along Y vanish.
    type, public :: grid_t
       integer :: nx = 0, ny = 0             !! cells along X; stored cells along Y
       real(dp) :: hx = 0, hy = 0            !! mesh sizes in X and Y
       logical :: is_half = .true.           !! whether only Y >= 0 is stored
       logical :: is_line = .false.          !! whether it is that of a line contact
       integer :: row_ratio = 2              !! rows for one row of the next coarser grid
-      integer :: first_row = 0              !! first row with unknown pressure
+      integer :: first_row = 0, last_row = 0   !! rows with unknown pressure
       real(dp), allocatable :: x(:), y(:)   !! node coordinates, (0:nx), (0:ny)
       real(dp), allocatable :: weight(:)    !! (0:ny) how many rows of the whole domain a stored row stands for
    contains
       procedure :: below
-      procedure :: last_row
+      procedure :: above
+      procedure :: can_coarsen
+      procedure :: coarser
       procedure :: integral
       procedure :: value_at_centre
    end type grid_t
@@ -45,6 +47,7 @@ contains
       self%is_half = is_half
       self%ny = merge(cells_y/2, cells_y, is_half)
       self%first_row = merge(0, 1, is_half)
+      self%last_row = self%ny - 1
       allocate (self%x(0:self%nx), self%y(0:self%ny), self%weight(0:self%ny))
       self%x = [(x_min + i*self%hx, i=0, self%nx)]
       if (is_half) then
@@ -63,25 +66,62 @@ contains
       integer, intent(in) :: cells_x
       type(grid_t) :: self
 
-      self = new_grid(x_min, x_max, strip_width, cells_x, 2, is_half=.true.)
+      integer :: i
+
+      self%nx = cells_x
+      self%hx = (x_max - x_min)/cells_x
+      self%hy = strip_width
       self%is_line = .true.
       self%row_ratio = 1
+      allocate (self%x(0:cells_x), self%y(0:0), self%weight(0:0))
+      self%x = [(x_min + i*self%hx, i=0, cells_x)]
+      self%y = 0
       self%weight = 1
    end function new_line_grid
 
-   !> Last row that belongs in a result.
-   pure integer function last_row(self)
-      class(grid_t), intent(in) :: self
-      last_row = merge(0, self%ny, self%is_line)
-   end function last_row
-
-   !> Row below row j: j - 1, mirrored at the line of symmetry.
+   !> Row below row j: j - 1, mirrored at the line of symmetry; of a line contact the row itself.
    pure integer function below(self, j)
       class(grid_t), intent(in) :: self
       integer, intent(in) :: j
       below = j - 1
       if (self%is_half) below = abs(j - 1)
+      if (self%is_line) below = j
    end function below
+
+   !> Row above row j: j + 1; of a line contact the row itself.
+   pure integer function above(self, j)
+      class(grid_t), intent(in) :: self
+      integer, intent(in) :: j
+      above = merge(j, j + 1, self%is_line)
+   end function above
+
+   !> Whether every second node makes a grid of at least `fewest` cells along X and over the whole width.
+   pure logical function can_coarsen(self, fewest)
+      class(grid_t), intent(in) :: self
+      integer, intent(in) :: fewest
+      can_coarsen = modulo(self%nx, 2) == 0 .and. self%nx/2 >= fewest
+      if (self%is_line) return
+      can_coarsen = can_coarsen .and. modulo(self%ny, 2) == 0 .and. self%ny*merge(2, 1, self%is_half)/2 >= fewest
+   end function can_coarsen
+
+   !> The grid of every second node, of a line contact along X.
+   pure function coarser(self)
+      class(grid_t), intent(in) :: self
+      type(grid_t) :: coarser
+      coarser = self
+      coarser%nx = self%nx/2
+      coarser%hx = 2*self%hx
+      if (.not. self%is_line) then
+         coarser%ny = self%ny/2
+         coarser%hy = 2*self%hy
+         coarser%last_row = coarser%ny - 1
+      end if
+      deallocate (coarser%x, coarser%y, coarser%weight)
+      allocate (coarser%x(0:coarser%nx), coarser%y(0:coarser%ny), coarser%weight(0:coarser%ny))
+      coarser%x = self%x(::2)
+      coarser%y = self%y(::self%row_ratio)
+      coarser%weight = self%weight(::self%row_ratio)
+   end function coarser
 
    !> Integral over the whole domain by the sum of nodal values times hX hY; of a line contact over its strip, 4/3 int dX.
    pure real(dp) function integral(self, field)

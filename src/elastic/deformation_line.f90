@@ -51,11 +51,11 @@ contains
       self%spectrum = real(self%modes, dp)/n      ! the kernel is even, so its transform is real
    end subroutine init
 
-   !> Deformation at all nodes of the line, D = sum over cells of influence times P; row 1 gets a copy.
+   !> Deformation at all nodes of the line, D = sum over cells of influence times P.
    subroutine apply(self, p, d)
       class(deformation_line_t), intent(inout) :: self
-      real(dp), intent(in) :: p(0:, 0:)    !! pressure at the nodes, (0:nx, 0:1)
-      real(dp), intent(out) :: d(0:, 0:)   !! deformation, (0:nx, 0:1)
+      real(dp), intent(in) :: p(0:, 0:)    !! pressure at the nodes, (0:nx, 0:0)
+      real(dp), intent(out) :: d(0:, 0:)   !! deformation, (0:nx, 0:0)
 
       self%row(1:self%nx + 1) = p(:, 0)
       self%row(self%nx + 2:) = 0
@@ -63,7 +63,6 @@ contains
       self%modes = self%spectrum*self%modes
       call fftw_execute_dft_c2r(self%backward, self%modes, self%row)
       d(:, 0) = self%row(1:self%nx + 1)
-      d(:, 1) = d(:, 0)
    end subroutine apply
 
    !> Free plans and C memory.

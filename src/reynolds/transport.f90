@@ -1,4 +1,4 @@
-!> Wedge and squeeze terms d(rho H)/dX + d(rho H)/dT, second order, one form for steady and transient.
+!> Wedge and squeeze terms d(rho H)/dX + d(rho H)/dT, second order, one form for steady, transient and harmonic.
 !>
 !> At node i the sum of both terms is discretised as
 !>
@@ -6,15 +6,15 @@
 !>
 !> where `carried` holds the known values of earlier times.
 module ehlwave_transport
+   use ehlwave_complex_wedge, only: complex_wedge_t => wedge_t, new_complex_wedge => new_wedge
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
+   use ehlwave_real_wedge, only: new_wedge, wedge_t
    implicit none (type, external)
    private
-   public :: steady_transport, characteristic_transport, implicit_part
+   public :: steady_transport, characteristic_transport, harmonic_wedge, implicit_part
 
-   type, public :: transport_t
-      real(dp), allocatable :: w0(:), w1(:), w2(:)   !! (0:nx) weights of f(i), f(i-1), f(i-2)
-      logical :: is_local = .false.                  !! w1 = w2 = 0 everywhere
+   type, extends(wedge_t), public :: transport_t
       real(dp), allocatable :: carried(:, :)         !! (0:nx, 0:ny), allocated in transient problems only
       integer :: cells_per_step = 1                  !! dT = hX cells_per_step / steps_per_cell,
       integer :: steps_per_cell = 1                  !! one of the two is 1
@@ -29,7 +29,7 @@ contains
    pure function steady_transport(grid) result(self)
       type(grid_t), intent(in) :: grid
       type(transport_t) :: self
-      call allocate_weights(self, grid%nx)
+      self%wedge_t = new_wedge(grid%nx)
       self%w0 = 1.5_dp/grid%hx
       self%w1 = -2/grid%hx
       self%w2 = 0.5_dp/grid%hx
@@ -55,7 +55,7 @@ contains
       real(dp) :: dt
       integer :: i
 
-      call allocate_weights(self, grid%nx)
+      self%wedge_t = new_wedge(grid%nx)
       self%cells_per_step = cells_per_step
       self%steps_per_cell = steps_per_cell
       dt = grid%hx*cells_per_step/steps_per_cell
@@ -75,22 +75,46 @@ contains
       allocate (self%carried(0:grid%nx, 0:grid%ny), source=0.0_dp)
    end function characteristic_transport
 
-   pure subroutine allocate_weights(self, nx)
-      type(transport_t), intent(inout) :: self
-      integer, intent(in) :: nx
-      allocate (self%w0(0:nx), self%w1(0:nx), self%w2(0:nx), source=0.0_dp)
-   end subroutine allocate_weights
+   !> Weights for an amplitude f that varies as exp(-i w T): exact linearisation of the transient operator along the characteristic (`characteristic_transport` with a
+   !> step of one mesh size), where f(i-l) at T - l dT becomes z^l f(i-l), z = exp(i w dT):
+   !>
+   !>     (1.5 f(i) - 2 z f(i-1) + 0.5 z^2 f(i-2))/dT,    at i = 1    (f(1) - z f(0))/dT.
+   !>
+   !> It is written as  t0 f + t1 f' + t2 f''  with upstream differences for f' and f'' on the grid at hand. With
+   !> hX = dT that is the operator itself; on a coarser grid it keeps the factors of the fine one, also where the
+   !> coarse mesh is too wide for the wave: what it has to carry there is smooth.
+   pure function harmonic_wedge(grid, frequency, dt) result(self)
+      type(grid_t), intent(in) :: grid
+      real(dp), intent(in) :: frequency   !! w in units of 1/T
+      real(dp), intent(in) :: dt          !! time step: hX of the finest grid
+      type(complex_wedge_t) :: self
+      complex(dp) :: t0, t1, t2, z
+
+      z = exp(cmplx(0, frequency*dt, dp))
+      t0 = (1.5_dp - 2*z + 0.5_dp*z**2)/dt
+      t1 = 2*z - z**2
+      t2 = dt*(z**2 - z)
+      self = new_complex_wedge(grid%nx)
+      associate (h => grid%hx)
+         self%w0 = t0 + 1.5_dp*t1/h + t2/h**2
+         self%w1 = -2*t1/h - 2*t2/h**2
+         self%w2 = 0.5_dp*t1/h + t2/h**2
+         self%w0(:1) = (1 - z)/dt + z/h
+         self%w1(:1) = -z/h
+         self%w2(:1) = 0
+      end associate
+   end function harmonic_wedge
 
    !> The terms at the present time, on the same grid or on one with half as many cells: what a Jacobian needs.
    !> Terms that look upstream in X follow the mesh size; terms along the characteristic do not.
    pure function implicit_part(transport, grid) result(self)
-      type(transport_t), intent(in) :: transport
+      class(wedge_t), intent(in) :: transport
       type(grid_t), intent(in) :: grid            !! grid of the result
-      type(transport_t) :: self
+      type(wedge_t) :: self
       integer :: ratio
 
       ratio = ubound(transport%w0, 1)/grid%nx
-      call allocate_weights(self, grid%nx)
+      self = new_wedge(grid%nx)
       self%is_local = transport%is_local
       self%w0 = transport%w0(::ratio)
       self%w1 = transport%w1(::ratio)
@@ -101,9 +125,9 @@ contains
 
    !> Upstream differences for a mesh `ratio` times as wide; what is not part of one stays.
    pure function scaled_upstream(transport, ratio) result(self)
-      type(transport_t), intent(in) :: transport
+      type(wedge_t), intent(in) :: transport
       integer, intent(in) :: ratio
-      type(transport_t) :: self
+      type(wedge_t) :: self
       real(dp) :: still(0:ubound(transport%w0, 1))
       self = transport
       still = transport%w0 + transport%w1 + transport%w2   ! an upstream difference sums to zero

@@ -1,9 +1,10 @@
 !> Solves within a cap on the work of a case, whose outcome is checked before it counts as converged.
 module ehlwave_capped_solver
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-   use ehlwave_full_multigrid, only: full_multigrid_t, level_t
+   use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_kinds, only: dp
-   use ehlwave_level_solver, only: level_solver_t, solve_limits_t, solve_report_t
+   use ehlwave_level_solver, only: level_solver_t
+   use ehlwave_solve_report, only: solve_limits_t, solve_report_t
    use ehlwave_state, only: state_t
    use ehlwave_status, only: status_converged, status_diverged, status_not_finite, status_stalled
    implicit none (type, external)
@@ -19,32 +20,36 @@ module ehlwave_capped_solver
 
 contains
 
-   !> Solve once within what is left of the cap; add the steps to those in the report of the level.
-   subroutine attempt(self, level, limits, solver)
+   !> Solve the finest level once within what is left of the cap; add the steps to those in its report.
+   subroutine attempt(self, multigrid, limits, solver)
       class(capped_solver_t), intent(inout) :: self
-      type(level_t), intent(inout), target :: level
+      type(full_multigrid_t), intent(inout) :: multigrid
       type(solve_limits_t), intent(in) :: limits
-      class(level_solver_t), intent(inout), optional :: solver   !! in place of that of the level
+      class(level_solver_t), intent(inout), optional :: solver   !! in place of that of the hierarchy
       type(solve_report_t) :: report
+      integer :: n
 
+      n = size(multigrid%levels)
       if (self%steps_left <= 0) then
-         level%report%status = status_stalled
+         multigrid%levels(n)%report%status = status_stalled
          return
       end if
       if (present(solver)) then
-         call solver%solve(level%problem, level%state, bounded(limits, self%steps_left), report)
+         call solver%solve(multigrid%hierarchy_t, n, bounded(limits, self%steps_left), report)
       else
-         call level%solver%solve(level%problem, level%state, bounded(limits, self%steps_left), report)
+         call multigrid%solve_level(n, bounded(limits, self%steps_left), report)
       end if
-      call close_attempt(self, level%state, report, level%report)
-      if (report%status == status_converged) self%thinnest = min(self%thinnest, minval(level%state%h))
-      level%report = report
+      associate (level => multigrid%levels(n))
+         call close_attempt(self, level%state, report, level%report)
+         if (report%status == status_converged) self%thinnest = min(self%thinnest, minval(level%state%h))
+         level%report = report
+      end associate
    end subroutine attempt
 
    !> The same by full multigrid, for the finest level.
    subroutine attempt_from_coarsest(self, multigrid, limits, coarse_tolerance)
       class(capped_solver_t), intent(inout) :: self
-      type(full_multigrid_t), intent(inout), target :: multigrid
+      type(full_multigrid_t), intent(inout) :: multigrid
       type(solve_limits_t), intent(in) :: limits       !! for the finest level
       real(dp), intent(in) :: coarse_tolerance         !! for the others
       type(solve_report_t) :: spent

@@ -2,15 +2,16 @@
 module ehlwave_contact_inequality
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_contact_problem, only: contact_problem_t
+   use ehlwave_equations, only: equations_t
    use ehlwave_formula, only: moes_film_formula
-   use ehlwave_kernel, only: cell_influence
    use ehlwave_kinds, only: dp
-   use ehlwave_level_solver, only: solve_report_t
    use ehlwave_load_balance, only: load_factor
    use ehlwave_near_matrix, only: near_matrix_t
-   use ehlwave_reynolds, only: diagonal_scale, flow_t, new_flow, reynolds_jacobian, reynolds_residual
+   use ehlwave_reynolds, only: reynolds_change
+   use ehlwave_solve_report, only: solve_report_t
    use ehlwave_state, only: new_state, state_t
    use ehlwave_status, only: status_not_finite
+   use ehlwave_step_limit, only: step_limit_t
    implicit none (type, external)
    private
 
@@ -30,23 +31,19 @@ module ehlwave_contact_inequality
       integer :: n = 0                            !! unknowns
       real(dp), allocatable :: lower(:)           !! their bounds
       type(near_matrix_t) :: near_matrix
-      real(dp) :: largest_change = 0, smallest_film_factor = 0   !! limits of a step, set by the owner
+      type(step_limit_t) :: limit                 !! of a step
       real(dp), allocatable :: best(:)            !! vector of the best state judged since `start`
       type(solve_report_t) :: report              !! errors and status of the state judged last, and the history
       type(contact_problem_t), pointer, private :: problem => null()
       integer, private :: rows = 0                ! unknown nodes along Y
-      real(dp), private :: self_influence = 0, tolerance = 0
+      real(dp), private :: tolerance = 0
       real(dp), private :: least = huge(1.0_dp)   ! worst error of the best state
-      ! of the state visited last, (0:nx, 0:ny)
-      type(state_t), private :: state
-      type(flow_t), private :: flow
-      real(dp), allocatable, dimension(:, :), private :: r, scale
-      logical, allocatable, private :: is_cavitated(:, :)
-      ! the point of linearisation
-      type(state_t), private :: base
-      type(flow_t), private :: base_flow
+      type(state_t), private :: state             ! visited last,
+      type(equations_t), private :: equations     ! and the equations there
+      type(state_t), private :: base              ! the point of linearisation,
+      type(equations_t), private :: base_equations   ! and the equations there
       ! weights and scratch
-      real(dp), allocatable, dimension(:, :), private :: weight, change, film_change, r_change, work
+      real(dp), allocatable, dimension(:, :), private :: weight, change, film_change, r_change
    contains
       procedure :: init
       procedure :: start
@@ -67,17 +64,14 @@ contains
       type(contact_problem_t), intent(in) :: problem
       real(dp), allocatable :: zero(:, :)
 
-      associate (grid => problem%grid, elliptic => problem%conditions%elliptic)
-         self%rows = grid%ny - grid%first_row
+      associate (grid => problem%grid)
+         self%rows = grid%last_row - grid%first_row + 1
          self%n = self%rows*(grid%nx - 1) + 1
-         self%self_influence = cell_influence(0.0_dp, 0.0_dp, grid%hx, grid%hy, elliptic%kappa, elliptic%k)
-         self%flow = new_flow(grid)
-         self%base_flow = self%flow
+         call self%equations%init(problem)
          self%state = new_state(grid)
          self%base = self%state
          allocate (zero(0:grid%nx, 0:grid%ny), source=0.0_dp)
-         allocate (self%r, self%scale, self%weight, self%change, self%film_change, self%r_change, self%work, source=zero)
-         allocate (self%is_cavitated(0:grid%nx, 0:grid%ny), source=.false.)
+         allocate (self%weight, self%change, self%film_change, self%r_change, source=zero)
          allocate (self%best(self%n), self%lower(self%n), source=0.0_dp)
          self%lower(self%n) = -huge(1.0_dp)   ! Delta is free
          call self%near_matrix%init(problem)
@@ -94,6 +88,7 @@ contains
       type(solve_report_t) :: blank
 
       self%problem => problem
+      self%equations%given = problem%given_t
       self%tolerance = tolerance
       self%report = blank
       allocate (self%report%history(0))
@@ -112,7 +107,7 @@ contains
       class(contact_inequality_t), intent(inout) :: self
       call visit(self, self%best)
       call judge_state(self)
-      self%weight = sqrt(sqrt(self%scale))
+      self%weight = sqrt(sqrt(self%equations%scale))
    end subroutine return_to_best
 
    !> End a solve: hand over the state visited last and the report on it, steps not counted.
@@ -131,8 +126,8 @@ contains
       real(dp), intent(in) :: x(:)
       real(dp), intent(inout) :: f(:)
       call visit(self, x)
-      call pack_field(self, -self%weight*self%r/unit, f)
-      f(self%n) = self%problem%load%residual(self%problem%grid%integral(self%state%p), self%state%delta)/unit
+      call pack_field(self, -self%weight*self%equations%residual/unit, f)
+      f(self%n) = self%equations%load_residual(self%state)/unit
    end subroutine evaluate
 
    !> Linearise about x; `a`: nonzeros of the near matrix.
@@ -143,11 +138,11 @@ contains
 
       call visit(self, x)
       self%base = self%state
-      self%base_flow = self%flow
+      self%base_equations = self%equations
       self%change = 0
       self%film_change = -1   ! Delta column: dH = -1
       call multiply_reynolds(self)
-      call self%near_matrix%fill(self%problem, self%base_flow, self%base%p, self%r_change, self%weight, a)
+      call self%near_matrix%fill(self%base_equations, self%r_change, self%weight, a)
    end subroutine linearise
 
    !> y = F'(x_0) x, deformation by FFT included; x_0: where it was linearised.
@@ -178,11 +173,11 @@ contains
       call unpack_field(self, unit, x, self%change)
       largest = maxval(abs(self%change), mask=self%change < self%base%p)   ! those not cut off by a full step
       step = 1
-      if (largest > self%largest_change) step = self%largest_change/largest
+      if (largest > self%limit%largest_change) step = self%limit%largest_change/largest
       do trial = 1, largest_trials
          call self%problem%film(max(self%base%p - step*self%change, 0.0_dp), self%base%delta - step*unit*x(self%n), &
                                 self%film_change)
-         if (all(self%film_change >= self%smallest_film_factor*self%base%h)) return
+         if (all(self%film_change >= self%limit%smallest_film_factor*self%base%h)) return
          step = 0.7_dp*step
       end do
       step = 0
@@ -202,33 +197,32 @@ contains
       self%best = x
    end function judge
 
-   !> Pressure, film, flow, residual, row scale and active set of a vector.
+   !> Pressure, film and equations of a vector.
    subroutine visit(self, x)
       class(contact_inequality_t), intent(inout) :: self
       real(dp), intent(in) :: x(:)
 
-      associate (problem => self%problem, kappa => self%problem%conditions%elliptic%kappa, state => self%state)
+      associate (problem => self%problem, state => self%state)
          call unpack_field(self, unit, x, state%p)
          state%delta = unit*x(self%n)
          call problem%film(state%p, state%delta, state%h)
-         call self%flow%evaluate(problem%rheology, problem%conditions%lambdabar, state%p, state%h)
-         call reynolds_residual(problem%grid, problem%transport, kappa, self%flow, state%p, self%r)
-         call diagonal_scale(problem%grid, problem%transport, kappa, self%self_influence, self%flow, self%scale)
-         self%is_cavitated = self%scale > 0 .and. state%p + self%scale*self%r <= 0
+         call self%equations%evaluate(problem, state)
       end associate
    end subroutine visit
 
    !> Errors and status of the state visited last.
    subroutine judge_state(self)
       class(contact_inequality_t), intent(inout) :: self
-      call self%report%judge(self%problem, self%state, self%r, self%is_cavitated, self%tolerance)
+      call self%report%judge(self%equations, self%state, self%tolerance)
    end subroutine judge_state
 
    !> r_change = dR for `change` of pressure and `film_change`, at the point of linearisation.
    subroutine multiply_reynolds(self)
       class(contact_inequality_t), intent(inout) :: self
-      call reynolds_jacobian(self%problem%grid, self%problem%transport, self%problem%conditions%elliptic%kappa, &
-                             self%base_flow, self%base%p, self%change, self%film_change, self%r_change, self%work)
+      associate (equations => self%base_equations)
+         call reynolds_change(equations%mesh, equations%given%transport, equations%flow, self%change, self%film_change, &
+                              self%r_change)
+      end associate
    end subroutine multiply_reynolds
 
    !> Vector of the values at the unknown nodes.

@@ -1,11 +1,9 @@
-!> Paths from a problem that has been solved to one that has not: in M and L, and in what a time step is given.
+!> Paths from a problem that has been solved to one that has not, and the one in M and L.
 module ehlwave_continuation
    use ehlwave_conditions, only: conditions_from_moes, conditions_t
-   use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_errors, only: error_t
-   use ehlwave_full_multigrid, only: full_multigrid_t
+   use ehlwave_hierarchy, only: hierarchy_t
    use ehlwave_kinds, only: dp
-   use ehlwave_load_balance, only: load_balance_t
    use ehlwave_rheology, only: rheology_t
    implicit none (type, external)
    private
@@ -35,15 +33,6 @@ module ehlwave_continuation
       procedure :: impose
    end type neighbour_t
 
-   !> What a solution is given besides its contact.
-   type, public :: given_t
-      real(dp), allocatable :: rough(:, :), carried(:, :)   !! see contact_problem_t and transport_t
-      type(load_balance_t) :: load
-   contains
-      procedure :: take
-      procedure :: blend
-   end type given_t
-
 contains
 
    !> Choose the next place: farther on after a success, nearer after a failure.
@@ -72,11 +61,11 @@ contains
    end function can_retry
 
    !> Neighbour of the contact of a hierarchy: M/4, (M/16, L/2), (M/64, L/4), ...
-   subroutine choose(self, multigrid, distance)
+   subroutine choose(self, hierarchy, distance)
       class(neighbour_t), intent(inout) :: self
-      type(full_multigrid_t), intent(in) :: multigrid
+      type(hierarchy_t), intent(in) :: hierarchy
       integer, intent(in) :: distance   !! 1, 2, ...
-      associate (problem => multigrid%levels(1)%problem)
+      associate (problem => hierarchy%levels(1)%problem)
          self%goal = problem%conditions
          self%goal_rheology = problem%rheology
       end associate
@@ -86,9 +75,9 @@ contains
 
    !> Give all levels the contact at a place between the neighbour (0) and the case itself (1, to the last digit):
    !> M geometrically, L linearly in between. Grids and kernels stay, since they depend on D only.
-   subroutine impose(self, multigrid, place)
+   subroutine impose(self, hierarchy, place)
       class(neighbour_t), intent(in) :: self
-      type(full_multigrid_t), intent(inout) :: multigrid
+      type(hierarchy_t), intent(inout) :: hierarchy
       real(dp), intent(in) :: place
       type(conditions_t) :: conditions
       type(error_t), allocatable :: error
@@ -103,39 +92,10 @@ contains
          if (allocated(error)) return   ! cannot be: M and L lie within those of accepted contacts
          rheology = self%goal_rheology%at_pressure(conditions%alphabar, conditions%hertz_pressure_pa)
       end if
-      do n = 1, size(multigrid%levels)
-         multigrid%levels(n)%problem%conditions = conditions
-         multigrid%levels(n)%problem%rheology = rheology
+      do n = 1, size(hierarchy%levels)
+         hierarchy%levels(n)%problem%conditions = conditions
+         hierarchy%levels(n)%problem%rheology = rheology
       end do
    end subroutine impose
-
-   !> Keep what a problem is given.
-   subroutine take(self, problem)
-      class(given_t), intent(inout) :: self
-      type(contact_problem_t), intent(in) :: problem
-      self%load = problem%load
-      if (allocated(problem%rough)) self%rough = problem%rough
-      if (allocated(problem%transport%carried)) self%carried = problem%transport%carried
-   end subroutine take
-
-   !> Give a problem what lies between this (0) and `later` (1, to the last digit): roughness, terms of earlier
-   !> times, load. What is not there counts as `later` has it, roughness as none.
-   subroutine blend(self, later, place, problem)
-      class(given_t), intent(in) :: self
-      type(given_t), intent(in) :: later
-      real(dp), intent(in) :: place
-      type(contact_problem_t), intent(inout) :: problem
-
-      problem%load = later%load
-      if (allocated(later%rough)) problem%rough = later%rough
-      if (allocated(later%carried)) problem%transport%carried = later%carried
-      if (place >= 1) return
-      problem%load%force = (1 - place)*self%load%force + place*later%load%force
-      problem%load%carried = (1 - place)*self%load%carried + place*later%load%carried
-      if (allocated(later%rough)) problem%rough = place*later%rough
-      if (allocated(later%rough) .and. allocated(self%rough)) problem%rough = problem%rough + (1 - place)*self%rough
-      if (allocated(later%carried) .and. allocated(self%carried)) &
-         problem%transport%carried = (1 - place)*self%carried + place*later%carried
-   end subroutine blend
 
 end module ehlwave_continuation

@@ -1,11 +1,15 @@
 !> Response of a steady contact to small harmonic waviness: one linear system, no time stepping.
 module ehlwave_harmonic_response
    use ehlwave_complex_gmres, only: gmres_t
-   use ehlwave_full_multigrid, only: level_t
-   use ehlwave_harmonic_system, only: harmonic_system_t
+   use ehlwave_complex_linearised_contact, only: linearised_contact_t
+   use ehlwave_cycle_settings, only: response_cycle
+   use ehlwave_given, only: given_t
+   use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp, pi
    use ehlwave_load_balance, only: harmonic_inertia
+   use ehlwave_state, only: state_t
    use ehlwave_status, only: status_converged, status_not_finite, status_stalled
+   use ehlwave_transport, only: harmonic_wedge, steady_transport
    use ehlwave_waviness, only: waviness_t
    implicit none (type, external)
    private
@@ -25,51 +29,84 @@ module ehlwave_harmonic_response
       complex(dp), allocatable :: p(:, :), h(:, :)   !! amplitudes of P and H over A, (0:nx, 0:ny)
    end type harmonic_response_t
 
-   !> The linear system of a steady state. It points at the problems of the levels: do not copy it.
+   !> The contact linearised about a steady state.
    type, public :: harmonic_solver_t
       ! Of the linear residual. 1e-4 leaves up to 0.3 % where Ad/Ai is a few per cent (2e-4 of Ai), 1e-5 a tenth of that
       ! for one or two steps more.
       real(dp) :: tolerance = 1e-5_dp
-      type(harmonic_system_t), private :: system
+      type(linearised_contact_t) :: linear
       type(gmres_t), private :: gmres
    contains
       procedure :: init
       procedure :: respond
+      procedure :: set_frequency
    end type harmonic_solver_t
 
 contains
 
-   !> Linearise about the steady state of the finest of `levels`.
+   !> Linearise about the steady state of the finest of `levels`, of smooth surfaces.
    subroutine init(self, levels)
       class(harmonic_solver_t), intent(inout) :: self
-      type(level_t), intent(in), target :: levels(:)   !! coarsest first
-      call self%system%init(levels)
+      type(level_t), intent(inout) :: levels(:)   !! coarsest first
+      type(state_t) :: state
+      integer :: n
+
+      n = size(levels)
+      call self%linear%init(levels, response_cycle)
+      call self%linear%start(n)
+      state = levels(n)%state
+      associate (problem => levels(n)%problem, equations => self%linear%levels(n)%equations)
+         equations%given = given_t(transport=steady_transport(problem%grid))
+         call problem%film_of(equations%given, state%p, state%delta, state%h)
+         call equations%evaluate(problem, state)
+      end associate
    end subroutine init
 
-   !> Response to one pattern. It depends on nothing but the steady state and the pattern.
-   subroutine respond(self, waviness, natural_frequency, steps_per_cell, response)
+   !> Operator for changes of one frequency.
+   subroutine set_frequency(self, frequency, inertia)
       class(harmonic_solver_t), intent(inout) :: self
+      real(dp), intent(in) :: frequency       !! w in units of 1/T
+      complex(dp), intent(in) :: inertia      !! weight of Delta in the load row, 0: force balance
+      integer :: l
+      associate (linear => self%linear)
+         do l = 1, linear%finest
+            linear%levels(l)%wedge = harmonic_wedge(linear%levels(l)%equations%mesh%grid, frequency, &
+                                                    linear%levels(linear%finest)%equations%mesh%grid%hx)
+         end do
+         linear%inertia = inertia
+         call linear%weigh(linear%finest)
+      end associate
+   end subroutine set_frequency
+
+   !> Response to one pattern. It depends on nothing but the steady state and the pattern.
+   subroutine respond(self, levels, waviness, natural_frequency, steps_per_cell, response)
+      class(harmonic_solver_t), intent(inout) :: self
+      type(level_t), intent(inout), target :: levels(:)   !! those of `init`: their deformation is used
       type(waviness_t), intent(in) :: waviness
       real(dp), intent(in) :: natural_frequency      !! Omega of the equation of motion; 0: force balance
       integer, intent(in) :: steps_per_cell          !! m for dT = hX/m: enters through the equation of motion only
       type(harmonic_response_t), intent(out) :: response
       complex(dp), allocatable, target :: b(:), x(:)
       complex(dp), allocatable :: dh(:, :), g(:, :)
-      complex(dp), pointer, contiguous :: q(:, :)
+      complex(dp), pointer, contiguous :: q(:, :), dr(:, :)
       complex(dp) :: inertia
       real(dp) :: frequency
 
-      associate (system => self%system, finest => self%system%levels(size(self%system%levels)), &
-                 grid => self%system%levels(size(self%system%levels))%problem%grid)
-         allocate (b(system%n), x(system%n), g(0:grid%nx, 0:grid%ny), dh(0:grid%nx, 0:grid%ny))
+      associate (linear => self%linear, grid => self%linear%levels(self%linear%finest)%equations%mesh%grid)
+         allocate (b(linear%n), x(linear%n), g(0:grid%nx, 0:grid%ny), dh(0:grid%nx, 0:grid%ny))
          g = waviness%amplitude_at(grid%x, grid%y)
          frequency = 0
          if (waviness%moves()) frequency = 2*pi*waviness%slip/waviness%wavelength_x
          inertia = 0
          if (natural_frequency > 0) inertia = harmonic_inertia(natural_frequency, grid%hx/steps_per_cell, frequency)
-         call system%set_frequency(frequency, grid%hx, inertia)
-         call system%gap_change(g, b)
-         call self%gmres%solve(system, b, x, self%tolerance)
+         call linear%borrow(levels)
+         call self%set_frequency(frequency, inertia)
+         call linear%factorise(1)
+         dr(0:grid%nx, 0:grid%ny) => b(:linear%n - 1)
+         call linear%gap_change(g, dr)
+         dr = -dr
+         b(linear%n) = 0
+         call self%gmres%solve(linear, b, x, self%tolerance)
          response%linear_steps = self%gmres%steps
          response%reduction = self%gmres%reduction
          if (self%gmres%steps == 0) then
@@ -77,11 +114,12 @@ contains
          else if (self%gmres%reduction <= self%tolerance) then
             response%status = status_converged
          end if
-         q(0:grid%nx, 0:grid%ny) => x(:system%n - 1)
-         call finest%film_change(q, x(system%n), dh)
+         q(0:grid%nx, 0:grid%ny) => x(:linear%n - 1)
+         call linear%film_change(q, x(linear%n), dh)
+         call linear%release()
          dh = dh + g
          response%film = cmplx(grid%value_at_centre(real(dh, dp)), grid%value_at_centre(aimag(dh)), dp)
-         response%approach = x(system%n)
+         response%approach = x(linear%n)
          allocate (response%p(0:grid%nx, 0:grid%ny), response%h(0:grid%nx, 0:grid%ny))
          response%p = q
          response%h = dh

@@ -1,34 +1,11 @@
-!> One interface for every way to solve the discrete problem of one level, and one judgement of what came of it.
+!> One interface for every way to solve the discrete problem of one level.
 module ehlwave_level_solver
-   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-   use ehlwave_contact_problem, only: contact_problem_t
-   use ehlwave_kinds, only: dp
-   use ehlwave_state, only: state_t
-   use ehlwave_status, only: status_converged, status_not_finite, status_stalled
+   use ehlwave_hierarchy, only: hierarchy_t
+   use ehlwave_solve_report, only: solve_limits_t, solve_report_t
    implicit none (type, external)
    private
 
-   !> When to stop.
-   type, public :: solve_limits_t
-      real(dp) :: tolerance = 1e-6_dp   !! on the mass residual and the load error of `solve_report_t`
-      integer :: largest_steps = 40     !! nonlinear steps or cycles
-   end type solve_limits_t
-
-   !> What a solve came to. Each equation is reported by itself.
-   type, public :: solve_report_t
-      integer :: status = status_stalled
-      real(dp) :: residual = huge(1.0_dp)         !! largest `mass_gain` over nodes with P > 0
-      real(dp) :: complementarity = huge(1.0_dp)  !! max |P| over nodes where the film is cavitated
-      real(dp) :: load_error = huge(1.0_dp)       !! relative error of the load balance
-      integer :: nonlinear_steps = 0
-      integer :: linear_steps = 0
-      integer :: factorisations = 0
-      real(dp), allocatable :: history(:)         !! residual before each step and at the end
-   contains
-      procedure :: judge
-      procedure :: worst
-   end type solve_report_t
-
+   !> A solver has work space for a hierarchy and no memory of what it solved.
    type, abstract, public :: level_solver_t
    contains
       procedure(init_solver), deferred :: init
@@ -36,80 +13,27 @@ module ehlwave_level_solver
    end type level_solver_t
 
    abstract interface
-      !> Make the work space for a problem's grid.
-      subroutine init_solver(self, problem)
-         import :: contact_problem_t, level_solver_t
+      !> Make the work space to solve the levels of a hierarchy up to `finest`.
+      subroutine init_solver(self, hierarchy, finest)
+         import :: hierarchy_t, level_solver_t
          implicit none (type, external)
          class(level_solver_t), intent(inout) :: self
-         type(contact_problem_t), intent(in), target :: problem   !! must outlive the solver
+         type(hierarchy_t), intent(in) :: hierarchy
+         integer, intent(in) :: finest
       end subroutine init_solver
 
-      !> Improve `state` until the equations hold within the limits. Nothing is kept from earlier solves: the outcome depends
-      !> on the problem and the guess only.
-      subroutine solve_level(self, problem, state, limits, report)
-         import :: contact_problem_t, level_solver_t, solve_limits_t, solve_report_t, state_t
+      !> Improve the state of a level, a first guess of P and Delta, until the equations of its problem hold within the
+      !> limits; H belongs to it on return. Nothing is kept from earlier solves: the outcome depends on the problem and the
+      !> guess only. Nothing else in the hierarchy changes.
+      subroutine solve_level(self, hierarchy, l, limits, report)
+         import :: hierarchy_t, level_solver_t, solve_limits_t, solve_report_t
          implicit none (type, external)
          class(level_solver_t), intent(inout) :: self
-         type(contact_problem_t), intent(inout), target :: problem
-         type(state_t), intent(inout), target :: state           !! first guess of P and Delta, then the solution with H
+         type(hierarchy_t), intent(inout), target :: hierarchy   !! that of `init`
+         integer, intent(in) :: l                        !! level
          type(solve_limits_t), intent(in) :: limits
          type(solve_report_t), intent(out) :: report
       end subroutine solve_level
    end interface
-
-contains
-
-   !> Measure the three errors of a state and judge them: `status` becomes converged, not finite, or stalled, which it
-   !> remains if nothing better follows. A residual that is not finite anywhere makes `residual` so.
-   subroutine judge(self, problem, state, r, is_cavitated, tolerance)
-      class(solve_report_t), intent(inout) :: self
-      type(contact_problem_t), intent(in) :: problem
-      type(state_t), intent(in) :: state                !! with the film of its pressure
-      real(dp), intent(in) :: r(0:, 0:)                 !! its Reynolds residual, (0:nx, 0:ny), 0 off the unknown nodes
-      logical, intent(in) :: is_cavitated(0:, 0:)       !! (0:nx, 0:ny), false off the unknown nodes
-      real(dp), intent(in) :: tolerance                 !! of `solve_limits_t`
-      real(dp) :: centre
-      integer :: i, j
-
-      associate (grid => problem%grid, load => problem%load)
-         centre = grid%value_at_centre(state%h)
-         self%residual = 0
-         self%complementarity = 0
-         do j = 0, grid%ny
-            do i = 0, grid%nx
-               if (is_cavitated(i, j)) then
-                  self%complementarity = max(self%complementarity, abs(state%p(i, j)))
-               else
-                  self%residual = max(self%residual, mass_gain(r(i, j), grid%hx, state%h(i, j), centre))
-               end if
-            end do
-         end do
-         if (.not. ieee_is_finite(sum(r))) self%residual = sum(r)
-         self%load_error = abs(load%residual(grid%integral(state%p), state%delta))/abs(load%force)
-      end associate
-      if (.not. (ieee_is_finite(self%residual) .and. ieee_is_finite(self%load_error))) then
-         self%status = status_not_finite
-      else if (self%worst() <= tolerance) then
-         self%status = status_converged
-      else
-         self%status = status_stalled
-      end if
-   end subroutine judge
-
-   !> The largest of the three errors.
-   pure real(dp) function worst(self)
-      class(solve_report_t), intent(in) :: self
-      worst = max(self%residual, self%complementarity, self%load_error)
-   end function worst
-
-   !> Mass that the oil of a cell gains or loses, in units of the flow through that cell or through the contact centre,
-   !> whichever is larger: |R| hX/max(H, H(0,0)).
-   elemental real(dp) function mass_gain(r, hx, h, h_centre)
-      real(dp), intent(in) :: r          !! Reynolds residual
-      real(dp), intent(in) :: hx         !! mesh size in X
-      real(dp), intent(in) :: h          !! film of the cell
-      real(dp), intent(in) :: h_centre   !! H(0,0)
-      mass_gain = abs(r)*hx/max(h, h_centre)
-   end function mass_gain
 
 end module ehlwave_level_solver

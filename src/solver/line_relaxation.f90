@@ -7,13 +7,13 @@
 !> it (Gauss-Seidel), and their deformation at the end of the sweep only (Jacobi).
 module ehlwave_line_relaxation
    use ehlwave_contact_problem, only: contact_problem_t
+   use ehlwave_equations, only: equations_t
    use ehlwave_kernel, only: cell_influence
    use ehlwave_kinds, only: dp
-   use ehlwave_near_stencil, only: link_i, link_j, links, row_links
    use ehlwave_real_band, only: band_t, new_band
-   use ehlwave_reynolds, only: diagonal_scale, flow_t, new_flow, reynolds_residual
+   use ehlwave_real_near_rows, only: link_i, link_j, links, node_links
    use ehlwave_state, only: new_state, state_t
-   use ehlwave_step_limit, only: limit_step
+   use ehlwave_step_limit, only: step_limit_t
    implicit none (type, external)
    private
 
@@ -25,13 +25,8 @@ module ehlwave_line_relaxation
    real(dp), parameter :: switch_of_squares = 3
 
    type, public :: line_relaxation_t
-      type(flow_t) :: flow                        !! coefficients at the state last evaluated
-      real(dp), allocatable :: residual(:, :)     !! R at the state last evaluated, (0:nx, 0:ny)
-      logical, allocatable :: is_cavitated(:, :)  !! P + R/|A_ii| <= 0
-      real(dp), allocatable :: scale(:, :)        !! 1/|A_ii|, 0 on the boundary
       integer, private :: reach = 3                     ! bands of the line system on either side
       real(dp), private :: switch = 0                   ! `switch_of_squares` for the cells of this grid
-      real(dp), private :: self_influence = 0           ! deformation under a cell of unit pressure
       real(dp), private :: share_x = 0, share_y = 0     ! of a distributive change at its neighbours
       real(dp), allocatable, private :: shape(:, :, :)      ! pressure of a change, (-reach-2:reach+2, 0:1, kind)
       real(dp), allocatable, private :: influence(:, :, :)  ! its deformation
@@ -43,7 +38,6 @@ module ehlwave_line_relaxation
       integer, allocatable, private :: kind(:)              ! of the change of each node
    contains
       procedure :: init
-      procedure :: evaluate
       procedure :: relax
    end type line_relaxation_t
 
@@ -75,12 +69,8 @@ contains
                                                    - self%share_y*(at(i, j - 1) + at(i, j + 1))
             end do
          end do
-         self%self_influence = at(0, 0)
-         self%flow = new_flow(grid)
          self%before = new_state(grid)
-         allocate (self%residual(0:grid%nx, 0:grid%ny), self%scale(0:grid%nx, 0:grid%ny), &
-                   self%change(0:grid%nx, 0:grid%ny), source=0.0_dp)
-         allocate (self%is_cavitated(0:grid%nx, 0:grid%ny), source=.false.)
+         allocate (self%change(0:grid%nx, 0:grid%ny), source=0.0_dp)
          self%band = new_band(grid%nx - 1, self%reach)
          allocate (self%delta(grid%nx - 1), self%by_p(grid%nx - 1, links), self%by_h(grid%nx - 1, links), &
                    source=0.0_dp)
@@ -97,38 +87,26 @@ contains
       end function at
    end subroutine init
 
-   !> Coefficients, residual and cavitated nodes of a state whose film belongs to its pressure.
-   subroutine evaluate(self, problem, state)
-      class(line_relaxation_t), intent(inout) :: self
-      type(contact_problem_t), intent(in) :: problem
-      type(state_t), intent(in) :: state
-
-      associate (grid => problem%grid, kappa => problem%conditions%elliptic%kappa)
-         call self%flow%evaluate(problem%rheology, problem%conditions%lambdabar, state%p, state%h)
-         call reynolds_residual(grid, problem%transport, kappa, self%flow, state%p, self%residual)
-         call diagonal_scale(grid, problem%transport, kappa, self%self_influence, self%flow, self%scale)
-         self%is_cavitated = self%scale > 0 .and. state%p + self%scale*self%residual <= 0
-      end associate
-   end subroutine evaluate
-
-   !> One sweep over all lines from the evaluated state; then the film of the new pressure.
-   subroutine relax(self, problem, state)
+   !> One sweep over all lines; then the film of the new pressure.
+   subroutine relax(self, problem, equations, state)
       class(line_relaxation_t), intent(inout) :: self
       type(contact_problem_t), intent(inout) :: problem
+      type(equations_t), intent(in) :: equations      !! evaluated at the state
       type(state_t), intent(inout) :: state
+      type(step_limit_t) :: limit
       real(dp) :: strength
       integer :: i, image, j, jm, n
 
       associate (grid => problem%grid, change => self%change)
          self%before = state
          change = 0
-         do j = grid%first_row, grid%ny - 1
+         do j = grid%first_row, grid%last_row
             jm = grid%below(j)
             image = merge(2, 1, j == 1 .and. grid%is_half)      ! row 0 has row 1 on either side
-            n = last_wet(self%is_cavitated(1:grid%nx - 1, j))
+            n = last_wet(equations%is_cavitated(1:grid%nx - 1, j))
             change(n + 1:grid%nx - 1, j) = -state%p(n + 1:grid%nx - 1, j)
             if (n == 0) cycle
-            call set_up_line(self, problem, state%p, j, n)
+            call set_up_line(self, equations, j, n)
             self%band%n = n
             call self%band%factorise()
             call self%band%solve(self%delta)
@@ -147,13 +125,13 @@ contains
             change(0, j) = 0
             change(grid%nx, j) = 0
          end do
-         do j = grid%first_row, grid%ny - 1
+         do j = grid%first_row, grid%last_row
             do i = 1, grid%nx - 1
                state%p(i, j) = max(0.0_dp, state%p(i, j) + change(i, j))
             end do
          end do
-         call problem%film(state%p, state%delta, state%h)
-         call limit_step(self%before, state)
+         call problem%film_of(equations%given, state%p, state%delta, state%h)
+         call limit%shorten(self%before, state)
       end associate
    end subroutine relax
 
@@ -167,25 +145,26 @@ contains
 
    !> Linear system of one line: changes that make its residuals vanish. The pressure changes of earlier lines are
    !> taken into account (Gauss-Seidel), their deformation is not; that of the line itself is, within reach.
-   subroutine set_up_line(self, problem, p, j, n)
+   subroutine set_up_line(self, equations, j, n)
       class(line_relaxation_t), intent(inout) :: self
-      type(contact_problem_t), intent(in) :: problem
-      real(dp), intent(in) :: p(0:, 0:)
+      type(equations_t), intent(in) :: equations
       integer, intent(in) :: j, n              !! line; its first nodes, the others are cavitated
       real(dp) :: self_wedge
-      integer :: d, first, i, jm, last
+      integer :: d, first, i, jm, jp, last
 
-      associate (grid => problem%grid, flow => self%flow, change => self%change, by_p => self%by_p, by_h => self%by_h)
-         jm = grid%below(j)
+      associate (mesh => equations%mesh, flow => equations%flow, transport => equations%given%transport, &
+                 change => self%change, by_p => self%by_p, by_h => self%by_h)
+         jm = mesh%grid%below(j)
+         jp = mesh%grid%above(j)
          do i = 1, n
-            self_wedge = problem%transport%w0(i)*flow%f_h(i, j)*self%self_influence
-            self%kind(i) = merge(distributed, single, .not. self%is_cavitated(i, j) .and. &
-               1/self%scale(i, j) - problem%transport%w0(i)*flow%f_p(i, j) < (1 + self%switch)*self_wedge)
+            self_wedge = transport%w0(i)*flow%f_h(i, j)*equations%self_influence
+            self%kind(i) = merge(distributed, single, .not. equations%is_cavitated(i, j) .and. &
+               1/equations%scale(i, j) - transport%w0(i)*flow%f_p(i, j) < (1 + self%switch)*self_wedge)
          end do
-         call row_links(grid, problem%transport, problem%conditions%elliptic%kappa, flow, p, 1, n, j, by_p, by_h)
+         call node_links(mesh, transport, flow, [1, n, j, j], by_p, by_h)
          do i = 1, n
-            self%delta(i) = -self%residual(i, j) - by_p(i, 1)*change(i, j) - by_p(i, 2)*change(i + 1, j) &
-                            - by_p(i, 3)*change(i - 1, j) - by_p(i, 4)*change(i, j + 1) - by_p(i, 5)*change(i, jm)
+            self%delta(i) = -equations%residual(i, j) - by_p(i, 1)*change(i, j) - by_p(i, 2)*change(i + 1, j) &
+                            - by_p(i, 3)*change(i - 1, j) - by_p(i, 4)*change(i, jp) - by_p(i, 5)*change(i, jm)
             if (i > 1) self%delta(i) = self%delta(i) - by_p(i, 6)*change(i - 2, j)
          end do
          by_h(:n, 4) = by_h(:n, 4) + by_h(:n, 5)
@@ -203,10 +182,10 @@ contains
             first = last + 1
          end do
          do i = 1, n
-            if (.not. self%is_cavitated(i, j)) cycle
+            if (.not. equations%is_cavitated(i, j)) cycle
             self%band%a(i, :) = 0
             self%band%a(i, 0) = 1
-            self%delta(i) = -p(i, j) - change(i, j)
+            self%delta(i) = -flow%p(i, j) - change(i, j)
          end do
       end associate
 

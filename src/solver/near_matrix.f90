@@ -2,20 +2,18 @@
 module ehlwave_near_matrix
    use, intrinsic :: iso_c_binding, only: c_int
    use ehlwave_contact_problem, only: contact_problem_t
+   use ehlwave_equations, only: equations_t
    use ehlwave_kinds, only: dp
    use ehlwave_load_balance, only: load_factor
-   use ehlwave_near_stencil, only: near_stencil_t, new_near_stencil
-   use ehlwave_reynolds, only: flow_t
+   use ehlwave_near_kernel, only: near_kernel_t, near_settings_t, new_near_kernel
+   use ehlwave_real_near_rows, only: near_rows
    implicit none (type, external)
    private
-
-   integer, parameter :: largest_reach = 8   ! cells of the near stencil
 
    !> Rows and columns in the order of `contact_inequality`.
    type, public :: near_matrix_t
       integer(c_int), allocatable :: row_start(:), column(:)   !! the pattern, counted from 0
-      type(near_stencil_t), private :: stencil
-      real(dp), allocatable, private :: near(:, :, :)          ! (nx-1, entries, first_row:ny-1) stencil of each node
+      type(near_kernel_t), private :: kernel
    contains
       procedure :: init
       procedure :: fill
@@ -29,20 +27,19 @@ contains
       type(contact_problem_t), intent(in) :: problem
       integer :: columns, di, dj, entries, i, j, k, n, rows
 
-      associate (grid => problem%grid, elliptic => problem%conditions%elliptic, stencil => self%stencil)
-         self%stencil = new_near_stencil(grid, elliptic%kappa, elliptic%k, largest_reach, 0.0_dp)
+      associate (grid => problem%grid, elliptic => problem%conditions%elliptic, kernel => self%kernel)
+         self%kernel = new_near_kernel(grid, elliptic%kappa, elliptic%k, near_settings_t())
          columns = grid%nx - 1
-         rows = grid%ny - grid%first_row
+         rows = grid%last_row - grid%first_row + 1
          n = rows*columns + 1
-         if (allocated(self%near)) deallocate (self%near, self%row_start, self%column)
-         allocate (self%near(columns, stencil%entries, grid%first_row:grid%ny - 1), source=0.0_dp)
-         allocate (self%row_start(n + 1), self%column(n*(stencil%entries + 2)), source=0_c_int)
+         if (allocated(self%column)) deallocate (self%row_start, self%column)
+         allocate (self%row_start(n + 1), self%column(n*(kernel%entries + 2)), source=0_c_int)
          entries = 0
          do i = 1, columns
             do j = 1, rows
                k = (i - 1)*rows + j
-               do di = max(-stencil%reach_x, 1 - i), min(stencil%reach_x, columns - i)
-                  do dj = max(-stencil%reach_y, 1 - j), min(stencil%reach_y, rows - j)
+               do di = max(-kernel%reach_x, 1 - i), min(kernel%reach_x, columns - i)
+                  do dj = max(-kernel%reach_y, 1 - j), min(kernel%reach_y, rows - j)
                      entries = entries + 1
                      self%column(entries) = k - 1 + di*rows + dj
                   end do
@@ -62,29 +59,25 @@ contains
    end subroutine init
 
    !> Nonzeros of the rows -weight dR, local terms and deformation by the nearest cells, and of the load row.
-   subroutine fill(self, problem, flow, p, by_delta, weight, a)
+   subroutine fill(self, equations, by_delta, weight, a)
       class(near_matrix_t), intent(inout) :: self
-      type(contact_problem_t), intent(in) :: problem
-      type(flow_t), intent(in) :: flow              !! evaluated at the point of linearisation
-      real(dp), intent(in) :: p(0:, 0:)             !! P there, (0:nx, 0:ny)
-      real(dp), intent(in) :: by_delta(0:, 0:)      !! dR/dDelta
+      type(equations_t), intent(in) :: equations    !! evaluated at the point of linearisation
+      real(dp), intent(in) :: by_delta(0:, 0:)      !! dR/dDelta, (0:nx, 0:ny)
       real(dp), intent(in) :: weight(0:, 0:)        !! of the Reynolds rows
       real(dp), intent(out) :: a(:)                 !! (size(column))
+      real(dp) :: rows(equations%mesh%grid%last_row - equations%mesh%grid%first_row + 1, self%kernel%entries)
       integer :: di, dj, entry, i, j, load_row
 
-      associate (grid => problem%grid, stencil => self%stencil)
-         do j = grid%first_row, grid%ny - 1
-            call stencil%fill_line(grid, problem%transport, problem%conditions%elliptic%kappa, flow, p, j, &
-                                   self%near(:, :, j))
-         end do
+      associate (grid => equations%mesh%grid, given => equations%given, kernel => self%kernel)
          entry = 0
          load_row = self%row_start(size(self%row_start) - 1)
          do i = 1, grid%nx - 1
-            do j = grid%first_row, grid%ny - 1
-               do di = max(-stencil%reach_x, 1 - i), min(stencil%reach_x, grid%nx - 1 - i)
-                  do dj = max(-stencil%reach_y, grid%first_row - j), min(stencil%reach_y, grid%ny - 1 - j)
+            call near_rows(kernel, equations%mesh, given%transport, equations%flow, i, rows)
+            do j = grid%first_row, grid%last_row
+               do di = max(-kernel%reach_x, 1 - i), min(kernel%reach_x, grid%nx - 1 - i)
+                  do dj = max(-kernel%reach_y, grid%first_row - j), min(kernel%reach_y, grid%last_row - j)
                      entry = entry + 1
-                     a(entry) = -weight(i, j)*self%near(i, stencil%entry_at(di, dj), j)
+                     a(entry) = -weight(i, j)*rows(j - grid%first_row + 1, kernel%entry_at(di, dj))
                   end do
                end do
                entry = entry + 1
@@ -93,7 +86,7 @@ contains
                a(load_row) = load_factor*grid%hx*grid%hy*grid%weight(j)
             end do
          end do
-         a(size(a)) = problem%load%inertia
+         a(size(a)) = given%load%inertia
       end associate
    end subroutine fill
 

@@ -2,13 +2,18 @@
 module ehlwave_newton
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_contact_problem, only: contact_problem_t
+   use ehlwave_cycle_settings, only: diagonal_shift, newton_cycle
+   use ehlwave_given, only: given_t
+   use ehlwave_hierarchy, only: hierarchy_t, level_t
    use ehlwave_kinds, only: dp
-   use ehlwave_level_solver, only: level_solver_t, solve_limits_t, solve_report_t
-   use ehlwave_newton_system, only: newton_system_t
+   use ehlwave_level_solver, only: level_solver_t
    use ehlwave_real_gmres, only: gmres_t
-   use ehlwave_reynolds, only: reynolds_residual
+   use ehlwave_real_linearised_contact, only: linearised_contact_t
+   use ehlwave_reynolds, only: intake
+   use ehlwave_solve_report, only: solve_limits_t, solve_report_t
    use ehlwave_state, only: state_t
    use ehlwave_status, only: status_converged, status_diverged, status_stalled
+   use ehlwave_step_limit, only: step_limit_t
    use ehlwave_transport, only: implicit_part
    implicit none (type, external)
    private
@@ -16,96 +21,115 @@ module ehlwave_newton
    real(dp), parameter :: lowest_pressure = -0.02_dp   !! of an iterate; solutions are clipped at 0
    real(dp), parameter :: last_step_share = 0.2_dp   !! of the tolerance, left by the linear solver in the last step
 
-   !> Steps are limited so that no pressure changes by more than `largest_change` and no film thickness
-   !> falls below `smallest_film_factor` of its value.
+   !> It owns the contact linearised on every level, of which the coarser ones precondition the finer.
    type, extends(level_solver_t), public :: newton_t
-      real(dp) :: largest_change = 0.3_dp
-      real(dp) :: smallest_film_factor = 0.1_dp
+      type(step_limit_t) :: limit
       real(dp) :: loosest = 0.05_dp              !! linear tolerance far from the solution
       real(dp) :: tightest = 1e-4_dp             !! and close to it
       integer :: largest_krylov = 60
-      type(newton_t), pointer :: coarser => null()   !! solver of the next coarser level, serves as preconditioner
-      type(contact_problem_t), pointer :: own_problem => null()
-      type(newton_system_t), private :: system
+      type(linearised_contact_t), private :: linear
       type(gmres_t), private :: gmres
-      real(dp), allocatable, private :: residual(:, :), rhs(:), change(:), film_change(:, :)
+      real(dp), allocatable, private :: rhs(:), change(:), film_change(:, :)
       logical, allocatable, private :: cavitated_before(:, :), cavitated_earlier(:, :)
    contains
       procedure :: init
       procedure :: solve
+      procedure :: improve
    end type newton_t
 
 contains
 
-   !> Work space for a problem's grid.
-   subroutine init(self, problem)
+   !> See the interface.
+   subroutine init(self, hierarchy, finest)
       class(newton_t), intent(inout) :: self
-      type(contact_problem_t), intent(in), target :: problem
-
-      self%own_problem => problem
-      call self%system%init(problem)
-      self%gmres%largest_steps = self%largest_krylov
-      allocate (self%cavitated_before(0:problem%grid%nx, 0:problem%grid%ny), &
-                self%cavitated_earlier(0:problem%grid%nx, 0:problem%grid%ny), source=.false.)
-      allocate (self%residual(0:problem%grid%nx, 0:problem%grid%ny), &
-                self%film_change(0:problem%grid%nx, 0:problem%grid%ny), source=0.0_dp)
-      allocate (self%rhs(self%system%n), self%change(self%system%n), source=0.0_dp)
+      type(hierarchy_t), intent(in) :: hierarchy
+      integer, intent(in) :: finest
+      call self%linear%init(hierarchy%levels(:finest), newton_cycle)
    end subroutine init
 
-   !> Make the systems of all coarser levels ready to precondition a finer one.
-   recursive subroutine connect(solver)
-      type(newton_t), intent(inout), target :: solver
-      solver%system%problem => solver%own_problem
-      nullify (solver%system%coarser)
-      if (.not. associated(solver%coarser)) return
-      solver%system%coarser => solver%coarser%system
-      call connect(solver%coarser)
-   end subroutine connect
-
    !> See the interface.
-   subroutine solve(self, problem, state, limits, report)
+   subroutine solve(self, hierarchy, l, limits, report)
       class(newton_t), intent(inout) :: self
-      type(contact_problem_t), intent(inout), target :: problem
-      type(state_t), intent(inout), target :: state
+      type(hierarchy_t), intent(inout), target :: hierarchy
+      integer, intent(in) :: l
+      type(solve_limits_t), intent(in) :: limits
+      type(solve_report_t), intent(out) :: report
+      type(given_t) :: given
+      type(state_t) :: state
+
+      given = hierarchy%levels(l)%problem%given_t
+      state = hierarchy%levels(l)%state
+      call self%improve(hierarchy%levels(:l), given, state, limits, report)
+      hierarchy%levels(l)%state = state
+   end subroutine solve
+
+   !> The same for the last of some levels, with another state and whatever else is given.
+   subroutine improve(self, levels, given, state, limits, report)
+      class(newton_t), intent(inout) :: self
+      type(level_t), intent(inout), target :: levels(:)   !! coarsest first
+      type(given_t), intent(in) :: given
+      type(state_t), intent(inout) :: state
       type(solve_limits_t), intent(in) :: limits
       type(solve_report_t), intent(out) :: report
       real(dp) :: forcing, worth, worth_before, step
       integer :: k
 
-      self%system%problem => problem
-      self%system%p => state%p
-      self%system%transport = implicit_part(problem%transport, problem%grid)
-      self%system%is_coarse = .false.
-      nullify (self%system%coarser)
-      if (associated(self%coarser)) then
-         self%system%coarser => self%coarser%system
-         call connect(self%coarser)
-      end if
+      call pose(self, levels, given)
       allocate (report%history(0))
       worth_before = 0
       forcing = self%loosest
-      call problem%film(state%p, state%delta, state%h)
-      do k = 0, limits%largest_steps
-         call assemble(self, problem, state, worth)
-         call report%judge(problem, state, self%residual, self%system%is_cavitated, limits%tolerance)
-         report%history = [report%history, report%residual]
-         if (report%status /= status_stalled .or. k == limits%largest_steps) exit
+      associate (problem => levels(size(levels))%problem, equations => self%linear%levels(size(levels))%equations)
+         call problem%film_of(given, state%p, state%delta, state%h)
+         do k = 0, limits%largest_steps
+            call assemble(self, problem, state, worth)
+            call report%judge(equations, state, limits%tolerance)
+            report%history = [report%history, report%residual]
+            if (report%status /= status_stalled .or. k == limits%largest_steps) exit
 
-         if (k > 0) forcing = next_forcing(self, forcing, worth/worth_before)
-         forcing = min(self%loosest, max(forcing, last_step_share*limits%tolerance/report%residual))
-         worth_before = worth
-         call linear_solve(self, forcing, report)
-         step = 1
-         if (alternates(self, k)) step = 0.5_dp
-         if (.not. take_step(self, problem, state, step)) then
-            report%status = status_diverged
-            exit
-         end if
-         report%nonlinear_steps = k + 1
-      end do
+            if (k > 0) forcing = next_forcing(self, forcing, worth/worth_before)
+            forcing = min(self%loosest, max(forcing, last_step_share*limits%tolerance/report%residual))
+            worth_before = worth
+            call linear_solve(self, forcing, report)
+            step = 1
+            if (alternates(self, k)) step = 0.5_dp
+            if (.not. take_step(self, problem, state, step)) then
+               report%status = status_diverged
+               exit
+            end if
+            report%nonlinear_steps = k + 1
+         end do
+      end associate
       if (report%status == status_converged) state%p = max(state%p, 0.0_dp)
-      nullify (self%system%problem, self%system%p)
-   end subroutine solve
+      call self%linear%release()
+   end subroutine improve
+
+   !> Make ready to solve the last of the levels with what is given.
+   subroutine pose(self, levels, given)
+      class(newton_t), intent(inout) :: self
+      type(level_t), intent(inout), target :: levels(:)
+      type(given_t), intent(in) :: given
+      integer :: l, n
+
+      n = size(levels)
+      associate (linear => self%linear, nx => levels(n)%problem%grid%nx, ny => levels(n)%problem%grid%ny)
+         call linear%borrow(levels)
+         call linear%start(n)
+         linear%inertia = given%load%inertia
+         linear%levels(n)%equations%given = given
+         linear%levels(n)%wedge = implicit_part(given%transport, levels(n)%problem%grid)
+         do l = n - 1, 1, -1
+            linear%levels(l)%wedge = implicit_part(linear%levels(l + 1)%wedge, levels(l)%problem%grid)
+         end do
+         self%gmres%largest_steps = self%largest_krylov
+         if (allocated(self%film_change)) then
+            if (all(shape(self%film_change) == [nx + 1, ny + 1])) return
+            deallocate (self%rhs, self%change, self%film_change, self%cavitated_before, self%cavitated_earlier)
+         end if
+         allocate (self%rhs(linear%n), self%change(linear%n))
+         allocate (self%film_change(0:nx, 0:ny))
+         allocate (self%cavitated_before(0:nx, 0:ny), self%cavitated_earlier(0:nx, 0:ny))
+      end associate
+   end subroutine pose
 
    !> Linear tolerance after a step that changed the residual by `ratio`: tighter the closer to the
    !> solution (Eisenstat and Walker 1996), and tighter also when a loose solve gained little.
@@ -119,33 +143,29 @@ contains
       end if
    end function next_forcing
 
-   !> Residual, active set and right side at the present state.
-   !> Active (cavitated) where P + R/|A_ii| <= 0.
+   !> Equations and right side at the present state.
    subroutine assemble(self, problem, state, worth)
       class(newton_t), intent(inout), target :: self
-      type(contact_problem_t), intent(inout) :: problem
+      type(contact_problem_t), intent(in) :: problem
       type(state_t), intent(in) :: state
       real(dp), intent(out) :: worth   !! Euclidean norm of the right side
       real(dp), pointer, contiguous :: b(:, :)
       integer :: i, j
 
-      associate (grid => problem%grid, system => self%system, r => self%residual)
-         call system%flow%evaluate(problem%rheology, problem%conditions%lambdabar, state%p, state%h)
-         call reynolds_residual(grid, problem%transport, problem%conditions%elliptic%kappa, system%flow, state%p, r)
-         call system%set_scale()
-         b(0:grid%nx, 0:grid%ny) => self%rhs(:system%n - 1)
+      associate (grid => problem%grid, linear => self%linear, level => self%linear%levels(self%linear%finest))
+         call level%equations%evaluate(problem, state)
+         call linear%weigh(linear%finest)
+         b(0:grid%nx, 0:grid%ny) => self%rhs(:linear%n - 1)
          do j = 0, grid%ny
             do i = 0, grid%nx
-               if (system%scale(i, j) > 0 .and. state%p(i, j) + system%scale(i, j)*r(i, j) <= 0) then
-                  system%is_cavitated(i, j) = .true.
+               if (level%equations%is_cavitated(i, j)) then
                   b(i, j) = -state%p(i, j)
                else
-                  system%is_cavitated(i, j) = .false.
-                  b(i, j) = -system%row_scale(i, j)*r(i, j)
+                  b(i, j) = -level%row_scale(i, j)*level%equations%residual(i, j)
                end if
             end do
          end do
-         self%rhs(system%n) = -problem%load%residual(grid%integral(state%p), state%delta)
+         self%rhs(linear%n) = -level%equations%load_residual(state)
          worth = sqrt(sum(self%rhs**2))
       end associate
    end subroutine assemble
@@ -157,17 +177,14 @@ contains
       class(newton_t), intent(inout) :: self
       real(dp), intent(in) :: forcing
       type(solve_report_t), intent(inout) :: report
-      real(dp) :: shift
-      integer :: attempt
+      integer :: rung
 
-      shift = 0
-      do attempt = 1, 4
-         call self%system%factorise(shift)
+      do rung = 1, size(diagonal_shift)
+         call self%linear%factorise(rung)
          report%factorisations = report%factorisations + 1
-         call self%gmres%solve(self%system, self%rhs, self%change, forcing)
+         call self%gmres%solve(self%linear, self%rhs, self%change, forcing)
          report%linear_steps = report%linear_steps + self%gmres%steps
          if (self%gmres%steps > 0 .and. self%gmres%reduction < 0.5_dp) exit
-         shift = max(0.1_dp, 4*shift)
       end do
    end subroutine linear_solve
 
@@ -175,7 +192,7 @@ contains
    logical function alternates(self, k)
       class(newton_t), intent(inout) :: self
       integer, intent(in) :: k   !! steps taken
-      associate (now => self%system%is_cavitated)
+      associate (now => self%linear%levels(self%linear%finest)%equations%is_cavitated)
          alternates = .false.
          if (k >= 2) alternates = all(now .eqv. self%cavitated_earlier) .and. any(now .neqv. self%cavitated_before)
          self%cavitated_earlier = self%cavitated_before
@@ -195,28 +212,19 @@ contains
       type(state_t), intent(inout) :: state
       real(dp), intent(in) :: longest    !! step length, at most 1
       real(dp), pointer, contiguous :: dp_(:, :)
-      real(dp) :: largest, shorter, step
-      integer :: i, j
+      real(dp) :: shorter, step
 
-      associate (grid => problem%grid, n => self%system%n)
+      associate (grid => problem%grid, n => self%linear%n)
          dp_(0:grid%nx, 0:grid%ny) => self%change(:n - 1)
-         largest = maxval(abs(dp_))
-         has_moved = ieee_is_finite(largest) .and. ieee_is_finite(self%change(n))
+         has_moved = ieee_is_finite(maxval(abs(dp_))) .and. ieee_is_finite(self%change(n))
          if (.not. has_moved) return
-         step = longest
-         if (largest > self%largest_change) step = step*self%largest_change/largest
-         call bend(self, problem, state%p, step, dp_)
+         step = longest*self%limit%of_pressure(dp_)
+         call bend(self, step, dp_)
          dp_ = max(dp_, lowest_pressure - state%p)
          self%change(n) = step*self%change(n)
          call problem%deformation%apply(dp_, self%film_change)
          self%film_change = self%film_change - self%change(n)
-         shorter = 1
-         do j = 0, grid%ny
-            do i = 0, grid%nx
-               if (shorter*self%film_change(i, j) < (self%smallest_film_factor - 1)*state%h(i, j)) &
-                  shorter = (self%smallest_film_factor - 1)*state%h(i, j)/self%film_change(i, j)
-            end do
-         end do
+         shorter = self%limit%of_film(state%h, self%film_change)
          has_moved = shorter > 0
          state%p = state%p + shorter*dp_
          state%delta = state%delta + shorter*self%change(n)
@@ -233,28 +241,24 @@ contains
    !>
    !> phi: share of that exponential in the diagonal of the Jacobian. The difference from P + d is of second
    !> order, so the final convergence stays quadratic.
-   pure subroutine bend(self, problem, p, step, dp_)
+   pure subroutine bend(self, step, dp_)
       class(newton_t), intent(in) :: self
-      type(contact_problem_t), intent(in) :: problem
-      real(dp), intent(in) :: p(0:, 0:)         !! P before the step
       real(dp), intent(in) :: step              !! step length
       real(dp), intent(inout) :: dp_(0:, 0:)    !! Newton's change, then the change to make
-      real(dp) :: cx, cy, intake, s
-      integer :: i, j, jm
+      real(dp) :: gain, s
+      integer :: i, j
 
-      associate (grid => problem%grid, flow => self%system%flow)
-         cx = 0.5_dp/grid%hx**2
-         cy = 0.5_dp*problem%conditions%elliptic%kappa**2/grid%hy**2
-         do j = grid%first_row, grid%ny - 1
-            jm = grid%below(j)
-            do i = 1, grid%nx - 1
+      associate (equations => self%linear%levels(self%linear%finest)%equations, &
+                 mesh => self%linear%levels(self%linear%finest)%equations%mesh, &
+                 flow => self%linear%levels(self%linear%finest)%equations%flow)
+         do j = mesh%grid%first_row, mesh%grid%last_row
+            do i = 1, mesh%grid%nx - 1
                dp_(i, j) = step*dp_(i, j)
                s = -flow%eps_p(i, j)/flow%eps(i, j)
-               if (s*abs(dp_(i, j)) < 0.05_dp .or. self%system%is_cavitated(i, j)) cycle
-               intake = -flow%eps_p(i, j)*(cx*(p(i + 1, j) - 2*p(i, j) + p(i - 1, j)) &
-                                           + cy*(p(i, j + 1) - 2*p(i, j) + p(i, jm)))
-               if (intake <= 0) cycle
-               s = s*intake/(intake + 1/self%system%scale(i, j))
+               if (s*abs(dp_(i, j)) < 0.05_dp .or. equations%is_cavitated(i, j)) cycle
+               gain = intake(mesh, flow, i, j)
+               if (gain <= 0) cycle
+               s = s*gain/(gain + 1/equations%scale(i, j))
                if (s*abs(dp_(i, j)) > 1e-3_dp) dp_(i, j) = -log(max(1 - s*dp_(i, j), 0.1_dp))/s
             end do
          end do

@@ -5,12 +5,13 @@
 !> be had; without it a solve ends where it began, as a failed one.
 module ehlwave_petsc_solver
    use ehlwave_contact_inequality, only: contact_inequality_t
-   use ehlwave_contact_problem, only: contact_problem_t
+   use ehlwave_hierarchy, only: hierarchy_t
    use ehlwave_kinds, only: dp
-   use ehlwave_level_solver, only: level_solver_t, solve_limits_t, solve_report_t
+   use ehlwave_level_solver, only: level_solver_t
    use ehlwave_petsc_binding, only: out_of_steps, outcome_t, run_snes, settings_t
-   use ehlwave_state, only: state_t
+   use ehlwave_solve_report, only: solve_limits_t, solve_report_t
    use ehlwave_status, only: status_diverged, status_stalled
+   use ehlwave_step_limit, only: step_limit_t
    implicit none (type, external)
    private
 
@@ -18,8 +19,7 @@ module ehlwave_petsc_solver
    !> falls below `smallest_film_factor` of its value, then shortened by a line search. When that fails, a second
    !> round goes on from the best state without line search.
    type, extends(level_solver_t), public :: petsc_solver_t
-      real(dp) :: largest_change = 0.3_dp
-      real(dp) :: smallest_film_factor = 0.1_dp
+      type(step_limit_t) :: limit
       real(dp) :: linear_tolerance = 1e-6_dp     !! of GMRES, relative to the right side
       integer :: largest_krylov = 400            !! GMRES steps of one Newton step
       integer :: restart = 100
@@ -33,18 +33,19 @@ module ehlwave_petsc_solver
 contains
 
    !> Work space for a problem's grid. PETSc itself is started by the first solve.
-   subroutine init(self, problem)
+   subroutine init(self, hierarchy, finest)
       class(petsc_solver_t), intent(inout) :: self
-      type(contact_problem_t), intent(in), target :: problem
-      call self%inequality%init(problem)
+      type(hierarchy_t), intent(in) :: hierarchy
+      integer, intent(in) :: finest
+      call self%inequality%init(hierarchy%levels(finest)%problem)
    end subroutine init
 
    !> See the interface. Two rounds of SNES at most; hands back the best state met. A guess whose surfaces overlap is
    !> opened first.
-   subroutine solve(self, problem, state, limits, report)
+   subroutine solve(self, hierarchy, l, limits, report)
       class(petsc_solver_t), intent(inout) :: self
-      type(contact_problem_t), intent(inout), target :: problem
-      type(state_t), intent(inout), target :: state
+      type(hierarchy_t), intent(inout), target :: hierarchy
+      integer, intent(in) :: l
       type(solve_limits_t), intent(in) :: limits
       type(solve_report_t), intent(out) :: report
       type(settings_t) :: settings
@@ -56,10 +57,9 @@ contains
       linear_steps = 0
       settings = settings_t(1, self%fill_levels, limits%largest_steps, self%restart, self%largest_krylov, &
                             self%linear_tolerance)
-      associate (inequality => self%inequality)
-         inequality%largest_change = self%largest_change
-         inequality%smallest_film_factor = self%smallest_film_factor
-         call inequality%start(problem, state, limits%tolerance)
+      associate (inequality => self%inequality, level => hierarchy%levels(l))
+         inequality%limit = self%limit
+         call inequality%start(level%problem, level%state, limits%tolerance)
          do round = 1, 2
             if (inequality%report%status /= status_stalled .or. settings%largest_steps <= 0) exit
             settings%backtracks = merge(1, 0, round == 1)
@@ -70,7 +70,7 @@ contains
             settings%largest_steps = settings%largest_steps - max(outcome%steps, 1)
             call inequality%return_to_best()
          end do
-         call inequality%finish(state, report)
+         call inequality%finish(level%state, report)
       end associate
       report%nonlinear_steps = steps
       report%linear_steps = linear_steps

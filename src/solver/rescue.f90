@@ -4,15 +4,18 @@
 !> method where another one was asked for, Newton's method with short steps, PETSc where the build has it.
 module ehlwave_rescue
    use ehlwave_capped_solver, only: capped_solver_t
-   use ehlwave_continuation, only: adaptive_path_t, given_t, neighbour_t
-   use ehlwave_full_multigrid, only: full_multigrid_t, level_t
+   use ehlwave_continuation, only: adaptive_path_t, neighbour_t
+   use ehlwave_full_multigrid, only: full_multigrid_t
+   use ehlwave_given, only: given_t
    use ehlwave_kinds, only: dp
-   use ehlwave_level_solver, only: level_solver_t, solve_limits_t, solve_report_t
+   use ehlwave_level_solver, only: level_solver_t
    use ehlwave_newton, only: newton_t
    use ehlwave_petsc_library, only: has_petsc
    use ehlwave_petsc_solver, only: petsc_solver_t
+   use ehlwave_solve_report, only: solve_limits_t, solve_report_t
    use ehlwave_state, only: state_t
    use ehlwave_status, only: status_converged
+   use ehlwave_step_limit, only: step_limit_t
    implicit none (type, external)
    private
    public :: rung_name
@@ -20,8 +23,7 @@ module ehlwave_rescue
    integer, parameter, public :: rung_direct = 0, rung_restart = 1, rung_continuation = 2, rung_newton = 3, &
                                  rung_damped = 4, rung_petsc = 5
 
-   real(dp), parameter :: short_change = 0.05_dp       !! largest change of P in a damped Newton step
-   real(dp), parameter :: short_film_factor = 0.5_dp   !! of H
+   type(step_limit_t), parameter :: short_steps = step_limit_t(largest_change=0.05_dp, smallest_film_factor=0.5_dp)   !! of damped
    integer, parameter :: damped_patience = 4           !! times as many steps as usual
 
    type, extends(capped_solver_t), public :: rescue_t
@@ -60,7 +62,7 @@ contains
    !> steps of all attempts.
    subroutine solve_steady(self, multigrid, limits, coarse_tolerance)
       class(rescue_t), intent(inout) :: self
-      type(full_multigrid_t), intent(inout), target :: multigrid
+      type(full_multigrid_t), intent(inout) :: multigrid
       type(solve_limits_t), intent(in) :: limits       !! for the finest level
       real(dp), intent(in) :: coarse_tolerance         !! for the others, and for neighbours
       type(state_t) :: guess
@@ -76,64 +78,68 @@ contains
          call self%continue_conditions(multigrid, limits, coarse_tolerance)
          call self%note(level%report, rung_continuation)
          if (level%report%status == status_converged) return
-         call self%climb(level, guess, limits)
+         call self%climb(multigrid, guess, limits)
       end associate
    end subroutine solve_steady
 
-   !> One solution of a level, from the first guess in its state: a time step, or a pattern that stands still. When
-   !> that fails: from the solution before, then the ladder.
-   subroutine solve_step(self, level, before, given_before, limits)
+   !> One solution of the finest level, from the first guess in its state: a time step, or a pattern that stands still.
+   !> When that fails: from the solution before, then the ladder.
+   subroutine solve_step(self, multigrid, before, given_before, limits)
       class(rescue_t), intent(inout) :: self
-      type(level_t), intent(inout), target :: level
+      type(full_multigrid_t), intent(inout) :: multigrid
       type(state_t), intent(in) :: before              !! the last solution
       type(given_t), intent(in) :: given_before        !! and what it was given
       type(solve_limits_t), intent(in) :: limits
       logical :: starts_there
 
-      level%report = solve_report_t()
-      starts_there = maxval(abs(level%state%p - before%p)) <= 0
-      call self%attempt(level, limits)
-      if (level%report%status == status_converged) return
-      if (.not. starts_there) then
-         level%state = before
-         call self%attempt(level, limits)
-         call self%note(level%report, rung_restart)
+      associate (level => multigrid%levels(size(multigrid%levels)))
+         level%report = solve_report_t()
+         starts_there = maxval(abs(level%state%p - before%p)) <= 0
+         call self%attempt(multigrid, limits)
          if (level%report%status == status_converged) return
-      end if
-      if (.not. self%is_ready) return
-      call self%continue_step(level, before, given_before, limits)
-      call self%note(level%report, rung_continuation)
-      if (level%report%status == status_converged) return
-      call self%climb(level, before, limits)
+         if (.not. starts_there) then
+            level%state = before
+            call self%attempt(multigrid, limits)
+            call self%note(level%report, rung_restart)
+            if (level%report%status == status_converged) return
+         end if
+         if (.not. self%is_ready) return
+         call self%continue_step(multigrid, before, given_before, limits)
+         call self%note(level%report, rung_continuation)
+         if (level%report%status == status_converged) return
+      end associate
+      call self%climb(multigrid, before, limits)
    end subroutine solve_step
 
    !> The rungs that need nothing but another solver.
-   subroutine climb(self, level, guess, limits)
+   subroutine climb(self, multigrid, guess, limits)
       class(rescue_t), intent(inout) :: self
-      type(level_t), intent(inout), target :: level
+      type(full_multigrid_t), intent(inout) :: multigrid
       type(state_t), intent(in) :: guess
       type(solve_limits_t), intent(in) :: limits
       integer :: rung
 
-      do rung = rung_newton, rung_petsc
-         if (self%steps_left <= 0) return
-         if (rung == rung_newton .and. is_newton(level%solver)) cycle
-         level%state = guess
-         if (rung == rung_petsc) then
-            if (.not. has_petsc()) return      ! the last rung
-            call self%solve_by_petsc(level, limits)
-         else
-            call self%solve_by_newton(level, limits, is_damped=rung == rung_damped)
-         end if
-         call self%note(level%report, rung)
-         if (level%report%status == status_converged) return
-      end do
+      associate (level => multigrid%levels(size(multigrid%levels)))
+         do rung = rung_newton, rung_petsc
+            if (self%steps_left <= 0) return
+            if (rung == rung_newton .and. is_newton(multigrid%solver)) cycle
+            level%state = guess
+            if (rung == rung_petsc) then
+               if (.not. has_petsc()) return      ! the last rung
+               call self%solve_by_petsc(multigrid, limits)
+            else
+               call self%solve_by_newton(multigrid, limits, is_damped=rung == rung_damped)
+            end if
+            call self%note(level%report, rung)
+            if (level%report%status == status_converged) return
+         end do
+      end associate
    end subroutine climb
 
    !> Continuation in M and L: solve an easier neighbour from scratch, then approach the case from it.
    subroutine continue_conditions(self, multigrid, limits, coarse_tolerance)
       class(rescue_t), intent(inout) :: self
-      type(full_multigrid_t), intent(inout), target :: multigrid
+      type(full_multigrid_t), intent(inout) :: multigrid
       type(solve_limits_t), intent(in) :: limits
       real(dp), intent(in) :: coarse_tolerance
       type(neighbour_t) :: neighbour
@@ -146,8 +152,8 @@ contains
       loose%tolerance = max(limits%tolerance, coarse_tolerance)
       associate (level => multigrid%levels(size(multigrid%levels)))
          do distance = 1, 3
-            call neighbour%choose(multigrid, distance)
-            call neighbour%impose(multigrid, 0.0_dp)
+            call neighbour%choose(multigrid%hierarchy_t, distance)
+            call neighbour%impose(multigrid%hierarchy_t, 0.0_dp)
             call self%attempt_from_coarsest(multigrid, loose, coarse_tolerance)
             path = adaptive_path_t()
             last = level%state
@@ -157,24 +163,24 @@ contains
                   last = level%state
                end if
                call path%advance(level%report%status == status_converged)
-               call neighbour%impose(multigrid, path%place)
+               call neighbour%impose(multigrid%hierarchy_t, path%place)
                level%state = last
                if (path%is_at_end()) then
-                  call self%attempt(level, limits)
+                  call self%attempt(multigrid, limits)
                else
-                  call self%attempt(level, loose)
+                  call self%attempt(multigrid, loose)
                end if
             end do
-            call neighbour%impose(multigrid, 1.0_dp)
+            call neighbour%impose(multigrid%hierarchy_t, 1.0_dp)
             if (level%report%status == status_converged .or. self%steps_left <= 0) return
          end do
       end associate
    end subroutine continue_conditions
 
    !> Continuation from the last solution: what is given changes from its values then to those now by degrees.
-   subroutine continue_step(self, level, before, given_before, limits)
+   subroutine continue_step(self, multigrid, before, given_before, limits)
       class(rescue_t), intent(inout) :: self
-      type(level_t), intent(inout), target :: level
+      type(full_multigrid_t), intent(inout) :: multigrid
       type(state_t), intent(in) :: before
       type(given_t), intent(in) :: given_before
       type(solve_limits_t), intent(in) :: limits
@@ -183,51 +189,48 @@ contains
       type(state_t) :: last
       logical :: is_solved
 
-      call now%take(level%problem)
-      last = before
-      is_solved = .true.
-      do while (is_solved .or. path%can_retry())
-         if (is_solved .and. path%is_at_end()) exit
-         call path%advance(is_solved)
-         call given_before%blend(now, path%place, level%problem)
-         level%state = last
-         call self%attempt(level, limits)
-         is_solved = level%report%status == status_converged
-         if (is_solved) last = level%state
-      end do
-      call given_before%blend(now, 1.0_dp, level%problem)
+      associate (level => multigrid%levels(size(multigrid%levels)))
+         now = level%problem%given_t
+         last = before
+         is_solved = .true.
+         do while (is_solved .or. path%can_retry())
+            if (is_solved .and. path%is_at_end()) exit
+            call path%advance(is_solved)
+            level%problem%given_t = given_before%blend(now, path%place)
+            level%state = last
+            call self%attempt(multigrid, limits)
+            is_solved = level%report%status == status_converged
+            if (is_solved) last = level%state
+         end do
+         level%problem%given_t = now
+      end associate
    end subroutine continue_step
 
-   !> Newton's method in place of what the level has, or its own with short steps.
-   subroutine solve_by_newton(self, level, limits, is_damped)
+   !> Newton's method in place of what the hierarchy has, or its own with short steps.
+   subroutine solve_by_newton(self, multigrid, limits, is_damped)
       class(rescue_t), intent(inout) :: self
-      type(level_t), intent(inout), target :: level
+      type(full_multigrid_t), intent(inout) :: multigrid
       type(solve_limits_t), intent(in) :: limits
       logical, intent(in) :: is_damped
       type(solve_limits_t) :: patient
-      type(newton_t), target :: newton
+      type(newton_t) :: newton
 
-      call newton%init(level%problem)
-      select type (own => level%solver)
-      type is (newton_t)
-         newton%coarser => own%coarser
-      end select
+      call newton%init(multigrid%hierarchy_t, size(multigrid%levels))
       patient = limits
       if (is_damped) then
-         newton%largest_change = short_change
-         newton%smallest_film_factor = short_film_factor
+         newton%limit = short_steps
          patient%largest_steps = damped_patience*limits%largest_steps
       end if
-      call self%attempt(level, patient, newton)
+      call self%attempt(multigrid, patient, newton)
    end subroutine solve_by_newton
 
-   subroutine solve_by_petsc(self, level, limits)
+   subroutine solve_by_petsc(self, multigrid, limits)
       class(rescue_t), intent(inout) :: self
-      type(level_t), intent(inout), target :: level
+      type(full_multigrid_t), intent(inout) :: multigrid
       type(solve_limits_t), intent(in) :: limits
       type(petsc_solver_t) :: petsc
-      call petsc%init(level%problem)
-      call self%attempt(level, limits, petsc)
+      call petsc%init(multigrid%hierarchy_t, size(multigrid%levels))
+      call self%attempt(multigrid, limits, petsc)
    end subroutine solve_by_petsc
 
    !> Keep the rung of a solution.

@@ -4,35 +4,56 @@ module ehlwave_step_limit
    use ehlwave_state, only: state_t
    implicit none (type, external)
    private
-   public :: limit_step
 
-   real(dp), parameter :: largest_change = 0.3_dp         !! of a pressure in one step
-   real(dp), parameter :: smallest_film_factor = 0.1_dp   !! of a film thickness over its value before the step
+   type, public :: step_limit_t
+      real(dp) :: largest_change = 0.3_dp         !! of a pressure in one step
+      real(dp) :: smallest_film_factor = 0.1_dp   !! of a film thickness over its value before the step
+   contains
+      procedure :: of_pressure
+      procedure :: of_film
+      procedure :: shorten
+   end type step_limit_t
 
 contains
 
-   !> Go from `before` towards `state` no farther than the bounds allow. The film is linear in P and Delta, so that of
-   !> the shortened step needs no new deformation.
-   pure subroutine limit_step(before, state)
-      type(state_t), intent(in) :: before      !! P, H, Delta before the step
-      type(state_t), intent(inout) :: state    !! after the whole step; after the limited one on return
-      real(dp) :: step, largest
-      integer :: i, j
+   !> Share of a change of pressure, at most 1, that the bound on pressures allows.
+   pure real(dp) function of_pressure(self, change) result(share)
+      class(step_limit_t), intent(in) :: self
+      real(dp), intent(in) :: change(:, :)   !! of P
+      real(dp) :: largest
+      largest = maxval(abs(change))
+      share = 1
+      if (largest > self%largest_change) share = self%largest_change/largest
+   end function of_pressure
 
-      largest = 0
-      step = 1
-      do j = 0, ubound(state%p, 2)
-         do i = 0, ubound(state%p, 1)
-            largest = max(largest, abs(state%p(i, j) - before%p(i, j)))
-            if (state%h(i, j) < smallest_film_factor*before%h(i, j)) &
-               step = min(step, (1 - smallest_film_factor)*before%h(i, j)/(before%h(i, j) - state%h(i, j)))
+   !> Share of a change of film, at most 1, that the bound on films allows.
+   pure real(dp) function of_film(self, h, change) result(share)
+      class(step_limit_t), intent(in) :: self
+      real(dp), intent(in) :: h(:, :)        !! H before the change
+      real(dp), intent(in) :: change(:, :)   !! of H
+      integer :: i, j
+      share = 1
+      do j = 1, size(h, 2)
+         do i = 1, size(h, 1)
+            if (share*change(i, j) < (self%smallest_film_factor - 1)*h(i, j)) &
+               share = (self%smallest_film_factor - 1)*h(i, j)/change(i, j)
          end do
       end do
-      if (largest*step > largest_change) step = largest_change/largest
+   end function of_film
+
+   !> Go from `before` towards `state` no farther than the bounds allow. The film is linear in P and Delta, so that of
+   !> the shortened step needs no new deformation.
+   pure subroutine shorten(self, before, state)
+      class(step_limit_t), intent(in) :: self
+      type(state_t), intent(in) :: before      !! P, H, Delta before the step
+      type(state_t), intent(inout) :: state    !! after the whole step; after the limited one on return
+      real(dp) :: step
+
+      step = min(self%of_pressure(state%p - before%p), self%of_film(before%h, state%h - before%h))
       if (.not. step < 1) return
       state%p = before%p + step*(state%p - before%p)
       state%h = before%h + step*(state%h - before%h)
       state%delta = before%delta + step*(state%delta - before%delta)
-   end subroutine limit_step
+   end subroutine shorten
 
 end module ehlwave_step_limit

@@ -1,15 +1,17 @@
 !> March in time of one contact with moving waviness, from the smooth steady state.
 module ehlwave_time_march
    use ehlwave_clock, only: wall_seconds
-   use ehlwave_continuation, only: given_t
-   use ehlwave_full_multigrid, only: level_t
+   use ehlwave_contact_problem, only: contact_problem_t
+   use ehlwave_flow, only: flow_t, new_flow
+   use ehlwave_full_multigrid, only: full_multigrid_t
+   use ehlwave_given, only: given_t
+   use ehlwave_hierarchy, only: level_t
    use ehlwave_kernel, only: cell_influence
    use ehlwave_kinds, only: dp
-   use ehlwave_level_solver, only: solve_limits_t
    use ehlwave_load_balance, only: equation_of_motion, force_balance
    use ehlwave_monitor, only: go_on, monitor_t, stop_now
    use ehlwave_rescue, only: rescue_t
-   use ehlwave_reynolds, only: flow_t, new_flow
+   use ehlwave_solve_report, only: solve_limits_t
    use ehlwave_state, only: state_t
    use ehlwave_status, only: status_converged
    use ehlwave_transport, only: characteristic_transport
@@ -72,7 +74,7 @@ module ehlwave_time_march
 
 contains
 
-   !> Make ready to march `level` from its steady state of smooth surfaces.
+   !> Make ready to march a level from its steady state of smooth surfaces.
    subroutine begin(self, level, settings, rescue)
       class(march_t), intent(inout) :: self
       type(level_t), intent(inout) :: level
@@ -96,7 +98,7 @@ contains
          self%approach = state%delta
          call problem%transport%carry(grid, self%history)
          call problem%load%carry(self%approach)
-         call self%given%take(problem)   ! what the steady state would be given as a time step
+         self%given = problem%given_t   ! what the steady state would be given as a time step
          problem%load%force = settings%force
          self%past = past_t(state, state, state, state)
          self%share = carried_share(level)
@@ -114,47 +116,30 @@ contains
       level%state = self%past%before
    end subroutine restore
 
-   !> March to the end of the stretch, or until a step fails or the monitor asks for something else.
+   !> March the finest level to the end of the stretch, or until a step fails or the monitor asks for something else.
    !>
    !> A step that fails from the extrapolated guess is left to `rescue`; when that fails too the march ends and says
-   !> so. `level` holds the last solution reached.
-   subroutine advance(self, level, limits, monitor)
+   !> so. The level holds the last solution reached.
+   subroutine advance(self, multigrid, limits, monitor)
       class(march_t), intent(inout) :: self
-      type(level_t), intent(inout), target :: level
+      type(full_multigrid_t), intent(inout) :: multigrid
       type(solve_limits_t), intent(in) :: limits
       class(monitor_t), intent(inout) :: monitor
-      real(dp) :: dt, start_s, t
-      integer :: first, k, last, n
+      real(dp) :: start_s, t
+      integer :: first, k, last
 
-      dt = time_step(self, level)
       start_s = wall_seconds()
       first = self%result%steps + 1
       last = min(self%settings%steps, (self%result%steps/steps_per_stretch + 1)*steps_per_stretch)
-      associate (grid => level%problem%grid, problem => level%problem, state => level%state, &
-                 settings => self%settings, result => self%result, past => self%past, history => self%history)
+      associate (level => multigrid%levels(size(multigrid%levels)), settings => self%settings)
          do k = first, last
-            t = k*dt
-            call problem%set_rough(settings%amplitude*settings%waviness%shape_at(grid%x, grid%y, t))
-            call problem%transport%carry(grid, history)
-            call problem%load%carry(self%approach)
-            if (settings%steps_per_cell == 1) &
-               call extrapolate(settings%cells_per_step, merge(0, 1, grid%is_line), self%share, past, state)
-            call solve_step(level, past%before, self%given, limits, self%rescue, result)
-            if (result%status /= status_converged) exit
+            t = k*time_step(self, level)
+            call pose_step(self, level%problem, t)
+            if (settings%steps_per_cell == 1) call extrapolate(settings%cells_per_step, self%share, self%past, level%state)
+            call solve_step(self, multigrid, limits)
+            if (self%result%status /= status_converged) exit
 
-            result%steps = k
-            result%time(k) = t
-            result%central_film(k) = grid%value_at_centre(state%h)
-            result%approach(k) = state%delta
-            do n = size(history, 3), 2, -1
-               history(:, :, n) = history(:, :, n - 1)
-            end do
-            history(:, :, 1) = problem%rheology%density(state%p)*state%h
-            self%approach = [state%delta, self%approach(1:2)]
-            past%earliest = past%earlier
-            past%earlier = past%before
-            past%before = state
-            call self%given%take(problem)
+            call keep_step(self, level, k, t)
             call monitor%step_done('time step', k, settings%steps)
             if (monitor%request == go_on) cycle
             if (monitor%request /= stop_now) exit
@@ -162,6 +147,41 @@ contains
          end do
       end associate
    end subroutine advance
+
+   !> Make a problem that of the step to time t.
+   subroutine pose_step(self, problem, t)
+      class(march_t), intent(in) :: self
+      type(contact_problem_t), intent(inout) :: problem
+      real(dp), intent(in) :: t
+      call problem%set_rough(self%settings%amplitude*self%settings%waviness%shape_at(problem%grid%x, problem%grid%y, t))
+      call problem%transport%carry(problem%grid, self%history)
+      call problem%load%carry(self%approach)
+   end subroutine pose_step
+
+   !> Note the solution of step k at time t, and keep what the next steps need of it.
+   subroutine keep_step(self, level, k, t)
+      class(march_t), intent(inout) :: self
+      type(level_t), intent(in) :: level
+      integer, intent(in) :: k
+      real(dp), intent(in) :: t
+      integer :: n
+
+      associate (result => self%result, past => self%past, history => self%history, state => level%state)
+         result%steps = k
+         result%time(k) = t
+         result%central_film(k) = level%problem%grid%value_at_centre(state%h)
+         result%approach(k) = state%delta
+         do n = size(history, 3), 2, -1
+            history(:, :, n) = history(:, :, n - 1)
+         end do
+         history(:, :, 1) = level%problem%rheology%density(state%p)*state%h
+         self%approach = [state%delta, self%approach(1:2)]
+         past%earliest = past%earlier
+         past%earlier = past%before
+         past%before = state
+         self%given = level%problem%given_t
+      end associate
+   end subroutine keep_step
 
    pure real(dp) function time_step(self, level)
       class(march_t), intent(in) :: self
@@ -191,9 +211,8 @@ contains
    !> 3 P(k-1) - 3 P(k-2) + P(k-3); in between, by share. What is extrapolated in time stays within the range of the
    !> neighbours at the step before and a small margin: the steep end of the pressure moves by less than a cell in one step, and
    !> an extrapolation across it would be off by half the Hertz pressure.
-   pure subroutine extrapolate(m, rows, share, past, state)
+   pure subroutine extrapolate(m, share, past, state)
       integer, intent(in) :: m                       !! cells that a feature travels in one step
-      integer, intent(in) :: rows                    !! on either side that are neighbours
       real(dp), intent(in) :: share(0:, 0:)          !! (0:nx, 0:ny)
       type(past_t), intent(in) :: past
       type(state_t), intent(inout) :: state
@@ -204,7 +223,7 @@ contains
             do i = 2*m + 1, ubound(state%p, 1) - 1
                moved = p0(i, j) + 2*(p1(i - m, j) - p0(i - m, j)) - (p2(i - 2*m, j) - p0(i - 2*m, j))
                still = 3*(p1(i, j) - p2(i, j)) + p3(i, j)
-               associate (near => p1(i - 1:i + 1, max(j - rows, 0):min(j + rows, ubound(p1, 2))))
+               associate (near => p1(i - 1:i + 1, max(j - 1, 0):min(j + 1, ubound(p1, 2))))
                   still = min(max(still, minval(near) - guess_margin), maxval(near) + guess_margin)
                end associate
                state%p(i, j) = max(0.0_dp, share(i, j)*moved + (1 - share(i, j))*still)
@@ -215,16 +234,13 @@ contains
    end subroutine extrapolate
 
    !> One time step and its account.
-   subroutine solve_step(level, before, given_before, limits, rescue, result)
-      type(level_t), intent(inout), target :: level
-      type(state_t), intent(in) :: before
-      type(given_t), intent(in) :: given_before
+   subroutine solve_step(self, multigrid, limits)
+      class(march_t), intent(inout) :: self
+      type(full_multigrid_t), intent(inout) :: multigrid
       type(solve_limits_t), intent(in) :: limits
-      type(rescue_t), intent(inout) :: rescue
-      type(march_result_t), intent(inout) :: result
 
-      call rescue%solve_step(level, before, given_before, limits)
-      associate (report => level%report)
+      call self%rescue%solve_step(multigrid, self%past%before, self%given, limits)
+      associate (report => multigrid%levels(size(multigrid%levels))%report, result => self%result)
          result%nonlinear_steps = result%nonlinear_steps + report%nonlinear_steps
          result%linear_steps = result%linear_steps + report%linear_steps
          result%factorisations = result%factorisations + report%factorisations

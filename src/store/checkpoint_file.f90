@@ -105,11 +105,11 @@ contains
                 //reals(flat(past%before%p))//reals(flat(past%before%h)) &
                 //reals(flat(past%earlier%p))//reals(flat(past%earliest%p)) &
                 //reals(reshape(march%history, [size(march%history)])) &
-                //reals(flat(given%carried))
+                //reals(flat(given%transport%carried))
          if (allocated(given%rough)) then
             text = text//reals(flat(given%rough))
          else                            ! before the first step
-            text = text//reals(0*flat(given%carried))
+            text = text//reals(0*flat(given%transport%carried))
          end if
       end associate
    end function packed
@@ -174,8 +174,8 @@ contains
             call take(list)
             march%history = reshape(list, shape(march%history))
          end block
-         if (.not. allocated(given%rough)) allocate (given%rough, mold=given%carried)
-         call take_plane(given%carried)
+         if (.not. allocated(given%rough)) allocate (given%rough, mold=given%transport%carried)
+         call take_plane(given%transport%carried)
          call take_plane(given%rough)
       end associate
 

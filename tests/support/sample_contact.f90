@@ -3,6 +3,7 @@ module sample_contact
    use ehlwave_conditions, only: conditions_from_moes, conditions_t
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_errors, only: error_t
+   use ehlwave_full_multigrid, only: full_multigrid_t, method_t
    use ehlwave_grid, only: grid_t, new_grid
    use ehlwave_kinds, only: dp
    use ehlwave_rheology, only: density_dowson_higginson, new_rheology, viscosity_roelands
@@ -10,7 +11,7 @@ module sample_contact
    use ehlwave_transport, only: characteristic_transport
    implicit none (type, external)
    private
-   public :: make_contact, make_conditions, start_time_step, bump_pressure, noise
+   public :: make_contact, make_conditions, make_multigrid, start_time_step, bump_pressure, noise
 
 contains
 
@@ -53,6 +54,23 @@ contains
                                      conditions%hertz_pressure_pa))
    end subroutine make_contact
 
+   !> A hierarchy of steady contacts on the default domain, `cells` in both directions, and its solvers.
+   subroutine make_multigrid(multigrid, m, d, cells, is_half, method)
+      type(full_multigrid_t), intent(inout) :: multigrid
+      real(dp), intent(in) :: m, d
+      integer, intent(in) :: cells
+      logical, intent(in) :: is_half
+      type(method_t), intent(in), optional :: method
+      type(conditions_t) :: conditions
+      type(method_t) :: chosen
+
+      if (present(method)) chosen = method
+      conditions = make_conditions(m, d)
+      call multigrid%init(conditions, new_rheology(viscosity_roelands, density_dowson_higginson, conditions%alphabar, &
+                                                   0.68_dp, conditions%hertz_pressure_pa), &
+                          new_grid(-2.5_dp, 1.5_dp, 2.0_dp, cells, cells, is_half), chosen)
+   end subroutine make_multigrid
+
    !> A pressure that is positive inside, zero on the outer boundary, even in Y, without symmetry in X.
    pure function bump_pressure(grid) result(p)
       type(grid_t), intent(in) :: grid
@@ -62,7 +80,7 @@ contains
 
       p = 0
       width = maxval(abs(grid%y))
-      do j = grid%first_row, grid%ny - 1
+      do j = grid%first_row, grid%last_row
          do i = 1, grid%nx - 1
             p(i, j) = (1 + 0.3_dp*sin(3*grid%x(i)))*exp(-2*grid%x(i)**2)*(1 - (grid%y(j)/width)**2) + 0.01_dp
          end do

@@ -1,13 +1,13 @@
 !> Paths of the rescue ladder: places on them, and what lies in between.
 program test_continuation
    use ehlwave_contact_problem, only: contact_problem_t
-   use ehlwave_continuation, only: adaptive_path_t, given_t, neighbour_t
+   use ehlwave_continuation, only: adaptive_path_t, neighbour_t
    use ehlwave_full_multigrid, only: full_multigrid_t
+   use ehlwave_given, only: given_t
    use ehlwave_kinds, only: dp
    use ehlwave_load_balance, only: force_balance
    use ehlwave_rescue, only: rung_continuation, rung_damped, rung_direct, rung_name, rung_newton, rung_petsc, rung_restart
-   use ehlwave_rheology, only: density_dowson_higginson, new_rheology, viscosity_roelands
-   use sample_contact, only: make_conditions, make_contact
+   use sample_contact, only: make_conditions, make_contact, make_multigrid
    use testing, only: test_t
    implicit none (type, external)
    type(test_t) :: test
@@ -55,23 +55,22 @@ contains
 
    !> Both ends of the path, and M halfway between them geometrically.
    subroutine check_neighbour()
-      type(full_multigrid_t), target :: multigrid
+      type(full_multigrid_t) :: multigrid
       type(neighbour_t) :: neighbour
       associate (c => make_conditions(1600.0_dp, 0.35_dp))
-         call multigrid%init(c, new_rheology(viscosity_roelands, density_dowson_higginson, c%alphabar, 0.68_dp, &
-                                             c%hertz_pressure_pa), -2.5_dp, 1.5_dp, 2.0_dp, 48, 48, .true., 'newton', 'fft')
-         call neighbour%choose(multigrid, 2)
-         call neighbour%impose(multigrid, 0.0_dp)
+         call make_multigrid(multigrid, c%m, c%d, 48, .true.)
+         call neighbour%choose(multigrid%hierarchy_t, 2)
+         call neighbour%impose(multigrid%hierarchy_t, 0.0_dp)
          associate (now => multigrid%levels(1)%problem%conditions)
             call test%check_close([now%m, now%l, now%d], [100.0_dp, 0.5_dp*c%l, c%d], 'neighbour', relative=1e-12_dp)
          end associate
-         call neighbour%impose(multigrid, 0.5_dp)
+         call neighbour%impose(multigrid%hierarchy_t, 0.5_dp)
          associate (now => multigrid%levels(size(multigrid%levels))%problem)
             call test%check_close(now%conditions%m, 400.0_dp, 'halfway', relative=1e-12_dp)
             call test%check_close(now%rheology%density(1.0_dp), density_at(now%conditions%hertz_pressure_pa), &
                                   'density follows the Hertz pressure', relative=1e-12_dp)
          end associate
-         call neighbour%impose(multigrid, 1.0_dp)
+         call neighbour%impose(multigrid%hierarchy_t, 1.0_dp)
          associate (now => multigrid%levels(1)%problem)
             call test%check_close([now%conditions%m, now%conditions%l, now%conditions%lambdabar], &
                                   [c%m, c%l, c%lambdabar], 'the case itself', relative=0.0_dp)
@@ -91,17 +90,17 @@ contains
       type(given_t) :: smooth, rough
       real(dp), allocatable :: crest(:, :)
       call make_contact(problem, 100.0_dp, 1.0_dp, 24, 24, .true.)
-      call smooth%take(problem)
+      smooth = problem%given_t
       allocate (crest(0:problem%grid%nx, 0:problem%grid%ny), source=0.3_dp)
       call problem%set_rough(crest)
       problem%load = force_balance(2.0_dp)
-      call rough%take(problem)
-      call smooth%blend(rough, 0.25_dp, problem)
+      rough = problem%given_t
+      problem%given_t = smooth%blend(rough, 0.25_dp)
       call test%check_close([problem%rough(3, 4), problem%load%force], [0.075_dp, 1.25_dp], 'a quarter of the way', &
                             relative=1e-14_dp)
-      call rough%blend(smooth, 0.0_dp, problem)
+      problem%given_t = rough%blend(smooth, 0.0_dp)
       call test%check_close(problem%load%force, 2.0_dp, 'begins where it was', relative=0.0_dp)
-      call smooth%blend(rough, 1.0_dp, problem)
+      problem%given_t = smooth%blend(rough, 1.0_dp)
       call test%check_close([problem%rough(3, 4), problem%load%force], [0.3_dp, 2.0_dp], 'ends where it shall', &
                             relative=0.0_dp)
    end subroutine check_blend

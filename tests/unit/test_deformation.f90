@@ -118,7 +118,6 @@ contains
       call test%check(order > 1.4_dp, 'order of the Hertz deformation of a line')   ! not smooth at the edge
       call test%check_close(grid%integral(p), 2*pi/3, 'load of a line on its strip', relative=1e-5_dp)
       call test%check_close(grid%value_at_centre(v), 0.5_dp + log(2*line_reference), 'value at the centre', relative=1e-5_dp)
-      call test%check_close(v(:, 1), v(:, 0), 'row 1 is a copy', relative=0.0_dp)
    end subroutine check_line_hertz
 
    subroutine compare_line_with_sum()
@@ -129,7 +128,7 @@ contains
 
       grid = new_line_grid(-2.5_dp, 1.5_dp, 46)
       call deformation%init(grid, 0.0_dp, 1.0_dp)
-      allocate (p(0:46, 0:1), v(0:46, 0:1), direct(0:46), source=0.0_dp)
+      allocate (p(0:46, 0:0), v(0:46, 0:0), direct(0:46), source=0.0_dp)
       do i = 1, 45
          p(i, 0) = noise(i, 3)
       end do

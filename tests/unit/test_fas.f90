@@ -4,18 +4,16 @@ program test_fas
    use, intrinsic :: ieee_arithmetic, only: ieee_all, ieee_quiet_nan, ieee_set_flag, ieee_set_halting_mode, &
       ieee_value
    use ehlwave_contact_problem, only: contact_problem_t
-   use ehlwave_fas_transfer, only: correct, restrict
-   use ehlwave_full_multigrid, only: full_multigrid_t
+   use ehlwave_fas_level, only: fas_level_t
+   use ehlwave_full_multigrid, only: full_multigrid_t, method_t
    use ehlwave_kinds, only: dp
-   use ehlwave_level_solver, only: solve_limits_t, solve_report_t
-   use ehlwave_line_relaxation, only: line_relaxation_t
    use ehlwave_load_balance, only: equation_of_motion
    use ehlwave_newton, only: newton_t
-   use ehlwave_rheology, only: density_dowson_higginson, new_rheology, viscosity_roelands
-   use ehlwave_state, only: new_state, state_t
+   use ehlwave_solve_report, only: solve_limits_t, solve_report_t
+   use ehlwave_state, only: state_t
    use ehlwave_status, only: status_converged, status_not_finite, status_stalled
    use ehlwave_text, only: to_text
-   use sample_contact, only: make_conditions, start_time_step
+   use sample_contact, only: make_multigrid, start_time_step
    use testing, only: test_t
    implicit none (type, external)
 
@@ -33,17 +31,16 @@ program test_fas
 contains
 
    subroutine make_levels(levels, d, cells, method, is_half, cycle)
-      type(full_multigrid_t), intent(inout), target :: levels
+      type(full_multigrid_t), intent(inout) :: levels
       real(dp), intent(in) :: d
       integer, intent(in) :: cells
       character(len=*), intent(in) :: method
       logical, intent(in) :: is_half
-      character(len=*), intent(in), optional :: cycle
-      associate (c => make_conditions(100.0_dp, d))
-         call levels%init(c, new_rheology(viscosity_roelands, density_dowson_higginson, c%alphabar, 0.68_dp, &
-                                          c%hertz_pressure_pa), -2.5_dp, 1.5_dp, 2.0_dp, cells, cells, is_half, method, &
-                          'fft', cycle)
-      end associate
+      character(len=1), intent(in), optional :: cycle
+      type(method_t) :: chosen
+      chosen%solver = method
+      if (present(cycle)) chosen%cycle = cycle
+      call make_multigrid(levels, 100.0_dp, d, cells, is_half, chosen)
    end subroutine make_levels
 
    !> Make a problem the time step with an equation of motion and a wave that follows a state at rest.
@@ -60,64 +57,69 @@ contains
    subroutine check_identity(d, is_half, is_step)
       real(dp), intent(in) :: d
       logical, intent(in) :: is_half, is_step
-      type(full_multigrid_t), target :: levels
-      type(line_relaxation_t) :: on_coarse, on_fine
+      type(full_multigrid_t) :: levels
+      type(fas_level_t) :: on_coarse, on_fine
       type(newton_t) :: newton
       type(solve_report_t) :: report
-      type(state_t) :: after, before, solution, state
+      type(state_t) :: solution
       character(len=:), allocatable :: name
       real(dp) :: error
+      integer :: n
 
       name = 'D = '//to_text(d, 3)//trim(merge(', time step', '           ', is_step))
       call make_levels(levels, d, 64, 'newton', is_half)
       call levels%solve(solve_limits_t(tolerance=1e-12_dp), 1e-3_dp)
-      associate (fine => levels%levels(size(levels%levels)), coarse => levels%levels(size(levels%levels) - 1)%problem)
-         if (is_step) then
-            call start_heavy_step(fine%problem, fine%state)
-            call fine%solver%solve(fine%problem, fine%state, solve_limits_t(tolerance=1e-12_dp), fine%report)
-         end if
+      n = size(levels%levels)
+      if (is_step) then
+         call start_heavy_step(levels%levels(n)%problem, levels%levels(n)%state)
+         call levels%solve_level(n, solve_limits_t(tolerance=1e-12_dp), report)
+         levels%levels(n)%report = report
+      end if
+      associate (fine => levels%levels(n), coarse => levels%levels(n - 1)%problem)
          call test%check(fine%report%status == status_converged, name//': solution')
          solution = fine%state
          call on_fine%init(fine%problem)
          call on_coarse%init(coarse)
-         before = new_state(coarse%grid)
-         call newton%init(coarse)
+         call newton%init(levels%hierarchy_t, n - 1)
 
-         call on_fine%evaluate(fine%problem, solution)
-         call restrict(fine%problem, solution, on_fine, coarse, before, on_coarse)
-         call test%check_close(maxval(abs(on_coarse%residual), mask=.not. on_coarse%is_cavitated), 0.0_dp, &
+         on_fine%state = solution
+         call on_fine%evaluate(fine%problem)
+         call on_coarse%restrict(coarse, on_fine)
+         call test%check_close(maxval(abs(on_coarse%equations%residual), mask=.not. on_coarse%equations%is_cavitated), 0.0_dp, &
                                name//': coarse residual of the solution', absolute=1e-9_dp)
-         call test%check_close(coarse%load%residual(coarse%grid%integral(before%p), before%delta), 0.0_dp, &
+         call test%check_close(on_coarse%equations%load_residual(on_coarse%state), 0.0_dp, &
                                name//': coarse load of the solution', absolute=1e-10_dp)
-         after = before
-         call newton%solve(coarse, after, solve_limits_t(tolerance=1e-11_dp), report)
+         call newton%improve(levels%levels(:n - 1), on_coarse%equations%given, on_coarse%state, &
+                             solve_limits_t(tolerance=1e-11_dp), report)
          call test%check(report%status == status_converged, name//': coarse problem')
-         call test%check_close(maxval(abs(after%p - before%p)), 0.0_dp, name//': coarse solution', absolute=1e-8_dp)
-         state = solution
-         call correct(coarse, before, after, fine%problem, on_fine%is_cavitated, state)
-         call test%check_close([maxval(abs(state%p - solution%p)), state%delta - solution%delta], [0.0_dp, 0.0_dp], &
-                               name//': no correction at the solution', absolute=1e-8_dp)
+         call test%check_close(maxval(abs(on_coarse%state%p - on_coarse%restricted%p)), 0.0_dp, name//': coarse solution', &
+                               absolute=1e-8_dp)
+         call on_fine%correct(fine%problem, on_coarse)
+         call test%check_close([maxval(abs(on_fine%state%p - solution%p)), on_fine%state%delta - solution%delta], &
+                               [0.0_dp, 0.0_dp], name//': no correction at the solution', absolute=1e-8_dp)
 
-         state%p = solution%p*(1 + 1e-3_dp*spread(cos(3*fine%problem%grid%x), 2, fine%problem%grid%ny + 1))
-         state%delta = solution%delta + 1e-4_dp
-         call fine%problem%film(state%p, state%delta, state%h)
-         error = sqrt(sum((state%p - solution%p)**2))
-         call on_fine%evaluate(fine%problem, state)
-         call restrict(fine%problem, state, on_fine, coarse, before, on_coarse)
-         after = before
-         call newton%solve(coarse, after, solve_limits_t(tolerance=1e-8_dp), report)
-         call correct(coarse, before, after, fine%problem, on_fine%is_cavitated, state)
-         print '(a)', name//': smooth error left by the coarse correction '// &
-            to_text(sqrt(sum((state%p - solution%p)**2))/error, 2)
-         call test%check(sqrt(sum((state%p - solution%p)**2)) < 0.3_dp*error, name//': a smooth error is corrected')
-         call test%check(abs(state%delta - solution%delta) < 0.3e-4_dp, name//': the approach is corrected')
+         associate (state => on_fine%state)
+            state%p = solution%p*(1 + 1e-3_dp*spread(cos(3*fine%problem%grid%x), 2, fine%problem%grid%ny + 1))
+            state%delta = solution%delta + 1e-4_dp
+            call fine%problem%film(state%p, state%delta, state%h)
+            error = sqrt(sum((state%p - solution%p)**2))
+            call on_fine%evaluate(fine%problem)
+            call on_coarse%restrict(coarse, on_fine)
+            call newton%improve(levels%levels(:n - 1), on_coarse%equations%given, on_coarse%state, &
+                                solve_limits_t(tolerance=1e-8_dp), report)
+            call on_fine%correct(fine%problem, on_coarse)
+            print '(a)', name//': smooth error left by the coarse correction '// &
+               to_text(sqrt(sum((state%p - solution%p)**2))/error, 2)
+            call test%check(sqrt(sum((state%p - solution%p)**2)) < 0.3_dp*error, name//': a smooth error is corrected')
+            call test%check(abs(state%delta - solution%delta) < 0.3e-4_dp, name//': the approach is corrected')
+         end associate
       end associate
    end subroutine check_identity
 
    !> Every kind of cycle converges to what Newton's method finds; W and F no slower than V.
    subroutine check_cycles()
       character(len=1), parameter :: kinds(3) = ['v', 'w', 'f']
-      type(full_multigrid_t), target :: fas(3), newton
+      type(full_multigrid_t) :: fas(3), newton
       integer :: cycles(3), k
 
       call make_levels(newton, 1.0_dp, 128, 'newton', .true.)
@@ -146,7 +148,7 @@ contains
       integer :: cycles(3), k
       do k = 1, 3
          block
-            type(full_multigrid_t), target :: fas
+            type(full_multigrid_t) :: fas
             call make_levels(fas, 0.12_dp, cells(k), 'fas', .true., 'w')
             call fas%solve(solve_limits_t(tolerance=1e-6_dp), 1e-3_dp)
             associate (report => fas%levels(size(fas%levels))%report)
@@ -161,8 +163,9 @@ contains
 
    !> Solving A, B, A gives the same A, and the coarse problems are as they were.
    subroutine check_nothing_left()
-      type(full_multigrid_t), target :: fas
+      type(full_multigrid_t) :: fas
       type(state_t) :: first
+      type(solve_report_t) :: report
       type(solve_limits_t), parameter :: limits = solve_limits_t(tolerance=1e-6_dp)
 
       call make_levels(fas, 0.35_dp, 64, 'fas', .true.)
@@ -175,13 +178,13 @@ contains
          call test%check_close([coarse%load%carried, coarse%load%force], [0.0_dp, 1.0_dp], 'load balance is back', &
                                absolute=0.0_dp)
          call start_heavy_step(level%problem, level%state)
-         call level%solver%solve(level%problem, level%state, limits, level%report)
-         call test%check(level%report%status == status_converged, 'another problem')
+         call fas%solve_level(size(fas%levels), limits, report)
+         call test%check(report%status == status_converged, 'another problem')
          call test%check(maxval(abs(level%state%p - first%p)) > 1e-3_dp, 'it has another solution')
          call test%check(.not. coarse%transport%is_local, 'steady transport is back again')
       end associate
       block
-         type(full_multigrid_t), target :: again
+         type(full_multigrid_t) :: again
          call make_levels(again, 0.35_dp, 64, 'fas', .true.)
          call again%solve(limits, 1e-3_dp)
          call again%solve(limits, 1e-3_dp)
@@ -194,7 +197,7 @@ contains
 
    !> A solve that does not converge says so.
    subroutine check_status()
-      type(full_multigrid_t), target :: fas
+      type(full_multigrid_t) :: fas
       type(solve_report_t) :: report
 
       call make_levels(fas, 1.0_dp, 64, 'fas', .true.)
@@ -205,7 +208,7 @@ contains
          call test%check(level%report%residual > 1e-8_dp, 'its residual')
          call ieee_set_halting_mode(ieee_all, .false.)      ! debug builds stop at a NaN
          level%state%p(30, 5) = ieee_value(1.0_dp, ieee_quiet_nan)
-         call level%solver%solve(level%problem, level%state, solve_limits_t(), report)
+         call fas%solve_level(size(fas%levels), solve_limits_t(), report)
          call test%check_equal(report%status, status_not_finite, 'NaN is met')
          call ieee_set_flag(ieee_all, .false.)
       end associate

@@ -1,6 +1,6 @@
 !> Grid: nodes, weights of a half domain, value at the centre.
 program test_grid
-   use ehlwave_grid, only: grid_t, new_grid
+   use ehlwave_grid, only: grid_t, new_grid, new_line_grid
    use ehlwave_kinds, only: dp
    use testing, only: test_t
    implicit none (type, external)
@@ -10,6 +10,8 @@ program test_grid
    call check_nodes()
    call check_integral()
    call check_centre()
+   call check_line()
+   call check_coarser()
    call test%finish()
 
 contains
@@ -24,6 +26,41 @@ contains
       call test%check(half%ny == 16 .and. half%first_row == 0 .and. whole%first_row == 1, 'rows')
       call test%check(half%below(0) == 1 .and. half%below(3) == 2 .and. whole%below(1) == 0, 'the row below is mirrored')
    end subroutine check_nodes
+
+   !> The grid of a line contact has one row, which is its own neighbour.
+   subroutine check_line()
+      type(grid_t) :: line
+      line = new_line_grid(-2.5_dp, 1.5_dp, 64)
+      call test%check(line%ny == 0 .and. line%first_row == 0 .and. line%last_row == 0, 'one row of unknowns')
+      call test%check(line%above(0) == 0 .and. line%below(0) == 0, 'nothing across')
+      call test%check_close(line%integral(spread(sqrt(max(0.0_dp, 1 - line%x**2)), 2, 1)), 2*acos(-1.0_dp)/3, &
+                            'its strip bears the load of an elliptical contact', relative=1e-2_dp)
+      call test%check(line%can_coarsen(32) .and. .not. line%can_coarsen(33), 'cells along X count')
+   end subroutine check_line
+
+   !> The coarser grid is the one made with half the cells, to the last bit.
+   subroutine check_coarser()
+      call compare_grids(new_grid(-2.5_dp, 1.7_dp, 2.1_dp, 96, 80, .true.), new_grid(-2.5_dp, 1.7_dp, 2.1_dp, 48, 40, .true.))
+      call compare_grids(new_grid(-2.5_dp, 1.7_dp, 2.1_dp, 96, 80, .false.), new_grid(-2.5_dp, 1.7_dp, 2.1_dp, 48, 40, .false.))
+      call compare_grids(new_line_grid(-2.5_dp, 1.7_dp, 96), new_line_grid(-2.5_dp, 1.7_dp, 48))
+      associate (grid => new_grid(-2.5_dp, 1.5_dp, 2.0_dp, 96, 84, .true.))
+         call test%check(grid%can_coarsen(40) .and. .not. grid%can_coarsen(43), 'the shorter side counts')
+      end associate
+      associate (grid => new_grid(-2.5_dp, 1.5_dp, 2.0_dp, 96, 82, .true.))
+         call test%check(.not. grid%can_coarsen(8), 'a half domain needs an even count on the coarser grid too')
+      end associate
+   end subroutine check_coarser
+
+   subroutine compare_grids(fine, expected)
+      type(grid_t), intent(in) :: fine, expected
+      type(grid_t) :: grid
+      grid = fine%coarser()
+      call test%check(all([grid%nx, grid%ny, grid%first_row, grid%last_row] == &
+                          [expected%nx, expected%ny, expected%first_row, expected%last_row]), 'coarser: shape')
+      call test%check_close([grid%hx, grid%hy, grid%x, grid%y, grid%weight], &
+                            [expected%hx, expected%hy, expected%x, expected%y, expected%weight], 'coarser', absolute=0.0_dp)
+      call test%check(lbound(grid%x, 1) == 0 .and. lbound(grid%y, 1) == 0, 'coarser: bounds')
+   end subroutine compare_grids
 
    subroutine check_integral()
       type(grid_t) :: half, whole

@@ -2,10 +2,12 @@
 !> Poiseuille flow rules and where the deformation does.
 program test_line_relaxation
    use ehlwave_contact_problem, only: contact_problem_t
+   use ehlwave_equations, only: equations_t
+   use ehlwave_hierarchy, only: hierarchy_t
    use ehlwave_kinds, only: dp
-   use ehlwave_level_solver, only: solve_limits_t, solve_report_t
    use ehlwave_line_relaxation, only: line_relaxation_t
    use ehlwave_newton, only: newton_t
+   use ehlwave_solve_report, only: solve_limits_t, solve_report_t
    use ehlwave_state, only: new_state, state_t
    use ehlwave_status, only: status_converged
    use ehlwave_text, only: to_text
@@ -30,36 +32,39 @@ contains
       real(dp), intent(in) :: m, d
       logical, intent(in) :: is_half
       character(len=*), intent(in) :: name
-      type(contact_problem_t), target :: problem
+      type(hierarchy_t) :: single
       type(state_t) :: solution
 
-      call make_contact(problem, m, d, cells, cells, is_half)
-      call solve(problem, solution, name)
-      call check_smoothing(problem, solution, name//', steady')
-      call start_time_step(problem, solution)
-      call solve(problem, solution, name//', time step')
-      call check_smoothing(problem, solution, name//', time step')
+      allocate (single%levels(1))
+      associate (problem => single%levels(1)%problem)
+         call make_contact(problem, m, d, cells, cells, is_half)
+         call solve(single, solution, name)
+         call check_smoothing(problem, solution, name//', steady')
+         call start_time_step(problem, solution)
+         call solve(single, solution, name//', time step')
+         call check_smoothing(problem, solution, name//', time step')
+      end associate
    end subroutine check_contact
 
    !> Newton's solution, from a Hertz guess when there is none.
-   subroutine solve(problem, state, name)
-      type(contact_problem_t), intent(inout), target :: problem
+   subroutine solve(single, state, name)
+      type(hierarchy_t), intent(inout) :: single   !! of one level
       type(state_t), intent(inout) :: state
       character(len=*), intent(in) :: name
       type(newton_t) :: newton
       type(solve_report_t) :: report
-      integer :: j
 
-      if (.not. allocated(state%p)) then
-         state = new_state(problem%grid)
-         do j = 0, problem%grid%ny
-            state%p(:, j) = sqrt(max(0.0_dp, 1 - problem%grid%x**2 - problem%grid%y(j)**2))
-         end do
-         call problem%deformation%apply(state%p, state%h)
-         state%delta = problem%grid%value_at_centre(state%h) - 0.2_dp
-      end if
-      call newton%init(problem)
-      call newton%solve(problem, state, solve_limits_t(tolerance=1e-11_dp, largest_steps=60), report)
+      associate (level => single%levels(1))
+         if (allocated(state%p)) then
+            level%state = state
+         else
+            level%state = new_state(level%problem%grid)
+            call single%start_level(1)
+         end if
+         call newton%init(single, 1)
+         call newton%solve(single, 1, solve_limits_t(tolerance=1e-11_dp, largest_steps=60), report)
+         state = level%state
+      end associate
       call test%check(report%status == status_converged, name//': there is a solution')
    end subroutine solve
 
@@ -69,19 +74,21 @@ contains
       type(state_t), intent(in) :: solution
       character(len=*), intent(in) :: name
       type(line_relaxation_t) :: relaxation
+      type(equations_t) :: equations
       type(state_t) :: state
       real(dp), allocatable :: h(:, :)
       real(dp) :: inlet(0:2), middle(0:2)
       integer :: i, j, n
 
       call relaxation%init(problem)
+      call equations%init(problem)
       state = solution
-      call relaxation%evaluate(problem, state)
-      call relaxation%relax(problem, state)
+      call equations%evaluate(problem, state)
+      call relaxation%relax(problem, equations, state)
       call test%check_close(maxval(abs(state%p - solution%p)), 0.0_dp, name//': a solution stays', absolute=1e-8_dp)
 
       state = solution
-      do j = problem%grid%first_row, problem%grid%ny - 1
+      do j = problem%grid%first_row, problem%grid%last_row
          do i = 1, problem%grid%nx - 1
             if (solution%p(i, j) > 0) state%p(i, j) = solution%p(i, j)*(1 + size_of_error*noise(i, j))
          end do
@@ -89,8 +96,8 @@ contains
       call problem%film(state%p, state%delta, state%h)
       call measure(problem, solution, state, inlet(0), middle(0))
       do n = 1, 2
-         call relaxation%evaluate(problem, state)
-         call relaxation%relax(problem, state)
+         call equations%evaluate(problem, state)
+         call relaxation%relax(problem, equations, state)
          call measure(problem, solution, state, inlet(n), middle(n))
       end do
       print '(a)', name//': noise left in the inlet '//to_text(inlet(2)/inlet(0), 2)//', in the middle '// &
@@ -129,22 +136,27 @@ contains
 
    !> From pressure where the outlet is cavitated the sweeps find the free boundary; no pressure falls below zero.
    subroutine check_cavitation()
-      type(contact_problem_t), target :: problem
+      type(hierarchy_t) :: single
       type(line_relaxation_t) :: relaxation
+      type(equations_t) :: equations
       type(state_t) :: solution, state
       integer :: n
 
-      call make_contact(problem, 100.0_dp, 1.0_dp, cells, cells, .true.)
-      call solve(problem, solution, 'cavitation')
-      state = solution
-      state%p(52:58, 0:4) = state%p(52:58, 0:4) + 0.01_dp     ! X = 0.75 to 1.1
-      call problem%film(state%p, state%delta, state%h)
-      call relaxation%init(problem)
-      do n = 1, 10
-         call relaxation%evaluate(problem, state)
-         call relaxation%relax(problem, state)
-         call test%check(minval(state%p) >= 0, 'no pressure below zero')
-      end do
+      allocate (single%levels(1))
+      associate (problem => single%levels(1)%problem)
+         call make_contact(problem, 100.0_dp, 1.0_dp, cells, cells, .true.)
+         call solve(single, solution, 'cavitation')
+         state = solution
+         state%p(52:58, 0:4) = state%p(52:58, 0:4) + 0.01_dp     ! X = 0.75 to 1.1
+         call problem%film(state%p, state%delta, state%h)
+         call relaxation%init(problem)
+         call equations%init(problem)
+         do n = 1, 10
+            call equations%evaluate(problem, state)
+            call relaxation%relax(problem, equations, state)
+            call test%check(minval(state%p) >= 0, 'no pressure below zero')
+         end do
+      end associate
       print '(a)', 'pressure left in the cavitated outlet '//to_text(maxval(state%p, mask=solution%p <= 0), 2)
       call test%check(maxval(state%p, mask=solution%p <= 0) < 1e-3_dp, 'pressure leaves the cavitated outlet')
    end subroutine check_cavitation

@@ -1,10 +1,12 @@
-!> Jacobian product of the Reynolds equation against finite differences of its residual.
+!> Jacobian product of the Reynolds equation, real and complex, against finite differences of its residual.
 program test_reynolds
+   use ehlwave_complex_wedge, only: complex_wedge_t => wedge_t, new_wedge
    use ehlwave_contact_problem, only: contact_problem_t
-   use ehlwave_kernel, only: cell_influence
+   use ehlwave_equations, only: equations_t
    use ehlwave_kinds, only: dp
-   use ehlwave_reynolds, only: diagonal_scale, flow_t, new_flow, reynolds_jacobian, reynolds_residual
+   use ehlwave_reynolds, only: reynolds_change
    use ehlwave_rheology, only: viscosity_barus, viscosity_roelands
+   use ehlwave_state, only: new_state, state_t
    use ehlwave_text, only: to_text
    use ehlwave_transport, only: characteristic_transport
    use sample_contact, only: bump_pressure, make_contact, noise
@@ -30,17 +32,18 @@ program test_reynolds
 contains
 
    !> Residual with the film that belongs to a pressure and an approach.
-   subroutine residual_of(problem, flow, p, delta, r)
+   subroutine residual_of(problem, equations, p, delta, r)
       type(contact_problem_t), intent(inout) :: problem
-      type(flow_t), intent(inout) :: flow
-      real(dp), intent(in), contiguous :: p(0:, 0:)
+      type(equations_t), intent(inout) :: equations
+      real(dp), intent(in) :: p(0:, 0:)
       real(dp), intent(in) :: delta
       real(dp), intent(out) :: r(0:, 0:)
-      real(dp), allocatable :: h(:, :)
-      allocate (h(0:problem%grid%nx, 0:problem%grid%ny))
-      call problem%film(p, delta, h)
-      call flow%evaluate(problem%rheology, problem%conditions%lambdabar, p, h)
-      call reynolds_residual(problem%grid, problem%transport, problem%conditions%elliptic%kappa, flow, p, r)
+      type(state_t) :: state
+      state = new_state(problem%grid)
+      state%p = p
+      call problem%film(p, delta, state%h)
+      call equations%evaluate(problem, state)
+      r = equations%residual
    end subroutine residual_of
 
    subroutine check_jacobian(d, is_half, law, cells_per_step)
@@ -48,9 +51,9 @@ contains
       logical, intent(in) :: is_half
       integer, intent(in) :: law, cells_per_step
       type(contact_problem_t) :: problem
-      type(flow_t) :: flow
+      type(equations_t) :: equations
       real(dp), parameter :: step = 1e-6_dp, delta = -0.2_dp, ddelta = 0.3_dp
-      real(dp), allocatable, dimension(:, :) :: change, dh, down, dr, expected, p, scale, up, work
+      real(dp), allocatable, dimension(:, :) :: change, dh, down, dr, expected, p, up
       real(dp), allocatable :: history(:, :, :)
       character(len=:), allocatable :: what
       integer :: i, j
@@ -58,7 +61,7 @@ contains
       call make_contact(problem, 100.0_dp, d, 24, 16, is_half, law)
       what = 'Jacobian, D = '//to_text(d, 3)//', law '//to_text(law)//', half '//to_text(is_half)//', step '// &
              to_text(cells_per_step)
-      associate (grid => problem%grid, kappa => problem%conditions%elliptic%kappa)
+      associate (grid => problem%grid)
          if (cells_per_step > 0) then
             problem%transport = characteristic_transport(grid, cells_per_step, 1)
             allocate (history(0:grid%nx, 0:grid%ny, 2), source=0.3_dp)
@@ -66,63 +69,82 @@ contains
          end if
          allocate (p(0:grid%nx, 0:grid%ny), source=0.0_dp)
          p = 0.5_dp*bump_pressure(grid)
-         allocate (dh, dr, down, expected, scale, up, work, change, source=p)
+         allocate (dh, dr, down, expected, up, change, source=p)
          change = 0
-         do j = grid%first_row, grid%ny - 1
+         do j = grid%first_row, grid%last_row
             do i = 1, grid%nx - 1
                change(i, j) = noise(i, j)*p(i, j)
             end do
          end do
-         flow = new_flow(grid)
-         call residual_of(problem, flow, p - step*change, delta - step*ddelta, down)
-         call residual_of(problem, flow, p + step*change, delta + step*ddelta, up)
+         call equations%init(problem)
+         call residual_of(problem, equations, p - step*change, delta - step*ddelta, down)
+         call residual_of(problem, equations, p + step*change, delta + step*ddelta, up)
          expected = (up - down)/(2*step)
-         call residual_of(problem, flow, p, delta, work)
+         call residual_of(problem, equations, p, delta, dr)
          call problem%deformation%apply(change, dh)
          dh = dh - ddelta
-         call reynolds_jacobian(grid, problem%transport, kappa, flow, p, change, dh, dr, work)
-         call diagonal_scale(grid, problem%transport, kappa, cell_influence(0.0_dp, 0.0_dp, grid%hx, grid%hy, kappa, &
-                                                                            problem%conditions%elliptic%k), flow, scale)
-         dr = dr*scale
-         expected = expected*scale
+         call reynolds_change(equations%mesh, problem%transport, equations%flow, change, dh, dr)
+         dr = dr*equations%scale
+         expected = expected*equations%scale
          call test%check_close(reshape(dr, [size(dr)]), reshape(expected, [size(dr)]), what, &
                                absolute=1e-7_dp*maxval(abs(expected)))
          call test%check(maxval(abs(expected)) > 1e-3_dp, what//' is not zero')
-         call test%check(all(scale(1:grid%nx - 1, grid%first_row:grid%ny - 1) > 0) .and. all(abs(scale(0, :)) <= 0), &
-                         'scale is positive at unknown nodes only')
+         call check_complex(equations, change, dh, dr, what)
+         call test%check(all(equations%scale(1:grid%nx - 1, grid%first_row:grid%last_row) > 0) .and. &
+                         all(abs(equations%scale(0, :)) <= 0), 'scale is positive at unknown nodes only')
       end associate
    end subroutine check_jacobian
+
+   !> The complex product with real weights is that of both parts.
+   subroutine check_complex(equations, change, dh, scaled, what)
+      type(equations_t), intent(in) :: equations
+      real(dp), intent(in) :: change(0:, 0:), dh(0:, 0:)
+      real(dp), intent(in) :: scaled(0:, 0:)   !! the real product times the scale
+      character(len=*), intent(in) :: what
+      complex(dp), parameter :: factor = (0.6_dp, -1.7_dp)
+      type(complex_wedge_t) :: wedge
+      complex(dp) :: dr(0:ubound(change, 1), 0:ubound(change, 2))
+
+      wedge = new_wedge(ubound(change, 1))
+      wedge%w0 = equations%given%transport%w0
+      wedge%w1 = equations%given%transport%w1
+      wedge%w2 = equations%given%transport%w2
+      call reynolds_change(equations%mesh, wedge, equations%flow, factor*change, factor*dh, dr)
+      call test%check_close(maxval(abs(dr*equations%scale - factor*scaled))/maxval(abs(scaled)), 0.0_dp, what//', complex', &
+                            absolute=1e-12_dp)
+   end subroutine check_complex
 
    !> Without pressure gradients only the wedge is left: H = x, rho = 1 gives R = -1.
    subroutine check_uniform_flow()
       type(contact_problem_t) :: problem
-      type(flow_t) :: flow
-      real(dp), allocatable, dimension(:, :) :: h, p, r
+      type(equations_t) :: equations
+      type(state_t) :: state
 
       call make_contact(problem, 100.0_dp, 1.0_dp, 16, 16, .false.)
       associate (grid => problem%grid)
-         allocate (p(0:grid%nx, 0:grid%ny), h(0:grid%nx, 0:grid%ny), r(0:grid%nx, 0:grid%ny), source=0.0_dp)
-         h = spread(3 + grid%x, 2, grid%ny + 1)
-         flow = new_flow(grid)
-         call flow%evaluate(problem%rheology, problem%conditions%lambdabar, p, h)
-         call reynolds_residual(grid, problem%transport, 1.0_dp, flow, p, r)
-         call test%check_close(reshape(r(1:15, 1:15), [225]), spread(-1.0_dp, 1, 225), 'wedge alone', absolute=1e-12_dp)
-         call test%check(all(abs(r(0, :)) <= 0) .and. all(abs(r(:, 16)) <= 0), 'zero on the boundary')
+         state = new_state(grid)
+         state%h = spread(3 + grid%x, 2, grid%ny + 1)
+         call equations%init(problem)
+         call equations%evaluate(problem, state)
+         associate (r => equations%residual)
+            call test%check_close(reshape(r(1:15, 1:15), [225]), spread(-1.0_dp, 1, 225), 'wedge alone', absolute=1e-12_dp)
+            call test%check(all(abs(r(0, :)) <= 0) .and. all(abs(r(:, 16)) <= 0), 'zero on the boundary')
+         end associate
       end associate
    end subroutine check_uniform_flow
 
    subroutine compare_half_with_whole()
       type(contact_problem_t) :: half, whole
-      type(flow_t) :: flow
+      type(equations_t) :: equations
       real(dp), allocatable, dimension(:, :) :: on_half, on_whole
 
       call make_contact(half, 100.0_dp, 0.35_dp, 24, 16, .true.)
       call make_contact(whole, 100.0_dp, 0.35_dp, 24, 16, .false.)
       allocate (on_half(0:24, 0:8), on_whole(0:24, 0:16))
-      flow = new_flow(half%grid)
-      call residual_of(half, flow, 0.5_dp*bump_pressure(half%grid), -0.2_dp, on_half)
-      flow = new_flow(whole%grid)
-      call residual_of(whole, flow, 0.5_dp*bump_pressure(whole%grid), -0.2_dp, on_whole)
+      call equations%init(half)
+      call residual_of(half, equations, 0.5_dp*bump_pressure(half%grid), -0.2_dp, on_half)
+      call equations%init(whole)
+      call residual_of(whole, equations, 0.5_dp*bump_pressure(whole%grid), -0.2_dp, on_whole)
       call test%check_close(reshape(on_half, [225]), reshape(on_whole(:, 8:), [225]), 'half against whole', &
                             absolute=1e-12_dp*maxval(abs(on_whole)))
    end subroutine compare_half_with_whole

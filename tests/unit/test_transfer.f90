@@ -2,7 +2,7 @@
 program test_transfer
    use ehlwave_grid, only: grid_t, new_grid
    use ehlwave_kinds, only: dp
-   use ehlwave_transfer, only: inject, interpolate
+   use ehlwave_real_transfer, only: inject, interpolate
    use testing, only: test_t
    implicit none (type, external)
 

@@ -7,12 +7,13 @@ program test_four_routes
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_deformation_fft, only: deformation_fft_t
    use ehlwave_errors, only: error_t
-   use ehlwave_full_multigrid, only: full_multigrid_t
+   use ehlwave_equations, only: equations_t
+   use ehlwave_full_multigrid, only: full_multigrid_t, method_t
+   use ehlwave_grid, only: new_grid
    use ehlwave_kinds, only: dp, pi
-   use ehlwave_level_solver, only: solve_limits_t
    use ehlwave_petsc_library, only: finish_petsc, is_petsc_built, require_petsc
-   use ehlwave_reynolds, only: flow_t, new_flow, reynolds_residual
    use ehlwave_rheology, only: density_dowson_higginson, new_rheology, rheology_t, viscosity_roelands
+   use ehlwave_solve_report, only: solve_limits_t, solve_report_t
    use ehlwave_state, only: state_t
    use ehlwave_status, only: status_converged
    use ehlwave_text, only: to_text
@@ -59,7 +60,7 @@ contains
    end subroutine compare_contact
 
    subroutine make_levels(levels, m, l, d, method, deformation)
-      type(full_multigrid_t), intent(inout), target :: levels
+      type(full_multigrid_t), intent(inout) :: levels
       real(dp), intent(in) :: m, l, d
       character(len=*), intent(in) :: method, deformation
       type(conditions_t) :: conditions
@@ -69,14 +70,15 @@ contains
       call test%check_no_error(error, 'conditions')
       rheology = new_rheology(viscosity_roelands, density_dowson_higginson, conditions%alphabar, 0.68_dp, &
                               conditions%hertz_pressure_pa)
-      call levels%init(conditions, rheology, -2.5_dp, 1.5_dp, 2.0_dp, cells, cells, .true., method, deformation)
+      call levels%init(conditions, rheology, new_grid(-2.5_dp, 1.5_dp, 2.0_dp, cells, cells, .true.), &
+                       method_t(solver=method, deformation=deformation))
    end subroutine make_levels
 
    subroutine solve(name, m, l, d, method, deformation, state)
       character(len=*), intent(in) :: name, method, deformation
       real(dp), intent(in) :: m, l, d
       type(state_t), intent(out) :: state
-      type(full_multigrid_t), target :: levels
+      type(full_multigrid_t) :: levels
 
       call make_levels(levels, m, l, d, method, deformation)
       call levels%solve(limits, 1e-3_dp)
@@ -95,7 +97,7 @@ contains
       type(state_t), intent(in) :: state
       logical, intent(in) :: is_fft
       type(deformation_fft_t) :: deformation
-      type(flow_t) :: flow
+      type(equations_t) :: equations
       real(dp), allocatable :: h(:, :), r(:, :)
       real(dp) :: unit
 
@@ -108,9 +110,9 @@ contains
          call deformation%apply(state%p, h)
          h = h + problem%smooth_gap - state%delta
          call test%check_close(maxval(abs(h - state%h)), 0.0_dp, name//': film', absolute=1e-12_dp)
-         flow = new_flow(grid)
-         call flow%evaluate(problem%rheology, problem%conditions%lambdabar, state%p, h)
-         call reynolds_residual(grid, problem%transport, elliptic%kappa, flow, state%p, r)
+         call equations%init(problem)
+         call equations%evaluate(problem, state_t(state%p, h, state%delta))
+         r = equations%residual
          unit = grid%hx/grid%value_at_centre(h)
          call test%check_close(maxval(abs(r), mask=state%p > limits%tolerance)*unit, 0.0_dp, &
                                name//': mass where there is pressure', &
@@ -146,7 +148,8 @@ contains
    subroutine march(method, state)
       character(len=*), intent(in) :: method
       type(state_t), intent(out) :: state
-      type(full_multigrid_t), target :: levels
+      type(full_multigrid_t) :: levels
+      type(solve_report_t) :: report
       real(dp), allocatable :: history(:, :, :)
       integer :: k
 
@@ -160,8 +163,8 @@ contains
             do k = 1, 8
                call problem%transport%carry(grid, history)
                call problem%set_rough(0.02_dp*spread(cos(4*pi*(grid%x - k*grid%hx)), 2, grid%ny + 1))
-               call level%solver%solve(problem, level%state, limits, level%report)
-               call test%check(level%report%status == status_converged, method//': time step')
+               call levels%solve_level(size(levels%levels), limits, report)
+               call test%check(report%status == status_converged, method//': time step')
                history(:, :, 2) = history(:, :, 1)
                history(:, :, 1) = problem%rheology%density(level%state%p)*level%state%h
             end do

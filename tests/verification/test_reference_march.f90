@@ -9,13 +9,12 @@ program test_reference_march
    use ehlwave_errors, only: error_t
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_kinds, only: dp
-   use ehlwave_level_solver, only: solve_limits_t
-   use ehlwave_rheology, only: density_dowson_higginson, new_rheology, viscosity_roelands
+   use ehlwave_solve_report, only: solve_limits_t, solve_report_t
    use ehlwave_status, only: status_converged
    use ehlwave_text, only: to_text
    use ehlwave_transport, only: characteristic_transport
    use ehlwave_waviness, only: new_waviness, waviness_t
-   use sample_contact, only: make_conditions
+   use sample_contact, only: make_conditions, make_multigrid
    use testing, only: test_t
    implicit none (type, external)
 
@@ -56,7 +55,7 @@ contains
    subroutine compare_row(row)
       integer, intent(in) :: row
       real(dp), parameter :: length_x = 4
-      type(full_multigrid_t), target :: multigrid
+      type(full_multigrid_t) :: multigrid
       type(waviness_t) :: wave
       real(dp), allocatable :: film(:), time(:)
       real(dp) :: amplitude, dt, wavelength
@@ -67,9 +66,7 @@ contains
       wavelength = number(column_wave, row)
       what = 'row '//to_text(row)
       associate (conditions => make_conditions(number(column_m, row), number(column_d, row)))
-         call multigrid%init(conditions, new_rheology(viscosity_roelands, density_dowson_higginson, conditions%alphabar, &
-                                                      0.68_dp, conditions%hertz_pressure_pa), &
-                             -2.5_dp, 1.5_dp, 2.0_dp, cells, cells, .true., 'newton', 'fft')
+         call make_multigrid(multigrid, conditions%m, conditions%d, cells, .true.)
          wave = new_waviness(wavelength, 0.0_dp, .false., -2.5_dp, 1.0_dp)
          if (table%cells(column_orientation, row) == 'isotropic') &
             wave = new_waviness(wavelength, conditions%elliptic%kappa*wavelength, .false., -2.5_dp, 1.0_dp)
@@ -85,13 +82,14 @@ contains
    end subroutine compare_row
 
    subroutine march_as_reference(multigrid, wave, amplitude_over_film, steps, amplitude, time, film, what)
-      type(full_multigrid_t), intent(inout), target :: multigrid
+      type(full_multigrid_t), intent(inout) :: multigrid
       type(waviness_t), intent(in) :: wave
       real(dp), intent(in) :: amplitude_over_film
       integer, intent(in) :: steps
       real(dp), intent(out) :: amplitude, time(0:), film(0:)
       character(len=*), intent(in) :: what
       real(dp), allocatable :: history(:, :, :)
+      type(solve_report_t) :: report
       logical :: is_good
       integer :: k
 
@@ -112,8 +110,8 @@ contains
                   problem%transport%carried(1:, :) = -history(:grid%nx - 1, :, 1)/grid%hx
                end if
                call problem%set_rough(amplitude*wave%shape_at(grid%x, grid%y, time(k)))
-               call level%solver%solve(problem, level%state, solve_limits_t(tolerance=1e-7_dp), level%report)
-               is_good = is_good .and. level%report%status == status_converged
+               call multigrid%solve_level(size(multigrid%levels), solve_limits_t(tolerance=1e-7_dp), report)
+               is_good = is_good .and. report%status == status_converged
                film(k) = grid%value_at_centre(level%state%h)
                history(:, :, 2) = history(:, :, 1)
                history(:, :, 1) = problem%rheology%density(level%state%p)*level%state%h

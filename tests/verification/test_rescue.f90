@@ -2,12 +2,11 @@
 program test_rescue
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_kinds, only: dp
-   use ehlwave_level_solver, only: solve_limits_t
    use ehlwave_rescue, only: rescue_t, rung_continuation, rung_damped, rung_direct, rung_name
-   use ehlwave_rheology, only: density_dowson_higginson, new_rheology, viscosity_roelands
+   use ehlwave_solve_report, only: solve_limits_t
    use ehlwave_status, only: status_converged
    use ehlwave_text, only: to_text
-   use sample_contact, only: make_conditions
+   use sample_contact, only: make_multigrid
    use testing, only: test_t
    implicit none (type, external)
 
@@ -25,15 +24,15 @@ contains
    subroutine compare(m, d, cells, steps, rung)
       real(dp), intent(in) :: m, d
       integer, intent(in) :: cells, steps, rung
-      type(full_multigrid_t), target :: easy, hard
+      type(full_multigrid_t) :: easy, hard
       type(rescue_t) :: free, rescue
       character(len=:), allocatable :: what
       integer :: n
 
       what = 'M = '//to_text(m, 4)//', '//to_text(steps)//' steps: '
-      call make(easy, m, d, cells)
+      call make_multigrid(easy, m, d, cells, .true.)
       call free%solve_steady(easy, solve_limits_t(tolerance, 60), 1e-3_dp)
-      call make(hard, m, d, cells)
+      call make_multigrid(hard, m, d, cells, .true.)
       call rescue%solve_steady(hard, solve_limits_t(tolerance, steps), 1e-3_dp)
       n = size(easy%levels)
       associate (direct => easy%levels(n), rescued => hard%levels(n))
@@ -50,11 +49,11 @@ contains
 
    !> The cap holds whatever is tried, and an unresolved case is not worth a climb.
    subroutine check_cap()
-      type(full_multigrid_t), target :: multigrid
+      type(full_multigrid_t) :: multigrid
       type(rescue_t) :: rescue
       integer :: n
       rescue%steps_left = 17
-      call make(multigrid, 1000.0_dp, 1.0_dp, 64)
+      call make_multigrid(multigrid, 1000.0_dp, 1.0_dp, 64, .true.)
       n = size(multigrid%levels)
       call rescue%solve_steady(multigrid, solve_limits_t(tolerance, 5), 1e-3_dp)
       call test%check(multigrid%levels(n)%report%status /= status_converged, 'too few steps for this contact')
@@ -63,15 +62,5 @@ contains
       call rescue%solve_steady(multigrid, solve_limits_t(tolerance, 5), 1e-3_dp)
       call test%check(multigrid%levels(n)%report%nonlinear_steps <= 5 .and. rescue%rung == rung_direct, 'no climb')
    end subroutine check_cap
-
-   subroutine make(multigrid, m, d, cells)
-      type(full_multigrid_t), intent(inout), target :: multigrid
-      real(dp), intent(in) :: m, d
-      integer, intent(in) :: cells
-      associate (c => make_conditions(m, d))
-         call multigrid%init(c, new_rheology(viscosity_roelands, density_dowson_higginson, c%alphabar, 0.68_dp, &
-                                             c%hertz_pressure_pa), -2.5_dp, 1.5_dp, 2.0_dp, cells, cells, .true., 'newton', 'fft')
-      end associate
-   end subroutine make
 
 end program test_rescue

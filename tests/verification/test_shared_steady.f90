@@ -39,7 +39,7 @@ contains
       integer, intent(in) :: steps
       real(dp), intent(in) :: wavelength, wavelength_second
       character(len=*), intent(in) :: method
-      type(shared_steady_t), target :: shared
+      type(shared_steady_t) :: shared
       call run(steps, wavelength, method, first, shared)
       call run(steps, wavelength_second, method, second, shared)
       call run(steps, wavelength, method, alone)
@@ -53,7 +53,7 @@ contains
       real(dp), intent(in) :: wavelength
       character(len=*), intent(in) :: method
       type(case_result_t), intent(out) :: result
-      type(shared_steady_t), intent(inout), target, optional :: shared
+      type(shared_steady_t), intent(inout), optional :: shared
       type(case_t) :: case
       type(case_plan_t) :: plan
       type(error_t), allocatable :: error

@@ -1,29 +1,29 @@
-!> The discrete contact problem on one level: everything but the unknowns.
+!> The discrete contact problem on one grid: everything but the unknowns.
 module ehlwave_contact_problem
    use ehlwave_conditions, only: conditions_t
    use ehlwave_deformation, only: deformation_t
    use ehlwave_deformation_fft, only: deformation_fft_t
    use ehlwave_deformation_line, only: deformation_line_t
+   use ehlwave_given, only: given_t
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
-   use ehlwave_load_balance, only: force_balance, load_balance_t
+   use ehlwave_load_balance, only: force_balance
    use ehlwave_rheology, only: rheology_t
-   use ehlwave_transport, only: steady_transport, transport_t
+   use ehlwave_transport, only: steady_transport
    implicit none (type, external)
    private
 
-   type, public :: contact_problem_t
+   !> A contact and what its solution is given: the steady problem of smooth surfaces at first; a time march gives it more.
+   type, extends(given_t), public :: contact_problem_t
       type(grid_t) :: grid
       type(conditions_t) :: conditions
       type(rheology_t) :: rheology
       class(deformation_t), allocatable :: deformation
-      type(transport_t) :: transport          !! steady at first; the time march replaces it
-      type(load_balance_t) :: load            !! static at first
       real(dp), allocatable :: smooth_gap(:, :)  !! S X^2 + (1 - S) Y^2, (0:nx, 0:ny)
-      real(dp), allocatable :: rough(:, :)    !! Rough(X, Y, T); not allocated for smooth surfaces
    contains
       procedure :: init
       procedure :: film
+      procedure :: film_of
       procedure :: set_rough
    end type contact_problem_t
 
@@ -40,7 +40,7 @@ contains
       self%grid = grid
       self%conditions = conditions
       self%rheology = rheology
-      if (grid%is_line .and. .not. allocated(self%deformation)) allocate (deformation_line_t :: self%deformation)
+      if (conditions%is_line() .and. .not. allocated(self%deformation)) allocate (deformation_line_t :: self%deformation)
       if (.not. allocated(self%deformation)) allocate (deformation_fft_t :: self%deformation)
       call self%deformation%init(grid, conditions%elliptic%kappa, conditions%elliptic%k)
       self%transport = steady_transport(grid)
@@ -59,11 +59,20 @@ contains
       real(dp), intent(in) :: p(0:, 0:)    !! P, (0:nx, 0:ny)
       real(dp), intent(in) :: delta        !! mutual approach
       real(dp), intent(out) :: h(0:, 0:)   !! H, (0:nx, 0:ny)
+      call self%film_of(self%given_t, p, delta, h)
+   end subroutine film
+
+   !> The same with the roughness of something else given.
+   subroutine film_of(self, given, p, delta, h)
+      class(contact_problem_t), intent(inout) :: self
+      type(given_t), intent(in) :: given
+      real(dp), intent(in) :: p(0:, 0:), delta
+      real(dp), intent(out) :: h(0:, 0:)
 
       call self%deformation%apply(p, h)
       h = h + self%smooth_gap - delta
-      if (allocated(self%rough)) h = h + self%rough
-   end subroutine film
+      if (allocated(given%rough)) h = h + given%rough
+   end subroutine film_of
 
    !> Set the roughness added to the gap.
    pure subroutine set_rough(self, rough)

@@ -1,19 +1,17 @@
 !> The linearised equations against the discrete equations of a time step.
-program test_harmonic_system
+program test_harmonic_response
+   use ehlwave_complex_wedge, only: wedge_t
    use ehlwave_contact_problem, only: contact_problem_t
+   use ehlwave_equations, only: equations_t
    use ehlwave_full_multigrid, only: full_multigrid_t
-   use ehlwave_harmonic_operator, only: harmonic_transport, harmonic_transport_t
    use ehlwave_harmonic_response, only: harmonic_response_t, harmonic_solver_t
-   use ehlwave_harmonic_system, only: harmonic_system_t
    use ehlwave_kinds, only: dp
-   use ehlwave_level_solver, only: solve_limits_t
    use ehlwave_load_balance, only: equation_of_motion, harmonic_inertia, load_balance_t
-   use ehlwave_reynolds, only: flow_t, new_flow, reynolds_residual
-   use ehlwave_rheology, only: density_dowson_higginson, new_rheology, viscosity_roelands
-   use ehlwave_state, only: state_t
-   use ehlwave_transport, only: characteristic_transport, transport_t
+   use ehlwave_solve_report, only: solve_limits_t
+   use ehlwave_state, only: new_state, state_t
+   use ehlwave_transport, only: characteristic_transport, harmonic_wedge, transport_t
    use ehlwave_waviness, only: new_waviness
-   use sample_contact, only: make_conditions, noise
+   use sample_contact, only: make_multigrid, noise
    use testing, only: test_t
    implicit none (type, external)
 
@@ -30,29 +28,25 @@ program test_harmonic_system
 contains
 
    subroutine steady(multigrid, is_half)
-      type(full_multigrid_t), intent(inout), target :: multigrid
+      type(full_multigrid_t), intent(inout) :: multigrid
       logical, intent(in) :: is_half
-      associate (conditions => make_conditions(100.0_dp, 0.35_dp))
-         call multigrid%init(conditions, new_rheology(viscosity_roelands, density_dowson_higginson, conditions%alphabar, &
-                                                      0.68_dp, conditions%hertz_pressure_pa), &
-                             -2.5_dp, 1.5_dp, 2.0_dp, 48, 48, is_half, 'newton', 'fft')
-      end associate
+      call make_multigrid(multigrid, 100.0_dp, 0.35_dp, 48, is_half)
       call multigrid%solve(solve_limits_t(tolerance=1e-9_dp), 1e-3_dp)
    end subroutine steady
 
    !> On the grid of the time step the weights are those of the characteristic; on coarser ones a smooth f sees the same.
    subroutine transport_on_grids(test)
       type(test_t), intent(inout) :: test
-      type(full_multigrid_t), target :: multigrid
-      type(harmonic_transport_t) :: fine, coarse
+      type(full_multigrid_t) :: multigrid
+      type(wedge_t) :: fine, coarse
       type(transport_t) :: steps
       complex(dp) :: z
       real(dp), parameter :: frequency = 9
       call steady(multigrid, .true.)
       associate (grid => multigrid%levels(2)%problem%grid, wide => multigrid%levels(1)%problem%grid)
          z = exp(cmplx(0, frequency*grid%hx, dp))
-         fine = harmonic_transport(grid, frequency, grid%hx)
-         coarse = harmonic_transport(wide, frequency, grid%hx)
+         fine = harmonic_wedge(grid, frequency, grid%hx)
+         coarse = harmonic_wedge(wide, frequency, grid%hx)
          steps = characteristic_transport(grid, 1, 1)
          call test%check_close(abs(fine%w0(1:) - steps%w0(1:)), 0*steps%w0(1:), 'weights at the node', absolute=1e-11_dp)
          call test%check_close(abs(fine%w1(5)*grid%hx + 2*z), 0.0_dp, 'one node upstream', absolute=1e-12_dp)
@@ -90,10 +84,10 @@ contains
       character(len=*), intent(in) :: what
       logical, intent(in) :: is_half
       real(dp), intent(in) :: frequency
-      type(full_multigrid_t), target :: multigrid
-      type(harmonic_system_t) :: system
-      complex(dp), allocatable, target :: b(:), x(:), y(:)
-      complex(dp), allocatable :: g(:, :)
+      type(full_multigrid_t) :: multigrid
+      type(harmonic_solver_t) :: solver
+      complex(dp), allocatable, target :: x(:), y(:)
+      complex(dp), allocatable :: b(:, :), g(:, :)
       complex(dp), pointer, contiguous :: q(:, :), linear(:, :)
       real(dp), allocatable :: up(:, :), down(:, :)
       real(dp), parameter :: amplitude = 1e-4_dp
@@ -101,11 +95,12 @@ contains
       integer :: i, j, turn
 
       call steady(multigrid, is_half)
-      call system%init(multigrid%levels)
+      call solver%init(multigrid%levels)
       associate (level => multigrid%levels(size(multigrid%levels)), grid => multigrid%levels(size(multigrid%levels))%problem%grid, &
-                 linearised => system%levels(size(system%levels)))
-         call system%set_frequency(frequency, grid%hx, (0.0_dp, 0.0_dp))
-         allocate (b(system%n), x(system%n), y(system%n), g(0:grid%nx, 0:grid%ny))
+                 system => solver%linear, linearised => solver%linear%levels(solver%linear%finest))
+         call system%borrow(multigrid%levels)
+         call solver%set_frequency(frequency, (0.0_dp, 0.0_dp))
+         allocate (x(system%n), y(system%n), b(0:grid%nx, 0:grid%ny), g(0:grid%nx, 0:grid%ny))
          allocate (up(0:grid%nx, 0:grid%ny), down(0:grid%nx, 0:grid%ny))
          x = 0
          q(0:grid%nx, 0:grid%ny) => x(:system%n - 1)
@@ -117,23 +112,24 @@ contains
          end do
          x(system%n) = (0.2_dp, -0.4_dp)
          call system%multiply(x, y)
-         call system%gap_change(g, b)
-         y = y - b
          linear(0:grid%nx, 0:grid%ny) => y(:system%n - 1)
+         call system%gap_change(g, b)
+         call system%release()
+         linear = linear + b
          do turn = 0, 1                     ! phases 0 and a quarter period: real and imaginary part
             call step_residual(level%problem, level%state, frequency, amplitude*(0.0_dp, 1.0_dp)**turn, q, x(system%n), g, up)
             call step_residual(level%problem, level%state, frequency, -amplitude*(0.0_dp, 1.0_dp)**turn, q, x(system%n), g, down)
             worst = 0
-            do j = grid%first_row, grid%ny - 1
+            do j = grid%first_row, grid%last_row
                do i = 1, grid%nx - 1
-                  if (linearised%is_cavitated(i, j)) cycle
+                  if (linearised%equations%is_cavitated(i, j)) cycle
                   worst = max(worst, abs(linearised%row_scale(i, j)*(up(i, j) - down(i, j))/(2*amplitude) &
                                          - real((0.0_dp, 1.0_dp)**turn*linear(i, j), dp)))
                end do
             end do
             call test%check_close(worst/maxval(abs(linear)), 0.0_dp, what//': residual of a time step', absolute=1e-6_dp)
          end do
-         call test%check(count(linearised%is_cavitated) > 0, what//': some nodes are cavitated')
+         call test%check(count(linearised%equations%is_cavitated) > 0, what//': some nodes are cavitated')
       end associate
    end subroutine against_residual
 
@@ -145,26 +141,27 @@ contains
       real(dp), intent(in) :: frequency
       complex(dp), intent(in) :: factor, q(0:, 0:), delta, g(0:, 0:)
       real(dp), intent(out) :: r(0:, 0:)
-      type(transport_t) :: transport
-      type(flow_t) :: flow
+      type(equations_t) :: equations
+      type(state_t) :: now
       complex(dp) :: turned
-      real(dp), allocatable :: h(:, :), history(:, :, :), p(:, :)
+      real(dp), allocatable :: history(:, :, :)
       integer :: n
 
-      associate (grid => problem%grid)
-         flow = new_flow(grid)
+      associate (grid => problem%grid, transport => equations%given%transport)
+         call equations%init(problem)
          transport = characteristic_transport(grid, 1, 1)
-         allocate (h(0:grid%nx, 0:grid%ny), p(0:grid%nx, 0:grid%ny), history(0:grid%nx, 0:grid%ny, 2))
+         now = new_state(grid)
+         allocate (history(0:grid%nx, 0:grid%ny, 2))
          do n = 2, 0, -1
             turned = factor*exp(cmplx(0, frequency*n*grid%hx, dp))
-            p = state%p + real(turned*q, dp)
-            call problem%film(p, state%delta + real(turned*delta, dp), h)
-            h = h + real(turned*g, dp)
-            call flow%evaluate(problem%rheology, problem%conditions%lambdabar, p, h)
-            if (n > 0) history(:, :, n) = flow%f
+            now%p = state%p + real(turned*q, dp)
+            call problem%film(now%p, state%delta + real(turned*delta, dp), now%h)
+            now%h = now%h + real(turned*g, dp)
+            if (n == 0) call transport%carry(grid, history)
+            call equations%evaluate(problem, now)
+            if (n > 0) history(:, :, n) = equations%flow%f
          end do
-         call transport%carry(grid, history)
-         call reynolds_residual(grid, transport, problem%conditions%elliptic%kappa, flow, p, r)
+         r = equations%residual
       end associate
    end subroutine step_residual
 
@@ -172,21 +169,21 @@ contains
    !> the centre, because sin(ky Y) has none there.
    subroutine independent_of_history(test)
       type(test_t), intent(inout) :: test
-      type(full_multigrid_t), target :: multigrid
+      type(full_multigrid_t) :: multigrid
       type(harmonic_solver_t) :: solver
       type(harmonic_response_t) :: first, other, again, oblique
       call steady(multigrid, .false.)
       call solver%init(multigrid%levels)
-      call solver%respond(new_waviness(1.2_dp, 1.0_dp, .false., -2.5_dp, 1.0_dp), 0.0_dp, 1, first)
-      call solver%respond(new_waviness(0.0_dp, 1.0_dp, .false., -2.5_dp, 1.0_dp), 0.0_dp, 1, other)
+      call solver%respond(multigrid%levels, new_waviness(1.2_dp, 1.0_dp, .false., -2.5_dp, 1.0_dp), 0.0_dp, 1, first)
+      call solver%respond(multigrid%levels, new_waviness(0.0_dp, 1.0_dp, .false., -2.5_dp, 1.0_dp), 0.0_dp, 1, other)
       call test%check_close(maxval(abs(aimag(other%h))), 0.0_dp, 'longitudinal waves have no phase', absolute=1e-14_dp)
-      call solver%respond(new_waviness(1.2_dp, 1.0_dp, .false., -2.5_dp, 1.0_dp), 0.0_dp, 1, again)
+      call solver%respond(multigrid%levels, new_waviness(1.2_dp, 1.0_dp, .false., -2.5_dp, 1.0_dp), 0.0_dp, 1, again)
       call test%check(abs(first%film - again%film) <= 0 .and. all(abs(first%p - again%p) <= 0), 'the same twice')
-      call solver%respond(new_waviness(1.2_dp, 1.0_dp, .true., -2.5_dp, 1.0_dp), 0.0_dp, 1, oblique)
+      call solver%respond(multigrid%levels, new_waviness(1.2_dp, 1.0_dp, .true., -2.5_dp, 1.0_dp), 0.0_dp, 1, oblique)
       call test%check_close(abs(oblique%film), abs(first%film), 'oblique at the centre', relative=3e-4_dp)
       call test%check(maxval(abs(oblique%h - first%h)) > 0.1_dp, 'but not elsewhere')
-      call solver%respond(new_waviness(1.2_dp, 1.0_dp, .false., -2.5_dp, 1.0_dp), 0.3_dp, 1, again)
+      call solver%respond(multigrid%levels, new_waviness(1.2_dp, 1.0_dp, .false., -2.5_dp, 1.0_dp), 0.3_dp, 1, again)
       call test%check(abs(again%approach) < 0.5_dp*abs(first%approach), 'inertia holds the approach back')
    end subroutine independent_of_history
 
-end program test_harmonic_system
+end program test_harmonic_response

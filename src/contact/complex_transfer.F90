@@ -1,0 +1,14 @@
+#define SCALAR complex(dp)
+!> Transfers of complex node values between a grid and the one with half as many cells.
+module ehlwave_complex_transfer
+   use ehlwave_grid, only: grid_t
+   use ehlwave_kinds, only: dp
+   implicit none (type, external)
+   private
+   public :: interpolate, inject, prolong, restrict
+
+contains
+
+#include "transfer.inc"
+
+end module ehlwave_complex_transfer

@@ -1,0 +1,15 @@
+#define SCALAR complex(dp)
+!> Rows of the near part of the Jacobian with complex weights of wedge and squeeze.
+module ehlwave_complex_near_rows
+   use ehlwave_complex_wedge, only: wedge_t
+   use ehlwave_flow, only: flow_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_near_kernel, only: near_kernel_t
+   use ehlwave_reynolds, only: flow_links, mesh_t, poiseuille_links
+   implicit none (type, external)
+   private
+   public :: near_rows, node_links
+
+#include "near_rows.inc"
+
+end module ehlwave_complex_near_rows

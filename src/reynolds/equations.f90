@@ -1,0 +1,82 @@
+!> The discrete equations of a contact evaluated at a state.
+module ehlwave_equations
+   use ehlwave_contact_problem, only: contact_problem_t
+   use ehlwave_flow, only: flow_t, new_flow
+   use ehlwave_given, only: given_t
+   use ehlwave_kernel, only: cell_influence
+   use ehlwave_kinds, only: dp
+   use ehlwave_reynolds, only: mesh_t, new_mesh, reynolds_residual, reynolds_scale
+   use ehlwave_state, only: state_t
+   implicit none (type, external)
+   private
+
+   !> They are posed by what is given, the terms of a problem or, in a multigrid cycle, right sides that a finer grid
+   !> hands down. All arrays (0:nx, 0:ny), zero or false off the unknown nodes.
+   type, public :: equations_t
+      type(mesh_t) :: mesh
+      type(given_t) :: given                      !! what poses them
+      real(dp) :: self_influence = 0              !! deformation at a node under its own unit pressure
+      type(flow_t) :: flow                        !! coefficients at the state last evaluated
+      real(dp), allocatable :: residual(:, :)     !! R there
+      real(dp), allocatable :: scale(:, :)        !! 1/|A_ii|
+      logical, allocatable :: is_cavitated(:, :)  !! P + R/|A_ii| <= 0: there the equation is P = 0
+   contains
+      procedure :: init
+      procedure :: evaluate
+      procedure :: inject_from
+      procedure :: set_scale
+      procedure :: load_residual
+   end type equations_t
+
+contains
+
+   !> Work space for a problem, and the equations posed by it.
+   subroutine init(self, problem)
+      class(equations_t), intent(out) :: self
+      type(contact_problem_t), intent(in) :: problem
+
+      associate (grid => problem%grid, elliptic => problem%conditions%elliptic)
+         self%mesh = new_mesh(grid, elliptic%kappa)
+         self%given = problem%given_t
+         self%self_influence = cell_influence(0.0_dp, 0.0_dp, grid%hx, grid%hy, elliptic%kappa, elliptic%k)
+         self%flow = new_flow(grid)
+         allocate (self%residual(0:grid%nx, 0:grid%ny), self%scale(0:grid%nx, 0:grid%ny), source=0.0_dp)
+         allocate (self%is_cavitated(0:grid%nx, 0:grid%ny), source=.false.)
+      end associate
+   end subroutine init
+
+   !> Coefficients, residual, scale and cavitated nodes of a state whose film belongs to its pressure.
+   pure subroutine evaluate(self, problem, state)
+      class(equations_t), intent(inout) :: self
+      type(contact_problem_t), intent(in) :: problem
+      type(state_t), intent(in) :: state
+
+      call self%flow%evaluate(problem%rheology, problem%conditions%lambdabar, state%p, state%h)
+      call reynolds_residual(self%mesh, self%given%transport, self%flow, self%residual)
+      call self%set_scale(abs(self%given%transport%w0))
+      self%is_cavitated = self%scale > 0 .and. state%p + self%scale*self%residual <= 0
+   end subroutine evaluate
+
+   !> Coefficients and cavitated nodes of the next finer grid, at the nodes of this one.
+   pure subroutine inject_from(self, fine)
+      class(equations_t), intent(inout) :: self
+      class(equations_t), intent(in) :: fine
+      call self%flow%inject_from(fine%flow, self%mesh%grid)
+      self%is_cavitated = fine%is_cavitated(::2, ::self%mesh%grid%row_ratio)
+   end subroutine inject_from
+
+   !> Scale at the state last evaluated, for wedge weights of any kind.
+   pure subroutine set_scale(self, wedge)
+      class(equations_t), intent(inout) :: self
+      real(dp), intent(in) :: wedge(0:)   !! (0:nx) modulus of the weight of a node's own rho H
+      call reynolds_scale(self%mesh, wedge, self%self_influence, self%flow, self%scale)
+   end subroutine set_scale
+
+   !> Residual of the load balance.
+   pure real(dp) function load_residual(self, state)
+      class(equations_t), intent(in) :: self
+      type(state_t), intent(in) :: state
+      load_residual = self%given%load%residual(self%mesh%grid%integral(state%p), state%delta)
+   end function load_residual
+
+end module ehlwave_equations

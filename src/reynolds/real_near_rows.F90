@@ -1,0 +1,15 @@
+#define SCALAR real(dp)
+!> Rows of the near part of the Jacobian with real weights of wedge and squeeze.
+module ehlwave_real_near_rows
+   use ehlwave_real_wedge, only: wedge_t
+   use ehlwave_flow, only: flow_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_near_kernel, only: near_kernel_t
+   use ehlwave_reynolds, only: flow_links, mesh_t, poiseuille_links
+   implicit none (type, external)
+   private
+   public :: near_rows, node_links
+
+#include "near_rows.inc"
+
+end module ehlwave_real_near_rows

@@ -1,0 +1,185 @@
+!> The discrete Reynolds equation: its residual, and all that follows from it.
+!>
+!> The flow along the pressure gradient goes through the faces between neighbouring nodes. This module alone knows how
+!> much: the flux through a face (`face_flux`), its change (`face_change`), the links of a node (`poiseuille_links`), the
+!> diagonal (`reynolds_scale`) and how the oil a node takes in depends on its own pressure (`intake`). They belong to the
+!> Newtonian law, with eps averaged between nodes; another law of flow takes the place of these five.
+module ehlwave_reynolds
+   use ehlwave_complex_wedge, only: complex_wedge_t => wedge_t
+   use ehlwave_flow, only: flow_t
+   use ehlwave_grid, only: grid_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_real_wedge, only: wedge_t
+   use ehlwave_transport, only: transport_t
+   implicit none (type, external)
+   private
+   public :: new_mesh, reynolds_residual, reynolds_change, reynolds_scale, poiseuille_links, intake
+
+   !> A grid with the weights of a difference of fluxes along X and along Y.
+   type, public :: mesh_t
+      type(grid_t) :: grid
+      real(dp) :: cx = 0, cy = 0   !! 1/(2 hX^2), kappa^2/(2 hY^2): a flux is twice that at the mean of its nodes
+   end type mesh_t
+
+   !> Change of the residual for a change of pressure and film, real or complex.
+   interface reynolds_change
+      module procedure real_change, complex_change
+   end interface reynolds_change
+
+   !> Nodes whose pressure and film enter the flow through the faces of a node: itself, east, west, north, south.
+   integer, parameter, public :: flow_links = 5
+
+contains
+
+   !> Weights of a grid for a contact of ellipticity kappa.
+   pure function new_mesh(grid, kappa) result(self)
+      type(grid_t), intent(in) :: grid
+      real(dp), intent(in) :: kappa
+      type(mesh_t) :: self
+      self%grid = grid
+      self%cx = 0.5_dp/grid%hx**2
+      self%cy = 0.5_dp*kappa**2/grid%hy**2
+   end function new_mesh
+
+   !> Residual of theory eq. (7), eps averaged between nodes:
+   !>
+   !>     R = [eps_(i+1/2) (P_(i+1) - P_i) - eps_(i-1/2) (P_i - P_(i-1))]/hX^2 + kappa^2 (same in Y)/hY^2
+   !>         - wedge and squeeze of `transport`
+   !>
+   !> at unknown nodes, zero elsewhere. R = 0 where P > 0; R <= 0 where the film is cavitated.
+   pure subroutine reynolds_residual(mesh, transport, flow, r)
+      type(mesh_t), intent(in) :: mesh
+      type(transport_t), intent(in) :: transport
+      type(flow_t), intent(in) :: flow
+      real(dp), intent(out) :: r(0:, 0:)      !! R, (0:nx, 0:ny)
+      real(dp), dimension(0:mesh%grid%nx) :: east, north, south
+      integer :: i, j, jm, jp, nx
+
+      nx = mesh%grid%nx
+      r = 0
+      j = mesh%grid%first_row
+      jm = mesh%grid%below(j)
+      call face_flux(flow, jm, j, 0, south)
+      do j = mesh%grid%first_row, mesh%grid%last_row
+         jp = mesh%grid%above(j)
+         call face_flux(flow, j, jp, 0, north)
+         call face_flux(flow, j, j, 1, east)
+         do i = 1, nx - 1
+            r(i, j) = mesh%cx*(east(i) - east(i - 1)) + mesh%cy*(north(i) - south(i))
+         end do
+         call transport%subtract(nx, flow%f(:, j), r(:, j))
+         if (allocated(transport%carried)) then
+            do i = 1, nx - 1
+               r(i, j) = r(i, j) - transport%carried(i, j)
+            end do
+         end if
+         south = north
+      end do
+   end subroutine reynolds_residual
+
+   !> Fluxes through the faces from nodes (i, j1) to (i + shift, j2), but for their weight: (eps_1 + eps_2) (P_2 - P_1).
+   pure subroutine face_flux(flow, j1, j2, shift, flux)
+      type(flow_t), intent(in) :: flow
+      integer, intent(in) :: j1, j2, shift     !! shift: 1 along X, 0 across
+      real(dp), intent(inout) :: flux(0:)      !! (0:nx), the last `shift` are left alone
+      integer :: i
+      do i = 0, ubound(flux, 1) - shift
+         flux(i) = (flow%eps(i, j1) + flow%eps(i + shift, j2))*(flow%p(i + shift, j2) - flow%p(i, j1))
+      end do
+   end subroutine face_flux
+
+#define SCALAR real(dp)
+#define WEDGE wedge_t
+#define CHANGE real_change
+#define COEFFICIENT_CHANGE real_coefficient_change
+#define FACE_CHANGE real_face_change
+#include "reynolds_change.inc"
+#undef SCALAR
+#undef WEDGE
+#undef CHANGE
+#undef COEFFICIENT_CHANGE
+#undef FACE_CHANGE
+
+#define SCALAR complex(dp)
+#define WEDGE complex_wedge_t
+#define CHANGE complex_change
+#define COEFFICIENT_CHANGE complex_coefficient_change
+#define FACE_CHANGE complex_face_change
+#include "reynolds_change.inc"
+
+   !> Derivatives of the flow into a block of nodes, in array order, by the pressure (at fixed film) and by the film of
+   !> their links: of the first part of R.
+   pure subroutine poiseuille_links(mesh, flow, block, by_p, by_h)
+      type(mesh_t), intent(in) :: mesh
+      type(flow_t), intent(in) :: flow                       !! at the point of linearisation
+      integer, intent(in) :: block(4)                        !! nodes: first and last i, first and last j
+      real(dp), intent(out) :: by_p(:, :), by_h(:, :)        !! (nodes, flow_links)
+      real(dp) :: east, north, south, west
+      integer :: i, j, jm, jp, k, shift
+
+      associate (eps => flow%eps, eps_p => flow%eps_p, eps_h => flow%eps_h, p => flow%p, cx => mesh%cx, cy => mesh%cy)
+         do j = block(3), block(4)
+            jm = mesh%grid%below(j)
+            jp = mesh%grid%above(j)
+            shift = (j - block(3))*(block(2) - block(1) + 1) + 1 - block(1)
+            do i = block(1), block(2)
+               k = i + shift
+               east = cx*(p(i + 1, j) - p(i, j))
+               west = cx*(p(i - 1, j) - p(i, j))
+               north = cy*(p(i, jp) - p(i, j))
+               south = cy*(p(i, jm) - p(i, j))
+               by_p(k, 2) = cx*(eps(i, j) + eps(i + 1, j))
+               by_p(k, 3) = cx*(eps(i - 1, j) + eps(i, j))
+               by_p(k, 4) = cy*(eps(i, j) + eps(i, jp))
+               by_p(k, 5) = cy*(eps(i, jm) + eps(i, j))
+               by_p(k, 1) = -(by_p(k, 2) + by_p(k, 3) + by_p(k, 4) + by_p(k, 5)) &
+                            + (east + west + north + south)*eps_p(i, j)
+               by_p(k, 2) = by_p(k, 2) + east*eps_p(i + 1, j)
+               by_p(k, 3) = by_p(k, 3) + west*eps_p(i - 1, j)
+               by_p(k, 4) = by_p(k, 4) + north*eps_p(i, jp)
+               by_p(k, 5) = by_p(k, 5) + south*eps_p(i, jm)
+               by_h(k, 1) = (east + west + north + south)*eps_h(i, j)
+               by_h(k, 2) = east*eps_h(i + 1, j)
+               by_h(k, 3) = west*eps_h(i - 1, j)
+               by_h(k, 4) = north*eps_h(i, jp)
+               by_h(k, 5) = south*eps_h(i, jm)
+            end do
+         end do
+      end associate
+   end subroutine poiseuille_links
+
+   !> 1/|A_ii|: how much pressure one unit of residual is worth at each unknown node, from the Poiseuille
+   !> terms and the effect of the node's own deformation on the wedge term. Zero elsewhere.
+   pure subroutine reynolds_scale(mesh, wedge, self_influence, flow, scale)
+      type(mesh_t), intent(in) :: mesh
+      real(dp), intent(in) :: wedge(0:)        !! (0:nx) modulus of the weight of a node's own rho H
+      real(dp), intent(in) :: self_influence   !! deformation at a node under its own unit pressure
+      type(flow_t), intent(in) :: flow
+      real(dp), intent(out) :: scale(0:, 0:)   !! (0:nx, 0:ny)
+      integer :: i, j, jm, jp
+
+      scale = 0
+      do j = mesh%grid%first_row, mesh%grid%last_row
+         jm = mesh%grid%below(j)
+         jp = mesh%grid%above(j)
+         do i = 1, mesh%grid%nx - 1
+            scale(i, j) = 1/(mesh%cx*(flow%eps(i - 1, j) + 2*flow%eps(i, j) + flow%eps(i + 1, j)) &
+                             + mesh%cy*(flow%eps(i, jm) + 2*flow%eps(i, j) + flow%eps(i, jp)) &
+                             + wedge(i)*(flow%f_h(i, j)*self_influence + flow%f_p(i, j)))
+         end do
+      end do
+   end subroutine reynolds_scale
+
+   !> How fast the oil that flows into a node falls with the node's own pressure at fixed fluxes of its neighbours:
+   !> -d eps/dP times the pressure differences around it.
+   pure real(dp) function intake(mesh, flow, i, j)
+      type(mesh_t), intent(in) :: mesh
+      type(flow_t), intent(in) :: flow
+      integer, intent(in) :: i, j   !! node
+      associate (p => flow%p, jm => mesh%grid%below(j), jp => mesh%grid%above(j))
+         intake = -flow%eps_p(i, j)*(mesh%cx*(p(i + 1, j) - 2*p(i, j) + p(i - 1, j)) &
+                                     + mesh%cy*(p(i, jp) - 2*p(i, j) + p(i, jm)))
+      end associate
+   end function intake
+
+end module ehlwave_reynolds

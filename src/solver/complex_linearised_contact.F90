@@ -1,0 +1,42 @@
+#define SCALAR complex(dp)
+!> A contact linearised about its steady state, for changes that vary as exp(-i w T): the system of a small wave.
+module ehlwave_complex_linearised_contact
+   use ehlwave_complex_band, only: band_t, new_band
+   use ehlwave_complex_gmres, only: linear_system_t
+   use ehlwave_complex_ilu, only: ilu_t, new_ilu
+   use ehlwave_complex_near_rows, only: near_rows
+   use ehlwave_complex_transfer, only: interpolate, prolong, restrict
+   use ehlwave_complex_wedge, only: wedge_t
+   use ehlwave_cycle_settings, only: cycle_settings_t, diagonal_shift
+   use ehlwave_deformation, only: deformation_t
+   use ehlwave_equations, only: equations_t
+   use ehlwave_grid, only: grid_t
+   use ehlwave_hierarchy, only: level_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_load_balance, only: load_factor
+   use ehlwave_near_kernel, only: near_kernel_t, new_near_kernel
+   use ehlwave_reynolds, only: reynolds_change
+   implicit none (type, external)
+   private
+
+#include "linearised_contact.inc"
+
+   !> Deformation under a change of pressure, real and imaginary part one after the other. A field without imaginary part
+   !> (w = 0) costs one convolution, any other two.
+   subroutine deform(level, q, d)
+      type(linear_level_t), intent(inout) :: level
+      complex(dp), intent(in) :: q(0:, 0:)
+      complex(dp), intent(out) :: d(0:, 0:)
+      real(dp), allocatable :: part(:, :), film(:, :)
+
+      allocate (part(0:ubound(q, 1), 0:ubound(q, 2)), film(0:ubound(q, 1), 0:ubound(q, 2)))
+      part = real(q, dp)
+      call level%deformation%apply(part, film)
+      d = film
+      part = aimag(q)
+      if (.not. any(abs(part) > 0)) return
+      call level%deformation%apply(part, film)
+      d = d + cmplx(0, film, dp)
+   end subroutine deform
+
+end module ehlwave_complex_linearised_contact

@@ -1,0 +1,122 @@
+!> Full approximation scheme (FAS) on one level: the coarse problem of a fine state, and the correction from its solution.
+module ehlwave_fas_level
+   use ehlwave_contact_problem, only: contact_problem_t
+   use ehlwave_equations, only: equations_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_line_relaxation, only: line_relaxation_t
+   use ehlwave_real_transfer, only: full_weighting => restrict, inject, prolong
+   use ehlwave_state, only: new_state, state_t
+   use ehlwave_step_limit, only: step_limit_t
+   use ehlwave_transport, only: implicit_part
+   implicit none (type, external)
+   private
+
+   !> What a cycle needs on one level.
+   type, public :: fas_level_t
+      type(equations_t) :: equations               !! on coarse levels posed by the next finer one
+      type(state_t) :: state                       !! present iterate
+      type(state_t) :: restricted                  !! on coarse levels: as it came from the finer one
+      type(line_relaxation_t), private :: relaxation
+   contains
+      procedure :: init
+      procedure :: evaluate
+      procedure :: relax
+      procedure :: restrict
+      procedure :: correct
+   end type fas_level_t
+
+contains
+
+   !> Work space for a problem.
+   subroutine init(self, problem)
+      class(fas_level_t), intent(inout) :: self
+      type(contact_problem_t), intent(in) :: problem
+      call self%equations%init(problem)
+      call self%relaxation%init(problem)
+      self%state = new_state(problem%grid)
+   end subroutine init
+
+   !> Evaluate the equations at the state, whose film belongs to its pressure.
+   subroutine evaluate(self, problem)
+      class(fas_level_t), intent(inout) :: self
+      type(contact_problem_t), intent(in) :: problem
+      call self%equations%evaluate(problem, self%state)
+   end subroutine evaluate
+
+   !> Sweeps from an evaluated state to an evaluated state.
+   subroutine relax(self, problem, sweeps)
+      class(fas_level_t), intent(inout) :: self
+      type(contact_problem_t), intent(inout) :: problem
+      integer, intent(in) :: sweeps
+      integer :: n
+      do n = 1, sweeps
+         call self%relaxation%relax(problem, self%equations, self%state)
+         call self%evaluate(problem)
+      end do
+   end subroutine relax
+
+   !> Pose the equations of this level so that their solution is the injected fine state when that state solves the fine
+   !> equations. The state is the injected one on return, and evaluated.
+   !>
+   !> Right sides go where what is given has room for them: that of the film equation into the roughness, that of
+   !> Reynolds into the carried terms, that of the load balance into its carried term:
+   !>
+   !>     H_c = I H_f + K_c(P_c - I P_f) - (Delta_c - Delta_f)
+   !>     R_c(P_c, H_c) = R_c(I P_f, I H_f) - I R_f
+   !>     load_c(P_c, Delta_c) = load_c(I P_f, Delta_f) - load_f(P_f, Delta_f)
+   !>
+   !> R_f is restricted by full weighting of the nodes that are not cavitated, by injection to cavitated ones.
+   subroutine restrict(self, problem, fine)
+      class(fas_level_t), intent(inout) :: self
+      type(contact_problem_t), intent(inout) :: problem     !! of this level
+      type(fas_level_t), intent(in) :: fine                 !! evaluated
+      real(dp), allocatable :: deformation(:, :), weighted(:, :), dropped(:, :)
+
+      associate (grid => problem%grid, given => self%equations%given, state => self%state, r => fine%equations%residual)
+         call inject(grid, fine%state%p, state%p)
+         call inject(grid, fine%state%h, state%h)
+         state%delta = fine%state%delta
+         allocate (deformation, weighted, mold=state%p)
+         call problem%deformation%apply(state%p, deformation)
+         given%rough = state%h + state%delta - problem%smooth_gap - deformation
+
+         given%transport%wedge_t = implicit_part(fine%equations%given%transport, grid)
+         if (allocated(given%transport%carried)) deallocate (given%transport%carried)
+         call self%evaluate(problem)
+         dropped = merge(0.0_dp, r, fine%equations%is_cavitated)
+         call full_weighting(grid, dropped, weighted)
+         where (fine%equations%is_cavitated(::2, ::grid%row_ratio)) weighted = r(::2, ::grid%row_ratio)
+         allocate (given%transport%carried, mold=state%p)
+         given%transport%carried = self%equations%residual - weighted
+         call self%evaluate(problem)
+
+         given%load = fine%equations%given%load
+         given%load%carried = 0
+         given%load%carried = fine%equations%load_residual(fine%state) - self%equations%load_residual(state)
+         self%restricted = state
+      end associate
+   end subroutine restrict
+
+   !> Add the change of the coarse state to that of this level, where there is pressure, and evaluate; no pressure falls
+   !> below zero.
+   subroutine correct(self, problem, coarse)
+      class(fas_level_t), intent(inout) :: self
+      type(contact_problem_t), intent(inout) :: problem     !! of this level
+      type(fas_level_t), intent(in) :: coarse               !! solved
+      type(step_limit_t) :: limit
+      real(dp), allocatable :: change(:, :)
+      type(state_t) :: before
+
+      associate (grid => problem%grid, state => self%state)
+         before = state
+         allocate (change, mold=state%p)
+         call prolong(coarse%equations%mesh%grid, coarse%state%p - coarse%restricted%p, change)
+         where (self%equations%scale > 0 .and. .not. self%equations%is_cavitated) state%p = max(0.0_dp, state%p + change)
+         state%delta = state%delta + coarse%state%delta - coarse%restricted%delta
+         call problem%film_of(self%equations%given, state%p, state%delta, state%h)
+         call limit%shorten(before, state)
+      end associate
+      call self%evaluate(problem)
+   end subroutine correct
+
+end module ehlwave_fas_level

@@ -1,0 +1,32 @@
+#define SCALAR real(dp)
+!> A contact linearised about an iterate: the linear system of a Newton step.
+module ehlwave_real_linearised_contact
+   use ehlwave_cycle_settings, only: cycle_settings_t, diagonal_shift
+   use ehlwave_deformation, only: deformation_t
+   use ehlwave_equations, only: equations_t
+   use ehlwave_grid, only: grid_t
+   use ehlwave_hierarchy, only: level_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_load_balance, only: load_factor
+   use ehlwave_near_kernel, only: near_kernel_t, new_near_kernel
+   use ehlwave_real_band, only: band_t, new_band
+   use ehlwave_real_gmres, only: linear_system_t
+   use ehlwave_real_ilu, only: ilu_t, new_ilu
+   use ehlwave_real_near_rows, only: near_rows
+   use ehlwave_real_transfer, only: interpolate, prolong, restrict
+   use ehlwave_real_wedge, only: wedge_t
+   use ehlwave_reynolds, only: reynolds_change
+   implicit none (type, external)
+   private
+
+#include "linearised_contact.inc"
+
+   !> Deformation under a change of pressure.
+   subroutine deform(level, q, d)
+      type(linear_level_t), intent(inout) :: level
+      real(dp), intent(in) :: q(0:, 0:)
+      real(dp), intent(out) :: d(0:, 0:)
+      call level%deformation%apply(q, d)
+   end subroutine deform
+
+end module ehlwave_real_linearised_contact

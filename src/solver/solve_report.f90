@@ -1,0 +1,85 @@
+!> When a solve stops, and what came of it.
+module ehlwave_solve_report
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+   use ehlwave_equations, only: equations_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_state, only: state_t
+   use ehlwave_status, only: status_converged, status_not_finite, status_stalled
+   implicit none (type, external)
+   private
+
+   !> When to stop.
+   type, public :: solve_limits_t
+      real(dp) :: tolerance = 1e-6_dp   !! on the mass residual and the load error of `solve_report_t`
+      integer :: largest_steps = 40     !! nonlinear steps or cycles
+   end type solve_limits_t
+
+   !> What a solve came to. Each equation is reported by itself.
+   type, public :: solve_report_t
+      integer :: status = status_stalled
+      real(dp) :: residual = huge(1.0_dp)         !! largest `mass_gain` over nodes with P > 0
+      real(dp) :: complementarity = huge(1.0_dp)  !! max |P| over nodes where the film is cavitated
+      real(dp) :: load_error = huge(1.0_dp)       !! relative error of the load balance
+      integer :: nonlinear_steps = 0
+      integer :: linear_steps = 0
+      integer :: factorisations = 0
+      real(dp), allocatable :: history(:)         !! residual before each step and at the end
+   contains
+      procedure :: judge
+      procedure :: worst
+   end type solve_report_t
+
+contains
+
+   !> Measure the three errors of a state and judge them: `status` becomes converged, not finite, or stalled, which it
+   !> remains if nothing better follows. A residual that is not finite anywhere makes `residual` so.
+   subroutine judge(self, equations, state, tolerance)
+      class(solve_report_t), intent(inout) :: self
+      type(equations_t), intent(in) :: equations        !! evaluated at the state
+      type(state_t), intent(in) :: state                !! with the film of its pressure
+      real(dp), intent(in) :: tolerance                 !! of `solve_limits_t`
+      real(dp) :: centre
+      integer :: i, j
+
+      associate (grid => equations%mesh%grid, r => equations%residual)
+         centre = grid%value_at_centre(state%h)
+         self%residual = 0
+         self%complementarity = 0
+         do j = 0, grid%ny
+            do i = 0, grid%nx
+               if (equations%is_cavitated(i, j)) then
+                  self%complementarity = max(self%complementarity, abs(state%p(i, j)))
+               else
+                  self%residual = max(self%residual, mass_gain(r(i, j), grid%hx, state%h(i, j), centre))
+               end if
+            end do
+         end do
+         if (.not. ieee_is_finite(sum(r))) self%residual = sum(r)
+         self%load_error = abs(equations%load_residual(state))/abs(equations%given%load%force)
+      end associate
+      if (.not. (ieee_is_finite(self%residual) .and. ieee_is_finite(self%load_error))) then
+         self%status = status_not_finite
+      else if (self%worst() <= tolerance) then
+         self%status = status_converged
+      else
+         self%status = status_stalled
+      end if
+   end subroutine judge
+
+   !> The largest of the three errors.
+   pure real(dp) function worst(self)
+      class(solve_report_t), intent(in) :: self
+      worst = max(self%residual, self%complementarity, self%load_error)
+   end function worst
+
+   !> Mass that the oil of a cell gains or loses, in units of the flow through that cell or through the contact centre,
+   !> whichever is larger: |R| hX/max(H, H(0,0)).
+   elemental real(dp) function mass_gain(r, hx, h, h_centre)
+      real(dp), intent(in) :: r          !! Reynolds residual
+      real(dp), intent(in) :: hx         !! mesh size in X
+      real(dp), intent(in) :: h          !! film of the cell
+      real(dp), intent(in) :: h_centre   !! H(0,0)
+      mass_gain = abs(r)*hx/max(h, h_centre)
+   end function mass_gain
+
+end module ehlwave_solve_report
