@@ -182,8 +182,8 @@ contains
       call list%add('seconds', 'wall time of the case', result%seconds, unit='s')
       call list%add('work_units', 'wall time in plain FFT convolutions of the grid', result%work_units)
       call list%add('peak_memory_mib', 'peak memory of the process so far', result%peak_memory_mib, unit='MiB')
-      call list%add('residual_history', 'mass residual of the solution that failed, before each step and at the end', &
-                    result%residual_history)
+      call list%add_list('residual_history', 'mass residual of the solution that failed, before each step and at the end', &
+                         result%residual_history)
    end subroutine add_effort
 
 end module ehlwave_quantities

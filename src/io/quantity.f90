@@ -22,10 +22,12 @@ module ehlwave_quantity
       integer :: count = 0
       type(quantity_t), allocatable :: items(:)      !! items(:count)
    contains
-      generic :: add => add_real, add_integer, add_logical, add_text, add_list
+      procedure :: add
+      procedure :: add_list
       procedure :: find
-      procedure, private :: add_real, add_integer, add_logical, add_text, add_list, add_item
    end type quantity_list_t
+
+   integer, parameter :: usual_size = 128
 
 contains
 
@@ -33,64 +35,57 @@ contains
    pure integer function find(self, name)
       class(quantity_list_t), intent(in) :: self
       character(len=*), intent(in) :: name
-      do find = 1, self%count
+      do find = self%count, 1, -1
          if (self%items(find)%name == name) return
       end do
-      find = 0
    end function find
 
-   pure subroutine add_real(self, name, long_name, value, unit, exists)
+   !> Add a real number, a whole one, a logical or a text, which is kept with its trailing blanks.
+   subroutine add(self, name, long_name, value, unit, exists)
       class(quantity_list_t), intent(inout) :: self
       character(len=*), intent(in) :: name, long_name
-      real(dp), intent(in) :: value
-      character(len=*), intent(in), optional :: unit   !! default: '1'
+      class(*), intent(in) :: value
+      character(len=*), intent(in), optional :: unit   !! default: '1', of a text ''
       logical, intent(in), optional :: exists          !! default: true
-      call self%add_item(name, long_name, 'real', unit, exists)
-      self%items(self%count)%number = value
-   end subroutine add_real
+      type(quantity_t) :: item
 
-   pure subroutine add_integer(self, name, long_name, value)
-      class(quantity_list_t), intent(inout) :: self
-      character(len=*), intent(in) :: name, long_name
-      integer, intent(in) :: value
-      call self%add_item(name, long_name, 'integer')
-      self%items(self%count)%number = value
-   end subroutine add_integer
+      item%name = name
+      item%long_name = long_name
+      item%unit = '1'
+      select type (value)
+      type is (real(dp))
+         item%kind = 'real'
+         item%number = value
+      type is (integer)
+         item%kind = 'integer'
+         item%number = value
+      type is (logical)
+         item%kind = 'logical'
+         item%number = merge(1, 0, value)
+      type is (character(len=*))
+         item%kind = 'text'
+         item%text = value
+         item%unit = ''
+      end select
+      if (present(unit)) item%unit = unit
+      if (present(exists)) item%exists = exists
+      call append(self, item)
+   end subroutine add
 
-   pure subroutine add_logical(self, name, long_name, value)
-      class(quantity_list_t), intent(inout) :: self
-      character(len=*), intent(in) :: name, long_name
-      logical, intent(in) :: value
-      call self%add_item(name, long_name, 'logical')
-      self%items(self%count)%number = merge(1, 0, value)
-   end subroutine add_logical
-
-   pure subroutine add_text(self, name, long_name, value, exists)
-      class(quantity_list_t), intent(inout) :: self
-      character(len=*), intent(in) :: name, long_name
-      character(len=*), intent(in) :: value            !! kept with its trailing blanks
-      logical, intent(in), optional :: exists          !! default: true
-      call self%add_item(name, long_name, 'text', '', exists)
-      self%items(self%count)%text = value
-   end subroutine add_text
-
-   !> A list that is not allocated does not exist.
-   pure subroutine add_list(self, name, long_name, value, unit)
+   !> Add a list of real numbers; one that is not allocated does not exist.
+   subroutine add_list(self, name, long_name, value)
       class(quantity_list_t), intent(inout) :: self
       character(len=*), intent(in) :: name, long_name
       real(dp), intent(in), allocatable :: value(:)
-      character(len=*), intent(in), optional :: unit   !! default: '1'
-      call self%add_item(name, long_name, 'list', unit, allocated(value))
-      if (allocated(value)) self%items(self%count)%list = value
+      type(quantity_t) :: item
+      item = quantity_t(name, long_name, '1', 'list', exists=allocated(value))
+      if (allocated(value)) item%list = value
+      call append(self, item)
    end subroutine add_list
 
-   !> One more quantity, without its value.
-   pure subroutine add_item(self, name, long_name, kind, unit, exists)
+   subroutine append(self, item)
       class(quantity_list_t), intent(inout) :: self
-      character(len=*), intent(in) :: name, long_name, kind
-      character(len=*), intent(in), optional :: unit
-      logical, intent(in), optional :: exists
-      integer, parameter :: usual_size = 128
+      type(quantity_t), intent(in) :: item
       type(quantity_t), allocatable :: more(:)
 
       if (.not. allocated(self%items)) allocate (self%items(usual_size))
@@ -100,14 +95,7 @@ contains
          call move_alloc(more, self%items)
       end if
       self%count = self%count + 1
-      associate (item => self%items(self%count))
-         item%name = name
-         item%long_name = long_name
-         item%kind = kind
-         item%unit = '1'
-         if (present(unit)) item%unit = unit
-         if (present(exists)) item%exists = exists
-      end associate
-   end subroutine add_item
+      self%items(self%count) = item
+   end subroutine append
 
 end module ehlwave_quantity

@@ -11,10 +11,21 @@ module ehlwave_checkpoint_file
    implicit none (type, external)
    private
 
-   character(len=*), parameter :: format_line = 'ehlwave-checkpoint 2 '//program_version//' '//git_revision//' '// &
+   character(len=*), parameter :: format_line = 'ehlwave-checkpoint 3 '//program_version//' '//git_revision//' '// &
       compiler//' '//compiler_flags
 
-   integer, parameter :: bytes_of_real = storage_size(1.0_dp)/8, bytes_of_integer = storage_size(1)/8
+   integer, parameter :: bytes_of_real = storage_size(1.0_dp)/8
+
+   !> Bytes that values are passed to, one after the other, or from.
+   type :: bytes_t
+      character(len=:), allocatable :: text
+      integer :: place = 0
+      logical :: is_reading = .false.
+   contains
+      procedure :: number => pass_number
+      procedure :: numbers => pass_numbers
+      procedure :: count => pass_count
+   end type bytes_t
 
    !> Where the checkpoint of one case is kept, and when. The file is replaced as a whole and carries a checksum;
    !> one that is torn, of another case or of another build of the program is not used.
@@ -40,7 +51,8 @@ contains
       class(checkpoint_t), intent(inout) :: self
       type(march_t), intent(inout) :: march
       character(len=:), allocatable :: text
-      integer :: place
+      type(march_t) :: same_shape
+      type(bytes_t) :: expected, found
 
       self%saved_s = wall_seconds()
       call read_whole_file(self%path, text)
@@ -48,9 +60,11 @@ contains
       if (len(text) < len(heading(self)) + 8) return
       if (text(:len(heading(self))) /= heading(self)) return
       if (checksum(text(:len(text) - 8)) /= text(len(text) - 7:)) return
-      place = len(heading(self)) + 1
-      if (len(text) - 8 - place + 1 /= len(packed(march, self%seconds_before))) return
-      call unpack_march(text(place:len(text) - 8), march, self%seconds_before)
+      same_shape = march
+      call pass_march(expected, same_shape, self%seconds_before)
+      if (len(text) - 8 /= len(heading(self)) + len(expected%text)) return
+      found = bytes_t(text, len(heading(self)), is_reading=.true.)
+      call pass_march(found, march, self%seconds_before)
    end subroutine load
 
    !> Remember a march; from time to time also in the file.
@@ -65,12 +79,16 @@ contains
    !> Write what was remembered last. A checkpoint that cannot be written is said and costs time only.
    subroutine save_kept(self)
       class(checkpoint_t), intent(inout) :: self
+      type(bytes_t) :: bytes
+      real(dp) :: seconds
       character(len=:), allocatable :: text
       integer :: status
 
       self%saved_s = wall_seconds()
       if (.not. self%is_kept) return
-      text = heading(self)//packed(self%kept, self%seconds_before + self%saved_s - self%start_s)
+      seconds = self%seconds_before + self%saved_s - self%start_s
+      call pass_march(bytes, self%kept, seconds)
+      text = heading(self)//bytes%text
       call replace_file(self%path, text//checksum(text), status)
       self%is_kept = status /= 0
       if (status /= 0) write (error_unit, '(a)') 'checkpoint '//self%path//' not written: '//reason_text(status)
@@ -89,111 +107,75 @@ contains
       text = format_line//new_line('a')//self%identity//new_line('a')
    end function heading
 
-   !> The bytes of everything that the next steps depend on. The steady state and `share` are not among them:
+   !> Everything that the next steps depend on, to the bytes or from them. The steady state and `share` are not among it:
    !> they follow from the case.
-   function packed(march, seconds) result(text)
-      type(march_t), intent(in) :: march
-      real(dp), intent(in) :: seconds   !! wall time of the case so far
-      character(len=:), allocatable :: text
+   subroutine pass_march(bytes, march, seconds)
+      type(bytes_t), intent(inout) :: bytes
+      type(march_t), intent(inout) :: march     !! when read: of the same shape
+      real(dp), intent(inout) :: seconds        !! wall time of the case so far
 
       associate (r => march%result, past => march%past, given => march%given, rescue => march%rescue)
-         text = reals([seconds, march%approach, past%before%delta, past%earlier%delta, past%earliest%delta, &
-                       r%worst_residual, r%worst_load_error, given%load%carried, given%load%force, rescue%thinnest]) &
-                //integers([r%steps, r%nonlinear_steps, r%linear_steps, r%factorisations, &
-                            rescue%steps_left, rescue%rung, rescue%rescued]) &
-                //reals(r%time)//reals(r%central_film)//reals(r%approach) &
-                //reals(flat(past%before%p))//reals(flat(past%before%h)) &
-                //reals(flat(past%earlier%p))//reals(flat(past%earliest%p)) &
-                //reals(reshape(march%history, [size(march%history)])) &
-                //reals(flat(given%transport%carried))
-         if (allocated(given%rough)) then
-            text = text//reals(flat(given%rough))
-         else                            ! before the first step
-            text = text//reals(0*flat(given%transport%carried))
-         end if
+         if (.not. allocated(given%rough)) allocate (given%rough, source=0*given%transport%carried)   ! before step 1
+         call bytes%number(seconds)
+         call bytes%numbers(march%approach, size(march%approach))
+         call bytes%number(past%before%delta)
+         call bytes%number(past%earlier%delta)
+         call bytes%number(past%earliest%delta)
+         call bytes%number(r%worst_residual)
+         call bytes%number(r%worst_load_error)
+         call bytes%number(given%load%carried)
+         call bytes%number(given%load%force)
+         call bytes%number(rescue%thinnest)
+         call bytes%count(r%steps)
+         call bytes%count(r%nonlinear_steps)
+         call bytes%count(r%linear_steps)
+         call bytes%count(r%factorisations)
+         call bytes%count(rescue%steps_left)
+         call bytes%count(rescue%rung)
+         call bytes%count(rescue%rescued)
+         call bytes%numbers(r%time, size(r%time))
+         call bytes%numbers(r%central_film, size(r%central_film))
+         call bytes%numbers(r%approach, size(r%approach))
+         call bytes%numbers(past%before%p, size(past%before%p))
+         call bytes%numbers(past%before%h, size(past%before%h))
+         call bytes%numbers(past%earlier%p, size(past%earlier%p))
+         call bytes%numbers(past%earliest%p, size(past%earliest%p))
+         call bytes%numbers(march%history, size(march%history))
+         call bytes%numbers(given%transport%carried, size(given%transport%carried))
+         call bytes%numbers(given%rough, size(given%rough))
       end associate
-   end function packed
+   end subroutine pass_march
 
-   pure function reals(values) result(text)
-      real(dp), intent(in) :: values(:)
-      character(len=bytes_of_real*size(values)) :: text
-      text = transfer(values, text)
-   end function reals
+   subroutine pass_numbers(self, values, n)
+      class(bytes_t), intent(inout) :: self
+      integer, intent(in) :: n
+      real(dp), intent(inout) :: values(n)
+      if (self%is_reading) then
+         values = transfer(self%text(self%place + 1:self%place + bytes_of_real*n), values)
+      else
+         if (.not. allocated(self%text)) self%text = ''
+         self%text = self%text//transfer(values, repeat(' ', bytes_of_real*n))
+      end if
+      self%place = self%place + bytes_of_real*n
+   end subroutine pass_numbers
 
-   pure function integers(values) result(text)
-      integer, intent(in) :: values(:)
-      character(len=bytes_of_integer*size(values)) :: text
-      text = transfer(values, text)
-   end function integers
+   subroutine pass_number(self, value)
+      class(bytes_t), intent(inout) :: self
+      real(dp), intent(inout) :: value
+      real(dp) :: list(1)
+      list = value
+      call self%numbers(list, 1)
+      value = list(1)
+   end subroutine pass_number
 
-   pure function flat(values) result(list)
-      real(dp), intent(in) :: values(:, :)
-      real(dp) :: list(size(values))
-      list = reshape(values, [size(values)])
-   end function flat
-
-   !> The opposite of `packed`, into a march of the same shape.
-   subroutine unpack_march(text, march, seconds)
-      character(len=*), intent(in) :: text
-      type(march_t), intent(inout) :: march
-      real(dp), intent(out) :: seconds
-      real(dp) :: numbers(12)
-      integer :: counts(7), place
-
-      place = 0
-      associate (r => march%result, past => march%past, given => march%given, rescue => march%rescue)
-         call take(numbers)
-         seconds = numbers(1)
-         march%approach = numbers(2:4)
-         past%before%delta = numbers(5)
-         past%earlier%delta = numbers(6)
-         past%earliest%delta = numbers(7)
-         r%worst_residual = numbers(8)
-         r%worst_load_error = numbers(9)
-         given%load%carried = numbers(10)
-         given%load%force = numbers(11)
-         rescue%thinnest = numbers(12)
-         counts = transfer(text(place + 1:place + size(counts)*bytes_of_integer), counts)
-         place = place + size(counts)*bytes_of_integer
-         r%steps = counts(1)
-         r%nonlinear_steps = counts(2)
-         r%linear_steps = counts(3)
-         r%factorisations = counts(4)
-         rescue%steps_left = counts(5)
-         rescue%rung = counts(6)
-         rescue%rescued = counts(7)
-         call take(r%time)
-         call take(r%central_film)
-         call take(r%approach)
-         call take_plane(past%before%p)
-         call take_plane(past%before%h)
-         call take_plane(past%earlier%p)
-         call take_plane(past%earliest%p)
-         block
-            real(dp) :: list(size(march%history))
-            call take(list)
-            march%history = reshape(list, shape(march%history))
-         end block
-         if (.not. allocated(given%rough)) allocate (given%rough, mold=given%transport%carried)
-         call take_plane(given%transport%carried)
-         call take_plane(given%rough)
-      end associate
-
-   contains
-
-      subroutine take(values)
-         real(dp), intent(inout) :: values(:)
-         values = transfer(text(place + 1:place + bytes_of_real*size(values)), values)
-         place = place + bytes_of_real*size(values)
-      end subroutine take
-
-      subroutine take_plane(values)
-         real(dp), intent(inout) :: values(:, :)
-         real(dp) :: list(size(values))
-         call take(list)
-         values = reshape(list, shape(values))
-      end subroutine take_plane
-
-   end subroutine unpack_march
+   !> A whole number; as a real one it comes back as it was.
+   subroutine pass_count(self, value)
+      class(bytes_t), intent(inout) :: self
+      integer, intent(inout) :: value
+      real(dp) :: number
+      number = value
+      call self%number(number)
+      value = nint(number)
+   end subroutine pass_count
 
 end module ehlwave_checkpoint_file

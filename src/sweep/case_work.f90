@@ -4,7 +4,6 @@ module ehlwave_case_work
    use ehlwave_case_plan, only: case_plan_t, run_march
    use ehlwave_case_record, only: store_result
    use ehlwave_case_result, only: case_result_t
-   use ehlwave_case_terms, only: case_limits_t, message_length, outcome_t
    use ehlwave_case_text, only: text_identity
    use ehlwave_checkpoint_file, only: checkpoint_t
    use ehlwave_clock, only: time_stamp, wall_seconds
@@ -12,10 +11,12 @@ module ehlwave_case_work
    use ehlwave_kinds, only: dp
    use ehlwave_march_keeper, only: march_keeper_t
    use ehlwave_monitor, only: give_up, go_on, monitor_t, stop_now
+   use ehlwave_outcome, only: message_length, outcome_t
    use ehlwave_posix, only: signal_caught, watchdog
    use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_status, only: status_interrupted
    use ehlwave_store, only: store_t
+   use ehlwave_sweep_cases, only: case_limits_t
    use ehlwave_time_march, only: steps_per_stretch
    implicit none (type, external)
    private

@@ -19,6 +19,7 @@ module ehlwave_results_column
    type, public :: column_t
       type(quantity_t), private :: quantity            ! name, kind, unit and long name
       logical, private :: is_empty = .true.            ! no case has this quantity
+      integer, private :: longest = 0                  ! of its texts or lists
       real(dp), allocatable, private :: numbers(:)     ! of each case,
       type(cell_t), allocatable, private :: cells(:)   ! or, of texts and lists, these
    contains
@@ -54,8 +55,10 @@ contains
       select case (self%quantity%kind)
       case ('text')
          self%cells(case)%text = value%text
+         self%longest = max(self%longest, min(longest_text, len(value%text)))
       case ('list')
          self%cells(case)%list = value%list
+         self%longest = max(self%longest, size(value%list))
       case ('real')
          self%numbers(case) = value%number
       case default
@@ -67,23 +70,14 @@ contains
    subroutine write_column(self, file)
       class(column_t), intent(in) :: self
       type(hdf5_file_t), intent(inout) :: file
-      integer :: i, longest
 
       if (self%is_empty) return
       associate (q => self%quantity)
          select case (q%kind)
          case ('text')
-            longest = 1
-            do i = 1, size(self%cells)
-               if (allocated(self%cells(i)%text)) longest = max(longest, min(longest_text, len(self%cells(i)%text)))
-            end do
-            call self%write_texts(file, longest)
+            call self%write_texts(file)
          case ('list')
-            longest = 0
-            do i = 1, size(self%cells)
-               if (allocated(self%cells(i)%list)) longest = max(longest, size(self%cells(i)%list))
-            end do
-            if (longest > 0) call self%write_lists(file, longest)
+            if (self%longest > 0) call self%write_lists(file)
          case ('real')
             call file%write(q%name, self%numbers, 'case', q%unit, q%long_name)
          case default
@@ -92,11 +86,10 @@ contains
       end associate
    end subroutine write_column
 
-   subroutine write_texts(self, file, length)
+   subroutine write_texts(self, file)
       class(column_t), intent(in) :: self
       type(hdf5_file_t), intent(inout) :: file
-      integer, intent(in) :: length
-      character(len=length), allocatable :: texts(:)
+      character(len=max(1, self%longest)), allocatable :: texts(:)
       integer :: i
       allocate (texts(size(self%cells)))
       texts = ''
@@ -106,11 +99,10 @@ contains
       call file%write(self%quantity%name, texts, 'case', '', self%quantity%long_name)
    end subroutine write_texts
 
-   subroutine write_lists(self, file, longest)
+   subroutine write_lists(self, file)
       class(column_t), intent(in) :: self
       type(hdf5_file_t), intent(inout) :: file
-      integer, intent(in) :: longest
-      real(dp) :: lists(longest, size(self%cells))
+      real(dp) :: lists(self%longest, size(self%cells))
       character(len=:), allocatable :: scale
       integer :: i
 
@@ -120,7 +112,7 @@ contains
       end do
       associate (q => self%quantity)
          scale = q%name//'_entry'
-         call file%write(scale, [(i, i=1, longest)], '', '1', 'place in '//q%long_name)
+         call file%write(scale, [(i, i=1, self%longest)], '', '1', 'place in '//q%long_name)
          call file%dimension(scale)
          call file%write(q%name, lists, scale, 'case', q%unit, q%long_name)
       end associate

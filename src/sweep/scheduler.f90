@@ -5,7 +5,7 @@
 module ehlwave_scheduler
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t
-   use ehlwave_case_terms, only: outcome_t
+   use ehlwave_outcome, only: outcome_t
    use ehlwave_case_text, only: effective_input
    use ehlwave_case_work, only: case_procedure, case_watch_t, work_on_case
    use ehlwave_errors, only: error_t

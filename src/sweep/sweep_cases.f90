@@ -5,16 +5,22 @@ module ehlwave_sweep_cases
    use ehlwave_case_input, only: case_input_t
    use ehlwave_case_key, only: key_length, value_text
    use ehlwave_case_plan, only: case_plan_t, make_plan
-   use ehlwave_case_terms, only: case_limits_t
    use ehlwave_case_text, only: case_identity
    use ehlwave_errors, only: error_t
    use ehlwave_identity_index, only: identity_index_t, identity_length
    use ehlwave_key_list, only: case_key_list, find_key, key_list_t
+   use ehlwave_kinds, only: dp
    implicit none (type, external)
    private
 
    character(len=key_length), parameter :: shown_anyway(5) = [character(len=key_length) :: 'load_parameter_m', &
       'lubricant_parameter_l', 'radius_ratio_d', 'orientation', 'wavelength_over_a']
+
+   !> What is asked of every case.
+   type, public :: case_limits_t
+      real(dp) :: largest_case_seconds = 0    !! a case that takes longer is given up; 0: no limit
+      real(dp) :: checkpoint_seconds = 600    !! between two checkpoints of a march
+   end type case_limits_t
 
    type, public :: sweep_t
       character(len=:), allocatable :: output      !! results file

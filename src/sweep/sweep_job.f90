@@ -1,14 +1,13 @@
 !> One run of a sweep from its store to its results file, on all ranks.
 module ehlwave_sweep_job
    use, intrinsic :: iso_fortran_env, only: error_unit
-   use ehlwave_case_terms, only: case_limits_t
    use ehlwave_case_work, only: case_procedure, case_watch_t
    use ehlwave_clock, only: wall_seconds
    use ehlwave_errors, only: error_t
    use ehlwave_kinds, only: dp
    use ehlwave_scheduler, only: follow, run_sweep
    use ehlwave_store, only: store_t
-   use ehlwave_sweep_cases, only: sweep_t
+   use ehlwave_sweep_cases, only: case_limits_t, sweep_t
    use ehlwave_sweep_leader, only: exit_bad_input, exit_done, job_options_t, job_t
    use mpi_f08, only: mpi_allreduce, mpi_bcast, mpi_character, mpi_comm, mpi_comm_rank, mpi_comm_size, &
       mpi_double_precision, mpi_get_library_version, mpi_get_processor_name, mpi_integer, mpi_logical, mpi_lor, &

@@ -2,7 +2,7 @@
 module ehlwave_sweep_keys
    use ehlwave_case_definition, only: case_t, path_length
    use ehlwave_case_key, only: choice_length, key_t, key_value_t, key_visitor_t, number_kind
-   use ehlwave_case_terms, only: case_limits_t
+   use ehlwave_sweep_cases, only: case_limits_t
    use ehlwave_case_keys, only: visit_case_keys
    use ehlwave_kinds, only: dp
    use ehlwave_key_reference, only: reference_t

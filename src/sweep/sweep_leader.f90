@@ -3,7 +3,7 @@
 module ehlwave_sweep_leader
    use, intrinsic :: iso_fortran_env, only: error_unit, output_unit
    use ehlwave_case_list, only: case_list_t
-   use ehlwave_case_terms, only: outcome_t
+   use ehlwave_outcome, only: outcome_t
    use ehlwave_clock, only: time_stamp, wall_seconds
    use ehlwave_cost_model, only: cost_features, feature_count
    use ehlwave_errors, only: error_t, raise

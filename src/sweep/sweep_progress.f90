@@ -1,7 +1,7 @@
 !> Counts the cases of a sweep and tells how it goes, a line from time to time.
 module ehlwave_sweep_progress
    use, intrinsic :: iso_fortran_env, only: output_unit
-   use ehlwave_case_terms, only: outcome_t
+   use ehlwave_outcome, only: outcome_t
    use ehlwave_clock, only: time_stamp, wall_seconds
    use ehlwave_kinds, only: dp
    use ehlwave_status, only: is_success, last_status, status_name

@@ -4,7 +4,7 @@ module planned_case
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_result, only: case_result_t
-   use ehlwave_case_terms, only: outcome_t
+   use ehlwave_outcome, only: outcome_t
    use ehlwave_clock, only: wall_seconds
    use ehlwave_kinds, only: dp
    use ehlwave_march_keeper, only: march_keeper_t
