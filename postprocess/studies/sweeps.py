@@ -74,7 +74,7 @@ def surface_file(folder: Path, surface: Surface) -> Path:
     A sweep knows a case by its input, in which the surface is a path: the name tells heights apart.
     """
     heights = hashlib.sha256(surface.height.tobytes() + str(surface.step_x_m).encode())
-    return folder / f"{surface.name}-{heights.hexdigest()[:8]}.h5"
+    return folder / f"{Path(surface.name).stem}-{heights.hexdigest()[:8]}.h5"
 
 
 def write_surface(folder: Path, surface: Surface, repeats: int = 1) -> Path:

@@ -1,10 +1,10 @@
 !> Case files: read, checked, completed.
 module ehlwave_case_file
-   use ehlwave_case_completion, only: complete_input
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_input, only: case_input_t, key_reader_t
    use ehlwave_case_keys, only: visit_case_keys
    use ehlwave_errors, only: error_t
+   use ehlwave_input_completion, only: complete_input
    use ehlwave_key_list, only: case_key_list
    implicit none (type, external)
    private

@@ -105,7 +105,7 @@ contains
       call v%see(case%surface_file, key_t('file', 'surface written by `ehlwave-post surface`; it enters at x_min, moves with '// &
          'S and is followed until its trailing end is at the contact centre, or end_time; needs dimensional conditions. '// &
          'The whole domain is computed unless it is even in Y. With --output, surface_position_m says which x of the '// &
-         'surface was at the centre for each film_at_centre', maximum=real(path_length, dp), can_vary=.false., &
+         'surface was at the centre for each film_at_centre', maximum=real(path_length, dp), &
          is_written=case%surface_file /= ''))
    end subroutine visit_waviness
 

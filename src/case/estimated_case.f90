@@ -12,15 +12,14 @@ module ehlwave_estimated_case
    use ehlwave_kinds, only: dp
    use ehlwave_march_keeper, only: march_keeper_t
    use ehlwave_monitor, only: go_on, monitor_t, stop_now
+   use ehlwave_resolution, only: telling_inlet, telling_points_per_wave
    use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_status, only: is_success, status_interrupted, status_over_budget, status_pending
    implicit none (type, external)
    private
    public :: run_estimated_case
 
-   integer, parameter :: fewest_cells = 24             !! of a coarser grid that is worth running
-   real(dp), parameter :: fewest_points_per_wave = 4   !! on it, in space and time
-   real(dp), parameter :: coarsest_inlet = 0.6_dp      !! its hX sqrt(gamma M/L)
+   integer, parameter :: fewest_cells = 24   !! of a coarser grid that is worth running
 
    !> Asked to stop, the coarse runs are finished if that takes no longer.
    real(dp), parameter :: largest_delay_s = 10
@@ -141,10 +140,10 @@ contains
    pure logical function can_tell(plan)
       type(case_plan_t), intent(in) :: plan
       associate (r => plan%resolution)
-         can_tell = r%inlet <= coarsest_inlet
-         if (r%points_x > 0) can_tell = can_tell .and. r%points_x >= fewest_points_per_wave - 1e-9_dp
-         if (r%points_y > 0) can_tell = can_tell .and. r%points_y >= fewest_points_per_wave - 1e-9_dp
-         if (r%samples > 0) can_tell = can_tell .and. r%samples >= fewest_points_per_wave - 1e-9_dp
+         can_tell = r%inlet <= telling_inlet
+         if (r%points_x > 0) can_tell = can_tell .and. r%points_x >= telling_points_per_wave - 1e-9_dp
+         if (r%points_y > 0) can_tell = can_tell .and. r%points_y >= telling_points_per_wave - 1e-9_dp
+         if (r%samples > 0) can_tell = can_tell .and. r%samples >= telling_points_per_wave - 1e-9_dp
       end associate
    end function can_tell
 

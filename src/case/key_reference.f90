@@ -6,7 +6,7 @@ module ehlwave_key_reference
    use ehlwave_key_bounds, only: bounds_text, is_allowed, is_none
    implicit none (type, external)
    private
-   public :: case_key_reference, default_text
+   public :: case_key_reference
 
    integer, parameter :: line_length = 118
    character(len=*), parameter :: line_end = new_line('a')

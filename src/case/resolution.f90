@@ -10,12 +10,17 @@ module ehlwave_resolution
    private
    public :: judge_resolution, inlet_length, inlet_gap, touching_reason
 
-   real(dp), parameter, public :: fewest_points_per_wave = 8        !! in each direction and in time
-   real(dp), parameter, public :: wanted_points_per_wave = 16       !! what an automatic grid provides
-   real(dp), parameter, public :: coarsest_inlet = 0.25_dp          !! largest hX over the inlet length
-   real(dp), parameter, public :: coarsest_side = 0.4_dp            !! largest hY over the inlet length
-   real(dp), parameter, public :: wanted_inlet = 0.2_dp             !! what an automatic grid provides,
-   real(dp), parameter, public :: wanted_line_inlet = 0.1_dp        !! and that of a line contact, which costs little
+   ! Points per wave, in each direction and in time.
+   real(dp), parameter, public :: fewest_points_per_wave = 8        !! that resolve it, theory section 7
+   real(dp), parameter, public :: wanted_points_per_wave = 16       !! of a chosen grid, unless an accuracy decides
+   real(dp), parameter, public :: telling_points_per_wave = 4       !! of a coarser grid that still tells an error
+
+   ! Mesh sizes over the inlet length.
+   real(dp), parameter, public :: coarsest_inlet = 0.25_dp          !! largest hX that resolves it,
+   real(dp), parameter, public :: coarsest_side = 0.4_dp            !! and hY: measured, see judge_resolution
+   real(dp), parameter, public :: wanted_inlet = 0.2_dp             !! hX of a chosen grid, unless an accuracy decides,
+   real(dp), parameter, public :: wanted_line_inlet = 0.1_dp        !! and of one of a line contact, which costs little
+   real(dp), parameter, public :: telling_inlet = 0.6_dp            !! largest hX of a coarser grid that still tells an error
 
    real(dp), parameter, public :: narrowest_inlet_gap = 4/3.0_dp    !! gap at the inlet boundary over the film thickness
    real(dp), parameter, public :: flooded_inlet_gap = 8             !! from which on the film does not feel the boundary

@@ -1,5 +1,7 @@
 !> Density and viscosity of the lubricant as functions of dimensionless pressure.
 module ehlwave_rheology
+   use ehlwave_film_flow, only: film_flow_t, new_film_flow
+   use ehlwave_flow_law, only: flow_law_t
    use ehlwave_kinds, only: dp
    use ehlwave_tait_density, only: tait_density_t
    use ehlwave_viscosity_law, only: largest_exponent, viscosity_law_t
@@ -26,12 +28,18 @@ module ehlwave_rheology
       real(dp) :: ph_pa = 0         !! ph, Pa
       class(viscosity_law_t), allocatable :: law   !! viscosity_special
       type(tait_density_t) :: tait                 !! density_tait
+      class(flow_law_t), allocatable :: flow_law   !! not of a Newtonian oil
+      real(dp) :: modulus_times_stress_pa2 = 0     !! E' tau0
+      real(dp) :: slip_parameter = 1               !! S
    contains
       procedure :: evaluate
       procedure :: density
       procedure :: at_pressure
       procedure :: use_viscosity
       procedure :: use_density
+      procedure :: use_flow
+      procedure :: is_newtonian
+      procedure :: film_flow
    end type rheology_t
 
 contains
@@ -69,6 +77,32 @@ contains
       self%tait = tait
    end subroutine use_density
 
+   !> Take a law of flow that is not Newtonian.
+   pure subroutine use_flow(self, law, modulus_times_stress_pa2, slip_parameter)
+      class(rheology_t), intent(inout) :: self
+      class(flow_law_t), intent(in) :: law
+      real(dp), intent(in) :: modulus_times_stress_pa2   !! E' tau0, Pa^2; tau0 stands for G of Carreau's law
+      real(dp), intent(in) :: slip_parameter             !! S
+      self%flow_law = law
+      self%modulus_times_stress_pa2 = modulus_times_stress_pa2
+      self%slip_parameter = slip_parameter
+   end subroutine use_flow
+
+   !> Whether the shear stress is proportional to the shear rate.
+   pure logical function is_newtonian(self)
+      class(rheology_t), intent(in) :: self
+      is_newtonian = .not. allocated(self%flow_law)
+   end function is_newtonian
+
+   !> Flow across the film of a contact: N0 = c ph/(2 a tau0) = K ph^2/(E' tau0), K = 1 for a line contact.
+   pure function film_flow(self, k, hertz_pressure_pa, lambdabar) result(flow)
+      class(rheology_t), intent(in) :: self               !! not Newtonian
+      real(dp), intent(in) :: k                           !! complete elliptic integral K
+      real(dp), intent(in) :: hertz_pressure_pa, lambdabar
+      type(film_flow_t) :: flow
+      flow = new_film_flow(self%flow_law, k*hertz_pressure_pa**2/self%modulus_times_stress_pa2, lambdabar, self%slip_parameter)
+   end function film_flow
+
    !> The same laws for a contact at another Hertz pressure.
    pure function at_pressure(self, alphabar, hertz_pressure_pa) result(other)
       class(rheology_t), intent(in) :: self
@@ -78,6 +112,7 @@ contains
       other = new_rheology(self%viscosity_law, self%density_law, alphabar, self%z, hertz_pressure_pa)
       if (allocated(self%law)) other%law = self%law
       other%tait = self%tait
+      if (allocated(self%flow_law)) call other%use_flow(self%flow_law, self%modulus_times_stress_pa2, self%slip_parameter)
    end function at_pressure
 
    !> Density, fluidity 1/eta and their derivatives at pressures P >= 0, theory section 3:

@@ -51,7 +51,9 @@ contains
       type(error_t), allocatable, intent(out) :: error
       integer :: first
 
-      if (self%at == 1 .and. index(self%text, char(239)//char(187)//char(191)) == 1) self%at = 4
+      if (self%at == 1) then
+         if (index(self%text, char(239)//char(187)//char(191)) == 1) self%at = 4
+      end if
       first = self%at
       call self%skip_blanks()
       token%line = self%line

@@ -4,6 +4,7 @@ module ehlwave_contact_problem
    use ehlwave_deformation, only: deformation_t
    use ehlwave_deformation_fft, only: deformation_fft_t
    use ehlwave_deformation_line, only: deformation_line_t
+   use ehlwave_film_flow, only: film_flow_t
    use ehlwave_given, only: given_t
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
@@ -18,10 +19,12 @@ module ehlwave_contact_problem
       type(grid_t) :: grid
       type(conditions_t) :: conditions
       type(rheology_t) :: rheology
+      type(film_flow_t), allocatable :: film_flow   !! flow across the film; not of a Newtonian oil
       class(deformation_t), allocatable :: deformation
       real(dp), allocatable :: smooth_gap(:, :)  !! S X^2 + (1 - S) Y^2, (0:nx, 0:ny)
    contains
       procedure :: init
+      procedure :: set_conditions
       procedure :: film
       procedure :: film_of
       procedure :: set_rough
@@ -38,8 +41,7 @@ contains
       integer :: j
 
       self%grid = grid
-      self%conditions = conditions
-      self%rheology = rheology
+      call self%set_conditions(conditions, rheology)
       if (conditions%is_line() .and. .not. allocated(self%deformation)) allocate (deformation_line_t :: self%deformation)
       if (.not. allocated(self%deformation)) allocate (deformation_fft_t :: self%deformation)
       call self%deformation%init(grid, conditions%elliptic%kappa, conditions%elliptic%k)
@@ -52,6 +54,19 @@ contains
          self%smooth_gap(:, j) = conditions%s*grid%x**2 + (1 - conditions%s)*grid%y(j)**2
       end do
    end subroutine init
+
+   !> Other conditions of a contact with the same ratio of radii, on which grid and kernel depend, and the oil under them.
+   subroutine set_conditions(self, conditions, rheology)
+      class(contact_problem_t), intent(inout) :: self
+      type(conditions_t), intent(in) :: conditions
+      type(rheology_t), intent(in) :: rheology
+
+      self%conditions = conditions
+      self%rheology = rheology
+      if (allocated(self%film_flow)) deallocate (self%film_flow)
+      if (rheology%is_newtonian()) return
+      self%film_flow = rheology%film_flow(conditions%elliptic%k, conditions%hertz_pressure_pa, conditions%lambdabar)
+   end subroutine set_conditions
 
    !> Film thickness H = -Delta + S X^2 + (1 - S) Y^2 + Rough + Dbar(P), theory eq. (8).
    subroutine film(self, p, delta, h)

@@ -52,6 +52,8 @@ contains
       type(state_t), intent(in) :: state
 
       call self%flow%evaluate(problem%rheology, problem%conditions%lambdabar, state%p, state%h)
+      if (allocated(problem%film_flow)) &
+         call self%flow%evaluate_faces(problem%film_flow, problem%grid, self%mesh%kappa, state%h)
       call reynolds_residual(self%mesh, self%given%transport, self%flow, self%residual)
       call self%set_scale(abs(self%given%transport%w0))
       self%is_cavitated = self%scale > 0 .and. state%p + self%scale*self%residual <= 0
@@ -61,7 +63,7 @@ contains
    pure subroutine inject_from(self, fine)
       class(equations_t), intent(inout) :: self
       class(equations_t), intent(in) :: fine
-      call self%flow%inject_from(fine%flow, self%mesh%grid)
+      call self%flow%inject_from(fine%flow, self%mesh%grid, self%mesh%kappa)
       self%is_cavitated = fine%is_cavitated(::2, ::self%mesh%grid%row_ratio)
    end subroutine inject_from
 

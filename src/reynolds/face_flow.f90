@@ -65,9 +65,8 @@ contains
       integer :: j, n
 
       n = grid%nx
-      across = 0
-      do j = grid%first_row, grid%ny - 1
-         if (.not. grid%is_line) across = kappa*(oil%p(:, j + 1) - oil%p(:, grid%below(j)))/(2*grid%hy)
+      do j = grid%first_row, grid%last_row
+         across = kappa*(oil%p(:, grid%above(j)) - oil%p(:, grid%below(j)))/(2*grid%hy)
          gx = (oil%p(1:n, j) - oil%p(0:n - 1, j))/grid%hx
          gy = 0.5_dp*(across(0:n - 1) + across(1:n))
          call film%evaluate(along_x, oil%fluidity(0:n - 1, j), oil%h(0:n - 1, j), gx, gy, one)
@@ -90,7 +89,6 @@ contains
       real(dp), dimension(grid%nx - 1, flow_values) :: one, two
       integer :: j, n
 
-      if (grid%is_line) return
       n = grid%nx - 1
       do j = 0, grid%ny - 1
          below = (oil%p(2:n + 1, j) - oil%p(0:n - 1, j))/(2*grid%hx)

@@ -1,5 +1,7 @@
 !> Coefficients of the flow at a state.
 module ehlwave_flow
+   use ehlwave_face_flow, only: face_flow_t, new_face_flow, node_oil_t
+   use ehlwave_film_flow, only: film_flow_t
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
    use ehlwave_real_transfer, only: inject
@@ -8,7 +10,8 @@ module ehlwave_flow
    private
    public :: new_flow
 
-   !> A state's pressure, the coefficients of the flow there, and their derivatives. All arrays (0:nx, 0:ny).
+   !> A state's pressure, the coefficients of the flow there, and their derivatives. All arrays (0:nx, 0:ny). The flow of
+   !> a generalised Newtonian oil is not eps times a gradient: it has fluxes through faces in place of it.
    type, public :: flow_t
       real(dp), allocatable :: p(:, :)      !! P
       real(dp), allocatable :: f(:, :)      !! rho H
@@ -18,8 +21,14 @@ module ehlwave_flow
       real(dp), allocatable :: eps_p(:, :)  !! d eps/dP at fixed H
       real(dp), allocatable :: eps_h(:, :)  !! d eps/dH
       real(dp), allocatable, private :: fluidity(:, :), dln_eta(:, :)
+      type(face_flow_t), allocatable :: along_x, along_y     !! through faces along X and along Y; not of a Newtonian oil
+      type(film_flow_t), allocatable, private :: film        ! the law of flow across the film; not of a Newtonian oil
+      type(node_oil_t), allocatable, private :: oil          ! what it is evaluated at
    contains
       procedure :: evaluate
+      procedure :: evaluate_faces
+      procedure :: is_newtonian
+      procedure :: mobility
       procedure :: inject_from
    end type flow_t
 
@@ -42,11 +51,12 @@ contains
       self%dln_eta = zero
    end function new_flow
 
-   !> Values of the next finer grid, at the nodes of this one.
-   pure subroutine inject_from(self, fine, coarse)
+   !> Values of the next finer grid, at the nodes of this one, and the fluxes that they drive through its faces.
+   pure subroutine inject_from(self, fine, coarse, kappa)
       class(flow_t), intent(inout) :: self
       type(flow_t), intent(in) :: fine
       type(grid_t), intent(in) :: coarse   !! this grid
+      real(dp), intent(in) :: kappa
       call inject(coarse, fine%p, self%p)
       call inject(coarse, fine%f, self%f)
       call inject(coarse, fine%eps, self%eps)
@@ -54,6 +64,18 @@ contains
       call inject(coarse, fine%f_h, self%f_h)
       call inject(coarse, fine%eps_p, self%eps_p)
       call inject(coarse, fine%eps_h, self%eps_h)
+      if (allocated(self%film)) deallocate (self%film)
+      if (fine%is_newtonian()) return
+      self%film = fine%film
+      if (.not. allocated(self%oil)) call make_faces(self, coarse)
+      call inject(coarse, fine%oil%p, self%oil%p)
+      call inject(coarse, fine%oil%h, self%oil%h)
+      call inject(coarse, fine%oil%rho, self%oil%rho)
+      call inject(coarse, fine%oil%drho, self%oil%drho)
+      call inject(coarse, fine%oil%fluidity, self%oil%fluidity)
+      call inject(coarse, fine%oil%dln_eta, self%oil%dln_eta)
+      call self%along_x%evaluate_x(coarse, kappa, self%film, self%oil)
+      call self%along_y%evaluate_y(coarse, kappa, self%film, self%oil)
    end subroutine inject_from
 
    !> Coefficients at pressure p and film h.
@@ -66,6 +88,7 @@ contains
       integer :: i, j
       real(dp) :: rho, drho
 
+      if (allocated(self%film)) deallocate (self%film)
       self%p = p
       call rheology%evaluate(size(p), p, self%f_h, self%f_p, self%fluidity, self%dln_eta)
       do j = 0, ubound(p, 2)
@@ -80,5 +103,58 @@ contains
          end do
       end do
    end subroutine evaluate
+
+   !> Fluxes of a generalised Newtonian oil, after `evaluate` at the same film.
+   pure subroutine evaluate_faces(self, film, grid, kappa, h)
+      class(flow_t), intent(inout) :: self
+      type(film_flow_t), intent(in) :: film    !! the law of flow across the film
+      type(grid_t), intent(in) :: grid
+      real(dp), intent(in) :: kappa
+      real(dp), intent(in) :: h(0:, 0:)        !! H > 0, (0:nx, 0:ny)
+
+      self%film = film
+      if (.not. allocated(self%oil)) call make_faces(self, grid)
+      self%oil%p = self%p
+      self%oil%h = h
+      self%oil%rho = self%f_h
+      self%oil%drho = self%f_p/h
+      self%oil%fluidity = self%fluidity
+      self%oil%dln_eta = self%dln_eta
+      call self%along_x%evaluate_x(grid, kappa, film, self%oil)
+      call self%along_y%evaluate_y(grid, kappa, film, self%oil)
+   end subroutine evaluate_faces
+
+   !> Work space for the fluxes.
+   pure subroutine make_faces(self, grid)
+      class(flow_t), intent(inout) :: self
+      type(grid_t), intent(in) :: grid
+      self%along_x = new_face_flow(grid)
+      self%along_y = self%along_x
+      allocate (self%oil)
+      self%oil%p = self%p
+      self%oil%h = self%p
+      self%oil%rho = self%p
+      self%oil%drho = self%p
+      self%oil%fluidity = self%p
+      self%oil%dln_eta = self%p
+   end subroutine make_faces
+
+   !> Whether the flow last evaluated is eps times a gradient.
+   pure logical function is_newtonian(self)
+      class(flow_t), intent(in) :: self
+      is_newtonian = .not. allocated(self%film)
+   end function is_newtonian
+
+   !> How easily a pressure gradient along X drives oil at each node: eps, or what stands in its place.
+   pure function mobility(self) result(eps)
+      class(flow_t), intent(in) :: self
+      real(dp), allocatable :: eps(:, :)   !! (0:nx, 0:ny)
+      integer :: nx
+
+      eps = self%eps
+      if (self%is_newtonian()) return
+      nx = ubound(self%p, 1)
+      eps(1:nx - 1, :) = 0.25_dp*(self%along_x%own(0:nx - 2, :) + self%along_x%own(1:nx - 1, :))
+   end function mobility
 
 end module ehlwave_flow

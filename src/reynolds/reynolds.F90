@@ -2,10 +2,11 @@
 !>
 !> The flow along the pressure gradient goes through the faces between neighbouring nodes. This module alone knows how
 !> much: the flux through a face (`face_flux`), its change (`face_change`), the links of a node (`poiseuille_links`), the
-!> diagonal (`reynolds_scale`) and how the oil a node takes in depends on its own pressure (`intake`). They belong to the
-!> Newtonian law, with eps averaged between nodes; another law of flow takes the place of these five.
+!> diagonal (`reynolds_scale`) and how the oil a node takes in depends on its own pressure (`intake`). In a Newtonian oil eps
+!> is averaged between nodes; the fluxes of another oil are those of `ehlwave_face_flow`.
 module ehlwave_reynolds
    use ehlwave_complex_wedge, only: complex_wedge_t => wedge_t
+   use ehlwave_face_flow, only: face_flow_t
    use ehlwave_flow, only: flow_t
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
@@ -18,6 +19,7 @@ module ehlwave_reynolds
    !> A grid with the weights of a difference of fluxes along X and along Y.
    type, public :: mesh_t
       type(grid_t) :: grid
+      real(dp) :: kappa = 1
       real(dp) :: cx = 0, cy = 0   !! 1/(2 hX^2), kappa^2/(2 hY^2): a flux is twice that at the mean of its nodes
    end type mesh_t
 
@@ -37,6 +39,7 @@ contains
       real(dp), intent(in) :: kappa
       type(mesh_t) :: self
       self%grid = grid
+      self%kappa = kappa
       self%cx = 0.5_dp/grid%hx**2
       self%cy = 0.5_dp*kappa**2/grid%hy**2
    end function new_mesh
@@ -83,6 +86,15 @@ contains
       integer, intent(in) :: j1, j2, shift     !! shift: 1 along X, 0 across
       real(dp), intent(inout) :: flux(0:)      !! (0:nx), the last `shift` are left alone
       integer :: i
+
+      if (.not. flow%is_newtonian()) then
+         if (shift == 1) then
+            flux = flow%along_x%flux(:, j1)
+         else
+            flux = (j2 - j1)*flow%along_y%flux(:, min(j1, j2))
+         end if
+         return
+      end if
       do i = 0, ubound(flux, 1) - shift
          flux(i) = (flow%eps(i, j1) + flow%eps(i + shift, j2))*(flow%p(i + shift, j2) - flow%p(i, j1))
       end do
@@ -93,18 +105,21 @@ contains
 #define CHANGE real_change
 #define COEFFICIENT_CHANGE real_coefficient_change
 #define FACE_CHANGE real_face_change
+#define GENERAL_CHANGE real_general_change
 #include "reynolds_change.inc"
 #undef SCALAR
 #undef WEDGE
 #undef CHANGE
 #undef COEFFICIENT_CHANGE
 #undef FACE_CHANGE
+#undef GENERAL_CHANGE
 
 #define SCALAR complex(dp)
 #define WEDGE complex_wedge_t
 #define CHANGE complex_change
 #define COEFFICIENT_CHANGE complex_coefficient_change
 #define FACE_CHANGE complex_face_change
+#define GENERAL_CHANGE complex_general_change
 #include "reynolds_change.inc"
 
    !> Derivatives of the flow into a block of nodes, in array order, by the pressure (at fixed film) and by the film of
@@ -117,6 +132,10 @@ contains
       real(dp) :: east, north, south, west
       integer :: i, j, jm, jp, k, shift
 
+      if (.not. flow%is_newtonian()) then
+         call general_links(mesh, flow, block, by_p, by_h)
+         return
+      end if
       associate (eps => flow%eps, eps_p => flow%eps_p, eps_h => flow%eps_h, p => flow%p, cx => mesh%cx, cy => mesh%cy)
          do j = block(3), block(4)
             jm = mesh%grid%below(j)
@@ -148,6 +167,54 @@ contains
       end associate
    end subroutine poiseuille_links
 
+   !> The same of an oil that is not Newtonian, but for the small part that a gradient along a face drives through it.
+   pure subroutine general_links(mesh, flow, block, by_p, by_h)
+      type(mesh_t), intent(in) :: mesh
+      type(flow_t), intent(in) :: flow
+      integer, intent(in) :: block(4)
+      real(dp), intent(out) :: by_p(:, :), by_h(:, :)
+      integer :: below, i, j, k
+
+      k = 0
+      do j = block(3), block(4)
+         do i = block(1), block(2)
+            k = k + 1
+            by_p(k, :) = 0
+            by_h(k, :) = 0
+            call add_link(flow%along_x, mesh%cx, [i, j], .true., by_p(k, 1), by_p(k, 2), by_h(k, 1), by_h(k, 2))
+            call add_link(flow%along_x, mesh%cx, [i - 1, j], .false., by_p(k, 1), by_p(k, 3), by_h(k, 1), by_h(k, 3))
+            if (mesh%grid%ny == 0) cycle
+            call add_link(flow%along_y, mesh%cy, [i, j], .true., by_p(k, 1), by_p(k, 4), by_h(k, 1), by_h(k, 4))
+            ! the face below a line of symmetry mirrors that above it
+            below = mesh%grid%below(j)
+            call add_link(flow%along_y, mesh%cy, [i, min(j, below)], below > j, by_p(k, 1), by_p(k, 5), by_h(k, 1), by_h(k, 5))
+         end do
+      end do
+   end subroutine general_links
+
+   !> What the flow through a face adds to the derivatives of a node's residual, by itself and by the other node of the face.
+   pure subroutine add_link(faces, c, face, is_first, own_p, other_p, own_h, other_h)
+      type(face_flow_t), intent(in) :: faces
+      real(dp), intent(in) :: c              !! weight of a flux
+      integer, intent(in) :: face(2)
+      logical, intent(in) :: is_first        !! whether the node is the face's first: then what flows through it flows in
+      real(dp), intent(inout) :: own_p, other_p, own_h, other_h
+
+      associate (i => face(1), j => face(2))
+         if (is_first) then
+            own_p = own_p + c*(faces%by_p1(i, j) - faces%own(i, j))
+            other_p = other_p + c*(faces%by_p2(i, j) + faces%own(i, j))
+            own_h = own_h + c*faces%by_h1(i, j)
+            other_h = other_h + c*faces%by_h2(i, j)
+         else
+            own_p = own_p - c*(faces%by_p2(i, j) + faces%own(i, j))
+            other_p = other_p - c*(faces%by_p1(i, j) - faces%own(i, j))
+            own_h = own_h - c*faces%by_h2(i, j)
+            other_h = other_h - c*faces%by_h1(i, j)
+         end if
+      end associate
+   end subroutine add_link
+
    !> 1/|A_ii|: how much pressure one unit of residual is worth at each unknown node, from the Poiseuille
    !> terms and the effect of the node's own deformation on the wedge term. Zero elsewhere.
    pure subroutine reynolds_scale(mesh, wedge, self_influence, flow, scale)
@@ -162,6 +229,14 @@ contains
       do j = mesh%grid%first_row, mesh%grid%last_row
          jm = mesh%grid%below(j)
          jp = mesh%grid%above(j)
+         if (.not. flow%is_newtonian()) then
+            do i = 1, mesh%grid%nx - 1
+               scale(i, j) = 1/(mesh%cx*(flow%along_x%own(i - 1, j) + flow%along_x%own(i, j)) &
+                                + mesh%cy*(flow%along_y%own(i, min(j, jm)) + flow%along_y%own(i, j)) &
+                                + wedge(i)*(flow%f_h(i, j)*self_influence + flow%f_p(i, j)))
+            end do
+            cycle
+         end if
          do i = 1, mesh%grid%nx - 1
             scale(i, j) = 1/(mesh%cx*(flow%eps(i - 1, j) + 2*flow%eps(i, j) + flow%eps(i + 1, j)) &
                              + mesh%cy*(flow%eps(i, jm) + 2*flow%eps(i, j) + flow%eps(i, jp)) &
@@ -176,10 +251,30 @@ contains
       type(mesh_t), intent(in) :: mesh
       type(flow_t), intent(in) :: flow
       integer, intent(in) :: i, j   !! node
+      if (.not. flow%is_newtonian()) then
+         intake = intake_at_gradient(mesh, flow, i, j)
+         return
+      end if
       associate (p => flow%p, jm => mesh%grid%below(j), jp => mesh%grid%above(j))
          intake = -flow%eps_p(i, j)*(mesh%cx*(p(i + 1, j) - 2*p(i, j) + p(i - 1, j)) &
                                      + mesh%cy*(p(i, jp) - 2*p(i, j) + p(i, jm)))
       end associate
    end function intake
+
+   !> The same of an oil that is not Newtonian: by the node's own pressure at fixed gradients.
+   pure real(dp) function intake_at_gradient(mesh, flow, i, j) result(intake)
+      type(mesh_t), intent(in) :: mesh
+      type(flow_t), intent(in) :: flow
+      integer, intent(in) :: i, j   !! node
+      real(dp) :: from_below
+
+      associate (x => flow%along_x, y => flow%along_y, below => mesh%grid%below(j))
+         intake = -mesh%cx*(x%by_p1(i, j) - x%by_p2(i - 1, j))
+         if (mesh%grid%ny == 0) return
+         from_below = -y%by_p2(i, min(j, below))
+         if (below > j) from_below = y%by_p1(i, j)
+         intake = intake - mesh%cy*(y%by_p1(i, j) + from_below)
+      end associate
+   end function intake_at_gradient
 
 end module ehlwave_reynolds

@@ -75,8 +75,9 @@ contains
       allocate (self%carried(0:grid%nx, 0:grid%ny), source=0.0_dp)
    end function characteristic_transport
 
-   !> Weights for an amplitude f that varies as exp(-i w T): exact linearisation of the transient operator along the characteristic (`characteristic_transport` with a
-   !> step of one mesh size), where f(i-l) at T - l dT becomes z^l f(i-l), z = exp(i w dT):
+   !> Weights for an amplitude f that varies as exp(-i w T): exact linearisation of the transient operator along the
+   !> characteristic (`characteristic_transport` with a step of one mesh size), where f(i-l) at T - l dT becomes
+   !> z^l f(i-l), z = exp(i w dT):
    !>
    !>     (1.5 f(i) - 2 z f(i-1) + 0.5 z^2 f(i-2))/dT,    at i = 1    (f(1) - z f(0))/dT.
    !>

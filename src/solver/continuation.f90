@@ -93,8 +93,7 @@ contains
          rheology = self%goal_rheology%at_pressure(conditions%alphabar, conditions%hertz_pressure_pa)
       end if
       do n = 1, size(hierarchy%levels)
-         hierarchy%levels(n)%problem%conditions = conditions
-         hierarchy%levels(n)%problem%rheology = rheology
+         call hierarchy%levels(n)%problem%set_conditions(conditions, rheology)
       end do
    end subroutine impose
 

@@ -2,11 +2,10 @@
 module ehlwave_time_march
    use ehlwave_clock, only: wall_seconds
    use ehlwave_contact_problem, only: contact_problem_t
-   use ehlwave_flow, only: flow_t, new_flow
    use ehlwave_full_multigrid, only: full_multigrid_t
+   use ehlwave_equations, only: equations_t
    use ehlwave_given, only: given_t
    use ehlwave_hierarchy, only: level_t
-   use ehlwave_kernel, only: cell_influence
    use ehlwave_kinds, only: dp
    use ehlwave_load_balance, only: equation_of_motion, force_balance
    use ehlwave_monitor, only: go_on, monitor_t, stop_now
@@ -194,16 +193,11 @@ contains
    function carried_share(level) result(share)
       type(level_t), intent(in) :: level    !! at its steady state
       real(dp), allocatable :: share(:, :)
-      type(flow_t) :: flow
-      real(dp) :: self_influence
+      type(equations_t) :: equations
 
-      associate (grid => level%problem%grid, conditions => level%problem%conditions)
-         flow = new_flow(grid)
-         call flow%evaluate(level%problem%rheology, conditions%lambdabar, level%state%p, level%state%h)
-         self_influence = cell_influence(0.0_dp, 0.0_dp, grid%hx, grid%hy, conditions%elliptic%kappa, &
-                                         conditions%elliptic%k)
-         share = 1/(1 + spread_weight*flow%eps/(grid%hx*self_influence))
-      end associate
+      call equations%init(level%problem)
+      call equations%evaluate(level%problem, level%state)
+      share = 1/(1 + spread_weight*equations%flow%mobility()/(level%problem%grid%hx*equations%self_influence))
    end function carried_share
 
    !> First guess. Where the film is carried along, what deviates from the steady state P0 is extrapolated

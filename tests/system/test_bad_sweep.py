@@ -23,7 +23,7 @@ CHANGES = [
     ("case file and lists", "sweep", "case_file", "cases.csv", "case_file"),
     ("list in a case group", "grid", "cells_x", [32, 64], "cells_x"),
     ("contradiction in a case group", "dynamics", "natural_frequency", 5, "natural_frequency"),
-    ("surface without dimensional data", "surface", "file", "s.h5", "radius_x_m"),
+    ("surface beside waves", "surface", "file", "s.h5", "give one of the two"),
     ("dimensional data beside lists", "conditions", "load_n", 39.2, "load_parameter_m"),
 ]
 

@@ -139,7 +139,7 @@ class SweepKeys(unittest.TestCase):
         for sweep, needle in [
                 ({"cycle": ["v", "w"]}, "sweep.nml:2: key 'cycle' in &sweep: belongs to method = 'fas', which none"),
                 ({"fields": [True, False]}, "sweep.nml:2: key 'fields' in &sweep: this key cannot vary"),
-                ({"file": "surface.h5"}, "sweep.nml:2: key 'file' in &sweep: this key cannot vary"),
+                ({"file": "surface.h5"}, "&surface file = 'surface.h5' and &waviness orientation = 'transverse': give one"),
                 ({"slip_paramter": [1, 2]}, "did you mean 'slip_parameter'?"),
                 ({"cells_x": [32, 33]}, "cells_x = 33"),
                 ({"load_n": [10, 20]}, "&conditions gives both"),

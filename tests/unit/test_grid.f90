@@ -40,15 +40,20 @@ contains
 
    !> The coarser grid is the one made with half the cells, to the last bit.
    subroutine check_coarser()
-      call compare_grids(new_grid(-2.5_dp, 1.7_dp, 2.1_dp, 96, 80, .true.), new_grid(-2.5_dp, 1.7_dp, 2.1_dp, 48, 40, .true.))
-      call compare_grids(new_grid(-2.5_dp, 1.7_dp, 2.1_dp, 96, 80, .false.), new_grid(-2.5_dp, 1.7_dp, 2.1_dp, 48, 40, .false.))
-      call compare_grids(new_line_grid(-2.5_dp, 1.7_dp, 96), new_line_grid(-2.5_dp, 1.7_dp, 48))
-      associate (grid => new_grid(-2.5_dp, 1.5_dp, 2.0_dp, 96, 84, .true.))
-         call test%check(grid%can_coarsen(40) .and. .not. grid%can_coarsen(43), 'the shorter side counts')
-      end associate
-      associate (grid => new_grid(-2.5_dp, 1.5_dp, 2.0_dp, 96, 82, .true.))
-         call test%check(.not. grid%can_coarsen(8), 'a half domain needs an even count on the coarser grid too')
-      end associate
+      type(grid_t) :: coarse, fine
+      fine = new_grid(-2.5_dp, 1.7_dp, 2.1_dp, 96, 80, .true.)
+      coarse = new_grid(-2.5_dp, 1.7_dp, 2.1_dp, 48, 40, .true.)
+      call compare_grids(fine, coarse)
+      fine = new_grid(-2.5_dp, 1.7_dp, 2.1_dp, 96, 80, .false.)
+      coarse = new_grid(-2.5_dp, 1.7_dp, 2.1_dp, 48, 40, .false.)
+      call compare_grids(fine, coarse)
+      fine = new_line_grid(-2.5_dp, 1.7_dp, 96)
+      coarse = new_line_grid(-2.5_dp, 1.7_dp, 48)
+      call compare_grids(fine, coarse)
+      fine = new_grid(-2.5_dp, 1.5_dp, 2.0_dp, 96, 84, .true.)
+      call test%check(fine%can_coarsen(40) .and. .not. fine%can_coarsen(43), 'the shorter side counts')
+      fine = new_grid(-2.5_dp, 1.5_dp, 2.0_dp, 96, 82, .true.)
+      call test%check(.not. fine%can_coarsen(8), 'a half domain needs an even count on the coarser grid too')
    end subroutine check_coarser
 
    subroutine compare_grids(fine, expected)

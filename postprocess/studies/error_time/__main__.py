@@ -43,7 +43,7 @@ def write_all(table: Sequence[errors.Row], folder: Path) -> list[Path]:
     for name, rows in tables.items():
         if rows:
             paths.append(folder / f"{name}.csv")
-            write_rows(paths[-1], rows, digits=6)
+            write_rows(paths[-1], rows, digits=0 if name == "runs" else 6)
     drawn = {"tolerance": figures.tolerance_figure(found)}
     for cost in figures.COSTS:
         for name, panels in figures.all_panels().items():

@@ -1,0 +1,110 @@
+!> The input of one case as it was given made a case: what depends on which keys were given.
+module ehlwave_input_completion
+   use ehlwave_case_completion, only: case_conditions, complete_case
+   use ehlwave_case_definition, only: case_t
+   use ehlwave_case_input, only: case_input_t
+   use ehlwave_case_key, only: key_length
+   use ehlwave_conditions, only: conditions_t
+   use ehlwave_errors, only: error_t, raise
+   use ehlwave_formula, only: anisotropy_factor, wave_parameter_v
+   use ehlwave_kinds, only: dp
+   use ehlwave_key_applicability, only: check_applicability
+   use ehlwave_key_list, only: find_key, key_list_t
+   implicit none (type, external)
+   private
+   public :: complete_input
+
+   character(len=key_length), parameter :: moes_keys(3) = [character(len=key_length) :: 'load_parameter_m', &
+      'lubricant_parameter_l', 'radius_ratio_d']
+   character(len=key_length), parameter :: data_keys(6) = [character(len=key_length) :: 'radius_x_m', 'radius_y_m', &
+      'reduced_modulus_pa', 'load_n', 'mean_speed_m_per_s', 'viscosity_pa_s']
+
+contains
+
+   !> Complete a case as it was given: what its conditions are given by, what its accuracy chooses, and all that follows
+   !> from other keys. Refuses what is missing, what contradicts, and keys that do not apply; those that may idle are
+   !> left out then and count as not given. `place` begins every message.
+   subroutine complete_input(input, list, place, error)
+      type(case_input_t), intent(inout) :: input
+      type(key_list_t), intent(in) :: list         !! of all keys
+      character(len=*), intent(in) :: place
+      type(error_t), allocatable, intent(inout) :: error
+
+      if (allocated(error)) return
+      call settle_conditions(input, list, error)
+      if (.not. allocated(error) .and. input%f_v > 0) call choose_wavelength(input, list, error)
+      if (.not. allocated(error)) call check_applicability(input, error)
+      if (allocated(error)) then
+         error%message = place//error%message
+         return
+      end if
+      if (input%case%accuracy > 0) call choose_for_accuracy(input, list)
+      call complete_case(input%case, place, error)
+   end subroutine complete_input
+
+   !> The conditions are given by the three numbers, all of them, or by dimensional data, from which M, L and D follow.
+   subroutine settle_conditions(input, list, error)
+      type(case_input_t), intent(inout) :: input
+      type(key_list_t), intent(in) :: list
+      type(error_t), allocatable, intent(inout) :: error
+      type(conditions_t) :: conditions
+      logical :: has_data(size(data_keys)), has_moes(size(moes_keys))
+      integer :: i
+
+      has_data = [(input%is_given(find_key(list%keys, data_keys(i))), i=1, size(data_keys))]
+      has_moes = [(input%is_given(find_key(list%keys, moes_keys(i))), i=1, size(moes_keys))]
+      input%case%is_dimensional = any(has_data)
+      if (any(has_data) .and. any(has_moes)) then
+         call raise(error, '&conditions gives both load_parameter_m, lubricant_parameter_l or radius_ratio_d and '// &
+                    'dimensional data (radius_x_m, ...): give one of the two')
+      else if (any(has_data)) then
+         call case_conditions(input%case, conditions, error)
+      else if (.not. all(has_moes)) then
+         call raise(error, '&conditions '//trim(moes_keys(findloc(has_moes, .false., 1)))//' is missing: give '// &
+                    'load_parameter_m, lubricant_parameter_l and radius_ratio_d, or dimensional data (radius_x_m, '// &
+                    'radius_y_m, reduced_modulus_pa, load_n, mean_speed_m_per_s, viscosity_pa_s)')
+      end if
+   end subroutine settle_conditions
+
+   !> The wavelength for which f(r) V has the value asked for.
+   subroutine choose_wavelength(input, list, error)
+      type(case_input_t), intent(inout) :: input
+      type(key_list_t), intent(in) :: list
+      type(error_t), allocatable, intent(inout) :: error
+      type(conditions_t) :: conditions
+      real(dp) :: factor
+
+      call case_conditions(input%case, conditions, error)
+      if (allocated(error)) return
+      factor = anisotropy_factor(merge(0.0_dp, 1.0_dp, input%case%orientation == 'longitudinal'), &
+                                 merge(0.0_dp, 1.0_dp, input%case%orientation == 'transverse'))
+      input%case%wavelength_over_a = input%f_v/(factor*wave_parameter_v(conditions, 1.0_dp))
+      input%is_given(find_key(list%keys, 'wavelength_over_a')) = .true.
+   end subroutine choose_wavelength
+
+   !> What `accuracy` chooses where it is not given: cells and time step by the plan, tolerances well below the accuracy.
+   !> Measured: a step tolerance of 1e-3 leaves up to 2e-3 of Ad/Ai, most for long waves; steady states are exact to
+   !> a tenth of their tolerance or better.
+   subroutine choose_for_accuracy(input, list)
+      type(case_input_t), intent(inout) :: input
+      type(key_list_t), intent(in) :: list
+      type(case_t) :: usual
+
+      associate (case => input%case)
+         if (is_free('cells_x')) case%cells_x = 0
+         if (is_free('cells_y')) case%cells_y = 0
+         if (is_free('time_step_over_cell')) case%time_step_over_cell = 0
+         if (is_free('step_tolerance')) case%step_tolerance = min(usual%step_tolerance, 0.1_dp*case%accuracy)
+         if (is_free('tolerance')) case%tolerance = min(usual%tolerance, 1e-3_dp*case%accuracy)
+      end associate
+
+   contains
+
+      logical function is_free(key)
+         character(len=*), intent(in) :: key
+         is_free = .not. input%is_given(find_key(list%keys, key))
+      end function is_free
+
+   end subroutine choose_for_accuracy
+
+end module ehlwave_input_completion
