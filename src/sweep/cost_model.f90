@@ -48,14 +48,21 @@ contains
       real(dp), intent(in), optional :: expected(:)   !! wall times that the plans expect; NaN: no model
       type(cost_model_t) :: model
       real(dp), parameter :: weight_of_plans = 2
-      real(dp) :: shift
+      real(dp) :: middle(feature_count), shift   ! features of the cases with a model, on average; ln(expected) less prior there
       real(dp) :: normal(feature_count, feature_count), right(feature_count), factor
       integer :: i, j
 
       shift = 0
+      middle = 0
       if (present(expected)) then
-         if (any(ieee_is_finite(expected))) then
-            shift = sum(log(expected) - matmul(prior, features), mask=ieee_is_finite(expected))/count(ieee_is_finite(expected))
+         do i = 1, size(expected)
+            if (.not. ieee_is_finite(expected(i))) cycle
+            middle = middle + features(:, i)
+            shift = shift + log(expected(i)) - dot_product(prior, features(:, i))
+         end do
+         if (middle(1) > 0) then                ! their number
+            shift = shift/middle(1)
+            middle = middle/middle(1)
             model%coefficients(1) = shift
             model%is_fitted = .true.
          end if
@@ -66,10 +73,10 @@ contains
          normal(i, i) = weight(i)
       end do
       right = 0                                ! for the difference from the prior
-      if (model%is_fitted) then
-         normal(1, 1) = weight_of_plans
-         right(1) = weight_of_plans*shift
-      end if
+      do i = 1, feature_count
+         normal(:, i) = normal(:, i) + weight_of_plans*middle*middle(i)
+      end do
+      right = right + weight_of_plans*shift*middle
       do i = 1, size(seconds)
          if (.not. seconds(i) > 0) cycle
          do j = 1, feature_count

@@ -85,4 +85,3 @@ contains
    end subroutine check_queue
 
 end program test_sweep_queue
-   use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
