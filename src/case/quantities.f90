@@ -79,6 +79,7 @@ contains
       call list%add('message', 'why the grid does not resolve the case', plan%resolution%reason)
       call add_key(list, keys, 'accuracy')
       call list%add('expected_seconds', 'time expected by the plan', plan%expected_seconds(), unit='s')
+      call list%add('expected_memory_mib', 'peak memory expected by the plan', plan%expected_memory_mib(), unit='MiB')
       call add_key(list, keys, 'step_tolerance')
       call add_key(list, keys, 'tolerance')
    end subroutine add_plan
