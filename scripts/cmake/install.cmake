@@ -1,6 +1,6 @@
 # What `cmake --install` puts into one prefix, which can be moved. Components: core, petsc, python.
 #
-#     bin/                            the programs, run-sweep, ehlwave-post
+#     bin/                            the programs, run-sweep, ehlwave-accept, ehlwave-post
 #     lib/libehlwave_petsc.so         PETSc's solver, which the programs load when it is asked for (petsc)
 #     share/ehlwave/                  scripts, scripts/batch and inputs, as in the source
 #     share/man, share/bash-completion, share/modulefiles, share/doc
@@ -37,11 +37,14 @@ if(NOT CMAKE_CROSSCOMPILING)
 endif()
 
 # The scripts look for each other beside themselves, so bin has starters only.
-file(RELATIVE_PATH script ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_DATADIR}/ehlwave/scripts/run-sweep)
-configure_file(${packaging}/starter.in ${made}/starters/run-sweep @ONLY)
+foreach(name run-sweep accept)
+  file(RELATIVE_PATH script ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_DATADIR}/ehlwave/scripts/${name})
+  configure_file(${packaging}/starter.in ${made}/starters/${name} @ONLY)
+endforeach()
 install(PROGRAMS ${made}/starters/run-sweep DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT core)
-install(PROGRAMS scripts/run-sweep DESTINATION ${data}/scripts COMPONENT core)
-install(FILES scripts/environment DESTINATION ${data}/scripts COMPONENT core)
+install(PROGRAMS ${made}/starters/accept DESTINATION ${CMAKE_INSTALL_BINDIR} RENAME ehlwave-accept COMPONENT core)
+install(PROGRAMS scripts/run-sweep scripts/accept DESTINATION ${data}/scripts COMPONENT core)
+install(FILES scripts/environment scripts/accept.csv DESTINATION ${data}/scripts COMPONENT core)
 install(DIRECTORY scripts/batch DESTINATION ${data}/scripts USE_SOURCE_PERMISSIONS COMPONENT core)
 install(DIRECTORY inputs DESTINATION ${data} COMPONENT core)
 install(FILES README.md CHANGELOG.md LICENSE CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT core)

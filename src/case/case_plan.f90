@@ -50,6 +50,7 @@ module ehlwave_case_plan
       real(dp) :: cost = 0                           !! expected effort, node updates of the finest grid
    contains
       procedure :: expected_seconds
+      procedure :: expected_memory_mib
    end type case_plan_t
 
    integer, parameter :: most_steps = 1000000
@@ -159,6 +160,24 @@ contains
       class(case_plan_t), intent(in) :: self
       expected_seconds = self%expected_work_units*work_unit_seconds(self%cells_x, self%cells_y)
    end function expected_seconds
+
+   !> Peak memory of the process to expect, in MiB, without what MPI takes: a constant and so much for each cell that is
+   !> computed. Measured on 64 to 384 cells along each side: within a tenth.
+   pure real(dp) function expected_memory_mib(self)
+      class(case_plan_t), intent(in) :: self
+      real(dp), parameter :: program_mib = 13, bytes_smooth = 720, bytes_wavy = 850, bytes_response = 1690, bytes_line = 2600
+      real(dp) :: bytes, cells
+      cells = real(self%cells_x, dp)*self%cells_y
+      if (self%is_half) cells = cells/2
+      bytes = bytes_wavy
+      if (self%kind == run_smooth) bytes = bytes_smooth
+      if (self%responds) bytes = bytes_response
+      if (self%conditions%is_line()) then
+         bytes = bytes_line
+         cells = self%cells_x
+      end if
+      expected_memory_mib = program_mib + bytes*cells/2.0_dp**20
+   end function expected_memory_mib
 
    !> Refuse keys that contradict the accuracy asked for. A grid that only `largest_cells` limits is no contradiction:
    !> the plan says what it can reach.

@@ -69,7 +69,8 @@ contains
             write (unit, '(a)') 'Expected     relative error of '//trim(merge('Ad/Ai ', 'H(0,0)', plan%waviness%is_present .and. &
                .not. allocated(plan%waviness%surface)))// &
                ' about '//to_text(plan%expected_error, 2)//' and '//to_text(plan%expected_seconds(), 2)//' s, '// &
-               to_text(plan%expected_work_units, 2)//' work units (models; usually right within a factor 2)'
+               to_text(plan%expected_work_units, 2)//' work units (models; usually right within a factor 2), '// &
+               to_text(plan%expected_memory_mib(), 2)//' MiB'
             if (case%accuracy > 0 .and. plan%expected_error > case%accuracy) write (unit, '(a)') &
                '             ACCURACY '//to_text(case%accuracy, 3)//' NOT TO BE REACHED with largest_cells = '// &
                to_text(case%largest_cells)//': expect '//to_text(plan%expected_error, 2)

@@ -79,6 +79,7 @@ contains
       call list%add('message', 'why the grid does not resolve the case', plan%resolution%reason)
       call add_key(list, keys, 'accuracy')
       call list%add('expected_seconds', 'time expected by the plan', plan%expected_seconds(), unit='s')
+      call list%add('expected_memory_mib', 'peak memory expected by the plan', plan%expected_memory_mib(), unit='MiB')
       call add_key(list, keys, 'step_tolerance')
       call add_key(list, keys, 'tolerance')
    end subroutine add_plan
@@ -190,6 +191,11 @@ contains
       call list%add('harmonic_approach', 'amplitude of the approach over Ai', harmonic%approach_ratio)
       call list%add('harmonic_extrapolated', 'harmonic_ratio at mesh size 0', harmonic%extrapolated)
       call list%add('harmonic_error', 'estimated relative error of harmonic_ratio', harmonic%error)
+      call list%add('mean_film_rise', 'mean film less smooth film over Ai, second order, linear response', harmonic%mean_rise)
+      call list%add('smallest_film', 'smallest film with waves of Ai anywhere at any time, second order', &
+                    harmonic%smallest_film)
+      call list%add('smallest_film_x', 'X of the smallest film with waves', harmonic%smallest_film_x)
+      call list%add('smallest_film_y', 'Y of the smallest film with waves', harmonic%smallest_film_y)
       call list%add('harmonic_linear_steps', 'GMRES steps of the linear response', harmonic%linear_steps)
       call list%add('harmonic_work_units', 'processor time of the linear response in plain FFT convolutions of the grid', &
                     harmonic%work_units)

@@ -5,6 +5,7 @@
 !> `cost` is the effort of the plan, in node updates. Priors (b = 1, c = 0, no offsets; weights as if known to a
 !> factor of e^0.5) keep the fit sane while few cases are finished: ridge regression.
 module ehlwave_cost_model
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_case_plan, only: case_plan_t, run_harmonic, run_smooth, run_standing
    use ehlwave_kinds, only: dp
    implicit none (type, external)
@@ -39,20 +40,43 @@ contains
       seconds = exp(min(100.0_dp, max(-100.0_dp, dot_product(self%coefficients, features))))
    end function seconds
 
-   !> Fit to finished cases; those without a time are left out. Without any the model is the plan's cost.
-   pure function fit_cost_model(features, seconds) result(model)
+   !> Fit to finished cases; those without a time are left out. Without any the model is the plan's cost, and with `expected`
+   !> so scaled that it agrees with these on average; they count as one finished case known to a factor of 2.
+   pure function fit_cost_model(features, seconds, expected) result(model)
       real(dp), intent(in) :: features(:, :)   !! (feature_count, cases)
       real(dp), intent(in) :: seconds(:)       !! wall times
+      real(dp), intent(in), optional :: expected(:)   !! wall times that the plans expect; NaN: no model
       type(cost_model_t) :: model
+      real(dp), parameter :: weight_of_plans = 2
+      real(dp) :: middle(feature_count), shift   ! features of the cases with a model, on average; ln(expected) less prior there
       real(dp) :: normal(feature_count, feature_count), right(feature_count), factor
       integer :: i, j
 
+      shift = 0
+      middle = 0
+      if (present(expected)) then
+         do i = 1, size(expected)
+            if (.not. ieee_is_finite(expected(i))) cycle
+            middle = middle + features(:, i)
+            shift = shift + log(expected(i)) - dot_product(prior, features(:, i))
+         end do
+         if (middle(1) > 0) then                ! their number
+            shift = shift/middle(1)
+            middle = middle/middle(1)
+            model%coefficients(1) = shift
+            model%is_fitted = .true.
+         end if
+      end if
       if (.not. any(seconds > 0)) return
       normal = 0
       do i = 1, feature_count
          normal(i, i) = weight(i)
       end do
       right = 0                                ! for the difference from the prior
+      do i = 1, feature_count
+         normal(:, i) = normal(:, i) + weight_of_plans*middle*middle(i)
+      end do
+      right = right + weight_of_plans*shift*middle
       do i = 1, size(seconds)
          if (.not. seconds(i) > 0) cycle
          do j = 1, feature_count

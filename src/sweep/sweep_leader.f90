@@ -17,6 +17,7 @@ module ehlwave_sweep_leader
    use ehlwave_store_contents, only: contents_t, read_store
    use ehlwave_store_folder, only: check_store, discard_store, store_path
    use ehlwave_sweep_cases, only: sweep_t
+   use ehlwave_sweep_expectation, only: expected_seconds
    use ehlwave_sweep_notices, only: print_notices
    use ehlwave_sweep_progress, only: progress_t
    use ehlwave_sweep_queue, only: new_queue
@@ -97,7 +98,7 @@ contains
       do i = 1, size(sweep%cases)
          if (.not. to_run(i)) call self%progress%count_case(status(i), seconds(i))
       end do
-      self%queue = new_queue(sweep%cases, sweep%plans, to_run, seconds, ranks)
+      self%queue = new_queue(sweep%cases, sweep%plans, to_run, seconds, ranks, expected_seconds(sweep%plans))
    end subroutine prepare
 
    !> The list of all cases, for `--status`.

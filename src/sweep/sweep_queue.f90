@@ -31,6 +31,7 @@ module ehlwave_sweep_queue
       real(dp), allocatable, private :: expected(:)  ! of each case
       logical, allocatable, private :: to_run(:)
       real(dp), allocatable, private :: features(:, :), seconds(:)   ! of all cases; seconds 0: not finished
+      real(dp), allocatable, private :: planned(:)   ! seconds by the plan, NaN: no model; not allocated: nothing is known
       integer, private :: known = 0, refit_at = 1
    contains
       procedure :: is_empty
@@ -43,12 +44,13 @@ module ehlwave_sweep_queue
 contains
 
    !> Queue of the cases marked in `to_run`; `seconds` of the others, as far as it is known, teaches the model.
-   function new_queue(cases, plans, to_run, seconds, ranks) result(self)
+   function new_queue(cases, plans, to_run, seconds, ranks, planned) result(self)
       type(case_t), intent(in) :: cases(:)
       type(case_plan_t), intent(in) :: plans(:)
       logical, intent(in) :: to_run(:)
       real(dp), intent(in) :: seconds(:)
       integer, intent(in) :: ranks
+      real(dp), intent(in), optional :: planned(:)   !! seconds that the plans expect, NaN: no model
       type(queue_t) :: self
       integer :: g, groups, i
 
@@ -72,6 +74,7 @@ contains
       self%sequence = pack([(g, g=1, groups)], self%first > 0)
       self%seconds = merge(0.0_dp, seconds, to_run)
       self%known = count(self%seconds > 0)
+      if (present(planned)) self%planned = planned
       call self%sort()
    end function new_queue
 
@@ -152,7 +155,7 @@ contains
       integer :: case, g, i
 
       self%refit_at = max(8, self%known + self%known/2)
-      self%model = fit_cost_model(self%features, self%seconds)
+      self%model = fit_cost_model(self%features, self%seconds, self%planned)
       do i = 1, size(self%expected)
          self%expected(i) = self%model%seconds(self%features(:, i))
       end do

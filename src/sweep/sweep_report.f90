@@ -3,7 +3,8 @@ module ehlwave_sweep_report
    use ehlwave_case_plan, only: run_harmonic, run_march, run_smooth
    use ehlwave_status, only: last_status, status_name, status_pending
    use ehlwave_sweep_cases, only: sweep_t
-   use ehlwave_sweep_progress, only: progress_t
+   use ehlwave_sweep_expectation, only: expect_sweep, sweep_expectation_t
+   use ehlwave_sweep_progress, only: duration, progress_t
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
@@ -34,7 +35,21 @@ contains
       end do
       write (unit, '(i0,a,i0,a,i0,a)') size(sweep%cases), ' cases, ', count(sweep%plans%resolution%is_resolved), &
          ' resolved, ', sweep%skipped, ' unresolved ones left out'
+      call print_expectation(unit, expect_sweep(sweep%plans))
    end subroutine print_sweep_plan
+
+   !> Time, error and memory of all cases.
+   subroutine print_expectation(unit, expected)
+      integer, intent(in) :: unit
+      type(sweep_expectation_t), intent(in) :: expected
+      character(len=:), allocatable :: text
+      text = 'Expected     '
+      if (expected%error_case > 0) text = text//duration(expected%seconds)//' of computing on this machine (a model, usually '// &
+         'right within a factor 2), errors up to '//to_text(expected%error, 2)//' (case '//to_text(expected%error_case)//'), '
+      write (unit, '(a)') text//to_text(expected%memory_mib, 2)//' MiB a rank, and what MPI takes'
+      if (expected%without_model > 0) write (unit, '(a)') '             '//to_text(expected%without_model)// &
+         ' line contacts besides, which have no model of time and error'
+   end subroutine print_expectation
 
    !> Counts by status and where the results are.
    subroutine print_sweep_result(unit, progress, output)

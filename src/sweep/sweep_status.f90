@@ -1,9 +1,10 @@
 !> What a store holds, told without the sweep file and without disturbing a job at work.
 module ehlwave_sweep_status
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_case_list, only: case_list_t
    use ehlwave_cost_model, only: cost_model_t, fit_cost_model
    use ehlwave_errors, only: error_t, raise
-   use ehlwave_json_reader, only: json_string
+   use ehlwave_json_reader, only: json_number, json_string
    use ehlwave_kinds, only: dp
    use ehlwave_posix, only: is_locked
    use ehlwave_status, only: is_success, last_status, status_name
@@ -151,8 +152,22 @@ contains
       text = contents%cases(place)%identity//' (M = '//contents%value(place, 'load_parameter_m')//', L = '// &
              contents%value(place, 'lubricant_parameter_l')//', D = '//contents%value(place, 'radius_ratio_d')// &
              ', '//json_string(contents%value(place, 'orientation'))
+      if (wavelength(contents, place) > 0) text = text//', lambda/a = '//to_text(wavelength(contents, place), 4)
       if (variation /= '') text = text//', '//trim(variation)
       text = text//')'
    end function one_case
+
+   !> The shorter wavelength of a case over a, 0 where there is none.
+   real(dp) function wavelength(contents, place)
+      type(contents_t), intent(in) :: contents
+      integer, intent(in) :: place
+      real(dp) :: x, y
+      x = json_number(contents%value(place, 'wavelength_x_over_a'))
+      y = json_number(contents%value(place, 'wavelength_y_over_a'))
+      if (.not. ieee_is_finite(x)) x = 0
+      if (.not. ieee_is_finite(y)) y = 0
+      wavelength = min(x, y)
+      if (wavelength <= 0) wavelength = max(x, y)
+   end function wavelength
 
 end module ehlwave_sweep_status

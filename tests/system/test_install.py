@@ -74,11 +74,15 @@ class Install(unittest.TestCase):
         self.assertIn("2 finished, 0 left", status)
 
     def test_batch_scripts_run_from_their_copies(self):
-        """As batch systems start them: copied, in the folder of submission, told of the home or with the module loaded."""
-        for name, home in (("slurm.sh", {"EHLWAVE_HOME": str(self.home)}),
-                           ("pbs.sh", {"PATH": f"{self.prefix}/bin:{os.environ['PATH']}"})):
+        """As batch systems start them: copied, in the folder of submission, told of the home, by Slurm itself, or of run-sweep."""
+        (self.folder/"scontrol").write_text(f"#!/bin/sh\necho 'JobId=7 JobName=ehlwave'\n"
+                                            f"echo '   Command={self.home}/scripts/batch/slurm.sh sweep.nml'\n")
+        (self.folder/"scontrol").chmod(0o755)
+        for number, (name, home) in enumerate((("slurm.sh", {"EHLWAVE_HOME": str(self.home)}),
+                           ("slurm.sh", {"PATH": f"{self.folder}:{os.environ['PATH']}", "SLURM_JOB_ID": "7"}),
+                           ("pbs.sh", {"PATH": f"{self.prefix}/bin:{os.environ['PATH']}"}))):
             copy = shutil.copy(self.home/"scripts"/"batch"/name, self.folder)
-            results = f"{name}.h5"
+            results = f"results-{number}.h5"
             output = self.run_here("bash", copy, "sweep.nml", results, EHLWAVE_RANKS="2", sweep="sweep.nml", results=results,
                                    SLURM_SUBMIT_DIR=str(self.folder), PBS_O_WORKDIR=str(self.folder), **home).stdout
             self.assertIn("exit status 0", output)

@@ -1,5 +1,6 @@
 !> The cost model finds known laws; the queue gives the longest expected case first and learns.
 program test_sweep_queue
+   use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t, run_march
    use ehlwave_cost_model, only: cost_features, cost_model_t, feature_count, fit_cost_model
@@ -45,6 +46,12 @@ contains
       end do
       model = fit_cost_model(features, spread(0.0_dp, 1, n))
       call test%check(.not. model%is_fitted, 'nothing is known without a finished case')
+      model = fit_cost_model(features, spread(0.0_dp, 1, n), [ieee_value(1.0_dp, ieee_quiet_nan), 2*seconds(2:)])
+      call test%check(model%is_fitted, 'the plans know something from the start')
+      call test%check_close(sum([(model%seconds(features(:, i)), i=2, n)])/sum(seconds(2:)), 2.0_dp, 'as the plans expect', &
+                            relative=0.3_dp)
+      model = fit_cost_model(features, seconds, 10*seconds)
+      call test%check_close([(model%seconds(features(:, i)), i=1, n)], seconds, 'finished cases count more', relative=0.1_dp)
       model = fit_cost_model(features(:, :1), seconds(:1))
       call test%check_close(model%seconds(features(:, 1)), seconds(1), 'one case', relative=1e-3_dp)
       model = fit_cost_model(features, seconds)

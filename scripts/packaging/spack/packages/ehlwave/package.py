@@ -1,0 +1,62 @@
+# Of a Spack repository of its own:
+#     spack repo add EHLWAVE/scripts/packaging/spack
+#     spack dev-build --source-path EHLWAVE ehlwave@0.1.0          or, of a variant:  ehlwave@0.1.0 +petsc
+# dev-build takes the source from a checkout or an unpacked release; where releases have an address, give it as `url`.
+from spack.package import *
+
+
+class Ehlwave(CMakePackage, PythonExtension):
+    """Waviness in elastohydrodynamically lubricated contacts: transient point and line contacts, response to
+    small waves, sweeps over MPI, and a Python package for results."""
+
+    license("MIT")
+
+    version("0.1.0")
+
+    variant("mpi", default=True, description="Sweeps over MPI ranks (ehlwave-sweep)")
+    variant("petsc", default=False, description="PETSc's solver as a check and last resort")
+    variant("native", default=False, description="-march=native besides what Spack's target gives")
+    variant("python", default=True, description="Python package ehlwave_post and ehlwave-post")
+
+    depends_on("c", type="build")
+    depends_on("fortran", type="build")
+    depends_on("cmake@3.20:", type="build")
+    depends_on("ninja", type="build")
+    depends_on("pkgconfig", type="build")
+    depends_on("fftw-api@3")
+    depends_on("hdf5+fortran+hl")
+    depends_on("hdf5+mpi", when="+petsc")
+    depends_on("mpi", when="+mpi")
+    depends_on("petsc@3.17:+double~complex", when="+petsc")
+
+    extends("python@3.10:", when="+python")
+    with when("+python"), default_args(type="run"):
+        depends_on("py-numpy@1.24:")
+        depends_on("py-scipy@1.10:")
+        depends_on("py-h5py@3.8:")
+        depends_on("py-xarray@2023.6:")
+        depends_on("py-h5netcdf@1.2:")
+        depends_on("py-matplotlib@3.7:")
+        depends_on("py-lmfit@1.2:")
+        depends_on("py-pandas@2.0:")
+        depends_on("py-f90nml@1.4:")
+
+    conflicts("+petsc", when="~mpi", msg="PETSc brings MPI along")
+    requires("%gcc@11:", msg="built and tested with gfortran 11 and newer")
+    generator("ninja")
+
+    def cmake_args(self):
+        args = [
+            self.define_from_variant("EHLWAVE_MPI", "mpi"),
+            self.define_from_variant("EHLWAVE_PETSC", "petsc"),
+            self.define_from_variant("EHLWAVE_NATIVE", "native"),
+            self.define("EHLWAVE_TESTS", self.run_tests),
+        ]
+        if self.spec.satisfies("+python"):
+            args.append(self.define("EHLWAVE_INSTALL_PYTHONDIR", python_purelib))
+        return args
+
+    @run_after("install")
+    @on_package_attributes(run_tests=True)
+    def accept(self):
+        Executable(self.prefix.bin.join("ehlwave-accept"))()

@@ -1,0 +1,71 @@
+"""`scripts/accept` on this build, which is the gate on counts of work too; and that it refuses what it should."""
+
+import csv
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+SCRIPT = Path(__file__).parents[2]/"scripts"/"accept"
+SHIPPED = SCRIPT.with_suffix(".csv")
+
+
+def accept(*options):
+    return subprocess.run([sys.executable, "-B", SCRIPT, *options], capture_output=True, text=True, check=False)
+
+
+class Accept(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = Path(folder.name)
+        cls.own = cls.folder/"own.csv"
+        cls.outcome = accept(os.environ["EHLWAVE_CASE"])
+        written = accept(os.environ["EHLWAVE_CASE"], "--write", "--values", cls.own)
+        if written.returncode != 0:
+            raise AssertionError(written.stdout + written.stderr)
+
+    def check_refused(self, column, factor):
+        """A build that shipped values of which one is changed must not be accepted by."""
+        with self.own.open(newline="") as file:
+            rows = list(csv.DictReader(file))
+        (row,) = [row for row in rows if row["case"] == "transverse"]
+        row[column] = float(row[column])*factor if "steps" not in column else round(float(row[column])*factor)
+        changed = self.folder/"changed.csv"
+        with changed.open("w", newline="") as file:
+            writer = csv.DictWriter(file, rows[0])
+            writer.writeheader()
+            writer.writerows(rows)
+        outcome = accept(os.environ["EHLWAVE_CASE"], "--values", changed)
+        self.assertEqual(outcome.returncode, 1, outcome.stdout + outcome.stderr)
+        self.assertIn("19 of 20 cases accepted", outcome.stdout)
+        (line,) = [line for line in outcome.stdout.split("\n") if "FAILED" in line]
+        self.assertIn(column, line)
+
+    def test_this_build(self):
+        self.assertEqual(self.outcome.returncode, 0, self.outcome.stdout + self.outcome.stderr)
+        self.assertIn("20 of 20 cases accepted", self.outcome.stdout)
+
+    def test_a_film_that_is_off(self):
+        self.check_refused("central_film", 1 + 2e-6)
+
+    def test_an_amplitude_that_is_off(self):
+        self.check_refused("amplitude_ratio_fit", 1 + 2e-5)
+
+    def test_more_work_than_before(self):
+        self.check_refused("linear_steps", 0.9)
+
+    def test_values_that_are_not_there(self):
+        self.assertEqual(accept("--values", self.folder/"none.csv").returncode, 2)
+        self.assertEqual(accept(self.folder/"no-program").returncode, 2)
+
+    def test_shipped_values_are_of_all_cases(self):
+        self.assertEqual([row.split(",")[0] for row in SHIPPED.read_text().splitlines()],
+                         [row.split(",")[0] for row in self.own.read_text().splitlines()])
+
+
+if __name__ == "__main__":
+    unittest.main()
