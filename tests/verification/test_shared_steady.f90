@@ -30,9 +30,20 @@ program test_shared_steady
    call test%check(.not. is_success(first%status) .and. is_success(second%status), 'only resolved cases are rescued')
    call pair(few, long, short, 'newton')
    call test%check(is_success(first%status) .and. .not. is_success(second%status), 'whatever the order')
+   call check_speeds()
    call test%finish()
 
 contains
+
+   !> Sliding changes the steady state of an oil that is not Newtonian: none is shared between two speeds.
+   subroutine check_speeds()
+      type(shared_steady_t) :: shared
+      call run(enough, long, 'newton', first, shared, slip=1.0_dp)
+      call run(enough, long, 'newton', second, shared, slip=1.5_dp)
+      call run(enough, long, 'newton', alone_second, slip=1.5_dp)
+      call compare(second, alone_second, 'Ree-Eyring, second speed')
+      call test%check(is_success(second%status) .and. second%shear%largest_b > 100, 'a Ree-Eyring oil that slides')
+   end subroutine check_speeds
 
    !> Two wavelengths of one contact, in `first` and `second`, each against the same case alone.
    subroutine pair(steps, wavelength, wavelength_second, method)
@@ -48,12 +59,13 @@ contains
       call compare(second, alone_second, method//', second')
    end subroutine pair
 
-   subroutine run(steps, wavelength, method, result, shared)
+   subroutine run(steps, wavelength, method, result, shared, slip)
       integer, intent(in) :: steps
       real(dp), intent(in) :: wavelength
       character(len=*), intent(in) :: method
       type(case_result_t), intent(out) :: result
       type(shared_steady_t), intent(inout), optional :: shared
+      real(dp), intent(in), optional :: slip   !! S; the oil is a Ree-Eyring one then
       type(case_t) :: case
       type(case_plan_t) :: plan
       type(error_t), allocatable :: error
@@ -69,6 +81,12 @@ contains
       case%cells_y = 64
       case%largest_steps = steps
       case%method = method
+      if (present(slip)) then
+         case%slip_parameter = slip
+         case%flow_law = 'eyring'
+         case%eyring_stress_pa = 5e6_dp
+         case%data%reduced_modulus_pa = 2.26e11_dp
+      end if
       call complete_case(case, '', error)
       if (.not. allocated(error)) call make_plan(case, plan, error)
       call test%check_no_error(error, method)
