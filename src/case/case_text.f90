@@ -10,7 +10,6 @@ module ehlwave_case_text
    private
    public :: case_identity, effective_input, text_identity
 
-   integer, parameter, public :: effective_length = 3072   !! no effective input is longer
    character(len=*), parameter :: line_end = new_line('a')
 
    !> Writes the keys that make a case.

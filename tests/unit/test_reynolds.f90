@@ -102,11 +102,36 @@ contains
          call test%check_close(reshape(dr, [size(dr)]), reshape(expected, [size(dr)]), what, &
                                absolute=1e-7_dp*maxval(abs(expected)))
          call test%check(maxval(abs(expected)) > 1e-3_dp, what//' is not zero')
+         call check_order(problem, p, delta, change, ddelta, dr, what)
          call check_complex(equations, change, dh, dr, what)
          call test%check(all(equations%scale(1:grid%nx - 1, grid%first_row:grid%last_row) > 0) .and. &
                          all(abs(equations%scale(0, :)) <= 0), 'scale is positive at unknown nodes only')
       end associate
    end subroutine check_jacobian
+
+   !> Taylor test: what the product leaves of a change of the residual shrinks with the square of the step.
+   subroutine check_order(problem, p, delta, change, ddelta, product, what)
+      type(contact_problem_t), intent(inout) :: problem
+      real(dp), intent(in) :: p(0:, 0:), change(0:, 0:), delta, ddelta   !! state, and the change of it
+      real(dp), intent(in) :: product(0:, 0:)                            !! times the scale at the state
+      character(len=*), intent(in) :: what
+      type(equations_t) :: equations
+      real(dp), dimension(0:ubound(p, 1), 0:ubound(p, 2)) :: at_state, moved, scale
+      real(dp) :: left(2), order
+      real(dp), parameter :: steps(2) = [2e-4_dp, 1e-4_dp]
+      integer :: k
+
+      call equations%init(problem)
+      call residual_of(problem, equations, p, delta, at_state)
+      scale = equations%scale
+      do k = 1, 2
+         call residual_of(problem, equations, p + steps(k)*change, delta + steps(k)*ddelta, moved)
+         left(k) = norm2(scale*(moved - at_state) - steps(k)*product)
+      end do
+      order = log(left(1)/left(2))/log(2.0_dp)
+      call test%check_close(order, 2.0_dp, what//', observed order', absolute=0.05_dp)
+      print '(a, f6.3)', 'measured: '//what//': observed order', order
+   end subroutine check_order
 
    !> The complex product with real weights is that of both parts.
    subroutine check_complex(equations, change, dh, scaled, what)
