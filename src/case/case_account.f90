@@ -22,6 +22,7 @@ contains
       type(case_plan_t), intent(in) :: plan
       type(case_result_t) :: result
       result%message = ''
+      result%warning = ''
       result%is_resolved = plan%resolution%is_resolved
       if (plan%waviness%is_present .and. .not. allocated(plan%waviness%surface)) then
          result%v = wave_parameter_v(plan%conditions, case%wavelength_over_a)

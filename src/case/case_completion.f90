@@ -1,6 +1,7 @@
 !> The input of one case made complete: what follows from other keys, and what contradicts them.
 module ehlwave_case_completion
    use ehlwave_case_definition, only: case_t, largest_line_cells, usual_largest_cells
+   use ehlwave_case_lubricant, only: check_lubricant, pressure_viscosity
    use ehlwave_conditions, only: conditions_from_dimensional, conditions_from_moes, conditions_t
    use ehlwave_errors, only: error_t, raise
    use ehlwave_kinds, only: dp
@@ -69,21 +70,26 @@ contains
       if (case%largest_cells == 0) case%largest_cells = largest_line_cells
    end subroutine complete_line
 
-   !> Operating conditions of a case; also sets M, L, D of a case given by dimensional data.
+   !> Operating conditions of a case whose lubricant has all it needs; also sets M, L, D of a case given by dimensional data.
    subroutine case_conditions(case, conditions, error)
       type(case_t), intent(inout) :: case
       type(conditions_t), intent(out) :: conditions
       type(error_t), allocatable, intent(inout) :: error
+      real(dp) :: alpha_per_pa
 
+      call check_lubricant(case, error)
+      if (allocated(error)) return
+      alpha_per_pa = pressure_viscosity(case)
       if (case%is_dimensional) then
-         case%data%pressure_viscosity_per_pa = case%pressure_viscosity_per_pa
+         case%data%pressure_viscosity_per_pa = alpha_per_pa
          call conditions_from_dimensional(case%data, conditions, error)
          case%load_parameter_m = conditions%m
          case%lubricant_parameter_l = conditions%l
          case%radius_ratio_d = conditions%d
       else
          call conditions_from_moes(case%load_parameter_m, case%lubricant_parameter_l, case%radius_ratio_d, &
-                                   case%pressure_viscosity_per_pa, conditions, error)
+                                   alpha_per_pa, conditions, error)
+         conditions%data%reduced_modulus_pa = case%data%reduced_modulus_pa
       end if
    end subroutine case_conditions
 

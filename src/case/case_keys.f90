@@ -4,7 +4,7 @@
 !> and the printed reference follow. Give a key that is added `is_late=.true.`: then cases that do not use it keep
 !> their identity, and stores their results. What contradicts what stands in `case_completion`.
 module ehlwave_case_keys
-   use ehlwave_case_definition, only: case_t, path_length
+   use ehlwave_case_definition, only: case_t, is_special_law, path_length
    use ehlwave_case_key, only: key_t, key_visitor_t
    use ehlwave_kinds, only: dp
    implicit none (type, external)
@@ -14,6 +14,8 @@ module ehlwave_case_keys
    character(len=*), parameter :: elliptical = 'elliptical contacts (radius_ratio_d above 0), not to line contacts'
    character(len=*), parameter :: one_length = "orientation = 'transverse', 'isotropic' or 'longitudinal' "// &
       "('custom' takes wavelength_x_over_a and wavelength_y_over_a)"
+   character(len=*), parameter :: without_parameters = "viscosity_law = 'roelands', 'barus' or 'isoviscous' (the others have "// &
+      "alpha from their parameters: the film-forming coefficient)"
    character(len=*), parameter :: custom = "orientation = 'custom'"
 
 contains
@@ -44,12 +46,14 @@ contains
       call v%enter('conditions', 'Either the Moes parameters M, L and D or dimensional data.')
       call v%see(case%data%radius_x_m, key_t('radius_x_m', 'reduced radius in the rolling direction', unit='m', &
          above=0.0_dp, is_required=.true., is_written=case%is_dimensional))
-      call v%see(case%data%radius_y_m, key_t('radius_y_m', 'reduced radius across', unit='m', &
-         above=0.0_dp, is_required=.true., is_written=case%is_dimensional))
+      call v%see(case%data%radius_y_m, key_t('radius_y_m', 'reduced radius across; none: line contact', unit='m', &
+         above=0.0_dp, is_written=case%is_dimensional))
       call v%see(case%data%reduced_modulus_pa, key_t('reduced_modulus_pa', "reduced elastic modulus E': 2/E' = "// &
-         '(1 - nu1^2)/E1 + (1 - nu2^2)/E2', unit='Pa', above=0.0_dp, is_required=.true., is_written=case%is_dimensional))
-      call v%see(case%data%load_n, key_t('load_n', 'load', unit='N', above=0.0_dp, is_required=.true., &
-         is_written=case%is_dimensional))
+         '(1 - nu1^2)/E1 + (1 - nu2^2)/E2; also besides M, L and D, for friction and flow laws other than newtonian', unit='Pa', &
+         above=0.0_dp))
+      call v%see(case%data%load_n, key_t('load_n', 'load', unit='N', above=0.0_dp, is_written=case%is_dimensional))
+      call v%see(case%data%load_n_per_m, key_t('load_n_per_m', 'load per length of a line contact; in place of load_n and '// &
+         'radius_y_m', unit='N/m', above=0.0_dp, is_written=case%is_dimensional))
       call v%see(case%data%mean_speed_m_per_s, key_t('mean_speed_m_per_s', 'mean speed (u1 + u2)/2', unit='m/s', &
          above=0.0_dp, is_required=.true., is_written=case%is_dimensional))
       call v%see(case%data%viscosity_pa_s, key_t('viscosity_pa_s', 'viscosity at ambient pressure', unit='Pa s', &
@@ -67,16 +71,85 @@ contains
    subroutine visit_lubricant(case, v)
       type(case_t), intent(inout) :: case
       class(key_visitor_t), intent(inout) :: v
+      logical :: has_alpha
 
-      call v%enter('lubricant', 'Viscosity and density of the lubricant.')
+      has_alpha = .not. is_special_law(case%viscosity_law)
+      call v%enter('lubricant', 'Viscosity and density of the lubricant, and how it shears.')
       call v%see(case%pressure_viscosity_per_pa, key_t('pressure_viscosity_per_pa', 'pressure-viscosity coefficient '// &
-         'alpha; sets ph = alphabar/alpha, also where M, L and D are given', unit='1/Pa', above=0.0_dp))
-      call v%see(case%roelands_index, key_t('roelands_index', "index z of Roelands' viscosity", above=0.0_dp, maximum=2.0_dp))
+         'alpha; sets ph = alphabar/alpha, also where M, L and D are given', unit='1/Pa', above=0.0_dp, &
+         applies=has_alpha, when=without_parameters))
+      call v%see(case%roelands_index, key_t('roelands_index', "index z of Roelands' viscosity", above=0.0_dp, maximum=2.0_dp, &
+         applies=has_alpha, when="viscosity_law = 'roelands', 'barus' or 'isoviscous'"))
       call v%see(case%viscosity_law, key_t('viscosity_law', 'viscosity against pressure', &
-         choices='roelands barus isoviscous'))
+         choices='roelands barus isoviscous mcewen yasutomi doolittle'))
       call v%see(case%density_law, key_t('density_law', 'density against pressure', &
-         choices='dowson_higginson incompressible'))
+         choices='dowson_higginson incompressible tait'))
+      call visit_flow_law(case, v)
+      call visit_viscosity_laws(case, v)
    end subroutine visit_lubricant
+
+   subroutine visit_flow_law(case, v)
+      type(case_t), intent(inout) :: case
+      class(key_visitor_t), intent(inout) :: v
+      logical :: is_carreau, is_eyring
+
+      is_eyring = case%flow_law == 'eyring'
+      is_carreau = case%flow_law == 'carreau'
+      call v%see(case%flow_law, key_t('flow_law', "shear rate against shear stress; 'eyring': Ree-Eyring, "// &
+         'sinh(tau/tau0) tau0/eta', choices='newtonian eyring carreau', is_late=.true.))
+      call v%see(case%eyring_stress_pa, key_t('eyring_stress_pa', 'Eyring stress tau0', unit='Pa', above=0.0_dp, &
+         is_late=.true., applies=is_eyring, when="flow_law = 'eyring'"))
+      call v%see(case%carreau_modulus_pa, key_t('carreau_modulus_pa', 'stress G at which thinning begins', unit='Pa', &
+         above=0.0_dp, is_late=.true., applies=is_carreau, when="flow_law = 'carreau'"))
+      call v%see(case%carreau_exponent, key_t('carreau_exponent', 'exponent n of the shear rate; 1: Newtonian', &
+         minimum=0.1_dp, maximum=1.0_dp, is_late=.true., applies=is_carreau, when="flow_law = 'carreau'"))
+      call v%see(case%limiting_stress_over_pressure, key_t('limiting_stress_over_pressure', 'limiting shear stress over '// &
+         'pressure; beyond it a warning is given, since the limit is not modelled', above=0.0_dp, maximum=1.0_dp, &
+         is_late=.true.))
+   end subroutine visit_flow_law
+
+   !> Parameters of the laws that have some of their own.
+   subroutine visit_viscosity_laws(case, v)
+      type(case_t), intent(inout) :: case
+      class(key_visitor_t), intent(inout) :: v
+      logical :: has_tait, is_doolittle, is_mcewen, is_yasutomi
+      character(len=*), parameter :: doolittle = "viscosity_law = 'doolittle'", mcewen = "viscosity_law = 'mcewen'", &
+                                     yasutomi = "viscosity_law = 'yasutomi'", &
+                                     tait = "density_law = 'tait' or viscosity_law = 'doolittle'"
+
+      is_mcewen = case%viscosity_law == 'mcewen'
+      is_yasutomi = case%viscosity_law == 'yasutomi'
+      is_doolittle = case%viscosity_law == 'doolittle'
+      has_tait = is_doolittle .or. case%density_law == 'tait'
+      call v%see(case%mcewen%alpha0_per_pa, key_t('mcewen_coefficient_per_pa', 'coefficient alpha0 of (1 + alpha0 p/q)^q', &
+         unit='1/Pa', above=0.0_dp, is_late=.true., applies=is_mcewen, when=mcewen))
+      call v%see(case%mcewen%exponent, key_t('mcewen_exponent', 'exponent q of (1 + alpha0 p/q)^q', above=1.0_dp, &
+         is_late=.true., applies=is_mcewen, when=mcewen))
+      call v%see(case%yasutomi%c1, key_t('yasutomi_c1', 'C1 of the improved Yasutomi law', above=0.0_dp, &
+         is_late=.true., applies=is_yasutomi, when=yasutomi))
+      call v%see(case%yasutomi%c2_k, key_t('yasutomi_c2_k', 'C2 of the improved Yasutomi law', unit='K', above=0.0_dp, &
+         is_late=.true., applies=is_yasutomi, when=yasutomi))
+      call v%see(case%yasutomi%above_glass_k, key_t('yasutomi_above_glass_k', 'temperature of the oil above its glass '// &
+         'transition at ambient pressure, T - Tg0', unit='K', above=0.0_dp, is_late=.true., &
+         applies=is_yasutomi, when=yasutomi))
+      call v%see(case%yasutomi%a1_k, key_t('yasutomi_a1_k', 'A1 of Tg = Tg0 + A1 ln(1 + A2 p)', unit='K', above=0.0_dp, &
+         is_late=.true., applies=is_yasutomi, when=yasutomi))
+      call v%see(case%yasutomi%a2_per_pa, key_t('yasutomi_a2_per_pa', 'A2 of Tg = Tg0 + A1 ln(1 + A2 p)', unit='1/Pa', &
+         above=0.0_dp, is_late=.true., applies=is_yasutomi, when=yasutomi))
+      call v%see(case%yasutomi%b1_per_pa, key_t('yasutomi_b1_per_pa', 'b1 of F = (1 + b1 p)^b2', unit='1/Pa', &
+         above=0.0_dp, is_late=.true., applies=is_yasutomi, when=yasutomi))
+      call v%see(case%yasutomi%b2, key_t('yasutomi_b2', 'b2 of F = (1 + b1 p)^b2; below 0', minimum=-10.0_dp, &
+         maximum=-1e-6_dp, is_late=.true., applies=is_yasutomi, when=yasutomi))
+      call v%see(case%doolittle%factor, key_t('doolittle_factor', 'factor B of the Doolittle law', above=0.0_dp, &
+         is_late=.true., applies=is_doolittle, when=doolittle))
+      call v%see(case%doolittle%occupied_fraction, key_t('doolittle_occupied_fraction', 'occupied volume over the volume at '// &
+         'ambient pressure, R0', above=0.0_dp, maximum=0.99_dp, is_late=.true., applies=is_doolittle, &
+         when=doolittle))
+      call v%see(case%tait%modulus_pa, key_t('tait_modulus_pa', 'bulk modulus at ambient pressure, K0', unit='Pa', above=0.0_dp, &
+         is_late=.true., applies=has_tait, when=tait))
+      call v%see(case%tait%modulus_rate, key_t('tait_modulus_rate', "rate of change of the bulk modulus with pressure, K0'; "// &
+         'near 11', above=0.0_dp, is_late=.true., applies=has_tait, when=tait))
+   end subroutine visit_viscosity_laws
 
    subroutine visit_waviness(case, v)
       type(case_t), intent(inout) :: case

@@ -5,14 +5,14 @@ module ehlwave_case_plan
       steady_work_units, step_work_units
    use ehlwave_case_completion, only: case_conditions
    use ehlwave_case_definition, only: case_t
+   use ehlwave_case_lubricant, only: case_lubricant
    use ehlwave_conditions, only: conditions_t
    use ehlwave_deformation_choice, only: chosen_deformation
    use ehlwave_errors, only: error_t, raise
    use ehlwave_grid_choice, only: choose_grid, formula_ratio
    use ehlwave_kinds, only: dp
    use ehlwave_resolution, only: judge_resolution, resolution_t
-   use ehlwave_rheology, only: density_constant, density_dowson_higginson, new_rheology, rheology_t, &
-      viscosity_barus, viscosity_constant, viscosity_roelands
+   use ehlwave_rheology, only: rheology_t
    use ehlwave_surface_plan, only: read_case_surface, surface_times
    use ehlwave_text, only: to_text
    use ehlwave_waviness, only: new_waviness, no_waviness, waviness_t
@@ -75,8 +75,7 @@ contains
       call case_conditions(copy, plan%conditions, error)
       if (allocated(error)) return
       kappa = plan%conditions%elliptic%kappa
-      plan%rheology = new_rheology(viscosity_number(case), density_number(case, plan%conditions), &
-                                   plan%conditions%alphabar, case%roelands_index, plan%conditions%hertz_pressure_pa)
+      plan%rheology = case_lubricant(case, plan%conditions)
       plan%waviness = no_waviness()
       if (case%orientation /= 'none') &
          plan%waviness = new_waviness(case%wavelength_x_over_a, kappa*case%wavelength_y_over_a, case%oblique, &
@@ -110,23 +109,6 @@ contains
       if (plan%largest_total_steps == 0) &
          plan%largest_total_steps = case%largest_steps*(10 + 5*plan%phases) + steps_per_time_step*plan%steps
    end subroutine make_plan
-
-   pure integer function viscosity_number(case)
-      type(case_t), intent(in) :: case
-      select case (case%viscosity_law)
-      case ('barus'); viscosity_number = viscosity_barus
-      case ('isoviscous'); viscosity_number = viscosity_constant
-      case default; viscosity_number = viscosity_roelands
-      end select
-   end function viscosity_number
-
-   !> With L = 0 the pressure in pascal is unknown and the density law has nothing to work on.
-   pure integer function density_number(case, conditions)
-      type(case_t), intent(in) :: case
-      type(conditions_t), intent(in) :: conditions
-      density_number = density_dowson_higginson
-      if (case%density_law == 'incompressible' .or. conditions%hertz_pressure_pa <= 0) density_number = density_constant
-   end function density_number
 
    !> dT/hX for the accuracy asked for: 2 for waves of at least 64 mesh sizes, where it adds little error (measured:
    !> lambda = 2 a on 128 cells, 33 to 62 per cent of the GMRES steps of dT = hX), else 1: for shorter waves

@@ -29,9 +29,14 @@ contains
          write (unit, '(a)') '             kappa = '//to_text(c%elliptic%kappa, 6)//', gamma = '//to_text(c%gamma, 6)// &
             ', alphabar = '//to_text(c%alphabar, 6)//', lambdabar = '//to_text(c%lambdabar, 6)
          if (c%hertz_pressure_pa > 0) write (unit, '(a)') '             ph = '//to_text(c%hertz_pressure_pa*1e-9_dp, 5)//' GPa'
-         if (c%has_dimensions) write (unit, '(a)') '             a = '//to_text(c%a_m*1e3_dp, 5)//' mm, b = '// &
-            to_text(c%b_m*1e3_dp, 5)//' mm, c = '//to_text(c%c_m*1e6_dp, 5)//' um'
-         write (unit, '(a)') 'Lubricant    '//trim(case%viscosity_law)//', '//trim(case%density_law)
+         if (c%has_dimensions .and. c%is_line()) then
+            write (unit, '(a)') '             a = '//to_text(c%a_m*1e3_dp, 5)//' mm, c = '//to_text(c%c_m*1e6_dp, 5)//' um'
+         else if (c%has_dimensions) then
+            write (unit, '(a)') '             a = '//to_text(c%a_m*1e3_dp, 5)//' mm, b = '// &
+               to_text(c%b_m*1e3_dp, 5)//' mm, c = '//to_text(c%c_m*1e6_dp, 5)//' um'
+         end if
+         write (unit, '(a)') 'Lubricant    '//trim(case%viscosity_law)//', '//trim(case%density_law)//', '//trim(case%flow_law)// &
+            ', alpha = '//to_text(c%alpha_per_pa*1e9_dp, 5)//' 1/GPa'
          if (allocated(plan%waviness%surface)) then
             write (unit, '(a)') 'Waviness     '//surface_text(case, plan%waviness, c)
          else
@@ -157,6 +162,7 @@ contains
       if (result%rung /= 'direct') write (unit, '(a)') 'Rescue       '//trim(result%rung)//', '// &
          to_text(result%rescued_solutions)//' solutions rescued'
       if (ieee_is_finite(result%central_film)) call print_smooth_film()
+      call print_shear()
       if (allocated(plan%waviness%surface) .and. is_success(result%status)) then
          if (plan%first_sample < result%time_steps) write (unit, '(a)') 'Rough film   h(0,0) while the surface passes: mean '// &
             to_text(result%mean_film*plan%conditions%c_m*1e6_dp, 5)//', lowest '// &
@@ -206,6 +212,25 @@ contains
                ' work units'
          end associate
       end subroutine print_response
+
+      subroutine print_shear()
+         associate (r => result%shear)
+            if (ieee_is_finite(r%friction_coefficient)) write (unit, '(a)') 'Friction     coefficient '// &
+               to_text(r%friction_coefficient, 5)//largest_b()
+            if (ieee_is_finite(r%inlet_rise_k)) write (unit, '(a)') '             estimated temperature rise: inlet '// &
+               to_text(r%inlet_rise_k, 2)//' K, contact '//to_text(r%contact_rise_k, 2)//' K (the model is isothermal)'
+         end associate
+         if (result%warning /= '') write (unit, '(a)') 'Warning      '//result%warning
+      end subroutine print_shear
+
+      function largest_b() result(text)
+         character(len=:), allocatable :: text
+         associate (r => result%shear)
+            text = ' (Newtonian oil)'
+            if (ieee_is_finite(r%largest_b)) text = ', B up to '//to_text(r%largest_b, 3)//', small gradients at the '// &
+               'centre drive '//to_text(r%tangent_factor(1), 4)//' (X) and '//to_text(r%tangent_factor(2), 4)//' (Y) times Newton'
+         end associate
+      end function largest_b
 
       subroutine print_smooth_film()
          write (unit, '(a)') 'Smooth film  H(0,0) = '//to_text(result%central_film, 6)//', smallest H = '// &

@@ -3,6 +3,7 @@ module ehlwave_case_result
    use ehlwave_error_estimate, only: basis_none
    use ehlwave_harmonic_result, only: harmonic_result_t
    use ehlwave_kinds, only: dp, no_value
+   use ehlwave_shear_result, only: shear_result_t
    use ehlwave_status, only: status_pending
    implicit none (type, external)
    private
@@ -32,6 +33,8 @@ module ehlwave_case_result
       real(dp) :: v = 0, v2 = 0, f_r = 0             !! theory eq. (17), (16), (15)
       real(dp) :: formula_ratio = 0                  !! theory eq. (18)
       type(harmonic_result_t) :: harmonic            !! linear response, if asked for
+      type(shear_result_t) :: shear                  !! friction of the smooth contact, and estimates
+      character(len=:), allocatable :: warning       !! what the model leaves out and matters here, else empty
       ! the largest over all solutions of the case
       real(dp) :: residual = 0                       !! mass residual, see solve_report_t
       real(dp) :: load_error = 0
@@ -49,6 +52,7 @@ module ehlwave_case_result
       real(dp), allocatable :: surface_position(:)   !! of a measured surface, at the contact centre, m
       ! fields of the last solution, if asked for
       real(dp), allocatable :: x(:), y(:), p(:, :), h(:, :)
+      real(dp), allocatable :: shear_stress_pa(:, :) !! mean of the shear stresses at the two surfaces along X, if known
    end type case_result_t
 
 end module ehlwave_case_result

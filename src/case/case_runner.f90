@@ -17,6 +17,7 @@ module ehlwave_case_runner
    use ehlwave_resolution, only: touching_reason
    use ehlwave_rescue, only: rescue_t, rung_name
    use ehlwave_shared_steady, only: shared_steady_t
+   use ehlwave_shear_result, only: mean_shear_stress
    use ehlwave_solve_report, only: solve_limits_t
    use ehlwave_state, only: state_t
    use ehlwave_status, only: is_success, status_converged, status_interrupted, status_name, status_unresolved
@@ -72,7 +73,7 @@ contains
          call take_report(level%report, 'steady state of smooth surfaces', result)
          call monitor%step_done('steady state', 1, 1)
          if (result%status == status_converged) then
-            call take_smooth_film(plan, level, result)
+            call take_smooth_film(case, plan, level, result)
             call estimate_film_errors(steady%multigrid%hierarchy_t, result)
             if (plan%responds) call run_response(case, plan, steady, result)
          end if
@@ -89,6 +90,8 @@ contains
             allocate (result%y, source=level%problem%grid%y)
             allocate (result%p, source=level%state%p)
             allocate (result%h, source=level%state%h)
+            if (is_success(result%status)) &
+               call mean_shear_stress(level%problem, level%state, case%slip_parameter, result%shear_stress_pa)
          end if
       end associate
 
@@ -110,8 +113,9 @@ contains
       result%peak_memory_mib = peak_memory_mib()
    end subroutine run_about
 
-   !> Film and pressure of the smooth contact.
-   subroutine take_smooth_film(plan, level, result)
+   !> Film, pressure and friction of the smooth contact.
+   subroutine take_smooth_film(case, plan, level, result)
+      type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       type(level_t), intent(in) :: level
       type(case_result_t), intent(inout) :: result
@@ -119,6 +123,8 @@ contains
       result%minimum_film = minval(level%state%h)
       result%central_film_moes = result%central_film*plan%conditions%moes_film_factor
       result%max_pressure = maxval(level%state%p)
+      call result%shear%take(level%problem, level%state, case%slip_parameter, case%limiting_stress_over_pressure)
+      result%warning = result%shear%warning(case%limiting_stress_over_pressure)
    end subroutine take_smooth_film
 
    !> Discretisation errors of the smooth film from the levels that the multigrid start solved on its way.

@@ -74,6 +74,8 @@ contains
          call file%dimension('y')
          call file%write('pressure', result%p, 'x', 'y', '1', 'P = p/ph of the last solution')
          call file%write('film', result%h, 'x', 'y', '1', 'H = h/c of the last solution')
+         if (allocated(result%shear_stress_pa)) call file%write('mean_shear_stress_pa', result%shear_stress_pa, 'x', 'y', 'Pa', &
+            'mean of the shear stresses at the two surfaces along x, last solution')
       end if
       if (allocated(result%harmonic%h)) then
          call file%write('film_response', abs(result%harmonic%h), 'x', 'y', '1', 'amplitude of H over Ai, small waves')

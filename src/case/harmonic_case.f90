@@ -5,6 +5,7 @@ module ehlwave_harmonic_case
    use ehlwave_case_result, only: case_result_t
    use ehlwave_harmonic_response, only: harmonic_response_t
    use ehlwave_kinds, only: dp
+   use ehlwave_mean_film, only: has_mean, mean_change_t
    use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_status, only: status_converged, status_name
    use ehlwave_text, only: to_text
@@ -41,6 +42,7 @@ contains
          return
       end if
       call result%harmonic%take(response%film, response%approach)
+      call find_mean(case, plan, steady, response, result)
       if (case%fields) then
          result%harmonic%p = response%p
          result%harmonic%h = response%h
@@ -50,5 +52,21 @@ contains
                                           plan%steps_per_cell, coarse)
       if (coarse%status == status_converged) call result%harmonic%extrapolate(coarse%film)
    end subroutine run_response
+
+   !> What waves of the amplitude of the case change in the mean, where they have a mean.
+   subroutine find_mean(case, plan, steady, response, result)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      type(shared_steady_t), intent(inout) :: steady
+      type(harmonic_response_t), intent(in) :: response
+      type(case_result_t), intent(inout) :: result
+      type(mean_change_t) :: change
+
+      if (.not. has_mean(plan%waviness)) return
+      associate (amplitude => case%amplitude_over_film*result%central_film)
+         call steady%mean%solve(steady%multigrid%levels, response, plan%waviness, amplitude, change)
+         if (change%status == status_converged) call result%harmonic%take_mean(change, amplitude)
+      end associate
+   end subroutine find_mean
 
 end module ehlwave_harmonic_case

@@ -2,6 +2,7 @@
 module ehlwave_harmonic_result
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_kinds, only: dp, no_value
+   use ehlwave_mean_film, only: mean_change_t
    implicit none (type, external)
    private
 
@@ -16,9 +17,13 @@ module ehlwave_harmonic_result
       real(dp) :: error = no_value           !! estimated discretisation error of `ratio` and bound for `extrapolated`, relative
       integer :: linear_steps = 0            !! GMRES steps on the grid of the case
       real(dp) :: work_units = no_value      !! of the response on the grid of the case, without the steady state
+      real(dp) :: mean_rise = no_value       !! change of the mean of H(0,0) over Ai, second order, for the Ai of the case
+      real(dp) :: smallest_film = no_value   !! smallest H with waves of that Ai, to second order
+      real(dp) :: smallest_film_x = no_value, smallest_film_y = no_value   !! where it is
       complex(dp), allocatable :: p(:, :), h(:, :)   !! amplitudes of P and H over Ai, if asked for
    contains
       procedure :: take
+      procedure :: take_mean
       procedure :: extrapolate
    end type harmonic_result_t
 
@@ -36,6 +41,17 @@ contains
       self%imaginary_part = aimag(film)
       self%approach_ratio = abs(approach)
    end subroutine take
+
+   !> Take what waves of an amplitude Ai, in units of c, change in the mean.
+   pure subroutine take_mean(self, change, amplitude)
+      class(harmonic_result_t), intent(inout) :: self
+      type(mean_change_t), intent(in) :: change
+      real(dp), intent(in) :: amplitude
+      self%mean_rise = change%film/amplitude
+      self%smallest_film = change%smallest_film
+      self%smallest_film_x = change%smallest_at(1)
+      self%smallest_film_y = change%smallest_at(2)
+   end subroutine take_mean
 
    !> Richardson extrapolation of the complex transfer function from the grid of the case and one with twice the mesh
    !> size: T + (T - T_coarse)/3. The size of the correction is the error estimate.

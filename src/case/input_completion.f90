@@ -16,8 +16,9 @@ module ehlwave_input_completion
 
    character(len=key_length), parameter :: moes_keys(3) = [character(len=key_length) :: 'load_parameter_m', &
       'lubricant_parameter_l', 'radius_ratio_d']
+   !> Those that say that there are dimensional data; reduced_modulus_pa may be given besides M, L and D.
    character(len=key_length), parameter :: data_keys(6) = [character(len=key_length) :: 'radius_x_m', 'radius_y_m', &
-      'reduced_modulus_pa', 'load_n', 'mean_speed_m_per_s', 'viscosity_pa_s']
+      'load_n', 'load_n_per_m', 'mean_speed_m_per_s', 'viscosity_pa_s']
 
 contains
 
@@ -62,7 +63,8 @@ contains
       else if (.not. all(has_moes)) then
          call raise(error, '&conditions '//trim(moes_keys(findloc(has_moes, .false., 1)))//' is missing: give '// &
                     'load_parameter_m, lubricant_parameter_l and radius_ratio_d, or dimensional data (radius_x_m, '// &
-                    'radius_y_m, reduced_modulus_pa, load_n, mean_speed_m_per_s, viscosity_pa_s)')
+                    'radius_y_m, reduced_modulus_pa, load_n, mean_speed_m_per_s, viscosity_pa_s; of a line contact '// &
+                    'load_n_per_m in place of radius_y_m and load_n)')
       end if
    end subroutine settle_conditions
 

@@ -114,6 +114,7 @@ contains
       call add_case(list, case, plan)
       call list%add('is_resolved', '1 when the grid resolves the case', result%is_resolved)
       call add_smooth_film(list, plan, result)
+      call add_shear(list, plan, result)
       call list%add('load_error', 'largest load error of the solutions', result%load_error)
       call list%add('residual', 'largest mass residual of the solutions', result%residual)
       call list%add('amplitude_ratio', 'Ad/Ai from the samples', result%amplitude_ratio)
@@ -149,11 +150,35 @@ contains
          call list%add('minimum_film_um', 'smallest film thickness h of the smooth contact', &
                        result%minimum_film*c%c_m*um_per_m, unit='um', exists=c%has_dimensions)
          call list%add('length_a_m', 'Hertz semi-axis in x', c%a_m, unit='m', exists=c%has_dimensions)
-         call list%add('length_b_m', 'Hertz semi-axis in y', c%b_m, unit='m', exists=c%has_dimensions)
+         call list%add('length_b_m', 'Hertz semi-axis in y', c%b_m, unit='m', &
+                       exists=c%has_dimensions .and. .not. c%is_line())
          call list%add('length_c_m', 'Hertz approach', c%c_m, unit='m', exists=c%has_dimensions)
          call list%add('hertz_pressure_pa', 'largest Hertz pressure', c%hertz_pressure_pa, unit='Pa', exists=c%has_dimensions)
       end associate
    end subroutine add_smooth_film
+
+   subroutine add_shear(list, plan, result)
+      type(quantity_list_t), intent(inout) :: list
+      type(case_plan_t), intent(in) :: plan
+      type(case_result_t), intent(in) :: result
+
+      associate (r => result%shear, c => plan%conditions)
+         call list%add('friction_coefficient', 'friction of the smooth contact over the load, mean of both surfaces', &
+                       r%friction_coefficient)
+         call list%add('largest_b', 'largest |B|, shear rate times viscosity over the stress of the flow law', r%largest_b)
+         call list%add('tangent_factor_x', 'flow along X under a small gradient over the Newtonian one, at the centre', &
+                       r%tangent_factor(1))
+         call list%add('tangent_factor_y', 'flow along Y under a small gradient over the Newtonian one, at the centre', &
+                       r%tangent_factor(2))
+         call list%add('share_beyond_limit', 'share of the load borne where the shear stress is above its limit', &
+                       r%share_beyond_limit)
+         call list%add('inlet_temperature_rise_k', 'estimated temperature rise of the oil in the inlet', r%inlet_rise_k, unit='K', &
+                       exists=c%has_dimensions)
+         call list%add('contact_temperature_rise_k', 'estimated mean temperature rise of the oil in the contact', &
+                       r%contact_rise_k, unit='K', exists=c%has_dimensions)
+      end associate
+      call list%add('warning', 'what the model leaves out and matters here', result%warning)
+   end subroutine add_shear
 
    subroutine add_response(list, harmonic)
       type(quantity_list_t), intent(inout) :: list
@@ -166,6 +191,11 @@ contains
       call list%add('harmonic_approach', 'amplitude of the approach over Ai', harmonic%approach_ratio)
       call list%add('harmonic_extrapolated', 'harmonic_ratio at mesh size 0', harmonic%extrapolated)
       call list%add('harmonic_error', 'estimated relative error of harmonic_ratio', harmonic%error)
+      call list%add('mean_film_rise', 'mean film less smooth film over Ai, second order, linear response', harmonic%mean_rise)
+      call list%add('smallest_film', 'smallest film with waves of Ai anywhere at any time, second order', &
+                    harmonic%smallest_film)
+      call list%add('smallest_film_x', 'X of the smallest film with waves', harmonic%smallest_film_x)
+      call list%add('smallest_film_y', 'Y of the smallest film with waves', harmonic%smallest_film_y)
       call list%add('harmonic_linear_steps', 'GMRES steps of the linear response', harmonic%linear_steps)
       call list%add('harmonic_work_units', 'processor time of the linear response in plain FFT convolutions of the grid', &
                     harmonic%work_units)

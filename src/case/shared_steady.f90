@@ -7,6 +7,7 @@ module ehlwave_shared_steady
    use ehlwave_grid, only: grid_t, new_grid, new_line_grid
    use ehlwave_harmonic_response, only: harmonic_solver_t
    use ehlwave_kinds, only: dp
+   use ehlwave_mean_film, only: mean_film_solver_t
    use ehlwave_rescue, only: rescue_t, rung_direct
    use ehlwave_solve_report, only: solve_limits_t, solve_report_t
    use ehlwave_status, only: status_converged
@@ -20,6 +21,7 @@ module ehlwave_shared_steady
       type(full_multigrid_t) :: multigrid
       type(rescue_t) :: rescue                       !! as the steady state left it, for what follows in a case
       type(harmonic_solver_t) :: response            !! about the finest level
+      type(mean_film_solver_t) :: mean               !! about the finest level
       type(harmonic_solver_t) :: coarse_response     !! about the next coarser one, if `has_coarse`
       logical :: has_coarse = .false.
       logical, private :: is_linearised = .false.
@@ -35,8 +37,8 @@ module ehlwave_shared_steady
 
 contains
 
-   !> What the steady state of a case depends on: all of its input but the waves and what is done with them. Cells,
-   !> domain and cap on the steps are those of the plan.
+   !> What the steady state of a case depends on: all of its input but the waves and what is done with them, of a Newtonian oil but
+   !> the sliding, too. Cells, domain and cap on the steps are those of the plan.
    function steady_key(case, plan) result(key)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
@@ -45,7 +47,7 @@ contains
 
       bare = case
       bare%orientation = 'none'
-      bare%slip_parameter = defaults%slip_parameter
+      if (plan%rheology%is_newtonian()) bare%slip_parameter = defaults%slip_parameter   ! else slip thins the oil
       bare%load_balance = defaults%load_balance
       bare%natural_frequency = defaults%natural_frequency
       bare%cells_x = plan%cells_x
@@ -111,6 +113,7 @@ contains
       end if
       if (plan%kind == run_harmonic) deallocate (self%multigrid%solver)   ! nothing nonlinear follows: give the memory back
       call self%response%init(self%multigrid%levels)
+      call self%mean%init(self%multigrid%levels)
       if (self%has_coarse) call self%coarse_response%init(self%multigrid%levels(:n - 1))
       self%is_linearised = .true.
    end subroutine linearise

@@ -19,6 +19,7 @@ module ehlwave_conditions
       real(dp) :: radius_y_m = 0                    !! Ry, reduced radius across, m
       real(dp) :: reduced_modulus_pa = 0            !! E', Pa
       real(dp) :: load_n = 0                        !! F, N
+      real(dp) :: load_n_per_m = 0                  !! w, of a line contact, which has no F and no Ry, N/m
       real(dp) :: mean_speed_m_per_s = 0            !! (u1 + u2)/2, m/s
       real(dp) :: viscosity_pa_s = 0                !! eta0, Pa s
       real(dp) :: pressure_viscosity_per_pa = 0     !! alpha, 1/Pa
@@ -36,8 +37,8 @@ module ehlwave_conditions
       real(dp) :: alpha_per_pa = 0                  !! alpha, 1/Pa
       real(dp) :: hertz_pressure_pa = 0             !! ph, Pa
       logical :: has_dimensions = .false.           !! whether the lengths below are known
-      real(dp) :: a_m = 0, b_m = 0, c_m = 0         !! Hertz semi-axes and approach, m
-      type(contact_data_t) :: data                  !! set when has_dimensions
+      real(dp) :: a_m = 0, b_m = 0, c_m = 0         !! Hertz semi-axes and approach, m; b of a line contact stays 0
+      type(contact_data_t) :: data                  !! set when has_dimensions; E' also where it is known besides M, L and D
    contains
       procedure :: is_line
    end type conditions_t
@@ -122,41 +123,72 @@ contains
       self%moes_film_factor = 4*self%m/pi
    end subroutine set_line
 
-   !> Conditions from dimensional data, theory eq. (2) and the Hertz relations of section 2.
+   !> Conditions from dimensional data, theory eq. (2) and the Hertz relations of section 2; of a line contact, which is given by a
+   !> load per length, those of `set_line`.
    !>
-   !> Fails when a value is missing or not positive, naming its key, or when D = Rx/Ry is out of range.
+   !> Fails when a value is missing or not positive, naming its key, when there are two loads, or when D = Rx/Ry is out of range.
    subroutine conditions_from_dimensional(data, self, error)
       type(contact_data_t), intent(in) :: data
       type(conditions_t), intent(out) :: self
       type(error_t), allocatable, intent(out) :: error
-      real(dp) :: r_m, speed_u2, load_w, modulus_g
+      real(dp) :: modulus_g, speed_u2
 
+      call check_data(data, error)
+      if (allocated(error)) return
+      speed_u2 = data%viscosity_pa_s*2*data%mean_speed_m_per_s/(data%reduced_modulus_pa*data%radius_x_m)
+      modulus_g = data%pressure_viscosity_per_pa*data%reduced_modulus_pa
+      if (data%load_n_per_m > 0) then
+         call conditions_from_moes(data%load_n_per_m/(data%reduced_modulus_pa*data%radius_x_m)*speed_u2**(-0.5_dp), &
+                                   modulus_g*speed_u2**0.25_dp, 0.0_dp, data%pressure_viscosity_per_pa, self, error)
+      else
+         call conditions_from_moes(data%load_n/(data%reduced_modulus_pa*data%radius_x_m**2)*speed_u2**(-0.75_dp), &
+                                   modulus_g*speed_u2**0.25_dp, data%radius_x_m/data%radius_y_m, &
+                                   data%pressure_viscosity_per_pa, self, error)
+      end if
+      if (allocated(error)) return
+      self%has_dimensions = .true.
+      self%data = data
+      call set_lengths(self)
+   end subroutine conditions_from_dimensional
+
+   !> Hertz lengths and pressure from dimensional data.
+   pure subroutine set_lengths(self)
+      type(conditions_t), intent(inout) :: self   !! all else is set
+      real(dp) :: r_m
+
+      associate (data => self%data, kappa => self%elliptic%kappa, k => self%elliptic%k, e => self%elliptic%e)
+         if (self%is_line()) then
+            self%a_m = sqrt(8*data%load_n_per_m*data%radius_x_m/(pi*data%reduced_modulus_pa))
+            self%c_m = self%a_m**2/(2*data%radius_x_m)
+            self%hertz_pressure_pa = 2*data%load_n_per_m/(pi*self%a_m)
+         else
+            r_m = 1/(1/data%radius_x_m + 1/data%radius_y_m)
+            self%a_m = (3*data%load_n*r_m/data%reduced_modulus_pa*(2*kappa*e/pi))**(1.0_dp/3)
+            self%b_m = self%a_m/kappa
+            self%c_m = self%a_m**2/(2*r_m)*k/e
+            self%hertz_pressure_pa = 3*data%load_n/(2*pi*self%a_m*self%b_m)
+         end if
+      end associate
+   end subroutine set_lengths
+
+   !> Whether all dimensional data are there: an elliptical contact has load_n and radius_y_m, a line contact load_n_per_m.
+   subroutine check_data(data, error)
+      type(contact_data_t), intent(in) :: data
+      type(error_t), allocatable, intent(out) :: error
+
+      if (data%load_n_per_m > 0 .and. (data%load_n > 0 .or. data%radius_y_m > 0)) then
+         call raise(error, 'load_n_per_m = '//to_text(data%load_n_per_m, 6)//' is the load of a line contact: leave out load_n '// &
+                    'and radius_y_m, or, for an elliptical contact, load_n_per_m')
+         return
+      end if
       call require_positive(data%radius_x_m, 'radius_x_m', error)
-      call require_positive(data%radius_y_m, 'radius_y_m', error)
+      if (.not. data%load_n_per_m > 0) call require_positive(data%radius_y_m, 'radius_y_m', error)
       call require_positive(data%reduced_modulus_pa, 'reduced_modulus_pa', error)
-      call require_positive(data%load_n, 'load_n', error)
+      if (.not. data%load_n_per_m > 0) call require_positive(data%load_n, 'load_n', error)
       call require_positive(data%mean_speed_m_per_s, 'mean_speed_m_per_s', error)
       call require_positive(data%viscosity_pa_s, 'viscosity_pa_s', error)
       call require_positive(data%pressure_viscosity_per_pa, 'pressure_viscosity_per_pa', error)
-      if (allocated(error)) return
-
-      speed_u2 = data%viscosity_pa_s*2*data%mean_speed_m_per_s/(data%reduced_modulus_pa*data%radius_x_m)
-      load_w = data%load_n/(data%reduced_modulus_pa*data%radius_x_m**2)
-      modulus_g = data%pressure_viscosity_per_pa*data%reduced_modulus_pa
-      call conditions_from_moes(load_w*speed_u2**(-0.75_dp), modulus_g*speed_u2**0.25_dp, &
-                                data%radius_x_m/data%radius_y_m, data%pressure_viscosity_per_pa, self, error)
-      if (allocated(error)) return
-
-      self%has_dimensions = .true.
-      self%data = data
-      r_m = 1/(1/data%radius_x_m + 1/data%radius_y_m)
-      associate (kappa => self%elliptic%kappa, k => self%elliptic%k, e => self%elliptic%e)
-         self%a_m = (3*data%load_n*r_m/data%reduced_modulus_pa*(2*kappa*e/pi))**(1.0_dp/3)
-         self%b_m = self%a_m/kappa
-         self%c_m = self%a_m**2/(2*r_m)*k/e
-      end associate
-      self%hertz_pressure_pa = 3*data%load_n/(2*pi*self%a_m*self%b_m)
-   end subroutine conditions_from_dimensional
+   end subroutine check_data
 
    !> Raise an error naming `key` unless `value` is positive; keeps an earlier error.
    subroutine require_positive(value, key, error)
@@ -166,7 +198,8 @@ contains
       if (allocated(error)) return
       if (.not. (value > 0)) call raise(error, key//' must be given and above 0 (dimensional conditions need all of '// &
                                         'radius_x_m, radius_y_m, reduced_modulus_pa, load_n, mean_speed_m_per_s, '// &
-                                        'viscosity_pa_s); got '//to_text(value, 6))
+                                        'viscosity_pa_s; those of a line contact load_n_per_m in place of radius_y_m and '// &
+                                        'load_n); got '//to_text(value, 6))
    end subroutine require_positive
 
 end module ehlwave_conditions

@@ -5,7 +5,7 @@ module ehlwave_complex_linearised_contact
    use ehlwave_complex_gmres, only: linear_system_t
    use ehlwave_complex_ilu, only: ilu_t, new_ilu
    use ehlwave_complex_near_rows, only: near_rows
-   use ehlwave_complex_transfer, only: interpolate, prolong, restrict
+   use ehlwave_complex_transfer, only: prolong, restrict
    use ehlwave_complex_wedge, only: wedge_t
    use ehlwave_cycle_settings, only: cycle_settings_t, diagonal_shift
    use ehlwave_deformation, only: deformation_t

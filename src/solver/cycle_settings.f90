@@ -8,17 +8,13 @@ module ehlwave_cycle_settings
    !> What differs between Newton's steps and the response to small waves; measured, see the README.
    type, public :: cycle_settings_t
       type(near_settings_t) :: near
-      logical :: has_cubic_film = .false.          !! film of a coarse correction by cubic interpolation, else bilinear
-      real(dp) :: share = 0.8_dp                   !! largest share of a smooth residual that is left to the coarser grid,
-      real(dp) :: share_of_lines = 0.8_dp          !! and in line contacts
-      logical :: checks_factors = .false.          !! whether factors are tried before use: where they serve a long solve
+      logical :: checks_factors = .false.   !! whether factors are tried before use: where they serve a long solve
    end type cycle_settings_t
 
    type(cycle_settings_t), parameter, public :: newton_cycle = cycle_settings_t(near=near_settings_t(taper=0.5_dp))
 
    type(cycle_settings_t), parameter, public :: response_cycle = cycle_settings_t( &
-      near=near_settings_t(least_x=3, stretch_x=2.0_dp, stretch_y=1.5_dp, is_softened=.true.), &
-      has_cubic_film=.true., share=0.0_dp, checks_factors=.true.)
+      near=near_settings_t(least_x=3, stretch_x=2.0_dp, stretch_y=1.5_dp, taper=0.75_dp), checks_factors=.true.)
 
    real(dp), parameter, public :: diagonal_shift(4) = [0.0_dp, 0.1_dp, 0.3_dp, 1.0_dp]   !! of factors, tried in turn
 

@@ -65,7 +65,7 @@ contains
       d = 0
       do j = 0, grid%ny
          do i = 0, grid%nx
-            if (kind == 1 .and. (i == 0 .or. i == grid%nx .or. j == grid%ny .or. j < grid%first_row)) cycle
+            if (kind == 1 .and. (i == 0 .or. i == grid%nx .or. j > grid%last_row .or. j < grid%first_row)) cycle
             d(i, j) = merge(0.3_dp, 0.02_dp, kind == 1)*cos(5*grid%x(i) + kind)*cos(2*grid%y(j) + 0.1_dp*grid%y(j)**2)
          end do
       end do
@@ -88,7 +88,7 @@ contains
       call y%evaluate_y(grid, kappa, film, oil)
       eps = oil%rho*oil%h**3*oil%fluidity/lambdabar
       n = grid%nx
-      do rows = grid%first_row, grid%ny - 1
+      do rows = grid%first_row, grid%last_row
          associate (j => rows)
             call test%check_close(x%flux(:n - 1, j), (eps(:n - 1, j) + eps(1:, j))*(oil%p(1:, j) - oil%p(:n - 1, j)), &
                                   'Newtonian flux along X', relative=1e-9_dp, absolute=1e-12_dp)
@@ -134,17 +134,18 @@ contains
       type(face_flow_t), intent(in) :: x, y
       real(dp), allocatable, intent(out) :: dx(:, :), dy(:, :)
       real(dp), dimension(0:grid%nx, 0:grid%ny) :: dh, q
-      integer :: i, j, jm
+      integer :: i, j, jm, jp
 
       q = change(grid, 1)
       dh = change(grid, 2)
       allocate (dx(0:grid%nx, 0:grid%ny), dy(0:grid%nx, 0:grid%ny), source=0.0_dp)
-      do j = grid%first_row, grid%ny - 1
+      do j = grid%first_row, grid%last_row
          jm = grid%below(j)
+         jp = grid%above(j)
          do i = 0, grid%nx - 1
             dx(i, j) = x%by_p1(i, j)*q(i, j) + x%by_p2(i, j)*q(i + 1, j) + x%by_h1(i, j)*dh(i, j) + x%by_h2(i, j)*dh(i + 1, j) &
                        + x%own(i, j)*(q(i + 1, j) - q(i, j)) &
-                       + x%cross(i, j)*(q(i, j + 1) - q(i, jm) + q(i + 1, j + 1) - q(i + 1, jm))
+                       + x%cross(i, j)*(q(i, jp) - q(i, jm) + q(i + 1, jp) - q(i + 1, jm))
          end do
       end do
       do j = 0, grid%ny - 1

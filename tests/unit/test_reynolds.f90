@@ -1,11 +1,14 @@
 !> Jacobian product of the Reynolds equation, real and complex, against finite differences of its residual.
 program test_reynolds
+   use ehlwave_carreau_law, only: new_carreau_law
    use ehlwave_complex_wedge, only: complex_wedge_t => wedge_t, new_wedge
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_equations, only: equations_t
+   use ehlwave_eyring_law, only: eyring_law_t
+   use ehlwave_flow_law, only: flow_law_t
    use ehlwave_kinds, only: dp
    use ehlwave_reynolds, only: reynolds_change
-   use ehlwave_rheology, only: viscosity_barus, viscosity_roelands
+   use ehlwave_rheology, only: rheology_t, viscosity_barus, viscosity_roelands
    use ehlwave_state, only: new_state, state_t
    use ehlwave_text, only: to_text
    use ehlwave_transport, only: characteristic_transport
@@ -24,6 +27,8 @@ program test_reynolds
       call check_jacobian(0.12_dp, is_half, viscosity_roelands, 1)
       call check_jacobian(0.12_dp, is_half, viscosity_barus, 2)
       call check_jacobian(1.0_dp, is_half, viscosity_barus, steady)
+      call check_jacobian(1.0_dp, is_half, viscosity_roelands, steady, eyring_law_t())
+      call check_jacobian(0.35_dp, is_half, viscosity_roelands, 1, new_carreau_law(0.4_dp))
    end do
    call check_uniform_flow()
    call compare_half_with_whole()
@@ -46,11 +51,13 @@ contains
       r = equations%residual
    end subroutine residual_of
 
-   subroutine check_jacobian(d, is_half, law, cells_per_step)
+   subroutine check_jacobian(d, is_half, law, cells_per_step, flow_law)
       real(dp), intent(in) :: d
       logical, intent(in) :: is_half
       integer, intent(in) :: law, cells_per_step
+      class(flow_law_t), intent(in), optional :: flow_law   !! of an oil that is not Newtonian, S = 1.4
       type(contact_problem_t) :: problem
+      type(rheology_t) :: oil
       type(equations_t) :: equations
       real(dp), parameter :: step = 1e-6_dp, delta = -0.2_dp, ddelta = 0.3_dp
       real(dp), allocatable, dimension(:, :) :: change, dh, down, dr, expected, p, up
@@ -61,6 +68,12 @@ contains
       call make_contact(problem, 100.0_dp, d, 24, 16, is_half, law)
       what = 'Jacobian, D = '//to_text(d, 3)//', law '//to_text(law)//', half '//to_text(is_half)//', step '// &
              to_text(cells_per_step)
+      if (present(flow_law)) then
+         what = what//', not Newtonian'
+         oil = problem%rheology
+         call oil%use_flow(flow_law, 226e9_dp*5e6_dp, 1.4_dp)
+         call problem%set_conditions(problem%conditions, oil)
+      end if
       associate (grid => problem%grid)
          if (cells_per_step > 0) then
             problem%transport = characteristic_transport(grid, cells_per_step, 1)

@@ -4,8 +4,9 @@ import base64
 import io
 from collections.abc import Sequence
 from html import escape
+from pathlib import Path
 
-from studies.section import Cell, Picture, Section, Table
+from studies.section import Cell, Picture, Section, Table, write_picture, write_table
 
 _STYLE = """
 body { font: 15px/1.5 Georgia, serif; color: #1a1a1a; max-width: 62rem; margin: 2rem auto;
@@ -23,6 +24,21 @@ img { max-width: 100%; }
 nav a { display: block; }
 summary { cursor: pointer; font-size: 13px; }
 """
+
+
+def write_page(output: Path, name: str, title: str, sections: Sequence[Section]) -> list[Path]:
+    """Write ``<name>.html``, ``tables/*.csv`` and ``figures/*`` into `output`; return the paths."""
+    tables, figures = output / "tables", output / "figures"
+    for place in (tables, figures):
+        place.mkdir(parents=True, exist_ok=True)
+    written = []
+    for section in sections:
+        written += [write_table(table, tables) for table in section.tables]
+        for picture in section.pictures:
+            written += write_picture(picture, figures)
+    path = output / f"{name}.html"
+    path.write_text(page(title, sections), encoding="utf-8")
+    return [path, *written]
 
 
 def page(title: str, sections: Sequence[Section]) -> str:

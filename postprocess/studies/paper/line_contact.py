@@ -22,15 +22,13 @@ from studies.section import (
     Table,
     comparison_row,
 )
+from studies.validation.published import small_line_ratios
 
 ELLIPTIC_FACTOR = math.sqrt(2 * math.pi**3 / 3)
 """Of V = factor (lambda/a) (alpha ph)^(3/2) L^(-2), eq. (17), for elliptical contacts."""
 
 LINE_FACTOR = (2 * math.pi) ** 0.75
 """The same, strictly for a line contact."""
-
-# Ad/Ai of Venner, Couhier, Lubrecht and Greenwood (1997) by lambda/a, M = 100, L = 11.
-PUBLISHED = {4.0: 0.030, 2.0: 0.073, 1.0: 0.183, 0.5: 0.394, 0.25: 0.660}
 
 
 def section(folder: Path) -> Section:
@@ -104,7 +102,7 @@ def limit_table(points: xr.Dataset) -> Table:
 def published_table(points: xr.Dataset) -> Table:
     """Return this code's line contact beside the published one."""
     rows = []
-    for wave, ratio in PUBLISHED.items():
+    for wave, ratio in small_line_ratios().items():
         members = points.isel({DIMENSION: points["wavelength_over_a"].values == wave})
         if members.sizes[DIMENSION]:
             value = float(members["deformed_ratio"][0])

@@ -14,13 +14,7 @@ from studies.paper import (
 )
 from studies.paper.companion import section as companion_section
 from studies.paper.refitted import RHEOLOGIES
-from studies.section import (
-    COMPARISON,
-    Section,
-    Table,
-    write_picture,
-    write_table,
-)
+from studies.section import COMPARISON, Section, Table
 
 TITLE = "Waviness in elliptical EHL contacts: the study of Venner, Kaneta and Lubrecht (2000) again"
 SWEEPS = ["paper_grid", "resolved", "companion", "dense", "fresh", *RHEOLOGIES, "line"]
@@ -65,17 +59,7 @@ def write_report(
         note(f"{name} ...")
         sections.append(make(folder))
     sections.insert(0, summary(sections))
-    tables, figures = output / "tables", output / "figures"
-    for place in (tables, figures):
-        place.mkdir(parents=True, exist_ok=True)
-    written = []
-    for section in sections:
-        written += [write_table(table, tables) for table in section.tables]
-        for picture in section.pictures:
-            written += write_picture(picture, figures)
-    path = output / "report.html"
-    path.write_text(html.page(TITLE, sections), encoding="utf-8")
-    return [path, *written]
+    return html.write_page(output, "report", TITLE, sections)
 
 
 def summary(sections: Sequence[Section]) -> Section:

@@ -1,0 +1,32 @@
+"""The command behind ``scripts/validate``: published data beside this program."""
+
+import argparse
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from studies.sweeps import run_command
+from studies.validation.page import PARTS, write_validation
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run what is missing, write the page; return 0, or 1 with a message."""
+    names = [name for name, _ in PARTS]
+    parser = argparse.ArgumentParser(prog="validate", description=__doc__)
+    parser.add_argument("--output", type=Path, required=True, metavar="DIR")
+    parser.add_argument("--part", action="append", choices=names, help="default: all")
+
+    def work(options: argparse.Namespace) -> None:
+        written = write_validation(
+            options.output / "runs",
+            options.output,
+            options.part or names,
+            lambda text: print(text, flush=True),
+        )
+        print(f"{written[0]}: {len(written) - 1} tables and figures beside it")
+
+    return run_command(parser, work, arguments)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

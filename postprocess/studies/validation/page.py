@@ -1,0 +1,36 @@
+"""The page of all comparisons, its tables as CSV and its figures."""
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+from studies.paper.html import write_page
+from studies.section import Section
+from studies.validation import dimple_section, film_section, line_section, printed
+
+TITLE = "Measured and computed by others, and computed by ehlwave"
+
+PARTS: Sequence[tuple[str, Callable[[Path], Section]]] = (
+    ("dimple", dimple_section.section),
+    ("line", line_section.section),
+    ("films", film_section.section),
+    ("printed", printed.section),
+)
+
+
+def write_validation(
+    runs: Path, output: Path, names: Sequence[str], note: Callable[[str], None] = print
+) -> list[Path]:
+    """Run what is not in `runs`, write the page of the parts `names` to `output`; return the files.
+
+    Raises
+    ------
+    ResultsError
+        If a case fails.
+    """
+    runs.mkdir(parents=True, exist_ok=True)
+    sections = []
+    for name, make in PARTS:
+        if name in names:
+            note(f"{name} ...")
+            sections.append(make(runs))
+    return write_page(output, "validation", TITLE, sections)
