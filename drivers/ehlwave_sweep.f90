@@ -59,21 +59,12 @@ program ehlwave_sweep
    type(job_options_t) :: options
    integer :: code, i, rank
 
-   call mpi_init()
-   call mpi_comm_rank(mpi_comm_world, rank)
    call read_arguments(['--plan     ', '--overwrite', '--keys     ', '--markdown ', '--help     ', '--version  ', &
                         '--verbose  '], ['--output    ', '--time-limit', '--retry     ', '--status    '], arguments, error)
+   if (.not. allocated(error)) call answer()
+   call mpi_init()
+   call mpi_comm_rank(mpi_comm_world, rank)
    if (allocated(error)) call refuse(error%message//'; see ehlwave-sweep --help')
-   if (arguments%has('--help') .or. arguments%has('--version')) then
-      if (rank == 0 .and. arguments%has('--help')) write (output_unit, '(a)') (trim(usage(i)), i=1, size(usage))
-      if (rank == 0 .and. .not. arguments%has('--help')) &
-         call print_version(output_unit, arguments%has('--verbose'), mpi_library())
-      call finish(exit_done)
-   end if
-   if (arguments%has('--keys')) then
-      if (rank == 0) write (output_unit, '(a)', advance='no') sweep_key_reference(arguments%has('--markdown'))
-      call finish(exit_done)
-   end if
    if (arguments%has('--status')) call show_status()
    if (size(arguments%files) /= 1) call refuse('give one sweep file; see ehlwave-sweep --help')
    call read_options()
@@ -91,6 +82,30 @@ program ehlwave_sweep
    call finish(code)
 
 contains
+
+   !> What the program says of itself: without starting MPI, which some machines refuse outside a job. Of many processes
+   !> the one says it that launchers call the first.
+   subroutine answer()
+      character(len=*), parameter :: rank_variables(4) = [character(len=20) :: 'OMPI_COMM_WORLD_RANK', 'PMIX_RANK', &
+                                                          'PMI_RANK', 'SLURM_PROCID']
+      character(len=16) :: number
+      logical :: is_first
+
+      if (.not. (arguments%has('--help') .or. arguments%has('--version') .or. arguments%has('--keys'))) return
+      is_first = .true.
+      do i = 1, size(rank_variables)
+         call get_environment_variable(trim(rank_variables(i)), number)
+         is_first = is_first .and. (number == '' .or. number == '0')
+      end do
+      if (is_first .and. arguments%has('--help')) then
+         write (output_unit, '(a)') (trim(usage(i)), i=1, size(usage))
+      else if (is_first .and. arguments%has('--version')) then
+         call print_version(output_unit, arguments%has('--verbose'), mpi_library())
+      else if (is_first) then
+         write (output_unit, '(a)', advance='no') sweep_key_reference(arguments%has('--markdown'))
+      end if
+      stop exit_done, quiet=.true.
+   end subroutine answer
 
    subroutine show_status()
       character(len=:), allocatable :: path

@@ -73,6 +73,11 @@ class Install(unittest.TestCase):
         status = self.run_here(self.prefix/"bin"/"ehlwave-sweep", "--status", "results.h5").stdout
         self.assertIn("2 finished, 0 left", status)
 
+    def test_help_needs_no_mpi(self):
+        """Where MPI cannot start a process, here for want of ssh, as on some login nodes."""
+        for option in ("--help", "--version", "--keys"):
+            self.assertTrue(self.run_here(self.prefix/"bin"/"ehlwave-sweep", option, PATH="/nowhere").stdout)
+
     def test_batch_scripts_run_from_their_copies(self):
         """As batch systems start them: copied, in the folder of submission, told of the home, by Slurm itself, or of run-sweep."""
         (self.folder/"scontrol").write_text(f"#!/bin/sh\necho 'JobId=7 JobName=ehlwave'\n"
