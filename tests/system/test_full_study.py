@@ -37,7 +37,9 @@ class Inputs(unittest.TestCase):
                 with self.subTest(sweep=name):
                     outcome = run("sweep", INPUTS / f"{name}.nml", "--plan", folder=folder)
                     self.assertEqual(outcome.returncode, 0, outcome.stderr)
-                    self.assertIn(said, outcome.stdout.rstrip().split("\n")[-1])
+                    counted = [line for line in outcome.stdout.split("\n") if " resolved, " in line]
+                    self.assertEqual(len(counted), 1)
+                    self.assertTrue(counted[0].startswith(said), counted[0])
 
 
 class Stages(unittest.TestCase):

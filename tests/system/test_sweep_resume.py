@@ -310,7 +310,7 @@ class SweepResume(unittest.TestCase):
         self.assertEqual(outcome.returncode, UNFINISHED, outcome.stdout + outcome.stderr)
         self.assertIn("job 7.server: start 4 on", outcome.stdout)
         self.assertEqual((self.folder/"log").read_text(), f"-v sweep={self.folder}/sweep.nml,results={self.folder}/results.h5,"
-                         "starts=4 scripts/batch/pbs.sh\n")
+                         f"EHLWAVE_HOME={root},starts=4 {root}/scripts/batch/pbs.sh\n")
         _, data = read(self.folder/"results.h5")
         self.assertEqual((data["job"], data["status"]), ([""], ["pending"]))
 
