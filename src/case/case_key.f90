@@ -82,7 +82,7 @@ contains
       self%group_help = help
    end subroutine enter
 
-   subroutine see_number(self, component, key)
+   recursive subroutine see_number(self, component, key)
       class(key_visitor_t), intent(inout) :: self
       real(dp), intent(inout) :: component
       type(key_t), intent(in) :: key
@@ -92,7 +92,7 @@ contains
       component = value%number
    end subroutine see_number
 
-   subroutine see_whole(self, component, key)
+   recursive subroutine see_whole(self, component, key)
       class(key_visitor_t), intent(inout) :: self
       integer, intent(inout) :: component
       type(key_t), intent(in) :: key
@@ -102,7 +102,7 @@ contains
       component = value%whole
    end subroutine see_whole
 
-   subroutine see_truth(self, component, key)
+   recursive subroutine see_truth(self, component, key)
       class(key_visitor_t), intent(inout) :: self
       logical, intent(inout) :: component
       type(key_t), intent(in) :: key
@@ -112,7 +112,7 @@ contains
       component = value%truth
    end subroutine see_truth
 
-   subroutine see_word(self, component, key)
+   recursive subroutine see_word(self, component, key)
       class(key_visitor_t), intent(inout) :: self
       character(len=*), intent(inout) :: component
       type(key_t), intent(in) :: key
@@ -123,7 +123,7 @@ contains
    end subroutine see_word
 
    !> Give the visitor a key with its place, kind and group.
-   subroutine pass_on(self, key, kind, value)
+   recursive subroutine pass_on(self, key, kind, value)
       class(key_visitor_t), intent(inout) :: self
       type(key_t), intent(in) :: key
       integer, intent(in) :: kind

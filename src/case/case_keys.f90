@@ -20,8 +20,9 @@ module ehlwave_case_keys
 
 contains
 
-   !> Show all keys of a case to a visitor.
-   subroutine visit_case_keys(case, visitor)
+   !> Show all keys of a case to a visitor. Recursive, because a visitor may ask for the defaults, which are found in the same
+   !> way.
+   recursive subroutine visit_case_keys(case, visitor)
       type(case_t), intent(inout) :: case
       class(key_visitor_t), intent(inout) :: visitor
 
@@ -37,7 +38,7 @@ contains
          is_written=.false., can_vary=.false.))
    end subroutine visit_case_keys
 
-   subroutine visit_conditions(case, v)
+   recursive subroutine visit_conditions(case, v)
       type(case_t), intent(inout) :: case
       class(key_visitor_t), intent(inout) :: v
       logical :: is_moes
@@ -68,7 +69,7 @@ contains
          'the mean speed', minimum=0.0_dp, maximum=2.0_dp))
    end subroutine visit_conditions
 
-   subroutine visit_lubricant(case, v)
+   recursive subroutine visit_lubricant(case, v)
       type(case_t), intent(inout) :: case
       class(key_visitor_t), intent(inout) :: v
       logical :: has_alpha
@@ -88,7 +89,7 @@ contains
       call visit_viscosity_laws(case, v)
    end subroutine visit_lubricant
 
-   subroutine visit_flow_law(case, v)
+   recursive subroutine visit_flow_law(case, v)
       type(case_t), intent(inout) :: case
       class(key_visitor_t), intent(inout) :: v
       logical :: is_carreau, is_eyring
@@ -109,7 +110,7 @@ contains
    end subroutine visit_flow_law
 
    !> Parameters of the laws that have some of their own.
-   subroutine visit_viscosity_laws(case, v)
+   recursive subroutine visit_viscosity_laws(case, v)
       type(case_t), intent(inout) :: case
       class(key_visitor_t), intent(inout) :: v
       logical :: has_tait, is_doolittle, is_mcewen, is_yasutomi
@@ -151,7 +152,7 @@ contains
          'near 11', above=0.0_dp, is_late=.true., applies=has_tait, when=tait))
    end subroutine visit_viscosity_laws
 
-   subroutine visit_waviness(case, v)
+   recursive subroutine visit_waviness(case, v)
       type(case_t), intent(inout) :: case
       class(key_visitor_t), intent(inout) :: v
       logical :: is_custom, is_wavy
@@ -182,7 +183,7 @@ contains
          is_written=case%surface_file /= ''))
    end subroutine visit_waviness
 
-   subroutine visit_grid(case, v)
+   recursive subroutine visit_grid(case, v)
       type(case_t), intent(inout) :: case
       class(key_visitor_t), intent(inout) :: v
       logical :: is_elliptical
@@ -202,7 +203,7 @@ contains
          'always all of it', choices='auto whole', applies=is_elliptical, when=elliptical))
    end subroutine visit_grid
 
-   subroutine visit_solver(case, v)
+   recursive subroutine visit_solver(case, v)
       type(case_t), intent(inout) :: case
       class(key_visitor_t), intent(inout) :: v
 
@@ -236,7 +237,7 @@ contains
          'chooses cells, time step and tolerances that are not given', above=0.0_dp, maximum=0.2_dp))
    end subroutine visit_solver
 
-   subroutine visit_dynamics(case, v)
+   recursive subroutine visit_dynamics(case, v)
       type(case_t), intent(inout) :: case
       class(key_visitor_t), intent(inout) :: v
 

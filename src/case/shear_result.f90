@@ -1,5 +1,6 @@
 !> How the oil of a solution shears: stress, friction, and estimates of what the model leaves out.
 module ehlwave_shear_result
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_conditions, only: conditions_t
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_kinds, only: dp, no_value, pi
@@ -142,14 +143,22 @@ contains
       character(len=:), allocatable :: text
 
       text = ''
-      if (self%share_beyond_limit > much_load) text = '; the shear stress is above '// &
+      if (is_above(self%share_beyond_limit, much_load)) text = '; the shear stress is above '// &
          to_text(limiting_stress_over_pressure, 3)//' of the pressure where '//to_text(100*self%share_beyond_limit, 2)// &
          ' % of the load is borne, and no limit is modelled: friction is too high'
-      if (self%inlet_film_factor < thin_film) text = text//'; the inlet would warm by about '//to_text(self%inlet_rise_k, 2)// &
-         ' K, which makes the film '//to_text(100*(1 - self%inlet_film_factor), 2)//' % thinner, and the model is isothermal'
-      if (self%contact_rise_k > warm_contact_k) text = text//'; the oil in the contact would warm by about '// &
+      if (is_above(1 - self%inlet_film_factor, 1 - thin_film)) text = text//'; the inlet would warm by about '// &
+         to_text(self%inlet_rise_k, 2)//' K, which makes the film '//to_text(100*(1 - self%inlet_film_factor), 2)// &
+         ' % thinner, and the model is isothermal'
+      if (is_above(self%contact_rise_k, warm_contact_k)) text = text//'; the oil in the contact would warm by about '// &
          to_text(self%contact_rise_k, 2)//' K, and the model is isothermal: friction is too high'
       text = text(min(3, len(text) + 1):)
    end function warning
+
+   !> Whether a value is there and above a limit.
+   pure logical function is_above(value, limit)
+      real(dp), intent(in) :: value, limit
+      is_above = ieee_is_finite(value)
+      if (is_above) is_above = value > limit
+   end function is_above
 
 end module ehlwave_shear_result

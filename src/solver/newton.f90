@@ -127,7 +127,7 @@ contains
          end if
          allocate (self%rhs(linear%n), self%change(linear%n))
          allocate (self%film_change(0:nx, 0:ny))
-         allocate (self%cavitated_before(0:nx, 0:ny), self%cavitated_earlier(0:nx, 0:ny))
+         allocate (self%cavitated_before(0:nx, 0:ny), self%cavitated_earlier(0:nx, 0:ny), source=.false.)
       end associate
    end subroutine pose
 
