@@ -33,9 +33,11 @@ contains
       call visit_grid(case, visitor)
       call visit_solver(case, visitor)
       call visit_dynamics(case, visitor)
-      call visitor%enter('output', 'What is kept.')
+      call visitor%enter('output', 'What is computed besides, and kept.')
       call visitor%see(case%fields, key_t('fields', 'whether the last fields are kept even without --output', &
          is_written=.false., can_vary=.false.))
+      call visitor%see(case%sensitivities, key_t('sensitivities', 'whether film and linear response are differentiated by '// &
+         'alpha and by the stress of the flow law', is_late=.true.))
    end subroutine visit_case_keys
 
    recursive subroutine visit_conditions(case, v)
@@ -208,7 +210,8 @@ contains
       class(key_visitor_t), intent(inout) :: v
 
       call v%enter('solver', 'How the equations are solved, and how well.')
-      call v%see(case%tolerance, key_t('tolerance', 'tolerance of steady states: mass residual and load error', &
+      call v%see(case%tolerance, key_t('tolerance', 'tolerance of steady states: mass residual and load error; ten times '// &
+         'it, at most 1e-5, is that of linear responses', &
          minimum=1e-12_dp, maximum=0.1_dp))
       call v%see(case%step_tolerance, key_t('step_tolerance', 'tolerance of time steps at 20 % amplitude; reduced in '// &
          'proportion for smaller waves', minimum=1e-12_dp, maximum=0.1_dp))

@@ -16,6 +16,7 @@ module ehlwave_case_runner
    use ehlwave_monitor, only: go_on, monitor_t
    use ehlwave_resolution, only: touching_reason
    use ehlwave_rescue, only: rescue_t, rung_name
+   use ehlwave_sensitivity_case, only: find_film_sensitivities
    use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_shear_result, only: mean_shear_stress
    use ehlwave_solve_report, only: solve_limits_t
@@ -75,6 +76,7 @@ contains
          if (result%status == status_converged) then
             call take_smooth_film(case, plan, level, result)
             call estimate_film_errors(steady%multigrid%hierarchy_t, result)
+            if (case%sensitivities) call find_film_sensitivities(case, steady, result)
             if (plan%responds) call run_response(case, plan, steady, result)
          end if
          if (result%status == status_converged) then
