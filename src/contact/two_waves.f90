@@ -30,14 +30,14 @@ module ehlwave_two_waves
       procedure, private :: deflection
    end type wave_medium_t
 
-   complex(dp), parameter :: no_number = cmplx(no_value, no_value, dp)
+   complex(dp), parameter :: no_number = (no_value, no_value)
 
-   !> What a film was split into. Amplitudes over Ai, wave numbers in 1/a.
+   !> What a film was split into, amplitudes over Ai. All NaN where both waves cannot be told from each other, as near S = 1.
    type, public :: two_waves_t
       complex(dp) :: attenuated = no_number      !! a
       complex(dp) :: complementary = no_number   !! c
-         real(dp) :: misfit = huge(1.0_dp)    !! rms of what is left
-      logical :: is_split = .false.        !! whether both waves can be told from each other
+      complex(dp) :: psi = no_number             !! as the film has it; NaN where c is lost in what is left
+      real(dp) :: misfit = no_value              !! rms of what is left
    end type two_waves_t
 
    integer, parameter :: steps_to_psi = 40, newton_steps = 8, fit_steps = 20
@@ -111,8 +111,7 @@ contains
 
       wave(:, 1) = exp(i_unit*kx*x)
       wave(:, 2) = exp(i_unit*psi*x)
-      fit%is_split = 1 - abs(dot_product(wave(:, 1), wave(:, 2)))**2/(size(x)*sum(abs(wave(:, 2))**2)) >= least_difference
-      if (.not. fit%is_split) return
+      if (.not. 1 - abs(dot_product(wave(:, 1), wave(:, 2)))**2/(size(x)*sum(abs(wave(:, 2))**2)) >= least_difference) return
       call least_squares(wave, h, amplitude, fit%misfit)
       fit%attenuated = amplitude(1)
       fit%complementary = amplitude(2)
