@@ -6,11 +6,12 @@
 module ehlwave_quantities
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_key, only: key_long_name, number_kind, truth_kind, whole_kind
+   use ehlwave_case_keys, only: case_key_list
    use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_text, only: case_identity
    use ehlwave_error_estimate, only: basis_name
-   use ehlwave_key_list, only: case_key_list, find_key, key_list_t
+   use ehlwave_key_list, only: find_key, key_list_t
    use ehlwave_harmonic_result, only: harmonic_result_t
    use ehlwave_kinds, only: dp
    use ehlwave_quantity, only: quantity_list_t
