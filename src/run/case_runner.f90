@@ -1,6 +1,6 @@
 !> Runs one planned case.
 module ehlwave_case_runner
-   use ehlwave_amplitude, only: fitted_amplitude, fitted_harmonic, sampled_amplitude
+   use ehlwave_amplitude, only: fitted_amplitude, fitted_harmonic, fitted_mean, sampled_amplitude
    use ehlwave_case_account, only: blank_result, end_early, keep_history, take_report, worse
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t, run_march, run_standing
@@ -212,7 +212,7 @@ contains
             ! the pattern at the centre is cos(kx (-Xs - S T)): the real part of exp(-i (kx Xs + w T)) for S > 0
             fit = fit*exp(cmplx(0, 2*pi*plan%waviness%start/plan%waviness%wavelength_x, dp))
             result%phase_fit = atan2(aimag(fit), real(fit, dp))
-            result%mean_film = sum(film(2:))/(size(film) - 1)
+            result%mean_film = fitted_mean(time(2:), film(2:), plan%waviness%period())
          end associate
       end if
    end subroutine run_moving
