@@ -221,6 +221,8 @@ contains
          minimum=1e-12_dp, maximum=0.1_dp))
       call list%see(case%step_tolerance, key_t('step_tolerance', 'tolerance of time steps at 20 % amplitude; reduced in '// &
          'proportion for smaller waves', minimum=1e-12_dp, maximum=0.1_dp))
+      call list%see(case%response_tolerance, key_t('response_tolerance', 'tolerance of the linear response: its residual', &
+         minimum=1e-12_dp, maximum=0.1_dp, is_late=.true.))
       call list%see(case%time_step_over_cell, key_t('time_step_over_cell', 'time step dT/hX; a whole number or one over a '// &
          'whole number; below 1 only adds samples between the steps of dT = hX', above=0.0_dp))
       call list%see(case%largest_steps, key_t('largest_steps', 'largest number of Newton steps, or multigrid cycles, of a '// &
