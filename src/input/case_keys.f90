@@ -11,7 +11,7 @@ module ehlwave_case_keys
    use ehlwave_kinds, only: dp
    implicit none (type, external)
    private
-   public :: case_key_list, take_values
+   public :: case_key_list, case_values, take_values
 
    character(len=*), parameter :: elliptical = 'elliptical contacts (radius_ratio_d above 0), not to line contacts'
    character(len=*), parameter :: one_length = "orientation = 'transverse', 'isotropic' or 'longitudinal' "// &
@@ -28,9 +28,17 @@ contains
       type(case_t) :: copy
       if (present(case)) copy = case
       call visit_case_keys(copy, list)
-      list%keys = list%keys(:list%count)
-      list%values = list%values(:list%count)
    end function case_key_list
+
+   !> The same without the keys, for those who look up values alone.
+   function case_values(case) result(list)
+      type(case_t), intent(in), optional :: case
+      type(key_list_t) :: list
+      type(case_t) :: copy
+      if (present(case)) copy = case
+      list%has_keys = .false.
+      call visit_case_keys(copy, list)
+   end function case_values
 
    !> Give the values of a list of all keys to a case.
    subroutine take_values(list, case)
