@@ -35,6 +35,7 @@ module ehlwave_far_field
       real(dp), private :: ratio(0:intervals) = 1 ! R at r = farthest^(k/intervals)
    contains
       procedure :: strength
+      procedure :: film_at
       procedure :: load_outside
    end type far_field_t
 
@@ -51,7 +52,7 @@ contains
       self%conditions = conditions
       self%film = moes_film_formula(conditions)/conditions%moes_film_factor
       r = [(farthest**(k/real(intervals, dp)), k=0, intervals)]
-      h = [(hertz_gap(conditions, r(k), 0.0_dp) + self%film, k=0, intervals)]
+      h = [(self%film_at(r(k), 0.0_dp), k=0, intervals)]
       g(0) = 1/(rising_exponent + thickening)
       g(intervals) = rigid_strength(conditions, -r(intervals))/h(intervals)**2
       call solve_axis(conditions, r, h, g)
@@ -106,6 +107,13 @@ contains
       strength = rigid_strength(self%conditions, x)*((1 - place)*self%ratio(k) + place*self%ratio(k + 1))
    end function strength
 
+   !> Film to expect outside the Hertz zone: Hertz's gap and the film of the formula.
+   pure real(dp) function film_at(self, x, y)
+      class(far_field_t), intent(in) :: self
+      real(dp), intent(in) :: x, y   !! X, Y
+      film_at = hertz_gap(self%conditions, x, y) + self%film
+   end function film_at
+
    !> Load over the nominal one that the far field bears beyond the inlet edge and the sides of a domain.
    pure real(dp) function load_outside(self, x_min, y_max) result(load)
       class(far_field_t), intent(in) :: self
@@ -143,7 +151,7 @@ contains
          do n = 1, rule%n
             t = 0.5_dp*(1 + rule%node(n))
             r = edge/t
-            h = hertz_gap(self%conditions, -r*along, r*across) + self%film
+            h = self%film_at(-r*along, r*across)
             beyond = beyond + 0.5_dp*rule%weight(n)*self%strength(-r*along, r*across)/h**2 &
                      *edge/t**2*merge(1.0_dp, r, self%conditions%is_line())
          end do

@@ -64,7 +64,7 @@ contains
       call self%set_scale(abs(self%given%transport%w0))
       self%is_cavitated = self%scale > 0 .and. state%p + self%scale*self%residual <= 0
       self%edges = problem%edges
-      call self%edges%compare(state%p, state%h, self%edge_excess, self%edge_slope)
+      call self%edges%compare(self%given, state%p, state%h, self%edge_excess, self%edge_slope)
    end subroutine evaluate
 
    !> Coefficients and cavitated nodes of the next finer grid, at the nodes of this one.
@@ -87,7 +87,7 @@ contains
       class(equations_t), intent(in) :: self
       type(state_t), intent(in) :: state
       load_residual = self%given%load%residual(self%mesh%grid%integral(state%p), state%delta)
-      if (self%edges%count() > 0) load_residual = load_residual + self%edges%load
+      if (self%edges%count() > 0) load_residual = load_residual + self%edges%load_outside(state%p)
    end function load_residual
 
 end module ehlwave_equations

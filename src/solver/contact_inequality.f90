@@ -211,7 +211,7 @@ contains
          state%delta = unit*x(self%n)
          call problem%film(state%p, state%delta, state%h)
          do pass = 1, merge(edge_passes, 0, problem%edges%count() > 0)
-            call problem%edges%impose(state%h, state%p)
+            call problem%edges%impose(problem%given_t, state%h, state%p)
             call problem%film(state%p, state%delta, state%h)
          end do
          call self%equations%evaluate(problem, state)

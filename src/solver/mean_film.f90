@@ -122,8 +122,8 @@ contains
       end associate
    end subroutine solve
 
-   !> Right side: minus the mean over the phases of what waves change in the weighted residual; 0 at cavitated nodes and in
-   !> the load row. The equations are left evaluated at the steady state.
+   !> Right side: minus the mean over the phases of what waves change in the weighted residual; 0 at cavitated nodes, in
+   !> the load row and at flooded edges, whose pressure is small and changes by (h/H)^2 of it. The equations are left evaluated at the steady state.
    subroutine mean_residual(self, level, response, phases, amplitude, b)
       class(mean_film_solver_t), intent(inout) :: self
       type(level_t), intent(in) :: level           !! the finest
@@ -132,10 +132,9 @@ contains
       real(dp), intent(in) :: amplitude
       real(dp), intent(out), contiguous, target :: b(:)
       real(dp), pointer, contiguous :: r(:, :)
-      real(dp) :: edge(size(level%problem%edges%i))
       type(state_t) :: state
       complex(dp) :: factor
-      integer :: e, k
+      integer :: k
 
       associate (linear => self%linear, equations => self%linear%levels(self%linear%finest)%equations, &
                  grid => level%problem%grid)
@@ -148,21 +147,10 @@ contains
             state%h = self%state%h + real(factor*response%h, dp)
             call equations%evaluate(level%problem, state)
             r = r - equations%residual/phases
-            do e = 1, equations%edges%count()
-               associate (at_edge => r(equations%edges%i(e), equations%edges%j(e)))
-                  at_edge = at_edge - equations%edge_excess(e)/phases
-               end associate
-            end do
          end do
          call equations%evaluate(level%problem, self%state)
          call linear%weigh(linear%finest)
-         do e = 1, equations%edges%count()
-            edge(e) = r(equations%edges%i(e), equations%edges%j(e)) + equations%edge_excess(e)
-         end do
          r = merge(0.0_dp, (r + equations%residual)*linear%levels(linear%finest)%row_scale, equations%is_cavitated)
-         do e = 1, equations%edges%count()
-            r(equations%edges%i(e), equations%edges%j(e)) = edge(e)
-         end do
       end associate
    end subroutine mean_residual
 
