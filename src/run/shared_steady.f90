@@ -130,6 +130,7 @@ contains
       else
          grid = new_grid(case%x_min, case%x_max, case%y_max, plan%cells_x, plan%cells_y, plan%is_half)
       end if
+      grid%is_flooded = case%edges == 'flooded'
    end function grid_of
 
    pure function limits_of(case) result(limits)
