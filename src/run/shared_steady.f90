@@ -14,7 +14,7 @@ module ehlwave_shared_steady
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
-   public :: steady_key
+   public :: limits_of, steady_key
 
    !> It owns the hierarchy.
    type, public :: shared_steady_t
@@ -133,6 +133,7 @@ contains
       grid%is_flooded = case%edges == 'flooded'
    end function grid_of
 
+   !> What a steady solution of a case is asked for.
    pure function limits_of(case) result(limits)
       type(case_t), intent(in) :: case
       type(solve_limits_t) :: limits
