@@ -74,8 +74,9 @@ def _section(number: int, section: Section) -> str:
 
 
 def _table(table: Table) -> str:
-    head = "".join(f"<th>{escape(column)}</th>" for column in table.columns)
-    rows = "\n".join("<tr>" + "".join(_cell(cell) for cell in row) + "</tr>" for row in table.rows)
+    head = "".join(f"<th>{escape(column)}</th>" for column in table.data.columns)
+    cells = table.data.astype(object).to_numpy()
+    rows = "\n".join("<tr>" + "".join(map(_cell, row)) + "</tr>" for row in cells)
     caption = f"{escape(table.caption)} ({escape(table.name)}.csv)"
     text = (
         f'<div class="wide"><table>\n<caption>{caption}</caption>\n'
@@ -83,7 +84,7 @@ def _table(table: Table) -> str:
     )
     if not table.is_long:
         return text
-    return f"<details><summary>{caption}: {len(table.rows)} rows</summary>\n{text}\n</details>"
+    return f"<details><summary>{caption}: {len(table.data)} rows</summary>\n{text}\n</details>"
 
 
 def _cell(cell: Cell) -> str:
