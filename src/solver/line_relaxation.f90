@@ -130,6 +130,7 @@ contains
                state%p(i, j) = max(0.0_dp, state%p(i, j) + change(i, j))
             end do
          end do
+         call problem%edges%impose(equations%given, state%h, state%p)   ! of the film before the sweep: the edges follow one sweep later
          call problem%film_of(equations%given, state%p, state%delta, state%h)
          call limit%shorten(self%before, state)
       end associate
@@ -157,7 +158,7 @@ contains
          jm = mesh%grid%below(j)
          jp = mesh%grid%above(j)
          do i = 1, n
-            self_wedge = transport%w0(i)*flow%f_h(i, j)*equations%self_influence
+            self_wedge = transport%w0(i)*flow%rho(i, j)*equations%self_influence
             self%kind(i) = merge(distributed, single, .not. equations%is_cavitated(i, j) .and. &
                1/equations%scale(i, j) - transport%w0(i)*flow%f_p(i, j) < (1 + self%switch)*self_wedge)
          end do

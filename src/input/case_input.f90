@@ -1,0 +1,78 @@
+!> The input of one case: values as the user gives them, and which keys were given.
+module ehlwave_case_input
+   use ehlwave_case_definition, only: case_t
+   use ehlwave_case_key, only: key_value_t, most_keys
+   use ehlwave_case_keys, only: case_key_list, case_values, take_values
+   use ehlwave_errors, only: error_t
+   use ehlwave_key_bounds, only: read_key
+   use ehlwave_key_list, only: key_list_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_namelist, only: namelist_t
+   use ehlwave_namelist_scanner, only: value_t
+   implicit none (type, external)
+   private
+   public :: read_keys
+
+   !> A case as it is given, still to be completed.
+   type, public :: case_input_t
+      type(case_t) :: case
+      logical :: is_given(most_keys) = .false.     !! by number of the key
+      logical :: may_idle(most_keys) = .false.     !! given for many cases: left out where it does not apply
+      real(dp) :: f_v = 0                          !! f(r) V asked for in place of a wavelength; 0: none
+   contains
+      procedure :: read => read_groups
+      procedure :: set
+   end type case_input_t
+
+contains
+
+   !> Values for the keys of a list from a file; those that it does not give stay. Fails on values that a key refuses.
+   subroutine read_keys(file, list, is_given, error)
+      type(namelist_t), intent(inout) :: file        !! loaded
+      type(key_list_t), intent(inout) :: list
+      logical, intent(inout) :: is_given(:)          !! by number of the key
+      type(error_t), allocatable, intent(inout) :: error
+      type(value_t), allocatable :: item
+      character(len=:), allocatable :: problem
+      integer :: k
+
+      do k = 1, list%count
+         associate (key => list%keys(k))
+            call file%value_of(key%group, key%name, item, error)
+            if (.not. allocated(item)) cycle
+            call read_key(key, item, list%values(k), problem)
+            call file%refuse(key%group, key%name, problem, error, item%line)
+            is_given(k) = .true.
+         end associate
+      end do
+   end subroutine read_keys
+
+   !> What the groups of a case give in a file.
+   subroutine read_groups(self, file, error)
+      class(case_input_t), intent(inout) :: self
+      type(namelist_t), intent(inout) :: file        !! loaded
+      type(error_t), allocatable, intent(inout) :: error
+      type(key_list_t) :: list
+
+      list = case_key_list(self%case)
+      call read_keys(file, list, self%is_given, error)
+      call take_values(list, self%case)
+   end subroutine read_groups
+
+   !> Give values to some keys.
+   subroutine set(self, numbers, values)
+      class(case_input_t), intent(inout) :: self
+      integer, intent(in) :: numbers(:)              !! of the keys
+      type(key_value_t), intent(in) :: values(:)     !! one for each
+      type(key_list_t) :: list
+      integer :: i
+
+      list = case_values(self%case)
+      do i = 1, size(numbers)
+         list%values(numbers(i)) = values(i)
+      end do
+      call take_values(list, self%case)
+      self%is_given(numbers) = .true.
+   end subroutine set
+
+end module ehlwave_case_input

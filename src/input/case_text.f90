@@ -1,0 +1,59 @@
+!> The effective input of a case as text, and its identity.
+module ehlwave_case_text
+   use ehlwave_case_definition, only: case_t
+   use ehlwave_case_key, only: value_text
+   use ehlwave_case_keys, only: case_key_list, case_values
+   use ehlwave_identity_index, only: text_identity
+   use ehlwave_key_bounds, only: is_allowed
+   use ehlwave_key_list, only: key_list_t
+   implicit none (type, external)
+   private
+   public :: case_identity, effective_input, input_text, text_identity
+
+contains
+
+   !> A case file with every key that applies and the value in use: running it gives the same result.
+   function effective_input(case) result(text)
+      type(case_t), intent(in) :: case   !! completed
+      character(len=:), allocatable :: text
+      text = input_text(case_key_list(case))
+   end function effective_input
+
+   !> The keys that make a case, group by group: all but those that do not apply, say that there is none (a value outside
+   !> the bounds, an empty text), or were added later and are not used.
+   function input_text(list) result(text)
+      type(key_list_t), intent(in) :: list
+      character(len=:), allocatable :: text
+      character(len=*), parameter :: line_end = new_line('a')
+      character(len=:), allocatable :: group       ! that the text is in
+      type(key_list_t) :: defaults
+      integer :: k
+
+      defaults = case_values()
+      text = ''
+      group = ''
+      do k = 1, list%count
+         associate (key => list%keys(k), value => list%values(k))
+            if (.not. (key%applies .and. key%is_written .and. is_allowed(key, value))) cycle
+            if (key%is_late) then
+               if (value_text(value) == value_text(defaults%values(k))) cycle
+            end if
+            if (group /= key%group) then
+               if (group /= '') text = text//'/'//line_end
+               group = trim(key%group)
+               text = text//'&'//group//line_end
+            end if
+            text = text//'  '//trim(key%name)//' = '//value_text(value)//line_end
+         end associate
+      end do
+      text = text//'/'//line_end
+   end function input_text
+
+   !> Identity of a case: 16 hexadecimal digits, the 64-bit FNV-1a hash of its effective input.
+   function case_identity(case) result(identity)
+      type(case_t), intent(in) :: case
+      character(len=16) :: identity
+      identity = text_identity(effective_input(case))
+   end function case_identity
+
+end module ehlwave_case_text

@@ -1,0 +1,68 @@
+!> Keys that are given where they do not apply, as 'cycle' without FAS, and keys that are missing where they do.
+module ehlwave_key_applicability
+   use ehlwave_case_definition, only: case_t
+   use ehlwave_case_input, only: case_input_t
+   use ehlwave_case_key, only: value_text
+   use ehlwave_case_keys, only: case_key_list, case_values
+   use ehlwave_errors, only: error_t, raise
+   use ehlwave_key_bounds, only: bounds_text, is_allowed, is_none
+   use ehlwave_key_list, only: key_list_t
+   implicit none (type, external)
+   private
+   public :: check_applicability, check_needed
+
+contains
+
+   !> Refuse a key that is given, says something and does not apply; one that may idle gets its default instead and
+   !> counts as not given. Call it when radius_ratio_d is known.
+   subroutine check_applicability(input, error)
+      type(case_input_t), intent(inout) :: input
+      type(error_t), allocatable, intent(inout) :: error
+      type(key_list_t) :: defaults, given
+      integer :: k
+
+      given = case_key_list(input%case)
+      defaults = case_values()
+      do k = 1, given%count
+         if (given%keys(k)%applies .or. .not. input%is_given(k)) cycle
+         if (.not. (input%may_idle(k) .or. is_none(given%values(k), defaults%values(k)))) then
+            call raise(error, shown_key(given, k)//' belongs to '//trim(given%keys(k)%when)//': remove it, or change that')
+            return
+         end if
+         call input%set([k], [defaults%values(k)])
+         input%is_given(k) = .false.
+      end do
+   end subroutine check_applicability
+
+   !> Refuse a case where a key of a group applies and has no value that it may have.
+   subroutine check_needed(case, group, error)
+      type(case_t), intent(in) :: case
+      character(len=*), intent(in) :: group
+      type(error_t), allocatable, intent(inout) :: error
+      type(key_list_t) :: defaults, given
+      integer :: k
+
+      given = case_key_list(case)
+      defaults = case_values()
+      do k = 1, given%count
+         associate (key => given%keys(k), value => given%values(k))
+            if (key%group /= group .or. .not. key%applies .or. is_allowed(key, value)) cycle
+            if (is_none(value, defaults%values(k))) then
+               call raise(error, '&'//trim(key%group)//' '//trim(key%name)//' is missing: '//trim(key%when)//' needs it')
+            else
+               call raise(error, shown_key(given, k)//' is out of range: write a value '//bounds_text(key))
+            end if
+            return
+         end associate
+      end do
+   end subroutine check_needed
+
+   !> '&group name = value'.
+   function shown_key(list, k) result(text)
+      type(key_list_t), intent(in) :: list
+      integer, intent(in) :: k
+      character(len=:), allocatable :: text
+      text = '&'//trim(list%keys(k)%group)//' '//trim(list%keys(k)%name)//' = '//value_text(list%values(k), 15)
+   end function shown_key
+
+end module ehlwave_key_applicability
