@@ -83,13 +83,12 @@ def comparison(name: str, caption: str, rows: Iterable[Sequence[Cell]]) -> Table
     return Table(name, caption, pd.DataFrame(rows, columns=COMPARISON))
 
 
-def write_table(table: Table, folder: Path) -> Path:
-    """Write a table as CSV with all digits; return its path."""
-    path = folder / f"{table.name}.csv"
-    table.data.to_csv(path, index=False, lineterminator="\n")
-    return path
-
-
-def write_picture(picture: Picture, folder: Path) -> list[Path]:
-    """Write a figure as PDF and PNG; return the paths."""
-    return write_figure(picture.figure, folder, picture.name, dots_per_inch=150)
+def write_parts(section: Section, tables: Path, figures: Path) -> list[Path]:
+    """Write the tables, as CSV with all digits, and the figures, as PDF and PNG; return paths."""
+    written = []
+    for table in section.tables:
+        written.append(tables / f"{table.name}.csv")
+        table.data.to_csv(written[-1], index=False, lineterminator="\n")
+    for picture in section.pictures:
+        written += write_figure(picture.figure, figures, picture.name, dots_per_inch=150)
+    return written

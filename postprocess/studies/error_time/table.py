@@ -1,7 +1,6 @@
 """The table of runs: a sweep of them, and what its results say."""
 
 import sys
-import tempfile
 from pathlib import Path
 
 import pandas as pd
@@ -113,7 +112,4 @@ def _plan(run: Run) -> programs.Outcome:
         "conditions": {KEYS[name]: getattr(run, name) for name in ("m", "d", "lubricant_l")},
         "solver": {"method": run.method},
     }
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder, "case.nml")
-        path.write_text(programs.namelist(groups), encoding="utf-8")
-        return programs.run("case", path, "--plan")
+    return programs.run_case(groups, "--plan")

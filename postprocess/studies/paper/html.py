@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from html import escape
 from pathlib import Path
 
-from studies.section import Cell, Picture, Section, Table, write_picture, write_table
+from studies.section import Cell, Picture, Section, Table, write_parts
 
 _STYLE = """
 body { font: 15px/1.5 Georgia, serif; color: #1a1a1a; max-width: 62rem; margin: 2rem auto;
@@ -33,9 +33,7 @@ def write_page(output: Path, name: str, title: str, sections: Sequence[Section])
         place.mkdir(parents=True, exist_ok=True)
     written = []
     for section in sections:
-        written += [write_table(table, tables) for table in section.tables]
-        for picture in section.pictures:
-            written += write_picture(picture, figures)
+        written += write_parts(section, tables, figures)
     path = output / f"{name}.html"
     path.write_text(page(title, sections), encoding="utf-8")
     return [path, *written]
