@@ -106,7 +106,7 @@ contains
    subroutine return_to_best(self)
       class(contact_inequality_t), intent(inout) :: self
       call visit(self, self%best)
-      call judge_state(self)
+      call self%report%judge(self%equations, self%state, self%tolerance)
       self%weight = sqrt(sqrt(self%equations%scale))
    end subroutine return_to_best
 
@@ -189,7 +189,7 @@ contains
       real(dp), intent(in) :: x(:)
 
       call visit(self, x)
-      call judge_state(self)
+      call self%report%judge(self%equations, self%state, self%tolerance)
       self%report%history = [self%report%history, self%report%residual]
       judge = self%report%status
       if (judge == status_not_finite .or. .not. self%report%worst() < self%least) return
@@ -209,12 +209,6 @@ contains
          call self%equations%evaluate(problem, state)
       end associate
    end subroutine visit
-
-   !> Errors and status of the state visited last.
-   subroutine judge_state(self)
-      class(contact_inequality_t), intent(inout) :: self
-      call self%report%judge(self%equations, self%state, self%tolerance)
-   end subroutine judge_state
 
    !> r_change = dR for `change` of pressure and `film_change`, at the point of linearisation.
    subroutine multiply_reynolds(self)
