@@ -3,7 +3,6 @@ module ehlwave_contact_inequality
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_equations, only: equations_t
-   use ehlwave_formula, only: moes_film_formula
    use ehlwave_kinds, only: dp
    use ehlwave_load_balance, only: load_factor
    use ehlwave_near_matrix, only: near_matrix_t
@@ -93,12 +92,11 @@ contains
       self%report = blank
       allocate (self%report%history(0))
       self%least = huge(1.0_dp)
-      call pack_field(self, max(guess%p, 0.0_dp)/unit, self%best)
-      self%best(self%n) = guess%delta/unit
-      call visit(self, self%best)
-      if (.not. minval(self%state%h) > 0) &
-         self%best(self%n) = self%best(self%n) + (minval(self%state%h) - moes_film_formula(problem%conditions) &
-                                                  /problem%conditions%moes_film_factor)/unit
+      self%state = guess
+      self%state%p = max(guess%p, 0.0_dp)
+      call problem%film_of_guess(problem%given_t, self%state)
+      call pack_field(self, self%state%p/unit, self%best)
+      self%best(self%n) = self%state%delta/unit
       call self%return_to_best()
    end subroutine start
 

@@ -78,7 +78,7 @@ contains
       worth_before = 0
       forcing = self%loosest
       associate (problem => levels(size(levels))%problem, equations => self%linear%levels(size(levels))%equations)
-         call problem%film_of(given, state%p, state%delta, state%h)
+         call problem%film_of_guess(given, state)
          do k = 0, limits%largest_steps
             call assemble(self, problem, state, worth)
             call report%judge(equations, state, limits%tolerance)
