@@ -4,6 +4,7 @@ module ehlwave_contact_problem
    use ehlwave_deformation, only: deformation_t
    use ehlwave_deformation_fft, only: deformation_fft_t
    use ehlwave_deformation_line, only: deformation_line_t
+   use ehlwave_edge_values, only: edge_values_t, new_edge_values
    use ehlwave_film_flow, only: film_flow_t
    use ehlwave_formula, only: moes_film_formula
    use ehlwave_given, only: given_t
@@ -22,6 +23,7 @@ module ehlwave_contact_problem
       type(conditions_t) :: conditions
       type(rheology_t) :: rheology
       type(film_flow_t), allocatable :: film_flow   !! flow across the film; not of a Newtonian oil
+      type(edge_values_t) :: edges               !! P at the edges of the domain
       class(deformation_t), allocatable :: deformation
       real(dp), allocatable :: smooth_gap(:, :)  !! S X^2 + (1 - S) Y^2, (0:nx, 0:ny)
    contains
@@ -66,6 +68,7 @@ contains
 
       self%conditions = conditions
       self%rheology = rheology
+      self%edges = new_edge_values(self%grid, conditions, rheology)
       if (allocated(self%film_flow)) deallocate (self%film_flow)
       if (rheology%is_newtonian()) return
       self%film_flow = rheology%film_flow(conditions%elliptic%k, conditions%hertz_pressure_pa, conditions%lambdabar)

@@ -113,6 +113,8 @@ contains
          self%has_coarse = report%status == status_converged
       end if
       if (plan%kind == run_harmonic) deallocate (self%multigrid%solver)   ! nothing nonlinear follows: give the memory back
+      self%response%tolerance = case%response_tolerance
+      self%coarse_response%tolerance = case%response_tolerance
       call self%response%init(self%multigrid%levels)
       call self%mean%init(self%multigrid%levels)
       if (self%has_coarse) call self%coarse_response%init(self%multigrid%levels(:n - 1))
@@ -129,6 +131,7 @@ contains
       else
          grid = new_grid(case%x_min, case%x_max, case%y_max, plan%cells_x, plan%cells_y, plan%is_half)
       end if
+      grid%is_flooded = case%edges == 'flooded'
    end function grid_of
 
    pure function limits_of(case) result(limits)

@@ -161,6 +161,9 @@ contains
                end if
             end do
          end do
+         do i = 1, level%equations%edges%count()
+            b(level%equations%edges%i(i), level%equations%edges%j(i)) = -level%equations%edge_excess(i)
+         end do
          self%rhs(linear%n) = -level%equations%load_residual(state)
          worth = sqrt(sum(self%rhs**2))
       end associate
@@ -257,6 +260,11 @@ contains
                s = s*gain/(gain + 1/equations%scale(i, j))
                if (s*abs(dp_(i, j)) > 1e-3_dp) dp_(i, j) = -log(max(1 - s*dp_(i, j), 0.1_dp))/s
             end do
+         end do
+         do i = 1, equations%edges%count()
+            associate (p => dp_(equations%edges%i(i), equations%edges%j(i)))
+               p = step*p
+            end associate
          end do
       end associate
    end subroutine bend
