@@ -9,6 +9,7 @@ module ehlwave_case_plan
    use ehlwave_deformation_choice, only: chosen_deformation
    use ehlwave_errors, only: error_t, raise
    use ehlwave_grid_choice, only: choose_grid, formula_ratio
+   use ehlwave_identity_index, only: identity_length
    use ehlwave_kinds, only: dp, no_value
    use ehlwave_resolution, only: judge_resolution, resolution_t
    use ehlwave_rheology, only: rheology_t
@@ -29,6 +30,7 @@ module ehlwave_case_plan
       type(conditions_t) :: conditions
       type(rheology_t) :: rheology
       type(waviness_t) :: waviness
+      character(len=identity_length) :: surface_digest = ''   !! of the content of a measured surface
       integer :: kind = run_smooth
       logical :: responds = .false.                  !! the linear response is computed
       logical :: is_half = .true.                    !! only Y >= 0 is computed
@@ -79,7 +81,8 @@ contains
       if (case%orientation /= 'none') &
          plan%waviness = new_waviness(case%wavelength_x_over_a, kappa*case%wavelength_y_over_a, case%oblique, &
                                       case%x_min, case%slip_parameter)
-      if (len_trim(case%surface_file) > 0) call read_case_surface(case, plan%conditions, plan%waviness, error)
+      if (len_trim(case%surface_file) > 0) &
+         call read_case_surface(case, plan%conditions, plan%waviness, plan%surface_digest, error)
       if (allocated(error)) return
       plan%is_half = (case%domain == 'auto' .or. plan%conditions%is_line()) .and. plan%waviness%is_symmetric()
       call choose_grid(case, plan%conditions, plan%waviness, plan%cells_x, plan%cells_y, plan%grid_reason)

@@ -47,6 +47,8 @@ contains
       call add_key(list, keys, 'response')
       call list%add('surface_file', 'measured surface in place of waviness', trim(case%surface_file), &
                     exists=allocated(plan%waviness%surface))
+      call list%add('surface_digest', 'digest of the heights of the measured surface', plan%surface_digest, &
+                    exists=allocated(plan%waviness%surface))
       call add_key(list, keys, 'wavelength_x_over_a')
       call add_key(list, keys, 'wavelength_y_over_a')
       call list%add('deformation', 'fft or mlmi on the finest grid', trim(plan%deformation))
