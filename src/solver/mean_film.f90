@@ -122,8 +122,8 @@ contains
       end associate
    end subroutine solve
 
-   !> Right side: minus the mean over the phases of what waves change in the weighted residual; 0 at cavitated nodes, in
-   !> the load row and at flooded edges, whose pressure is small and changes by (h/H)^2 of it. The equations are left evaluated at the steady state.
+   !> Right side: minus the mean over the phases of what waves change in the weighted residual; 0 at cavitated nodes, in the load
+   !> row and at flooded edges, whose small pressure changes by (h/H)^2 of it. The equations are left evaluated at the steady state.
    subroutine mean_residual(self, level, response, phases, amplitude, b)
       class(mean_film_solver_t), intent(inout) :: self
       type(level_t), intent(in) :: level           !! the finest
