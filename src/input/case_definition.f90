@@ -51,6 +51,7 @@ module ehlwave_case_definition
       ! &solver
       real(dp) :: tolerance = 1e-6_dp
       real(dp) :: step_tolerance = 1e-4_dp
+      real(dp) :: response_tolerance = 1e-5_dp           !! of the linear response
       real(dp) :: time_step_over_cell = 1                !! 0: chosen by the plan
       integer :: largest_steps = 60
       integer :: largest_total_steps = 0                 !! 0: chosen by the plan

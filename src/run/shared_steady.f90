@@ -112,6 +112,8 @@ contains
          self%has_coarse = report%status == status_converged
       end if
       if (plan%kind == run_harmonic) deallocate (self%multigrid%solver)   ! nothing nonlinear follows: give the memory back
+      self%response%tolerance = case%response_tolerance
+      self%coarse_response%tolerance = case%response_tolerance
       call self%response%init(self%multigrid%levels)
       call self%mean%init(self%multigrid%levels)
       if (self%has_coarse) call self%coarse_response%init(self%multigrid%levels(:n - 1))

@@ -4,6 +4,7 @@
 !> that `run_columns` takes from the runs is named here: the others are those of the table of quantities and of the records.
 module ehlwave_results_file
    use ehlwave_case_account, only: blank_result
+   use ehlwave_case_keys, only: case_key_list
    use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_record, only: case_record, circumstances_t
    use ehlwave_case_text, only: effective_input, text_identity
@@ -11,7 +12,7 @@ module ehlwave_results_file
    use ehlwave_field_file, only: write_provenance
    use ehlwave_hdf5_file, only: hdf5_file_t
    use ehlwave_json, only: json_t
-   use ehlwave_key_list, only: case_key_list, key_list_t
+   use ehlwave_key_list, only: key_list_t
    use ehlwave_quantities, only: add_case, add_key
    use ehlwave_quantity, only: quantity_list_t, quantity_t
    use ehlwave_quantity_output, only: json_of, take_json
@@ -121,7 +122,7 @@ contains
 
       call add_case(row, sweep%cases(case), sweep%plans(case))
       keys = case_key_list(sweep%cases(case))
-      do i = 1, size(keys%keys)
+      do i = 1, keys%count
          associate (name => keys%keys(i)%name)
             if (row%find(trim(name)) > 0) cycle
             if (any(always_shown == name) .or. sweep%varies(i)) call add_key(row, keys, trim(name))
