@@ -9,9 +9,10 @@ module ehlwave_domain_choice
    private
    public :: choose_domain, expected_domain_error
 
-   ! Measured, domains of (-2.5, 1.5, 2) to (-40, 8, 24): P = 0 at the edges leaves 0.55 to 0.75 of the thickening alpha q of the inlet
-   ! edge for M = 20 to 500, and the load outside in the power by which the film of the formula falls with the load (M = 4.2, L = 0,
-   ! r0 = 10: 17 %). Flooded edges leave 0.005 to 0.035 of the first and 0.1 of the second; Ad/Ai has 0.15 to 0.4 of the film's error.
+   ! Measured, domains of (-2.5, 1.5, 2) to (-40, 8, 24): P = 0 at the edges leaves 0.55 to 0.75 of the thickening alpha q of the
+   ! inlet edge for M = 20 to 500, and the load outside in the power by which the film of the formula falls with the load (M = 4.2,
+   ! L = 0, r0 = 10: 17 %). Flooded edges leave 0.005 to 0.035 of the first and 0.1 of the second; Ad/Ai has 0.15 to 0.4 of the
+   ! error of the film.
    real(dp), parameter :: pressure_factor = 0.65_dp, flooded_pressure_share = 0.04_dp, flooded_load_share = 0.1_dp
    real(dp), parameter :: ratio_share = 0.4_dp
    real(dp), parameter :: share_of_accuracy = 0.3_dp      !! for the domain, where it is chosen

@@ -1,7 +1,7 @@
 !> The effective input of a case as text, and its identity.
 module ehlwave_case_text
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_key, only: value_text
+   use ehlwave_case_key, only: is_same, value_text
    use ehlwave_case_keys, only: case_key_list, case_values
    use ehlwave_identity_index, only: text_identity
    use ehlwave_key_bounds, only: is_allowed
@@ -36,7 +36,7 @@ contains
          associate (key => list%keys(k), value => list%values(k))
             if (.not. (key%applies .and. key%is_written .and. is_allowed(key, value))) cycle
             if (key%is_late) then
-               if (value_text(value) == value_text(defaults%values(k))) cycle
+               if (is_same(value, defaults%values(k))) cycle
             end if
             if (group /= key%group) then
                if (group /= '') text = text//'/'//line_end

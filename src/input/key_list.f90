@@ -62,12 +62,12 @@ contains
          value%number = component
       type is (integer)
          value%kind = whole_kind
-         if (self%gives_back) component = value%whole
-         value%whole = component
+         if (self%gives_back) component = nint(value%number)
+         value%number = component
       type is (logical)
          value%kind = truth_kind
-         if (self%gives_back) component = value%truth
-         value%truth = component
+         if (self%gives_back) component = value%number > 0
+         value%number = merge(1, 0, component)
       type is (character(len=*))
          value%kind = word_kind
          if (self%gives_back) component = value%word

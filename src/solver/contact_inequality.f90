@@ -3,7 +3,6 @@ module ehlwave_contact_inequality
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_equations, only: equations_t
-   use ehlwave_formula, only: moes_film_formula
    use ehlwave_kinds, only: dp
    use ehlwave_load_balance, only: load_factor
    use ehlwave_near_matrix, only: near_matrix_t
@@ -94,12 +93,11 @@ contains
       self%report = blank
       allocate (self%report%history(0))
       self%least = huge(1.0_dp)
-      call pack_field(self, max(guess%p, 0.0_dp)/unit, self%best)
-      self%best(self%n) = guess%delta/unit
-      call visit(self, self%best)
-      if (.not. minval(self%state%h) > 0) &
-         self%best(self%n) = self%best(self%n) + (minval(self%state%h) - moes_film_formula(problem%conditions) &
-                                                  /problem%conditions%moes_film_factor)/unit
+      self%state = guess
+      self%state%p = max(guess%p, 0.0_dp)
+      call problem%film_of_guess(problem%given_t, self%state)
+      call pack_field(self, self%state%p/unit, self%best)
+      self%best(self%n) = self%state%delta/unit
       call self%return_to_best()
    end subroutine start
 
@@ -107,7 +105,7 @@ contains
    subroutine return_to_best(self)
       class(contact_inequality_t), intent(inout) :: self
       call visit(self, self%best)
-      call judge_state(self)
+      call self%report%judge(self%equations, self%state, self%tolerance)
       self%weight = sqrt(sqrt(self%equations%scale))
    end subroutine return_to_best
 
@@ -192,7 +190,7 @@ contains
       real(dp), intent(in) :: x(:)
 
       call visit(self, x)
-      call judge_state(self)
+      call self%report%judge(self%equations, self%state, self%tolerance)
       self%report%history = [self%report%history, self%report%residual]
       judge = self%report%status
       if (judge == status_not_finite .or. .not. self%report%worst() < self%least) return
@@ -217,12 +215,6 @@ contains
          call self%equations%evaluate(problem, state)
       end associate
    end subroutine visit
-
-   !> Errors and status of the state visited last.
-   subroutine judge_state(self)
-      class(contact_inequality_t), intent(inout) :: self
-      call self%report%judge(self%equations, self%state, self%tolerance)
-   end subroutine judge_state
 
    !> Let the pressures at the edges of a flooded domain follow their film, and add what that changes in the film.
    subroutine follow_edges(self)
