@@ -5,9 +5,9 @@
 !>
 !>     P = lambdabar/(3 + 2 D) |X|/H^2,    X < 0,                                                             (F1)
 !>
-!> whatever h is, side leakage included. Elastic bodies stand off each other farther out than at the edge: there (F1) with the film of
-!> the edge is too large, by R(r) below 1, r the distance from the centre in units of a. On the axis Y = 0, g = P there, with
-!> the side leakage of (F1),
+!> whatever h is, side leakage included. The bodies of a contact are flattened, and the gap opens faster beyond an edge than that of
+!> a paraboloid with the same film there, so (F1) is too large: the far field is R(r) times it, r the distance from the centre in
+!> units of a. On the axis Y = 0, g = P there, with the side leakage of (F1),
 !>
 !>     d/dr (H^3 dg/dr) + D H^3 d(g/r)/dr = -lambdabar dH/dr,                                                  (F2)
 !>
@@ -33,6 +33,7 @@ module ehlwave_far_field
       type(conditions_t), private :: conditions
       real(dp), private :: film = 0               ! H(0,0) of the formula
       real(dp), private :: ratio(0:intervals) = 1 ! R at r = farthest^(k/intervals)
+      type(gauss_rule_t), private :: rule         ! for the gap
    contains
       procedure :: strength
       procedure :: film_at
@@ -51,6 +52,7 @@ contains
 
       self%conditions = conditions
       self%film = moes_film_formula(conditions)/conditions%moes_film_factor
+      self%rule = new_gauss_rule(24)
       r = [(farthest**(k/real(intervals, dp)), k=0, intervals)]
       h = [(self%film_at(r(k), 0.0_dp), k=0, intervals)]
       g(0) = 1/(rising_exponent + thickening)
@@ -111,7 +113,7 @@ contains
    pure real(dp) function film_at(self, x, y)
       class(far_field_t), intent(in) :: self
       real(dp), intent(in) :: x, y   !! X, Y
-      film_at = hertz_gap(self%conditions, x, y) + self%film
+      film_at = hertz_gap(self%conditions, x, y, self%rule) + self%film
    end function film_at
 
    !> Load over the nominal one that the far field bears beyond the inlet edge and the sides of a domain.
@@ -164,10 +166,10 @@ contains
    !>
    !> c = 1/kappa^2, Y' = Y/kappa, w0 where the first factor vanishes; by w = (1 + w0)/t^2 - 1 an integral from 0 to 1. Of a line
    !> |X| (X^2 - 1)^(1/2) - arcosh |X|.
-   pure real(dp) function hertz_gap(conditions, x, y) result(gap)
+   pure real(dp) function hertz_gap(conditions, x, y, rule) result(gap)
       type(conditions_t), intent(in) :: conditions
       real(dp), intent(in) :: x, y
-      type(gauss_rule_t) :: rule
+      type(gauss_rule_t), intent(in) :: rule   !! 24 points
       real(dp) :: b, c, t, w, w0, yy
       integer :: k
 
@@ -182,7 +184,6 @@ contains
          yy = (y/kappa)**2
          b = 0.5_dp*(x**2 + yy - 1 - c)
          w0 = b + sqrt(max(0.0_dp, b**2 + c*(x**2 - 1) + yy))
-         rule = new_gauss_rule(24)
          do k = 1, rule%n
             t = 0.5_dp*(1 + rule%node(k))
             w = (1 + w0)/t**2 - 1

@@ -1,9 +1,11 @@
 !> Pressure at the edges of a flooded domain: that of the far field for the film there.
 !>
 !> With the reduced pressure q = A/H^2 of the far field (`ehlwave_far_field`) and an oil that thickens by exp(alpha P) at these low
-!> pressures, P = -ln(1 - alpha q)/alpha. The film counts without roughness: of waves that pass the edge the far field sees the mean, so
-!> that the smooth film gives the better pressure (Ad/Ai, M = 20, L = 5, D = 1, on the paper's domain: 0.05 % off in place of 0.28 %). It is one more equation for each node of the edges, whose unknown is P there. Edges
-!> of a truncated domain have no such nodes: P = 0 there.
+!> pressures, P = -ln(1 - alpha q)/alpha: one more equation for each node of the edges. Edges of a truncated domain have no such
+!> nodes, P = 0 there.
+!>
+!> H counts without roughness: of waves that pass an edge the far field sees the mean (Ad/Ai, M = 20, L = 5, D = 1, on the paper's
+!> domain: 0.05 % off in place of 0.28 %).
 module ehlwave_edge_values
    use ehlwave_conditions, only: conditions_t
    use ehlwave_far_field, only: far_field_t, new_far_field
@@ -22,7 +24,7 @@ module ehlwave_edge_values
       integer, allocatable :: i(:), j(:)        !! nodes
       integer, allocatable :: link(:)           !! of `poiseuille_links` by which the next node inside sees it, 0 for corners
       real(dp), allocatable :: strength(:)      !! A
-      real(dp), private :: load = 0             ! borne outside the domain, over the nominal one, and over the sum of P at the nodes
+      real(dp) :: load = 0                      !! borne outside the domain, over the nominal one
       real(dp), private :: thickening = 0       ! alpha: d ln(eta)/dP at P = 0
    contains
       procedure :: count => count_nodes
@@ -30,7 +32,6 @@ module ehlwave_edge_values
       procedure :: compare
       procedure :: impose
       procedure :: rough_from
-      procedure :: load_outside
    end type edge_values_t
 
    integer, parameter :: west = 3, north = 4, south = 5                      ! links
@@ -68,7 +69,6 @@ contains
          end do
       end if
       self%strength = far%strength(grid%x(self%i), grid%y(self%j))
-      self%load = self%load/sum([(self%strength(i)/far%film_at(grid%x(self%i(i)), grid%y(self%j(i)))**2, i=1, size(self%i))])
    end function new_edge_values
 
    !> Number of nodes.
@@ -142,17 +142,6 @@ contains
          rough = given%rough(self%i(k), self%j(k))
       end if
    end function rough_at
-
-   !> Load over the nominal one that is borne outside the domain, in proportion to the pressures at its edges.
-   pure real(dp) function load_outside(self, p)
-      class(edge_values_t), intent(in) :: self
-      real(dp), intent(in) :: p(0:, 0:)
-      integer :: k
-      load_outside = 0
-      do k = 1, size(self%i)
-         load_outside = load_outside + self%load*p(self%i(k), self%j(k))
-      end do
-   end function load_outside
 
    pure real(dp) function far_pressure(self, k, h)
       class(edge_values_t), intent(in) :: self

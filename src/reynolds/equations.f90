@@ -87,7 +87,7 @@ contains
       class(equations_t), intent(in) :: self
       type(state_t), intent(in) :: state
       load_residual = self%given%load%residual(self%mesh%grid%integral(state%p), state%delta)
-      if (self%edges%count() > 0) load_residual = load_residual + self%edges%load_outside(state%p)
+      if (self%edges%count() > 0) load_residual = load_residual + self%edges%load
    end function load_residual
 
 end module ehlwave_equations

@@ -83,6 +83,7 @@ contains
                call run_standing_pattern(case, plan, steady%multigrid, rescue, monitor, result)
             end select
          end if
+         call compare_with_small_waves(case, result)
          if (case%fields) then
             allocate (result%x, source=level%problem%grid%x)
             allocate (result%y, source=level%problem%grid%y)
@@ -110,6 +111,18 @@ contains
       result%work_units = result%seconds/work_unit_seconds(plan%cells_x, plan%cells_y)
       result%peak_memory_mib = peak_memory_mib()
    end subroutine run_about
+
+   !> Warn where waves in time and small ones, both computed, do not respond alike.
+   subroutine compare_with_small_waves(case, result)
+      type(case_t), intent(in) :: case
+      type(case_result_t), intent(inout) :: result
+      real(dp), parameter :: largest_difference = 0.05_dp
+      if (.not. abs(result%amplitude_ratio_fit/result%harmonic%ratio - 1) > largest_difference) return   ! NaN: not both
+      if (len(result%warning) > 0) result%warning = result%warning//'; '
+      result%warning = result%warning//'waves of '//to_text(100*case%amplitude_over_film, 3)// &
+         ' % of the film do not respond as small ones: Ad/Ai = '//to_text(result%amplitude_ratio_fit, 3)//' against '// &
+         to_text(result%harmonic%ratio, 3)//' of the linear response'
+   end subroutine compare_with_small_waves
 
    !> Film, pressure and friction of the smooth contact.
    subroutine take_smooth_film(case, plan, level, result)

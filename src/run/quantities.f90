@@ -53,6 +53,9 @@ contains
       call add_key(list, keys, 'wavelength_y_over_a')
       call list%add('deformation', 'fft or mlmi on the finest grid', trim(plan%deformation))
       call list%add('expected_error', 'relative error expected by the plan', plan%expected_error)
+      call add_key(list, keys, 'edges')
+      call list%add('domain_error', 'relative error expected by the edges of the domain, besides expected_error', plan%domain_error)
+      call list%add('domain_x_min', 'X of the inlet boundary in use', plan%x_min)
       call list%add('expected_work_units', 'work expected by the plan, in plain FFT convolutions of the grid', &
                     plan%expected_work_units)
       call list%add('cells_x', 'cells along X', plan%cells_x)

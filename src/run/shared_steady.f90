@@ -54,7 +54,7 @@ contains
       bare%cells_x = plan%cells_x
       bare%cells_y = plan%cells_y
       key = effective_input(bare)//merge('half ', 'whole', plan%is_half)//to_text(plan%kind)// &
-            ' '//to_text(plan%largest_total_steps)
+            ' '//to_text(plan%largest_total_steps)//' '//to_text(plan%domain_scale)
    end function steady_key
 
    !> Have the steady state of a case in `multigrid` and the account of it in `rescue`: solved now, or kept from a case
@@ -127,9 +127,9 @@ contains
       type(case_plan_t), intent(in) :: plan
       type(grid_t) :: grid
       if (plan%conditions%is_line()) then
-         grid = new_line_grid(case%x_min, case%x_max, plan%cells_x)
+         grid = new_line_grid(plan%x_min, plan%x_max, plan%cells_x)
       else
-         grid = new_grid(case%x_min, case%x_max, case%y_max, plan%cells_x, plan%cells_y, plan%is_half)
+         grid = new_grid(plan%x_min, plan%x_max, plan%y_max, plan%cells_x, plan%cells_y, plan%is_half)
       end if
       grid%is_flooded = case%edges == 'flooded'
    end function grid_of

@@ -67,7 +67,7 @@ contains
       end if
    end subroutine judge
 
-   !> Largest excess of a pressure at the edges of a flooded domain over that of the far field, in units of the largest pressure there.
+   !> Largest excess of a pressure at flooded edges over that of the far field, in units of the largest pressure there.
    pure real(dp) function edge_error(equations, state)
       type(equations_t), intent(in) :: equations
       type(state_t), intent(in) :: state
