@@ -1,6 +1,5 @@
 !> The plan of one case, made before it runs: what is computed, on which grid, in how many steps, and why.
 module ehlwave_case_plan
-   use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
    use ehlwave_accuracy_model, only: expected_film_error, expected_long_step_error, expected_ratio_error, &
       steady_work_units, step_work_units
    use ehlwave_case_completion, only: case_conditions
@@ -8,9 +7,11 @@ module ehlwave_case_plan
    use ehlwave_case_lubricant, only: case_lubricant
    use ehlwave_conditions, only: conditions_t
    use ehlwave_deformation_choice, only: chosen_deformation
+   use ehlwave_domain_choice, only: choose_domain, expected_domain_error
    use ehlwave_errors, only: error_t, raise
    use ehlwave_grid_choice, only: choose_grid, formula_ratio
-   use ehlwave_kinds, only: dp
+   use ehlwave_identity_index, only: identity_length
+   use ehlwave_kinds, only: dp, no_value
    use ehlwave_resolution, only: judge_resolution, resolution_t
    use ehlwave_rheology, only: rheology_t
    use ehlwave_surface_plan, only: read_case_surface, surface_times
@@ -30,9 +31,13 @@ module ehlwave_case_plan
       type(conditions_t) :: conditions
       type(rheology_t) :: rheology
       type(waviness_t) :: waviness
+      character(len=identity_length) :: surface_digest = ''   !! of the content of a measured surface
       integer :: kind = run_smooth
       logical :: responds = .false.                  !! the linear response is computed
       logical :: is_half = .true.                    !! only Y >= 0 is computed
+      real(dp) :: x_min = 0, x_max = 0, y_max = 0    !! domain; the pattern starts at the x_min of the case whatever it is
+      real(dp) :: domain_scale = 1                   !! over the domain of the case
+      real(dp) :: domain_error = 0                   !! relative, expected by the edges, of what expected_error is of
       integer :: cells_x = 0, cells_y = 0            !! of the whole domain; cells_y = 1 of a line contact
       character(len=:), allocatable :: grid_reason
       real(dp) :: hx = 0, hy = 0                     !! hy = 0 of a line contact
@@ -74,18 +79,26 @@ contains
       copy = case
       call case_conditions(copy, plan%conditions, error)
       if (allocated(error)) return
+      copy = case
+      call choose_domain(copy, plan%conditions, plan%domain_scale)
+      plan%x_min = copy%x_min
+      plan%x_max = copy%x_max
+      plan%y_max = copy%y_max
+      plan%domain_error = expected_domain_error(case, plan%conditions, plan%domain_scale)
+      if (case%edges == 'flooded') copy%accuracy = case%accuracy - min(0.5_dp*case%accuracy, plan%domain_error)
       kappa = plan%conditions%elliptic%kappa
       plan%rheology = case_lubricant(case, plan%conditions)
       plan%waviness = no_waviness()
       if (case%orientation /= 'none') &
          plan%waviness = new_waviness(case%wavelength_x_over_a, kappa*case%wavelength_y_over_a, case%oblique, &
                                       case%x_min, case%slip_parameter)
-      if (len_trim(case%surface_file) > 0) call read_case_surface(case, plan%conditions, plan%waviness, error)
+      if (len_trim(case%surface_file) > 0) &
+         call read_case_surface(case, plan%conditions, plan%waviness, plan%surface_digest, error)
       if (allocated(error)) return
       plan%is_half = (case%domain == 'auto' .or. plan%conditions%is_line()) .and. plan%waviness%is_symmetric()
-      call choose_grid(case, plan%conditions, plan%waviness, plan%cells_x, plan%cells_y, plan%grid_reason)
-      plan%hx = (case%x_max - case%x_min)/plan%cells_x
-      if (.not. plan%conditions%is_line()) plan%hy = 2*case%y_max/plan%cells_y
+      call choose_grid(copy, plan%conditions, plan%waviness, plan%cells_x, plan%cells_y, plan%grid_reason)
+      plan%hx = (plan%x_max - plan%x_min)/plan%cells_x
+      if (.not. plan%conditions%is_line()) plan%hy = 2*plan%y_max/plan%cells_y
       plan%deformation = chosen_deformation(case%deformation, plan%cells_x, plan%cells_y, plan%is_half, kappa)
 
       plan%responds = plan%waviness%is_present .and. case%response /= 'transient'
@@ -99,7 +112,7 @@ contains
          plan%phases = merge(8, 2, plan%waviness%wavelength_x > 0)
       end if
       if (allocated(error)) return
-      plan%resolution = judge_resolution(plan%conditions, plan%waviness, case%x_min, case%y_max, plan%hx, plan%hy, plan%dt)
+      plan%resolution = judge_resolution(plan%conditions, plan%waviness, plan%x_min, plan%y_max, plan%hx, plan%hy, plan%dt)
       call expect(case, plan)
       if (case%accuracy > 0) call check_accuracy(case, plan, error)
       plan%cost = real(plan%cells_x, dp)*plan%cells_y*(15 + 6*plan%phases + 4*plan%steps + merge(8, 0, plan%responds))
@@ -133,7 +146,7 @@ contains
       real(dp) :: samples, step_tolerance
 
       if (plan%conditions%is_line()) then
-         plan%expected_error = ieee_value(1.0_dp, ieee_quiet_nan)
+         plan%expected_error = no_value
          plan%expected_work_units = plan%expected_error
          return
       end if

@@ -3,6 +3,7 @@ module ehlwave_surface_plan
    use ehlwave_case_definition, only: case_t
    use ehlwave_conditions, only: conditions_t
    use ehlwave_errors, only: error_t, raise
+   use ehlwave_identity_index, only: identity_length, numbers_identity
    use ehlwave_kinds, only: dp
    use ehlwave_surface, only: new_surface, surface_t
    use ehlwave_surface_file, only: read_surface_file
@@ -16,15 +17,17 @@ contains
 
    !> Pattern of the surface in `case%surface_file`, scaled by the lengths of the contact. Fails on a file that
    !> cannot be used, on conditions without lengths, and when the surface does not move.
-   subroutine read_case_surface(case, conditions, waviness, error)
+   subroutine read_case_surface(case, conditions, waviness, digest, error)
       type(case_t), intent(in) :: case
       type(conditions_t), intent(in) :: conditions
       type(waviness_t), intent(out) :: waviness
+      character(len=identity_length), intent(out) :: digest   !! of the numbers in the file
       type(error_t), allocatable, intent(inout) :: error
       type(surface_t) :: surface
       real(dp), allocatable :: height_m(:, :)
       real(dp) :: step_x_m, step_y_m
 
+      digest = ''
       if (.not. conditions%has_dimensions) then
          call raise(error, '&surface file holds metres: give &conditions by dimensional data (radius_x_m, ...) in place of '// &
                     'load_parameter_m, lubricant_parameter_l and radius_ratio_d')
@@ -34,6 +37,7 @@ contains
       end if
       if (.not. allocated(error)) call read_surface_file(trim(case%surface_file), height_m, step_x_m, step_y_m, error)
       if (allocated(error)) return
+      digest = numbers_identity([step_x_m, step_y_m, real(shape(height_m), dp), height_m])
       call new_surface(height_m/conditions%c_m, step_x_m/conditions%a_m, step_y_m/conditions%b_m, 2*case%y_max, &
                        surface, error)
       if (allocated(error)) then

@@ -1,9 +1,9 @@
 !> Identities of texts, 16 hexadecimal digits each, and a list of them in which a place is found in constant time.
 module ehlwave_identity_index
-   use ehlwave_kinds, only: i8
+   use ehlwave_kinds, only: dp, i8
    implicit none (type, external)
    private
-   public :: identity_index_t, text_identity
+   public :: identity_index_t, numbers_identity, text_identity
 
    integer, parameter, public :: identity_length = 16
 
@@ -110,5 +110,15 @@ contains
       high = ishft(a, -32) + ishft(b, -32) + ishft(low, -32)
       sum_of = ior(ishft(high, 32), iand(low, int(z'FFFFFFFF', i8)))
    end function sum_of
+
+   !> Identity of numbers: that of their bytes.
+   pure function numbers_identity(numbers) result(identity)
+      real(dp), intent(in) :: numbers(:)
+      character(len=identity_length) :: identity
+      character(len=:), allocatable :: bytes
+      allocate (character(len=8*size(numbers)) :: bytes)
+      bytes = transfer(numbers, bytes)
+      identity = text_identity(bytes)
+   end function numbers_identity
 
 end module ehlwave_identity_index

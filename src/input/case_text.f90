@@ -1,8 +1,8 @@
 !> The effective input of a case as text, and its identity.
 module ehlwave_case_text
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_key, only: value_text
-   use ehlwave_case_keys, only: case_key_list
+   use ehlwave_case_key, only: is_same, value_text
+   use ehlwave_case_keys, only: case_key_list, case_values
    use ehlwave_identity_index, only: text_identity
    use ehlwave_key_bounds, only: is_allowed
    use ehlwave_key_list, only: key_list_t
@@ -29,14 +29,14 @@ contains
       type(key_list_t) :: defaults
       integer :: k
 
-      defaults = case_key_list()
+      defaults = case_values()
       text = ''
       group = ''
       do k = 1, list%count
          associate (key => list%keys(k), value => list%values(k))
             if (.not. (key%applies .and. key%is_written .and. is_allowed(key, value))) cycle
             if (key%is_late) then
-               if (value_text(value) == value_text(defaults%values(k))) cycle
+               if (is_same(value, defaults%values(k))) cycle
             end if
             if (group /= key%group) then
                if (group /= '') text = text//'/'//line_end

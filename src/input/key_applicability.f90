@@ -3,7 +3,7 @@ module ehlwave_key_applicability
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_input, only: case_input_t
    use ehlwave_case_key, only: value_text
-   use ehlwave_case_keys, only: case_key_list
+   use ehlwave_case_keys, only: case_key_list, case_values
    use ehlwave_errors, only: error_t, raise
    use ehlwave_key_bounds, only: bounds_text, is_allowed, is_none
    use ehlwave_key_list, only: key_list_t
@@ -22,7 +22,7 @@ contains
       integer :: k
 
       given = case_key_list(input%case)
-      defaults = case_key_list()
+      defaults = case_values()
       do k = 1, given%count
          if (given%keys(k)%applies .or. .not. input%is_given(k)) cycle
          if (.not. (input%may_idle(k) .or. is_none(given%values(k), defaults%values(k)))) then
@@ -43,7 +43,7 @@ contains
       integer :: k
 
       given = case_key_list(case)
-      defaults = case_key_list()
+      defaults = case_values()
       do k = 1, given%count
          associate (key => given%keys(k), value => given%values(k))
             if (key%group /= group .or. .not. key%applies .or. is_allowed(key, value)) cycle

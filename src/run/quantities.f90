@@ -10,7 +10,6 @@ module ehlwave_quantities
    use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_result, only: case_result_t, oil_sensitivity_t
    use ehlwave_case_text, only: case_identity
-   use ehlwave_error_estimate, only: basis_name
    use ehlwave_key_list, only: find_key, key_list_t
    use ehlwave_harmonic_result, only: harmonic_result_t
    use ehlwave_kinds, only: dp
@@ -48,10 +47,15 @@ contains
       call add_key(list, keys, 'response')
       call list%add('surface_file', 'measured surface in place of waviness', trim(case%surface_file), &
                     exists=allocated(plan%waviness%surface))
+      call list%add('surface_digest', 'digest of the heights of the measured surface', plan%surface_digest, &
+                    exists=allocated(plan%waviness%surface))
       call add_key(list, keys, 'wavelength_x_over_a')
       call add_key(list, keys, 'wavelength_y_over_a')
       call list%add('deformation', 'fft or mlmi on the finest grid', trim(plan%deformation))
       call list%add('expected_error', 'relative error expected by the plan', plan%expected_error)
+      call add_key(list, keys, 'edges')
+      call list%add('domain_error', 'relative error expected by the edges of the domain, besides expected_error', plan%domain_error)
+      call list%add('domain_x_min', 'X of the inlet boundary in use', plan%x_min)
       call list%add('expected_work_units', 'work expected by the plan, in plain FFT convolutions of the grid', &
                     plan%expected_work_units)
       call list%add('cells_x', 'cells along X', plan%cells_x)
@@ -97,8 +101,8 @@ contains
       associate (key => keys%keys(k), value => keys%values(k))
          select case (key%kind)
          case (number_kind); call list%add(name, key_long_name(key), value%number, unit=trim(key%unit))
-         case (whole_kind); call list%add(name, key_long_name(key), value%whole)
-         case (truth_kind); call list%add(name, key_long_name(key), value%truth)
+         case (whole_kind); call list%add(name, key_long_name(key), nint(value%number))
+         case (truth_kind); call list%add(name, key_long_name(key), value%number > 0)
          case default; call list%add(name, key_long_name(key), value%word)
          end select
       end associate
@@ -128,7 +132,7 @@ contains
       call list%add('film_order', 'observed order of central_film on three levels', result%film_order)
       call list%add('amplitude_ratio_error', 'estimated relative error of Ad/Ai', result%amplitude_ratio_error)
       call list%add('amplitude_error_basis', 'what amplitude_ratio_error is from', &
-                    trim(basis_name(result%amplitude_error_basis)))
+                    trim(result%amplitude_error_basis))
       call add_response(list, result%harmonic)
       call add_sensitivities(list, case, result%by_oil)
       call list%add('v', 'V of theory eq. (17)', result%v)

@@ -3,19 +3,20 @@ module ehlwave_shared_steady
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t, run_harmonic
    use ehlwave_case_text, only: effective_input
-   use ehlwave_full_multigrid, only: full_multigrid_t, method_t
+   use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_grid, only: grid_t, new_grid, new_line_grid
-   use ehlwave_harmonic_response, only: harmonic_solver_t, response_tolerance
+   use ehlwave_harmonic_response, only: harmonic_solver_t
    use ehlwave_kinds, only: dp
    use ehlwave_oil_sensitivity, only: by_alpha, by_stress, differentiate_steady
    use ehlwave_rescue, only: rescue_t, rung_direct
    use ehlwave_solve_report, only: solve_limits_t, solve_report_t
+   use ehlwave_solver_choice, only: init_multigrid, method_t
    use ehlwave_status, only: status_converged
    use ehlwave_steady_tangent, only: steady_tangent_t, tangent_change_t
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
-   public :: steady_key
+   public :: limits_of, steady_key
 
    !> It owns the hierarchy.
    type, public :: shared_steady_t
@@ -39,7 +40,6 @@ module ehlwave_shared_steady
    ! of these levels alone (M = 20, D = 0.35 on 512^2: 1e-3 leaves 4e-4 of H(0,0), ten times the error of the finest).
    real(dp), parameter :: coarse_tolerance = 1e-5_dp
 
-   real(dp), parameter :: response_share = 10           !! tolerance of linear responses over that of the steady state, at most
    real(dp), parameter :: tangent_tolerance = 1e-6_dp   !! of its derivatives, at most
 
 contains
@@ -60,7 +60,7 @@ contains
       bare%cells_x = plan%cells_x
       bare%cells_y = plan%cells_y
       key = effective_input(bare)//merge('half ', 'whole', plan%is_half)//to_text(plan%kind)// &
-            ' '//to_text(plan%largest_total_steps)
+            ' '//to_text(plan%largest_total_steps)//' '//to_text(plan%domain_scale)
    end function steady_key
 
    !> Have the steady state of a case in `multigrid` and the account of it in `rescue`: solved now, or kept from a case
@@ -81,8 +81,8 @@ contains
       self%is_linearised = .false.
       self%has_tangent = .false.
       self%is_differentiated = .false.
-      call self%multigrid%init(plan%conditions, plan%rheology, grid_of(case, plan), &
-                               method_t(case%method, case%cycle, case%deformation))
+      call init_multigrid(self%multigrid, plan%conditions, plan%rheology, grid_of(case, plan), &
+                          method_t(case%method, case%cycle, case%deformation))
       self%rescue = rescue_t(is_ready=climbs(plan), steps_left=plan%largest_total_steps)
       call self%rescue%solve_steady(self%multigrid, limits_of(case), coarse_tolerance)
    end subroutine prepare
@@ -121,8 +121,8 @@ contains
          self%has_coarse = report%status == status_converged
       end if
       if (plan%kind == run_harmonic) deallocate (self%multigrid%solver)   ! nothing nonlinear follows: give the memory back
-      self%response%tolerance = min(response_tolerance, response_share*case%tolerance)
-      self%coarse_response%tolerance = self%response%tolerance
+      self%response%tolerance = case%response_tolerance
+      self%coarse_response%tolerance = case%response_tolerance
       call self%response%init(self%multigrid%levels)
       call self%find_tangent()
       if (self%has_coarse) call self%coarse_response%init(self%multigrid%levels(:n - 1))
@@ -159,12 +159,14 @@ contains
       type(case_plan_t), intent(in) :: plan
       type(grid_t) :: grid
       if (plan%conditions%is_line()) then
-         grid = new_line_grid(case%x_min, case%x_max, plan%cells_x)
+         grid = new_line_grid(plan%x_min, plan%x_max, plan%cells_x)
       else
-         grid = new_grid(case%x_min, case%x_max, case%y_max, plan%cells_x, plan%cells_y, plan%is_half)
+         grid = new_grid(plan%x_min, plan%x_max, plan%y_max, plan%cells_x, plan%cells_y, plan%is_half)
       end if
+      grid%is_flooded = case%edges == 'flooded'
    end function grid_of
 
+   !> What a steady solution of a case is asked for.
    pure function limits_of(case) result(limits)
       type(case_t), intent(in) :: case
       type(solve_limits_t) :: limits

@@ -22,7 +22,7 @@ module ehlwave_sweep_leader
    use ehlwave_sweep_progress, only: progress_t
    use ehlwave_sweep_queue, only: new_queue
    use ehlwave_sweep_report, only: print_sweep_result
-   use ehlwave_sweep_start, only: choose_cases, set_aside_crashed
+   use ehlwave_sweep_start, only: choose_cases, refuse_changed_surfaces, set_aside_crashed
    use ehlwave_text, only: to_text
    use ehlwave_text_file, only: read_text
    implicit none (type, external)
@@ -82,6 +82,8 @@ contains
       if (sweep%skipped > 0) write (output_unit, '(a)') to_text(sweep%skipped)//' unresolved cases are left out as asked'
       allocate (to_run(size(sweep%cases)), status(size(sweep%cases)), seconds(size(sweep%cases)))
       call choose_cases(sweep, store, contents, options%retry, to_run, status, seconds)
+      call refuse_changed_surfaces(sweep, contents, to_run, error)
+      if (allocated(error)) return
       call print_notices(sweep, contents, to_run, options%retry)
       call list_cases(sweep, folder, error)
       call set_aside_crashed(sweep, contents, store, to_run, status, error)

@@ -6,7 +6,8 @@ module ehlwave_sweep_start
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_text, only: effective_input
    use ehlwave_clock, only: time_stamp
-   use ehlwave_errors, only: error_t
+   use ehlwave_errors, only: error_t, raise
+   use ehlwave_json_reader, only: json_string
    use ehlwave_kinds, only: dp
    use ehlwave_status, only: is_success, status_crashed, status_pending
    use ehlwave_store, only: store_t
@@ -15,7 +16,7 @@ module ehlwave_sweep_start
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
-   public :: choose_cases, set_aside_crashed
+   public :: choose_cases, refuse_changed_surfaces, set_aside_crashed
 
    integer, parameter :: most_deaths = 2   !! of its process in a case, before it is set aside
 
@@ -49,6 +50,26 @@ contains
          end if
       end do
    end subroutine choose_cases
+
+   !> Refuse to go on where a stored result is that of another content of the file of its surface: an identity holds the path.
+   subroutine refuse_changed_surfaces(sweep, contents, to_run, error)
+      type(sweep_t), intent(in) :: sweep
+      type(contents_t), intent(in) :: contents
+      logical, intent(in) :: to_run(:)
+      type(error_t), allocatable, intent(inout) :: error
+      character(len=:), allocatable :: stored
+      integer :: i
+
+      do i = 1, size(sweep%cases)
+         if (allocated(error)) return
+         if (to_run(i) .or. sweep%plans(i)%surface_digest == '') cycle
+         stored = json_string(contents%value(contents%index%find(sweep%identity(i)), 'surface_digest'))
+         if (stored == '' .or. stored == sweep%plans(i)%surface_digest) cycle
+         call raise(error, "&surface file = '"//trim(sweep%cases(i)%surface_file)//"' has other heights than when case "// &
+                    to_text(i)//' was stored: put the old file back, give the new one another name, or begin anew with '// &
+                    '--overwrite')
+      end do
+   end subroutine refuse_changed_surfaces
 
    !> Cases whose process died in two runs are stored as `crashed` and not tried again; says so.
    subroutine set_aside_crashed(sweep, contents, store, to_run, status, error)

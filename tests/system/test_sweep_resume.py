@@ -9,7 +9,7 @@ import unittest
 from pathlib import Path
 
 from ehlwave_program import MPI_ARGUMENTS, MPI_ENVIRONMENT, namelist, run
-from hdf5_reading import read
+from hdf5_reading import h5py, read
 from store_reading import count_records, finished
 from torture import CIRCUMSTANCES
 
@@ -67,6 +67,21 @@ class SweepResume(unittest.TestCase):
         for name in set(a) - CIRCUMSTANCES:
             same = a[name] == b[name] if isinstance(a[name], list) else a[name].tobytes() == b[name].tobytes()
             self.assertTrue(same, f"{name}: {a[name]} against {b[name]}")
+
+    def test_changed_surface_is_refused(self):
+        """Identities hold the name of a surface file, not what is in it."""
+        groups = {"conditions": {"radius_x_m": 12.52e-3, "radius_y_m": 12.52e-3, "reduced_modulus_pa": 1.17e11, "load_n": 39.2,
+                                 "mean_speed_m_per_s": 0.024, "viscosity_pa_s": 1.22},
+                  "surface": {"file": "s.h5"}, "grid": {"cells_x": 32, "cells_y": 32}, "dynamics": {"end_time": 0.25},
+                  "sweep": {"slip_parameter": [1, 1.2]}}
+        for height, status, needle in [(1e-8, 0, ""), (1e-8, 0, "2 of 2 cases are in the store already"),
+                                       (1.1e-8, 2, "'s.h5' has other heights than when case 1 was stored")]:
+            with h5py.File(self.folder/"s.h5", "w") as file:
+                file["x"] = [8e-6*i for i in range(65)]
+                file["y"] = [0.0]
+                file["height"] = [[height if 20 < i < 40 else 0.0 for i in range(65)]]
+            self.assertIn(needle, self.sweep(groups, status=status))
+        self.sweep(groups, "--overwrite")
 
     def test_only_what_is_new_runs(self):
         self.sweep(QUICK)

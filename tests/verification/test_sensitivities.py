@@ -7,7 +7,7 @@ from ehlwave_program import TestCase, report, solve
 
 STEP = 1e-4         # of the logarithm of a property
 AGREEMENT = 1e-6    # relative
-TIGHT = {"tolerance": 1e-10, "largest_steps": 100}
+TIGHT = {"tolerance": 1e-10, "response_tolerance": 1e-9, "largest_steps": 100}
 
 
 def waves(orientation="isotropic"):

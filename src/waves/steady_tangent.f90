@@ -5,10 +5,10 @@ module ehlwave_steady_tangent
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp
    use ehlwave_real_gmres, only: gmres_t
-   use ehlwave_real_linearised_contact, only: linearised_contact_t
+   use ehlwave_real_linearised_contact, only: linearised_contact_t, set_wedge
    use ehlwave_state, only: new_state, state_t
    use ehlwave_status, only: status_converged, status_not_finite, status_stalled
-   use ehlwave_transport, only: implicit_part, steady_transport
+   use ehlwave_transport, only: steady_transport
    implicit none (type, external)
    private
 
@@ -37,7 +37,7 @@ contains
    subroutine init(self, levels)
       class(steady_tangent_t), intent(inout) :: self
       type(level_t), intent(inout), target :: levels(:)   !! coarsest first
-      integer :: l, n
+      integer :: n
 
       n = size(levels)
       self%is_factorised = .false.
@@ -47,10 +47,7 @@ contains
          call linear%start(n)
          linear%levels(n)%equations%given = given_t(transport=steady_transport(problem%grid))
          call problem%film_of(linear%levels(n)%equations%given, self%state%p, self%state%delta, self%state%h)
-         linear%levels(n)%wedge = implicit_part(linear%levels(n)%equations%given%transport, problem%grid)
-         do l = n - 1, 1, -1
-            linear%levels(l)%wedge = implicit_part(linear%levels(l + 1)%wedge, levels(l)%problem%grid)
-         end do
+         call set_wedge(linear)
       end associate
       call self%stand(levels(n))
    end subroutine init

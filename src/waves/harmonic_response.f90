@@ -17,7 +17,7 @@ module ehlwave_harmonic_response
 
    !> Of the linear residual: 1e-4 leaves up to 0.3 % where Ad/Ai is a few per cent (2e-4 of Ai), 1e-5 a tenth of that for one or
    !> two steps more.
-   real(dp), parameter, public :: response_tolerance = 1e-5_dp
+   real(dp), parameter :: response_tolerance = 1e-5_dp
 
    !> What a pattern of amplitude A does to first order in A. The pattern is the real part of
    !>
@@ -95,6 +95,7 @@ contains
       complex(dp), pointer, contiguous :: dr(:, :)
       complex(dp) :: inertia
       real(dp) :: frequency
+      integer :: k
 
       associate (linear => self%linear, grid => self%linear%levels(self%linear%finest)%equations%mesh%grid)
          allocate (b(linear%n), g(0:grid%nx, 0:grid%ny))
@@ -108,6 +109,11 @@ contains
          call linear%factorise(1)
          dr(0:grid%nx, 0:grid%ny) => b(:linear%n - 1)
          call linear%gap_change(g, dr)
+         associate (edges => linear%levels(linear%finest)%equations%edges)
+            do k = 1, edges%count()
+               dr(edges%i(k), edges%j(k)) = 0   ! the far field does not see the waves
+            end do
+         end associate
          dr = -dr
          b(linear%n) = 0
          call self%respond_to(levels, b, response)

@@ -71,8 +71,8 @@ contains
       end associate
    end subroutine find_mean_change
 
-   !> Right side: minus the mean over the phases of what waves change in the weighted residual; 0 at cavitated nodes and in
-   !> the load row.
+   !> Right side: minus the mean over the phases of what waves change in the weighted residual; 0 at cavitated nodes, in
+   !> the load row and at flooded edges, whose pressure is small and changes by (h/H)^2 of it.
    subroutine mean_residual(tangent, level, response, phases, amplitude, b)
       type(steady_tangent_t), intent(inout) :: tangent
       type(level_t), intent(in) :: level           !! the finest

@@ -1,0 +1,73 @@
+!> What the edges of a domain cost, and how large a domain an accuracy needs.
+module ehlwave_domain_choice
+   use ehlwave_case_definition, only: case_t
+   use ehlwave_conditions, only: conditions_t
+   use ehlwave_far_field, only: far_field_t, new_far_field
+   use ehlwave_formula, only: moes_film_formula
+   use ehlwave_kinds, only: dp
+   implicit none (type, external)
+   private
+   public :: choose_domain, expected_domain_error
+
+   ! Measured, domains of (-2.5, 1.5, 2) to (-40, 8, 24): P = 0 at the edges leaves 0.55 to 0.75 of the thickening alpha q of the
+   ! inlet edge for M = 20 to 500, and the load outside in the power by which the film of the formula falls with the load (M = 4.2,
+   ! L = 0, r0 = 10: 17 %). Flooded edges leave 0.005 to 0.035 of the first and 0.1 of the second; Ad/Ai has 0.15 to 0.4 of the
+   ! error of the film.
+   real(dp), parameter :: pressure_factor = 0.65_dp, flooded_pressure_share = 0.04_dp, flooded_load_share = 0.1_dp
+   real(dp), parameter :: ratio_share = 0.4_dp
+   real(dp), parameter :: share_of_accuracy = 0.3_dp      !! for the domain, where it is chosen
+   real(dp), parameter :: largest_scale = 32
+
+contains
+
+   !> Enlarge the domain of a case as far as its accuracy needs: by a power of 2, the outlet by the root of it. That is done with
+   !> flooded edges and a domain of the usual size; any other stays. A coarser grid of a case has the scale of the case.
+   pure subroutine choose_domain(case, conditions, scale)
+      type(case_t), intent(inout) :: case
+      type(conditions_t), intent(in) :: conditions
+      real(dp), intent(out) :: scale
+      type(case_t) :: usual
+
+      scale = case%domain_scale
+      if (.not. scale > 0) then
+         scale = 1
+         if (case%accuracy > 0 .and. case%edges == 'flooded' .and. len_trim(case%surface_file) == 0 .and. &
+             maxval(abs([case%x_min - usual%x_min, case%x_max - usual%x_max, case%y_max - usual%y_max])) <= 0) then
+            do while (scale < largest_scale)
+               if (expected_domain_error(case, conditions, scale) <= share_of_accuracy*case%accuracy) exit
+               scale = 2*scale
+            end do
+         end if
+      end if
+      case%x_min = scale*case%x_min
+      case%x_max = sqrt(scale)*case%x_max
+      case%y_max = scale*case%y_max
+   end subroutine choose_domain
+
+   !> Relative error by the edges of a domain `scale` times that of a case: of H(0,0), of a case with waves of Ad/Ai.
+   pure real(dp) function expected_domain_error(case, conditions, scale) result(error)
+      type(case_t), intent(in) :: case
+      type(conditions_t), intent(in) :: conditions
+      real(dp), intent(in) :: scale
+      type(conditions_t) :: heavier
+      type(far_field_t) :: far
+      real(dp), parameter :: step = 0.01_dp
+      real(dp) :: by_load, by_pressure, inlet, side, slope
+
+      far = new_far_field(conditions, conditions%alphabar)
+      heavier = conditions
+      heavier%m = (1 + step)*conditions%m
+      slope = -log(moes_film_formula(heavier)/moes_film_formula(conditions))/log(1 + step)
+      inlet = scale*case%x_min
+      side = merge(4/3.0_dp, scale*case%y_max, conditions%is_line())   ! the width of a line's strip
+      by_pressure = pressure_factor*conditions%alphabar*far%strength(inlet, 0.0_dp)/far%film_at(inlet, 0.0_dp)**2
+      by_load = max(0.0_dp, slope)*far%load_outside(inlet, side)
+      if (case%edges == 'flooded') then
+         by_pressure = flooded_pressure_share*by_pressure
+         by_load = flooded_load_share*by_load
+      end if
+      error = 1 - exp(-by_pressure - by_load)
+      if (case%orientation /= 'none') error = ratio_share*error
+   end function expected_domain_error
+
+end module ehlwave_domain_choice
