@@ -15,8 +15,10 @@
 !>     L du1/dx = -(dL/du du/dx + dL/dx) u1.
 !>
 !> Both right sides are centred differences of residuals, dR/dx at the state and the second along (du/dx, 1), with a step of
-!> 1e-5, of second order, which leaves about 1e-8 of the result. The nodes that are cavitated stay so.
+!> 1e-5, of second order, which leaves about 1e-8 of the result. The nodes that are cavitated stay so. Of flooded edges the
+!> steady pressures and the load outside are differentiated, what waves change there is not.
 module ehlwave_oil_sensitivity
+   use ehlwave_conditions, only: conditions_t
    use ehlwave_harmonic_response, only: harmonic_response_t, harmonic_solver_t
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp
@@ -44,17 +46,24 @@ contains
       type(tangent_change_t), intent(out) :: change
       real(dp), allocatable, target :: b(:)
       real(dp), pointer, contiguous :: r(:, :)
-      integer :: side
+      real(dp) :: edge(size(tangent%linear%levels(tangent%linear%finest)%equations%edge_excess))
+      integer :: k, side
 
+      edge = 0
       associate (finest => tangent%linear%levels(tangent%linear%finest), level => levels(size(levels)))
          allocate (b(tangent%linear%n), source=0.0_dp)
          r(0:level%problem%grid%nx, 0:level%problem%grid%ny) => b(:tangent%linear%n - 1)
          do side = -1, 1, 2
             call evaluate_beside(tangent, level, x, side*step, tangent%state)
             r = r - side*finest%equations%residual/(2*step)
+            edge = edge - side*finest%equations%edge_excess/(2*step)
+            b(tangent%linear%n) = b(tangent%linear%n) - side*finest%equations%edges%load/(2*step)
          end do
          call tangent%stand(level)
          r = merge(0.0_dp, finest%row_scale*r, finest%equations%is_cavitated)
+         do k = 1, finest%equations%edges%count()
+            r(finest%equations%edges%i(k), finest%equations%edges%j(k)) = edge(k)
+         end do
       end associate
       call tangent%solve(levels, b, tolerance, change)
    end subroutine differentiate_steady
@@ -100,17 +109,22 @@ contains
       integer, intent(in) :: x
       real(dp), intent(in) :: dx
       type(state_t), intent(in) :: state
-      type(rheology_t) :: other, own
+      type(conditions_t) :: beside, conditions
+      type(rheology_t) :: oil
 
-      own = level%problem%rheology
+      conditions = level%problem%conditions
+      oil = level%problem%rheology
+      beside = conditions
       if (x == by_alpha) then
-         other = own%with_alpha(exp(dx))
+         beside%alpha_per_pa = exp(dx)*conditions%alpha_per_pa
+         beside%l = exp(dx)*conditions%l
+         beside%alphabar = exp(dx)*conditions%alphabar
+         call level%problem%set_conditions(beside, oil%with_alpha(exp(dx)))
       else
-         other = own%with_stress(exp(dx))
+         call level%problem%set_conditions(beside, oil%with_stress(exp(dx)))
       end if
-      call level%problem%set_oil(other)
       call tangent%linear%levels(tangent%linear%finest)%equations%evaluate(level%problem, state)
-      call level%problem%set_oil(own)
+      call level%problem%set_conditions(conditions, oil)
    end subroutine evaluate_beside
 
 end module ehlwave_oil_sensitivity
