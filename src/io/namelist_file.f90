@@ -137,22 +137,19 @@ contains
       character(len=*), intent(in) :: group, key
       type(value_t), allocatable, intent(out) :: item
       type(error_t), allocatable, intent(inout) :: error
+      type(value_t), allocatable :: items(:)
       character(len=:), allocatable :: problem
-      integer :: i, n
 
-      call self%find(group, key, i, error)
-      if (i == 0) return
-      associate (first => self%contents%entries(i)%first, values => self%contents%values)
-         n = self%contents%entries(i)%last - first + 1
-         if (n > 1) then
-            problem = to_text(n)//' values ('//shown(values(first)%text)//', '//shown(values(first + 1)%text)// &
-                      trim(merge(', ...', '     ', n > 2))//') where one is needed: write one, with a point as '// &
-                      'decimal mark, and ''='' after each key'
-            call self%refuse(group, key, problem, error)
-         else
-            item = values(first)
-         end if
-      end associate
+      call self%values_of(group, key, items, error)
+      if (.not. allocated(items)) return
+      if (size(items) > 1) then
+         problem = to_text(size(items))//' values ('//shown(items(1)%text)//', '//shown(items(2)%text)// &
+                   trim(merge(', ...', '     ', size(items) > 2))//') where one is needed: write one, with a point as '// &
+                   'decimal mark, and ''='' after each key'
+         call self%refuse(group, key, problem, error)
+      else
+         item = items(1)
+      end if
    end subroutine value_of
 
    !> Raise an error about a key, if there is a problem with it.
