@@ -6,7 +6,7 @@ module ehlwave_checkpoint_file
    use ehlwave_march_keeper, only: march_keeper_t
    use ehlwave_posix, only: checksum, reason_text, remove_file, replace_file
    use ehlwave_provenance, only: compiler, compiler_flags, git_revision, program_version
-   use ehlwave_record_file, only: read_whole_file
+   use ehlwave_text_file, only: read_whole_file
    use ehlwave_time_march, only: march_t
    implicit none (type, external)
    private

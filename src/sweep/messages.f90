@@ -10,17 +10,16 @@ module ehlwave_messages
    use ehlwave_outcome, only: message_length, outcome_t
    use ehlwave_case_text, only: effective_input
    use ehlwave_errors, only: error_t, raise
-   use ehlwave_kinds, only: dp
    use ehlwave_text, only: to_text
-   use mpi_f08, only: mpi_any_source, mpi_any_tag, mpi_character, mpi_comm, mpi_double_precision, mpi_get_count, &
-      mpi_iprobe, mpi_probe, mpi_recv, mpi_send, mpi_status, mpi_status_ignore
+   use mpi_f08, only: mpi_any_source, mpi_any_tag, mpi_byte, mpi_character, mpi_comm, mpi_get_count, mpi_iprobe, &
+      mpi_probe, mpi_recv, mpi_send, mpi_status, mpi_status_ignore
    implicit none (type, external)
    private
    public :: is_stop_waiting, is_waiting, next_message, receive_case, receive_outcome, receive_stop, send_case, &
       send_outcome, send_request, send_stop
 
    integer, parameter, public :: no_case = 0
-   integer, parameter :: tag_ask = 1, tag_case = 2, tag_numbers = 3, tag_text = 4, tag_stop = 5
+   integer, parameter :: tag_ask = 1, tag_case = 2, tag_outcome = 3, tag_stop = 4
    integer, parameter :: number_digits = 12   !! of the number of a case, before its input; then T: keep fields
 
 contains
@@ -92,27 +91,17 @@ contains
    end subroutine receive_case
 
    !> Tell rank 0 what a case came to.
-   subroutine send_outcome(comm, number, outcome)
+   subroutine send_outcome(comm, outcome)
       type(mpi_comm), intent(in) :: comm
-      integer, intent(in) :: number
       type(outcome_t), intent(in) :: outcome
-      call mpi_send([real(dp) :: number, outcome%status, outcome%seconds, merge(1, 0, outcome%is_store_broken)], 4, &
-                    mpi_double_precision, 0, tag_numbers, comm)
-      call mpi_send(outcome%message, message_length, mpi_character, 0, tag_text, comm)
+      call mpi_send(outcome, storage_size(outcome)/8, mpi_byte, 0, tag_outcome, comm)
    end subroutine send_outcome
 
-   subroutine receive_outcome(comm, rank, number, outcome)
+   subroutine receive_outcome(comm, rank, outcome)
       type(mpi_comm), intent(in) :: comm
       integer, intent(in) :: rank
-      integer, intent(out) :: number
       type(outcome_t), intent(out) :: outcome
-      real(dp) :: numbers(4)
-      call mpi_recv(numbers, 4, mpi_double_precision, rank, tag_numbers, comm, mpi_status_ignore)
-      call mpi_recv(outcome%message, message_length, mpi_character, rank, tag_text, comm, mpi_status_ignore)
-      number = nint(numbers(1))
-      outcome%status = nint(numbers(2))
-      outcome%seconds = numbers(3)
-      outcome%is_store_broken = numbers(4) > 0.5_dp
+      call mpi_recv(outcome, storage_size(outcome)/8, mpi_byte, rank, tag_outcome, comm, mpi_status_ignore)
    end subroutine receive_outcome
 
    subroutine send_stop(comm, rank)

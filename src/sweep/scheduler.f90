@@ -47,11 +47,10 @@ module ehlwave_scheduler
 
    abstract interface
       !> A case is finished.
-      subroutine count_case(self, case, outcome)
+      subroutine count_case(self, outcome)
          import :: leader_t, outcome_t
          implicit none (type, external)
          class(leader_t), intent(inout) :: self
-         integer, intent(in) :: case
          type(outcome_t), intent(in) :: outcome
       end subroutine count_case
 
@@ -85,7 +84,8 @@ contains
          call leader%queue%take(0, case)
          call work_on_case(run, leader%sweep%cases(case), leader%sweep%plans(case), &
                            effective_input(leader%sweep%cases(case)), leader, shared, outcome)
-         call take_outcome(leader, case, outcome)
+         outcome%case = case
+         call take_outcome(leader, outcome)
       end do
       do while (leader%running > 0 .or. leader%asking > 0)
          call serve_one(leader)
@@ -131,9 +131,9 @@ contains
 
       call next_message(self%comm, rank, is_request)
       if (.not. is_request) then
-         call receive_outcome(self%comm, rank, case, outcome)
+         call receive_outcome(self%comm, rank, outcome)
          self%running = self%running - 1
-         call take_outcome(self, case, outcome)
+         call take_outcome(self, outcome)
       else if (self%is_stopping .or. self%queue%is_empty()) then
          self%asking = self%asking - 1
          call send_case(self%comm, rank, no_case)
@@ -145,9 +145,8 @@ contains
    end subroutine serve_one
 
    !> A case is finished, or could not be: then all stop.
-   subroutine take_outcome(self, case, outcome)
+   subroutine take_outcome(self, outcome)
       class(leader_t), intent(inout) :: self
-      integer, intent(in) :: case
       type(outcome_t), intent(in) :: outcome
 
       if (outcome%status == status_pending .or. outcome%status == status_interrupted) then
@@ -156,8 +155,8 @@ contains
          if (self%reason == '') self%reason = 'a signal asked for it'
          self%is_store_broken = self%is_store_broken .or. outcome%is_store_broken
       else
-         call self%queue%learn(case, outcome%seconds)
-         call self%count_case(case, outcome)
+         call self%queue%learn(outcome%case, outcome%seconds)
+         call self%count_case(outcome)
       end if
    end subroutine take_outcome
 
@@ -195,7 +194,8 @@ contains
             call work_on_case(run, case, plan, input, worker, shared, outcome)
          end if
          if (outcome%is_store_broken) worker%is_stopping = .true.
-         call send_outcome(comm, number, outcome)
+         outcome%case = number
+         call send_outcome(comm, outcome)
          call send_request(comm)
          unanswered = unanswered + 1
       end do

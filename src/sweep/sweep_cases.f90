@@ -45,17 +45,23 @@ module ehlwave_sweep_cases
 contains
 
    !> An empty list, to which cases are to be added.
-   subroutine begin(self, skips_unresolved)
+   subroutine begin(self, most, skips_unresolved)
       class(sweep_t), intent(inout) :: self
+      integer, intent(in) :: most                  !! cases that can be added
       logical, intent(in) :: skips_unresolved
-      allocate (self%cases(64), self%plans(64), self%identity(64))
+      allocate (self%cases(most), self%plans(most), self%identity(most))
       self%skips_unresolved = skips_unresolved
    end subroutine begin
 
    !> No case will be added any more: the lists get the length that they need.
    subroutine finish(self)
       class(sweep_t), intent(inout) :: self
-      call resize(self, self%index%count)
+      associate (n => self%index%count)
+         if (n == size(self%cases)) return
+         self%cases = self%cases(:n)
+         self%plans = self%plans(:n)
+         self%identity = self%identity(:n)
+      end associate
    end subroutine finish
 
    !> Note the keys that vary.
@@ -127,29 +133,9 @@ contains
       before = self%index%count
       call self%index%add(identity, i)
       if (i <= before) return
-      if (i > size(self%cases)) call resize(self, 2*size(self%cases))
       self%cases(i) = input%case
       self%plans(i) = plan
       self%identity(i) = identity
    end subroutine add
-
-   !> Make the lists n long, keeping what fits.
-   subroutine resize(self, n)
-      class(sweep_t), intent(inout) :: self
-      integer, intent(in) :: n
-      type(case_t), allocatable :: cases(:)
-      type(case_plan_t), allocatable :: plans(:)
-      character(len=identity_length), allocatable :: identity(:)
-      integer :: kept
-
-      kept = min(n, size(self%cases))
-      allocate (cases(n), plans(n), identity(n))
-      cases(:kept) = self%cases(:kept)
-      plans(:kept) = self%plans(:kept)
-      identity(:kept) = self%identity(:kept)
-      call move_alloc(cases, self%cases)
-      call move_alloc(plans, self%plans)
-      call move_alloc(identity, self%identity)
-   end subroutine resize
 
 end module ehlwave_sweep_cases

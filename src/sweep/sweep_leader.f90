@@ -128,11 +128,10 @@ contains
          ' exists but not its store '//folder//': move it away, name another with --output, or give --overwrite')
    end subroutine refuse_foreign_results
 
-   subroutine count_case(self, case, outcome)
+   subroutine count_case(self, outcome)
       class(job_t), intent(inout) :: self
-      integer, intent(in) :: case
       type(outcome_t), intent(in) :: outcome
-      call self%progress%finished(case, outcome)
+      call self%progress%finished(outcome)
    end subroutine count_case
 
    subroutine look_after(self)
