@@ -163,7 +163,7 @@ def estimate_rows(table: Sequence[Row]) -> list[Row]:
 def richardson(values: Sequence[float]) -> float:
     """Return the relative error of the first of the values on h, 2h, 4h, as ehlwave-case does.
 
-    See ``estimate_error`` in src/case/error_estimate.f90.
+    See ``estimate_error`` in src/run/error_estimate.f90.
     """
     if not all(map(math.isfinite, values[:2])):
         return math.nan
