@@ -4,7 +4,7 @@ module ehlwave_case_key
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
-   public :: key_long_name, value_text, words_of
+   public :: is_same, key_long_name, value_text, words_of
 
    integer, parameter, public :: number_kind = 1, whole_kind = 2, truth_kind = 3, word_kind = 4
    integer, parameter, public :: most_keys = 96      !! of one table
@@ -161,6 +161,16 @@ contains
          text = text//"'"
       end select
    end function value_text
+
+   !> Whether two values of a key are the same.
+   pure logical function is_same(a, b)
+      type(key_value_t), intent(in) :: a, b
+      if (a%kind == word_kind) then
+         is_same = a%word == b%word
+      else
+         is_same = abs(a%number - b%number) <= 0 .and. a%whole == b%whole .and. (a%truth .eqv. b%truth)
+      end if
+   end function is_same
 
    !> The help up to its first ';' or ':'.
    pure function key_long_name(key) result(name)

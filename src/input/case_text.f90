@@ -1,11 +1,11 @@
 !> The effective input of a case as text, and its identity.
 module ehlwave_case_text
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_key, only: key_t, key_value_t, key_visitor_t, value_text
+   use ehlwave_case_key, only: is_same, key_t, key_value_t, key_visitor_t, value_text
    use ehlwave_case_keys, only: visit_case_keys
    use ehlwave_identity_index, only: text_identity
    use ehlwave_key_bounds, only: is_allowed
-   use ehlwave_key_list, only: is_default
+   use ehlwave_key_list, only: default_values
    implicit none (type, external)
    private
    public :: case_identity, effective_input, text_identity
@@ -16,6 +16,7 @@ module ehlwave_case_text
    type, extends(key_visitor_t), public :: writer_t
       character(len=:), allocatable :: text
       character(len=:), allocatable, private :: open_group   ! that the text is in, '' in the beginning
+      type(key_value_t), allocatable, private :: defaults(:) ! once a key is asked for its default
    contains
       procedure :: visit => write_key
    end type writer_t
@@ -48,7 +49,8 @@ contains
       if (.not. (key%applies .and. key%is_written)) return
       if (.not. is_allowed(key, value)) return
       if (key%is_late) then
-         if (is_default(key, value)) return
+         if (.not. allocated(self%defaults)) call default_values(self%defaults)
+         if (is_same(value, self%defaults(key%number))) return
       end if
       if (self%open_group /= key%group) then
          if (self%open_group /= '') self%text = self%text//'/'//line_end

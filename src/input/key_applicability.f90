@@ -6,7 +6,7 @@ module ehlwave_key_applicability
    use ehlwave_case_keys, only: visit_case_keys
    use ehlwave_errors, only: error_t, raise
    use ehlwave_key_bounds, only: bounds_text, is_allowed, is_none
-   use ehlwave_key_list, only: key_value
+   use ehlwave_key_list, only: default_values
    implicit none (type, external)
    private
    public :: check_applicability, check_needed
@@ -45,12 +45,12 @@ contains
       class(checker_t), intent(inout) :: self
       type(key_t), intent(in) :: key
       type(key_value_t), intent(inout) :: value
-      type(key_value_t) :: default
+      type(key_value_t), allocatable :: defaults(:)
 
       if (key%applies .or. .not. self%is_given(key%number) .or. allocated(self%error)) return
-      default = key_value(key%number)
-      if (self%may_idle(key%number) .or. is_none(value, default)) then
-         value = default
+      call default_values(defaults)
+      if (self%may_idle(key%number) .or. is_none(value, defaults(key%number))) then
+         value = defaults(key%number)
          self%is_given(key%number) = .false.
       else
          call raise(self%error, '&'//trim(key%group)//' '//trim(key%name)//' = '//value_text(value, 15)// &
@@ -76,10 +76,12 @@ contains
       class(seeker_t), intent(inout) :: self
       type(key_t), intent(in) :: key
       type(key_value_t), intent(inout) :: value
+      type(key_value_t), allocatable :: defaults(:)
 
       if (key%group /= self%wanted .or. .not. key%applies .or. allocated(self%error)) return
       if (is_allowed(key, value)) return
-      if (is_none(value, key_value(key%number))) then
+      call default_values(defaults)
+      if (is_none(value, defaults(key%number))) then
          call raise(self%error, '&'//trim(key%group)//' '//trim(key%name)//' is missing: '//trim(key%when)//' needs it')
       else
          call raise(self%error, '&'//trim(key%group)//' '//trim(key%name)//' = '//value_text(value, 15)// &

@@ -1,11 +1,11 @@
 !> The keys of a case as a list: to look one up by name, to walk through them without a case, to know the defaults.
 module ehlwave_key_list
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_key, only: key_t, key_value_t, key_visitor_t, most_keys, value_text
+   use ehlwave_case_key, only: key_t, key_value_t, key_visitor_t, most_keys
    use ehlwave_case_keys, only: visit_case_keys
    implicit none (type, external)
    private
-   public :: case_key_list, find_key, is_default, key_value
+   public :: case_key_list, default_values, find_key
 
    !> A table of keys with the values of one case.
    type, extends(key_visitor_t), public :: key_list_t
@@ -15,10 +15,9 @@ module ehlwave_key_list
       procedure :: visit => collect
    end type key_list_t
 
-   !> The value of one key.
+   !> Values alone.
    type, extends(key_visitor_t) :: getter_t
-      integer :: number = 0
-      type(key_value_t) :: value
+      type(key_value_t) :: values(most_keys)
    contains
       procedure :: visit => get
    end type getter_t
@@ -54,31 +53,20 @@ contains
       end do
    end function find_key
 
-   !> Value that a case has for the key of a number; without a case the default.
-   function key_value(number, case) result(value)
-      integer, intent(in) :: number
-      type(case_t), intent(in), optional :: case
-      type(key_value_t) :: value
-      type(case_t) :: copy
+   !> The defaults of all keys, in the order of the table.
+   subroutine default_values(values)
+      type(key_value_t), allocatable, intent(out) :: values(:)
+      type(case_t) :: usual
       type(getter_t) :: getter
-      if (present(case)) copy = case
-      getter%number = number
-      call visit_case_keys(copy, getter)
-      value = getter%value
-   end function key_value
+      call visit_case_keys(usual, getter)
+      values = getter%values(:getter%count)
+   end subroutine default_values
 
    subroutine get(self, key, value)
       class(getter_t), intent(inout) :: self
       type(key_t), intent(in) :: key
       type(key_value_t), intent(inout) :: value
-      if (key%number == self%number) self%value = value
+      self%values(key%number) = value
    end subroutine get
-
-   !> Whether a value is the default of its key.
-   logical function is_default(key, value)
-      type(key_t), intent(in) :: key
-      type(key_value_t), intent(in) :: value
-      is_default = value_text(value) == value_text(key_value(key%number))
-   end function is_default
 
 end module ehlwave_key_list

@@ -23,7 +23,6 @@ module ehlwave_namelist
    contains
       procedure :: load
       procedure :: load_text
-      procedure :: has, has_group
       procedure :: place
       procedure :: check_all_used
       procedure :: values_of, value_of
@@ -62,25 +61,6 @@ contains
       self%contents = contents
       self%known = known_names_t()
    end subroutine load_text
-
-   !> Whether the file gives a key; the key counts as known afterwards. Give the call a statement of its
-   !> own: beside '.and.' or '.or.' a compiler may leave it out, and then the key stays unknown.
-   logical function has(self, group, key)
-      class(namelist_t), intent(inout) :: self
-      character(len=*), intent(in) :: group, key
-      type(error_t), allocatable :: error
-      integer :: i
-      call self%find(group, key, i, error)
-      has = i > 0
-   end function has
-
-   !> Whether the file has a group; the group counts as known afterwards. A statement of its own, as `has`.
-   logical function has_group(self, group)
-      class(namelist_t), intent(inout) :: self
-      character(len=*), intent(in) :: group
-      call self%known%learn(group)
-      has_group = self%contents%group_place(group) > 0
-   end function has_group
 
    !> `FILE:LINE: ` of a key, else of its group, or `FILE: `; for messages of the caller.
    function place(self, group, key) result(prefix)

@@ -9,7 +9,7 @@ module ehlwave_namelist_known
    public :: known_names_t
 
    type :: known_names_t
-      character(len=name_length), allocatable, private :: groups(:), keys(:)   !! lower case; blank key: the group alone
+      character(len=name_length), allocatable, private :: groups(:), keys(:)   !! of each key, lower case
       type(identity_index_t), private :: index                                !! of both, in the order of asking
    contains
       procedure :: learn
@@ -19,21 +19,17 @@ module ehlwave_namelist_known
 
 contains
 
-   !> Note a group, or a key and its group.
+   !> Note a key and its group.
    subroutine learn(self, group, key)
       class(known_names_t), intent(inout) :: self
-      character(len=*), intent(in) :: group
-      character(len=*), intent(in), optional :: key
-      character(len=name_length) :: key_or_none
+      character(len=*), intent(in) :: group, key
       integer :: i
 
-      key_or_none = ''
-      if (present(key)) key_or_none = lower_case(key)
       if (.not. allocated(self%keys)) allocate (self%groups(0), self%keys(0))
-      call self%index%add(text_identity(lower_case(trim(group))//' '//trim(key_or_none)), i)
+      call self%index%add(text_identity(lower_case(trim(group))//' '//lower_case(trim(key))), i)
       if (i <= size(self%keys)) return
       self%groups = [character(len=name_length) :: self%groups, lower_case(group)]
-      self%keys = [self%keys, key_or_none]
+      self%keys = [character(len=name_length) :: self%keys, lower_case(key)]
    end subroutine learn
 
    !> Empty for a known group; otherwise what is wrong and what to change.
@@ -64,7 +60,7 @@ contains
       if (problem /= '') then
          problem = 'it belongs to '//problem(5:)//', move it there'
       else
-         problem = advice(key, pack(self%keys, self%groups == group .and. self%keys /= ''), '', 'keys')
+         problem = advice(key, pack(self%keys, self%groups == group), '', 'keys')
       end if
       problem = 'unknown key '''//trim(key)//''' in &'//trim(group)//': '//problem
    end function key_problem
@@ -87,11 +83,7 @@ contains
          if (any(known(:i - 1) == known(i))) cycle
          text = text//', '//mark//trim(known(i))
       end do
-      if (text == '') then
-         text = 'no '//what//' are known here, remove it'
-      else
-         text = 'the known '//what//' are '//text(3:)
-      end if
+      text = 'the known '//what//' are '//text(3:)
    end function advice
 
 end module ehlwave_namelist_known

@@ -30,14 +30,13 @@ module ehlwave_store_contents
 
    !> One log: who wrote it and what it was at.
    type, public :: log_t
-      integer :: run = 0, rank = 0
+      integer :: run = 0, rank = 0                     !! run 0: it does not tell who wrote it, and is not believed
       type(values_t) :: header
       type(layout_t) :: columns                        !! of the header
       character(len=:), allocatable :: base_input      !! effective input that those of its cases differ from
       character(len=identity_length) :: in_flight = '' !! case that was begun, and neither done nor stopped
       logical :: is_by_this_build = .false.            !! version and revision
    contains
-      procedure :: has_header
       procedure :: element => header_element
       procedure :: build
    end type log_t
@@ -125,12 +124,12 @@ contains
                call add_layout(value, contents, layout)
             case ('case')
                log%in_flight = ''
-               if (layout > 0 .and. log%has_header()) call take_case(value, layout, log%run, contents)
+               if (layout > 0 .and. log%run > 0) call take_case(value, layout, log%run, contents)
             end select
          end associate
       end do
       contents%runs = max(contents%runs, log%run)
-      if (.not. log%has_header()) return
+      if (log%run == 0) return
       contents%log_count = contents%log_count + 1
       contents%logs(contents%log_count) = log
    end subroutine read_log
@@ -203,12 +202,6 @@ contains
             text = text_from_difference(log%base_input, json_string(self%value(place, 'effective_input')))
       end associate
    end function input
-
-   !> Whether the log tells who wrote it; else it is not believed.
-   pure logical function has_header(self)
-      class(log_t), intent(in) :: self
-      has_header = self%run > 0
-   end function has_header
 
    !> Value of the header as JSON; empty when it has no such value.
    pure function header_element(self, name) result(text)

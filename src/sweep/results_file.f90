@@ -51,9 +51,12 @@ contains
       call add_layout(json_columns(table), contents, layout)
       do i = 1, n
          place(i) = contents%index%find(sweep%identity(i))
+         if (place(i) == 0) cycle
+         if (text_identity(contents%input(place(i))) == sweep%identity(i)) cycle
+         call raise(error, 'the store has a record of case '//sweep%identity(i)//' with the input of '// &
+                    'another case: keep the store for inspection and name another results file')
+         return
       end do
-      call check_inputs(contents, place, error)
-      if (allocated(error)) return
       call file%create(path, error)
       if (allocated(error)) return
       call file%attribute('title', 'ehlwave: amplitude reduction of waviness in EHL contacts')
@@ -68,21 +71,6 @@ contains
       call write_runs(file, contents, place)
       call file%finish(error)
    end subroutine write_results
-
-   !> The effective input that a record holds must have the identity of its case.
-   subroutine check_inputs(contents, place, error)
-      type(contents_t), intent(in) :: contents
-      integer, intent(in) :: place(:)
-      type(error_t), allocatable, intent(inout) :: error
-      integer :: i
-      do i = 1, size(place)
-         if (place(i) == 0) cycle
-         if (text_identity(contents%input(place(i))) == contents%cases(place(i))%identity) cycle
-         call raise(error, 'the store has a record of case '//contents%cases(place(i))%identity//' with the input of '// &
-                    'another case: keep the store for inspection and name another results file')
-         return
-      end do
-   end subroutine check_inputs
 
    !> Columns that follow from the sweep file; pending cases have them, too.
    subroutine write_inputs(file, sweep)

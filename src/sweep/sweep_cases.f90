@@ -32,6 +32,7 @@ module ehlwave_sweep_cases
       integer, allocatable :: varied(:)            !! numbers of the keys that its lists or columns give; unallocated: none
       character(len=:), allocatable :: notice      !! what the user should know about the sweep file, lines
       type(identity_index_t) :: index              !! from identity to number of the case
+      integer, allocatable, private :: told(:)     ! of these, those that have no column of their own in plans and reports
       logical, private :: skips_unresolved = .false.
    contains
       procedure :: begin
@@ -75,6 +76,7 @@ contains
       list = case_key_list()
       wavelength = find_key(list%keys, 'wavelength_over_a')
       self%varied = pack([(i, i=1, list%count)], [(any(keys == i) .or. (has_f_v .and. i == wavelength), i=1, list%count)])
+      self%told = pack(self%varied, [(all(shown_anyway /= list%keys(self%varied(i))%name), i=1, size(self%varied))])
    end subroutine vary
 
    !> Whether the key of a number varies.
@@ -94,16 +96,15 @@ contains
       type(key_list_t) :: list
       integer :: i
 
-      text = ''
-      if (.not. allocated(self%varied)) return
       parts = ''
-      list = case_key_list(self%cases(case))
-      do i = 1, size(self%varied)
-         associate (key => list%keys(self%varied(i)), value => list%values(self%varied(i)))
-            if (any(shown_anyway == key%name) .or. .not. key%applies) cycle
-            parts = parts//', '//trim(key%name)//' = '//value_text(value, 6)
-         end associate
-      end do
+      if (allocated(self%told)) then
+         if (size(self%told) > 0) list = case_key_list(self%cases(case))
+         do i = 1, size(self%told)
+            associate (key => list%keys(self%told(i)), value => list%values(self%told(i)))
+               if (key%applies) parts = parts//', '//trim(key%name)//' = '//value_text(value, 6)
+            end associate
+         end do
+      end if
       text = parts(min(3, len(parts) + 1):)
    end function variation
 

@@ -26,7 +26,7 @@ contains
       real(dp), allocatable :: two(:)
       integer :: i
 
-      two = [1.0_dp, 2.5_dp]
+      allocate (two, source=[1.0_dp, 2.5_dp])
       call list%add('text', '', odd)
       call list%add('real', '', 0.1_dp)
       call list%add_list('list', '', two)

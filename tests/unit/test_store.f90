@@ -61,7 +61,7 @@ contains
       type(quantity_list_t) :: record
       type(error_t), allocatable :: error
       real(dp), allocatable :: history(:)
-      history = [0.1_dp, 0.2_dp]
+      allocate (history, source=[0.1_dp, 0.2_dp])
       call record%add('case_id', '', identity)
       call record%add('status', '', status)
       call record%add('third', '', 1/3.0_dp)
