@@ -27,7 +27,6 @@ module ehlwave_namelist
       procedure :: check_all_used
       procedure :: values_of, value_of
       procedure :: refuse
-      procedure, private :: find
    end type namelist_t
 
 contains
@@ -107,7 +106,9 @@ contains
       type(value_t), allocatable, intent(out) :: items(:)
       type(error_t), allocatable, intent(in) :: error
       integer :: i
-      call self%find(group, key, i, error)
+      if (allocated(error)) return
+      call self%known%learn(group, key)
+      i = self%contents%entry_place(group, key)
       if (i > 0) items = self%contents%values(self%contents%entries(i)%first:self%contents%entries(i)%last)
    end subroutine values_of
 
@@ -146,18 +147,5 @@ contains
       if (present(line)) where = line_prefix(self%path, line)
       call raise(error, where//'key '''//trim(lower_case(key))//''' in &'//trim(lower_case(group))//': '//problem)
    end subroutine refuse
-
-   !> Index of an entry, 0 when it is absent or `error` is allocated.
-   subroutine find(self, group, key, i, error)
-      class(namelist_t), intent(inout) :: self
-      character(len=*), intent(in) :: group, key
-      integer, intent(out) :: i
-      type(error_t), allocatable, intent(in) :: error
-
-      i = 0
-      if (allocated(error)) return
-      call self%known%learn(group, key)
-      i = self%contents%entry_place(group, key)
-   end subroutine find
 
 end module ehlwave_namelist

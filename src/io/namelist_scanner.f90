@@ -51,8 +51,6 @@ module ehlwave_namelist_scanner
    type, extends(cursor_t) :: scanner_t
       type(token_t) :: token, after
       type(contents_t) :: found
-      type(entry_t) :: current                      !! key being read; line 0 before the first of a group
-      logical :: needs_value = .false.              !! after '=' or ','
    end type scanner_t
 
 contains
@@ -124,18 +122,58 @@ contains
       s%found%n_groups = i
       call shift(s)
       do while (s%token%kind /= '/' .and. .not. allocated(s%error))
-         call take_item(s, group)
-         call shift(s)
+         call take_key(s, group)
       end do
-      if (s%after%is_attached .and. scan(s%after%kind, '&'//end_of_text) == 0) &
-         call s%fail(s%token%line, '''/'' ends a group: put text that holds ''/'' into quotes, '// &
-                     'write fractions as decimal numbers, and begin a new line after ''/''')
-      call end_key(s)
+      call check_end(s)
       call shift(s)
    end subroutine take_group
 
-   !> One key with its '=', one value or one comma inside a group.
-   subroutine take_item(s, group)
+   !> One key with its '=' and all its values, up to the next key or the end of the group.
+   subroutine take_key(s, group)
+      type(scanner_t), intent(inout) :: s
+      type(group_t), intent(in) :: group
+      type(entry_t) :: entry
+      logical :: needs_value
+      integer :: i
+
+      if (s%token%kind /= word .or. s%after%kind /= '=') then
+         call refuse_token(s, group)
+         return
+      end if
+      call check_name(s, 'key')
+      entry = entry_t(group%name, lower_case(s%token%text), s%token%line, first=s%found%n_values + 1)
+      call s%found%entry_index%add(text_identity(trim(entry%group)//' '//trim(entry%key)), i)
+      if (i <= s%found%n_entries) call s%fail(entry%line, 'key '''//trim(entry%key)//''' is given twice (first on line '// &
+                                              to_text(s%found%entries(i)%line)//'): remove one')
+      call shift(s)
+      call shift(s)
+      needs_value = .true.
+      do while (scan(s%token%kind, word//quoted//',') > 0 .and. .not. begins_key(s))
+         if (s%token%kind /= ',') then
+            call take_value(s, trim(entry%key))
+         else if (needs_value) then
+            call s%fail(s%token%line, 'empty value of key '''//trim(entry%key)//''': give a value or remove the '',''')
+         end if
+         needs_value = s%token%kind == ','
+         call shift(s)
+      end do
+      call check_end(s)
+      entry%last = s%found%n_values
+      if (entry%last < entry%first .and. (s%token%kind == '/' .or. (begins_key(s) .and. s%after%kind == '='))) &
+         call s%fail(entry%line, 'key '''//trim(entry%key)//''' has no value: give one, or remove the key')
+      if (s%found%n_entries == size(s%found%entries)) s%found%entries = [s%found%entries, s%found%entries]
+      s%found%n_entries = s%found%n_entries + 1
+      s%found%entries(s%found%n_entries) = entry
+   end subroutine take_key
+
+   !> Whether the token at hand is a key, and not a value of the one before.
+   pure logical function begins_key(s)
+      type(scanner_t), intent(in) :: s
+      begins_key = s%token%kind == word .and. scan(s%after%kind, '=(') > 0
+   end function begins_key
+
+   !> Say why there is no key where one could be.
+   subroutine refuse_token(s, group)
       type(scanner_t), intent(inout) :: s
       type(group_t), intent(in) :: group
 
@@ -147,111 +185,40 @@ contains
                      ' is not closed: put ''/'' on a line of its own before this one')
       case ('(')
          call s%fail(s%token%line, '''('' is not accepted: write a list as ''key = a, b, c''')
-      case ('=')
-         call s%fail(s%token%line, '''='' without a key before it: write ''key = value''')
-      case (',')
-         if (s%current%line == 0) then
-            call s%fail(s%token%line, ''','' without a key before it: write ''key = value''')
-         else if (s%needs_value) then
-            call s%fail(s%token%line, 'empty value of key '''//trim(s%current%key)//''': give a value or remove the '',''')
-         end if
-         s%needs_value = .true.
+      case ('=', ',')
+         call s%fail(s%token%line, ''''//s%token%kind//''' without a key before it: write ''key = value''')
       case default
-         if (s%token%kind == word .and. s%after%kind == '=') then
-            call begin_key(s)
-         else if (s%token%kind == word .and. s%after%kind == '(') then
-            call s%fail(s%token%line, '''('' after '''//shown(s%token%text)//''': array elements are not '// &
-                        'accepted: write the whole list as ''key = a, b, c''')
-         else if (s%current%line == 0) then
-            call s%fail(s%token%line, 'no key before '''//shown(s%token%text)//''', or no ''='' after it: '// &
-                        'write ''key = value''')
-         else
-            call take_value(s)
-         end if
+         if (begins_key(s)) call s%fail(s%token%line, '''('' after '''//shown(s%token%text)//''': array elements are not '// &
+                                        'accepted: write the whole list as ''key = a, b, c''')
+         call s%fail(s%token%line, 'no key before '''//shown(s%token%text)//''', or no ''='' after it: '// &
+                     'write ''key = value''')
       end select
-   end subroutine take_item
+   end subroutine refuse_token
 
-   !> Close the key before, note the new one and go to its '='.
-   subroutine begin_key(s)
+   !> Refuse a '/' that belongs to something else.
+   subroutine check_end(s)
       type(scanner_t), intent(inout) :: s
-      integer :: i
-
-      call end_key(s)
-      call check_name(s, 'key')
-      s%current = entry_t(s%found%groups(s%found%n_groups)%name, lower_case(s%token%text), s%token%line, &
-                          first=s%found%n_values + 1)
-      call s%found%entry_index%add(text_identity(trim(s%current%group)//' '//trim(s%current%key)), i)
-      if (i <= s%found%n_entries) call s%fail(s%current%line, 'key '''//trim(s%current%key)//''' is given twice (first '// &
-                                              'on line '//to_text(s%found%entries(i)%line)//'): remove one')
-      s%needs_value = .true.
-      call shift(s)
-   end subroutine begin_key
-
-   !> Store the key being read, if there is one.
-   subroutine end_key(s)
-      type(scanner_t), intent(inout) :: s
-
-      s%needs_value = .false.
-      if (s%current%line == 0) return
-      s%current%last = s%found%n_values
-      if (s%current%last < s%current%first) &
-         call s%fail(s%current%line, 'key '''//trim(s%current%key)//''' has no value: give one, or remove the key')
-      if (s%found%n_entries == size(s%found%entries)) s%found%entries = [s%found%entries, s%found%entries]
-      s%found%n_entries = s%found%n_entries + 1
-      s%found%entries(s%found%n_entries) = s%current
-      s%current = entry_t()
-   end subroutine end_key
+      if (s%token%kind == '/' .and. s%after%is_attached .and. scan(s%after%kind, '&'//end_of_text) == 0) &
+         call s%fail(s%token%line, '''/'' ends a group: put text that holds ''/'' into quotes, '// &
+                     'write fractions as decimal numbers, and begin a new line after ''/''')
+   end subroutine check_end
 
    !> A value, with or without a repeat count.
-   subroutine take_value(s)
+   subroutine take_value(s, key)
       type(scanner_t), intent(inout) :: s
-      integer :: repeats
-
-      call take_repeat_count(s, repeats)
-      if (s%after%is_attached .and. scan(s%after%kind, word//quoted) > 0) &
-         call s%fail(s%token%line, 'key '''//trim(s%current%key)//''': '''//shown(s%token%text)// &
-                     ''' and what follows are not apart: put '','' between values and a whole text '// &
-                     'into one pair of quotes, a quote inside it doubled')
-      call store_value(s, repeats)
-   end subroutine take_value
-
-   !> Take the `3*` off `3*1.0`, or go from `3*` to the text in quotes after it.
-   subroutine take_repeat_count(s, repeats)
-      type(scanner_t), intent(inout) :: s
-      integer, intent(out) :: repeats
-      integer :: star
-
-      repeats = 1
-      star = 0
-      if (s%token%kind == word) star = index(s%token%text, '*')
-      if (star < 2) return
-      if (verify(s%token%text(:star - 1), '0123456789') /= 0) return
-      repeats = 0
-      if (star <= 10) read (s%token%text(:star - 1), *) repeats
-      if (repeats < 1 .or. repeats > max_values) then
-         call s%fail(s%token%line, 'repeat count in '''//shown(s%token%text)//''' of key '''// &
-                     trim(s%current%key)//''' must be from 1 to '//to_text(max_values))
-      else if (star < len(s%token%text)) then
-         s%token%text = s%token%text(star + 1:)
-      else if (s%after%kind == quoted .and. s%after%is_attached) then
-         call shift(s)
-      else
-         call s%fail(s%token%line, 'empty value of key '''//trim(s%current%key)//''': give a value after '''// &
-                     shown(s%token%text)//'''')
-      end if
-   end subroutine take_repeat_count
-
-   !> Add the token at hand to the values.
-   subroutine store_value(s, repeats)
-      type(scanner_t), intent(inout) :: s
-      integer, intent(in) :: repeats
+      character(len=*), intent(in) :: key           !! it belongs to
       type(value_t), allocatable :: grown(:)
       type(value_t) :: value
-      integer :: n
+      integer :: n, repeats
 
+      call take_repeat_count(s, key, repeats)
+      if (s%after%is_attached .and. scan(s%after%kind, word//quoted) > 0) &
+         call s%fail(s%token%line, 'key '''//key//''': '''//shown(s%token%text)// &
+                     ''' and what follows are not apart: put '','' between values and a whole text '// &
+                     'into one pair of quotes, a quote inside it doubled')
       n = s%found%n_values + repeats
-      if (n > max_values) call s%fail(s%token%line, 'key '''//trim(s%current%key)//''': more than '// &
-                                      to_text(max_values)//' values in the file: give fewer')
+      if (n > max_values) call s%fail(s%token%line, 'key '''//key//''': more than '//to_text(max_values)// &
+                                      ' values in the file: give fewer')
       if (allocated(s%error)) return
       if (n > size(s%found%values)) then
          allocate (grown(2*n))
@@ -263,8 +230,33 @@ contains
       value%line = s%token%line
       s%found%values(s%found%n_values + 1:n) = value
       s%found%n_values = n
-      s%needs_value = .false.
-   end subroutine store_value
+   end subroutine take_value
+
+   !> Take the `3*` off `3*1.0`, or go from `3*` to the text in quotes after it.
+   subroutine take_repeat_count(s, key, repeats)
+      type(scanner_t), intent(inout) :: s
+      character(len=*), intent(in) :: key
+      integer, intent(out) :: repeats
+      integer :: star
+
+      repeats = 1
+      star = 0
+      if (s%token%kind == word) star = index(s%token%text, '*')
+      if (star < 2) return
+      if (verify(s%token%text(:star - 1), '0123456789') /= 0) return
+      repeats = 0
+      if (star <= 10) read (s%token%text(:star - 1), *) repeats
+      if (repeats < 1 .or. repeats > max_values) then
+         call s%fail(s%token%line, 'repeat count in '''//shown(s%token%text)//''' of key '''//key//''' must be from 1 to '// &
+                     to_text(max_values))
+      else if (star < len(s%token%text)) then
+         s%token%text = s%token%text(star + 1:)
+      else if (s%after%kind == quoted .and. s%after%is_attached) then
+         call shift(s)
+      else
+         call s%fail(s%token%line, 'empty value of key '''//key//''': give a value after '''//shown(s%token%text)//'''')
+      end if
+   end subroutine take_repeat_count
 
    !> Whether the token at hand can be a name.
    subroutine check_name(s, what)
