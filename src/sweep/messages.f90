@@ -15,19 +15,24 @@ module ehlwave_messages
       mpi_probe, mpi_recv, mpi_send, mpi_status, mpi_status_ignore
    implicit none (type, external)
    private
-   public :: is_stop_waiting, is_waiting, next_message, receive_case, receive_outcome, receive_stop, send_case, &
-      send_outcome, send_request, send_stop
+   public :: is_waiting, next_message, receive_case, receive_outcome, receive_word, send_case, send_outcome, send_word
 
    integer, parameter, public :: no_case = 0
-   integer, parameter :: tag_ask = 1, tag_case = 2, tag_outcome = 3, tag_stop = 4
+   integer, parameter, public :: ask = 1, stop_work = 2   !! words: messages without anything in them
+   integer, parameter :: tag_case = 3, tag_outcome = 4
    integer, parameter :: number_digits = 12   !! of the number of a case, before its input; then T: keep fields
 
 contains
 
-   !> Rank 0: whether there is a message.
-   logical function is_waiting(comm)
+   !> Whether there is a message of any rank, or a word of rank 0.
+   logical function is_waiting(comm, word)
       type(mpi_comm), intent(in) :: comm
-      call mpi_iprobe(mpi_any_source, mpi_any_tag, comm, is_waiting, mpi_status_ignore)
+      integer, intent(in), optional :: word
+      if (present(word)) then
+         call mpi_iprobe(0, word, comm, is_waiting, mpi_status_ignore)
+      else
+         call mpi_iprobe(mpi_any_source, mpi_any_tag, comm, is_waiting, mpi_status_ignore)
+      end if
    end function is_waiting
 
    !> Rank 0: wait for a message; a request is received with that, an outcome is not.
@@ -38,15 +43,22 @@ contains
       type(mpi_status) :: status
       call mpi_probe(mpi_any_source, mpi_any_tag, comm, status)
       rank = status%mpi_source
-      is_request = status%mpi_tag == tag_ask
-      if (is_request) call receive_nothing(comm, rank, tag_ask)
+      is_request = status%mpi_tag == ask
+      if (is_request) call receive_word(comm, rank, ask)
    end subroutine next_message
 
-   !> Ask rank 0 for a case.
-   subroutine send_request(comm)
+   subroutine send_word(comm, rank, word)
       type(mpi_comm), intent(in) :: comm
-      call mpi_send('', 0, mpi_character, 0, tag_ask, comm)
-   end subroutine send_request
+      integer, intent(in) :: rank, word
+      call mpi_send('', 0, mpi_character, rank, word, comm)
+   end subroutine send_word
+
+   subroutine receive_word(comm, rank, word)
+      type(mpi_comm), intent(in) :: comm
+      integer, intent(in) :: rank, word
+      character(len=1) :: nothing
+      call mpi_recv(nothing, 0, mpi_character, rank, word, comm, mpi_status_ignore)
+   end subroutine receive_word
 
    !> Answer a request.
    subroutine send_case(comm, rank, number, case)
@@ -103,29 +115,5 @@ contains
       type(outcome_t), intent(out) :: outcome
       call mpi_recv(outcome, storage_size(outcome)/8, mpi_byte, rank, tag_outcome, comm, mpi_status_ignore)
    end subroutine receive_outcome
-
-   subroutine send_stop(comm, rank)
-      type(mpi_comm), intent(in) :: comm
-      integer, intent(in) :: rank
-      call mpi_send('', 0, mpi_character, rank, tag_stop, comm)
-   end subroutine send_stop
-
-   !> Whether rank 0 wants this rank to stop.
-   logical function is_stop_waiting(comm)
-      type(mpi_comm), intent(in) :: comm
-      call mpi_iprobe(0, tag_stop, comm, is_stop_waiting, mpi_status_ignore)
-   end function is_stop_waiting
-
-   subroutine receive_stop(comm)
-      type(mpi_comm), intent(in) :: comm
-      call receive_nothing(comm, 0, tag_stop)
-   end subroutine receive_stop
-
-   subroutine receive_nothing(comm, source, tag)
-      type(mpi_comm), intent(in) :: comm
-      integer, intent(in) :: source, tag
-      character(len=1) :: nothing
-      call mpi_recv(nothing, 0, mpi_character, source, tag, comm, mpi_status_ignore)
-   end subroutine receive_nothing
 
 end module ehlwave_messages

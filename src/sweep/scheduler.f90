@@ -9,8 +9,8 @@ module ehlwave_scheduler
    use ehlwave_case_text, only: effective_input
    use ehlwave_case_work, only: case_procedure, case_watch_t, work_on_case
    use ehlwave_errors, only: error_t
-   use ehlwave_messages, only: is_stop_waiting, is_waiting, next_message, no_case, receive_case, receive_outcome, &
-      receive_stop, send_case, send_outcome, send_request, send_stop
+   use ehlwave_messages, only: ask, is_waiting, next_message, no_case, receive_case, receive_outcome, receive_word, send_case, &
+      send_outcome, send_word, stop_work
    use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_status, only: status_interrupted, status_pending
    use ehlwave_sweep_cases, only: sweep_t
@@ -117,7 +117,7 @@ contains
       class(leader_t), intent(inout) :: self
       integer :: rank
       do rank = 1, size(self%has_stopped)
-         if (.not. self%has_stopped(rank)) call send_stop(self%comm, rank)
+         if (.not. self%has_stopped(rank)) call send_word(self%comm, rank, stop_work)
       end do
       self%has_stopped = .true.
    end subroutine stop_others
@@ -177,7 +177,7 @@ contains
       worker%case_watch_t = watch
       worker%comm = comm
       do i = 1, in_reserve
-         call send_request(comm)
+         call send_word(comm, 0, ask)
       end do
       unanswered = in_reserve
       do while (unanswered > 0)
@@ -196,18 +196,18 @@ contains
          if (outcome%is_store_broken) worker%is_stopping = .true.
          outcome%case = number
          call send_outcome(comm, outcome)
-         call send_request(comm)
+         call send_word(comm, 0, ask)
          unanswered = unanswered + 1
       end do
-      if (.not. worker%has_heard) call receive_stop(comm)
+      if (.not. worker%has_heard) call receive_word(comm, 0, stop_work)
    end subroutine follow
 
    !> Whether rank 0 wants all to stop.
    subroutine hear(self)
       class(worker_t), intent(inout) :: self
       if (self%has_heard) return
-      if (.not. is_stop_waiting(self%comm)) return
-      call receive_stop(self%comm)
+      if (.not. is_waiting(self%comm, stop_work)) return
+      call receive_word(self%comm, 0, stop_work)
       self%has_heard = .true.
       self%is_stopping = .true.
    end subroutine hear
