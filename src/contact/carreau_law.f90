@@ -14,7 +14,7 @@ module ehlwave_carreau_law
    contains
       procedure :: shear_factor
       procedure :: first_stress
-      procedure :: points_needed
+      procedure :: largest_variation
    end type carreau_law_t
 
    real(dp), parameter :: largest_exponent = 300      ! exp(300)^2 is finite
@@ -25,7 +25,7 @@ contains
       real(dp), intent(in) :: exponent   !! n, above 0 and at most 1
       type(carreau_law_t) :: self
       self%power = 0.5_dp*(1/exponent - 1)
-      self%steps_grow = .true.
+      self%is_power = .true.
    end function new_carreau_law
 
    pure subroutine shear_factor(self, n, stress2, s, slope)
@@ -67,11 +67,13 @@ contains
 
    !> Measured for n = 0.5 to 0.8: 6, 8, 16, 32, 64 and 128 points up to |Sigma| = 0.14, 0.32, 1.06, 2.4, 5.1 and 10.6.
    !> s branches at sigma = +-i, that is at a distance 1/|Sigma| from the film, hence the straight line.
-   elemental real(dp) function points_needed(self, variation)
+   elemental real(dp) function largest_variation(self, points)
       class(carreau_law_t), intent(in) :: self
-      real(dp), intent(in) :: variation
-      points_needed = 5 + 12.5_dp*variation
-      if (variation < 0.02_dp .or. .not. self%power > 0) points_needed = 4
-   end function points_needed
+      integer, intent(in) :: points
+      largest_variation = (points - 5)/12.5_dp
+      if (points == 4) largest_variation = 0.02_dp
+      if (points < 4) largest_variation = 1e-6_dp
+      if (.not. self%power > 0) largest_variation = huge(self%power)
+   end function largest_variation
 
 end module ehlwave_carreau_law

@@ -12,7 +12,7 @@ module ehlwave_eyring_law
    contains
       procedure :: shear_factor
       procedure :: first_stress
-      procedure :: points_needed
+      procedure :: largest_variation
    end type eyring_law_t
 
    real(dp), parameter :: c(0:8) = 1/[1.0_dp, 6.0_dp, 120.0_dp, 5040.0_dp, 362880.0_dp, 39916800.0_dp, 6227020800.0_dp, &
@@ -67,22 +67,26 @@ contains
       end do
    end subroutine first_stress
 
-   !> Measured: 4, 6, 8, 12, 16 and 24 points up to |Sigma| = 0.059, 0.57, 1.76, 6.2, 13 and 34, with sigma_m up to 14; then about
-   !> as the root.
-   elemental real(dp) function points_needed(self, variation)
+   !> Measured: 2, 4, 6, 8, 12, 16 and 24 points up to |Sigma| = 2.7e-6, 0.059, 0.57, 1.76, 6.2, 13 and 34, with sigma_m up to 14;
+   !> then about as the square.
+   elemental real(dp) function largest_variation(self, points)
       class(eyring_law_t), intent(in) :: self
-      real(dp), intent(in) :: variation
-      if (variation < 0.055_dp) then
-         points_needed = 4
-      else if (variation < 0.55_dp) then
-         points_needed = 6
-      else if (variation < 1.7_dp) then
-         points_needed = 8
-      else if (variation < 6) then
-         points_needed = 12
-      else
-         points_needed = 4.5_dp*sqrt(min(variation, self%largest_stress))
-      end if
-   end function points_needed
+      integer, intent(in) :: points
+      select case (points)
+      case (:3)
+         largest_variation = 2e-6_dp
+      case (4:5)
+         largest_variation = 0.055_dp
+      case (6:7)
+         largest_variation = 0.55_dp
+      case (8:11)
+         largest_variation = 1.7_dp
+      case (12:15)
+         largest_variation = 6
+      case default
+         largest_variation = (points/4.5_dp)**2
+         if (largest_variation > self%largest_stress) largest_variation = huge(largest_variation)
+      end select
+   end function largest_variation
 
 end module ehlwave_eyring_law

@@ -17,7 +17,7 @@ module ehlwave_film_flow
    private
    public :: new_film_flow
 
-   integer, parameter :: rule_points(*) = [4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256]
+   integer, parameter :: rule_points(*) = [2, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256]
    real(dp), parameter :: largest_rate = 1e100_dp      ! of |B|: exp(230)
 
    integer, parameter, public :: along_x = 1, along_y = 2   !! components of the flow
@@ -34,6 +34,7 @@ module ehlwave_film_flow
       real(dp) :: lambdabar = 0                   !! dimensionless speed
       real(dp), private :: rate = 0               ! B H/eta
       type(gauss_rule_t), allocatable, private :: rule(:)
+      real(dp), allocatable, private :: reach(:)  ! largest |Sigma| of each rule but the last
    contains
       procedure :: evaluate
       procedure :: mean_stress
@@ -59,6 +60,7 @@ contains
       do i = 1, size(rule_points)
          self%rule(i) = new_gauss_rule(rule_points(i))
       end do
+      self%reach = law%largest_variation(rule_points(:size(rule_points) - 1))
    end function new_film_flow
 
    !> One component of Qhat and its derivatives at n places.
@@ -131,12 +133,17 @@ contains
       real(dp), intent(in) :: h(:), gx(:), gy(:)
       integer, intent(out) :: order(:)                         !! places, those of rule 1 first
       integer, intent(out) :: first(size(rule_points) + 1)     !! where those of each rule begin
+      real(dp) :: variation
       integer :: i, k, needed(size(h)), place(size(rule_points) + 1)
 
       first = 0
       do i = 1, size(h)
-         needed(i) = rule_for(self%law%points_needed(self%n0*h(i)*sqrt(gx(i)**2 + gy(i)**2)))
-         first(needed(i)) = first(needed(i)) + 1
+         variation = self%n0*h(i)*sqrt(gx(i)**2 + gy(i)**2)
+         do k = 1, size(rule_points) - 1
+            if (.not. variation > self%reach(k)) exit
+         end do
+         needed(i) = k
+         first(k) = first(k) + 1
       end do
       first(size(first)) = size(h) + 1
       do k = size(rule_points), 1, -1
@@ -148,14 +155,6 @@ contains
          place(needed(i)) = place(needed(i)) + 1
       end do
    end subroutine choose_rules
-
-   !> The shortest rule with so many points, or the longest that there is.
-   pure integer function rule_for(points)
-      real(dp), intent(in) :: points
-      do rule_for = 1, size(rule_points) - 1
-         if (rule_points(rule_for) >= points) return
-      end do
-   end function rule_for
 
    !> Dimensionless stress variation and shear rate of some places.
    pure subroutine load(self, place, fluidity, h, gx, gy, stress)

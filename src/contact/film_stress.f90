@@ -16,8 +16,9 @@ module ehlwave_film_stress
 
    integer, parameter, public :: block_size = 64     !! places solved at once
    integer, parameter :: most_steps = 60             ! of Newton; 15 were the most met for |B| to 1e6, |Sigma| to 60
-   real(dp), parameter :: newton_tolerance = 1e-8_dp ! of the last step, which is still made: an error of its square
-
+   real(dp), parameter :: newton_tolerance = 1e-7_dp ! of the last step, which is still made: an error of its square
+   real(dp), parameter :: small_variation = 1.75_dp  ! |Sigma| up to which two points across the film make a first guess
+   real(dp), parameter :: two_points(2) = [-1, 1]/sqrt(3.0_dp), both_equal(2) = 1   ! of Gauss, and their weights
    real(dp), parameter :: nothing = 1e-100_dp        ! gives a direction to Sigma = 0
 
    !> Places 1..n of a block. Set n, sigma and b, then `solve`. The last index is the component along X or Y.
@@ -40,49 +41,74 @@ module ehlwave_film_stress
 
 contains
 
-   !> Newton for sigma_m, from the closed form along Sigma (exact for Ree-Eyring without gradient across sliding, and without
-   !> gradient at all); the flow is corrected to second order by the last step.
+   !> Newton for sigma_m; the flow is corrected to second order by the last step.
    pure subroutine solve(self, law, rule)
       class(film_stress_t), intent(inout) :: self
       class(flow_law_t), intent(in) :: law
       type(gauss_rule_t), intent(in) :: rule
       type(moments_t) :: moments
-      real(dp), dimension(block_size) :: length, size_m, step_x, step_y
-      real(dp) :: share
+      real(dp) :: change(block_size, 2)
+      real(dp), dimension(block_size) :: length, range
       integer :: i, step
 
       call start(self, law, rule)
       do step = 1, most_steps
-         call integrate(self, law, rule, moments)
-         call newton_step(self, moments, step_x, step_y)
+         call integrate(self, law, rule%node, rule%weight, moments)
+         call newton_step(self, moments, change)
          do i = 1, self%n
-            size_m(i) = sqrt(self%mean(i, 1)**2 + self%mean(i, 2)**2)
-            length(i) = sqrt(step_x(i)**2 + step_y(i)**2)
+            range(i) = 1
+            if (law%is_power) range(i) = max(1.0_dp, sqrt(self%mean(i, 1)**2 + self%mean(i, 2)**2))
+            length(i) = sqrt(change(i, 1)**2 + change(i, 2)**2)
          end do
-         if (all(length(:self%n) <= newton_tolerance*max(1.0_dp, size_m(:self%n)))) exit
+         if (all(length(:self%n) <= newton_tolerance*range(:self%n))) exit
          do i = 1, self%n
-            share = min(1.0_dp, law%largest_step(size_m(i))/max(length(i), tiny(share)))
-            self%mean(i, 1) = self%mean(i, 1) + share*step_x(i)
-            self%mean(i, 2) = self%mean(i, 2) + share*step_y(i)
+            self%mean(i, :) = self%mean(i, :) + min(1.0_dp, range(i)/max(length(i), tiny(length)))*change(i, :)
          end do
       end do
-      call finish(self, moments, step_x, step_y)
+      call finish(self, moments, change)
    end subroutine solve
 
-   !> First sigma_m: B resolved along and across Sigma, each part over the slope of the rate there at sigma_m = 0, and the
-   !> law's own stress for what results.
+   !> First sigma_m. Where Sigma is small: that of B alone, the rate there by two points across the film, and the stress for B
+   !> in proportion, with a step of Newton for what turns it; the error is of fourth order in Sigma. Else the closed form along Sigma, exact for Ree-Eyring without gradient across sliding.
    pure subroutine start(self, law, rule)
+      type(film_stress_t), intent(inout) :: self
+      class(flow_law_t), intent(in) :: law
+      type(gauss_rule_t), intent(in) :: rule
+      type(moments_t) :: moments
+      real(dp) :: change(block_size, 2), rate(block_size), stress(block_size)
+      integer :: n
+
+      n = self%n
+      self%mean(:n, :) = 0
+      if (maxval(abs(self%b(:n))) <= 0) return
+      if (maxval(self%sigma(:n, 1)**2 + self%sigma(:n, 2)**2) > small_variation**2) then
+         call start_along(self, law, rule)
+         return
+      end if
+      rate(:n) = max(abs(self%b(:n)), tiny(rate))
+      call law%first_stress(n, rate, stress)
+      self%mean(:n, 1) = sign(stress(:n), self%b(:n))
+      call integrate(self, law, two_points, both_equal, moments)
+      call newton_step(self, moments, change)
+      rate(:n) = max(rate(:n)*self%b(:n)/(moments%a(:n, 0)*self%mean(:n, 1) + moments%a(:n, 1)*self%sigma(:n, 1)), tiny(rate))
+      call law%first_stress(n, rate, stress)
+      self%mean(:n, 1) = sign(stress(:n), self%b(:n))
+      self%mean(:n, 2) = change(:n, 2)
+   end subroutine start
+
+   !> B resolved along and across Sigma, each part over the slope of the rate there at sigma_m = 0, and the law's own stress for
+   !> what results.
+   pure subroutine start_along(self, law, rule)
       type(film_stress_t), intent(inout) :: self
       class(flow_law_t), intent(in) :: law
       type(gauss_rule_t), intent(in) :: rule
       type(moments_t) :: moments
       real(dp), dimension(block_size) :: across, along, rate, stress, unit_x, unit_y
       real(dp) :: length2
-      integer :: i
+      integer :: half, i
 
-      self%mean(:self%n, :) = 0
-      if (maxval(abs(self%b(:self%n))) <= 0) return
-      call integrate(self, law, rule, moments)
+      half = rule%n/2 + 1     ! without sigma_m one half of the film is like the other
+      call integrate(self, law, rule%node(half:), 2*rule%weight(half:), moments)
       do i = 1, self%n
          unit_x(i) = self%sigma(i, 1) + nothing
          length2 = unit_x(i)**2 + self%sigma(i, 2)**2
@@ -97,69 +123,83 @@ contains
          self%mean(i, 1) = stress(i)/rate(i)*(along(i)*unit_x(i) - across(i)*unit_y(i))
          self%mean(i, 2) = stress(i)/rate(i)*(along(i)*unit_y(i) + across(i)*unit_x(i))
       end do
-   end subroutine start
+   end subroutine start_along
 
    !> T_0^(-1) (B e_x - rate).
-   pure subroutine newton_step(self, moments, step_x, step_y)
+   pure subroutine newton_step(self, moments, change)
       type(film_stress_t), intent(in) :: self
       type(moments_t), intent(in) :: moments
-      real(dp), intent(out) :: step_x(block_size), step_y(block_size)
-      real(dp) :: determinant, left_x, left_y, xx, xy, yy
+      real(dp), intent(out) :: change(block_size, 2)   !! of sigma_m
+      real(dp) :: inverse, left_x, left_y, t(block_size, 3)
       integer :: i
 
-      associate (m => self%mean, s => self%sigma, a => moments%a, e => moments%e)
+      call dyads(self, moments, 0, t)
+      associate (m => self%mean, s => self%sigma, a => moments%a)
          do i = 1, self%n
-            xx = a(i, 0) + e(i, 0)*m(i, 1)**2 + 2*e(i, 1)*m(i, 1)*s(i, 1) + e(i, 2)*s(i, 1)**2
-            xy = e(i, 0)*m(i, 1)*m(i, 2) + e(i, 1)*(m(i, 1)*s(i, 2) + m(i, 2)*s(i, 1)) + e(i, 2)*s(i, 1)*s(i, 2)
-            yy = a(i, 0) + e(i, 0)*m(i, 2)**2 + 2*e(i, 1)*m(i, 2)*s(i, 2) + e(i, 2)*s(i, 2)**2
             left_x = self%b(i) - a(i, 0)*m(i, 1) - a(i, 1)*s(i, 1)
             left_y = -a(i, 0)*m(i, 2) - a(i, 1)*s(i, 2)
-            determinant = xx*yy - xy**2
-            step_x(i) = (yy*left_x - xy*left_y)/determinant
-            step_y(i) = (xx*left_y - xy*left_x)/determinant
+            inverse = 1/(t(i, 1)*t(i, 3) - t(i, 2)**2)
+            change(i, 1) = (t(i, 3)*left_x - t(i, 2)*left_y)*inverse
+            change(i, 2) = (t(i, 1)*left_y - t(i, 2)*left_x)*inverse
          end do
       end associate
    end subroutine newton_step
 
-   !> Flow and its derivatives from the moments at the last sigma_m and the last step.
-   pure subroutine finish(self, moments, step_x, step_y)
-      type(film_stress_t), intent(inout) :: self
+   !> T_k: components xx, xy and yy.
+   pure subroutine dyads(self, moments, k, t)
+      type(film_stress_t), intent(in) :: self
       type(moments_t), intent(in) :: moments
-      real(dp), intent(in) :: step_x(block_size), step_y(block_size)
-      real(dp) :: determinant, t(3, 0:2), xx, xy, yx, yy
-      integer :: i, k
+      integer, intent(in) :: k
+      real(dp), intent(out) :: t(block_size, 3)
+      integer :: i
 
       associate (m => self%mean, s => self%sigma, a => moments%a, e => moments%e)
          do i = 1, self%n
-            do k = 0, 2
-               t(1, k) = a(i, k) + e(i, k)*m(i, 1)**2 + 2*e(i, k + 1)*m(i, 1)*s(i, 1) + e(i, k + 2)*s(i, 1)**2
-               t(2, k) = e(i, k)*m(i, 1)*m(i, 2) + e(i, k + 1)*(m(i, 1)*s(i, 2) + m(i, 2)*s(i, 1)) + e(i, k + 2)*s(i, 1)*s(i, 2)
-               t(3, k) = a(i, k) + e(i, k)*m(i, 2)**2 + 2*e(i, k + 1)*m(i, 2)*s(i, 2) + e(i, k + 2)*s(i, 2)**2
-            end do
-            determinant = t(1, 0)*t(3, 0) - t(2, 0)**2
-            xx = (t(3, 0)*t(1, 1) - t(2, 0)*t(2, 1))/determinant      ! T_0^(-1) T_1
-            yx = (t(1, 0)*t(2, 1) - t(2, 0)*t(1, 1))/determinant
-            xy = (t(3, 0)*t(2, 1) - t(2, 0)*t(3, 1))/determinant
-            yy = (t(1, 0)*t(3, 1) - t(2, 0)*t(2, 1))/determinant
+            t(i, 1) = a(i, k) + e(i, k)*m(i, 1)**2 + 2*e(i, k + 1)*m(i, 1)*s(i, 1) + e(i, k + 2)*s(i, 1)**2
+            t(i, 2) = e(i, k)*m(i, 1)*m(i, 2) + e(i, k + 1)*(m(i, 1)*s(i, 2) + m(i, 2)*s(i, 1)) + e(i, k + 2)*s(i, 1)*s(i, 2)
+            t(i, 3) = a(i, k) + e(i, k)*m(i, 2)**2 + 2*e(i, k + 1)*m(i, 2)*s(i, 2) + e(i, k + 2)*s(i, 2)**2
+         end do
+      end associate
+   end subroutine dyads
+
+   !> Flow and its derivatives from the moments at the last sigma_m and the last step.
+   pure subroutine finish(self, moments, change)
+      type(film_stress_t), intent(inout) :: self
+      type(moments_t), intent(in) :: moments
+      real(dp), intent(in) :: change(block_size, 2)
+      real(dp), dimension(block_size, 3) :: t0, t1, t2
+      real(dp) :: inverse, xx, xy, yx, yy
+      integer :: i
+
+      call dyads(self, moments, 0, t0)
+      call dyads(self, moments, 1, t1)
+      call dyads(self, moments, 2, t2)
+      associate (m => self%mean, s => self%sigma, a => moments%a)
+         do i = 1, self%n
+            inverse = 1/(t0(i, 1)*t0(i, 3) - t0(i, 2)**2)
+            xx = (t0(i, 3)*t1(i, 1) - t0(i, 2)*t1(i, 2))*inverse      ! T_0^(-1) T_1
+            yx = (t0(i, 1)*t1(i, 2) - t0(i, 2)*t1(i, 1))*inverse
+            xy = (t0(i, 3)*t1(i, 2) - t0(i, 2)*t1(i, 3))*inverse
+            yy = (t0(i, 1)*t1(i, 3) - t0(i, 2)*t1(i, 2))*inverse
             self%flow_by_b(i, 1) = xx
             self%flow_by_b(i, 2) = xy
-            self%flow_by_sigma(i, 1, 1) = t(1, 2) - t(1, 1)*xx - t(2, 1)*yx
-            self%flow_by_sigma(i, 2, 1) = t(2, 2) - t(2, 1)*xx - t(3, 1)*yx
+            self%flow_by_sigma(i, 1, 1) = t2(i, 1) - t1(i, 1)*xx - t1(i, 2)*yx
+            self%flow_by_sigma(i, 2, 1) = t2(i, 2) - t1(i, 2)*xx - t1(i, 3)*yx
             self%flow_by_sigma(i, 1, 2) = self%flow_by_sigma(i, 2, 1)
-            self%flow_by_sigma(i, 2, 2) = t(3, 2) - t(2, 1)*xy - t(3, 1)*yy
-            self%flow(i, 1) = a(i, 1)*m(i, 1) + a(i, 2)*s(i, 1) + step_x(i)*t(1, 1) + step_y(i)*t(2, 1)
-            self%flow(i, 2) = a(i, 1)*m(i, 2) + a(i, 2)*s(i, 2) + step_x(i)*t(2, 1) + step_y(i)*t(3, 1)
-            self%mean(i, 1) = m(i, 1) + step_x(i)
-            self%mean(i, 2) = m(i, 2) + step_y(i)
+            self%flow_by_sigma(i, 2, 2) = t2(i, 3) - t1(i, 2)*xy - t1(i, 3)*yy
+            self%flow(i, 1) = a(i, 1)*m(i, 1) + a(i, 2)*s(i, 1) + change(i, 1)*t1(i, 1) + change(i, 2)*t1(i, 2)
+            self%flow(i, 2) = a(i, 1)*m(i, 2) + a(i, 2)*s(i, 2) + change(i, 1)*t1(i, 2) + change(i, 2)*t1(i, 3)
+            self%mean(i, 1) = m(i, 1) + change(i, 1)
+            self%mean(i, 2) = m(i, 2) + change(i, 2)
          end do
       end associate
    end subroutine finish
 
-   !> Moments a_0..a_2 and e_0..e_4 by Gauss quadrature.
-   pure subroutine integrate(self, law, rule, moments)
+   !> Moments a_0..a_2 and e_0..e_4 by quadrature.
+   pure subroutine integrate(self, law, node, weight, moments)
       type(film_stress_t), intent(in) :: self
       class(flow_law_t), intent(in) :: law
-      type(gauss_rule_t), intent(in) :: rule
+      real(dp), intent(in) :: node(:), weight(:)
       type(moments_t), intent(out) :: moments
       real(dp), dimension(block_size) :: s, slope, stress2
       real(dp) :: e, w, z
@@ -167,13 +207,13 @@ contains
 
       moments%a(:self%n, :) = 0
       moments%e(:self%n, :) = 0
-      do k = 1, rule%n
-         z = rule%node(k)
+      do k = 1, size(node)
+         z = node(k)
          do i = 1, self%n
             stress2(i) = (self%mean(i, 1) + z*self%sigma(i, 1))**2 + (self%mean(i, 2) + z*self%sigma(i, 2))**2
          end do
          call law%shear_factor(self%n, stress2, s, slope)
-         w = 0.5_dp*rule%weight(k)
+         w = 0.5_dp*weight(k)
          do i = 1, self%n
             e = 2*w*slope(i)
             moments%a(i, 0) = moments%a(i, 0) + w*s(i)

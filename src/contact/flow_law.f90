@@ -7,12 +7,11 @@ module ehlwave_flow_law
    !> Shear rate = (tau0/eta) s(|sigma|) sigma under the stress sigma = tau/tau0, with s -> 1 for small stresses (Newton).
    !> tau0 is the stress by which the law is made dimensionless.
    type, abstract, public :: flow_law_t
-      logical :: steps_grow = .false.   !! whether s varies as a power of the stress, not exponentially
+      logical :: is_power = .false.   !! s varies as a power of the stress, near enough to linearly over its size; else over 1
    contains
       procedure(shear_factor), deferred :: shear_factor
       procedure(first_stress), deferred :: first_stress
-      procedure(points_needed), deferred :: points_needed
-      procedure :: largest_step
+      procedure(largest_variation), deferred :: largest_variation
    end type flow_law_t
 
    abstract interface
@@ -37,23 +36,14 @@ module ehlwave_flow_law
          real(dp), intent(out) :: stress(n)    !! |sigma|
       end subroutine first_stress
 
-      !> Gauss points across the film that keep the error of its integrals below 1e-12 of them.
-      elemental real(dp) function points_needed(self, variation)
+      !> Largest |Sigma|, half the change of sigma across the film, at which so many Gauss points keep the error of integrals
+      !> across it below 1e-12 of them.
+      elemental real(dp) function largest_variation(self, points)
          import :: dp, flow_law_t
          implicit none (type, external)
          class(flow_law_t), intent(in) :: self
-         real(dp), intent(in) :: variation     !! |Sigma|, half the change of sigma across the film
-      end function points_needed
+         integer, intent(in) :: points         !! 2, 4 or more
+      end function largest_variation
    end interface
-
-contains
-
-   !> By how much a Newton step for the mean stress may change it: the range over which s is near enough to linear.
-   elemental real(dp) function largest_step(self, stress)
-      class(flow_law_t), intent(in) :: self
-      real(dp), intent(in) :: stress        !! |sigma_m|
-      largest_step = 1
-      if (self%steps_grow) largest_step = max(1.0_dp, stress)
-   end function largest_step
 
 end module ehlwave_flow_law

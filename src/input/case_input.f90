@@ -1,15 +1,17 @@
 !> The input of one case: values as the user gives them, and which keys were given.
 module ehlwave_case_input
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_key, only: key_t, key_value_t, key_visitor_t, most_keys
-   use ehlwave_case_keys, only: visit_case_keys
+   use ehlwave_case_key, only: key_value_t, most_keys
+   use ehlwave_case_keys, only: case_key_list, take_values
    use ehlwave_errors, only: error_t
-   use ehlwave_kinds, only: dp
    use ehlwave_key_bounds, only: read_key
+   use ehlwave_key_list, only: key_list_t
+   use ehlwave_kinds, only: dp
    use ehlwave_namelist, only: namelist_t
    use ehlwave_namelist_scanner, only: value_t
    implicit none (type, external)
    private
+   public :: read_keys
 
    !> A case as it is given, still to be completed.
    type, public :: case_input_t
@@ -18,65 +20,59 @@ module ehlwave_case_input
       logical :: may_idle(most_keys) = .false.     !! given for many cases: left out where it does not apply
       real(dp) :: f_v = 0                          !! f(r) V asked for in place of a wavelength; 0: none
    contains
+      procedure :: read => read_groups
       procedure :: set
    end type case_input_t
 
-   !> Reads the groups of a table of keys from a file.
-   type, extends(key_visitor_t), public :: key_reader_t
-      type(namelist_t) :: file                     !! loaded
-      logical :: is_given(most_keys) = .false.
-      type(error_t), allocatable :: error
-   contains
-      procedure :: visit => read_from_file
-   end type key_reader_t
-
-   !> Puts values into a case.
-   type, extends(key_visitor_t) :: setter_t
-      logical :: is_set(most_keys) = .false.
-      type(key_value_t) :: values(most_keys)
-   contains
-      procedure :: visit => put
-   end type setter_t
-
 contains
 
-   !> A key of the table: what the file has for it, else its value stays.
-   subroutine read_from_file(self, key, value)
-      class(key_reader_t), intent(inout) :: self
-      type(key_t), intent(in) :: key
-      type(key_value_t), intent(inout) :: value
+   !> Values for the keys of a list from a file; those that it does not give stay. Fails on values that a key refuses.
+   subroutine read_keys(file, list, is_given, error)
+      type(namelist_t), intent(inout) :: file        !! loaded
+      type(key_list_t), intent(inout) :: list
+      logical, intent(inout) :: is_given(:)          !! by number of the key
+      type(error_t), allocatable, intent(inout) :: error
       type(value_t), allocatable :: item
       character(len=:), allocatable :: problem
+      integer :: k
 
-      call self%file%value_of(key%group, key%name, item, self%error)
-      if (.not. allocated(item)) return
-      call read_key(key, item, value, problem)
-      call self%file%refuse(key%group, key%name, problem, self%error, item%line)
-      self%is_given(key%number) = .true.
-   end subroutine read_from_file
+      do k = 1, list%count
+         associate (key => list%keys(k))
+            call file%value_of(key%group, key%name, item, error)
+            if (.not. allocated(item)) cycle
+            call read_key(key, item, list%values(k), problem)
+            call file%refuse(key%group, key%name, problem, error, item%line)
+            is_given(k) = .true.
+         end associate
+      end do
+   end subroutine read_keys
+
+   !> What the groups of a case give in a file.
+   subroutine read_groups(self, file, error)
+      class(case_input_t), intent(inout) :: self
+      type(namelist_t), intent(inout) :: file        !! loaded
+      type(error_t), allocatable, intent(inout) :: error
+      type(key_list_t) :: list
+
+      list = case_key_list(self%case)
+      call read_keys(file, list, self%is_given, error)
+      call take_values(list, self%case)
+   end subroutine read_groups
 
    !> Give values to some keys.
    subroutine set(self, numbers, values)
       class(case_input_t), intent(inout) :: self
       integer, intent(in) :: numbers(:)              !! of the keys
       type(key_value_t), intent(in) :: values(:)     !! one for each
-      type(setter_t) :: setter
+      type(key_list_t) :: list
       integer :: i
 
-      if (size(numbers) == 0) return
+      list = case_key_list(self%case)
       do i = 1, size(numbers)
-         setter%is_set(numbers(i)) = .true.
-         setter%values(numbers(i)) = values(i)
+         list%values(numbers(i)) = values(i)
       end do
-      call visit_case_keys(self%case, setter)
-      self%is_given = self%is_given .or. setter%is_set
+      call take_values(list, self%case)
+      self%is_given(numbers) = .true.
    end subroutine set
-
-   subroutine put(self, key, value)
-      class(setter_t), intent(inout) :: self
-      type(key_t), intent(in) :: key
-      type(key_value_t), intent(inout) :: value
-      if (self%is_set(key%number)) value = self%values(key%number)
-   end subroutine put
 
 end module ehlwave_case_input

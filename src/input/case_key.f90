@@ -1,4 +1,4 @@
-!> One key of an input: what is said about it, its value whatever its kind, and what visits keys.
+!> One key of an input: what is said about it, and its value whatever its kind.
 module ehlwave_case_key
    use ehlwave_kinds, only: dp
    use ehlwave_text, only: to_text
@@ -26,10 +26,10 @@ module ehlwave_case_key
       logical :: is_written = .true.                 !! in the effective input of the case at hand, if it applies
       logical :: is_late = .false.                   !! added after stores were made: written where it is not the default
       logical :: can_vary = .true.                   !! in a sweep
-      ! filled in by the visit
-      integer :: number = 0                          !! place in the table
+      ! filled in by the list
       integer :: kind = 0
       character(len=choice_length) :: group = ''
+      character(len=256) :: group_help = ''
    end type key_t
 
    !> Value of a key of any kind.
@@ -41,103 +41,7 @@ module ehlwave_case_key
       character(len=:), allocatable :: word
    end type key_value_t
 
-   !> Goes through a table: a table is a procedure that calls `enter` for every group and `see` for every key.
-   type, abstract, public :: key_visitor_t
-      integer :: count = 0                           !! keys seen
-      character(len=choice_length) :: group = ''
-      character(len=256) :: group_help = ''
-   contains
-      procedure :: begin
-      procedure :: enter
-      generic :: see => see_number, see_whole, see_truth, see_word
-      procedure(visit), deferred :: visit
-      procedure, private :: see_number, see_whole, see_truth, see_word, pass => pass_on
-   end type key_visitor_t
-
-   abstract interface
-      !> What is done with each key; a value that is changed is changed in the case.
-      subroutine visit(self, key, value)
-         import :: key_t, key_value_t, key_visitor_t
-         implicit none (type, external)
-         class(key_visitor_t), intent(inout) :: self
-         type(key_t), intent(in) :: key
-         type(key_value_t), intent(inout) :: value
-      end subroutine visit
-   end interface
-
 contains
-
-   !> A table begins.
-   subroutine begin(self)
-      class(key_visitor_t), intent(inout) :: self
-      self%count = 0
-      self%group = ''
-   end subroutine begin
-
-   !> The keys of a group follow.
-   subroutine enter(self, group, help)
-      class(key_visitor_t), intent(inout) :: self
-      character(len=*), intent(in) :: group, help
-      self%group = group
-      self%group_help = help
-   end subroutine enter
-
-   recursive subroutine see_number(self, component, key)
-      class(key_visitor_t), intent(inout) :: self
-      real(dp), intent(inout) :: component
-      type(key_t), intent(in) :: key
-      type(key_value_t) :: value
-      value%number = component
-      call self%pass(key, number_kind, value)
-      component = value%number
-   end subroutine see_number
-
-   recursive subroutine see_whole(self, component, key)
-      class(key_visitor_t), intent(inout) :: self
-      integer, intent(inout) :: component
-      type(key_t), intent(in) :: key
-      type(key_value_t) :: value
-      value%whole = component
-      call self%pass(key, whole_kind, value)
-      component = value%whole
-   end subroutine see_whole
-
-   recursive subroutine see_truth(self, component, key)
-      class(key_visitor_t), intent(inout) :: self
-      logical, intent(inout) :: component
-      type(key_t), intent(in) :: key
-      type(key_value_t) :: value
-      value%truth = component
-      call self%pass(key, truth_kind, value)
-      component = value%truth
-   end subroutine see_truth
-
-   recursive subroutine see_word(self, component, key)
-      class(key_visitor_t), intent(inout) :: self
-      character(len=*), intent(inout) :: component
-      type(key_t), intent(in) :: key
-      type(key_value_t) :: value
-      value%word = trim(component)
-      call self%pass(key, word_kind, value)
-      component = value%word
-   end subroutine see_word
-
-   !> Give the visitor a key with its place, kind and group.
-   recursive subroutine pass_on(self, key, kind, value)
-      class(key_visitor_t), intent(inout) :: self
-      type(key_t), intent(in) :: key
-      integer, intent(in) :: kind
-      type(key_value_t), intent(inout) :: value
-      type(key_t) :: whole
-
-      self%count = self%count + 1
-      whole = key
-      whole%number = self%count
-      whole%kind = kind
-      whole%group = self%group
-      value%kind = kind
-      call self%visit(whole, value)
-   end subroutine pass_on
 
    !> A value as a namelist takes it.
    pure function value_text(value, digits) result(text)

@@ -1,255 +1,262 @@
 !> The table of keys: every key of a case once, in the order of the effective input.
 !>
 !> A new key is a component of case_t and its statement here; reading, sweeping, effective input, identity, messages
-!> and the printed reference follow. Give a key that is added `is_late=.true.`: then cases that do not use it keep
-!> their identity, and stores their results. What contradicts what stands in `case_completion`.
+!> and the printed reference follow. What keys in a row have in common is said once before them (`common`). Give a key
+!> that is added `is_late=.true.`: then cases that do not use it keep their identity, and stores their results. What
+!> contradicts what stands in `case_completion`.
 module ehlwave_case_keys
    use ehlwave_case_definition, only: case_t, is_special_law, path_length
-   use ehlwave_case_key, only: key_t, key_visitor_t
+   use ehlwave_case_key, only: key_t
+   use ehlwave_key_list, only: key_list_t
    use ehlwave_kinds, only: dp
    implicit none (type, external)
    private
-   public :: visit_case_keys
+   public :: case_key_list, take_values
 
    character(len=*), parameter :: elliptical = 'elliptical contacts (radius_ratio_d above 0), not to line contacts'
    character(len=*), parameter :: one_length = "orientation = 'transverse', 'isotropic' or 'longitudinal' "// &
       "('custom' takes wavelength_x_over_a and wavelength_y_over_a)"
    character(len=*), parameter :: without_parameters = "viscosity_law = 'roelands', 'barus' or 'isoviscous' (the others have "// &
       "alpha from their parameters: the film-forming coefficient)"
-   character(len=*), parameter :: custom = "orientation = 'custom'"
 
 contains
 
-   !> Show all keys of a case to a visitor. Recursive, because a visitor may ask for the defaults, which are found in the same
-   !> way.
-   recursive subroutine visit_case_keys(case, visitor)
-      type(case_t), intent(inout) :: case
-      class(key_visitor_t), intent(inout) :: visitor
+   !> All keys of a case with their values, without a case with their defaults.
+   function case_key_list(case) result(list)
+      type(case_t), intent(in), optional :: case
+      type(key_list_t) :: list
+      type(case_t) :: copy
+      if (present(case)) copy = case
+      call visit_case_keys(copy, list)
+      list%keys = list%keys(:list%count)
+      list%values = list%values(:list%count)
+   end function case_key_list
 
-      call visitor%begin()
-      call visit_conditions(case, visitor)
-      call visit_lubricant(case, visitor)
-      call visit_waviness(case, visitor)
-      call visit_grid(case, visitor)
-      call visit_solver(case, visitor)
-      call visit_dynamics(case, visitor)
-      call visitor%enter('output', 'What is kept.')
-      call visitor%see(case%fields, key_t('fields', 'whether the last fields are kept even without --output', &
-         is_written=.false., can_vary=.false.))
+   !> Give the values of a list of all keys to a case.
+   subroutine take_values(list, case)
+      type(key_list_t), intent(inout) :: list
+      type(case_t), intent(inout) :: case
+      list%gives_back = .true.
+      call visit_case_keys(case, list)
+   end subroutine take_values
+
+   subroutine visit_case_keys(case, list)
+      type(case_t), intent(inout) :: case
+      type(key_list_t), intent(inout) :: list
+
+      call list%begin()
+      call visit_conditions(case, list)
+      call visit_lubricant(case, list)
+      call visit_waviness(case, list)
+      call visit_grid(case, list)
+      call visit_solver(case, list)
+      call visit_dynamics(case, list)
+      call list%enter('output', 'What is kept.')
+      call list%see(case%fields, key_t('fields', 'whether the last fields are kept even without --output', is_written=.false., &
+         can_vary=.false.))
    end subroutine visit_case_keys
 
-   recursive subroutine visit_conditions(case, v)
+   subroutine visit_conditions(case, list)
       type(case_t), intent(inout) :: case
-      class(key_visitor_t), intent(inout) :: v
-      logical :: is_moes
+      type(key_list_t), intent(inout) :: list
 
-      is_moes = .not. case%is_dimensional
-      call v%enter('conditions', 'Either the Moes parameters M, L and D or dimensional data.')
-      call v%see(case%data%radius_x_m, key_t('radius_x_m', 'reduced radius in the rolling direction', unit='m', &
-         above=0.0_dp, is_required=.true., is_written=case%is_dimensional))
-      call v%see(case%data%radius_y_m, key_t('radius_y_m', 'reduced radius across; none: line contact', unit='m', &
-         above=0.0_dp, is_written=case%is_dimensional))
-      call v%see(case%data%reduced_modulus_pa, key_t('reduced_modulus_pa', "reduced elastic modulus E': 2/E' = "// &
+      call list%enter('conditions', 'Either the Moes parameters M, L and D or dimensional data.')
+      list%common%is_written = case%is_dimensional
+      call list%see(case%data%radius_x_m, key_t('radius_x_m', 'reduced radius in the rolling direction', unit='m', above=0.0_dp, &
+         is_required=.true.))
+      call list%see(case%data%radius_y_m, key_t('radius_y_m', 'reduced radius across; none: line contact', unit='m', above=0.0_dp))
+      list%common%is_written = .true.
+      call list%see(case%data%reduced_modulus_pa, key_t('reduced_modulus_pa', "reduced elastic modulus E': 2/E' = "// &
          '(1 - nu1^2)/E1 + (1 - nu2^2)/E2; also besides M, L and D, for friction and flow laws other than newtonian', unit='Pa', &
          above=0.0_dp))
-      call v%see(case%data%load_n, key_t('load_n', 'load', unit='N', above=0.0_dp, is_written=case%is_dimensional))
-      call v%see(case%data%load_n_per_m, key_t('load_n_per_m', 'load per length of a line contact; in place of load_n and '// &
-         'radius_y_m', unit='N/m', above=0.0_dp, is_written=case%is_dimensional))
-      call v%see(case%data%mean_speed_m_per_s, key_t('mean_speed_m_per_s', 'mean speed (u1 + u2)/2', unit='m/s', &
-         above=0.0_dp, is_required=.true., is_written=case%is_dimensional))
-      call v%see(case%data%viscosity_pa_s, key_t('viscosity_pa_s', 'viscosity at ambient pressure', unit='Pa s', &
-         above=0.0_dp, is_required=.true., is_written=case%is_dimensional))
-      call v%see(case%load_parameter_m, key_t('load_parameter_m', 'load parameter M of Moes', above=0.0_dp, &
-         is_required=.true., is_written=is_moes))
-      call v%see(case%lubricant_parameter_l, key_t('lubricant_parameter_l', 'lubricant parameter L of Moes; 0: isoviscous', &
-         minimum=0.0_dp, is_required=.true., is_written=is_moes))
-      call v%see(case%radius_ratio_d, key_t('radius_ratio_d', 'ratio of the reduced radii D = Rx/Ry; 1: circular, 0.005 or '// &
-         'more: elliptical, 0: line contact', minimum=0.0_dp, is_required=.true., is_written=is_moes))
-      call v%see(case%slip_parameter, key_t('slip_parameter', 'slip parameter S = u1/ubar; speed of the wavy surface over '// &
+      list%common%is_written = case%is_dimensional
+      call list%see(case%data%load_n, key_t('load_n', 'load', unit='N', above=0.0_dp))
+      call list%see(case%data%load_n_per_m, key_t('load_n_per_m', 'load per length of a line contact; in place of load_n and '// &
+         'radius_y_m', unit='N/m', above=0.0_dp))
+      call list%see(case%data%mean_speed_m_per_s, key_t('mean_speed_m_per_s', 'mean speed (u1 + u2)/2', unit='m/s', above=0.0_dp, &
+         is_required=.true.))
+      call list%see(case%data%viscosity_pa_s, key_t('viscosity_pa_s', 'viscosity at ambient pressure', unit='Pa s', above=0.0_dp, &
+         is_required=.true.))
+      list%common%is_written = .not. case%is_dimensional
+      call list%see(case%load_parameter_m, key_t('load_parameter_m', 'load parameter M of Moes', above=0.0_dp, &
+         is_required=.true.))
+      call list%see(case%lubricant_parameter_l, key_t('lubricant_parameter_l', 'lubricant parameter L of Moes; 0: isoviscous', &
+         minimum=0.0_dp, is_required=.true.))
+      call list%see(case%radius_ratio_d, key_t('radius_ratio_d', 'ratio of the reduced radii D = Rx/Ry; 1: circular, 0.005 or '// &
+         'more: elliptical, 0: line contact', minimum=0.0_dp, is_required=.true.))
+      list%common%is_written = .true.
+      call list%see(case%slip_parameter, key_t('slip_parameter', 'slip parameter S = u1/ubar; speed of the wavy surface over '// &
          'the mean speed', minimum=0.0_dp, maximum=2.0_dp))
    end subroutine visit_conditions
 
-   recursive subroutine visit_lubricant(case, v)
+   subroutine visit_lubricant(case, list)
       type(case_t), intent(inout) :: case
-      class(key_visitor_t), intent(inout) :: v
+      type(key_list_t), intent(inout) :: list
       logical :: has_alpha
 
       has_alpha = .not. is_special_law(case%viscosity_law)
-      call v%enter('lubricant', 'Viscosity and density of the lubricant, and how it shears.')
-      call v%see(case%pressure_viscosity_per_pa, key_t('pressure_viscosity_per_pa', 'pressure-viscosity coefficient '// &
-         'alpha; sets ph = alphabar/alpha, also where M, L and D are given', unit='1/Pa', above=0.0_dp, &
-         applies=has_alpha, when=without_parameters))
-      call v%see(case%roelands_index, key_t('roelands_index', "index z of Roelands' viscosity", above=0.0_dp, maximum=2.0_dp, &
+      call list%enter('lubricant', 'Viscosity and density of the lubricant, and how it shears.')
+      call list%see(case%pressure_viscosity_per_pa, key_t('pressure_viscosity_per_pa', 'pressure-viscosity coefficient alpha; '// &
+         'sets ph = alphabar/alpha, also where M, L and D are given', unit='1/Pa', above=0.0_dp, applies=has_alpha, &
+         when=without_parameters))
+      call list%see(case%roelands_index, key_t('roelands_index', "index z of Roelands' viscosity", above=0.0_dp, maximum=2.0_dp, &
          applies=has_alpha, when="viscosity_law = 'roelands', 'barus' or 'isoviscous'"))
-      call v%see(case%viscosity_law, key_t('viscosity_law', 'viscosity against pressure', &
+      call list%see(case%viscosity_law, key_t('viscosity_law', 'viscosity against pressure', &
          choices='roelands barus isoviscous mcewen yasutomi doolittle'))
-      call v%see(case%density_law, key_t('density_law', 'density against pressure', &
+      call list%see(case%density_law, key_t('density_law', 'density against pressure', &
          choices='dowson_higginson incompressible tait'))
-      call visit_flow_law(case, v)
-      call visit_viscosity_laws(case, v)
+      call visit_flow_law(case, list)
+      call visit_viscosity_laws(case, list)
    end subroutine visit_lubricant
 
-   recursive subroutine visit_flow_law(case, v)
+   subroutine visit_flow_law(case, list)
       type(case_t), intent(inout) :: case
-      class(key_visitor_t), intent(inout) :: v
-      logical :: is_carreau, is_eyring
+      type(key_list_t), intent(inout) :: list
 
-      is_eyring = case%flow_law == 'eyring'
-      is_carreau = case%flow_law == 'carreau'
-      call v%see(case%flow_law, key_t('flow_law', "shear rate against shear stress; 'eyring': Ree-Eyring, "// &
-         'sinh(tau/tau0) tau0/eta', choices='newtonian eyring carreau', is_late=.true.))
-      call v%see(case%eyring_stress_pa, key_t('eyring_stress_pa', 'Eyring stress tau0', unit='Pa', above=0.0_dp, &
-         is_late=.true., applies=is_eyring, when="flow_law = 'eyring'"))
-      call v%see(case%carreau_modulus_pa, key_t('carreau_modulus_pa', 'stress G at which thinning begins', unit='Pa', &
-         above=0.0_dp, is_late=.true., applies=is_carreau, when="flow_law = 'carreau'"))
-      call v%see(case%carreau_exponent, key_t('carreau_exponent', 'exponent n of the shear rate; 1: Newtonian', &
-         minimum=0.1_dp, maximum=1.0_dp, is_late=.true., applies=is_carreau, when="flow_law = 'carreau'"))
-      call v%see(case%limiting_stress_over_pressure, key_t('limiting_stress_over_pressure', 'limiting shear stress over '// &
-         'pressure; beyond it a warning is given, since the limit is not modelled', above=0.0_dp, maximum=1.0_dp, &
-         is_late=.true.))
+      list%common = key_t(is_late=.true.)
+      call list%see(case%flow_law, key_t('flow_law', "shear rate against shear stress; 'eyring': Ree-Eyring, "// &
+         'sinh(tau/tau0) tau0/eta', choices='newtonian eyring carreau'))
+      list%common = key_t(is_late=.true., applies=case%flow_law == 'eyring', when="flow_law = 'eyring'")
+      call list%see(case%eyring_stress_pa, key_t('eyring_stress_pa', 'Eyring stress tau0', unit='Pa', above=0.0_dp))
+      list%common = key_t(is_late=.true., applies=case%flow_law == 'carreau', when="flow_law = 'carreau'")
+      call list%see(case%carreau_modulus_pa, key_t('carreau_modulus_pa', 'stress G at which thinning begins', unit='Pa', &
+         above=0.0_dp))
+      call list%see(case%carreau_exponent, key_t('carreau_exponent', 'exponent n of the shear rate; 1: Newtonian', &
+         minimum=0.1_dp, maximum=1.0_dp))
+      list%common = key_t(is_late=.true.)
+      call list%see(case%limiting_stress_over_pressure, key_t('limiting_stress_over_pressure', 'limiting shear stress over '// &
+         'pressure; beyond it a warning is given, since the limit is not modelled', above=0.0_dp, maximum=1.0_dp))
    end subroutine visit_flow_law
 
    !> Parameters of the laws that have some of their own.
-   recursive subroutine visit_viscosity_laws(case, v)
+   subroutine visit_viscosity_laws(case, list)
       type(case_t), intent(inout) :: case
-      class(key_visitor_t), intent(inout) :: v
-      logical :: has_tait, is_doolittle, is_mcewen, is_yasutomi
-      character(len=*), parameter :: doolittle = "viscosity_law = 'doolittle'", mcewen = "viscosity_law = 'mcewen'", &
-                                     yasutomi = "viscosity_law = 'yasutomi'", &
-                                     tait = "density_law = 'tait' or viscosity_law = 'doolittle'"
+      type(key_list_t), intent(inout) :: list
+      logical :: is_doolittle
 
-      is_mcewen = case%viscosity_law == 'mcewen'
-      is_yasutomi = case%viscosity_law == 'yasutomi'
+      list%common = key_t(is_late=.true., applies=case%viscosity_law == 'mcewen', when="viscosity_law = 'mcewen'")
+      call list%see(case%mcewen%alpha0_per_pa, key_t('mcewen_coefficient_per_pa', 'coefficient alpha0 of (1 + alpha0 p/q)^q', &
+         unit='1/Pa', above=0.0_dp))
+      call list%see(case%mcewen%exponent, key_t('mcewen_exponent', 'exponent q of (1 + alpha0 p/q)^q', above=1.0_dp))
+      list%common = key_t(is_late=.true., applies=case%viscosity_law == 'yasutomi', when="viscosity_law = 'yasutomi'")
+      call list%see(case%yasutomi%c1, key_t('yasutomi_c1', 'C1 of the improved Yasutomi law', above=0.0_dp))
+      call list%see(case%yasutomi%c2_k, key_t('yasutomi_c2_k', 'C2 of the improved Yasutomi law', unit='K', above=0.0_dp))
+      call list%see(case%yasutomi%above_glass_k, key_t('yasutomi_above_glass_k', 'temperature of the oil above its glass '// &
+         'transition at ambient pressure, T - Tg0', unit='K', above=0.0_dp))
+      call list%see(case%yasutomi%a1_k, key_t('yasutomi_a1_k', 'A1 of Tg = Tg0 + A1 ln(1 + A2 p)', unit='K', above=0.0_dp))
+      call list%see(case%yasutomi%a2_per_pa, key_t('yasutomi_a2_per_pa', 'A2 of Tg = Tg0 + A1 ln(1 + A2 p)', unit='1/Pa', &
+         above=0.0_dp))
+      call list%see(case%yasutomi%b1_per_pa, key_t('yasutomi_b1_per_pa', 'b1 of F = (1 + b1 p)^b2', unit='1/Pa', above=0.0_dp))
+      call list%see(case%yasutomi%b2, key_t('yasutomi_b2', 'b2 of F = (1 + b1 p)^b2; below 0', minimum=-10.0_dp, maximum=-1e-6_dp))
       is_doolittle = case%viscosity_law == 'doolittle'
-      has_tait = is_doolittle .or. case%density_law == 'tait'
-      call v%see(case%mcewen%alpha0_per_pa, key_t('mcewen_coefficient_per_pa', 'coefficient alpha0 of (1 + alpha0 p/q)^q', &
-         unit='1/Pa', above=0.0_dp, is_late=.true., applies=is_mcewen, when=mcewen))
-      call v%see(case%mcewen%exponent, key_t('mcewen_exponent', 'exponent q of (1 + alpha0 p/q)^q', above=1.0_dp, &
-         is_late=.true., applies=is_mcewen, when=mcewen))
-      call v%see(case%yasutomi%c1, key_t('yasutomi_c1', 'C1 of the improved Yasutomi law', above=0.0_dp, &
-         is_late=.true., applies=is_yasutomi, when=yasutomi))
-      call v%see(case%yasutomi%c2_k, key_t('yasutomi_c2_k', 'C2 of the improved Yasutomi law', unit='K', above=0.0_dp, &
-         is_late=.true., applies=is_yasutomi, when=yasutomi))
-      call v%see(case%yasutomi%above_glass_k, key_t('yasutomi_above_glass_k', 'temperature of the oil above its glass '// &
-         'transition at ambient pressure, T - Tg0', unit='K', above=0.0_dp, is_late=.true., &
-         applies=is_yasutomi, when=yasutomi))
-      call v%see(case%yasutomi%a1_k, key_t('yasutomi_a1_k', 'A1 of Tg = Tg0 + A1 ln(1 + A2 p)', unit='K', above=0.0_dp, &
-         is_late=.true., applies=is_yasutomi, when=yasutomi))
-      call v%see(case%yasutomi%a2_per_pa, key_t('yasutomi_a2_per_pa', 'A2 of Tg = Tg0 + A1 ln(1 + A2 p)', unit='1/Pa', &
-         above=0.0_dp, is_late=.true., applies=is_yasutomi, when=yasutomi))
-      call v%see(case%yasutomi%b1_per_pa, key_t('yasutomi_b1_per_pa', 'b1 of F = (1 + b1 p)^b2', unit='1/Pa', &
-         above=0.0_dp, is_late=.true., applies=is_yasutomi, when=yasutomi))
-      call v%see(case%yasutomi%b2, key_t('yasutomi_b2', 'b2 of F = (1 + b1 p)^b2; below 0', minimum=-10.0_dp, &
-         maximum=-1e-6_dp, is_late=.true., applies=is_yasutomi, when=yasutomi))
-      call v%see(case%doolittle%factor, key_t('doolittle_factor', 'factor B of the Doolittle law', above=0.0_dp, &
-         is_late=.true., applies=is_doolittle, when=doolittle))
-      call v%see(case%doolittle%occupied_fraction, key_t('doolittle_occupied_fraction', 'occupied volume over the volume at '// &
-         'ambient pressure, R0', above=0.0_dp, maximum=0.99_dp, is_late=.true., applies=is_doolittle, &
-         when=doolittle))
-      call v%see(case%tait%modulus_pa, key_t('tait_modulus_pa', 'bulk modulus at ambient pressure, K0', unit='Pa', above=0.0_dp, &
-         is_late=.true., applies=has_tait, when=tait))
-      call v%see(case%tait%modulus_rate, key_t('tait_modulus_rate', "rate of change of the bulk modulus with pressure, K0'; "// &
-         'near 11', above=0.0_dp, is_late=.true., applies=has_tait, when=tait))
+      list%common = key_t(is_late=.true., applies=is_doolittle, when="viscosity_law = 'doolittle'")
+      call list%see(case%doolittle%factor, key_t('doolittle_factor', 'factor B of the Doolittle law', above=0.0_dp))
+      call list%see(case%doolittle%occupied_fraction, key_t('doolittle_occupied_fraction', &
+         'occupied volume over the volume at ambient pressure, R0', above=0.0_dp, maximum=0.99_dp))
+      list%common = key_t(is_late=.true., applies=is_doolittle .or. case%density_law == 'tait', &
+                          when="density_law = 'tait' or viscosity_law = 'doolittle'")
+      call list%see(case%tait%modulus_pa, key_t('tait_modulus_pa', 'bulk modulus at ambient pressure, K0', unit='Pa', &
+         above=0.0_dp))
+      call list%see(case%tait%modulus_rate, key_t('tait_modulus_rate', "rate of change of the bulk modulus with pressure, K0'; "// &
+         'near 11', above=0.0_dp))
    end subroutine visit_viscosity_laws
 
-   recursive subroutine visit_waviness(case, v)
+   subroutine visit_waviness(case, list)
       type(case_t), intent(inout) :: case
-      class(key_visitor_t), intent(inout) :: v
+      type(key_list_t), intent(inout) :: list
       logical :: is_custom, is_wavy
 
       is_custom = case%orientation == 'custom'
       is_wavy = case%orientation /= 'none'
-      call v%enter('waviness', 'Harmonic waves of one surface.')
-      call v%see(case%orientation, key_t('orientation', 'orientation of the waves', &
+      call list%enter('waviness', 'Harmonic waves of one surface.')
+      call list%see(case%orientation, key_t('orientation', 'orientation of the waves', &
          choices='none transverse isotropic longitudinal custom'))
-      call v%see(case%wavelength_over_a, key_t('wavelength_over_a', 'wavelength lambda/a', above=0.0_dp, &
+      call list%see(case%wavelength_over_a, key_t('wavelength_over_a', 'wavelength lambda/a', above=0.0_dp, &
          applies=is_wavy .and. .not. is_custom, when=one_length))
-      call v%see(case%wavelength_x_over_a, key_t('wavelength_x_over_a', 'wavelength along X over a; 0: no variation along X', &
-         minimum=0.0_dp, applies=is_custom, when=custom))
-      call v%see(case%wavelength_y_over_a, key_t('wavelength_y_over_a', 'wavelength along Y over a; 0: no variation along Y', &
-         minimum=0.0_dp, applies=is_custom, when=custom))
-      call v%see(case%oblique, key_t('oblique', 'whether the pattern is one plane wave cos(kx X + ky Y) in place of the '// &
-         'product of cosines', applies=is_custom, when=custom))
-      call v%see(case%amplitude_over_film, key_t('amplitude_over_film', 'amplitude Ai over the smooth central film '// &
-         'thickness', above=0.0_dp, maximum=1.0_dp, is_written=is_wavy))
-      call v%see(case%response, key_t('response', "response to the waves; 'transient': waves of this amplitude in time, "// &
-         "'harmonic': the linear response to small waves, without time steps, 'both'", choices='transient harmonic both', &
-         is_written=is_wavy))
-      call v%enter('surface', 'A measured surface in place of &waviness.')
-      call v%see(case%surface_file, key_t('file', 'surface written by `ehlwave-post surface`; it enters at x_min, moves with '// &
-         'S and is followed until its trailing end is at the contact centre, or end_time; needs dimensional conditions. '// &
-         'The whole domain is computed unless it is even in Y. With --output, surface_position_m says which x of the '// &
-         'surface was at the centre for each film_at_centre', maximum=real(path_length, dp), &
-         is_written=case%surface_file /= ''))
+      list%common = key_t(applies=is_custom, when="orientation = 'custom'")
+      call list%see(case%wavelength_x_over_a, key_t('wavelength_x_over_a', 'wavelength along X over a; 0: no variation along X', &
+         minimum=0.0_dp))
+      call list%see(case%wavelength_y_over_a, key_t('wavelength_y_over_a', 'wavelength along Y over a; 0: no variation along Y', &
+         minimum=0.0_dp))
+      call list%see(case%oblique, key_t('oblique', 'whether the pattern is one plane wave cos(kx X + ky Y) in place of the '// &
+         'product of cosines'))
+      list%common = key_t(is_written=is_wavy)
+      call list%see(case%amplitude_over_film, key_t('amplitude_over_film', 'amplitude Ai over the smooth central film thickness', &
+         above=0.0_dp, maximum=1.0_dp))
+      call list%see(case%response, key_t('response', "response to the waves; 'transient': waves of this amplitude in time, "// &
+         "'harmonic': the linear response to small waves, without time steps, 'both'", choices='transient harmonic both'))
+      call list%enter('surface', 'A measured surface in place of &waviness.')
+      call list%see(case%surface_file, key_t('file', 'surface written by `ehlwave-post surface`; it enters at x_min, moves '// &
+         'with S and is followed until its trailing end is at the contact centre, or end_time; needs dimensional conditions. '// &
+         'The whole domain is computed unless it is even in Y. With --output, surface_position_m says which x of the surface '// &
+         'was at the centre for each film_at_centre', maximum=real(path_length, dp), is_written=case%surface_file /= ''))
    end subroutine visit_waviness
 
-   recursive subroutine visit_grid(case, v)
+   subroutine visit_grid(case, list)
       type(case_t), intent(inout) :: case
-      class(key_visitor_t), intent(inout) :: v
+      type(key_list_t), intent(inout) :: list
       logical :: is_elliptical
 
       is_elliptical = case%radius_ratio_d > 0
-      call v%enter('grid', 'Domain, in units of a (X) and b (Y), and cells.')
-      call v%see(case%x_min, key_t('x_min', 'X of the inlet boundary', maximum=-1.0_dp))
-      call v%see(case%x_max, key_t('x_max', 'X of the outlet boundary', minimum=1.0_dp))
-      call v%see(case%y_max, key_t('y_max', 'Y of the side boundary', minimum=1.0_dp, applies=is_elliptical, when=elliptical))
-      call v%see(case%cells_x, key_t('cells_x', 'cells along X over the whole domain; even, best if they can be halved '// &
+      call list%enter('grid', 'Domain, in units of a (X) and b (Y), and cells.')
+      call list%see(case%x_min, key_t('x_min', 'X of the inlet boundary', maximum=-1.0_dp))
+      call list%see(case%x_max, key_t('x_max', 'X of the outlet boundary', minimum=1.0_dp))
+      call list%see(case%y_max, key_t('y_max', 'Y of the side boundary', minimum=1.0_dp, applies=is_elliptical, when=elliptical))
+      call list%see(case%cells_x, key_t('cells_x', 'cells along X over the whole domain; even, best if they can be halved '// &
          'several times; 0: chosen so that the case is resolved', minimum=0.0_dp, maximum=8192.0_dp))
-      call v%see(case%cells_y, key_t('cells_y', 'cells along Y over the whole domain; as cells_x', minimum=0.0_dp, &
+      call list%see(case%cells_y, key_t('cells_y', 'cells along Y over the whole domain; as cells_x', minimum=0.0_dp, &
          maximum=8192.0_dp, applies=is_elliptical, when=elliptical))
-      call v%see(case%largest_cells, key_t('largest_cells', 'limit of what is chosen', minimum=64.0_dp, maximum=8192.0_dp, &
+      call list%see(case%largest_cells, key_t('largest_cells', 'limit of what is chosen', minimum=64.0_dp, maximum=8192.0_dp, &
          default='1024; of line contacts 8192', is_written=min(case%cells_x, case%cells_y) == 0))
-      call v%see(case%domain, key_t('domain', "computed domain; 'auto': half of it where the case is even in Y, 'whole': "// &
+      call list%see(case%domain, key_t('domain', "computed domain; 'auto': half of it where the case is even in Y, 'whole': "// &
          'always all of it', choices='auto whole', applies=is_elliptical, when=elliptical))
    end subroutine visit_grid
 
-   recursive subroutine visit_solver(case, v)
+   subroutine visit_solver(case, list)
       type(case_t), intent(inout) :: case
-      class(key_visitor_t), intent(inout) :: v
+      type(key_list_t), intent(inout) :: list
 
-      call v%enter('solver', 'How the equations are solved, and how well.')
-      call v%see(case%tolerance, key_t('tolerance', 'tolerance of steady states: mass residual and load error', &
+      call list%enter('solver', 'How the equations are solved, and how well.')
+      call list%see(case%tolerance, key_t('tolerance', 'tolerance of steady states: mass residual and load error', &
          minimum=1e-12_dp, maximum=0.1_dp))
-      call v%see(case%step_tolerance, key_t('step_tolerance', 'tolerance of time steps at 20 % amplitude; reduced in '// &
+      call list%see(case%step_tolerance, key_t('step_tolerance', 'tolerance of time steps at 20 % amplitude; reduced in '// &
          'proportion for smaller waves', minimum=1e-12_dp, maximum=0.1_dp))
-      call v%see(case%time_step_over_cell, key_t('time_step_over_cell', 'time step dT/hX; a whole number or one over a whole '// &
-         'number; below 1 only adds samples between the steps of dT = hX', above=0.0_dp))
-      call v%see(case%largest_steps, key_t('largest_steps', 'largest number of Newton steps, or multigrid cycles, of a '// &
+      call list%see(case%time_step_over_cell, key_t('time_step_over_cell', 'time step dT/hX; a whole number or one over a '// &
+         'whole number; below 1 only adds samples between the steps of dT = hX', above=0.0_dp))
+      call list%see(case%largest_steps, key_t('largest_steps', 'largest number of Newton steps, or multigrid cycles, of a '// &
          'solution', minimum=1.0_dp, maximum=10000.0_dp))
-      call v%see(case%settling_periods, key_t('settling_periods', 'periods to wait before the amplitude is measured; once '// &
+      call list%see(case%settling_periods, key_t('settling_periods', 'periods to wait before the amplitude is measured; once '// &
          'the pattern has reached the outlet end', minimum=0.0_dp, maximum=1000.0_dp))
-      call v%see(case%largest_total_steps, key_t('largest_total_steps', 'largest number of Newton steps of a case on the '// &
+      call list%see(case%largest_total_steps, key_t('largest_total_steps', 'largest number of Newton steps of a case on the '// &
          'finest grid; rescues included; 0: 600, and 40 for each time step, 300 for each phase of a standing pattern', &
          minimum=0.0_dp, maximum=1e9_dp, is_written=case%largest_total_steps > 0))
-      call v%see(case%method, key_t('method', "method of solution; 'fas': FAS multigrid with hybrid line relaxation, the "// &
-         "paper's method, 'petsc': the finest level by PETSc's variational inequality solver, an "// &
-         "independent check (builds with PETSc)", &
-         choices='newton fas petsc'))
-      call v%see(case%cycle, key_t('cycle', 'multigrid cycle', choices='f v w', default="'f'", applies=case%method == 'fas', &
+      call list%see(case%method, key_t('method', "method of solution; 'fas': FAS multigrid with hybrid line relaxation, the "// &
+         "paper's method, 'petsc': the finest level by PETSc's variational inequality solver, an independent check (builds "// &
+         "with PETSc)", choices='newton fas petsc'))
+      call list%see(case%cycle, key_t('cycle', 'multigrid cycle', choices='f v w', default="'f'", applies=case%method == 'fas', &
          when="method = 'fas'"))
-      call v%see(case%deformation, key_t('deformation', "how the deformation is computed; 'auto': by the faster one of 'fft' "// &
-         "and 'mlmi', multilevel multi-integration, whose error is far below that of the discretisation", &
+      call list%see(case%deformation, key_t('deformation', "how the deformation is computed; 'auto': by the faster one of "// &
+         "'fft' and 'mlmi', multilevel multi-integration, whose error is far below that of the discretisation", &
          choices='auto fft mlmi'))
-      call v%see(case%error_estimate, key_t('error_estimate', "estimate of the error of Ad/Ai; 'coarse_grid': from the same "// &
-         "case on 2 and 4 times the mesh size (5 to 15 % of the time), 'model': the error that the plan expects", &
+      call list%see(case%error_estimate, key_t('error_estimate', "estimate of the error of Ad/Ai; 'coarse_grid': from the "// &
+         "same case on 2 and 4 times the mesh size (5 to 15 % of the time), 'model': the error that the plan expects", &
          choices='coarse_grid model'))
-      call v%see(case%accuracy, key_t('accuracy', 'relative error wanted in Ad/Ai, of smooth contacts in H(0,0); e.g. 0.01: '// &
-         'chooses cells, time step and tolerances that are not given', above=0.0_dp, maximum=0.2_dp))
+      call list%see(case%accuracy, key_t('accuracy', 'relative error wanted in Ad/Ai, of smooth contacts in H(0,0); e.g. '// &
+         '0.01: chooses cells, time step and tolerances that are not given', above=0.0_dp, maximum=0.2_dp))
    end subroutine visit_solver
 
-   recursive subroutine visit_dynamics(case, v)
+   subroutine visit_dynamics(case, list)
       type(case_t), intent(inout) :: case
-      class(key_visitor_t), intent(inout) :: v
+      type(key_list_t), intent(inout) :: list
 
-      call v%enter('dynamics', 'Load and mutual approach in time.')
-      call v%see(case%load_balance, key_t('load_balance', 'what moves the mutual approach', &
+      call list%enter('dynamics', 'Load and mutual approach in time.')
+      call list%see(case%load_balance, key_t('load_balance', 'what moves the mutual approach', &
          choices='force_balance equation_of_motion'))
-      call v%see(case%natural_frequency, key_t('natural_frequency', 'dimensionless natural frequency Omega', above=0.0_dp, &
+      call list%see(case%natural_frequency, key_t('natural_frequency', 'dimensionless natural frequency Omega', above=0.0_dp, &
          applies=case%load_balance == 'equation_of_motion', when="load_balance = 'equation_of_motion'"))
-      call v%see(case%load_factor, key_t('load_factor', 'load from T = 0 on over that of the steady state; a load step', &
+      call list%see(case%load_factor, key_t('load_factor', 'load from T = 0 on over that of the steady state; a load step', &
          above=0.0_dp))
-      call v%see(case%end_time, key_t('end_time', 'T to which is marched; none: until the amplitude is measured', &
-         above=0.0_dp))
+      call list%see(case%end_time, key_t('end_time', 'T to which is marched; none: until the amplitude is measured', above=0.0_dp))
    end subroutine visit_dynamics
 
 end module ehlwave_case_keys

@@ -1,48 +1,97 @@
-!> The keys of a case as a list: to look one up by name, to walk through them without a case, to know the defaults.
+!> A list of keys with their values: made from a table of keys, looked up by name, given back to what the table is about.
 module ehlwave_key_list
-   use ehlwave_case_definition, only: case_t
-   use ehlwave_case_key, only: key_t, key_value_t, key_visitor_t, most_keys
-   use ehlwave_case_keys, only: visit_case_keys
+   use ehlwave_case_key, only: choice_length, key_t, key_value_t, most_keys, number_kind, truth_kind, whole_kind, word_kind
+   use ehlwave_kinds, only: dp
    implicit none (type, external)
    private
-   public :: case_key_list, default_values, find_key
+   public :: find_key
 
-   !> A table of keys with the values of one case.
-   type, extends(key_visitor_t), public :: key_list_t
-      type(key_t), allocatable :: keys(:)
+   !> A table is a procedure that calls `begin`, `enter` for every group, and `see` for every key with the component that
+   !> holds its value. That makes the list; with `gives_back` it gives the values of a list made before to the components.
+   type, public :: key_list_t
+      integer :: count = 0                           !! keys seen
+      type(key_t), allocatable :: keys(:)            !! at least `count`
       type(key_value_t), allocatable :: values(:)
+      logical :: gives_back = .false.
+      type(key_t) :: common                          !! holds for all keys that follow in the group: applies, is_late, ...
+      character(len=choice_length), private :: group = ''
+      character(len=256), private :: group_help = ''
    contains
-      procedure :: visit => collect
+      procedure :: begin
+      procedure :: enter
+      procedure :: see
+      procedure :: add
    end type key_list_t
-
-   !> Values alone.
-   type, extends(key_visitor_t) :: getter_t
-      type(key_value_t) :: values(most_keys)
-   contains
-      procedure :: visit => get
-   end type getter_t
 
 contains
 
-   !> All keys of a case with their values, without a case with their defaults.
-   function case_key_list(case) result(list)
-      type(case_t), intent(in), optional :: case
-      type(key_list_t) :: list
-      type(case_t) :: copy
-      if (present(case)) copy = case
-      call visit_case_keys(copy, list)
-      list%keys = list%keys(:list%count)
-      list%values = list%values(:list%count)
-   end function case_key_list
+   !> A table begins.
+   subroutine begin(self)
+      class(key_list_t), intent(inout) :: self
+      self%count = 0
+      if (.not. allocated(self%keys)) allocate (self%keys(most_keys), self%values(most_keys))
+   end subroutine begin
 
-   subroutine collect(self, key, value)
+   !> The keys of a group follow.
+   subroutine enter(self, group, help)
+      class(key_list_t), intent(inout) :: self
+      character(len=*), intent(in) :: group, help
+      self%group = group
+      self%group_help = help
+      self%common = key_t()
+   end subroutine enter
+
+   !> A key of the table: a number, a whole number, a truth or a word.
+   subroutine see(self, component, key)
+      class(key_list_t), intent(inout) :: self
+      class(*), intent(inout) :: component
+      type(key_t), intent(in) :: key
+      type(key_value_t) :: value
+
+      if (self%gives_back) then
+         self%count = self%count + 1
+         value = self%values(self%count)
+      end if
+      select type (component)
+      type is (real(dp))
+         value%kind = number_kind
+         if (self%gives_back) component = value%number
+         value%number = component
+      type is (integer)
+         value%kind = whole_kind
+         if (self%gives_back) component = value%whole
+         value%whole = component
+      type is (logical)
+         value%kind = truth_kind
+         if (self%gives_back) component = value%truth
+         value%truth = component
+      type is (character(len=*))
+         value%kind = word_kind
+         if (self%gives_back) component = value%word
+         value%word = trim(component)
+      end select
+      if (.not. self%gives_back) call self%add(key, value)
+   end subroutine see
+
+   !> Append a key of the group, with what is common to all that follow there.
+   subroutine add(self, key, value)
       class(key_list_t), intent(inout) :: self
       type(key_t), intent(in) :: key
-      type(key_value_t), intent(inout) :: value
-      if (.not. allocated(self%keys)) allocate (self%keys(most_keys), self%values(most_keys))
-      self%keys(key%number) = key
-      self%values(key%number) = value
-   end subroutine collect
+      type(key_value_t), intent(in) :: value
+
+      self%count = self%count + 1
+      self%values(self%count) = value
+      self%keys(self%count) = key
+      associate (new => self%keys(self%count), common => self%common)
+         new%kind = value%kind
+         new%group = self%group
+         new%group_help = self%group_help
+         new%applies = key%applies .and. common%applies
+         if (key%when == '') new%when = common%when
+         new%is_written = key%is_written .and. common%is_written
+         new%is_late = key%is_late .or. common%is_late
+      end associate
+   end subroutine add
 
    !> Number of a key in a list, 0 when it has no key of this name.
    pure integer function find_key(keys, name)
@@ -52,21 +101,5 @@ contains
          if (keys(find_key)%name == name) return
       end do
    end function find_key
-
-   !> The defaults of all keys, in the order of the table.
-   subroutine default_values(values)
-      type(key_value_t), allocatable, intent(out) :: values(:)
-      type(case_t) :: usual
-      type(getter_t) :: getter
-      call visit_case_keys(usual, getter)
-      values = getter%values(:getter%count)
-   end subroutine default_values
-
-   subroutine get(self, key, value)
-      class(getter_t), intent(inout) :: self
-      type(key_t), intent(in) :: key
-      type(key_value_t), intent(inout) :: value
-      self%values(key%number) = value
-   end subroutine get
 
 end module ehlwave_key_list

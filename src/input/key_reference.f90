@@ -1,24 +1,15 @@
 !> The reference of a table of keys, as text for a terminal and as Markdown for inputs/README.md.
 module ehlwave_key_reference
-   use ehlwave_case_definition, only: case_t
-   use ehlwave_case_key, only: choice_length, key_t, key_value_t, key_visitor_t, value_text, word_kind
-   use ehlwave_case_keys, only: visit_case_keys
+   use ehlwave_case_key, only: key_t, key_value_t, value_text, word_kind
+   use ehlwave_case_keys, only: case_key_list
    use ehlwave_key_bounds, only: bounds_text, is_allowed, is_none
+   use ehlwave_key_list, only: key_list_t
    implicit none (type, external)
    private
-   public :: case_key_reference
+   public :: case_key_reference, key_reference
 
    integer, parameter :: line_length = 118
    character(len=*), parameter :: line_end = new_line('a')
-
-   !> Collects the reference; show it a table.
-   type, extends(key_visitor_t), public :: reference_t
-      logical :: is_markdown = .false.
-      character(len=:), allocatable :: text
-      character(len=choice_length), private :: open_group = ''
-   contains
-      procedure :: visit => describe
-   end type reference_t
 
 contains
 
@@ -26,41 +17,41 @@ contains
    function case_key_reference(is_markdown) result(text)
       logical, intent(in) :: is_markdown
       character(len=:), allocatable :: text
-      type(reference_t) :: reference
-      type(case_t) :: defaults
-
-      reference%is_markdown = is_markdown
-      call visit_case_keys(defaults, reference)
-      text = reference%text
+      text = key_reference(case_key_list(), is_markdown)
    end function case_key_reference
 
-   !> One key; before the first of a group what the group is.
-   subroutine describe(self, key, value)
-      class(reference_t), intent(inout) :: self
-      type(key_t), intent(in) :: key
-      type(key_value_t), intent(inout) :: value     !! the default
-      character(len=:), allocatable :: default, meaning
+   !> Reference of the keys of a list; before the first of a group what the group is.
+   function key_reference(list, is_markdown) result(text)
+      type(key_list_t), intent(in) :: list           !! with the defaults
+      logical, intent(in) :: is_markdown
+      character(len=:), allocatable :: text
+      character(len=:), allocatable :: default, group
+      integer :: k
 
-      if (.not. allocated(self%text)) self%text = ''
-      if (self%open_group /= key%group) then
-         self%open_group = key%group
-         if (self%text /= '') self%text = self%text//line_end
-         if (self%is_markdown) then
-            self%text = self%text//'## `&'//trim(key%group)//'`'//line_end//line_end//trim(self%group_help)//line_end// &
-                        line_end//'| key | default | meaning |'//line_end//'| --- | --- | --- |'//line_end
-         else
-            self%text = self%text//'&'//trim(key%group)//line_end//folded(trim(self%group_help))
-         end if
-      end if
-      default = default_text(key, value)
-      meaning = meaning_of(key)
-      if (self%is_markdown) then
-         if (default /= 'none' .and. default /= key%default) default = '`'//default//'`'
-         self%text = self%text//'| `'//trim(key%name)//'` | '//default//' | '//meaning//' |'//line_end
-      else
-         self%text = self%text//'  '//trim(key%name)//' (default: '//default//')'//line_end//folded(meaning)
-      end if
-   end subroutine describe
+      text = ''
+      group = ''
+      do k = 1, list%count
+         associate (key => list%keys(k))
+            if (group /= key%group) then
+               group = trim(key%group)
+               if (text /= '') text = text//line_end
+               if (is_markdown) then
+                  text = text//'## `&'//group//'`'//line_end//line_end//trim(key%group_help)//line_end//line_end// &
+                         '| key | default | meaning |'//line_end//'| --- | --- | --- |'//line_end
+               else
+                  text = text//'&'//group//line_end//folded(trim(key%group_help))
+               end if
+            end if
+            default = default_text(key, list%values(k))
+            if (is_markdown) then
+               if (default /= 'none' .and. default /= key%default) default = '`'//default//'`'
+               text = text//'| `'//trim(key%name)//'` | '//default//' | '//meaning_of(key)//' |'//line_end
+            else
+               text = text//'  '//trim(key%name)//' (default: '//default//')'//line_end//folded(meaning_of(key))
+            end if
+         end associate
+      end do
+   end function key_reference
 
    !> What is printed for the default of a key.
    function default_text(key, default) result(text)

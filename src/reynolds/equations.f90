@@ -53,7 +53,7 @@ contains
 
       call self%flow%evaluate(problem%rheology, problem%conditions%lambdabar, state%p, state%h)
       if (allocated(problem%film_flow)) &
-         call self%flow%evaluate_faces(problem%film_flow, problem%grid, self%mesh%kappa, state%h)
+         call self%flow%evaluate_faces(problem%film_flow, problem%grid, self%mesh%kappa)
       call reynolds_residual(self%mesh, self%given%transport, self%flow, self%residual)
       call self%set_scale(abs(self%given%transport%w0))
       self%is_cavitated = self%scale > 0 .and. state%p + self%scale*self%residual <= 0

@@ -27,7 +27,7 @@ module ehlwave_face_flow
    contains
       procedure :: evaluate_x
       procedure :: evaluate_y
-      procedure, private :: take
+      procedure, private :: set_row
    end type face_flow_t
 
    !> What the oil is like at the nodes of a grid. All arrays (0:nx, 0:ny).
@@ -61,7 +61,7 @@ contains
       real(dp), intent(in) :: kappa
       type(film_flow_t), intent(in) :: film
       type(node_oil_t), intent(in) :: oil
-      real(dp) :: across(0:grid%nx), gx(grid%nx), gy(grid%nx), one(grid%nx, flow_values), two(grid%nx, flow_values)
+      real(dp) :: across(0:grid%nx), gx(grid%nx), gy(grid%nx)
       integer :: j, n
 
       n = grid%nx
@@ -69,12 +69,7 @@ contains
          across = kappa*(oil%p(:, grid%above(j)) - oil%p(:, grid%below(j)))/(2*grid%hy)
          gx = (oil%p(1:n, j) - oil%p(0:n - 1, j))/grid%hx
          gy = 0.5_dp*(across(0:n - 1) + across(1:n))
-         call film%evaluate(along_x, oil%fluidity(0:n - 1, j), oil%h(0:n - 1, j), gx, gy, one)
-         call film%evaluate(along_x, oil%fluidity(1:n, j), oil%h(1:n, j), gx, gy, two)
-         call self%take(oil, [0, j], [1, j], grid%hx, one, two)
-         self%own(0:n - 1, j) = oil%rho(0:n - 1, j)*one(:, flow_by_gx) + oil%rho(1:n, j)*two(:, flow_by_gx)
-         self%cross(0:n - 1, j) = grid%hx*kappa/(4*grid%hy) &
-                                  *(oil%rho(0:n - 1, j)*one(:, flow_by_gy) + oil%rho(1:n, j)*two(:, flow_by_gy))
+         call self%set_row(film, oil, along_x, [0, j], gx, gy, [grid%hx, grid%hx*kappa/(4*grid%hy)])
       end do
    end subroutine evaluate_x
 
@@ -86,7 +81,6 @@ contains
       type(film_flow_t), intent(in) :: film
       type(node_oil_t), intent(in) :: oil
       real(dp), dimension(grid%nx - 1) :: below, above, gx, gy
-      real(dp), dimension(grid%nx - 1, flow_values) :: one, two
       integer :: j, n
 
       n = grid%nx - 1
@@ -95,38 +89,43 @@ contains
          above = (oil%p(2:n + 1, j + 1) - oil%p(0:n - 1, j + 1))/(2*grid%hx)
          gx = 0.5_dp*(below + above)
          gy = kappa*(oil%p(1:n, j + 1) - oil%p(1:n, j))/grid%hy
-         call film%evaluate(along_y, oil%fluidity(1:n, j), oil%h(1:n, j), gx, gy, one)
-         call film%evaluate(along_y, oil%fluidity(1:n, j + 1), oil%h(1:n, j + 1), gx, gy, two)
-         call self%take(oil, [1, j], [1, j + 1], grid%hy/kappa, one, two)
-         self%own(1:n, j) = oil%rho(1:n, j)*one(:, flow_by_gy) + oil%rho(1:n, j + 1)*two(:, flow_by_gy)
-         self%cross(1:n, j) = grid%hy/(4*kappa*grid%hx) &
-                              *(oil%rho(1:n, j)*one(:, flow_by_gx) + oil%rho(1:n, j + 1)*two(:, flow_by_gx))
+         call self%set_row(film, oil, along_y, [1, j], gx, gy, [grid%hy/kappa, grid%hy/(4*kappa*grid%hx)])
       end do
    end subroutine evaluate_y
 
-   !> Fluxes of a row of faces and their derivatives by P and H of the two nodes at a fixed gradient.
-   pure subroutine take(self, oil, node1, node2, weight, one, two)
+   !> Fluxes of a row of faces and their derivatives.
+   pure subroutine set_row(self, film, oil, direction, node, gx, gy, weight)
       class(face_flow_t), intent(inout) :: self
+      type(film_flow_t), intent(in) :: film
       type(node_oil_t), intent(in) :: oil
-      integer, intent(in) :: node1(2), node2(2)            !! nodes of the first face
-      real(dp), intent(in) :: weight                       !! half of 2 hX or of 2 hY/kappa
-      real(dp), intent(in) :: one(:, :), two(:, :)         !! Qhat at the nodes, (faces, flow_values)
-      integer :: f, i1, i2, k
+      integer, intent(in) :: direction           !! of the faces: along_x or along_y
+      integer, intent(in) :: node(2)             !! first node of the first face
+      real(dp), intent(in) :: gx(:), gy(:)       !! dP/dX and kappa dP/dY, (faces)
+      real(dp), intent(in) :: weight(2)          !! half of 2 hX or of 2 hY/kappa; the same of `cross`
+      real(dp) :: flow(2*size(gx), flow_values)  ! Qhat at the first nodes, then at those beyond
+      integer :: along, across, f, i, i2, j2, k, l, n
 
-      associate (j1 => node1(2), j2 => node2(2))
-         do k = 1, size(one, 1)
-            f = node1(1) + k - 1
-            i1 = f
-            i2 = node2(1) + k - 1
-            self%flux(f, j1) = weight*(oil%rho(i1, j1)*one(k, flow_q) + oil%rho(i2, j2)*two(k, flow_q))
-            self%by_p1(f, j1) = weight*(oil%drho(i1, j1)*one(k, flow_q) &
-                                        + oil%rho(i1, j1)*oil%dln_eta(i1, j1)*one(k, flow_by_ln_eta))
-            self%by_p2(f, j1) = weight*(oil%drho(i2, j2)*two(k, flow_q) &
-                                        + oil%rho(i2, j2)*oil%dln_eta(i2, j2)*two(k, flow_by_ln_eta))
-            self%by_h1(f, j1) = weight*oil%rho(i1, j1)*one(k, flow_by_h)
-            self%by_h2(f, j1) = weight*oil%rho(i2, j2)*two(k, flow_by_h)
+      n = size(gx)
+      i2 = node(1) + merge(1, 0, direction == along_x)
+      j2 = node(2) + merge(1, 0, direction == along_y)
+      along = merge(flow_by_gx, flow_by_gy, direction == along_x)
+      across = flow_by_gx + flow_by_gy - along
+      associate (i1 => node(1), j1 => node(2), rho => oil%rho, drho => oil%drho, dln_eta => oil%dln_eta)
+         call film%evaluate(direction, [oil%fluidity(i1:i1 + n - 1, j1), oil%fluidity(i2:i2 + n - 1, j2)], &
+                            [oil%h(i1:i1 + n - 1, j1), oil%h(i2:i2 + n - 1, j2)], [gx, gx], [gy, gy], flow)
+         do k = 1, n
+            f = i1 + k - 1
+            i = i2 + k - 1
+            l = k + n
+            self%flux(f, j1) = weight(1)*(rho(f, j1)*flow(k, flow_q) + rho(i, j2)*flow(l, flow_q))
+            self%by_p1(f, j1) = weight(1)*(drho(f, j1)*flow(k, flow_q) + rho(f, j1)*dln_eta(f, j1)*flow(k, flow_by_ln_eta))
+            self%by_p2(f, j1) = weight(1)*(drho(i, j2)*flow(l, flow_q) + rho(i, j2)*dln_eta(i, j2)*flow(l, flow_by_ln_eta))
+            self%by_h1(f, j1) = weight(1)*rho(f, j1)*flow(k, flow_by_h)
+            self%by_h2(f, j1) = weight(1)*rho(i, j2)*flow(l, flow_by_h)
+            self%own(f, j1) = rho(f, j1)*flow(k, along) + rho(i, j2)*flow(l, along)
+            self%cross(f, j1) = weight(2)*(rho(f, j1)*flow(k, across) + rho(i, j2)*flow(l, across))
          end do
       end associate
-   end subroutine take
+   end subroutine set_row
 
 end module ehlwave_face_flow

@@ -10,20 +10,16 @@ module ehlwave_flow
    private
    public :: new_flow
 
-   !> A state's pressure, the coefficients of the flow there, and their derivatives. All arrays (0:nx, 0:ny). The flow of
+   !> A state, the oil there, the coefficients of its flow and their derivatives. All arrays (0:nx, 0:ny). The flow of
    !> a generalised Newtonian oil is not eps times a gradient: it has fluxes through faces in place of it.
-   type, public :: flow_t
-      real(dp), allocatable :: p(:, :)      !! P
+   type, extends(node_oil_t), public :: flow_t
       real(dp), allocatable :: f(:, :)      !! rho H
       real(dp), allocatable :: eps(:, :)    !! rho H^3/(eta lambdabar)
-      real(dp), allocatable :: f_p(:, :)    !! d(rho H)/dP at fixed H
-      real(dp), allocatable :: f_h(:, :)    !! d(rho H)/dH = rho
+      real(dp), allocatable :: f_p(:, :)    !! d(rho H)/dP at fixed H; by H it is rho
       real(dp), allocatable :: eps_p(:, :)  !! d eps/dP at fixed H
       real(dp), allocatable :: eps_h(:, :)  !! d eps/dH
-      real(dp), allocatable, private :: fluidity(:, :), dln_eta(:, :)
       type(face_flow_t), allocatable :: along_x, along_y     !! through faces along X and along Y; not of a Newtonian oil
       type(film_flow_t), allocatable, private :: film        ! the law of flow across the film; not of a Newtonian oil
-      type(node_oil_t), allocatable, private :: oil          ! what it is evaluated at
    contains
       procedure :: evaluate
       procedure :: evaluate_faces
@@ -40,15 +36,8 @@ contains
       type(flow_t) :: self
       real(dp), allocatable :: zero(:, :)
       allocate (zero(0:grid%nx, 0:grid%ny), source=0.0_dp)
-      self%p = zero
-      self%f = zero
-      self%eps = zero
-      self%f_p = zero
-      self%f_h = zero
-      self%eps_p = zero
-      self%eps_h = zero
-      self%fluidity = zero
-      self%dln_eta = zero
+      allocate (self%p, self%h, self%rho, self%drho, self%fluidity, self%dln_eta, source=zero)
+      allocate (self%f, self%f_p, self%eps, self%eps_p, self%eps_h, source=zero)
    end function new_flow
 
    !> Values of the next finer grid, at the nodes of this one, and the fluxes that they drive through its faces.
@@ -61,21 +50,16 @@ contains
       call inject(coarse, fine%f, self%f)
       call inject(coarse, fine%eps, self%eps)
       call inject(coarse, fine%f_p, self%f_p)
-      call inject(coarse, fine%f_h, self%f_h)
+      call inject(coarse, fine%rho, self%rho)
       call inject(coarse, fine%eps_p, self%eps_p)
       call inject(coarse, fine%eps_h, self%eps_h)
       if (allocated(self%film)) deallocate (self%film)
       if (fine%is_newtonian()) return
-      self%film = fine%film
-      if (.not. allocated(self%oil)) call make_faces(self, coarse)
-      call inject(coarse, fine%oil%p, self%oil%p)
-      call inject(coarse, fine%oil%h, self%oil%h)
-      call inject(coarse, fine%oil%rho, self%oil%rho)
-      call inject(coarse, fine%oil%drho, self%oil%drho)
-      call inject(coarse, fine%oil%fluidity, self%oil%fluidity)
-      call inject(coarse, fine%oil%dln_eta, self%oil%dln_eta)
-      call self%along_x%evaluate_x(coarse, kappa, self%film, self%oil)
-      call self%along_y%evaluate_y(coarse, kappa, self%film, self%oil)
+      call inject(coarse, fine%h, self%h)
+      call inject(coarse, fine%drho, self%drho)
+      call inject(coarse, fine%fluidity, self%fluidity)
+      call inject(coarse, fine%dln_eta, self%dln_eta)
+      call self%evaluate_faces(fine%film, coarse, kappa)
    end subroutine inject_from
 
    !> Coefficients at pressure p and film h.
@@ -86,58 +70,37 @@ contains
       real(dp), intent(in), contiguous :: p(0:, 0:)   !! P, (0:nx, 0:ny)
       real(dp), intent(in), contiguous :: h(0:, 0:)   !! H > 0, (0:nx, 0:ny)
       integer :: i, j
-      real(dp) :: rho, drho
 
       if (allocated(self%film)) deallocate (self%film)
       self%p = p
-      call rheology%evaluate(size(p), p, self%f_h, self%f_p, self%fluidity, self%dln_eta)
+      self%h = h
+      call rheology%evaluate(size(p), p, self%rho, self%drho, self%fluidity, self%dln_eta)
       do j = 0, ubound(p, 2)
          do i = 0, ubound(p, 1)
-            rho = self%f_h(i, j)
-            drho = self%f_p(i, j)
-            self%f(i, j) = rho*h(i, j)
-            self%f_p(i, j) = drho*h(i, j)
-            self%eps(i, j) = rho*h(i, j)**3*self%fluidity(i, j)/lambdabar
-            self%eps_p(i, j) = self%eps(i, j)*(drho/rho - self%dln_eta(i, j))
+            self%f(i, j) = self%rho(i, j)*h(i, j)
+            self%f_p(i, j) = self%drho(i, j)*h(i, j)
+            self%eps(i, j) = self%rho(i, j)*h(i, j)**3*self%fluidity(i, j)/lambdabar
+            self%eps_p(i, j) = self%eps(i, j)*(self%drho(i, j)/self%rho(i, j) - self%dln_eta(i, j))
             self%eps_h(i, j) = 3*self%eps(i, j)/h(i, j)
          end do
       end do
    end subroutine evaluate
 
-   !> Fluxes of a generalised Newtonian oil, after `evaluate` at the same film.
-   pure subroutine evaluate_faces(self, film, grid, kappa, h)
+   !> Fluxes of a generalised Newtonian oil, after `evaluate`.
+   pure subroutine evaluate_faces(self, film, grid, kappa)
       class(flow_t), intent(inout) :: self
       type(film_flow_t), intent(in) :: film    !! the law of flow across the film
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: kappa
-      real(dp), intent(in) :: h(0:, 0:)        !! H > 0, (0:nx, 0:ny)
 
       self%film = film
-      if (.not. allocated(self%oil)) call make_faces(self, grid)
-      self%oil%p = self%p
-      self%oil%h = h
-      self%oil%rho = self%f_h
-      self%oil%drho = self%f_p/h
-      self%oil%fluidity = self%fluidity
-      self%oil%dln_eta = self%dln_eta
-      call self%along_x%evaluate_x(grid, kappa, film, self%oil)
-      call self%along_y%evaluate_y(grid, kappa, film, self%oil)
+      if (.not. allocated(self%along_x)) then
+         self%along_x = new_face_flow(grid)
+         self%along_y = self%along_x
+      end if
+      call self%along_x%evaluate_x(grid, kappa, film, self%node_oil_t)
+      call self%along_y%evaluate_y(grid, kappa, film, self%node_oil_t)
    end subroutine evaluate_faces
-
-   !> Work space for the fluxes.
-   pure subroutine make_faces(self, grid)
-      class(flow_t), intent(inout) :: self
-      type(grid_t), intent(in) :: grid
-      self%along_x = new_face_flow(grid)
-      self%along_y = self%along_x
-      allocate (self%oil)
-      self%oil%p = self%p
-      self%oil%h = self%p
-      self%oil%rho = self%p
-      self%oil%drho = self%p
-      self%oil%fluidity = self%p
-      self%oil%dln_eta = self%p
-   end subroutine make_faces
 
    !> Whether the flow last evaluated is eps times a gradient.
    pure logical function is_newtonian(self)

@@ -233,14 +233,14 @@ contains
             do i = 1, mesh%grid%nx - 1
                scale(i, j) = 1/(mesh%cx*(flow%along_x%own(i - 1, j) + flow%along_x%own(i, j)) &
                                 + mesh%cy*(flow%along_y%own(i, min(j, jm)) + flow%along_y%own(i, j)) &
-                                + wedge(i)*(flow%f_h(i, j)*self_influence + flow%f_p(i, j)))
+                                + wedge(i)*(flow%rho(i, j)*self_influence + flow%f_p(i, j)))
             end do
             cycle
          end if
          do i = 1, mesh%grid%nx - 1
             scale(i, j) = 1/(mesh%cx*(flow%eps(i - 1, j) + 2*flow%eps(i, j) + flow%eps(i + 1, j)) &
                              + mesh%cy*(flow%eps(i, jm) + 2*flow%eps(i, j) + flow%eps(i, jp)) &
-                             + wedge(i)*(flow%f_h(i, j)*self_influence + flow%f_p(i, j)))
+                             + wedge(i)*(flow%rho(i, j)*self_influence + flow%f_p(i, j)))
          end do
       end do
    end subroutine reynolds_scale

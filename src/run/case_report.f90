@@ -208,6 +208,9 @@ contains
                'phase '//to_text(r%phase, 4)//' rad; formula '//to_text(result%formula_ratio, 5)
             if (ieee_is_finite(r%extrapolated)) write (unit, '(a)') '             extrapolated to mesh size 0: '// &
                to_text(r%extrapolated, 5)//', estimated discretisation error '//to_text(100*r%error, 2)//' %'
+            if (ieee_is_finite(r%waves%centre%fit%misfit)) write (unit, '(a)') '             with the surface: '// &
+               to_text(abs(r%waves%centre%fit%attenuated), 4)//' of Ai, with the oil: '// &
+               to_text(abs(r%waves%centre%fit%complementary), 4)//', left: '//to_text(r%waves%centre%fit%misfit, 2)
             write (unit, '(a)') '             '//to_text(r%linear_steps)//' GMRES steps, '//to_text(r%work_units, 4)// &
                ' work units'
          end associate

@@ -7,6 +7,7 @@ module ehlwave_field_file
    use ehlwave_clock, only: time_stamp
    use ehlwave_errors, only: error_t, raise
    use ehlwave_hdf5_file, only: hdf5_file_t
+   use ehlwave_kinds, only: dp
    use ehlwave_provenance_list, only: add_provenance
    use ehlwave_quantities, only: add_result
    use ehlwave_quantity, only: quantity_list_t
@@ -85,8 +86,23 @@ contains
          call file%write('pressure_phase', atan2(aimag(result%harmonic%p), real(result%harmonic%p)), 'rad', &
                          'phase of P', 'x', 'y')
       end if
+      if (case%fields .and. allocated(result%harmonic%waves%rows)) then
+         associate (row => result%harmonic%waves%rows)
+            call write_complex(file, 'attenuated_by_row', row%fit%attenuated, 'wave that moves with the surface over Ai')
+            call write_complex(file, 'complementary_by_row', row%fit%complementary, 'wave that moves with the oil over Ai')
+         end associate
+      end if
       call file%finish(error)
    end subroutine write_case_file
+
+   !> A complex number for each row as two data sets.
+   subroutine write_complex(file, name, values, long_name)
+      type(hdf5_file_t), intent(inout) :: file
+      character(len=*), intent(in) :: name, long_name
+      complex(dp), intent(in) :: values(:)
+      call file%write(name//'_real', real(values, dp), 'y', '1', long_name//', real part')
+      call file%write(name//'_imaginary', aimag(values), 'y', '1', long_name//', imaginary part')
+   end subroutine write_complex
 
    !> What wrote the file and how it was built.
    subroutine write_provenance(file)

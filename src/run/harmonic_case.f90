@@ -9,6 +9,7 @@ module ehlwave_harmonic_case
    use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_status, only: status_converged, status_name
    use ehlwave_text, only: to_text
+   use ehlwave_two_wave_result, only: new_two_wave_result
    use ehlwave_work_unit, only: work_unit_seconds
    implicit none (type, external)
    private
@@ -43,6 +44,10 @@ contains
       end if
       call result%harmonic%take(response%film, response%approach)
       call find_mean(case, plan, steady, response, result)
+      associate (level => steady%multigrid%levels(n))
+         if (plan%waviness%moves()) &
+            result%harmonic%waves = new_two_wave_result(level%problem, level%state, plan%waviness, response%h)
+      end associate
       if (case%fields) then
          result%harmonic%p = response%p
          result%harmonic%h = response%h

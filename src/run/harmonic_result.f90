@@ -3,6 +3,7 @@ module ehlwave_harmonic_result
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_kinds, only: dp, no_value
    use ehlwave_mean_film, only: mean_change_t
+   use ehlwave_two_wave_result, only: two_wave_result_t
    implicit none (type, external)
    private
 
@@ -20,6 +21,7 @@ module ehlwave_harmonic_result
       real(dp) :: mean_rise = no_value       !! change of the mean of H(0,0) over Ai, second order, for the Ai of the case
       real(dp) :: smallest_film = no_value   !! smallest H with waves of that Ai, to second order
       real(dp) :: smallest_film_x = no_value, smallest_film_y = no_value   !! where it is
+      type(two_wave_result_t) :: waves       !! of which the film consists under slip
       complex(dp), allocatable :: p(:, :), h(:, :)   !! amplitudes of P and H over Ai, if asked for
    contains
       procedure :: take

@@ -6,15 +6,17 @@
 module ehlwave_quantities
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_key, only: key_long_name, number_kind, truth_kind, whole_kind
+   use ehlwave_case_keys, only: case_key_list
    use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_text, only: case_identity
    use ehlwave_error_estimate, only: basis_name
-   use ehlwave_key_list, only: case_key_list, find_key, key_list_t
+   use ehlwave_key_list, only: find_key, key_list_t
    use ehlwave_harmonic_result, only: harmonic_result_t
    use ehlwave_kinds, only: dp
    use ehlwave_quantity, only: quantity_list_t
    use ehlwave_status, only: status_name
+   use ehlwave_two_wave_result, only: wave_row_t
    implicit none (type, external)
    private
    public :: add_case, add_key, add_plan, add_result
@@ -196,10 +198,33 @@ contains
                     harmonic%smallest_film)
       call list%add('smallest_film_x', 'X of the smallest film with waves', harmonic%smallest_film_x)
       call list%add('smallest_film_y', 'Y of the smallest film with waves', harmonic%smallest_film_y)
+      call add_waves(list, harmonic%waves%centre)
       call list%add('harmonic_linear_steps', 'GMRES steps of the linear response', harmonic%linear_steps)
       call list%add('harmonic_work_units', 'processor time of the linear response in plain FFT convolutions of the grid', &
                     harmonic%work_units)
    end subroutine add_response
+
+   !> The two waves of the film at the centre.
+   subroutine add_waves(list, row)
+      type(quantity_list_t), intent(inout) :: list
+      type(wave_row_t), intent(in) :: row
+      call add_complex(list, 'attenuated', 'wave of the film that moves with the surface, over Ai', row%fit%attenuated)
+      call add_complex(list, 'complementary', 'wave of the film that moves with the oil, over Ai', row%fit%complementary)
+      call add_complex(list, 'psi', 'wave number of the complementary wave', row%fit%psi, unit='1/a')
+      call list%add('two_wave_misfit', 'what both waves leave of the film, rms over Ai, |X| <= 0.5', row%fit%misfit)
+      call add_complex(list, 'attenuated_formula', 'attenuated wave over Ai in closed form', row%attenuated)
+      call add_complex(list, 'psi_formula', 'psi in closed form', row%psi, unit='1/a')
+   end subroutine add_waves
+
+   !> A complex number as two quantities.
+   subroutine add_complex(list, name, long_name, value, unit)
+      type(quantity_list_t), intent(inout) :: list
+      character(len=*), intent(in) :: name, long_name
+      complex(dp), intent(in) :: value
+      character(len=*), intent(in), optional :: unit
+      call list%add(name//'_real', long_name//', real part', real(value, dp), unit=unit)
+      call list%add(name//'_imaginary', long_name//', imaginary part', aimag(value), unit=unit)
+   end subroutine add_complex
 
    subroutine add_effort(list, result)
       type(quantity_list_t), intent(inout) :: list

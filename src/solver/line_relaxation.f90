@@ -157,7 +157,7 @@ contains
          jm = mesh%grid%below(j)
          jp = mesh%grid%above(j)
          do i = 1, n
-            self_wedge = transport%w0(i)*flow%f_h(i, j)*equations%self_influence
+            self_wedge = transport%w0(i)*flow%rho(i, j)*equations%self_influence
             self%kind(i) = merge(distributed, single, .not. equations%is_cavitated(i, j) .and. &
                1/equations%scale(i, j) - transport%w0(i)*flow%f_p(i, j) < (1 + self%switch)*self_wedge)
          end do

@@ -1,13 +1,14 @@
 !> Reads a sweep file: its cases are the combinations of lists, or the rows of a CSV file.
 module ehlwave_case_table
-   use ehlwave_case_input, only: case_input_t, key_reader_t
+   use ehlwave_case_input, only: case_input_t, read_keys
    use ehlwave_case_key, only: most_keys
-   use ehlwave_case_keys, only: visit_case_keys
+   use ehlwave_case_keys, only: case_key_list
    use ehlwave_case_row, only: find_columns, set_row
    use ehlwave_csv, only: csv_t, read_csv
    use ehlwave_errors, only: error_t, raise
    use ehlwave_key_bounds, only: is_none
-   use ehlwave_key_list, only: case_key_list, find_key, key_list_t
+   use ehlwave_key_list, only: find_key, key_list_t
+   use ehlwave_namelist, only: namelist_t
    use ehlwave_sweep_cases, only: sweep_t
    use ehlwave_sweep_keys, only: sweep_group, sweep_settings_t, visit_sweep_keys
    use ehlwave_sweep_lists, only: read_lists, sweep_lists_t
@@ -23,7 +24,7 @@ contains
       character(len=*), intent(in) :: path
       type(sweep_t), intent(out) :: sweep
       type(error_t), allocatable, intent(out) :: error
-      type(key_reader_t) :: reader
+      type(namelist_t) :: file
       type(sweep_settings_t) :: settings
       type(case_input_t) :: base
       type(key_list_t) :: table
@@ -31,18 +32,15 @@ contains
       type(csv_t) :: rows
       integer, allocatable :: columns(:)
 
-      call reader%file%load(path, reader%error)
-      call visit_case_keys(base%case, reader)
-      base%is_given = reader%is_given
-      call visit_sweep_keys(settings, reader)
+      call file%load(path, error)
+      call base%read(file, error)
+      call read_settings(file, settings, error)
       table = case_key_list()
-      call read_lists(reader%file, table, lists, reader%error)
-      call reader%file%check_all_used(reader%error)
-      if (.not. allocated(reader%error) .and. settings%case_file /= '' .and. size(lists%keys) + merge(1, 0, lists%has_f_v) > 0) &
-         call raise(reader%error, reader%file%place(sweep_group, 'case_file')//'&sweep gives case_file and lists: give one '// &
-                    'of the two')
-      if (allocated(reader%error)) then
-         call move_alloc(reader%error, error)
+      call read_lists(file, table, lists, error)
+      call file%check_all_used(error)
+      if (allocated(error)) return
+      if (settings%case_file /= '' .and. (size(lists%keys) > 0 .or. lists%has_f_v)) then
+         call raise(error, file%place(sweep_group, 'case_file')//'&sweep gives case_file and lists: give one of the two')
          return
       end if
       base%may_idle = base%is_given
@@ -53,10 +51,10 @@ contains
          call find_columns(rows, table, columns, error)
          if (allocated(error)) return
          call sweep%begin(size(rows%line), settings%unresolved == 'skip')
-         call add_rows(rows, columns, reader, base, table, sweep, error)
+         call add_rows(rows, columns, file, base, table, sweep, error)
       else
          call sweep%begin(nint(lists%combinations()), settings%unresolved == 'skip')
-         call add_product(reader, base, table, lists, sweep, error)
+         call add_product(file, base, table, lists, sweep, error)
       end if
       if (allocated(error)) return
       call sweep%finish()
@@ -69,17 +67,29 @@ contains
       character(len=*), intent(in) :: path
       character(len=:), allocatable, intent(out) :: output
       type(error_t), allocatable, intent(inout) :: error
-      type(key_reader_t) :: reader
+      type(namelist_t) :: file
       type(sweep_settings_t) :: settings
-      call reader%file%load(path, reader%error)
-      call visit_sweep_keys(settings, reader)
+      call file%load(path, error)
+      call read_settings(file, settings, error)
       output = trim(settings%output)
-      if (allocated(reader%error)) call move_alloc(reader%error, error)
    end subroutine read_output_name
 
+   !> What a sweep file says of the sweep itself.
+   subroutine read_settings(file, settings, error)
+      type(namelist_t), intent(inout) :: file
+      type(sweep_settings_t), intent(inout) :: settings
+      type(error_t), allocatable, intent(inout) :: error
+      type(key_list_t) :: list
+      logical :: is_given(most_keys)
+      call visit_sweep_keys(settings, list)
+      call read_keys(file, list, is_given, error)
+      list%gives_back = .true.
+      call visit_sweep_keys(settings, list)
+   end subroutine read_settings
+
    !> Every combination of the lists; a list takes the place of what the group of its key gives.
-   subroutine add_product(reader, base, table, lists, sweep, error)
-      type(key_reader_t), intent(in) :: reader
+   subroutine add_product(file, base, table, lists, sweep, error)
+      type(namelist_t), intent(in) :: file
       type(case_input_t), intent(inout) :: base
       type(key_list_t), intent(in) :: table
       type(sweep_lists_t), intent(inout) :: lists
@@ -89,26 +99,26 @@ contains
       logical :: is_used(most_keys)
 
       call sweep%vary(lists%keys, lists%has_f_v)
-      call note_replaced(reader, base, table, sweep)
+      call note_replaced(file, base, table, sweep)
       base%may_idle(lists%keys) = .true.
       if (lists%has_f_v) base%may_idle(find_key(table%keys, 'wavelength_over_a')) = .true.
       is_used = .false.
       do while (lists%next())
          input = base
          call lists%put(input)
-         call sweep%add(input, table, reader%file%path//': ', error)
+         call sweep%add(input, table, file%path//': ', error)
          if (allocated(error)) return
          is_used = is_used .or. input%is_given
       end do
       base%is_given(lists%keys) = .true.
-      call refuse_idle(reader, base, table, lists%keys, is_used, error)
+      call refuse_idle(file, base, table, lists%keys, is_used, error)
    end subroutine add_product
 
    !> One case for each row of a CSV file; its columns take the place of what the groups of their keys give.
-   subroutine add_rows(rows, columns, reader, base, table, sweep, error)
+   subroutine add_rows(rows, columns, file, base, table, sweep, error)
       type(csv_t), intent(in) :: rows
       integer, intent(in) :: columns(:)                !! number of the key of each column, 0: f_v
-      type(key_reader_t), intent(in) :: reader
+      type(namelist_t), intent(in) :: file
       type(case_input_t), intent(in) :: base
       type(key_list_t), intent(in) :: table
       type(sweep_t), intent(inout) :: sweep
@@ -118,7 +128,7 @@ contains
       integer :: row
 
       call sweep%vary(pack(columns, columns > 0), any(columns == 0))
-      call note_replaced(reader, base, table, sweep)
+      call note_replaced(file, base, table, sweep)
       is_used = .false.
       do row = 1, size(rows%line)
          input = base
@@ -128,12 +138,12 @@ contains
          is_used = is_used .or. input%is_given
       end do
       is_used(pack(columns, columns > 0)) = .true.
-      call refuse_idle(reader, base, table, [integer ::], is_used, error)
+      call refuse_idle(file, base, table, [integer ::], is_used, error)
    end subroutine add_rows
 
    !> Say which keys of the case groups are given for nothing, since lists or columns take their place.
-   subroutine note_replaced(reader, base, table, sweep)
-      type(key_reader_t), intent(in) :: reader
+   subroutine note_replaced(file, base, table, sweep)
+      type(namelist_t), intent(in) :: file
       type(case_input_t), intent(in) :: base
       type(key_list_t), intent(in) :: table
       type(sweep_t), intent(inout) :: sweep
@@ -143,15 +153,15 @@ contains
       do i = 1, table%count
          if (.not. (base%is_given(i) .and. any(sweep%varied == i))) cycle
          associate (key => table%keys(i))
-            sweep%notice = sweep%notice//'NOTICE: '//reader%file%place(trim(key%group), trim(key%name))//trim(key%name)// &
+            sweep%notice = sweep%notice//'NOTICE: '//file%place(trim(key%group), trim(key%name))//trim(key%name)// &
                ' of &'//trim(key%group)//' gives way to the values that the sweep lists for it'//new_line('a')
          end associate
       end do
    end subroutine note_replaced
 
    !> Refuse a key that is given, says something and applies to none of the cases.
-   subroutine refuse_idle(reader, base, table, listed, is_used, error)
-      type(key_reader_t), intent(in) :: reader
+   subroutine refuse_idle(file, base, table, listed, is_used, error)
+      type(namelist_t), intent(in) :: file
       type(case_input_t), intent(in) :: base
       type(key_list_t), intent(in) :: table            !! with the defaults
       integer, intent(in) :: listed(:)                 !! numbers of the keys that have lists
@@ -171,7 +181,7 @@ contains
             cycle
          end if
          name = trim(table%keys(i)%name)
-         call raise(error, reader%file%place(group, name)//"key '"//name//"' in &"//group//': belongs to '// &
+         call raise(error, file%place(group, name)//"key '"//name//"' in &"//group//': belongs to '// &
                     trim(table%keys(i)%when)//', which none of the cases has: remove it, or change that')
          return
       end do

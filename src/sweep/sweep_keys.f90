@@ -1,11 +1,11 @@
 !> The keys of &sweep that are about the sweep itself; every key of a case that can vary is a list there, too.
 module ehlwave_sweep_keys
-   use ehlwave_case_definition, only: case_t, path_length
-   use ehlwave_case_key, only: choice_length, key_t, key_value_t, key_visitor_t, number_kind
-   use ehlwave_sweep_cases, only: case_limits_t
-   use ehlwave_case_keys, only: visit_case_keys
+   use ehlwave_case_definition, only: path_length
+   use ehlwave_case_key, only: choice_length, key_t, key_value_t, number_kind
+   use ehlwave_key_list, only: key_list_t
+   use ehlwave_key_reference, only: case_key_reference, key_reference
    use ehlwave_kinds, only: dp
-   use ehlwave_key_reference, only: reference_t
+   use ehlwave_sweep_cases, only: case_limits_t
    implicit none (type, external)
    private
    public :: sweep_key_reference, visit_sweep_keys
@@ -25,22 +25,22 @@ module ehlwave_sweep_keys
 
 contains
 
-   !> Show the keys to a visitor.
-   subroutine visit_sweep_keys(settings, v)
+   !> The table of these keys, see `key_list`.
+   subroutine visit_sweep_keys(settings, list)
       type(sweep_settings_t), intent(inout) :: settings
-      class(key_visitor_t), intent(inout) :: v
+      type(key_list_t), intent(inout) :: list
 
-      call v%begin()
-      call v%enter(sweep_group, 'Of sweep files only: lists of any of the keys above, in place of what its group gives, '// &
+      call list%begin()
+      call list%enter(sweep_group, 'Of sweep files only: lists of any of the keys above, in place of what its group gives, '// &
          'and the keys below. The other groups hold what all cases share.')
-      call v%see(settings%case_file, key_t('case_file', 'CSV file of cases in place of lists; its columns are named as the '// &
+      call list%see(settings%case_file, key_t('case_file', 'CSV file of cases in place of lists; its columns are named as the '// &
          'keys above, or f_v', maximum=real(path_length, dp)))
-      call v%see(settings%output, key_t('output', 'results file', maximum=real(path_length, dp)))
-      call v%see(settings%unresolved, key_t('unresolved', "cases that their grid does not resolve; 'skip' leaves them out", &
+      call list%see(settings%output, key_t('output', 'results file', maximum=real(path_length, dp)))
+      call list%see(settings%unresolved, key_t('unresolved', "cases that their grid does not resolve; 'skip' leaves them out", &
          choices='run skip'))
-      call v%see(settings%limits%largest_case_seconds, key_t('largest_case_seconds', 'wall time after which a case is given '// &
+      call list%see(settings%limits%largest_case_seconds, key_t('largest_case_seconds', 'wall time after which a case is given '// &
          'up as over_budget; steps are limited by largest_steps', unit='s', above=0.0_dp))
-      call v%see(settings%limits%checkpoint_seconds, key_t('checkpoint_seconds', 'wall time between two checkpoints of a '// &
+      call list%see(settings%limits%checkpoint_seconds, key_t('checkpoint_seconds', 'wall time between two checkpoints of a '// &
          'time march', unit='s', minimum=0.0_dp))
    end subroutine visit_sweep_keys
 
@@ -48,17 +48,12 @@ contains
    function sweep_key_reference(is_markdown) result(text)
       logical, intent(in) :: is_markdown
       character(len=:), allocatable :: text
-      type(reference_t) :: reference
-      type(case_t) :: case
+      type(key_list_t) :: list
       type(sweep_settings_t) :: settings
-      type(key_value_t) :: none
 
-      reference%is_markdown = is_markdown
-      call visit_case_keys(case, reference)
-      call visit_sweep_keys(settings, reference)
-      none%kind = number_kind
-      call reference%visit(f_v_key, none)
-      text = reference%text
+      call visit_sweep_keys(settings, list)
+      call list%add(f_v_key, key_value_t(kind=number_kind))
+      text = case_key_reference(is_markdown)//new_line('a')//key_reference(list, is_markdown)
    end function sweep_key_reference
 
 end module ehlwave_sweep_keys

@@ -2,15 +2,15 @@
 !> reference has them all; a case file that repeats the defaults is the same case.
 program test_case_keys
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_input, only: case_input_t, key_reader_t
+   use ehlwave_case_input, only: case_input_t
    use ehlwave_case_key, only: key_length, key_t, key_value_t, most_keys, number_kind, truth_kind, value_text, whole_kind, &
       word_kind, words_of
-   use ehlwave_case_keys, only: visit_case_keys
+   use ehlwave_case_keys, only: case_key_list
    use ehlwave_case_row, only: find_columns, set_row
    use ehlwave_csv, only: cell_length, csv_t
    use ehlwave_errors, only: error_t
    use ehlwave_key_bounds, only: is_allowed
-   use ehlwave_key_list, only: case_key_list, find_key, key_list_t
+   use ehlwave_key_list, only: find_key, key_list_t
    use ehlwave_key_reference, only: case_key_reference
    use ehlwave_kinds, only: dp
    use ehlwave_namelist, only: namelist_t
@@ -43,7 +43,6 @@ contains
       markdown = case_key_reference(is_markdown=.true.)
       do i = 1, table%count
          associate (key => table%keys(i))
-            call test%check_equal(key%number, i, 'number of '//key%name)
             call test%check_equal(find_key(table%keys, trim(key%name)), i, 'the one key of its name: '//key%name)
             call test%check(key%help /= '' .and. key%help(len(key%help):) == '', 'help of '//key%name)
             call test%check(index(text, new_line('a')//'  '//trim(key%name)//' (default: ') > 0, key%name//' in the text')
@@ -126,19 +125,20 @@ contains
       type(key_t), intent(in) :: key
       character(len=*), intent(in) :: text
       character(len=:), allocatable :: problem
-      type(key_reader_t) :: reader
-      type(case_t) :: case
-      type(key_list_t) :: given
+      type(namelist_t) :: file
+      type(case_input_t) :: input
+      type(error_t), allocatable :: error
+      integer :: k
 
-      call reader%file%load_text('F', '&'//trim(key%group)//new_line('a')//trim(key%name)//' = '//text//' /', reader%error)
-      call visit_case_keys(case, reader)
+      call file%load_text('F', '&'//trim(key%group)//new_line('a')//trim(key%name)//' = '//text//' /', error)
+      call input%read(file, error)
       problem = ''
-      if (allocated(reader%error)) then
-         problem = behind(reader%error%message, "F:2: key '"//trim(key%name)//"' in &"//trim(key%group)//': ')
+      if (allocated(error)) then
+         problem = behind(error%message, "F:2: key '"//trim(key%name)//"' in &"//trim(key%group)//': ')
       else
-         given = case_key_list(case)
-         call test%check(count(reader%is_given) == 1 .and. reader%is_given(key%number), trim(key%name)//' is given, it alone')
-         call test%check(same(key, given%values(key%number), text), 'the case has '//trim(key%name)//' = '//text)
+         k = find_key(table%keys, key%name)
+         call test%check(count(input%is_given) == 1 .and. input%is_given(k), trim(key%name)//' is given, it alone')
+         call test%check(same(key, value_of(input%case, k), text), 'the case has '//trim(key%name)//' = '//text)
       end if
    end function from_file
 
@@ -150,7 +150,6 @@ contains
       type(sweep_lists_t) :: lists
       type(case_input_t) :: input
       type(error_t), allocatable :: error
-      type(key_list_t) :: given
 
       call file%load_text('F', '&sweep'//new_line('a')//trim(key%name)//' = '//text//' /', error)
       call read_lists(file, table, lists, error)
@@ -159,8 +158,8 @@ contains
          problem = behind(error%message, "F:2: key '"//trim(key%name)//"' in &sweep: ")
       else if (lists%next()) then
          call lists%put(input)
-         given = case_key_list(input%case)
-         call test%check(same(key, given%values(key%number), text), 'the listed case has '//trim(key%name)//' = '//text)
+         call test%check(same(key, value_of(input%case, find_key(table%keys, key%name)), text), &
+                         'the listed case has '//trim(key%name)//' = '//text)
          call test%check(.not. lists%next(), 'one case')
       end if
    end function from_list
@@ -203,6 +202,15 @@ contains
       call test%check_equal(message(:min(len(message), len(place))), place, 'a message begins with its place')
       problem = message(min(len(message), len(place)) + 1:)
    end function behind
+
+   function value_of(case, k) result(value)
+      type(case_t), intent(in) :: case
+      integer, intent(in) :: k     !! number of the key
+      type(key_value_t) :: value
+      type(key_list_t) :: list
+      list = case_key_list(case)
+      value = list%values(k)
+   end function value_of
 
    logical function same(key, value, text)
       type(key_t), intent(in) :: key

@@ -4,6 +4,7 @@ program test_sweep_results
    use ehlwave_case_account, only: blank_result
    use ehlwave_case_input, only: case_input_t
    use ehlwave_case_key, only: most_keys
+   use ehlwave_case_keys, only: case_key_list
    use ehlwave_case_record, only: store_result
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_text, only: effective_input
@@ -11,7 +12,7 @@ program test_sweep_results
    use ehlwave_hdf5_file, only: hdf5_file_t
    use ehlwave_json, only: string_json
    use ehlwave_kinds, only: dp
-   use ehlwave_key_list, only: case_key_list, find_key, key_list_t
+   use ehlwave_key_list, only: find_key, key_list_t
    use ehlwave_quantity, only: quantity_list_t
    use ehlwave_record_file, only: record_writer_t
    use ehlwave_results_column, only: column_t

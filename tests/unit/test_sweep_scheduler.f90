@@ -74,10 +74,11 @@ end module planned_case
 program test_sweep_scheduler
    use ehlwave_case_input, only: case_input_t
    use ehlwave_case_key, only: most_keys
+   use ehlwave_case_keys, only: case_key_list
    use ehlwave_errors, only: error_t
    use ehlwave_json_reader, only: json_number
    use ehlwave_kinds, only: dp
-   use ehlwave_key_list, only: case_key_list, key_list_t
+   use ehlwave_key_list, only: key_list_t
    use ehlwave_scheduler, only: run_sweep
    use ehlwave_status, only: status_converged, status_over_budget
    use ehlwave_store, only: prepare_store, store_t

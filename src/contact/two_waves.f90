@@ -1,0 +1,175 @@
+!> The two waves of which the film of a wavy contact under slip consists.
+!>
+!> Where a pattern exp(i (kx X + ky Y - w T)), w = kx S, slides through the contact, the film over Ai is
+!>
+!>     a exp(i (kx X - w T)) + c exp(i (psi X - w T)):
+!>
+!> the attenuated wave moves with the surface, the complementary one is launched by the inlet and moves with the oil
+!> (Greenwood and Morales-Espejel 1994; Hooke 2006). With the state of the contact centre, and where the pressure gradient
+!> is small beside what sliding makes of the viscosity, the linear Reynolds equation gives a and psi in closed form. What
+!> the inlet launches, c, has no formula.
+module ehlwave_two_waves
+   use ehlwave_kinds, only: dp, no_value
+   implicit none (type, external)
+   private
+   public :: fit_two_waves
+
+   complex(dp), parameter :: i_unit = (0, 1)
+
+   !> State of the contact that a small wave meets, taken as uniform.
+   type, public :: wave_medium_t
+      real(dp) :: rho = 1               !! rho/rho0
+      real(dp) :: drho = 0              !! d rho/dP
+      real(dp) :: h = 1                 !! H
+      real(dp) :: eps(2) = 1            !! rho H^3/(eta lambdabar) times the tangent factor, along X and along Y
+      real(dp) :: kappa = 1             !! ellipticity, 0 of a line contact
+      real(dp) :: k = 1                 !! complete elliptic integral K; of a line contact 1
+   contains
+      procedure :: attenuated
+      procedure :: complementary_number
+      procedure, private :: deflection
+   end type wave_medium_t
+
+   complex(dp), parameter :: no_number = (no_value, no_value)
+
+   !> What a film was split into, amplitudes over Ai. All NaN where both waves cannot be told from each other, as near S = 1.
+   type, public :: two_waves_t
+      complex(dp) :: attenuated = no_number      !! a
+      complex(dp) :: complementary = no_number   !! c
+      complex(dp) :: psi = no_number             !! as the film has it; NaN where c is lost in what is left
+      real(dp) :: misfit = no_value              !! rms of what is left
+   end type two_waves_t
+
+   integer, parameter :: steps_to_psi = 40, newton_steps = 8, fit_steps = 20
+   real(dp), parameter :: smallest_step = 1e-3_dp
+   real(dp), parameter :: least_signal = 3      ! |c| over the misfit from which psi can be seen
+   real(dp), parameter :: least_difference = 0.01_dp   ! of 1 - |correlation|^2: errors of the film grow 10 times in a and c
+
+contains
+
+   !> Deflection under a unit pressure exp(i (kx X + ky Y)): W = 2/(K (kx^2 + kappa^2 ky^2)^(1/2)), of a line 2/|kx|.
+   pure complex(dp) function deflection(self, kx, ky)
+      class(wave_medium_t), intent(in) :: self
+      complex(dp), intent(in) :: kx     !! wave number along X, 1/a
+      real(dp), intent(in) :: ky        !! wave number along Y, 1/b
+      deflection = 2/(self%k*sqrt(kx**2 + (self%kappa*ky)**2))
+   end function deflection
+
+   !> Attenuated wave over Ai. From the change of mass (kx - w)(rho' H p + rho h) = i (eps_x kx^2 + eps_y kappa^2 ky^2) p
+   !> and h = 1 + W p,
+   !>
+   !>     a = 1/(1 + i (1 - S) kx rho W/(eps_x kx^2 + eps_y kappa^2 ky^2 + i (1 - S) kx rho' H)).
+   pure complex(dp) function attenuated(self, kx, ky, slip)
+      class(wave_medium_t), intent(in) :: self
+      real(dp), intent(in) :: kx, ky    !! wave numbers, 1/a and 1/b
+      real(dp), intent(in) :: slip      !! S
+      complex(dp) :: rate
+      rate = i_unit*(1 - slip)*kx
+      attenuated = 1/(1 + rate*self%rho*self%deflection(cmplx(kx, 0, dp), ky) &
+                      /(self%eps(1)*kx**2 + self%eps(2)*(self%kappa*ky)**2 + rate*self%drho*self%h))
+   end function attenuated
+
+   !> Wave number of the complementary wave along X: the root that is w where nothing flows by pressure, of
+   !>
+   !>     eps_x psi^2 + eps_y kappa^2 ky^2 + i (psi - w)(rho W(psi) + rho' H) = 0,
+   !>
+   !> followed while the flow grows from 0 to what it is. NaN where it is lost.
+   pure complex(dp) function complementary_number(self, frequency, ky) result(psi)
+      class(wave_medium_t), intent(in) :: self
+      real(dp), intent(in) :: frequency !! w = kx S, not 0
+      real(dp), intent(in) :: ky        !! wave number along Y, 1/b
+      complex(dp) :: carried, change, slope, squeezed
+      real(dp) :: share
+      integer :: n, step
+
+      psi = frequency
+      do step = 1, steps_to_psi
+         share = (real(step, dp)/steps_to_psi)**2
+         do n = 1, newton_steps
+            squeezed = share*(self%eps(1)*psi**2 + self%eps(2)*(self%kappa*ky)**2)
+            carried = self%rho*self%deflection(psi, ky) + self%drho*self%h
+            slope = share*2*self%eps(1)*psi + i_unit*carried &
+                    - i_unit*(psi - frequency)*self%rho*self%deflection(psi, ky)*psi/(psi**2 + (self%kappa*ky)**2)
+            change = (squeezed + i_unit*(psi - frequency)*carried)/slope
+            psi = psi - change
+            if (abs(change) <= 1e-12_dp*abs(psi)) exit
+         end do
+      end do
+      if (.not. abs(change) <= 1e-9_dp*abs(psi)) psi = no_number
+   end function complementary_number
+
+   !> Both waves in a film amplitude h over Ai at places x: a and c by least squares with the wave number psi given, then the psi
+   !> that describes best what the attenuated wave leaves. (All three at once come out wrong: psi and c then describe
+   !> what the change of the film along the contact does to the larger wave.)
+   pure function fit_two_waves(x, h, kx, psi) result(fit)
+      real(dp), intent(in) :: x(:)          !! X, at least 3
+      complex(dp), intent(in) :: h(:)       !! amplitude of H over Ai there
+      real(dp), intent(in) :: kx            !! wave number of the pattern, 1/a
+      complex(dp), intent(in) :: psi        !! of the complementary wave, 1/a
+      type(two_waves_t) :: fit
+      complex(dp) :: amplitude(2), wave(size(x), 2)
+
+      wave(:, 1) = exp(i_unit*kx*x)
+      wave(:, 2) = exp(i_unit*psi*x)
+      if (.not. 1 - abs(dot_product(wave(:, 1), wave(:, 2)))**2/(size(x)*sum(abs(wave(:, 2))**2)) >= least_difference) return
+      call least_squares(wave, h, amplitude, fit%misfit)
+      fit%attenuated = amplitude(1)
+      fit%complementary = amplitude(2)
+      if (abs(amplitude(2)) >= least_signal*fit%misfit) fit%psi = fitted_number(x, h - amplitude(1)*wave(:, 1), psi)
+   end function fit_two_waves
+
+   !> Wave number of the one wave that comes nearest to h, by Gauss-Newton steps that are halved until they do not leave more.
+   pure complex(dp) function fitted_number(x, h, start) result(psi)
+      real(dp), intent(in) :: x(:)
+      complex(dp), intent(in) :: h(:)
+      complex(dp), intent(in) :: start      !! first guess
+      complex(dp) :: change(2), wave(size(x), 2)
+      real(dp) :: left, least, step
+      integer :: n
+
+      psi = start
+      least = huge(least)
+      change = 0
+      do n = 1, fit_steps
+         step = 1
+         do
+            wave(:, 1) = exp(i_unit*(psi + step*change(2))*x)
+            call least_squares(wave(:, :1), h, change(:1), left)
+            if (left < least) exit
+            step = step/2
+            if (step < smallest_step) return
+         end do
+         psi = psi + step*change(2)
+         least = left
+         wave(:, 2) = i_unit*change(1)*x*wave(:, 1)
+         call least_squares(wave, h, change, left)
+      end do
+   end function fitted_number
+
+   !> Coefficients of few columns that come nearest to b, by modified Gram-Schmidt orthogonalisation.
+   pure subroutine least_squares(columns, b, coefficient, misfit)
+      complex(dp), intent(in) :: columns(:, :), b(:)   !! (m, n), (m)
+      complex(dp), intent(out) :: coefficient(:)       !! (n)
+      real(dp), intent(out) :: misfit                  !! rms of what they leave
+      complex(dp) :: left(size(b)), q(size(b), size(columns, 2)), r(size(columns, 2), size(columns, 2))
+      integer :: i, j
+
+      q = columns
+      left = b
+      do j = 1, size(q, 2)
+         r(j, j) = norm2(abs(q(:, j)))
+         q(:, j) = q(:, j)/r(j, j)
+         do i = j + 1, size(q, 2)
+            r(j, i) = dot_product(q(:, j), q(:, i))
+            q(:, i) = q(:, i) - r(j, i)*q(:, j)
+         end do
+         coefficient(j) = dot_product(q(:, j), left)
+         left = left - coefficient(j)*q(:, j)
+      end do
+      misfit = norm2(abs(left))/sqrt(real(size(b), dp))
+      do j = size(q, 2), 1, -1
+         coefficient(j) = (coefficient(j) - sum(r(j, j + 1:)*coefficient(j + 1:)))/r(j, j)
+      end do
+   end subroutine least_squares
+
+end module ehlwave_two_waves

@@ -1,0 +1,91 @@
+!> Attenuated and complementary wave in the linear response of a case under slip.
+module ehlwave_two_wave_result
+   use ehlwave_contact_problem, only: contact_problem_t
+   use ehlwave_kinds, only: dp, no_value, pi
+   use ehlwave_state, only: state_t
+   use ehlwave_two_waves, only: fit_two_waves, two_waves_t, wave_medium_t
+   use ehlwave_waviness, only: waviness_t
+   implicit none (type, external)
+   private
+   public :: new_two_wave_result
+
+   real(dp), parameter :: half_window = 0.5_dp      ! of X over which the film is split
+   real(dp), parameter :: least_pressure = 0.05_dp  ! P of rows that are inside the contact
+
+   complex(dp), parameter :: no_number = (no_value, no_value)
+
+   !> The waves about X = 0 in one row; NaN outside the contact.
+   type, public :: wave_row_t
+      type(two_waves_t) :: fit                     !! as the film has them
+      complex(dp) :: attenuated = no_number        !! a in closed form
+      complex(dp) :: psi = no_number               !! wave number of the complementary wave in closed form, 1/a
+   end type wave_row_t
+
+   type, public :: two_wave_result_t
+      type(wave_row_t) :: centre                   !! that nearest to Y = 0
+      type(wave_row_t), allocatable :: rows(:)     !! (0:ny)
+   end type two_wave_result_t
+
+contains
+
+   !> Split the response of the film, (0:nx, 0:ny) over Ai, to a pattern that moves.
+   function new_two_wave_result(problem, state, waviness, h) result(self)
+      type(contact_problem_t), intent(in) :: problem
+      type(state_t), intent(in) :: state            !! steady state
+      type(waviness_t), intent(in) :: waviness
+      complex(dp), intent(in) :: h(0:, 0:)
+      type(two_wave_result_t) :: self
+      type(wave_medium_t), allocatable :: medium(:)
+      integer :: column, first, j, last
+      real(dp) :: kx, ky
+
+      associate (grid => problem%grid)
+         column = minloc(abs(grid%x), 1) - 1
+         first = column - int(half_window/grid%hx + 1e-9_dp)
+         last = 2*column - first
+         allocate (self%rows(0:grid%ny), medium(0:grid%ny))
+         kx = 2*pi/waviness%wavelength_x
+         ky = 0
+         if (waviness%wavelength_y > 0) ky = 2*pi/waviness%wavelength_y
+         call take_media(problem, state, column, medium)
+         do j = grid%first_row, grid%last_row
+            if (first < 0 .or. last > grid%nx .or. state%p(column, j) < least_pressure) cycle
+            associate (row => self%rows(j))
+               row%attenuated = medium(j)%attenuated(kx, ky, waviness%slip)
+               row%psi = medium(j)%complementary_number(kx*waviness%slip, ky)
+               row%fit = fit_two_waves(grid%x(first:last), h(first:last, j), kx, row%psi)
+            end associate
+         end do
+         self%centre = self%rows(minloc(abs(grid%y), 1) - 1)
+      end associate
+   end function new_two_wave_result
+
+   !> What small waves meet at one X in every row.
+   subroutine take_media(problem, state, column, medium)
+      type(contact_problem_t), intent(in) :: problem
+      type(state_t), intent(in) :: state
+      integer, intent(in) :: column                        !! i of that X, 1 to nx - 1
+      type(wave_medium_t), intent(out) :: medium(0:)       !! (0:ny)
+      real(dp), dimension(0:problem%grid%ny) :: b, dln_eta, drho, fluidity, gx, gy, rho, stress
+      real(dp) :: factor(2, 0:problem%grid%ny)
+      integer :: j
+
+      associate (grid => problem%grid, c => problem%conditions, p => state%p, h => state%h)
+         call problem%rheology%evaluate(grid%ny + 1, p(column, :), rho, drho, fluidity, dln_eta)
+         factor = 1
+         if (allocated(problem%film_flow)) then
+            gx = (p(column + 1, :) - p(column - 1, :))/(2*grid%hx)
+            gy = 0
+            do j = grid%first_row, grid%last_row
+               gy(j) = c%elliptic%kappa*(p(column, grid%above(j)) - p(column, grid%below(j)))/(2*grid%hy)
+            end do
+            call problem%film_flow%mean_stress(fluidity, h(column, :), gx, gy, stress, b, factor)
+         end if
+         do j = 0, grid%ny
+            medium(j) = wave_medium_t(rho=rho(j), drho=drho(j), h=h(column, j), kappa=c%elliptic%kappa, k=c%elliptic%k, &
+                                      eps=rho(j)*h(column, j)**3*fluidity(j)/c%lambdabar*factor(:, j))
+         end do
+      end associate
+   end subroutine take_media
+
+end module ehlwave_two_wave_result
