@@ -28,8 +28,6 @@ contains
       type(case_t) :: copy
       if (present(case)) copy = case
       call visit_case_keys(copy, list)
-      list%keys = list%keys(:list%count)
-      list%values = list%values(:list%count)
    end function case_key_list
 
    !> Give the values of a list of all keys to a case.

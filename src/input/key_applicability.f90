@@ -22,9 +22,9 @@ contains
       integer :: k
 
       given = case_key_list(input%case)
-      defaults = case_key_list()
       do k = 1, given%count
          if (given%keys(k)%applies .or. .not. input%is_given(k)) cycle
+         if (defaults%count == 0) defaults = case_key_list()
          if (.not. (input%may_idle(k) .or. is_none(given%values(k), defaults%values(k)))) then
             call raise(error, shown_key(given, k)//' belongs to '//trim(given%keys(k)%when)//': remove it, or change that')
             return
@@ -43,10 +43,10 @@ contains
       integer :: k
 
       given = case_key_list(case)
-      defaults = case_key_list()
       do k = 1, given%count
          associate (key => given%keys(k), value => given%values(k))
             if (key%group /= group .or. .not. key%applies .or. is_allowed(key, value)) cycle
+            defaults = case_key_list()
             if (is_none(value, defaults%values(k))) then
                call raise(error, '&'//trim(key%group)//' '//trim(key%name)//' is missing: '//trim(key%when)//' needs it')
             else

@@ -100,8 +100,8 @@ contains
       type(hdf5_file_t), intent(inout) :: file
       character(len=*), intent(in) :: name, long_name
       complex(dp), intent(in) :: values(:)
-      call file%write(name//'_real', real(values, dp), 'y', '1', long_name//', real part')
-      call file%write(name//'_imaginary', aimag(values), 'y', '1', long_name//', imaginary part')
+      call file%write(name//'_real', real(values, dp), '1', long_name//', real part', 'y')
+      call file%write(name//'_imaginary', aimag(values), '1', long_name//', imaginary part', 'y')
    end subroutine write_complex
 
    !> What wrote the file and how it was built.

@@ -37,7 +37,7 @@ contains
             problem = 'this key cannot vary in a sweep: remove it'
          else
             problem = 'unknown: columns are named as the keys of a case, or f_v (ehlwave-sweep --keys lists them)'
-            near = nearest_word(table%names(i), list%keys%name)
+            near = nearest_word(table%names(i), list%keys(:list%count)%name)
             if (near > 0) problem = "unknown: did you mean '"//trim(list%keys(near)%name)//"'?"
          end if
          call raise(error, table%path//": column '"//shown(trim(table%names(i)))//"': "//problem)

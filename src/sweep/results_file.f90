@@ -108,7 +108,7 @@ contains
 
       call add_case(row, sweep%cases(case), sweep%plans(case))
       keys = case_key_list(sweep%cases(case))
-      do i = 1, size(keys%keys)
+      do i = 1, keys%count
          associate (name => keys%keys(i)%name)
             if (row%find(trim(name)) > 0) cycle
             if (any(always_shown == name) .or. sweep%varies(i)) call add_key(row, keys, trim(name))
