@@ -79,20 +79,15 @@ def linearity_points(results: xr.Dataset) -> xr.Dataset:
 def linearity_text(points: xr.Dataset) -> str:
     """Return, for each Ai over the film, the largest deviations from linear."""
     lines = ["Ai/Hc   cases   largest deviation of Ad/Ai: fit, range; of the phase in rad"]
-    for amplitude in np.unique(points["amplitude_over_film"].values):
-        part = points.isel(
-            {DIMENSION: np.flatnonzero(points["amplitude_over_film"].values == amplitude)}
-        )
+    for amplitude, part in points.groupby("amplitude_over_film"):
         fit, extent = (
-            float(np.max(np.abs(part[name].values - 1)))
+            100 * float(abs(part[name] - 1).max())
             for name in ("fit_over_linear", "range_over_linear")
         )
-        turn = np.abs(part["phase_difference"].values)
-        phase = f"{np.nanmax(turn):.4f}" if np.isfinite(turn).any() else "-"
-        lines.append(
-            f"{amplitude:<8g}{part.sizes[DIMENSION]:5d}   {100 * fit:8.2f} % "
-            f"{100 * extent:8.2f} %   {phase}"
-        )
+        turn = float(abs(part["phase_difference"]).max())
+        phase = f"{turn:.4f}" if np.isfinite(turn) else "-"
+        count = part.sizes[DIMENSION]
+        lines.append(f"{amplitude:<8g}{count:5d}   {fit:8.2f} % {extent:8.2f} %   {phase}")
     return "\n".join(lines)
 
 
@@ -102,21 +97,19 @@ def linearity_figure(points: xr.Dataset) -> Figure:
     Patterns with fewer than three amplitudes are left out. Solid: harmonic fit; dashed: half the
     range of the film, eq. (14).
     """
-    table = list(zip(*(points[name].values.tolist() for name in _PATTERN), strict=True))
-    patterns = [key for key in dict.fromkeys(table) if table.count(key) >= _FEWEST]
+    groups = points.to_dataframe().groupby(list(_PATTERN), sort=False)
+    patterns = [(key, members) for key, members in groups if len(members) >= _FEWEST]
     with rc_context(_STYLE):
         figure = Figure(figsize=(4.4, 3.4), layout="constrained")
         axes = figure.subplots()
-        for index, key in enumerate(patterns):
-            members = points.isel(
-                {DIMENSION: [place for place, found in enumerate(table) if found == key]}
-            ).sortby("amplitude_over_film")
+        for index, (key, members) in enumerate(patterns):
+            shown = members.sort_values("amplitude_over_film")
             load, radius_ratio, orientation, wave = key
             label = rf"{orientation}, $M={load:g}$, $D={radius_ratio:g}$, $\lambda/a={wave:g}$"
             colour = COLOURS[index % len(COLOURS)]
-            x = members["amplitude_over_film"].values
-            axes.plot(x, members["fit_over_linear"], "o-", color=colour, label=label, markersize=3)
-            axes.plot(x, members["range_over_linear"], "--", color=colour, linewidth=0.8)
+            x = shown["amplitude_over_film"]
+            axes.plot(x, shown["fit_over_linear"], "o-", color=colour, label=label, markersize=3)
+            axes.plot(x, shown["range_over_linear"], "--", color=colour, linewidth=0.8)
         axes.axhline(1, color="black", linewidth=0.6)
         axes.set_xlabel(r"$A_i/H_c$")
         axes.set_ylabel(r"$(A_d/A_i)\,/\,$linear")

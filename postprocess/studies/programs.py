@@ -85,6 +85,14 @@ def run(
     )
 
 
+def run_case(groups: Groups, *options: str) -> Outcome:
+    """Run ``case`` with an input file of these groups."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder, "case.nml")
+        path.write_text(namelist(groups), encoding="utf-8")
+        return run("case", path, *options)
+
+
 def last_line(outcome: Outcome) -> Any:  # noqa: ANN401 - an object as JSON has it
     """Return the JSON object on the last line of the output."""
     return json.loads(outcome.stdout.rstrip("\n").split("\n")[-1], parse_constant=_not_json)
@@ -107,14 +115,10 @@ def solve(**groups: Any) -> dict[str, Any]:  # noqa: ANN401 - groups, or one of 
             "radius_ratio_d": groups.pop("d"),
         }
         groups["conditions"] = {**moes, **groups.get("conditions", {})}
-    text = namelist(groups)
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder, "case.nml")
-        path.write_text(text, encoding="utf-8")
-        outcome = run("case", path, "--json", "--quiet")
+    outcome = run_case(groups, "--json", "--quiet")
     if outcome.returncode != 0:
         said = outcome.stdout + outcome.stderr
-        raise AssertionError(f"exit status {outcome.returncode} for\n{text}\n{said}")
+        raise AssertionError(f"exit status {outcome.returncode} for\n{namelist(groups)}\n{said}")
     result: dict[str, Any] = last_line(outcome)
     return result
 

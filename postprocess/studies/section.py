@@ -1,11 +1,10 @@
 """What the parts of the study hand to the report: sections of text, tables and figures."""
 
-import csv
-import math
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
+import pandas as pd
 from matplotlib.figure import Figure
 
 from ehlwave_post.figures import write_figure
@@ -19,14 +18,14 @@ COMPARISON = ("quantity", "unit", "paper", "this code", "difference", "error bar
 class Table:
     """A table of the report, also written as ``<name>.csv``.
 
-    Numbers stay numbers: the report rounds them to four digits, the CSV file keeps all. None and
-    NaN are empty cells. ``is_long`` tables are folded in the report.
+    The columns of ``data`` are its headings. Numbers stay numbers: the report rounds them to four
+    digits, the CSV file keeps all. None and NaN are empty cells. ``is_long`` tables are folded in
+    the report.
     """
 
     name: str
     caption: str
-    columns: Sequence[str]
-    rows: Sequence[Sequence[Cell]]
+    data: pd.DataFrame
     is_long: bool = False
 
 
@@ -49,6 +48,19 @@ class Section:
     pictures: list[Picture] = field(default_factory=list)
 
 
+Parts = Sequence[tuple[str, Callable[[Path], Section]]]
+"""Names of the parts of a report, and what makes each of the files in a folder."""
+
+
+def make_sections(parts: Parts, folder: Path, note: Callable[[str], None]) -> list[Section]:
+    """Return the section of every part; `note` is told what is being made."""
+    sections = []
+    for name, make in parts:
+        note(f"{name} ...")
+        sections.append(make(folder))
+    return sections
+
+
 def comparison_row(
     quantity: str,
     unit: str,
@@ -66,20 +78,17 @@ def comparison_row(
     return (quantity, unit, paper, ours, difference, error, remark)
 
 
-def write_table(table: Table, folder: Path) -> Path:
-    """Write a table as CSV with all digits; return its path."""
-    path = folder / f"{table.name}.csv"
-    with path.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(table.columns)
-        writer.writerows([[_plain(cell) for cell in row] for row in table.rows])
-    return path
+def comparison(name: str, caption: str, rows: Iterable[Sequence[Cell]]) -> Table:
+    """Return the table of rows from :func:`comparison_row`."""
+    return Table(name, caption, pd.DataFrame(rows, columns=COMPARISON))
 
 
-def write_picture(picture: Picture, folder: Path) -> list[Path]:
-    """Write a figure as PDF and PNG; return the paths."""
-    return write_figure(picture.figure, folder, picture.name, dots_per_inch=150)
-
-
-def _plain(cell: Cell) -> Cell:
-    return "" if cell is None or (isinstance(cell, float) and math.isnan(cell)) else cell
+def write_parts(section: Section, tables: Path, figures: Path) -> list[Path]:
+    """Write the tables, as CSV with all digits, and the figures, as PDF and PNG; return paths."""
+    written = []
+    for table in section.tables:
+        written.append(tables / f"{table.name}.csv")
+        table.data.to_csv(written[-1], index=False, lineterminator="\n")
+    for picture in section.pictures:
+        written += write_figure(picture.figure, figures, picture.name, dots_per_inch=150)
+    return written

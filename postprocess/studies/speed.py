@@ -73,39 +73,19 @@ def measure(run: Callable[[Groups], Answer], repeats: int) -> list[Row]:
         fine = fastest(case_groups(1024, name))
         march = fastest(case_groups(256, name, waves=True, **march_keys))
         tight = run(case_groups(256, name, waves=True, step_tolerance=1e-6))
+        film, ratio = "central_film", "amplitude_ratio_fit"
+        film_error = abs(number(steady, film) / number(exact, film) - 1)
+        ratio_error = abs(number(march, ratio) / number(tight, ratio) - 1)
+        work = number(steady, "work_units")
+        of_step = (number(march, "work_units") - work) / number(march, "time_steps")
+        growth = number(fine, "seconds") / number(steady, "seconds")
+        film_errors = film_error, number(steady, "central_film_error")
+        ratio_errors = ratio_error, number(march, "amplitude_ratio_error")
         rows += [
-            Row(
-                "steady state, 257 x 257",
-                name,
-                "WU",
-                number(steady, "work_units"),
-                300,
-                120,
-                abs(number(steady, "central_film") / number(exact, "central_film") - 1),
-                number(steady, "central_film_error"),
-            ),
-            Row(
-                "one time step, 257 x 257",
-                name,
-                "WU",
-                (number(march, "work_units") - number(steady, "work_units"))
-                / number(march, "time_steps"),
-                40,
-                15,
-                abs(
-                    number(march, "amplitude_ratio_fit") / number(tight, "amplitude_ratio_fit") - 1
-                ),
-                number(march, "amplitude_ratio_error"),
-            ),
+            Row("steady state, 257 x 257", name, "WU", work, 300, 120, *film_errors),
+            Row("one time step, 257 x 257", name, "WU", of_step, 40, 15, *ratio_errors),
             Row("whole transient", name, "s", number(march, "seconds"), 20, 6),
-            Row(
-                "steady state, 1025 x 1025 over 257 x 257",
-                name,
-                "times",
-                number(fine, "seconds") / number(steady, "seconds"),
-                25,
-                18,
-            ),
+            Row("steady state, 1025 x 1025 over 257 x 257", name, "times", growth, 25, 18),
             Row("memory, 1025 x 1025", name, "MiB", number(fine, "peak_memory_mib"), 2048, 1024),
         ]
     return rows

@@ -5,7 +5,7 @@ import pytest
 from contact import EXPERIMENT, experiment
 
 from ehlwave_post.deform import conditions_from_keys, read_conditions
-from ehlwave_post.deform.conditions import ellipticity
+from ehlwave_post.deform.conditions import ellipticity, moes_film
 from ehlwave_post.errors import SurfaceError
 
 
@@ -123,3 +123,13 @@ def test_files_that_are_no_conditions_are_refused(tmp_path: Path) -> None:
     other.write_text("&grid cells_x = 64 /\n")
     with pytest.raises(SurfaceError, match="no group &conditions"):
         read_conditions([str(other)])
+
+
+def test_film_formula_has_the_right_asymptotes() -> None:
+    shape = 1 + 0.63
+    elastic = 3.18 * shape ** (-14 / 25) * 1e6 ** (-2 / 15)
+    assert moes_film(1e6, 0.0, 1.0) == pytest.approx(elastic, rel=1e-3)
+    rigid = 145 * 1.796 ** (-15 / 7) / 0.01**2
+    assert moes_film(0.01, 0.0, 1.0) == pytest.approx(rigid, rel=1e-2)
+    piezoviscous = 1.48 * shape ** (-7 / 20) * 1e5 ** (-1 / 12) * 30**0.75
+    assert moes_film(1e5, 30.0, 1.0) == pytest.approx(piezoviscous, rel=0.03)

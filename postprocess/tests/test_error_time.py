@@ -1,25 +1,27 @@
 import csv
 import math
 from pathlib import Path
+from typing import Any
 
 import numpy as np
+import pandas as pd
 import pytest
 from synthetic import write_results
 
 from ehlwave_post.schema import REQUIRED_COLUMNS
 from studies.error_time import errors, figures, model
 from studies.error_time.runs import FULL, QUICK, SMOOTH, WAVY, Contact, Run, all_runs
-from studies.error_time.table import KEYS, OUTCOMES, Row, read_table, write_cases
+from studies.error_time.table import KEYS, OUTCOMES, read_table, write_cases
 
 LIMIT = 0.5
 
 
-def row(contact: Contact, cells: int, **changes: float | str) -> Row:
+def row(contact: Contact, cells: int, **changes: float | str) -> dict[str, Any]:
     """Return a row with an error of 2 gamma M hX^2 / 100 and a cost of 100 (cells/128)^0.5."""
     run = Run(*contact, cells)
     error = 0.02 * contact.m * (4 / cells) ** 2
     value = LIMIT * (1 + error)
-    outcome: Row = dict.fromkeys(OUTCOMES, value)
+    outcome: dict[str, Any] = dict.fromkeys(OUTCOMES, value)
     outcome |= {"status": "converged", "gamma": 1.0, "formula_ratio": 0.0, "points_per_wave_x": 8.0}
     outcome |= {"time_steps": 10.0 if contact.wavelength else 0.0, "seconds": 1.0}
     outcome |= {"work_units": 1000 * (cells / 128) ** 0.5}
@@ -28,9 +30,11 @@ def row(contact: Contact, cells: int, **changes: float | str) -> Row:
 
 
 @pytest.fixture
-def table() -> list[Row]:
+def table() -> pd.DataFrame:
     contacts = (SMOOTH[0], SMOOTH[2], WAVY[0], WAVY[5])
-    return [row(contact, cells) for contact in contacts for cells in (64, 128, 256, 512)]
+    return pd.DataFrame(
+        row(contact, cells) for contact in contacts for cells in (64, 128, 256, 512)
+    )
 
 
 def test_runs_are_unique() -> None:
@@ -65,29 +69,30 @@ def test_every_case_names_its_run_and_finds_its_result(tmp_path: Path) -> None:
     write_results(tmp_path / "cases.h5", columns)
     table = read_table(tmp_path, QUICK)
     assert len(table) == len(runs) - 1
-    found = next(row for row in table if row["seconds"] == 7)
+    found = table[table["seconds"] == 7].iloc[0]
     assert [found[name] for name in KEYS] == [getattr(runs[7], name) for name in KEYS]
 
 
-def test_second_order_is_extrapolated_exactly(table: list[Row]) -> None:
+def test_second_order_is_extrapolated_exactly(table: pd.DataFrame) -> None:
     found = errors.error_rows(table)
     assert len(found) == 8 * 2 + 8
-    for one in found:
+    for one in found.to_dict("records"):
         expected = 0.02 * one["m"] * (4 / one["cells"]) ** 2
         assert one["reference"] == pytest.approx(LIMIT, rel=1e-12)
         assert one["error"] == pytest.approx(expected, rel=1e-9)
     orders = errors.order_rows(table)
-    assert [one["observed_order"] for one in orders] == pytest.approx([2.0] * len(orders))
+    assert orders["observed_order"].to_list() == pytest.approx([2.0] * len(orders))
     estimates = errors.estimate_rows(table)
-    ratios = [one["estimate"] for one in estimates if one["quantity"] == errors.RATIO]
-    assert sum(map(math.isfinite, ratios)) == 6  # none on the coarsest grids
+    ratios = estimates["estimate"][estimates["quantity"] == errors.RATIO]
+    assert ratios.notna().sum() == 6  # none on the coarsest grids
 
 
 def test_algebraic_error_is_against_the_same_grid() -> None:
     loose = row(WAVY[0], 64, step_tolerance=0.1, amplitude_ratio_fit=0.66)
     tight = row(WAVY[0], 64, step_tolerance=1e-6, amplitude_ratio_fit=0.60)
     rows = [loose, tight, row(WAVY[0], 64), row(WAVY[0], 128)]
-    found = {(r["cells"], r["step_tolerance"]): r for r in errors.error_rows(rows)}
+    table = errors.error_rows(pd.DataFrame(rows)).to_dict("records")
+    found = {(r["cells"], r["step_tolerance"]): r for r in table}
     assert found[64, 0.1]["algebraic_error"] == pytest.approx(0.1)
     assert math.isnan(found[64, 1e-6]["algebraic_error"])
     assert math.isnan(found[128, 1e-4]["algebraic_error"])
@@ -100,15 +105,16 @@ def test_richardson_does_not_trust_odd_orders() -> None:
     assert math.isnan(errors.richardson([1.1, math.nan, 1.2]))
 
 
-def test_models_are_found_again(table: list[Row]) -> None:
-    fits = {fit.name: fit for fit in model.fit_models(table)}
-    assert fits["film"].coefficients[0] == pytest.approx(0.02, rel=1e-6)
-    assert fits["moving_ratio"].coefficients[0] == pytest.approx(0.02, rel=1e-6)
-    assert fits["step_cost"].coefficients == pytest.approx((100.0, 0.5, 0.0), abs=1e-5)
-    assert fits["film"].largest_factor == pytest.approx(1.0)
+def test_models_are_found_again(table: pd.DataFrame) -> None:
+    fits = model.fit_models(table).set_index("model")
+    assert fits.loc["film", "coefficient_1"] == pytest.approx(0.02, rel=1e-6)
+    assert fits.loc["moving_ratio", "coefficient_1"] == pytest.approx(0.02, rel=1e-6)
+    cost = fits.loc["step_cost", ["coefficient_1", "coefficient_2", "coefficient_3"]]
+    assert cost.to_list() == pytest.approx([100.0, 0.5, 0.0], abs=1e-5)
+    assert fits.loc["film", "largest_factor"] == pytest.approx(1.0)
 
 
-def test_figures_show_every_panel(table: list[Row]) -> None:
+def test_figures_show_every_panel(table: pd.DataFrame) -> None:
     found = errors.error_rows(table)
     for panels in figures.all_panels().values():
         figure = figures.error_figure(found, "seconds", panels)

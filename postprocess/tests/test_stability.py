@@ -16,7 +16,6 @@ from studies.stability.outcome import (
     REFUSED,
     UNRESOLVED,
     UNSOLVED,
-    film_formula,
     judge,
     judge_refusal,
 )
@@ -96,16 +95,6 @@ def test_dishonest_results_are_found(changes: dict[str, Any], fault: str) -> Non
     row = judge(CASE, {**GOOD, **changes})
     assert row.is_bad
     assert any(fault in text for text in row.faults), row.faults
-
-
-def test_film_formula_has_the_right_asymptotes() -> None:
-    shape = 1 + 0.63
-    elastic = 3.18 * shape ** (-14 / 25) * 1e6 ** (-2 / 15)
-    assert film_formula(1e6, 0.0, 1.0) == pytest.approx(elastic, rel=1e-3)
-    rigid = 145 * 1.796 ** (-15 / 7) / 0.01**2
-    assert film_formula(0.01, 0.0, 1.0) == pytest.approx(rigid, rel=1e-2)
-    piezoviscous = 1.48 * shape ** (-7 / 20) * 1e5 ** (-1 / 12) * 30**0.75
-    assert film_formula(1e5, 30.0, 1.0) == pytest.approx(piezoviscous, rel=0.03)
 
 
 def test_cases_cover_the_range_and_have_inputs_of_their_own() -> None:

@@ -15,9 +15,9 @@ from ehlwave_post.points import select_points
 from ehlwave_post.read import read_results
 from ehlwave_post.refit import RefitSettings
 from studies.paper import html, line_contact, paper_points, refitted
-from studies.paper.data import matched, read_stage, read_stages
+from studies.paper.data import by_point, read_stage, read_stages
 from studies.paper.report import write_report
-from studies.section import COMPARISON, Picture, Section, Table, comparison_row
+from studies.section import Picture, Section, comparison, comparison_row
 
 ERROR = 0.004
 
@@ -58,22 +58,20 @@ def study(tmp_path: Path) -> Path:
 def test_points_of_both_grids_are_laid_side_by_side(study: Path) -> None:
     section = paper_points.section(study)
     table = next(table for table in section.tables if table.name == "points")
-    grid_error = table.columns.index("grid error")
-    bar = table.columns.index("error bar")
-    resolved = table.columns.index("resolved")
-    assert len(table.rows) == 60
-    for row in table.rows:
-        assert row[grid_error] == pytest.approx(0.01, abs=1e-12)
-        assert row[bar] == pytest.approx(ERROR * row[resolved])
+    assert len(table.data) == 60
+    np.testing.assert_allclose(table.data["grid error"], 0.01, atol=1e-12)
+    np.testing.assert_allclose(table.data["error bar"], ERROR * table.data["resolved"])
 
 
 def test_what_the_grid_cannot_resolve_is_counted(study: Path) -> None:
     section = paper_points.section(study)
     table = next(table for table in section.tables if table.name == "unresolved_on_paper_grid")
-    by_group = {(row[0], row[1]): row for row in table.rows}
+    by_group = table.data.set_index(["orientation", "D"])
     # 20 points per a across: waves of 0.15 and 0.25 a have fewer than 8 points.
-    assert by_group["longitudinal", 1.0][3:6] == (2, 0.25, pytest.approx(3.0))
-    assert by_group["transverse", 1.0][3:6] == (0, None, None)
+    assert by_group.loc[("longitudinal", 1.0)].iloc[1:4].to_list() == pytest.approx([2, 0.25, 3.0])
+    none = by_group.loc[("transverse", 1.0)]
+    assert none["not resolved"] == 0
+    assert none.iloc[2:].isna().all()
 
 
 def test_matching_is_by_point_and_not_by_place(study: Path) -> None:
@@ -81,10 +79,13 @@ def test_matching_is_by_point_and_not_by_place(study: Path) -> None:
     columns = taken(_linear(), np.arange(59, 9, -1))
     write_results(study / "part.h5", columns)
     fine = select_points(read_results([study / "part.h5"]))
-    first, second = matched(coarse, fine)
-    assert first.sizes["case"] == 50
+    both = by_point(coarse).join(by_point(fine).add_suffix("_fine"), how="inner")
+    assert len(both) == 50
     for name in ("f_v", "wavelength_y_over_a", "radius_ratio_d"):
-        np.testing.assert_allclose(first[name], second[name])
+        np.testing.assert_allclose(both[name], both[f"{name}_fine"])
+    left = paper_points.side_by_side(coarse, fine)
+    assert left["resolved_ratio"].isna().sum() == 10
+    np.testing.assert_allclose(left["f_v"], coarse["f_v"])
 
 
 def test_a_missing_or_unfinished_stage_is_named(study: Path) -> None:
@@ -102,17 +103,19 @@ def test_refits_find_the_coefficients_of_each_set(study: Path) -> None:
     for stage in refitted.RHEOLOGIES:
         write_results(study / f"{stage}.h5", _linear(0.3, 0.01))
     refits = refitted.study_refits(study, RefitSettings(replicates=20))
-    found = {refit.name: refit.rows[0] for refit in refits}
-    assert (found[refitted.MAIN].c1, found[refitted.MAIN].c2) == pytest.approx(
-        (0.2, 0.03), rel=1e-6
-    )
-    assert found["L = 12.05"].c2 == pytest.approx(0.05, rel=1e-6)
-    assert found["Barus"].c1 == pytest.approx(0.3, rel=1e-6)
-    assert found["paper's grid, all points"].points == 60
-    assert found["paper's grid, points it resolves"].points < 60
-    rows = refitted.coefficient_table(refits).rows
-    assert rows[0][:4] == ("c1 of (18), all", "1", 0.15, pytest.approx(0.2, rel=1e-6))
-    assert rows[4][4] == pytest.approx(0.03 - 0.015, rel=1e-5)
+    found = refits[refits["group"] == "all"].set_index("name")
+    assert found.loc[refitted.MAIN, ["c1", "c2"]].to_list() == pytest.approx([0.2, 0.03], rel=1e-6)
+    assert found.loc["L = 12.05", "c2"] == pytest.approx(0.05, rel=1e-6)
+    assert found.loc["Barus", "c1"] == pytest.approx(0.3, rel=1e-6)
+    assert found.loc["paper's grid, all points", "points"] == 60
+    assert found.loc["paper's grid, points it resolves", "points"] < 60
+    table = refitted.refit_table(refits).data
+    assert table.iloc[0].dropna().to_list() == ["", "the paper", "all", 0.15, 0.015]
+    assert table["number"][table["points"] == "Barus"].to_list() == [60, 20, 20, 20]
+    rows = refitted.coefficient_table(refits).data
+    first = ["c1 of (18), all", "1", 0.15, pytest.approx(0.2, rel=1e-6)]
+    assert rows.iloc[0, :4].to_list() == first
+    assert rows["difference"][4] == pytest.approx(0.03 - 0.015, rel=1e-5)
 
 
 def test_the_factor_of_the_line_contact_is_found(tmp_path: Path) -> None:
@@ -137,7 +140,7 @@ def test_the_factor_of_the_line_contact_is_found(tmp_path: Path) -> None:
     write_results(tmp_path / "line.h5", columns)
     section = line_contact.section(tmp_path)
     table = next(table for table in section.tables if table.name == "line_factor")
-    ((ratio_d, factor, best, with_one, with_paper),) = table.rows
+    ((ratio_d, factor, best, with_one, with_paper),) = table.data.to_numpy()
     assert ratio_d == 0.02
     assert factor == pytest.approx(0.9, abs=0.02)
     assert best < with_paper < with_one
@@ -149,7 +152,8 @@ def test_seconds_of_several_starts_are_added(tmp_path: Path) -> None:
         "dense,a,100,2,r1,85\nline,b,5,2,r1,0\ndense,c,50,2,r2,0\n"
     )
     stages = read_stages(tmp_path)
-    assert [(stage.name, stage.seconds) for stage in stages] == [("dense", 150), ("line", 5)]
+    assert stages[["stage", "seconds"]].to_numpy().tolist() == [["dense", 150], ["line", 5]]
+    assert stages["revision"][0] == "r2"
 
 
 def test_the_report_stands_alone_and_keeps_all_digits(tmp_path: Path) -> None:
@@ -159,7 +163,7 @@ def test_the_report_stands_alone_and_keeps_all_digits(tmp_path: Path) -> None:
     part = Section(
         "Films & <waves>",
         ["a < b"],
-        [Table("films", "Films", COMPARISON, [comparison_row("h", "um", 0.25, value, 0.01)])],
+        [comparison("films", "Films", [comparison_row("h", "um", 0.25, value, 0.01)])],
         [Picture("curve", "A curve", figure)],
     )
     notes: list[str] = []

@@ -4,6 +4,7 @@ import math
 from pathlib import Path
 
 import numpy as np
+import pandas as pd
 import pytest
 import xarray as xr
 
@@ -13,10 +14,10 @@ from studies.validation import formulas, page
 from studies.validation.dimple import INSTANTS, Dimple, dimple_place
 from studies.validation.dimple_runs import DEPTH_NM, RADIUS_UM, Line, dimple_heights
 from studies.validation.dimple_section import line_figure, point_table, summary_table
-from studies.validation.film_map import Film
 from studies.validation.film_section import figure
+from studies.validation.film_section import point_table as point_table_of_films
 from studies.validation.film_section import summary_table as film_summary
-from studies.validation.line_ratios import Ratio, marched_ratios
+from studies.validation.line_ratios import marched_ratios
 from studies.validation.line_section import deviation_figure, value_table
 from studies.validation.published import centre_line, line_ratios, small_line_ratios
 
@@ -58,17 +59,16 @@ def test_dimple_is_round_and_deep() -> None:
 
 def test_deviations_are_judged_inside_and_outside() -> None:
     dimple = Dimple(21.1, published_lines(1.06), published_lines(1.03), 0.003)
-    table = summary_table(dimple)
-    worst, aim, reached = (table.columns.index(n) for n in ("worst, %", "aim, %", "reached"))
-    assert [row[1] for row in table.rows] == ["outside", "outside", "inside"]
-    assert [row[worst] for row in table.rows] == pytest.approx([6.0] * 3)
-    assert [(row[aim], row[reached]) for row in table.rows] == [(5, "no"), (5, "no"), (8, "yes")]
-    points = point_table(dimple)
-    grid = points.columns.index("grid error, %")
-    films = [row for row in points.rows if row[1] == "film, nm"]
+    table = summary_table(dimple).data
+    assert table["dimple"].to_list() == ["outside", "outside", "inside"]
+    assert table["worst, %"].to_list() == pytest.approx([6.0] * 3)
+    assert table["aim, %"].to_list() == [5, 5, 8]
+    assert table["reached"].to_list() == ["no", "no", "yes"]
+    points = point_table(dimple).data
+    films = points[points["quantity"] == "film, nm"]
     assert len(films) == 28 + 27
-    assert [row[grid] for row in films] == pytest.approx([1.0] * len(films))
-    assert sum(row[-1] == "dimple" for row in films) == 8
+    assert films["grid error, %"].to_list() == pytest.approx([1.0] * len(films))
+    assert (films["where"] == "dimple").sum() == 8
     assert len(line_figure(dimple).axes) == 4
 
 
@@ -100,26 +100,29 @@ def test_formulas_agree_with_each_other() -> None:
 
 
 def test_films_are_summed_up_by_ratio_of_radii() -> None:
-    films = [
-        Film(m, l_, d, moes_film(m, l_, d) / 1.1, 0.001, 1.0, 0.001)
+    films = pd.DataFrame(
+        {"m": m, "l": l_, "d": d, "central": moes_film(m, l_, d) / 1.1, "smallest": 1.0}
         for m in (20, 100)
         for l_ in (2.5, 10)
         for d in (1, 0.35, 0.12)
-    ]
-    rows = [row for row in film_summary(films).rows if row[1] == "Nijenbanning, Venner, Moes"]
-    assert [row[2:4] for row in rows] == [(1, 4), (0.35, 4), (0.12, 4), ("all", 12)]
-    assert [row[4] for row in rows] == pytest.approx([10.0] * 4)
+    ).assign(central_error=0.001, smallest_error=0.001)
+    table = film_summary(films).data
+    rows = table[table["formula"] == "Nijenbanning, Venner, Moes"]
+    assert rows["D"].to_list() == [1, 0.35, 0.12, "all"]
+    assert rows["conditions"].to_list() == [4, 4, 4, 12]
+    assert rows["mean, %"].to_list() == pytest.approx([10.0] * 4)
+    points = point_table_of_films(films).data
+    assert points.shape == (12, 7 + 5)
     assert len(figure(films).axes) == 5
 
 
 def test_marches_take_the_grid_error_of_the_linear_response() -> None:
     """A march 0.01 above the linear response on each grid, whatever the grid adds to both."""
     rows = [(one, cells) for cells in (256, 512) for one in line_ratios()]
-    linear = {one.wavelength_over_a: Ratio(one.amplitude_ratio, 1e-4) for one in line_ratios()}
-    domain = dict.fromkeys(linear, -2e-4)
-    on_grid = np.array(
-        [linear[one.wavelength_over_a].value + 100 / cells**2 for one, cells in rows]
-    )
+    small = pd.Series(small_line_ratios())
+    linear = pd.DataFrame({"linear": small, "linear_error": 1e-4})
+    domain = 0 * small - 2e-4
+    on_grid = np.array([small[one.wavelength_over_a] + 100 / cells**2 for one, cells in rows])
     columns = {
         "wavelength_over_a": [one.wavelength_over_a for one, _ in rows],
         "amplitude_over_film": [one.amplitude_over_film for one, _ in rows],
@@ -131,12 +134,12 @@ def test_marches_take_the_grid_error_of_the_linear_response() -> None:
     results = xr.Dataset({name: ("case", values) for name, values in columns.items()})
     marched = marched_ratios(results, linear, domain)
     assert len(marched) == 18
-    for one, found in marched.items():
-        assert found.value == pytest.approx(linear[one.wavelength_over_a].value + 0.01)
-        assert found.error == pytest.approx(0.002 + 1e-4 + 2e-4)
-    table = value_table(marched, linear, domain)
-    assert len(table.rows) == 18
-    assert len(deviation_figure(marched, linear).axes) == 1
+    wave = marched["wavelength_over_a"]
+    np.testing.assert_allclose(marched["march"], small[wave] + 0.01)
+    np.testing.assert_allclose(marched["march_error"], 0.002 + 1e-4 + 2e-4)
+    np.testing.assert_allclose(marched["linear_error"], 1e-4 + 2e-4)
+    assert value_table(marched).data.shape == (18, 9)
+    assert len(deviation_figure(marched).axes) == 1
 
 
 def test_page_has_the_parts_asked_for(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -1,6 +1,5 @@
 !> The plan of one case, made before it runs: what is computed, on which grid, in how many steps, and why.
 module ehlwave_case_plan
-   use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
    use ehlwave_accuracy_model, only: expected_film_error, expected_long_step_error, expected_ratio_error, &
       steady_work_units, step_work_units
    use ehlwave_case_completion, only: case_conditions
@@ -10,7 +9,7 @@ module ehlwave_case_plan
    use ehlwave_deformation_choice, only: chosen_deformation
    use ehlwave_errors, only: error_t, raise
    use ehlwave_grid_choice, only: choose_grid, formula_ratio
-   use ehlwave_kinds, only: dp
+   use ehlwave_kinds, only: dp, no_value
    use ehlwave_resolution, only: judge_resolution, resolution_t
    use ehlwave_rheology, only: rheology_t
    use ehlwave_surface_plan, only: read_case_surface, surface_times
@@ -133,7 +132,7 @@ contains
       real(dp) :: samples, step_tolerance
 
       if (plan%conditions%is_line()) then
-         plan%expected_error = ieee_value(1.0_dp, ieee_quiet_nan)
+         plan%expected_error = no_value
          plan%expected_work_units = plan%expected_error
          return
       end if

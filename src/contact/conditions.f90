@@ -171,35 +171,30 @@ contains
       end associate
    end subroutine set_lengths
 
-   !> Whether all dimensional data are there: an elliptical contact has load_n and radius_y_m, a line contact load_n_per_m.
+   !> Whether all dimensional data are there: an elliptical contact has load_n and radius_y_m, a line contact load_n_per_m. The
+   !> error names the first key that is missing.
    subroutine check_data(data, error)
       type(contact_data_t), intent(in) :: data
       type(error_t), allocatable, intent(out) :: error
+      character(len=*), parameter :: key(*) = [character(len=25) :: 'radius_x_m', 'radius_y_m', 'reduced_modulus_pa', 'load_n', &
+                                               'mean_speed_m_per_s', 'viscosity_pa_s', 'pressure_viscosity_per_pa']
+      real(dp) :: value(size(key))
+      integer :: i
 
       if (data%load_n_per_m > 0 .and. (data%load_n > 0 .or. data%radius_y_m > 0)) then
          call raise(error, 'load_n_per_m = '//to_text(data%load_n_per_m, 6)//' is the load of a line contact: leave out load_n '// &
                     'and radius_y_m, or, for an elliptical contact, load_n_per_m')
          return
       end if
-      call require_positive(data%radius_x_m, 'radius_x_m', error)
-      if (.not. data%load_n_per_m > 0) call require_positive(data%radius_y_m, 'radius_y_m', error)
-      call require_positive(data%reduced_modulus_pa, 'reduced_modulus_pa', error)
-      if (.not. data%load_n_per_m > 0) call require_positive(data%load_n, 'load_n', error)
-      call require_positive(data%mean_speed_m_per_s, 'mean_speed_m_per_s', error)
-      call require_positive(data%viscosity_pa_s, 'viscosity_pa_s', error)
-      call require_positive(data%pressure_viscosity_per_pa, 'pressure_viscosity_per_pa', error)
+      value = [data%radius_x_m, data%radius_y_m, data%reduced_modulus_pa, data%load_n, data%mean_speed_m_per_s, &
+               data%viscosity_pa_s, data%pressure_viscosity_per_pa]
+      do i = 1, size(key)
+         if (value(i) > 0 .or. (data%load_n_per_m > 0 .and. any(key(i) == ['radius_y_m', 'load_n    ']))) cycle
+         call raise(error, trim(key(i))//' must be given and above 0 (dimensional conditions need all of radius_x_m, '// &
+                    'radius_y_m, reduced_modulus_pa, load_n, mean_speed_m_per_s, viscosity_pa_s; those of a line contact '// &
+                    'load_n_per_m in place of radius_y_m and load_n); got '//to_text(value(i), 6))
+         return
+      end do
    end subroutine check_data
-
-   !> Raise an error naming `key` unless `value` is positive; keeps an earlier error.
-   subroutine require_positive(value, key, error)
-      real(dp), intent(in) :: value
-      character(len=*), intent(in) :: key
-      type(error_t), allocatable, intent(inout) :: error
-      if (allocated(error)) return
-      if (.not. (value > 0)) call raise(error, key//' must be given and above 0 (dimensional conditions need all of '// &
-                                        'radius_x_m, radius_y_m, reduced_modulus_pa, load_n, mean_speed_m_per_s, '// &
-                                        'viscosity_pa_s; those of a line contact load_n_per_m in place of radius_y_m and '// &
-                                        'load_n); got '//to_text(value, 6))
-   end subroutine require_positive
 
 end module ehlwave_conditions

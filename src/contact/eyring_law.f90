@@ -48,11 +48,9 @@ contains
          grown = exp(r)
          inverse = 1/(grown*x)
          s_beyond = 0.5_dp*(grown - inverse*x)*(inverse*grown)*r
-         s(i) = s(i) + (s_beyond - s_at_1)
          slope(i) = slope(i) + (0.25_dp*(grown + inverse*x - 2*s_beyond)*(inverse*grown) - slope_at_1)
+         s(i) = s(i) + (s_beyond - s_at_1) + slope(i)*max(stress2(i) - largest2, 0.0_dp)
       end do
-      if (all(stress2 <= largest2)) return
-      s = s + slope*max(stress2 - largest2, 0.0_dp)
    end subroutine shear_factor
 
    !> asinh, written so that it is vectorised.

@@ -19,7 +19,6 @@ module ehlwave_film_stress
    real(dp), parameter :: newton_tolerance = 1e-7_dp ! of the last step, which is still made: an error of its square
    real(dp), parameter :: small_variation = 1.75_dp  ! |Sigma| up to which two points across the film make a first guess
    real(dp), parameter :: two_points(2) = [-1, 1]/sqrt(3.0_dp), both_equal(2) = 1   ! of Gauss, and their weights
-   real(dp), parameter :: nothing = 1e-100_dp        ! gives a direction to Sigma = 0
 
    !> Places 1..n of a block. Set n, sigma and b, then `solve`. The last index is the component along X or Y.
    type, public :: film_stress_t
@@ -68,62 +67,37 @@ contains
       call finish(self, moments, change)
    end subroutine solve
 
-   !> First sigma_m. Where Sigma is small: that of B alone, the rate there by two points across the film, and the stress for B
-   !> in proportion, with a step of Newton for what turns it; the error is of fourth order in Sigma. Else the closed form along Sigma, exact for Ree-Eyring without gradient across sliding.
+   !> First sigma_m: that of B alone, then the stress for B over what the rate there is too large by, exact for Ree-Eyring
+   !> without gradient across sliding, and a step of Newton across, where it lies within Sigma. Two points across the film tell
+   !> the rate where Sigma is small: an error of fourth order.
    pure subroutine start(self, law, rule)
       type(film_stress_t), intent(inout) :: self
       class(flow_law_t), intent(in) :: law
       type(gauss_rule_t), intent(in) :: rule
       type(moments_t) :: moments
       real(dp) :: change(block_size, 2), rate(block_size), stress(block_size)
-      integer :: n
+      integer :: i
 
-      n = self%n
-      self%mean(:n, :) = 0
-      if (maxval(abs(self%b(:n))) <= 0) return
-      if (maxval(self%sigma(:n, 1)**2 + self%sigma(:n, 2)**2) > small_variation**2) then
-         call start_along(self, law, rule)
-         return
-      end if
-      rate(:n) = max(abs(self%b(:n)), tiny(rate))
-      call law%first_stress(n, rate, stress)
-      self%mean(:n, 1) = sign(stress(:n), self%b(:n))
-      call integrate(self, law, two_points, both_equal, moments)
-      call newton_step(self, moments, change)
-      rate(:n) = max(rate(:n)*self%b(:n)/(moments%a(:n, 0)*self%mean(:n, 1) + moments%a(:n, 1)*self%sigma(:n, 1)), tiny(rate))
-      call law%first_stress(n, rate, stress)
-      self%mean(:n, 1) = sign(stress(:n), self%b(:n))
-      self%mean(:n, 2) = change(:n, 2)
+      associate (n => self%n, m => self%mean, s => self%sigma, a => moments%a)
+         m(:n, :) = 0
+         if (maxval(abs(self%b(:n))) <= 0) return
+         rate(:n) = max(abs(self%b(:n)), tiny(rate))
+         call law%first_stress(n, rate, stress)
+         m(:n, 1) = sign(stress(:n), self%b(:n))
+         if (maxval(s(:n, 1)**2 + s(:n, 2)**2) <= small_variation**2) then
+            call integrate(self, law, two_points, both_equal, moments)
+         else
+            call integrate(self, law, rule%node, rule%weight, moments)
+         end if
+         call newton_step(self, moments, change)
+         do i = 1, n
+            rate(i) = max(rate(i)*self%b(i)/(a(i, 0)*m(i, 1) + a(i, 1)*s(i, 1)), tiny(rate))
+         end do
+         call law%first_stress(n, rate, stress)
+         m(:n, 1) = sign(stress(:n), self%b(:n))
+         m(:n, 2) = max(-abs(s(:n, 2)), min(abs(s(:n, 2)), change(:n, 2)))
+      end associate
    end subroutine start
-
-   !> B resolved along and across Sigma, each part over the slope of the rate there at sigma_m = 0, and the law's own stress for
-   !> what results.
-   pure subroutine start_along(self, law, rule)
-      type(film_stress_t), intent(inout) :: self
-      class(flow_law_t), intent(in) :: law
-      type(gauss_rule_t), intent(in) :: rule
-      type(moments_t) :: moments
-      real(dp), dimension(block_size) :: across, along, rate, stress, unit_x, unit_y
-      real(dp) :: length2
-      integer :: half, i
-
-      half = rule%n/2 + 1     ! without sigma_m one half of the film is like the other
-      call integrate(self, law, rule%node(half:), 2*rule%weight(half:), moments)
-      do i = 1, self%n
-         unit_x(i) = self%sigma(i, 1) + nothing
-         length2 = unit_x(i)**2 + self%sigma(i, 2)**2
-         unit_x(i) = unit_x(i)/sqrt(length2)
-         unit_y(i) = self%sigma(i, 2)/sqrt(length2)
-         along(i) = self%b(i)*unit_x(i)/(moments%a(i, 0) + length2*moments%e(i, 2))
-         across(i) = -self%b(i)*unit_y(i)/moments%a(i, 0)
-         rate(i) = max(sqrt(along(i)**2 + across(i)**2), tiny(length2))
-      end do
-      call law%first_stress(self%n, rate, stress)
-      do i = 1, self%n
-         self%mean(i, 1) = stress(i)/rate(i)*(along(i)*unit_x(i) - across(i)*unit_y(i))
-         self%mean(i, 2) = stress(i)/rate(i)*(along(i)*unit_y(i) + across(i)*unit_x(i))
-      end do
-   end subroutine start_along
 
    !> T_0^(-1) (B e_x - rate).
    pure subroutine newton_step(self, moments, change)

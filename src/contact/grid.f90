@@ -5,7 +5,7 @@ module ehlwave_grid
    private
    public :: new_grid, new_line_grid
 
-   !> Nodes X(0:nx), Y(0:ny). P = 0 on the outer boundary; unknown P at i = 1..nx-1, j = first_row..last_row.
+   !> Nodes X(0:nx), Y(0:ny). On the outer boundary P = 0 or, of a flooded domain, that of the far field; unknown P at i = 1..nx-1, j = first_row..last_row.
    !> On a half domain Y(0) = 0 is the line of symmetry and row 0 is unknown too. The grid of a line contact has one
    !> dimension: ny = 0, and row 0 is its own neighbour across, so that differences along Y vanish.
    type, public :: grid_t
@@ -13,6 +13,7 @@ module ehlwave_grid
       real(dp) :: hx = 0, hy = 0            !! mesh sizes in X and Y
       logical :: is_half = .true.           !! whether only Y >= 0 is stored
       logical :: is_line = .false.          !! whether it is that of a line contact
+      logical :: is_flooded = .false.       !! whether the edges have the pressure of the far field, else P = 0
       integer :: row_ratio = 2              !! rows for one row of the next coarser grid
       integer :: first_row = 0, last_row = 0   !! rows with unknown pressure
       real(dp), allocatable :: x(:), y(:)   !! node coordinates, (0:nx), (0:ny)

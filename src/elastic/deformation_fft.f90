@@ -13,6 +13,7 @@ module ehlwave_deformation_fft
    include 'fftw3.f03'
 
    integer, parameter :: column_block = 8   !! columns transformed together: two cache lines of complex values
+   integer, parameter :: rows_forward = 1, rows_backward = 2, columns_forward = 3, columns_backward = 4   ! plans
 
    !> Plans, kernel transform and work space of one grid.
    !>
@@ -27,9 +28,8 @@ module ehlwave_deformation_fft
       integer :: modes = 0                   ! px/2 + 1
       logical :: is_half = .true.
       real(dp), allocatable :: spectrum(:, :)  ! (0:py/2, modes) kernel transform over px py
-      type(c_ptr) :: rows_forward = c_null_ptr, rows_backward = c_null_ptr
-      type(c_ptr) :: columns_forward = c_null_ptr, columns_backward = c_null_ptr
-      type(c_ptr) :: real_memory = c_null_ptr, mode_memory = c_null_ptr, column_memory = c_null_ptr
+      type(c_ptr) :: plan(4) = c_null_ptr      ! see the parameters above
+      type(c_ptr) :: memory(3) = c_null_ptr    ! of rows, row_modes and column
       real(c_double), pointer, contiguous :: rows(:, :) => null()                  ! (px, 0:ny)
       complex(c_double_complex), pointer, contiguous :: row_modes(:, :) => null()  ! (modes, 0:ny)
       complex(c_double_complex), pointer, contiguous :: column(:, :) => null()     ! (0:py-1, column_block)
@@ -57,29 +57,29 @@ contains
       self%py = fast_length(2*merge(2*grid%ny, grid%ny, grid%is_half))
       self%modes = self%px/2 + 1
 
-      self%real_memory = fftw_alloc_real(int(self%px, c_size_t)*(grid%ny + 1))
-      self%mode_memory = fftw_alloc_complex(int(self%modes, c_size_t)*(grid%ny + 1))
-      self%column_memory = fftw_alloc_complex(int(self%py, c_size_t)*column_block)
+      self%memory(1) = fftw_alloc_real(int(self%px, c_size_t)*(grid%ny + 1))
+      self%memory(2) = fftw_alloc_complex(int(self%modes, c_size_t)*(grid%ny + 1))
+      self%memory(3) = fftw_alloc_complex(int(self%py, c_size_t)*column_block)
       block
          real(c_double), pointer, contiguous :: r(:, :)
          complex(c_double_complex), pointer, contiguous :: c(:, :)
-         call c_f_pointer(self%real_memory, r, [self%px, grid%ny + 1])
+         call c_f_pointer(self%memory(1), r, [self%px, grid%ny + 1])
          self%rows(1:, 0:) => r
-         call c_f_pointer(self%mode_memory, c, [self%modes, grid%ny + 1])
+         call c_f_pointer(self%memory(2), c, [self%modes, grid%ny + 1])
          self%row_modes(1:, 0:) => c
-         call c_f_pointer(self%column_memory, c, [self%py, column_block])
+         call c_f_pointer(self%memory(3), c, [self%py, column_block])
          self%column(0:, 1:) => c
       end block
 
       length = self%px
-      self%rows_forward = fftw_plan_many_dft_r2c(1, length, grid%ny + 1, self%rows, length, 1, self%px, &
-                                                 self%row_modes, length, 1, self%modes, FFTW_ESTIMATE)
-      self%rows_backward = fftw_plan_many_dft_c2r(1, length, grid%ny + 1, self%row_modes, length, 1, self%modes, &
+      self%plan(rows_forward) = fftw_plan_many_dft_r2c(1, length, grid%ny + 1, self%rows, length, 1, self%px, &
+                                                       self%row_modes, length, 1, self%modes, FFTW_ESTIMATE)
+      self%plan(rows_backward) = fftw_plan_many_dft_c2r(1, length, grid%ny + 1, self%row_modes, length, 1, self%modes, &
                                                   self%rows, length, 1, self%px, FFTW_ESTIMATE)
       length = self%py
-      self%columns_forward = fftw_plan_many_dft(1, length, column_block, self%column, length, 1, self%py, &
+      self%plan(columns_forward) = fftw_plan_many_dft(1, length, column_block, self%column, length, 1, self%py, &
                                                 self%column, length, 1, self%py, FFTW_FORWARD, FFTW_ESTIMATE)
-      self%columns_backward = fftw_plan_many_dft(1, length, column_block, self%column, length, 1, self%py, &
+      self%plan(columns_backward) = fftw_plan_many_dft(1, length, column_block, self%column, length, 1, self%py, &
                                                  self%column, length, 1, self%py, FFTW_BACKWARD, FFTW_ESTIMATE)
       call transform_kernel(self, grid, kappa, k)
    end subroutine init
@@ -129,9 +129,9 @@ contains
          self%rows(1:self%nx + 1, j) = p(:, j)
          self%rows(self%nx + 2:, j) = 0
       end do
-      call fftw_execute_dft_r2c(self%rows_forward, self%rows, self%row_modes)
+      call fftw_execute_dft_r2c(self%plan(rows_forward), self%rows, self%row_modes)
       call convolve_columns(self)
-      call fftw_execute_dft_c2r(self%rows_backward, self%row_modes, self%rows)
+      call fftw_execute_dft_c2r(self%plan(rows_backward), self%row_modes, self%rows)
       do j = 0, self%ny
          d(:, j) = self%rows(1:self%nx + 1, j)
       end do
@@ -159,11 +159,11 @@ contains
          else
             self%column(n + 1:, :) = 0
          end if
-         call fftw_execute_dft(self%columns_forward, self%column, self%column)
+         call fftw_execute_dft(self%plan(columns_forward), self%column, self%column)
          do b = 1, count
             call multiply_column(self%py, self%spectrum(:, first + b - 1), self%column(:, b))
          end do
-         call fftw_execute_dft(self%columns_backward, self%column, self%column)
+         call fftw_execute_dft(self%plan(columns_backward), self%column, self%column)
          do j = 0, n
             self%row_modes(first:first + count - 1, j) = self%column(j, 1:count)
          end do
@@ -202,20 +202,16 @@ contains
    !> Free plans and C memory.
    subroutine release(self)
       type(deformation_fft_t), intent(inout) :: self
-      if (c_associated(self%rows_forward)) call fftw_destroy_plan(self%rows_forward)
-      if (c_associated(self%rows_backward)) call fftw_destroy_plan(self%rows_backward)
-      if (c_associated(self%columns_forward)) call fftw_destroy_plan(self%columns_forward)
-      if (c_associated(self%columns_backward)) call fftw_destroy_plan(self%columns_backward)
-      if (c_associated(self%real_memory)) call fftw_free(self%real_memory)
-      if (c_associated(self%mode_memory)) call fftw_free(self%mode_memory)
-      if (c_associated(self%column_memory)) call fftw_free(self%column_memory)
-      self%rows_forward = c_null_ptr
-      self%rows_backward = c_null_ptr
-      self%columns_forward = c_null_ptr
-      self%columns_backward = c_null_ptr
-      self%real_memory = c_null_ptr
-      self%mode_memory = c_null_ptr
-      self%column_memory = c_null_ptr
+      integer :: i
+
+      do i = 1, size(self%plan)
+         if (c_associated(self%plan(i))) call fftw_destroy_plan(self%plan(i))
+      end do
+      do i = 1, size(self%memory)
+         if (c_associated(self%memory(i))) call fftw_free(self%memory(i))
+      end do
+      self%plan = c_null_ptr
+      self%memory = c_null_ptr
       if (allocated(self%spectrum)) deallocate (self%spectrum)
    end subroutine release
 

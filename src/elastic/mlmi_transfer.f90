@@ -84,13 +84,8 @@ contains
       do e = 0, fine%correction%reach_y
          w = fine%correction%width(e)
          if (w < 0) cycle
-         if (e == 0) then
-            fine%fold(:) = fine%even(:, j)
-            fine%fold_odd(:) = fine%odd(:, j)
-         else
-            fine%fold(:) = fine%even(:, j - e) + fine%even(:, j + e)
-            fine%fold_odd(:) = fine%odd(:, j - e) + fine%odd(:, j + e)
-         end if
+         call fold(fine%even, j, e, fine%fold)
+         call fold(fine%odd, j, e, fine%fold_odd)
          pairs = (w + 1)/2
          call add_pairs(n, pairs, g, 0, -1, fine%c_odd(:, e), fine%fold_odd, fine%y_even)
          call add_pairs(n, pairs, g, 1, 0, fine%c_odd(:, e), fine%fold, fine%y_odd)
@@ -131,11 +126,7 @@ contains
       do e = 1 - odd, fine%correction%reach_y, 2 - odd
          w = fine%correction%width(e)
          if (w < 0) cycle
-         if (e == 0) then
-            fine%fold(:) = fine%p(:, j)
-         else
-            fine%fold(:) = fine%p(:, j - e) + fine%p(:, j + e)
-         end if
+         call fold(fine%p, j, e, fine%fold)
          call add_centre(n, fine%correction%c(0, e), fine%fold(fine%first(1)), u)
          if (w > 0) call add_pairs(n, w, fine%ghost_x, 1, -1, fine%correction%c(1, e), fine%fold, u)
       end do
@@ -172,14 +163,19 @@ contains
       do j = level%first(2), level%last(2)
          u(:, j) = 0
          do e = 0, max(level%last(2) - j, j - lowest)
-            if (e == 0) then
-               level%fold(:) = level%p(:, j)
-            else
-               level%fold(:) = level%p(:, j - e) + level%p(:, j + e)
-            end if
+            call fold(level%p, j, e, level%fold)
             call add_products(n, level%influence(:, e), level%fold, u(:, j))
          end do
       end do
    end subroutine sum_directly
+
+   !> Sum of the rows at a distance e above and below row j.
+   pure subroutine fold(p, j, e, rows)
+      real(dp), allocatable, intent(in) :: p(:, :)
+      integer, intent(in) :: j, e
+      real(dp), intent(inout) :: rows(:)
+      rows = p(:, j - e)
+      if (e > 0) rows = rows + p(:, j + e)
+   end subroutine fold
 
 end module ehlwave_mlmi_transfer

@@ -47,9 +47,11 @@ module ehlwave_case_definition
       integer :: cells_x = 256, cells_y = 256            !! 0: chosen by the plan; cells_y of a line contact: completed to 1
       integer :: largest_cells = 0                       !! limit of what the plan chooses, completed
       character(len=name_length) :: domain = 'auto'
+      character(len=name_length) :: edges = 'truncated'
       ! &solver
       real(dp) :: tolerance = 1e-6_dp
       real(dp) :: step_tolerance = 1e-4_dp
+      real(dp) :: response_tolerance = 1e-5_dp           !! of the linear response
       real(dp) :: time_step_over_cell = 1                !! 0: chosen by the plan
       integer :: largest_steps = 60
       integer :: largest_total_steps = 0                 !! 0: chosen by the plan

@@ -2,7 +2,7 @@
 module ehlwave_case_input
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_key, only: key_value_t, most_keys
-   use ehlwave_case_keys, only: case_key_list, take_values
+   use ehlwave_case_keys, only: case_key_list, case_values, take_values
    use ehlwave_errors, only: error_t
    use ehlwave_key_bounds, only: read_key
    use ehlwave_key_list, only: key_list_t
@@ -67,7 +67,7 @@ contains
       type(key_list_t) :: list
       integer :: i
 
-      list = case_key_list(self%case)
+      list = case_values(self%case)
       do i = 1, size(numbers)
          list%values(numbers(i)) = values(i)
       end do

@@ -35,9 +35,7 @@ module ehlwave_case_key
    !> Value of a key of any kind.
    type, public :: key_value_t
       integer :: kind = 0
-      real(dp) :: number = 0
-      integer :: whole = 0
-      logical :: truth = .false.
+      real(dp) :: number = 0                         !! of all kinds but words; true is 1, false 0
       character(len=:), allocatable :: word
    end type key_value_t
 
@@ -54,9 +52,9 @@ contains
       case (number_kind)
          text = to_text(value%number, digits)
       case (whole_kind)
-         text = to_text(value%whole)
+         text = to_text(nint(value%number))
       case (truth_kind)
-         text = '.'//to_text(value%truth)//'.'
+         text = '.'//to_text(value%number > 0)//'.'
       case default
          text = "'"
          do i = 1, len(value%word)
@@ -69,11 +67,8 @@ contains
    !> Whether two values of a key are the same.
    pure logical function is_same(a, b)
       type(key_value_t), intent(in) :: a, b
-      if (a%kind == word_kind) then
-         is_same = a%word == b%word
-      else
-         is_same = abs(a%number - b%number) <= 0 .and. a%whole == b%whole .and. (a%truth .eqv. b%truth)
-      end if
+      is_same = abs(a%number - b%number) <= 0
+      if (a%kind == word_kind) is_same = a%word == b%word
    end function is_same
 
    !> The help up to its first ';' or ':'.

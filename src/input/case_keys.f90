@@ -11,7 +11,7 @@ module ehlwave_case_keys
    use ehlwave_kinds, only: dp
    implicit none (type, external)
    private
-   public :: case_key_list, take_values
+   public :: case_key_list, case_values, take_values
 
    character(len=*), parameter :: elliptical = 'elliptical contacts (radius_ratio_d above 0), not to line contacts'
    character(len=*), parameter :: one_length = "orientation = 'transverse', 'isotropic' or 'longitudinal' "// &
@@ -29,6 +29,16 @@ contains
       if (present(case)) copy = case
       call visit_case_keys(copy, list)
    end function case_key_list
+
+   !> The same without the keys, for those who look up values alone.
+   function case_values(case) result(list)
+      type(case_t), intent(in), optional :: case
+      type(key_list_t) :: list
+      type(case_t) :: copy
+      if (present(case)) copy = case
+      list%has_keys = .false.
+      call visit_case_keys(copy, list)
+   end function case_values
 
    !> Give the values of a list of all keys to a case.
    subroutine take_values(list, case)
@@ -208,6 +218,8 @@ contains
          default='1024; of line contacts 8192', is_written=min(case%cells_x, case%cells_y) == 0))
       call list%see(case%domain, key_t('domain', "computed domain; 'auto': half of it where the case is even in Y, 'whole': "// &
          'always all of it', choices='auto whole', applies=is_elliptical, when=elliptical))
+      call list%see(case%edges, key_t('edges', "pressure at the edges of the domain; 'flooded': that of the oil farther out, "// &
+         "'truncated': 0, which starves the contact a little", choices='flooded truncated', is_late=.true.))
    end subroutine visit_grid
 
    subroutine visit_solver(case, list)
@@ -219,6 +231,8 @@ contains
          minimum=1e-12_dp, maximum=0.1_dp))
       call list%see(case%step_tolerance, key_t('step_tolerance', 'tolerance of time steps at 20 % amplitude; reduced in '// &
          'proportion for smaller waves', minimum=1e-12_dp, maximum=0.1_dp))
+      call list%see(case%response_tolerance, key_t('response_tolerance', 'tolerance of the linear response: its residual', &
+         minimum=1e-12_dp, maximum=0.1_dp, is_late=.true.))
       call list%see(case%time_step_over_cell, key_t('time_step_over_cell', 'time step dT/hX; a whole number or one over a '// &
          'whole number; below 1 only adds samples between the steps of dT = hX', above=0.0_dp))
       call list%see(case%largest_steps, key_t('largest_steps', 'largest number of Newton steps, or multigrid cycles, of a '// &

@@ -2,7 +2,7 @@
 module ehlwave_case_text
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_key, only: is_same, value_text
-   use ehlwave_case_keys, only: case_key_list
+   use ehlwave_case_keys, only: case_key_list, case_values
    use ehlwave_identity_index, only: text_identity
    use ehlwave_key_bounds, only: is_allowed
    use ehlwave_key_list, only: key_list_t
@@ -29,7 +29,7 @@ contains
       type(key_list_t) :: defaults
       integer :: k
 
-      defaults = case_key_list()
+      defaults = case_values()
       text = ''
       group = ''
       do k = 1, list%count

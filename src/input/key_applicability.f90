@@ -3,7 +3,7 @@ module ehlwave_key_applicability
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_input, only: case_input_t
    use ehlwave_case_key, only: value_text
-   use ehlwave_case_keys, only: case_key_list
+   use ehlwave_case_keys, only: case_key_list, case_values
    use ehlwave_errors, only: error_t, raise
    use ehlwave_key_bounds, only: bounds_text, is_allowed, is_none
    use ehlwave_key_list, only: key_list_t
@@ -22,9 +22,9 @@ contains
       integer :: k
 
       given = case_key_list(input%case)
+      defaults = case_values()
       do k = 1, given%count
          if (given%keys(k)%applies .or. .not. input%is_given(k)) cycle
-         if (defaults%count == 0) defaults = case_key_list()
          if (.not. (input%may_idle(k) .or. is_none(given%values(k), defaults%values(k)))) then
             call raise(error, shown_key(given, k)//' belongs to '//trim(given%keys(k)%when)//': remove it, or change that')
             return
@@ -43,10 +43,10 @@ contains
       integer :: k
 
       given = case_key_list(case)
+      defaults = case_values()
       do k = 1, given%count
          associate (key => given%keys(k), value => given%values(k))
             if (key%group /= group .or. .not. key%applies .or. is_allowed(key, value)) cycle
-            defaults = case_key_list()
             if (is_none(value, defaults%values(k))) then
                call raise(error, '&'//trim(key%group)//' '//trim(key%name)//' is missing: '//trim(key%when)//' needs it')
             else

@@ -20,12 +20,18 @@ contains
       type(key_value_t), intent(inout) :: value
       character(len=:), allocatable, intent(out) :: problem
       type(key_value_t) :: candidate
+      integer :: whole
+      logical :: truth
 
       candidate%kind = key%kind
       select case (key%kind)
       case (number_kind); call read_value(item, candidate%number, problem)
-      case (whole_kind); call read_value(item, candidate%whole, problem)
-      case (truth_kind); call read_value(item, candidate%truth, problem)
+      case (whole_kind)
+         call read_value(item, whole, problem)
+         if (.not. allocated(problem)) candidate%number = whole
+      case (truth_kind)
+         call read_value(item, truth, problem)
+         if (.not. allocated(problem)) candidate%number = merge(1, 0, truth)
       case default; call read_value(item, candidate%word, problem)
       end select
       if (.not. allocated(problem) .and. key%choices /= '') candidate%word = lower_case(trim(candidate%word))
@@ -37,14 +43,11 @@ contains
    logical function is_allowed(key, value)
       type(key_t), intent(in) :: key
       type(key_value_t), intent(in) :: value
-      real(dp) :: number
 
       is_allowed = .true.
       select case (key%kind)
       case (number_kind, whole_kind)
-         number = value%number
-         if (key%kind == whole_kind) number = value%whole
-         is_allowed = number > key%above .and. number >= key%minimum .and. number <= key%maximum
+         is_allowed = value%number > key%above .and. value%number >= key%minimum .and. value%number <= key%maximum
       case (word_kind)
          if (key%choices /= '') then
             is_allowed = len(value%word) > 0 .and. scan(value%word, ' ') == 0 .and. &
@@ -58,13 +61,8 @@ contains
    !> Whether a value says that there is none: 0, false or '' where that is the default, too.
    pure logical function is_none(value, default)
       type(key_value_t), intent(in) :: value, default
-
-      select case (value%kind)
-      case (number_kind); is_none = max(abs(value%number), abs(default%number)) <= 0
-      case (whole_kind); is_none = value%whole == 0 .and. default%whole == 0
-      case (truth_kind); is_none = .not. (value%truth .or. default%truth)
-      case default; is_none = len(value%word) == 0 .and. len(default%word) == 0
-      end select
+      is_none = max(abs(value%number), abs(default%number)) <= 0
+      if (value%kind == word_kind) is_none = len(value%word) == 0 .and. len(default%word) == 0
    end function is_none
 
    !> Whether what is written says that there is none; a required key never does.

@@ -13,6 +13,7 @@ module ehlwave_key_list
       type(key_t), allocatable :: keys(:)            !! at least `count`
       type(key_value_t), allocatable :: values(:)
       logical :: gives_back = .false.
+      logical :: has_keys = .true.                   !! false: makes values only, which costs a fraction
       type(key_t) :: common                          !! holds for all keys that follow in the group: applies, is_late, ...
       character(len=choice_length), private :: group = ''
       character(len=256), private :: group_help = ''
@@ -29,7 +30,9 @@ contains
    subroutine begin(self)
       class(key_list_t), intent(inout) :: self
       self%count = 0
-      if (.not. allocated(self%keys)) allocate (self%keys(most_keys), self%values(most_keys))
+      if (self%gives_back) return
+      allocate (self%values(most_keys))
+      if (self%has_keys) allocate (self%keys(most_keys))
    end subroutine begin
 
    !> The keys of a group follow.
@@ -59,12 +62,12 @@ contains
          value%number = component
       type is (integer)
          value%kind = whole_kind
-         if (self%gives_back) component = value%whole
-         value%whole = component
+         if (self%gives_back) component = nint(value%number)
+         value%number = component
       type is (logical)
          value%kind = truth_kind
-         if (self%gives_back) component = value%truth
-         value%truth = component
+         if (self%gives_back) component = value%number > 0
+         value%number = merge(1, 0, component)
       type is (character(len=*))
          value%kind = word_kind
          if (self%gives_back) component = value%word
@@ -81,6 +84,7 @@ contains
 
       self%count = self%count + 1
       self%values(self%count) = value
+      if (.not. self%has_keys) return
       self%keys(self%count) = key
       associate (new => self%keys(self%count), common => self%common)
          new%kind = value%kind

@@ -4,12 +4,15 @@ module ehlwave_contact_problem
    use ehlwave_deformation, only: deformation_t
    use ehlwave_deformation_fft, only: deformation_fft_t
    use ehlwave_deformation_line, only: deformation_line_t
+   use ehlwave_edge_values, only: edge_values_t, new_edge_values
    use ehlwave_film_flow, only: film_flow_t
+   use ehlwave_formula, only: moes_film_formula
    use ehlwave_given, only: given_t
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
    use ehlwave_load_balance, only: force_balance
    use ehlwave_rheology, only: rheology_t
+   use ehlwave_state, only: state_t
    use ehlwave_transport, only: steady_transport
    implicit none (type, external)
    private
@@ -20,6 +23,7 @@ module ehlwave_contact_problem
       type(conditions_t) :: conditions
       type(rheology_t) :: rheology
       type(film_flow_t), allocatable :: film_flow   !! flow across the film; not of a Newtonian oil
+      type(edge_values_t) :: edges               !! P at the edges of the domain
       class(deformation_t), allocatable :: deformation
       real(dp), allocatable :: smooth_gap(:, :)  !! S X^2 + (1 - S) Y^2, (0:nx, 0:ny)
    contains
@@ -27,6 +31,7 @@ module ehlwave_contact_problem
       procedure :: set_conditions
       procedure :: film
       procedure :: film_of
+      procedure :: film_of_guess
       procedure :: set_rough
    end type contact_problem_t
 
@@ -63,6 +68,7 @@ contains
 
       self%conditions = conditions
       self%rheology = rheology
+      self%edges = new_edge_values(self%grid, conditions, rheology)
       if (allocated(self%film_flow)) deallocate (self%film_flow)
       if (rheology%is_newtonian()) return
       self%film_flow = rheology%film_flow(conditions%elliptic%k, conditions%hertz_pressure_pa, conditions%lambdabar)
@@ -88,6 +94,21 @@ contains
       h = h + self%smooth_gap - delta
       if (allocated(given%rough)) h = h + given%rough
    end subroutine film_of
+
+   !> Film of a first guess. Surfaces that overlap, as those of thin films on grids that are too coarse for them, are opened to
+   !> the film of the formula at the closest point: where there is no film no equation makes sense.
+   subroutine film_of_guess(self, given, guess)
+      class(contact_problem_t), intent(inout) :: self
+      type(given_t), intent(in) :: given
+      type(state_t), intent(inout) :: guess   !! P and Delta; H on return
+      real(dp) :: gap
+
+      call self%film_of(given, guess%p, guess%delta, guess%h)
+      if (minval(guess%h) > 0) return
+      gap = moes_film_formula(self%conditions)/self%conditions%moes_film_factor - minval(guess%h)
+      guess%delta = guess%delta - gap
+      guess%h = guess%h + gap
+   end subroutine film_of_guess
 
    !> Set the roughness added to the gap.
    pure subroutine set_rough(self, rough)

@@ -1,6 +1,7 @@
 !> The discrete equations of a contact evaluated at a state.
 module ehlwave_equations
    use ehlwave_contact_problem, only: contact_problem_t
+   use ehlwave_edge_values, only: edge_values_t
    use ehlwave_flow, only: flow_t, new_flow
    use ehlwave_given, only: given_t
    use ehlwave_kernel, only: cell_influence
@@ -20,6 +21,9 @@ module ehlwave_equations
       real(dp), allocatable :: residual(:, :)     !! R there
       real(dp), allocatable :: scale(:, :)        !! 1/|A_ii|
       logical, allocatable :: is_cavitated(:, :)  !! P + R/|A_ii| <= 0: there the equation is P = 0
+      type(edge_values_t) :: edges                !! of the problem last evaluated: at these nodes P = P_far(H)
+      real(dp), allocatable :: edge_excess(:)     !! P - P_far(H) there
+      real(dp), allocatable :: edge_slope(:)      !! -d P_far/dH there
    contains
       procedure :: init
       procedure :: evaluate
@@ -42,6 +46,8 @@ contains
          self%flow = new_flow(grid)
          allocate (self%residual(0:grid%nx, 0:grid%ny), self%scale(0:grid%nx, 0:grid%ny), source=0.0_dp)
          allocate (self%is_cavitated(0:grid%nx, 0:grid%ny), source=.false.)
+         self%edges = problem%edges
+         allocate (self%edge_excess(self%edges%count()), self%edge_slope(self%edges%count()), source=0.0_dp)
       end associate
    end subroutine init
 
@@ -57,6 +63,8 @@ contains
       call reynolds_residual(self%mesh, self%given%transport, self%flow, self%residual)
       call self%set_scale(abs(self%given%transport%w0))
       self%is_cavitated = self%scale > 0 .and. state%p + self%scale*self%residual <= 0
+      self%edges = problem%edges
+      call self%edges%compare(self%given, state%p, state%h, self%edge_excess, self%edge_slope)
    end subroutine evaluate
 
    !> Coefficients and cavitated nodes of the next finer grid, at the nodes of this one.
@@ -74,11 +82,12 @@ contains
       call reynolds_scale(self%mesh, wedge, self%self_influence, self%flow, self%scale)
    end subroutine set_scale
 
-   !> Residual of the load balance.
+   !> Residual of the load balance; of a flooded domain with the load that is borne outside.
    pure real(dp) function load_residual(self, state)
       class(equations_t), intent(in) :: self
       type(state_t), intent(in) :: state
       load_residual = self%given%load%residual(self%mesh%grid%integral(state%p), state%delta)
+      if (self%edges%count() > 0) load_residual = load_residual + self%edges%load_outside(state%p)
    end function load_residual
 
 end module ehlwave_equations

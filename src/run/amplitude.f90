@@ -1,10 +1,9 @@
 !> Amplitude of the film oscillation at the contact centre.
 module ehlwave_amplitude
-   use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
-   use ehlwave_kinds, only: dp, pi
+   use ehlwave_kinds, only: dp, no_value, pi
    implicit none (type, external)
    private
-   public :: sampled_amplitude, fitted_amplitude, fitted_harmonic
+   public :: sampled_amplitude, fitted_harmonic
 
    real(dp), parameter :: singular = 1e-12_dp   !! smallest pivot of the fit, per sample
 
@@ -16,26 +15,17 @@ contains
       sampled_amplitude = 0.5_dp*(maxval(film) - minval(film))
    end function sampled_amplitude
 
-   !> Amplitude at the forcing frequency: modulus of `fitted_harmonic`, NaN where that is.
-   pure real(dp) function fitted_amplitude(time, film, period)
-      real(dp), intent(in) :: time(:)   !! T of the samples
-      real(dp), intent(in) :: film(:)   !! H(0,0) at these times
-      real(dp), intent(in) :: period    !! forcing period in T
-      fitted_amplitude = abs(fitted_harmonic(time, film, period))
-   end function fitted_amplitude
-
    !> Least squares fit of mean + c cos(omega T) + s sin(omega T); returns c + i s, which stands for the real part of
-   !> (c + i s) exp(-i omega T). NaN where the samples do not determine these three numbers: fewer than three of them,
+   !> (c + i s) exp(-i omega T) and has the amplitude of the wave as its modulus. NaN where the samples do not determine these three numbers: fewer than three of them,
    !> or all at two phases of the wave only (two time steps per period).
    pure complex(dp) function fitted_harmonic(time, film, period)
       real(dp), intent(in) :: time(:)   !! T of the samples
       real(dp), intent(in) :: film(:)   !! H(0,0) at these times
       real(dp), intent(in) :: period    !! forcing period in T
-      real(dp) :: basis(size(time), 3), normal(3, 3), right(3), factor
-      real(dp) :: nan
+      real(dp) :: basis(size(time), 3), normal(3, 3), right(3), factor, nan
       integer :: i, j
 
-      nan = ieee_value(1.0_dp, ieee_quiet_nan)
+      nan = no_value
       fitted_harmonic = cmplx(nan, nan, dp)
       if (size(time) < 3) return
       basis(:, 1) = 1

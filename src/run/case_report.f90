@@ -4,7 +4,6 @@ module ehlwave_case_report
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t, run_harmonic, run_smooth, run_standing
    use ehlwave_case_result, only: case_result_t
-   use ehlwave_error_estimate, only: basis_coarse_grid
    use ehlwave_kinds, only: dp
    use ehlwave_resolution, only: flooded_inlet_gap
    use ehlwave_status, only: is_success, status_name
@@ -199,7 +198,7 @@ contains
          character(len=:), allocatable :: text
          text = ''
          if (ieee_is_finite(result%amplitude_ratio_error)) text = ', Ad/Ai '//to_text(result%amplitude_ratio_error, 2)// &
-            trim(merge(' (from coarser grids)', ' (from a model)      ', result%amplitude_error_basis == basis_coarse_grid))
+            trim(merge(' (from coarser grids)', ' (from a model)      ', result%amplitude_error_basis == 'coarse_grid'))
       end function amplitude_error
 
       subroutine print_response()

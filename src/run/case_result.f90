@@ -1,6 +1,5 @@
 !> What one case came to. What is only known once it has been computed is NaN until then.
 module ehlwave_case_result
-   use ehlwave_error_estimate, only: basis_none
    use ehlwave_harmonic_result, only: harmonic_result_t
    use ehlwave_kinds, only: dp, no_value
    use ehlwave_shear_result, only: shear_result_t
@@ -24,7 +23,7 @@ module ehlwave_case_result
       real(dp) :: minimum_film_error = no_value      !! of the smallest H, likewise
       real(dp) :: film_order = no_value              !! observed order of H(0,0) on the three finest levels
       real(dp) :: amplitude_ratio_error = no_value   !! of Ad/Ai
-      integer :: amplitude_error_basis = basis_none  !! what that is from, see ehlwave_error_estimate
+      character(len=12) :: amplitude_error_basis = ''   !! what that is from: 'coarse_grid', 'model', or no estimate
       ! waviness
       real(dp) :: amplitude_ratio = no_value         !! Ad/Ai by theory eq. (14)
       real(dp) :: amplitude_ratio_fit = no_value     !! Ad/Ai by harmonic fit

@@ -1,6 +1,6 @@
 !> Runs one planned case.
 module ehlwave_case_runner
-   use ehlwave_amplitude, only: fitted_amplitude, fitted_harmonic, sampled_amplitude
+   use ehlwave_amplitude, only: fitted_harmonic, sampled_amplitude
    use ehlwave_case_account, only: blank_result, end_early, keep_history, take_report, worse
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t, run_march, run_standing
@@ -16,7 +16,7 @@ module ehlwave_case_runner
    use ehlwave_monitor, only: go_on, monitor_t
    use ehlwave_resolution, only: touching_reason
    use ehlwave_rescue, only: rescue_t, rung_name
-   use ehlwave_shared_steady, only: shared_steady_t
+   use ehlwave_shared_steady, only: limits_of, shared_steady_t
    use ehlwave_shear_result, only: mean_shear_stress
    use ehlwave_solve_report, only: solve_limits_t
    use ehlwave_state, only: state_t
@@ -59,14 +59,12 @@ contains
       type(shared_steady_t), intent(inout) :: steady
       type(case_result_t), intent(out) :: result
       class(march_keeper_t), intent(inout), optional :: keeper
-      type(solve_limits_t) :: limits
       type(rescue_t) :: rescue
       character(len=:), allocatable :: unresolved
       real(dp) :: start
 
       start = wall_seconds()
       result = blank_result(case, plan)
-      limits = solve_limits_t(tolerance=case%tolerance, largest_steps=case%largest_steps)
       call steady%prepare(case, plan)
       rescue = steady%rescue
       associate (level => steady%multigrid%levels(size(steady%multigrid%levels)))
@@ -82,7 +80,7 @@ contains
             case (run_march)
                call run_moving(case, plan, steady%multigrid, rescue, monitor, result, keeper)
             case (run_standing)
-               call run_standing_pattern(case, plan, steady%multigrid, limits, rescue, monitor, result)
+               call run_standing_pattern(case, plan, steady%multigrid, rescue, monitor, result)
             end select
          end if
          if (case%fields) then
@@ -191,13 +189,12 @@ contains
       result%time = history%time(:history%steps)
       result%film_history = history%central_film(:history%steps)
       result%approach_history = history%approach(:history%steps)
-      if (history%status /= status_converged) then
-         result%message = 'time step '//to_text(history%steps + 1)//' of '//to_text(plan%steps)//' '// &
-                          status_name(history%status)//', residual '//to_text(multigrid%levels(finest)%report%residual, 3)// &
-                          ', load error '//to_text(multigrid%levels(finest)%report%load_error, 3)
+      if (result%status /= status_converged) then
          call keep_history(multigrid%levels(finest)%report, result)
-      else if (result%status /= status_converged) then
-         call keep_history(multigrid%levels(finest)%report, result)
+         if (history%status /= status_converged) result%message = 'time step '//to_text(history%steps + 1)//' of '// &
+            to_text(plan%steps)//' '//status_name(history%status)//', residual '// &
+            to_text(multigrid%levels(finest)%report%residual, 3)//', load error '// &
+            to_text(multigrid%levels(finest)%report%load_error, 3)
       else if (allocated(plan%waviness%surface)) then
          result%surface_position = surface_positions(plan%waviness, plan%conditions%a_m, result%time)
          if (plan%first_sample < history%steps) &
@@ -216,11 +213,10 @@ contains
    end subroutine run_moving
 
    !> Pattern that stands still: one steady state for each phase, no time stepping.
-   subroutine run_standing_pattern(case, plan, multigrid, limits, rescue, monitor, result)
+   subroutine run_standing_pattern(case, plan, multigrid, rescue, monitor, result)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       type(full_multigrid_t), intent(inout) :: multigrid
-      type(solve_limits_t), intent(in) :: limits
       type(rescue_t), intent(inout) :: rescue
       class(monitor_t), intent(inout) :: monitor
       type(case_result_t), intent(inout) :: result
@@ -239,7 +235,7 @@ contains
             call problem%set_rough(amplitude*plan%waviness%shape_fixed(problem%grid%x, problem%grid%y, 2*pi*turn(n)))
          end associate
          multigrid%levels(finest)%state = smooth
-         call rescue%solve_step(multigrid, smooth, given_smooth, limits)
+         call rescue%solve_step(multigrid, smooth, given_smooth, limits_of(case))
          call take_report(multigrid%levels(finest)%report, &
                           'steady state '//to_text(n)//' of '//to_text(plan%phases)//' of the pattern', result)
          if (result%status /= status_converged) return
@@ -254,7 +250,7 @@ contains
       result%film_history = film
       result%amplitude_ratio = sampled_amplitude(film)/amplitude
       result%amplitude_ratio_fit = result%amplitude_ratio
-      if (plan%phases > 2) result%amplitude_ratio_fit = fitted_amplitude(turn, film, 1.0_dp)/amplitude
+      if (plan%phases > 2) result%amplitude_ratio_fit = abs(fitted_harmonic(turn, film, 1.0_dp))/amplitude
       result%mean_film = sum(film)/plan%phases
    end subroutine run_standing_pattern
 

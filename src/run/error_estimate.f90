@@ -1,26 +1,15 @@
 !> Discretisation error from the values of the same quantity on grids of mesh size h, 2h and 4h (Richardson).
 module ehlwave_error_estimate
-   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_quiet_nan, ieee_value
-   use ehlwave_kinds, only: dp
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+   use ehlwave_kinds, only: dp, no_value
    implicit none (type, external)
    private
-   public :: basis_name, estimate_error, observed_order
-
-   ! What an estimate is from.
-   integer, parameter, public :: basis_none = 0, basis_coarse_grid = 1, basis_model = 2
+   public :: estimate_error, observed_order
 
    real(dp), parameter :: formal_order = 2     !! of the discretisation in space and time
    real(dp), parameter :: lowest_order = 1     !! assumed where the values do not converge monotonically
 
 contains
-
-   !> Name of a basis, for results: 'coarse_grid', 'model', or '' when there is no estimate.
-   elemental function basis_name(basis) result(name)
-      integer, intent(in) :: basis
-      character(len=12) :: name
-      character(len=12), parameter :: names(0:2) = [character(len=12) :: '', 'coarse_grid', 'model']
-      name = names(basis)
-   end function basis_name
 
    !> Estimated relative error of values(1): |v(h) - v(2h)|/((2^p - 1) |v(h)|).
    !>
@@ -31,7 +20,7 @@ contains
       real(dp), intent(in) :: values(:)   !! on meshes h, 2h, 4h, ...: the finest first
       real(dp) :: order
 
-      estimate_error = ieee_value(1.0_dp, ieee_quiet_nan)
+      estimate_error = no_value
       if (size(values) < 2) return
       if (.not. all(ieee_is_finite(values(:2)))) return
       order = formal_order
@@ -50,7 +39,7 @@ contains
       real(dp), intent(in) :: values(:)   !! on meshes h, 2h, 4h, ...: the finest first
       real(dp) :: fine, coarse
 
-      observed_order = ieee_value(1.0_dp, ieee_quiet_nan)
+      observed_order = no_value
       if (size(values) < 3) return
       if (.not. all(ieee_is_finite(values(:3)))) return
       fine = abs(values(1) - values(2))

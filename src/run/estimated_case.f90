@@ -7,7 +7,7 @@ module ehlwave_estimated_case
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_runner, only: run_case
    use ehlwave_clock, only: wall_seconds
-   use ehlwave_error_estimate, only: basis_coarse_grid, basis_model, estimate_error
+   use ehlwave_error_estimate, only: estimate_error
    use ehlwave_errors, only: error_t
    use ehlwave_kinds, only: dp
    use ehlwave_march_keeper, only: march_keeper_t
@@ -58,7 +58,7 @@ contains
       if (.not. ieee_is_finite(result%amplitude_ratio_fit)) return
       if (.not. plan%conditions%is_line()) then
          result%amplitude_ratio_error = plan%expected_error
-         result%amplitude_error_basis = basis_model
+         result%amplitude_error_basis = 'model'
       end if
       if (case%error_estimate /= 'coarse_grid') return
 
@@ -74,7 +74,7 @@ contains
       if (ieee_is_finite(estimate)) then
          result%amplitude_ratio_error = estimate
          if (plan%steps > 0) result%amplitude_ratio_error = estimate + expected_step_error(case%step_tolerance)
-         result%amplitude_error_basis = basis_coarse_grid
+         result%amplitude_error_basis = 'coarse_grid'
       end if
    end subroutine run_estimated_case
 
@@ -92,7 +92,7 @@ contains
       type(case_result_t) :: coarse_result
       type(error_t), allocatable :: error
       type(relay_t) :: relay
-      integer :: factor
+      integer :: cells(2), factor
 
       allocate (ratios(0))
       seconds = 0
@@ -103,17 +103,12 @@ contains
       coarse_case%accuracy = 0                    ! is that of the case itself
       coarse_case%response = 'transient'          ! has its own estimate
       coarse_case%time_step_over_cell = real(plan%cells_per_step, dp)/plan%steps_per_cell
-      factor = 1
-      do while (factor < 4)
-         factor = 2*factor
-         if (modulo(plan%cells_x, 2*factor) /= 0) return
-         coarse_case%cells_x = plan%cells_x/factor
-         if (coarse_case%cells_x < fewest_cells) return
-         if (.not. plan%conditions%is_line()) then
-            if (modulo(plan%cells_y, 2*factor) /= 0) return
-            coarse_case%cells_y = plan%cells_y/factor
-            if (coarse_case%cells_y < fewest_cells) return
-         end if
+      cells = [plan%cells_x, plan%cells_y]
+      if (plan%conditions%is_line()) cells(2) = cells(1)
+      do factor = 2, 4, 2
+         if (any(modulo(cells, 2*factor) /= 0 .or. cells/factor < fewest_cells)) return
+         coarse_case%cells_x = cells(1)/factor
+         if (.not. plan%conditions%is_line()) coarse_case%cells_y = cells(2)/factor
          call make_plan(coarse_case, coarse_plan, error)
          if (allocated(error)) return
          if (.not. can_tell(coarse_plan)) return
@@ -139,11 +134,10 @@ contains
    !> Whether a grid is fine enough for the difference to it to say something.
    pure logical function can_tell(plan)
       type(case_plan_t), intent(in) :: plan
+      real(dp) :: points(3)
       associate (r => plan%resolution)
-         can_tell = r%inlet <= telling_inlet
-         if (r%points_x > 0) can_tell = can_tell .and. r%points_x >= telling_points_per_wave - 1e-9_dp
-         if (r%points_y > 0) can_tell = can_tell .and. r%points_y >= telling_points_per_wave - 1e-9_dp
-         if (r%samples > 0) can_tell = can_tell .and. r%samples >= telling_points_per_wave - 1e-9_dp
+         points = [r%points_x, r%points_y, r%samples]
+         can_tell = r%inlet <= telling_inlet .and. all(points <= 0 .or. points >= telling_points_per_wave - 1e-9_dp)
       end associate
    end function can_tell
 

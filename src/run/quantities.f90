@@ -10,7 +10,6 @@ module ehlwave_quantities
    use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_text, only: case_identity
-   use ehlwave_error_estimate, only: basis_name
    use ehlwave_key_list, only: find_key, key_list_t
    use ehlwave_harmonic_result, only: harmonic_result_t
    use ehlwave_kinds, only: dp
@@ -97,8 +96,8 @@ contains
       associate (key => keys%keys(k), value => keys%values(k))
          select case (key%kind)
          case (number_kind); call list%add(name, key_long_name(key), value%number, unit=trim(key%unit))
-         case (whole_kind); call list%add(name, key_long_name(key), value%whole)
-         case (truth_kind); call list%add(name, key_long_name(key), value%truth)
+         case (whole_kind); call list%add(name, key_long_name(key), nint(value%number))
+         case (truth_kind); call list%add(name, key_long_name(key), value%number > 0)
          case default; call list%add(name, key_long_name(key), value%word)
          end select
       end associate
@@ -128,7 +127,7 @@ contains
       call list%add('film_order', 'observed order of central_film on three levels', result%film_order)
       call list%add('amplitude_ratio_error', 'estimated relative error of Ad/Ai', result%amplitude_ratio_error)
       call list%add('amplitude_error_basis', 'what amplitude_ratio_error is from', &
-                    trim(basis_name(result%amplitude_error_basis)))
+                    trim(result%amplitude_error_basis))
       call add_response(list, result%harmonic)
       call list%add('v', 'V of theory eq. (17)', result%v)
       call list%add('v2', 'V2 of theory eq. (16)', result%v2)

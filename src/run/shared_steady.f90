@@ -3,18 +3,19 @@ module ehlwave_shared_steady
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t, run_harmonic
    use ehlwave_case_text, only: effective_input
-   use ehlwave_full_multigrid, only: full_multigrid_t, method_t
+   use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_grid, only: grid_t, new_grid, new_line_grid
    use ehlwave_harmonic_response, only: harmonic_solver_t
    use ehlwave_kinds, only: dp
    use ehlwave_mean_film, only: mean_film_solver_t
    use ehlwave_rescue, only: rescue_t, rung_direct
    use ehlwave_solve_report, only: solve_limits_t, solve_report_t
+   use ehlwave_solver_choice, only: init_multigrid, method_t
    use ehlwave_status, only: status_converged
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
-   public :: steady_key
+   public :: limits_of, steady_key
 
    !> It owns the hierarchy.
    type, public :: shared_steady_t
@@ -72,8 +73,8 @@ contains
       end if
       self%key = key
       self%is_linearised = .false.
-      call self%multigrid%init(plan%conditions, plan%rheology, grid_of(case, plan), &
-                               method_t(case%method, case%cycle, case%deformation))
+      call init_multigrid(self%multigrid, plan%conditions, plan%rheology, grid_of(case, plan), &
+                          method_t(case%method, case%cycle, case%deformation))
       self%rescue = rescue_t(is_ready=climbs(plan), steps_left=plan%largest_total_steps)
       call self%rescue%solve_steady(self%multigrid, limits_of(case), coarse_tolerance)
    end subroutine prepare
@@ -112,6 +113,8 @@ contains
          self%has_coarse = report%status == status_converged
       end if
       if (plan%kind == run_harmonic) deallocate (self%multigrid%solver)   ! nothing nonlinear follows: give the memory back
+      self%response%tolerance = case%response_tolerance
+      self%coarse_response%tolerance = case%response_tolerance
       call self%response%init(self%multigrid%levels)
       call self%mean%init(self%multigrid%levels)
       if (self%has_coarse) call self%coarse_response%init(self%multigrid%levels(:n - 1))
@@ -128,8 +131,10 @@ contains
       else
          grid = new_grid(case%x_min, case%x_max, case%y_max, plan%cells_x, plan%cells_y, plan%is_half)
       end if
+      grid%is_flooded = case%edges == 'flooded'
    end function grid_of
 
+   !> What a steady solution of a case is asked for.
    pure function limits_of(case) result(limits)
       type(case_t), intent(in) :: case
       type(solve_limits_t) :: limits

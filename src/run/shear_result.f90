@@ -105,8 +105,8 @@ contains
             if (allocated(problem%film_flow)) then
                gx(1:grid%nx - 1) = (p(2:, j) - p(:grid%nx - 2, j))/(2*grid%hx)
                gy = 0
-               if (j >= grid%first_row .and. j < grid%ny) &
-                  gy = c%elliptic%kappa*(p(:, j + 1) - p(:, grid%below(j)))/(2*grid%hy)
+               if (j >= grid%first_row .and. j <= grid%last_row) &
+                  gy = c%elliptic%kappa*(p(:, grid%above(j)) - p(:, grid%below(j)))/(2*grid%hy)
                call problem%film_flow%mean_stress(fluidity, h(:, j), gx, gy, stress(:, j), b(:, j), factor)
                factor_x(:, j) = factor(1, :)
                factor_y(:, j) = factor(2, :)

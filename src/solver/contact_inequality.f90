@@ -3,7 +3,6 @@ module ehlwave_contact_inequality
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_equations, only: equations_t
-   use ehlwave_formula, only: moes_film_formula
    use ehlwave_kinds, only: dp
    use ehlwave_load_balance, only: load_factor
    use ehlwave_near_matrix, only: near_matrix_t
@@ -20,6 +19,7 @@ module ehlwave_contact_inequality
    !> M = 2000, D = 1, 257^2: the residual falls by 0.4 a step in place of quadratically).
    real(dp), parameter :: unit = 1e-8_dp
    integer, parameter :: largest_trials = 40   ! of a step length
+   integer, parameter :: edge_passes = 3       ! of edges that follow their film: each gains two or three digits
 
    !> P >= 0, F >= 0, P F = 0 at the unknown nodes, with the load balance for Delta, as vectors:
    !>
@@ -93,12 +93,11 @@ contains
       self%report = blank
       allocate (self%report%history(0))
       self%least = huge(1.0_dp)
-      call pack_field(self, max(guess%p, 0.0_dp)/unit, self%best)
-      self%best(self%n) = guess%delta/unit
-      call visit(self, self%best)
-      if (.not. minval(self%state%h) > 0) &
-         self%best(self%n) = self%best(self%n) + (minval(self%state%h) - moes_film_formula(problem%conditions) &
-                                                  /problem%conditions%moes_film_factor)/unit
+      self%state = guess
+      self%state%p = max(guess%p, 0.0_dp)
+      call problem%film_of_guess(problem%given_t, self%state)
+      call pack_field(self, self%state%p/unit, self%best)
+      self%best(self%n) = self%state%delta/unit
       call self%return_to_best()
    end subroutine start
 
@@ -106,7 +105,7 @@ contains
    subroutine return_to_best(self)
       class(contact_inequality_t), intent(inout) :: self
       call visit(self, self%best)
-      call judge_state(self)
+      call self%report%judge(self%equations, self%state, self%tolerance)
       self%weight = sqrt(sqrt(self%equations%scale))
    end subroutine return_to_best
 
@@ -141,6 +140,7 @@ contains
       self%base_equations = self%equations
       self%change = 0
       self%film_change = -1   ! Delta column: dH = -1
+      call follow_edges(self)
       call multiply_reynolds(self)
       call self%near_matrix%fill(self%base_equations, self%r_change, self%weight, a)
    end subroutine linearise
@@ -155,6 +155,7 @@ contains
          call unpack_field(self, 1.0_dp, x, self%change)
          call problem%deformation%apply(self%change, self%film_change)
          self%film_change = self%film_change - x(self%n)
+         call follow_edges(self)
          call multiply_reynolds(self)
          call pack_field(self, -self%weight*self%r_change, y)
          y(self%n) = load_factor*problem%grid%integral(self%change) + problem%load%inertia*x(self%n)
@@ -189,7 +190,7 @@ contains
       real(dp), intent(in) :: x(:)
 
       call visit(self, x)
-      call judge_state(self)
+      call self%report%judge(self%equations, self%state, self%tolerance)
       self%report%history = [self%report%history, self%report%residual]
       judge = self%report%status
       if (judge == status_not_finite .or. .not. self%report%worst() < self%least) return
@@ -201,20 +202,38 @@ contains
    subroutine visit(self, x)
       class(contact_inequality_t), intent(inout) :: self
       real(dp), intent(in) :: x(:)
+      integer :: pass
 
       associate (problem => self%problem, state => self%state)
          call unpack_field(self, unit, x, state%p)
          state%delta = unit*x(self%n)
          call problem%film(state%p, state%delta, state%h)
+         do pass = 1, merge(edge_passes, 0, problem%edges%count() > 0)
+            call problem%edges%impose(problem%given_t, state%h, state%p)
+            call problem%film(state%p, state%delta, state%h)
+         end do
          call self%equations%evaluate(problem, state)
       end associate
    end subroutine visit
 
-   !> Errors and status of the state visited last.
-   subroutine judge_state(self)
+   !> Let the pressures at the edges of a flooded domain follow their film, and add what that changes in the film.
+   subroutine follow_edges(self)
       class(contact_inequality_t), intent(inout) :: self
-      call self%report%judge(self%equations, self%state, self%tolerance)
-   end subroutine judge_state
+      real(dp), allocatable :: at_edges(:, :), film_change(:, :)
+      integer :: k
+
+      associate (edges => self%base_equations%edges)
+         if (edges%count() == 0) return
+         allocate (at_edges, film_change, mold=self%change)
+         at_edges = 0
+         do k = 1, edges%count()
+            at_edges(edges%i(k), edges%j(k)) = -self%base_equations%edge_slope(k)*self%film_change(edges%i(k), edges%j(k))
+         end do
+         call self%problem%deformation%apply(at_edges, film_change)
+         self%change = self%change + at_edges
+         self%film_change = self%film_change + film_change
+      end associate
+   end subroutine follow_edges
 
    !> r_change = dR for `change` of pressure and `film_change`, at the point of linearisation.
    subroutine multiply_reynolds(self)
@@ -240,7 +259,7 @@ contains
       end do
    end subroutine pack_field
 
-   !> Values at the unknown nodes of a vector times `factor`; the outer boundary is left as it is.
+   !> Values at the unknown nodes of a vector times `factor`, 0 on the outer boundary.
    pure subroutine unpack_field(self, factor, x, field)
       class(contact_inequality_t), intent(in) :: self
       real(dp), intent(in) :: factor, x(:)
@@ -248,6 +267,7 @@ contains
       integer :: i, j, low
 
       low = self%problem%grid%first_row - 1
+      field = 0
       do j = 1, self%rows
          do i = 1, self%problem%grid%nx - 1
             field(i, j + low) = factor*x((i - 1)*self%rows + j)

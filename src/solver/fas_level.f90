@@ -80,6 +80,7 @@ contains
          call problem%deformation%apply(state%p, deformation)
          given%rough = state%h + state%delta - problem%smooth_gap - deformation
 
+         given%edge_rough = problem%edges%rough_from(fine%equations%edges, fine%equations%given, grid%row_ratio)
          given%transport%wedge_t = implicit_part(fine%equations%given%transport, grid)
          if (allocated(given%transport%carried)) deallocate (given%transport%carried)
          call self%evaluate(problem)

@@ -60,7 +60,7 @@ contains
       associate (problem => hierarchy%levels(l)%problem, level => self%levels(l), state => self%levels(l)%state)
          level%equations%given = problem%given_t
          state = hierarchy%levels(l)%state
-         call problem%film(state%p, state%delta, state%h)
+         call problem%film_of_guess(problem%given_t, state)
          call level%evaluate(problem)
          do k = 0, limits%largest_steps
             call report%judge(level%equations, state, limits%tolerance)

@@ -130,6 +130,7 @@ contains
                state%p(i, j) = max(0.0_dp, state%p(i, j) + change(i, j))
             end do
          end do
+         call problem%edges%impose(equations%given, state%h, state%p)   ! of the film before the sweep: the edges follow one sweep later
          call problem%film_of(equations%given, state%p, state%delta, state%h)
          call limit%shorten(self%before, state)
       end associate

@@ -8,13 +8,12 @@ module ehlwave_newton
    use ehlwave_kinds, only: dp
    use ehlwave_level_solver, only: level_solver_t
    use ehlwave_real_gmres, only: gmres_t
-   use ehlwave_real_linearised_contact, only: linearised_contact_t
+   use ehlwave_real_linearised_contact, only: linearised_contact_t, set_wedge
    use ehlwave_reynolds, only: intake
    use ehlwave_solve_report, only: solve_limits_t, solve_report_t
    use ehlwave_state, only: state_t
    use ehlwave_status, only: status_converged, status_diverged, status_stalled
    use ehlwave_step_limit, only: step_limit_t
-   use ehlwave_transport, only: implicit_part
    implicit none (type, external)
    private
 
@@ -79,7 +78,7 @@ contains
       worth_before = 0
       forcing = self%loosest
       associate (problem => levels(size(levels))%problem, equations => self%linear%levels(size(levels))%equations)
-         call problem%film_of(given, state%p, state%delta, state%h)
+         call problem%film_of_guess(given, state)
          do k = 0, limits%largest_steps
             call assemble(self, problem, state, worth)
             call report%judge(equations, state, limits%tolerance)
@@ -108,7 +107,7 @@ contains
       class(newton_t), intent(inout) :: self
       type(level_t), intent(inout), target :: levels(:)
       type(given_t), intent(in) :: given
-      integer :: l, n
+      integer :: n
 
       n = size(levels)
       associate (linear => self%linear, nx => levels(n)%problem%grid%nx, ny => levels(n)%problem%grid%ny)
@@ -116,10 +115,7 @@ contains
          call linear%start(n)
          linear%inertia = given%load%inertia
          linear%levels(n)%equations%given = given
-         linear%levels(n)%wedge = implicit_part(given%transport, levels(n)%problem%grid)
-         do l = n - 1, 1, -1
-            linear%levels(l)%wedge = implicit_part(linear%levels(l + 1)%wedge, levels(l)%problem%grid)
-         end do
+         call set_wedge(linear)
          self%gmres%largest_steps = self%largest_krylov
          if (allocated(self%film_change)) then
             if (all(shape(self%film_change) == [nx + 1, ny + 1])) return
@@ -164,6 +160,9 @@ contains
                   b(i, j) = -level%row_scale(i, j)*level%equations%residual(i, j)
                end if
             end do
+         end do
+         do i = 1, level%equations%edges%count()
+            b(level%equations%edges%i(i), level%equations%edges%j(i)) = -level%equations%edge_excess(i)
          end do
          self%rhs(linear%n) = -level%equations%load_residual(state)
          worth = sqrt(sum(self%rhs**2))
@@ -261,6 +260,11 @@ contains
                s = s*gain/(gain + 1/equations%scale(i, j))
                if (s*abs(dp_(i, j)) > 1e-3_dp) dp_(i, j) = -log(max(1 - s*dp_(i, j), 0.1_dp))/s
             end do
+         end do
+         do i = 1, equations%edges%count()
+            associate (p => dp_(equations%edges%i(i), equations%edges%j(i)))
+               p = step*p
+            end associate
          end do
       end associate
    end subroutine bend

@@ -15,11 +15,26 @@ module ehlwave_real_linearised_contact
    use ehlwave_real_near_rows, only: near_rows
    use ehlwave_real_transfer, only: prolong, restrict
    use ehlwave_real_wedge, only: wedge_t
-   use ehlwave_reynolds, only: reynolds_change
+   use ehlwave_reynolds, only: flow_links, poiseuille_links, reynolds_change
+   use ehlwave_transport, only: implicit_part
    implicit none (type, external)
    private
+   public :: set_wedge
 
 #include "linearised_contact.inc"
+
+   !> Let wedge and squeeze be those of what the finest level is given, on all levels.
+   subroutine set_wedge(self)
+      type(linearised_contact_t), intent(inout) :: self
+      integer :: l
+
+      associate (levels => self%levels, n => self%finest)
+         levels(n)%wedge = implicit_part(levels(n)%equations%given%transport, levels(n)%equations%mesh%grid)
+         do l = n - 1, 1, -1
+            levels(l)%wedge = implicit_part(levels(l + 1)%wedge, levels(l)%equations%mesh%grid)
+         end do
+      end associate
+   end subroutine set_wedge
 
    !> Deformation under a change of pressure.
    subroutine deform(level, q, d)

@@ -33,12 +33,6 @@ module ehlwave_rescue
    contains
       procedure :: solve_steady
       procedure :: solve_step
-      procedure, private :: climb
-      procedure, private :: continue_conditions
-      procedure, private :: continue_step
-      procedure, private :: solve_by_newton
-      procedure, private :: solve_by_petsc
-      procedure, private :: note
    end type rescue_t
 
 contains
@@ -75,10 +69,10 @@ contains
          if (level%report%status == status_converged .or. .not. self%is_ready) return
          call multigrid%start_level(n)
          guess = level%state
-         call self%continue_conditions(multigrid, limits, coarse_tolerance)
-         call self%note(level%report, rung_continuation)
+         call continue_conditions(self, multigrid, limits, coarse_tolerance)
+         call note(self, level%report, rung_continuation)
          if (level%report%status == status_converged) return
-         call self%climb(multigrid, guess, limits)
+         call climb(self, multigrid, guess, limits)
       end associate
    end subroutine solve_steady
 
@@ -100,37 +94,48 @@ contains
          if (.not. starts_there) then
             level%state = before
             call self%attempt(multigrid, limits)
-            call self%note(level%report, rung_restart)
+            call note(self, level%report, rung_restart)
             if (level%report%status == status_converged) return
          end if
          if (.not. self%is_ready) return
-         call self%continue_step(multigrid, before, given_before, limits)
-         call self%note(level%report, rung_continuation)
+         call continue_step(self, multigrid, before, given_before, limits)
+         call note(self, level%report, rung_continuation)
          if (level%report%status == status_converged) return
       end associate
-      call self%climb(multigrid, before, limits)
+      call climb(self, multigrid, before, limits)
    end subroutine solve_step
 
    !> The rungs that need nothing but another solver.
    subroutine climb(self, multigrid, guess, limits)
-      class(rescue_t), intent(inout) :: self
+      type(rescue_t), intent(inout) :: self
       type(full_multigrid_t), intent(inout) :: multigrid
       type(state_t), intent(in) :: guess
       type(solve_limits_t), intent(in) :: limits
+      class(level_solver_t), allocatable :: solver
+      type(solve_limits_t) :: patient
+      type(newton_t) :: newton
       integer :: rung
 
       associate (level => multigrid%levels(size(multigrid%levels)))
          do rung = rung_newton, rung_petsc
             if (self%steps_left <= 0) return
-            if (rung == rung_newton .and. is_newton(multigrid%solver)) cycle
+            if (rung == rung_newton .and. same_type_as(multigrid%solver, newton)) cycle
             level%state = guess
+            patient = limits
+            if (allocated(solver)) deallocate (solver)
             if (rung == rung_petsc) then
                if (.not. has_petsc()) return      ! the last rung
-               call self%solve_by_petsc(multigrid, limits)
+               allocate (petsc_solver_t :: solver)
             else
-               call self%solve_by_newton(multigrid, limits, is_damped=rung == rung_damped)
+               if (rung == rung_damped) then
+                  newton%limit = short_steps
+                  patient%largest_steps = damped_patience*limits%largest_steps
+               end if
+               allocate (solver, source=newton)
             end if
-            call self%note(level%report, rung)
+            call solver%init(multigrid%hierarchy_t, size(multigrid%levels))
+            call self%attempt(multigrid, patient, solver)
+            call note(self, level%report, rung)
             if (level%report%status == status_converged) return
          end do
       end associate
@@ -138,7 +143,7 @@ contains
 
    !> Continuation in M and L: solve an easier neighbour from scratch, then approach the case from it.
    subroutine continue_conditions(self, multigrid, limits, coarse_tolerance)
-      class(rescue_t), intent(inout) :: self
+      type(rescue_t), intent(inout) :: self
       type(full_multigrid_t), intent(inout) :: multigrid
       type(solve_limits_t), intent(in) :: limits
       real(dp), intent(in) :: coarse_tolerance
@@ -179,7 +184,7 @@ contains
 
    !> Continuation from the last solution: what is given changes from its values then to those now by degrees.
    subroutine continue_step(self, multigrid, before, given_before, limits)
-      class(rescue_t), intent(inout) :: self
+      type(rescue_t), intent(inout) :: self
       type(full_multigrid_t), intent(inout) :: multigrid
       type(state_t), intent(in) :: before
       type(given_t), intent(in) :: given_before
@@ -206,50 +211,13 @@ contains
       end associate
    end subroutine continue_step
 
-   !> Newton's method in place of what the hierarchy has, or its own with short steps.
-   subroutine solve_by_newton(self, multigrid, limits, is_damped)
-      class(rescue_t), intent(inout) :: self
-      type(full_multigrid_t), intent(inout) :: multigrid
-      type(solve_limits_t), intent(in) :: limits
-      logical, intent(in) :: is_damped
-      type(solve_limits_t) :: patient
-      type(newton_t) :: newton
-
-      call newton%init(multigrid%hierarchy_t, size(multigrid%levels))
-      patient = limits
-      if (is_damped) then
-         newton%limit = short_steps
-         patient%largest_steps = damped_patience*limits%largest_steps
-      end if
-      call self%attempt(multigrid, patient, newton)
-   end subroutine solve_by_newton
-
-   subroutine solve_by_petsc(self, multigrid, limits)
-      class(rescue_t), intent(inout) :: self
-      type(full_multigrid_t), intent(inout) :: multigrid
-      type(solve_limits_t), intent(in) :: limits
-      type(petsc_solver_t) :: petsc
-      call petsc%init(multigrid%hierarchy_t, size(multigrid%levels))
-      call self%attempt(multigrid, limits, petsc)
-   end subroutine solve_by_petsc
-
    !> Keep the rung of a solution.
    pure subroutine note(self, report, rung)
-      class(rescue_t), intent(inout) :: self
+      type(rescue_t), intent(inout) :: self
       type(solve_report_t), intent(in) :: report
       integer, intent(in) :: rung
       self%rung = max(self%rung, rung)
       if (report%status == status_converged) self%rescued = self%rescued + 1
    end subroutine note
-
-   pure logical function is_newton(solver)
-      class(level_solver_t), intent(in) :: solver
-      select type (solver)
-      type is (newton_t)
-         is_newton = .true.
-      class default
-         is_newton = .false.
-      end select
-   end function is_newton
 
 end module ehlwave_rescue

@@ -17,7 +17,7 @@ module ehlwave_solve_report
    !> What a solve came to. Each equation is reported by itself.
    type, public :: solve_report_t
       integer :: status = status_stalled
-      real(dp) :: residual = huge(1.0_dp)         !! largest `mass_gain` over nodes with P > 0
+      real(dp) :: residual = huge(1.0_dp)         !! largest `mass_gain` over nodes with P > 0, and `edge_error`
       real(dp) :: complementarity = huge(1.0_dp)  !! max |P| over nodes where the film is cavitated
       real(dp) :: load_error = huge(1.0_dp)       !! relative error of the load balance
       integer :: nonlinear_steps = 0
@@ -55,6 +55,7 @@ contains
             end do
          end do
          if (.not. ieee_is_finite(sum(r))) self%residual = sum(r)
+         if (equations%edges%count() > 0) self%residual = max(self%residual, edge_error(equations, state))
          self%load_error = abs(equations%load_residual(state))/abs(equations%given%load%force)
       end associate
       if (.not. (ieee_is_finite(self%residual) .and. ieee_is_finite(self%load_error))) then
@@ -65,6 +66,20 @@ contains
          self%status = status_stalled
       end if
    end subroutine judge
+
+   !> Largest excess of a pressure at the edges of a flooded domain over that of the far field, in units of the largest pressure there.
+   pure real(dp) function edge_error(equations, state)
+      type(equations_t), intent(in) :: equations
+      type(state_t), intent(in) :: state
+      real(dp) :: largest
+      integer :: k
+
+      largest = tiny(1.0_dp)
+      do k = 1, equations%edges%count()
+         largest = max(largest, abs(state%p(equations%edges%i(k), equations%edges%j(k))))
+      end do
+      edge_error = maxval(abs(equations%edge_excess))/largest
+   end function edge_error
 
    !> The largest of the three errors.
    pure real(dp) function worst(self)

@@ -3,10 +3,11 @@ module sample_contact
    use ehlwave_conditions, only: conditions_from_moes, conditions_t
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_errors, only: error_t
-   use ehlwave_full_multigrid, only: full_multigrid_t, method_t
+   use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_grid, only: grid_t, new_grid
    use ehlwave_kinds, only: dp
    use ehlwave_rheology, only: density_dowson_higginson, new_rheology, viscosity_roelands
+   use ehlwave_solver_choice, only: init_multigrid, method_t
    use ehlwave_state, only: state_t
    use ehlwave_transport, only: characteristic_transport
    implicit none (type, external)
@@ -66,8 +67,8 @@ contains
 
       if (present(method)) chosen = method
       conditions = make_conditions(m, d)
-      call multigrid%init(conditions, new_rheology(viscosity_roelands, density_dowson_higginson, conditions%alphabar, &
-                                                   0.68_dp, conditions%hertz_pressure_pa), &
+      call init_multigrid(multigrid, conditions, new_rheology(viscosity_roelands, density_dowson_higginson, conditions%alphabar, &
+                                                              0.68_dp, conditions%hertz_pressure_pa), &
                           new_grid(-2.5_dp, 1.5_dp, 2.0_dp, cells, cells, is_half), chosen)
    end subroutine make_multigrid
 

@@ -41,13 +41,13 @@ class Accept(unittest.TestCase):
             writer.writerows(rows)
         outcome = accept(os.environ["EHLWAVE_CASE"], "--values", changed)
         self.assertEqual(outcome.returncode, 1, outcome.stdout + outcome.stderr)
-        self.assertIn("19 of 20 cases accepted", outcome.stdout)
+        self.assertIn("20 of 21 cases accepted", outcome.stdout)
         (line,) = [line for line in outcome.stdout.split("\n") if "FAILED" in line]
         self.assertIn(column, line)
 
     def test_this_build(self):
         self.assertEqual(self.outcome.returncode, 0, self.outcome.stdout + self.outcome.stderr)
-        self.assertIn("20 of 20 cases accepted", self.outcome.stdout)
+        self.assertIn("21 of 21 cases accepted", self.outcome.stdout)
 
     def test_a_film_that_is_off(self):
         self.check_refused("central_film", 1 + 2e-6)

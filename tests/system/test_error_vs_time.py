@@ -34,14 +34,15 @@ class ErrorVsTime(TestCase):
             outcome = run("sweep", sweep)
             self.assertIn(outcome.returncode, (0, 1), outcome.stderr)
             table = read_table(folder, EXTENT)
-            methods = {row["method"] for row in table}
+            rows = table.to_dict("records")
+            methods = {row["method"] for row in rows}
             self.assertIn("newton", methods)
             for method in runs.METHODS:
                 self.assertTrue(method in methods or f"'{method}' is left out" in messages.getvalue(), method)
             self.assertEqual(len(table), len(runs.all_runs(EXTENT, tuple(methods))))
-            self.assertTrue(all(row["seconds"] > 0 and row["work_units"] > 0 for row in table))
+            self.assertTrue(all(row["seconds"] > 0 and row["work_units"] > 0 for row in rows))
             # what a method and a tolerance change is what their rows say
-            films = {(row["method"], row["deformation"], row["tolerance"]): row["central_film"] for row in table
+            films = {(row["method"], row["deformation"], row["tolerance"]): row["central_film"] for row in rows
                      if runs.Contact(row["m"], row["d"], row["wavelength"]) == runs.SMOOTH[0] and row["cells"] == 64}
             usual = films["newton", "fft", 1e-6]
             for (method, deformation, tolerance), film in films.items():

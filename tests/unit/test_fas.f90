@@ -5,11 +5,12 @@ program test_fas
       ieee_value
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_fas_level, only: fas_level_t
-   use ehlwave_full_multigrid, only: full_multigrid_t, method_t
+   use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_kinds, only: dp
    use ehlwave_load_balance, only: equation_of_motion
    use ehlwave_newton, only: newton_t
    use ehlwave_solve_report, only: solve_limits_t, solve_report_t
+   use ehlwave_solver_choice, only: method_t
    use ehlwave_state, only: state_t
    use ehlwave_status, only: status_converged, status_not_finite, status_stalled
    use ehlwave_text, only: to_text

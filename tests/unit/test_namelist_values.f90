@@ -44,16 +44,16 @@ contains
          call test%check_close(value%number, values(i), 'real '//reals(i), absolute=0.0_dp)
       end do
       value = accepted(whole_kind, '-2147483647', key_t('x'))
-      call test%check_equal(value%whole, -2147483647, 'smallest integer')
+      call test%check_equal(nint(value%number), -2147483647, 'smallest integer')
       value = accepted(whole_kind, '+0012', key_t('x', minimum=12.0_dp, maximum=12.0_dp, above=11.0_dp))
-      call test%check_equal(value%whole, 12, 'integer with sign and zeros')
+      call test%check_equal(nint(value%number), 12, 'integer with sign and zeros')
       do i = 1, size(yes)
          value = accepted(truth_kind, trim(yes(i)), key_t('x'))
-         call test%check(value%truth, 'logical '//yes(i))
+         call test%check(value%number > 0, 'logical '//yes(i))
       end do
       do i = 1, size(no)
          value = accepted(truth_kind, trim(no(i)), key_t('x'))
-         call test%check(.not. value%truth, 'logical '//no(i))
+         call test%check(.not. value%number > 0, 'logical '//no(i))
       end do
    end subroutine accept_values
 

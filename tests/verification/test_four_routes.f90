@@ -8,12 +8,13 @@ program test_four_routes
    use ehlwave_deformation_fft, only: deformation_fft_t
    use ehlwave_errors, only: error_t
    use ehlwave_equations, only: equations_t
-   use ehlwave_full_multigrid, only: full_multigrid_t, method_t
+   use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_grid, only: new_grid
    use ehlwave_kinds, only: dp, pi
    use ehlwave_petsc_library, only: finish_petsc, is_petsc_built, require_petsc
    use ehlwave_rheology, only: density_dowson_higginson, new_rheology, rheology_t, viscosity_roelands
    use ehlwave_solve_report, only: solve_limits_t, solve_report_t
+   use ehlwave_solver_choice, only: method_t
    use ehlwave_state, only: state_t
    use ehlwave_status, only: status_converged
    use ehlwave_text, only: to_text

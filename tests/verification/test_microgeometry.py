@@ -54,9 +54,9 @@ class Microgeometry(unittest.TestCase):
         for name, heights, amplitude in (("rough", rough, 0.15), ("ridge", ridge, 0.17)):
             found = self.compare(name, heights, step)
             self.assertAlmostEqual(found.amplitude_over_film, amplitude, delta=0.04)
-            self.assertLess(found.error(found.by_table), 0.10, name)
+            self.assertLess(found.error("table"), 0.10, name)
             # the formula has amplitudes only, and its error is mostly the phase it does not have
-            self.assertGreater(found.error(found.by_formula), 2*found.error(found.by_table), name)
+            self.assertGreater(found.error("formula"), 2*found.error("table"), name)
 
     def test_table_has_the_amplitudes_of_the_paper_and_the_lag_of_the_film(self):
         table = read_table(table_file(self.folder, *SPEEDS))

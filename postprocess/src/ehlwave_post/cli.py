@@ -126,10 +126,16 @@ def _parser() -> argparse.ArgumentParser:
         added.set_defaults(run=run)
         return added
 
-    def add_common(added: argparse.ArgumentParser) -> None:
+    def add_output(added: argparse.ArgumentParser) -> None:
         added.add_argument(
             "--output", type=Path, default=Path(), metavar="DIR", help="default: this directory"
         )
+
+    def add_csv(added: argparse.ArgumentParser) -> None:
+        added.add_argument("--csv", type=Path, required=True, metavar="FILE", help="file to write")
+
+    def add_common(added: argparse.ArgumentParser) -> None:
+        add_output(added)
         added.add_argument(
             "--ratio",
             choices=tuple(RATIO_COLUMNS),
@@ -153,20 +159,15 @@ def _parser() -> argparse.ArgumentParser:
         "--seed", type=_count, default=defaults.seed, help="of the bootstrap's random numbers"
     )
     command("table", _table, "count cases by status and list the failed ones")
-    export = command("export", _export, "write all columns to a CSV file")
-    export.add_argument("--csv", type=Path, required=True, metavar="FILE", help="file to write")
-    harmonics = command(
-        "harmonics", _harmonics, "write a harmonic table for deform --table from resolved cases"
-    )
-    harmonics.add_argument("--csv", type=Path, required=True, metavar="FILE", help="file to write")
+    add_csv(command("export", _export, "write all columns to a CSV file"))
+    text = "write a harmonic table for deform --table from resolved cases"
+    add_csv(command("harmonics", _harmonics, text))
     text = "draw film and pressure of one case"
     contact = commands.add_parser("contact", help=text, description=text)
     contact.add_argument(
         "case", type=Path, metavar="FILE", help="HDF5 file of ehlwave-case --output"
     )
-    contact.add_argument(
-        "--output", type=Path, default=Path(), metavar="DIR", help="default: this directory"
-    )
+    add_output(contact)
     contact.set_defaults(run=_contact)
     add_commands(commands)
     return parser

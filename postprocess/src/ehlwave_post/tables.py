@@ -1,14 +1,14 @@
 """Readable tables, CSV and JSON."""
 
-import csv
 import json
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pandas as pd
 import xarray as xr
 
 from ehlwave_post.fit import Interval
@@ -98,14 +98,14 @@ def refit_json(
     rows: Sequence[RefitRow], settings: RefitSettings, points: xr.Dataset, ratio: str
 ) -> str:
     """Return rows, settings and origin of the points as a JSON document; NaN becomes null."""
-    origin_names = ("source_file", *PROVENANCE_ATTRIBUTES)
-    origins = sorted(set(_records(points, origin_names)))
+    origins = points[["source_file", *PROVENANCE_ATTRIBUTES]].to_dataframe()
+    origins = origins[["source_file", *PROVENANCE_ATTRIBUTES]].drop_duplicates()
     document = {
         "formula": "1 / (1 + c1 x + c2 x^2)",
         "paper": {"c1": PAPER_C1, "c2": PAPER_C2},
         "ratio": ratio,
         "settings": asdict(settings),
-        "sources": [dict(zip(origin_names, origin, strict=True)) for origin in origins],
+        "sources": origins.sort_values(list(origins)).to_dict("records"),
         "rows": [
             {name: _finite_or_none(value) for name, value in refit_record(row).items()}
             for row in rows
@@ -114,28 +114,19 @@ def refit_json(
     return json.dumps(document, indent=2, allow_nan=False)
 
 
-def write_dataset_csv(path: Path, data: xr.Dataset, columns: Iterable[str] | None = None) -> None:
+def write_dataset_csv(path: Path, data: xr.Dataset, columns: Sequence[str] = ()) -> None:
     """Write columns of a per-case dataset, all by default, numbers with all their digits."""
-    names = [str(name) for name in (columns or [*data.data_vars, *data.coords])]
-    _write_csv(path, names, _records(data, names))
+    _write_csv(path, data.to_dataframe().reset_index()[list(columns or [*data, *data.coords])])
 
 
 def write_refit_csv(path: Path, rows: Sequence[RefitRow]) -> None:
     """Write one line per group and variable."""
-    records = [refit_record(row) for row in rows]
-    _write_csv(path, list(records[0]), (record.values() for record in records))
+    _write_csv(path, pd.DataFrame([refit_record(row) for row in rows]))
 
 
-def _records(data: xr.Dataset, names: Iterable[str]) -> Iterable[tuple[Any, ...]]:
-    return zip(*(data[name].values.tolist() for name in names), strict=True)
-
-
-def _write_csv(path: Path, names: Sequence[str], records: Iterable[Iterable[Any]]) -> None:
+def _write_csv(path: Path, table: pd.DataFrame) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
-    with path.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file)
-        writer.writerow(names)
-        writer.writerows(records)
+    table.to_csv(path, index=False, na_rep="nan", lineterminator="\r\n")
 
 
 def _aligned(lines: Sequence[Sequence[str]]) -> str:

@@ -5,10 +5,12 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
+import pandas as pd
+
 from studies.error_time import errors, figures, model
 from studies.error_time.runs import FULL, QUICK
 from studies.error_time.table import read_table, write_cases
-from studies.sweeps import run_command, write_rows
+from studies.sweeps import run_command
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -29,7 +31,7 @@ def _run(options: argparse.Namespace) -> None:
         print("\n".join(str(path) for path in write_all(table, options.folder)))
 
 
-def write_all(table: Sequence[errors.Row], folder: Path) -> list[Path]:
+def write_all(table: pd.DataFrame, folder: Path) -> list[Path]:
     """Write runs, errors, orders, estimates, models and figures of a table; return the paths."""
     found = errors.error_rows(table)
     tables = {
@@ -37,13 +39,14 @@ def write_all(table: Sequence[errors.Row], folder: Path) -> list[Path]:
         "errors": found,
         "orders": errors.order_rows(table),
         "estimates": errors.estimate_rows(table),
-        "models": [fit.row() for fit in model.fit_models(table)],
+        "models": model.fit_models(table),
     }
     paths = []
     for name, rows in tables.items():
-        if rows:
+        if len(rows):
             paths.append(folder / f"{name}.csv")
-            write_rows(paths[-1], rows, digits=0 if name == "runs" else 6)
+            digits = None if name == "runs" else "%.6g"
+            rows.to_csv(paths[-1], index=False, float_format=digits, lineterminator="\n")
     drawn = {"tolerance": figures.tolerance_figure(found)}
     for cost in figures.COSTS:
         for name, panels in figures.all_panels().items():

@@ -1,163 +1,139 @@
 """Errors of the table: against a finer solution, and of the iteration alone."""
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import fields
 
+import pandas as pd
+
 from studies.error_time.runs import Contact, Run
-from studies.error_time.table import KEYS, Row
+from studies.error_time.table import KEYS
 
 FILMS = ("central_film", "minimum_film")
 RATIO = "amplitude_ratio_fit"
-_CONTACT = Contact._fields
+_CONTACT = list(Contact._fields)
 _DEFAULT = {
     field.name: field.default for field in fields(Run) if field.name not in (*_CONTACT, "cells")
 }
 
 
-def contact_of(row: Row) -> Contact:
-    """Return the contact of a row."""
-    return Contact(*(row[name] for name in _CONTACT))
+def with_defaults(table: pd.DataFrame, *others: str) -> pd.DataFrame:
+    """Return the rows of the default method, tolerances and time step, but for `others`."""
+    chosen = pd.Series(True, table.index)
+    for name, value in _DEFAULT.items():
+        if name not in others:
+            chosen &= table[name] == value
+    return table[chosen]
 
 
-def has_defaults(row: Row, *others: str) -> bool:
-    """Whether a row is of the default method, tolerances and time step, but for `others`."""
-    return all(row[name] == value for name, value in _DEFAULT.items() if name not in others)
+def by_contact(table: pd.DataFrame) -> Iterator[tuple[Contact, pd.DataFrame]]:
+    """Yield each contact and its rows."""
+    for key, rows in table.groupby(_CONTACT, sort=False):
+        yield Contact(*key), rows
 
 
-def quantities(contact: Contact) -> tuple[str, ...]:
-    """Return what is measured: films of a smooth contact, the amplitude ratio of a wavy one."""
-    return (RATIO,) if contact.wavelength else FILMS
+def grid_series(rows: pd.DataFrame, quantity: str) -> pd.Series:
+    """Return the values by cells, by default method and tolerances, coarsest grid first."""
+    return with_defaults(rows).set_index("cells")[quantity].dropna().sort_index()
 
 
-def by_contact(table: Iterable[Row]) -> dict[Contact, list[Row]]:
-    """Return the rows of each contact."""
-    groups: dict[Contact, list[Row]] = {}
-    for row in table:
-        groups.setdefault(contact_of(row), []).append(row)
-    return groups
-
-
-def grid_series(rows: Sequence[Row], quantity: str) -> dict[int, float]:
-    """Return the values on each grid, by default method and tolerances, coarsest first."""
-    series = {int(row["cells"]): row[quantity] for row in rows if has_defaults(row)}
-    return {cells: series[cells] for cells in sorted(series) if math.isfinite(series[cells])}
-
-
-def reference(series: dict[int, float]) -> tuple[float, str]:
+def reference(series: pd.Series) -> tuple[float, str]:
     """Richardson's value from the two finest grids, order 2, and what it is made of."""
-    coarse, fine = list(series)[-2:]
+    coarse, fine = series.index[-2:]
     factor = (fine / coarse) ** 2 - 1
     value = series[fine] + (series[fine] - series[coarse]) / factor
-    return value, f"Richardson from {coarse} and {fine} cells"
+    return value, f"Richardson from {coarse:.0f} and {fine:.0f} cells"
 
 
-def referenced(
-    table: Sequence[Row],
-) -> Iterator[tuple[Contact, list[Row], str, dict[int, float], tuple[float, str]]]:
-    """Yield contact, its rows, quantity, values by cells, and reference with its basis.
+def measured(table: pd.DataFrame) -> Iterator[tuple[Contact, pd.DataFrame, str, pd.Series]]:
+    """Yield contact, its rows, quantity, and its values by cells.
 
-    Left out is what was run on one grid only.
+    Measured are films of a smooth contact, the amplitude ratio of a wavy one.
     """
-    for contact, rows in by_contact(table).items():
-        for quantity in quantities(contact):
-            series = grid_series(rows, quantity)
-            if len(series) < 2:
-                continue
-            yield contact, rows, quantity, series, reference(series)
+    for contact, rows in by_contact(table):
+        for quantity in (RATIO,) if contact.wavelength else FILMS:
+            yield contact, rows, quantity, grid_series(rows, quantity)
 
 
-def error_rows(table: Sequence[Row]) -> list[Row]:
-    """Return one row for each run and quantity.
+def error_rows(table: pd.DataFrame) -> pd.DataFrame:
+    """Return one row for each run and quantity; left out is what was run on one grid only.
 
     ``error`` is the relative deviation from the reference of the contact. ``algebraic_error`` is
     that from the run on the same grid with the tightest tolerance, empty where there is none.
     """
-    found: list[Row] = []
-    for _, rows, quantity, _, (target, basis) in referenced(table):
-        for row in rows:
-            if not math.isfinite(row[quantity]):
-                continue
-            found.append(
-                {
-                    **{name: row[name] for name in KEYS},
-                    "status": row["status"],
-                    "quantity": quantity,
-                    "value": row[quantity],
-                    "reference": target,
-                    "reference_basis": basis,
-                    "error": abs(row[quantity] / target - 1),
-                    "algebraic_error": _algebraic_error(row, rows, quantity),
-                    "seconds": row["seconds"],
-                    "work_units": row["work_units"],
-                }
-            )
-    return found
+    parts = []
+    for _, rows, quantity, series in measured(table):
+        if len(series) < 2:
+            continue
+        target, basis = reference(series)
+        some = rows[rows[quantity].notna()]
+        columns = {
+            "quantity": quantity,
+            "value": some[quantity],
+            "reference": target,
+            "reference_basis": basis,
+            "error": (some[quantity] / target - 1).abs(),
+            "algebraic_error": _algebraic_error(some, quantity),
+            "seconds": some["seconds"],
+            "work_units": some["work_units"],
+        }
+        parts.append(some[[*KEYS, "status"]].assign(**columns))
+    return pd.concat(parts)
 
 
-def _algebraic_error(row: Row, rows: Sequence[Row], quantity: str) -> float:
-    name = "step_tolerance" if row["wavelength"] else "tolerance"
-    same = [
-        other
-        for other in rows
-        if all(other[key] == row[key] for key in KEYS if key != name)
-        and math.isfinite(other[quantity])
-    ]
-    tightest = min(same, key=lambda other: other[name])
-    if tightest[name] >= row[name]:
-        return math.nan
-    return abs(row[quantity] / tightest[quantity] - 1)
+def _algebraic_error(rows: pd.DataFrame, quantity: str) -> pd.Series:
+    name = "tolerance" if quantity in FILMS else "step_tolerance"
+    same = rows.groupby([key for key in KEYS if key != name])[name]
+    tightest = rows.loc[same.transform("idxmin")].set_index(rows.index)
+    error = (rows[quantity] / tightest[quantity] - 1).abs()
+    return error.where(tightest[name] < rows[name])
 
 
-def order_rows(table: Sequence[Row]) -> list[Row]:
+def order_rows(table: pd.DataFrame) -> pd.DataFrame:
     """Return the observed orders: in mesh size with dT = hX, and in dT = hX, 2 hX, 4 hX."""
-    found: list[Row] = []
-    for contact, rows in by_contact(table).items():
-        for quantity in quantities(contact):
-            series = grid_series(rows, quantity)
-            for cells in series:
-                names = (cells, cells // 2, cells // 4)
-                if all(name in series for name in names):
-                    values = [series[name] for name in names]
-                    found.append(_order(contact, quantity, "mesh size", cells, values))
-        steps: dict[int, dict[float, float]] = {}
-        for row in rows:
-            if contact.wavelength and has_defaults(row, "time_step_over_cell"):
-                grid = steps.setdefault(int(row["cells"]), {})
-                grid[row["time_step_over_cell"]] = row[RATIO]
-        for cells, grid in steps.items():
-            if {1.0, 2.0, 4.0} <= set(grid):
-                values = [grid[step] for step in (1.0, 2.0, 4.0)]
-                found.append(_order(contact, RATIO, "time step", cells, values))
-    return found
+    found = []
+    for contact, rows, quantity, series in measured(table):
+        for cells in series.index:
+            grids = [cells, cells // 2, cells // 4]
+            if set(grids) <= set(series.index):
+                found.append(_order(contact, quantity, "mesh size", cells, series[grids]))
+        if not contact.wavelength:
+            continue
+        for cells, grid in with_defaults(rows, "time_step_over_cell").groupby("cells", sort=False):
+            by_step = grid.set_index("time_step_over_cell")[RATIO]
+            steps = [1.0, 2.0, 4.0]
+            if set(steps) <= set(by_step.index):
+                found.append(_order(contact, RATIO, "time step", cells, by_step[steps]))
+    return pd.DataFrame(found)
 
 
-def estimate_rows(table: Sequence[Row]) -> list[Row]:
+def estimate_rows(table: pd.DataFrame) -> pd.DataFrame:
     """Return the estimates that a run makes of its own error beside the error."""
-    found: list[Row] = []
-    for contact, rows, quantity, series, (target, basis) in referenced(table):
-        for row in rows:
-            cells = int(row["cells"])
-            if not has_defaults(row) or cells not in series:
-                continue
+    found = []
+    for contact, rows, quantity, series in measured(table):
+        if len(series) < 2:
+            continue
+        target, basis = reference(series)
+        some = with_defaults(rows)
+        for row in some[some["cells"].isin(series.index)].to_dict("records"):
+            cells = row["cells"]
             if contact.wavelength:
                 estimate = richardson([series.get(cells // n, math.nan) for n in (1, 2, 4)])
             else:
                 estimate = row[f"{quantity}_error"]
             error = abs(series[cells] / target - 1)
-            found.append(
-                {
-                    **contact._asdict(),
-                    "cells": cells,
-                    "status": row["status"],
-                    "quantity": quantity,
-                    "error": error,
-                    "reference_basis": basis,
-                    "estimate": estimate,
-                    "estimate_over_error": estimate / error,
-                }
-            )
-    return found
+            line = {
+                **contact._asdict(),
+                "cells": cells,
+                "status": row["status"],
+                "quantity": quantity,
+                "error": error,
+                "reference_basis": basis,
+                "estimate": estimate,
+                "estimate_over_error": estimate / error,
+            }
+            found.append(line)
+    return pd.DataFrame(found)
 
 
 def richardson(values: Sequence[float]) -> float:
@@ -175,8 +151,10 @@ def richardson(values: Sequence[float]) -> float:
     return abs(fine) / (2**order - 1) / abs(values[0])
 
 
-def _order(contact: Contact, quantity: str, what: str, cells: int, values: Sequence[float]) -> Row:
-    change, before = abs(values[1] - values[0]), abs(values[2] - values[1])
+def _order(
+    contact: Contact, quantity: str, what: str, cells: int, values: pd.Series
+) -> dict[str, object]:
+    change, before = values.diff().abs().iloc[1:]
     order = math.log2(before / change) if change > 0 and before > 0 else math.nan
     return {
         **contact._asdict(),

@@ -1,16 +1,16 @@
 """Figures: error against seconds, against work units, and against the tolerance."""
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
 
+import pandas as pd
 from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
-from studies.error_time.errors import FILMS, RATIO, contact_of, has_defaults
+from studies.error_time.errors import FILMS, RATIO, by_contact, with_defaults
 from studies.error_time.runs import SMOOTH, TIGHT, WAVY, Contact
-from studies.error_time.table import Row
 
 COSTS = {"seconds": "run time, s", "work_units": "run time, work units"}
 QUANTITIES = {
@@ -23,40 +23,30 @@ _STYLE = {"font.size": 8.5, "axes.titlesize": 8.5, "legend.fontsize": 8}
 
 class _Line(NamedTuple):
     label: str
-    belongs: Callable[[Row], bool]
+    method: str
+    deformation: str
+    step: float
     marker: str
     colour: str
 
 
-def _of(method: str, deformation: str, step: float) -> Callable[[Row], bool]:
-    def belongs(row: Row) -> bool:
-        return (
-            has_defaults(row, "method", "deformation", "time_step_over_cell")
-            and row["method"] == method
-            and row["deformation"] == deformation
-            and row["time_step_over_cell"] == step
-        )
-
-    return belongs
-
-
 # Colours that stay apart for colour-blind readers (Okabe and Ito).
 _LINES = (
-    _Line("newton, FFT", _of("newton", "fft", 1.0), "o", "#0072B2"),
-    _Line("newton, FFT, dT = 2 hX", _of("newton", "fft", 2.0), "s", "#56B4E9"),
-    _Line("newton, FFT, dT = 4 hX", _of("newton", "fft", 4.0), "^", "#E69F00"),
-    _Line("newton, MLMI", _of("newton", "mlmi", 1.0), "x", "#D55E00"),
-    _Line("FAS, FFT", _of("fas", "fft", 1.0), "D", "#009E73"),
-    _Line("PETSc, FFT", _of("petsc", "fft", 1.0), "+", "#CC79A7"),
+    _Line("newton, FFT", "newton", "fft", 1.0, "o", "#0072B2"),
+    _Line("newton, FFT, dT = 2 hX", "newton", "fft", 2.0, "s", "#56B4E9"),
+    _Line("newton, FFT, dT = 4 hX", "newton", "fft", 4.0, "^", "#E69F00"),
+    _Line("newton, MLMI", "newton", "mlmi", 1.0, "x", "#D55E00"),
+    _Line("FAS, FFT", "fas", "fft", 1.0, "D", "#009E73"),
+    _Line("PETSc, FFT", "petsc", "fft", 1.0, "+", "#CC79A7"),
 )
 
 
-def error_figure(errors: Sequence[Row], cost: str, panels: Sequence[tuple[Contact, str]]) -> Figure:
+def error_figure(errors: pd.DataFrame, cost: str, panels: Sequence[tuple[Contact, str]]) -> Figure:
     """Draw error against cost, one panel for each contact and quantity, one line for each method.
 
     Parameters
     ----------
-    errors : sequence of rows
+    errors : pandas.DataFrame
         From :func:`studies.error_time.errors.error_rows`.
     cost : {"seconds", "work_units"}
         The abscissa.
@@ -68,9 +58,10 @@ def error_figure(errors: Sequence[Row], cost: str, panels: Sequence[tuple[Contac
         figure = Figure(figsize=(7.2, 0.7 + 2.1 * rows), layout="constrained")
         axes = figure.subplots(rows, 2, squeeze=False)
         lines = {}
+        members = dict(by_contact(errors))
         for panel, (contact, quantity) in zip(axes.flat, panels, strict=False):
-            chosen = [r for r in errors if contact_of(r) == contact and r["quantity"] == quantity]
-            lines.update(_draw_methods(panel, chosen, cost))
+            some = members.get(contact, errors[:0])
+            lines.update(_draw_methods(panel, some[some["quantity"] == quantity], cost))
             panel.set_title(contact.title)
             panel.set_ylabel(QUANTITIES[quantity])
             _label_axes(panel)
@@ -95,30 +86,28 @@ def short_panels() -> list[tuple[Contact, str]]:
     return [(SMOOTH[0], FILMS[0]), (WAVY[0], RATIO)]
 
 
-def tolerance_figure(errors: Iterable[Row]) -> Figure:
+def tolerance_figure(errors: pd.DataFrame) -> Figure:
     """Draw the algebraic error of Ad/Ai against the step tolerance beside the whole error."""
     with rc_context(_STYLE):
         figure = Figure(figsize=(7.2, 3.2), layout="constrained")
         left, right = figure.subplots(1, 2, sharey=True)
-        chosen = [r for r in errors if r["quantity"] == RATIO and has_defaults(r, "step_tolerance")]
+        chosen = with_defaults(errors[errors["quantity"] == RATIO], "step_tolerance")
+        members = dict(by_contact(chosen))
         for contact in WAVY:
-            rows = [r for r in chosen if contact_of(r) == contact]
-            cells = max((r["cells"] for r in rows if r["step_tolerance"] == TIGHT), default=0)
-            if not cells:
+            rows = members.get(contact, chosen[:0])
+            cells = rows.loc[rows["step_tolerance"] == TIGHT, "cells"].max()
+            if pd.isna(cells):
                 continue
-            rows = sorted(
-                (r for r in rows if r["cells"] == cells), key=lambda r: r["step_tolerance"]
-            )
-            x = [r["step_tolerance"] for r in rows]
+            rows = rows[rows["cells"] == cells].sort_values("step_tolerance")
             label = f"{contact.title.replace('transverse, ', '')}, {cells:.0f} cells"
-            left.plot(x, [r["algebraic_error"] for r in rows], "o-", markersize=3, label=label)
-            right.plot(x, [r["error"] for r in rows], "o-", markersize=3)
+            for panel, name in ((left, "algebraic_error"), (right, "error")):
+                panel.plot(rows["step_tolerance"], rows[name], "o-", markersize=3, label=label)
         for panel, title in ((left, "of the iteration alone"), (right, "whole")):
             panel.set(xscale="log", yscale="log", xlabel="step_tolerance")
             panel.set_title(f"error of $A_d/A_i$, {title}")
             panel.grid(visible=True, which="major", linewidth=0.3)
         if left.lines:
-            figure.legend(loc="outside lower center", ncols=2, frameon=False)
+            figure.legend(handles=left.lines, loc="outside lower center", ncols=2, frameon=False)
     return figure
 
 
@@ -131,22 +120,20 @@ def _label_axes(axes: Axes) -> None:
         axis.set_minor_formatter(NullFormatter())
 
 
-def _draw_methods(axes: Axes, rows: Sequence[Row], cost: str) -> dict[str, object]:
+def _draw_methods(axes: Axes, rows: pd.DataFrame, cost: str) -> dict[str, object]:
     axes.set(xscale="log", yscale="log")
     drawn = {}
+    shown = with_defaults(rows[rows["error"] < 1], "method", "deformation", "time_step_over_cell")
+    by_line = dict(list(shown.groupby(["method", "deformation", "time_step_over_cell"])))
     for line in _LINES:
-        chosen = sorted(
-            (r for r in rows if line.belongs(r) and r["error"] < 1), key=lambda r: r["cells"]
-        )
-        if not chosen:
+        key = (line.method, line.deformation, line.step)
+        if key not in by_line:
             continue
-        x, y = [r[cost] for r in chosen], [r["error"] for r in chosen]
+        chosen = by_line[key].sort_values("cells")
         style = {"marker": line.marker, "color": line.colour, "markersize": 4, "linewidth": 0.9}
-        drawn[line.label] = axes.plot(x, y, fillstyle="none", **style)[0]
+        (drawn[line.label],) = axes.plot(chosen[cost], chosen["error"], fillstyle="none", **style)
         if line is _LINES[0]:
-            for row in chosen:
-                place = (row[cost], row["error"])
-                axes.annotate(
-                    f"{row['cells']:.0f}", place, (3, 3), textcoords="offset points", fontsize=6.5
-                )
+            for cells, *place in chosen[["cells", cost, "error"]].to_numpy():
+                style = {"textcoords": "offset points", "fontsize": 6.5}
+                axes.annotate(f"{cells:.0f}", place, (3, 3), **style)
     return drawn

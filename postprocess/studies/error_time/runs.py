@@ -47,11 +47,6 @@ class Run:
     step_tolerance: float = 1e-4
     time_step_over_cell: float = 1.0
 
-    @property
-    def contact(self) -> Contact:
-        """The contact."""
-        return Contact(self.m, self.d, self.wavelength, self.orientation, self.lubricant_l)
-
 
 @dataclass(frozen=True)
 class Extent:

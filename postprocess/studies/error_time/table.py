@@ -1,10 +1,9 @@
 """The table of runs: a sweep of them, and what its results say."""
 
-import csv
 import sys
-import tempfile
 from pathlib import Path
-from typing import Any
+
+import pandas as pd
 
 from ehlwave_post.errors import ResultsError
 from studies import programs, sweeps
@@ -51,8 +50,6 @@ OUTCOMES = (
 )
 """Taken from the results of a run."""
 
-Row = dict[str, Any]
-
 
 def available_methods() -> tuple[str, ...]:
     """Return the methods that the build takes; say on standard error which are left out."""
@@ -90,7 +87,7 @@ def write_cases(folder: Path, extent: Extent) -> Path:
     return sweeps.write_sweep(folder, NAME, rows, {"solver": {"error_estimate": "model"}})
 
 
-def read_table(folder: Path, extent: Extent) -> list[Row]:
+def read_table(folder: Path, extent: Extent) -> pd.DataFrame:
     """Return the runs that are finished, with their outcome.
 
     Raises
@@ -98,21 +95,16 @@ def read_table(folder: Path, extent: Extent) -> list[Row]:
     ResultsError
         If the sweep has not been run, or none of its cases is finished.
     """
-    with (folder / f"{NAME}.csv").open(newline="", encoding="utf-8") as file:
-        methods = {row["method"] for row in csv.DictReader(file)}
-    runs = all_runs(extent, tuple(methods))
-    found = sweeps.read_sweep(folder, NAME, len(runs))
-    table = [
-        {**{name: getattr(run, name) for name in KEYS}, **{name: row[name] for name in OUTCOMES}}
-        for run, row in zip(runs, found, strict=True)
-        if row["status"] != "pending"
-    ]
-    if not table:
+    methods = pd.read_csv(folder / f"{NAME}.csv")["method"].unique()
+    runs = pd.DataFrame(all_runs(extent, tuple(methods)))
+    outcomes = pd.DataFrame(sweeps.read_sweep(folder, NAME, len(runs)))[list(OUTCOMES)]
+    table = pd.concat([runs[list(KEYS)], outcomes], axis=1)
+    finished = table[table["status"] != "pending"]
+    if finished.empty:
         raise ResultsError(f"{folder}: no run is finished yet; start again to go on")
-    if len(table) < len(runs):
-        left = len(runs) - len(table)
+    if left := len(table) - len(finished):
         print(f"error-vs-time: {left} runs are left; start again to go on", file=sys.stderr)
-    return table
+    return finished
 
 
 def _plan(run: Run) -> programs.Outcome:
@@ -120,7 +112,4 @@ def _plan(run: Run) -> programs.Outcome:
         "conditions": {KEYS[name]: getattr(run, name) for name in ("m", "d", "lubricant_l")},
         "solver": {"method": run.method},
     }
-    with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder, "case.nml")
-        path.write_text(programs.namelist(groups), encoding="utf-8")
-        return programs.run("case", path, "--plan")
+    return programs.run_case(groups, "--plan")

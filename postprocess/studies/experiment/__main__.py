@@ -14,7 +14,7 @@ from studies.experiment import FOLDER, TRACE_FILE, section
 from studies.experiment.cases import COSINE, SMOOTH, TRACE, read_input
 from studies.experiment.stage import write_runs
 from studies.programs import ROOT
-from studies.section import write_picture, write_table
+from studies.section import write_parts
 from studies.sweeps import run_command
 
 INPUTS = ROOT / "inputs" / "full"
@@ -34,10 +34,7 @@ def _run(options: argparse.Namespace) -> None:
     folder = options.study / FOLDER
     if options.step == "report":
         found = section(options.study)
-        for table in found.tables:
-            write_table(table, folder)
-        for picture in found.pictures:
-            write_picture(picture, folder)
+        write_parts(found, folder, folder)
         print("\n\n".join(found.text))
         return
     folder.mkdir(parents=True, exist_ok=True)

@@ -1,6 +1,5 @@
 """What is run for the experiment: speeds, kinds of surface, grids, and variants of the model."""
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -52,7 +51,13 @@ class Run:
 
 def all_runs(surface: str | None = None) -> list[Run]:
     """Return every run, or those of one kind of surface."""
-    runs = _runs(GRIDS)
+    runs = []
+    for speed in SPEEDS:
+        for grid in GRIDS:
+            runs += [Run(kind, speed, *grid) for kind in (SMOOTH, TRACE, COSINE)]
+        runs += [Run(kind, speed, *min(GRIDS), PAPER_ML) for kind in (SMOOTH, TRACE)]
+        for variant in (Z_DEFAULT, INCOMPRESSIBLE):
+            runs.append(Run(SMOOTH, speed, *min(GRIDS), variant))
     return [run for run in runs if surface in (None, run.surface)]
 
 
@@ -132,15 +137,3 @@ def _keys_of_printed_ml(groups: Groups, speed: float) -> dict[str, float]:
         "load_n": w * modulus * radius**2,
         "viscosity_pa_s": two_u * modulus * radius / (2 * speed),
     }
-
-
-def _runs(grids: tuple[tuple[int, int], ...]) -> Iterator[Run]:
-    coarse = min(grids)
-    for speed in SPEEDS:
-        for grid in grids:
-            for surface in (SMOOTH, TRACE, COSINE):
-                yield Run(surface, speed, *grid)
-        for surface in (SMOOTH, TRACE):
-            yield Run(surface, speed, *coarse, PAPER_ML)
-        for variant in (Z_DEFAULT, INCOMPRESSIBLE):
-            yield Run(SMOOTH, speed, *coarse, variant)

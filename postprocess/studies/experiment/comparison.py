@@ -16,7 +16,7 @@ from studies.experiment.cases import (
     Z_DEFAULT,
     Run,
 )
-from studies.experiment.conditions import formula_ratio, formula_v
+from studies.experiment.conditions import formula_ratio
 from studies.experiment.measure import (
     Value,
     extrapolated,
@@ -53,7 +53,6 @@ class Films:
     """Mean of the smooth contact over the central region."""
     trace: dict[str, Value]
     cosine: dict[str, Value]
-    v: float
     formula_ratio: float
 
 
@@ -70,7 +69,6 @@ def read_films(folder: Path, speed: float) -> Films:
         extrapolated(folder, SMOOTH, speed, line_mean_um),
         trace,
         cosine,
-        formula_v(smooth),
         formula_ratio(smooth),
     )
 
@@ -94,55 +92,45 @@ def film_rows(films: Films, wave_amplitude_um: float) -> Iterator[tuple[Cell, ..
         yield row(f"mean film in time, {whose}", theirs, trace["time_mean"], remark)
     remark = "paper: computed; cosine, three waves on the centre line"
     yield row("mean film, cosine", printed.computed_mean, cosine["line_mean"], remark)
-    raised = None
-    if printed.smooth_film is not None:
-        raised = printed.computed_mean - printed.smooth_film
-    value = Value(
-        trace["line_mean"].value - films.smooth_mean.value,
-        abs(trace["line_mean"].error) + abs(films.smooth_mean.error),
-        trace["line_mean"].coarse - films.smooth_mean.coarse,
-        trace["line_mean"].fine - films.smooth_mean.fine,
-    )
-    yield row("rise of the mean film by the waves", raised, value, "same region of both")
-    roughly = AMPLITUDE_UM
+    raised = printed.smooth_film and printed.computed_mean - printed.smooth_film
+    rise = trace["line_mean"].less(films.smooth_mean)
+    yield row("rise of the mean film by the waves", raised, rise, "same region of both")
     for theirs, whose in (
         (printed.computed_amplitude, "computed"),
         (printed.measured_amplitude, "measured"),
     ):
-        remark = f"paper: {whose}"
-        if theirs is None:
-            remark += ", 'roughly equals the undeformed'"
-        given = roughly if theirs is None else theirs
-        name = f"amplitude of the film, {whose}"
+        remark = f"paper: {whose}" + ("" if theirs else ", 'roughly equals the undeformed'")
+        given, name = theirs or AMPLITUDE_UM, f"amplitude of the film, {whose}"
         yield row(name, given, trace["line_amplitude"], remark + "; trace, centre line")
         yield row(name + ", in time", given, trace["time_amplitude"], remark + "; trace")
         yield row(name + ", half range", given, trace["half_range"], remark + "; trace, in time")
-    given = printed.computed_amplitude or roughly
-    yield row("amplitude of the film, cosine", given, cosine["time_amplitude"], "in time")
-    given = None
-    if printed.computed_amplitude is not None:
-        given = printed.computed_amplitude / AMPLITUDE_UM
+    given = printed.computed_amplitude
+    name = "amplitude of the film, cosine"
+    yield row(name, given or AMPLITUDE_UM, cosine["time_amplitude"], "in time")
+    remark = "paper: 0.13/0.14 um" if given else f"formula (18): {films.formula_ratio:.2f}"
     for name, found, undeformed in (
         ("trace", trace["time_amplitude"], wave_amplitude_um),
         ("cosine", cosine["time_amplitude"], AMPLITUDE_UM),
     ):
-        remark = "paper: 0.13/0.14 um" if given else f"formula (18): {films.formula_ratio:.2f}"
-        yield comparison_row(
-            f"Ad/Ai, {name}{at}", "-", given, found.value / undeformed,
-            found.error / undeformed, remark,
-        )  # fmt: skip
+        ratio, error = found.value / undeformed, found.error / undeformed
+        theirs = given and given / AMPLITUDE_UM
+        yield comparison_row(f"Ad/Ai, {name}{at}", "-", theirs, ratio, error, remark)
 
 
-def definition_rows(folder: Path) -> Iterator[tuple[Cell, ...]]:
+def definition_rows(folder: Path) -> Iterator[dict[str, float]]:
     """Yield the mean film by its possible definitions, um, on the finest grid."""
     for speed in SPEEDS:
         wavy = read_solved(folder, Run(TRACE, speed, *max(GRIDS)))
-        means = [line_mean_um(wavy, waves) for waves in (1, 2, 3, 4, 5)]
-        in_time = time_mean_um(wavy), middle_um(wavy)
-        yield (speed, *means, *in_time, paper.PRINTED[speed].computed_mean)
+        yield {
+            "speed [m/s]": speed,
+            **{f"{waves} waves": line_mean_um(wavy, waves) for waves in range(1, 6)},
+            "in time": time_mean_um(wavy),
+            "middle": middle_um(wavy),
+            "paper": paper.PRINTED[speed].computed_mean,
+        }
 
 
-def variant_rows(folder: Path) -> Iterator[tuple[Cell, ...]]:
+def variant_rows(folder: Path) -> Iterator[dict[str, Cell]]:
     """Yield smooth and mean films of variants of the model, um, on the coarser grid.
 
     For the printed M and L load and viscosity are what gives them, with the paper's R, E' and
@@ -151,27 +139,38 @@ def variant_rows(folder: Path) -> Iterator[tuple[Cell, ...]]:
     names = {"": "Table 1", PAPER_ML: "printed M and L", Z_DEFAULT: "z = 0.68"}
     names[INCOMPRESSIBLE] = "incompressible lubricant"
     for speed in SPEEDS:
-        base = smooth_film_um(read_solved(folder, Run(SMOOTH, speed, *min(GRIDS))))
         for variant, name in names.items():
-            smooth = smooth_film_um(read_solved(folder, Run(SMOOTH, speed, *min(GRIDS), variant)))
-            mean = None
-            if variant in ("", PAPER_ML):
-                mean = line_mean_um(read_solved(folder, Run(TRACE, speed, *min(GRIDS), variant)))
-            yield (speed, name, smooth, 100 * (smooth / base - 1), mean)
+            smooth = coarse_film_um(folder, SMOOTH, speed, variant)
+            has_waves = variant in ("", PAPER_ML)
+            yield {
+                "speed [m/s]": speed,
+                "model": name,
+                "smooth film [um]": smooth,
+                "change [%]": 100 * (smooth / coarse_film_um(folder, SMOOTH, speed) - 1),
+                "mean film [um]": (
+                    coarse_film_um(folder, TRACE, speed, variant) if has_waves else None
+                ),
+            }
 
 
-def run_rows(folder: Path, runs: list[Run]) -> Iterator[tuple[Cell, ...]]:
+def coarse_film_um(folder: Path, surface: str, speed: float, variant: str = "") -> float:
+    """Return the central film of smooth surfaces, the mean film of others, coarser grid, um."""
+    solved = read_solved(folder, Run(surface, speed, *min(GRIDS), variant))
+    return smooth_film_um(solved) if surface == SMOOTH else line_mean_um(solved)
+
+
+def run_rows(folder: Path, runs: list[Run]) -> Iterator[dict[str, Cell]]:
     """Yield what every run took."""
     for run in runs:
         result = read_solved(folder, run).result
-        yield (
-            run.name,
-            run.cells_x,
-            run.cells_y,
-            result["status"],
-            result["time_steps"],
-            result["residual"],
-            result["points_per_wave_x"] or None,
-            result["inlet_resolution"],
-            result["seconds"],
-        )
+        yield {
+            "run": run.name,
+            "cells along X": run.cells_x,
+            "cells along Y": run.cells_y,
+            "status": result["status"],
+            "time steps": result["time_steps"],
+            "mass residual": result["residual"],
+            "points per wave": result["points_per_wave_x"] or None,
+            "hX over the inlet length": result["inlet_resolution"],
+            "seconds": result["seconds"],
+        }

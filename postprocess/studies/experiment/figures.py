@@ -8,6 +8,7 @@ from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from ehlwave_post.figures import COLOURS
 from studies.experiment.measure import CENTRAL_WAVES, Solved
 from studies.experiment.paper import PRINTED
 from studies.experiment.trace import AMPLITUDE_UM, WAVELENGTH_UM, Floats, Sinusoid
@@ -22,8 +23,8 @@ STYLE: dict[Any, Any] = {
     "xtick.top": True,
     "ytick.right": True,
 }
-# Colours that stay apart for colour-blind readers (Okabe and Ito).
-MEASURED, PAPER, GREY = "#D55E00", "#0072B2", "0.55"
+PAPER, MEASURED = COLOURS[:2]
+GREY = "0.55"
 X_LIMITS_MM = (-0.3, 0.3)
 
 
@@ -71,31 +72,15 @@ def _draw_line(axes: Axes, wavy: Solved, smooth: Solved) -> None:
     speed = wavy.run.speed
     printed = PRINTED[speed]
     half_mm = 0.5 * CENTRAL_WAVES * WAVELENGTH_UM / 1e3
-    amplitude = printed.measured_amplitude
-    if amplitude is None:
-        amplitude, remark = AMPLITUDE_UM, "about 0.14"
-    else:
-        remark = f"{amplitude:.2f}"
-    mean = printed.measured_mean
-    axes.fill_between(
-        (-half_mm, half_mm),
-        mean - amplitude,
-        mean + amplitude,
-        color=MEASURED,
-        alpha=0.15,
-        linewidth=0,
-        label=f"measured by the paper: {mean:.2f} um (line), amplitude {remark} um (band)",
-    )
-    axes.hlines(mean, -half_mm, half_mm, color=MEASURED, linewidth=1.2)
-    axes.hlines(
-        printed.computed_mean,
-        -half_mm,
-        half_mm,
-        color=PAPER,
-        linewidth=1.2,
-        linestyle="--",
-        label=f"mean computed by the paper: {printed.computed_mean:.2f} um",
-    )
+    amplitude = printed.measured_amplitude or AMPLITUDE_UM
+    about = f"{amplitude:.2f}" if printed.measured_amplitude else "about 0.14"
+    mean, computed = printed.measured_mean, printed.computed_mean
+    label = f"measured by the paper: {mean:.2f} um (line), amplitude {about} um (band)"
+    ends, band = (-half_mm, half_mm), {"color": MEASURED, "alpha": 0.15, "linewidth": 0}
+    axes.fill_between(ends, mean - amplitude, mean + amplitude, label=label, **band)
+    axes.hlines(mean, *ends, color=MEASURED, linewidth=1.2)
+    label = f"mean computed by the paper: {computed:.2f} um"
+    axes.hlines(computed, *ends, color=PAPER, linewidth=1.2, linestyle="--", label=label)
     label = "smooth surfaces, this code"
     axes.plot(smooth.line_x_um / 1e3, smooth.line_um, color=GREY, linewidth=1, label=label)
     label = "waves, this code"

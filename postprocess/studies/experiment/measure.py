@@ -61,6 +61,15 @@ class Value:
     coarse: float
     fine: float
 
+    def less(self, other: "Value") -> "Value":
+        """Return the difference to another value; errors add up."""
+        return Value(
+            self.value - other.value,
+            self.error + other.error,
+            self.coarse - other.coarse,
+            self.fine - other.fine,
+        )
+
 
 @cache
 def read_solved(folder: Path, run: Run) -> Solved:

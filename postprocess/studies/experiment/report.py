@@ -3,6 +3,7 @@
 from pathlib import Path
 
 import numpy as np
+import pandas as pd
 
 from ehlwave_post.deform import read_surface
 from ehlwave_post.errors import ResultsError
@@ -37,7 +38,7 @@ from studies.experiment.trace import (
     harmonic,
     read_trace,
 )
-from studies.section import COMPARISON, Picture, Section, Table, comparison_row
+from studies.section import Picture, Section, Table, comparison, comparison_row
 
 FOLDER = "experiment"
 TRACE_FILE = "sputtered_profile.csv"
@@ -63,53 +64,34 @@ def section(folder: Path) -> Section:
     undeformed = _amplitudes(wave)
     films = [read_films(files, speed) for speed in SPEEDS]
     rows = [row for one in films for row in film_rows(one, undeformed[0])]
+    runs = all_runs()
     found = Section("The experiment (section 4)", text=discussion(files, films, undeformed))
     found.tables = [
-        Table(
+        comparison(
             "experiment-comparison",
             "Films and amplitudes beside the paper's. This code's values are extrapolated to mesh "
             "size 0 from two grids; the error bar is their distance from the finer one.",
-            COMPARISON,
             rows,
         ),
-        Table(
+        comparison(
             "experiment-conditions",
             "Tables 1 and 2 and formula (18), computed anew.",
-            COMPARISON,
-            list(condition_rows(files)),
+            condition_rows(files),
         ),
         _trace_table(files),
         Table(
             "experiment-definitions",
             "Mean film by its possible definitions, um, trace, finer grid: over 1 to 5 waves on "
             "the centre line; at the centre in time, its level and the middle of its range.",
-            ("speed [m/s]", *(f"{n} waves" for n in range(1, 6)), "in time", "middle", "paper"),
-            list(definition_rows(files)),
+            pd.DataFrame(definition_rows(files)),
         ),
         Table(
             "experiment-variants",
             "Variants of the model on the coarser grid: central film of the smooth contact, its "
             "change, and mean film with waves, um.",
-            ("speed [m/s]", "model", "smooth film [um]", "change [%]", "mean film [um]"),
-            list(variant_rows(files)),
+            pd.DataFrame(variant_rows(files)),
         ),
-        Table(
-            "experiment-runs",
-            "The runs.",
-            (
-                "run",
-                "cells along X",
-                "cells along Y",
-                "status",
-                "time steps",
-                "mass residual",
-                "points per wave",
-                "hX over the inlet length",
-                "seconds",
-            ),
-            list(run_rows(files, all_runs())),
-            is_long=True,
-        ),
+        Table("experiment-runs", "The runs.", pd.DataFrame(run_rows(files, runs)), is_long=True),
     ]
     found.pictures = _pictures(files, wave)
     return found
@@ -146,13 +128,14 @@ def _trace_table(files: Path) -> Table:
     ):
         rows.append(comparison_row(f"{which} amplitude of a part", "um", theirs, ours))
     caption = "Least-squares sinusoids of the synthetic trace, made to have the paper's properties."
-    return Table("experiment-trace", caption, COMPARISON, rows)
+    return comparison("experiment-trace", caption, rows)
 
 
 def _pictures(files: Path, wave: Floats) -> list[Picture]:
-    fine = max(GRIDS)
-    wavy = {speed: read_solved(files, Run(TRACE, speed, *fine)) for speed in SPEEDS}
-    smooth = {speed: read_solved(files, Run(SMOOTH, speed, *fine)) for speed in SPEEDS}
+    wavy, smooth = (
+        {speed: read_solved(files, Run(kind, speed, *max(GRIDS))) for speed in SPEEDS}
+        for kind in (TRACE, SMOOTH)
+    )
     x, height = read_trace(files / TRACE_FILE)
     fit = fits_of_trace(x, height)[0][1]
     measured = (

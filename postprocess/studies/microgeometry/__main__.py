@@ -48,7 +48,7 @@ def _run(options: argparse.Namespace) -> int:
     found = [one for surface in chosen for one in compare_speeds(options.folder, surface, tables)]
     print(write_report(found, options.folder))
     bad = [one for one in found if one.amplitude_over_film < LINEAR_LIMIT]
-    bad = [one for one in bad if not one.error(one.by_table) <= ALLOWED]
+    bad = [one for one in bad if not one.error("table") <= ALLOWED]
     for one in bad:
         name = f"{one.surface} at {one.speed:g} m/s"
         print(f"{name}: error with the harmonic table above {ALLOWED:.0%} of Rq")

@@ -27,31 +27,36 @@ from studies.microgeometry.surfaces import Floats, amplitude_of
 
 @dataclass
 class Comparison:
-    """One surface at one condition: positions in units of a, heights and film in m."""
+    """One surface at one condition: positions in units of a, heights in m by what they are of.
+
+    These are ``undeformed``, ``simulated`` and predicted by ``formula``, by ``amplitudes`` (a table
+    without its phases) and by ``table``.
+    """
 
     surface: str
     speed: float
     amplitude_over_film: float
     position: Floats
-    undeformed: Floats
-    simulated: Floats
-    by_formula: Floats
-    by_amplitudes: Floats
-    by_table: Floats
+    heights: dict[str, Floats]
     simulation_seconds: float
     prediction_seconds: float
 
-    def error(self, predicted: Floats) -> float:
-        """Return the root mean square error over the undeformed Rq."""
-        left = predicted - self.simulated
-        return float(np.sqrt(np.mean(left**2)) / np.std(self.undeformed))
+    def rq(self, name: str) -> float:
+        """Return the root mean square roughness of one of the lines, m."""
+        return float(np.std(self.heights[name]))
+
+    def error(self, name: str) -> float:
+        """Return the root mean square error of a prediction over the undeformed Rq."""
+        left = self.heights[name] - self.heights["simulated"]
+        return float(np.sqrt(np.mean(left**2)) / self.rq("undeformed"))
 
     def mean_shift(self) -> float:
         """Return how much thicker the mean film is than the linear prediction, part of the error.
 
         Over the undeformed Rq.
         """
-        return float(np.mean(self.by_table - self.simulated) / np.std(self.undeformed))
+        left = self.heights["table"] - self.heights["simulated"]
+        return float(np.mean(left) / self.rq("undeformed"))
 
 
 def compare_speeds(
@@ -99,18 +104,22 @@ def _compare(
     inside = np.abs(at_centre / length - 0.5) <= 0.5 - TAPERED_SHARE
     at_centre, film = at_centre[inside], film[inside]
     positions = np.arange(moved.height.shape[0]) * moved.step_x_m
-    lines = [
-        np.interp(at_centre, positions, heights[:, heights.shape[1] // 2])
-        for heights in (moved.height, by_formula.height, by_amplitudes.height, by_table.height)
-    ]
+    surfaces = {
+        "undeformed": moved.height,
+        "formula": by_formula.height,
+        "amplitudes": by_amplitudes.height,
+        "table": by_table.height,
+    }
+    lines = {
+        name: np.interp(at_centre, positions, heights[:, heights.shape[1] // 2])
+        for name, heights in surfaces.items()
+    }
     return Comparison(
         moved.name,
         speed,
         amplitude_of(moved) / film_m,
         at_centre / conditions.semi_axis_a_m,
-        lines[0],
-        film_m - film,
-        *lines[1:],
+        lines | {"simulated": film_m - film},
         row["seconds"],
         seconds,
     )

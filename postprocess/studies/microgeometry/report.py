@@ -3,13 +3,19 @@
 from collections.abc import Sequence
 from pathlib import Path
 
-import numpy as np
 import pandas as pd
 from matplotlib.figure import Figure
 
 from ehlwave_post.figures import COLOURS
 from studies.microgeometry.compare import Comparison
-from studies.microgeometry.surfaces import Floats
+
+LINES = {
+    "undeformed": {"label": "undeformed", "color": "0.75", "linewidth": 1.6},
+    "simulated": {"label": "simulated", "color": "black", "linewidth": 1.6},
+    "formula": {"label": "by formula (18)", "color": COLOURS[1], "linestyle": "--", "linewidth": 1},
+    "table": {"label": "by harmonic table", "color": COLOURS[0], "linewidth": 1},
+}
+PREDICTIONS = ("formula", "amplitudes", "table")
 
 
 def comparison_table(comparisons: Sequence[Comparison]) -> pd.DataFrame:
@@ -19,13 +25,8 @@ def comparison_table(comparisons: Sequence[Comparison]) -> pd.DataFrame:
             "surface": one.surface,
             "speed_m_per_s": f"{one.speed:g}",
             "amplitude_over_film": f"{one.amplitude_over_film:.3f}",
-            "rq_undeformed_nm": _rq_nm(one.undeformed),
-            "rq_simulated_nm": _rq_nm(one.simulated),
-            "rq_formula_nm": _rq_nm(one.by_formula),
-            "rq_table_nm": _rq_nm(one.by_table),
-            "error_formula_over_rq": f"{one.error(one.by_formula):.3f}",
-            "error_amplitudes_over_rq": f"{one.error(one.by_amplitudes):.3f}",
-            "error_table_over_rq": f"{one.error(one.by_table):.3f}",
+            **{f"rq_{name}_nm": f"{1e9 * one.rq(name):.2f}" for name in LINES},
+            **{f"error_{name}_over_rq": f"{one.error(name):.3f}" for name in PREDICTIONS},
             "mean_shift_over_rq": f"{one.mean_shift():.3f}",
             "simulation_s": f"{one.simulation_seconds:.2f}",
             "prediction_s": f"{one.prediction_seconds:.4f}",
@@ -53,14 +54,9 @@ def profiles_figure(comparisons: Sequence[Comparison]) -> Figure:
     axes = figure.subplots(len(names), len(speeds), sharex=True, squeeze=False)
     for one in comparisons:
         axis = axes[names.index(one.surface), speeds.index(one.speed)]
-        for label, values, colour, style, width in (
-            ("undeformed", one.undeformed, "0.75", "-", 1.6),
-            ("simulated", one.simulated, "black", "-", 1.6),
-            ("by formula (18)", one.by_formula, COLOURS[1], "--", 1.0),
-            ("by harmonic table", one.by_table, COLOURS[0], "-", 1.0),
-        ):
-            axis.plot(one.position, 1e9 * values, style, color=colour, linewidth=width, label=label)
-        formula, table = (100 * one.error(line) for line in (one.by_formula, one.by_table))
+        for name, style in LINES.items():
+            axis.plot(one.position, 1e9 * one.heights[name], **style)
+        formula, table = (100 * one.error(name) for name in ("formula", "table"))
         errors = f"error {formula:.0f} % of Rq by formula, {table:.0f} % by table"
         axis.set_title(f"{one.surface}, {one.speed:g} m/s: {errors}", fontsize=8)
         axis.tick_params(labelsize=8)
@@ -70,7 +66,3 @@ def profiles_figure(comparisons: Sequence[Comparison]) -> Figure:
         axis.set_xlabel("$x/a$ on the surface, the leading end on the right", fontsize=8)
     axes[0, 0].legend(fontsize=7, ncols=2)
     return figure
-
-
-def _rq_nm(heights: Floats) -> str:
-    return f"{1e9 * np.std(heights):.2f}"

@@ -6,11 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ehlwave_post.deform import (
-    Conditions,
-    Surface,
-    conditions_from_keys,
-)
+from ehlwave_post.deform import Conditions, Surface, conditions_from_keys
 from ehlwave_post.deform.harmonics import write_harmonic_table
 from ehlwave_post.points import select_points
 from ehlwave_post.read import read_results

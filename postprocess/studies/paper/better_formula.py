@@ -3,6 +3,7 @@
 from pathlib import Path
 
 import numpy as np
+import pandas as pd
 
 from ehlwave_post.formula import (
     RECOMMENDED_L_EXPONENT,
@@ -14,14 +15,8 @@ from ehlwave_post.points import select_points
 from ehlwave_post.read import read_results
 from studies.paper import better_formula_figures as figures
 from studies.paper import better_formula_tables as tables
-from studies.paper.candidates import (
-    LADDER,
-    ONE_PARAMETER,
-    PAPER,
-    RECOMMENDED,
-    REFITTED,
-    ROUNDED,
-)
+from studies.paper.candidates import LADDER, ONE_PARAMETER, PAPER, RECOMMENDED, REFITTED, ROUNDED
+from studies.paper.cases import DIRECTIONS
 from studies.paper.crossvalidation import (
     Score,
     monotone_limit,
@@ -29,7 +24,7 @@ from studies.paper.crossvalidation import (
     rms,
     scored,
 )
-from studies.paper.fit_points import DIRECTIONS, Floats, Points, points_of
+from studies.paper.fit_points import Floats, Points, points_of
 from studies.section import Picture, Section, Table
 
 LARGEST_SHARE = 0.5
@@ -49,7 +44,7 @@ def section(folder: Path) -> Section:
     old = by_name[PAPER.name]
     factors = {float(l): tables.free_factors(points, l) for l in np.unique(points.lubricant)}
     rounded = (RECOMMENDED_SCALE, RECOMMENDED_L_EXPONENT, *RECOMMENDED_SHARPNESS)
-    joined, trained = points, np.ones(points.ratio.size, dtype=bool)
+    joined = points
     compared = (PAPER, REFITTED, ONE_PARAMETER, RECOMMENDED, ROUNDED)
     checks = []
     if (folder / "resolved.h5").exists():
@@ -57,10 +52,11 @@ def section(folder: Path) -> Section:
         checks.append(tables.resolved_table(joined, trained, compared))
     if (folder / "fresh.h5").exists():
         checks.append(tables.fresh_table(points, _points(folder / "fresh.h5"), compared))
-    found = Section("Is there a better formula?", _text(points, by_name, scores))
+    found = Section("Is there a better formula?", _text(points, by_name))
     found.text[2:2] = _fresh_text(checks)
     found.tables = [
         tables.ladder_table(scores, points),
+        *checks,
         tables.parameter_table(RECOMMENDED, points, rounded),
         tables.residual_table(points, best.cv),
         tables.small_v_table(joined),
@@ -68,7 +64,6 @@ def section(folder: Path) -> Section:
         tables.limits_table(joined),
         tables.worst_table(points, best.cv),
     ]
-    found.tables[1:1] = checks
     found.pictures = [
         Picture(
             "formula_collapse",
@@ -108,17 +103,15 @@ def _joined(folder: Path) -> tuple[Points, np.ndarray]:
     return points_of(selected), is_dense
 
 
-def _text(points: Points, by_name: dict[str, Score], scores: list[Score]) -> list[str]:
+def _text(points: Points, by_name: dict[str, Score]) -> list[str]:
+    scores = list(by_name.values())
     paper, refitted, one, best, rounded = (
         by_name[candidate.name]
         for candidate in (PAPER, REFITTED, ONE_PARAMETER, RECOMMENDED, ROUNDED)
     )
-    chosen = one_standard_error_choice(
-        scores, [score.hard["each L"] for score in scores], points.lubricant
-    )
-    close = one_standard_error_choice(
-        scores, [score.hard["each L"] for score in scores], points.condition
-    )
+    other_l = [score.hard["each L"] for score in scores]
+    chosen = one_standard_error_choice(scores, other_l, points.lubricant)
+    close = one_standard_error_choice(scores, other_l, points.condition)
     usual = one_standard_error_choice(scores, [score.cv for score in scores], points.condition)
     x = points.wave * np.sqrt(points.load) * points.lubricant ** (-points.along / 3)
     share = rms(best.cv) / rms(paper.cv)
@@ -132,7 +125,7 @@ def _text(points: Points, by_name: dict[str, Score], scores: list[Score]) -> lis
         f"<= {points.lubricant.max():g}, {points.radius_ratio.min():g} <= D <= "
         f"{points.radius_ratio.max():g}, {points.wave.min():.2g} <= lambda_n/a <= "
         f"{points.wave.max():.2g}.",
-        f"Over {points.ratio.size} points at {np.unique(points.condition).size} operating "
+        f"Over {points.size} points at {np.unique(points.condition).size} operating "
         f"conditions, the rms error of Ad/Ai at conditions held out of the fit is "
         f"{rms(best.cv):.3f}, {share:.2f} of that of (18), {rms(paper.cv):.3f}, and "
         f"{rms(best.cv) / rms(refitted.cv):.2f} of that of (18) refitted, {rms(refitted.cv):.3f}; "
@@ -170,7 +163,7 @@ def _fresh_text(checks: list[Table]) -> list[str]:
         f"{errors[REFITTED.name]:.3f} for (18) refitted to the dense sweep."
         for table in checks
         if table.name == "formula_fresh"
-        for errors in [{str(row[0]): float(row[2] or 0.0) for row in table.rows}]
+        for errors in [table.data.set_index("formula")["rms"]]
     ]
 
 
@@ -195,19 +188,13 @@ def _weaknesses(points: Points, new: Floats, old: Floats) -> str:
 
 
 def _factor_table(factors: dict[float, tuple[Floats, Floats]]) -> Table:
-    columns = ["r", "eq. (15)"]
-    for lubricant in factors:
-        columns += [f"L = {lubricant:g}", f"low, {lubricant:g}", f"high, {lubricant:g}"]
-        columns += [f"recommended, {lubricant:g}"]
-    rows = []
-    for number, r in enumerate(DIRECTIONS):
-        row: list[str | float] = [f"{r:g}", float(f_of_r(r))]
-        for lubricant, (value, interval) in factors.items():
-            implied = figures.implied_factor(np.array([r]), lubricant)[0]
-            row += [value[number], interval[0, number], interval[1, number], float(implied)]
-        rows.append(row)
+    columns = {"r": [f"{r:g}" for r in DIRECTIONS], "eq. (15)": f_of_r(DIRECTIONS)}
+    for l, (value, (low, high)) in factors.items():
+        implied = figures.implied_factor(np.array(DIRECTIONS), l)
+        columns |= {f"L = {l:g}": value, f"low, {l:g}": low, f"high, {l:g}": high}
+        columns[f"recommended, {l:g}"] = implied
     caption = (
         "f(r) with x = C f(r) (lambda/a) (gamma M)^(1/2), lambda the shorter wavelength, fitted "
         "freely at each r and L (95 % bootstrap intervals), and as the recommended formula has it."
     )
-    return Table("formula_directions", caption, columns, rows)
+    return Table("formula_directions", caption, pd.DataFrame(columns))

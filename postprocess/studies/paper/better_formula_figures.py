@@ -6,6 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from ehlwave_post.figures import COLOURS
 from ehlwave_post.formula import (
     RECOMMENDED_L_EXPONENT,
     RECOMMENDED_SHARPNESS,
@@ -15,9 +16,9 @@ from ehlwave_post.formula import (
     recommended_parameter,
     wave_and_direction,
 )
-from studies.paper.fit_points import DIRECTIONS, Floats, Points
+from studies.paper.cases import DIRECTIONS
+from studies.paper.fit_points import Floats, Points
 
-COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 MARKERS = {"transverse, r < 0.3": "o", "oblique": "^", "longitudinal, r > 3": "s"}
 
 

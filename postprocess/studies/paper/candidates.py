@@ -13,7 +13,8 @@ from ehlwave_post.formula import (
     power_ratio,
     recommended_ratio,
 )
-from studies.paper.fit_points import DIRECTIONS, Floats, Points
+from studies.paper.cases import DIRECTIONS
+from studies.paper.fit_points import Floats, Points
 
 Parameters = NDArray[np.float64]
 

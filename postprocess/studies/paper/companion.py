@@ -4,9 +4,8 @@ from pathlib import Path
 
 from ehlwave_post.formula import amplitude_ratio_formula
 from ehlwave_post.points import select_points
-from ehlwave_post.schema import DIMENSION
 from studies.paper.data import read_stage
-from studies.section import COMPARISON, Section, Table, comparison_row
+from studies.section import Section, comparison, comparison_row
 
 PRINTED, PRINTED_FORMULA = 0.739, 0.704
 
@@ -15,31 +14,17 @@ def section(folder: Path) -> Section:
     """Return the point M = 1007.6, L = 12.05, D = 1, lambda = 0.25 a beside the printed values."""
     points = select_points(read_stage(folder, "companion"), include_unresolved=True)
     rows = []
-    for index in range(points.sizes[DIMENSION]):
-        point = points.isel({DIMENSION: index})
-        linear = float(point["harmonic_extrapolated"])
-        orientation = str(point["orientation"].item())
-        error = linear * float(point["harmonic_error"])
+    for point in points.to_dataframe().itertuples():
+        linear, name = point.harmonic_extrapolated, f"Ad/Ai, {point.orientation}"
+        coarse, formula = point.amplitude_ratio, float(amplitude_ratio_formula(point.f_v))
+        on_grid = f"{name}, on 257 x 257 nodes", "1", PRINTED, coarse
+        limit = f"{name}, extrapolated", "1", PRINTED, linear
+        by_formula = f"Ad/Ai by (18), {point.orientation}", "1", PRINTED_FORMULA, formula
+        remark = "error bar: this grid less the extrapolated value"
         rows += [
-            comparison_row(
-                f"Ad/Ai, {orientation}, on 257 x 257 nodes",
-                "1",
-                PRINTED,
-                float(point["amplitude_ratio"]),
-                abs(float(point["harmonic_ratio"]) - linear),
-                "error bar: this grid less the extrapolated value",
-            ),
-            comparison_row(
-                f"Ad/Ai, {orientation}, extrapolated", "1", PRINTED, linear, error, "small waves"
-            ),
-            comparison_row(
-                f"Ad/Ai by (18), {orientation}",
-                "1",
-                PRINTED_FORMULA,
-                float(amplitude_ratio_formula(float(point["f_v"]))),
-                None,
-                "f(r) as in eq. (15)",
-            ),
+            comparison_row(*on_grid, abs(point.harmonic_ratio - linear), remark),
+            comparison_row(*limit, linear * point.harmonic_error, "small waves"),
+            comparison_row(*by_formula, remark="f(r) as in eq. (15)"),
         ]
     return Section(
         "A printed value",
@@ -49,5 +34,5 @@ def section(folder: Path) -> Section:
             "L = 12.05, lambda/a = 0.25: Ad/Ai = 0.739, where (18) gives 0.704. Which orientation "
             "it is for is told by f(r) = 1: transverse or isotropic.",
         ],
-        [Table("companion", "Ad/Ai at M = 1007.6, lambda/a = 0.25", COMPARISON, rows)],
+        [comparison("companion", "Ad/Ai at M = 1007.6, lambda/a = 0.25", rows)],
     )

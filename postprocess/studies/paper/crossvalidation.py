@@ -17,10 +17,8 @@ FOLDS = 12
 SEED = 20000
 
 
-def fitted(
-    candidate: Candidate, points: Points, chosen: Mask, start: Parameters | None = None
-) -> Parameters:
-    """Return the parameters that fit the chosen points best, by weighted least squares.
+def fitted(candidate: Candidate, points: Points, start: Parameters | None = None) -> Parameters:
+    """Return the parameters that fit the points best, by weighted least squares.
 
     The search begins at ``start``, or at the candidate's own.
 
@@ -30,23 +28,26 @@ def fitted(
     begin = np.array(candidate.start) if start is None else start
     if not begin.size:
         return begin
-    first = _solution(candidate, points, chosen, np.ones(points.ratio.size), begin)
-    residual = (candidate.curve(first, points) - points.ratio)[chosen]
-    scatter = np.sqrt(np.mean(residual**2))
+    first = _solution(candidate, points, np.ones(points.size), begin)
+    scatter = rms(residuals(candidate, first, points))
     # Points that follow the formula exactly leave nothing to weigh.
     if scatter < np.finfo(float).eps:
         return first
-    weight = scatter / np.hypot(scatter, points.error)
-    return _solution(candidate, points, chosen, weight, first)
+    return _solution(candidate, points, scatter / np.hypot(scatter, points.error), first)
+
+
+def residuals(candidate: Candidate, parameters: Parameters, points: Points) -> Floats:
+    """Return formula minus Ad/Ai at every point."""
+    return candidate.curve(parameters, points) - points.ratio
 
 
 def _solution(
-    candidate: Candidate, points: Points, chosen: Mask, weight: Floats, start: Parameters
+    candidate: Candidate, points: Points, weight: Floats, start: Parameters
 ) -> Parameters:
     def residual(c: Parameters) -> Floats:
-        return np.asarray((weight * (candidate.curve(c, points) - points.ratio))[chosen])
+        return weight * residuals(candidate, c, points)
 
-    return np.asarray(least_squares(residual, start, method="lm", x_scale="jac").x)
+    return least_squares(residual, start, method="lm", x_scale="jac").x
 
 
 def grouped_folds(condition: NDArray[np.intp], count: int = FOLDS, seed: int = SEED) -> list[Mask]:
@@ -84,14 +85,13 @@ def held_out(
 
     NaN where no fold has the point. Only ``trained`` points (all by default) enter the fits.
     """
-    residual = np.full(points.ratio.size, np.nan)
+    residual = np.full(points.size, np.nan)
     parameters = None
     for fold in folds:
         others = ~fold if trained is None else ~fold & trained
         # The fit of the fold before saves steps; where a search begins is not where it ends.
-        parameters = fitted(candidate, points, others, parameters)
-        curve = candidate.curve(parameters, points)
-        residual[fold] = (curve - points.ratio)[fold]
+        parameters = fitted(candidate, points[others], parameters)
+        residual[fold] = residuals(candidate, parameters, points[fold])
     return residual
 
 
@@ -116,7 +116,6 @@ class Score:
     """
 
     candidate: Candidate
-    parameters: Parameters
     residual: Floats
     cv: Floats
     hard: dict[str, Floats]
@@ -129,17 +128,10 @@ class Score:
 
 def scored(candidate: Candidate, points: Points) -> Score:
     """Return fit, cross-validation and hard splits of one candidate."""
-    everything = np.ones(points.ratio.size, dtype=bool)
-    parameters = fitted(candidate, points, everything)
+    residual = residuals(candidate, fitted(candidate, points), points)
     cv = held_out(candidate, points, grouped_folds(points.condition))
     hard = {name: held_out(candidate, points, folds) for name, folds in hard_splits(points).items()}
-    return Score(
-        candidate,
-        parameters,
-        candidate.curve(parameters, points) - points.ratio,
-        cv,
-        hard,
-    )
+    return Score(candidate, residual, cv, hard)
 
 
 def one_standard_error_choice(
@@ -169,17 +161,16 @@ def bootstrapped(
 ) -> Floats:
     """Return the parameters fitted to samples of whole conditions, shape (replicates, k)."""
     members = [np.flatnonzero(points.condition == label) for label in np.unique(points.condition)]
-    everything = np.ones(points.ratio.size, dtype=bool)
-    start = fitted(candidate, points, everything)
+    start = fitted(candidate, points)
     random = np.random.default_rng(seed)
     samples = []
     for _ in range(replicates):
         drawn = random.integers(len(members), size=len(members))
         # A condition drawn k times weighs as k copies of its residuals.
-        weight = np.zeros(points.ratio.size)
+        weight = np.zeros(points.size)
         for label in drawn:
             weight[members[label]] += 1
-        samples.append(_solution(candidate, points, everything, np.sqrt(weight), start))
+        samples.append(_solution(candidate, points, np.sqrt(weight), start))
     return np.array(samples)
 
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from html import escape
 from pathlib import Path
 
-from studies.section import Cell, Picture, Section, Table, write_picture, write_table
+from studies.section import Cell, Picture, Section, Table, write_parts
 
 _STYLE = """
 body { font: 15px/1.5 Georgia, serif; color: #1a1a1a; max-width: 62rem; margin: 2rem auto;
@@ -33,9 +33,7 @@ def write_page(output: Path, name: str, title: str, sections: Sequence[Section])
         place.mkdir(parents=True, exist_ok=True)
     written = []
     for section in sections:
-        written += [write_table(table, tables) for table in section.tables]
-        for picture in section.pictures:
-            written += write_picture(picture, figures)
+        written += write_parts(section, tables, figures)
     path = output / f"{name}.html"
     path.write_text(page(title, sections), encoding="utf-8")
     return [path, *written]
@@ -74,8 +72,9 @@ def _section(number: int, section: Section) -> str:
 
 
 def _table(table: Table) -> str:
-    head = "".join(f"<th>{escape(column)}</th>" for column in table.columns)
-    rows = "\n".join("<tr>" + "".join(_cell(cell) for cell in row) + "</tr>" for row in table.rows)
+    head = "".join(f"<th>{escape(column)}</th>" for column in table.data.columns)
+    cells = table.data.astype(object).to_numpy()
+    rows = "\n".join("<tr>" + "".join(map(_cell, row)) + "</tr>" for row in cells)
     caption = f"{escape(table.caption)} ({escape(table.name)}.csv)"
     text = (
         f'<div class="wide"><table>\n<caption>{caption}</caption>\n'
@@ -83,7 +82,7 @@ def _table(table: Table) -> str:
     )
     if not table.is_long:
         return text
-    return f"<details><summary>{caption}: {len(table.rows)} rows</summary>\n{text}\n</details>"
+    return f"<details><summary>{caption}: {len(table.data)} rows</summary>\n{text}\n</details>"
 
 
 def _cell(cell: Cell) -> str:

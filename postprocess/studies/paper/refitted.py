@@ -1,18 +1,20 @@
 """The coefficients of the paper's formula, refitted: by orientation, grid, L and rheology."""
 
-from dataclasses import dataclass
+from dataclasses import asdict
 from pathlib import Path
 
 import numpy as np
+import pandas as pd
 from matplotlib.figure import Figure
 
 from ehlwave_post.formula import PAPER_C1, PAPER_C2
 from ehlwave_post.points import resolved_only, select_points
-from ehlwave_post.refit import RefitRow, RefitSettings, refit_groups
+from ehlwave_post.refit import RefitSettings, refit_groups
 from ehlwave_post.schema import DIMENSION, ORIENTATIONS
 from studies.paper.data import read_stage
-from studies.section import COMPARISON, Picture, Section, Table, comparison_row
+from studies.section import Picture, Section, Table, comparison, comparison_row
 
+PAPER = {"c1": PAPER_C1, "c2": PAPER_C2}
 RHEOLOGIES = {
     "rheology-default": "Roelands z = 0.68, Dowson-Higginson, alpha = 22 /GPa",
     "rheology-barus": "Barus",
@@ -23,13 +25,22 @@ RHEOLOGIES = {
 MAIN = "resolved, L = 12.05"
 
 
-@dataclass(frozen=True)
-class Refit:
-    """The refit of one set of points: what varies, its name, and the rows of its groups."""
-
-    varied: str
-    name: str
-    rows: list[RefitRow]
+HEADINGS = {
+    "varied": "varied",
+    "name": "points",
+    "group": "orientation",
+    "points": "number",
+    "conditions": "conditions",
+    "c1": "c1",
+    "c1_low": "from",
+    "c1_high": "to",
+    "c2": "c2",
+    "c2_low": "from",
+    "c2_high": "to",
+    "rms_paper": "rms of (18)",
+    "rms_refit": "rms refitted",
+}
+"""Of the table of all refits, by what they are called in :func:`study_refits`."""
 
 
 def section(folder: Path, settings: RefitSettings | None = None) -> Section:
@@ -50,129 +61,86 @@ def section(folder: Path, settings: RefitSettings | None = None) -> Section:
     )
 
 
-def study_refits(folder: Path, settings: RefitSettings) -> list[Refit]:
-    """Fit every set of points of the study on f(r) V."""
+def study_refits(folder: Path, settings: RefitSettings) -> pd.DataFrame:
+    """Fit every set of points of the study on f(r) V.
+
+    One row for each set and group of points in it: ``varied`` is what varies from set to set,
+    ``name`` that of the set, the others are of :class:`ehlwave_post.refit.RefitRow`, with the ends
+    of the bootstrap intervals.
+    """
     resolved = select_points(read_stage(folder, "resolved"))
     coarse = select_points(read_stage(folder, "paper_grid"), include_unresolved=True)
     dense = select_points(read_stage(folder, "dense"))
-    dense = dense.isel(
-        {DIMENSION: np.flatnonzero(np.isin(dense["orientation"].values, ORIENTATIONS))}
-    )
+    dense = dense.isel({DIMENSION: np.isin(dense["orientation"], ORIENTATIONS)})
     sets = [
         ("grid", MAIN, resolved),
         ("grid", "paper's grid, points it resolves", resolved_only(coarse)),
         ("grid", "paper's grid, all points", coarse),
+        *(("L", f"L = {value:g}", part) for value, part in dense.groupby("lubricant_parameter_l")),
     ]
-    lubricants = dense["lubricant_parameter_l"].values
-    for value in sorted(set(lubricants.tolist())):
-        members = dense.isel({DIMENSION: np.flatnonzero(lubricants == value)})
-        sets.append(("L", f"L = {value:g}", members))
     for stage, name in RHEOLOGIES.items():
         sets.append(("rheology", name, select_points(read_stage(folder, stage))))
-    return [
-        Refit(
-            varied,
-            name,
-            [row for row in refit_groups(points, settings) if row.variable == "f_v"],
-        )
+    refits = pd.DataFrame(
+        {"varied": varied, "name": name, **asdict(row)}
         for varied, name, points in sets
-    ]
-
-
-def refit_table(refits: list[Refit]) -> Table:
-    """Return a row per set of points and orientation; intervals are 95 %."""
-    rows: list[tuple[str | float | int | None, ...]] = [
-        ("", "the paper", "all", None, None, PAPER_C1, None, None, PAPER_C2, None, None, None, None)
-    ]
-    for refit in refits:
-        for row in refit.rows:
-            rows.append(
-                (
-                    refit.varied,
-                    refit.name,
-                    row.group,
-                    row.points,
-                    row.conditions,
-                    row.c1,
-                    *row.c1_bootstrap,
-                    row.c2,
-                    *row.c2_bootstrap,
-                    row.rms_paper,
-                    row.rms_refit,
-                )
-            )
-    return Table(
-        "refits",
-        "c1 and c2 on f V, bootstrap by operating condition (M, L, D)",
-        (
-            "varied",
-            "points",
-            "orientation",
-            "number",
-            "conditions",
-            "c1",
-            "from",
-            "to",
-            "c2",
-            "from",
-            "to",
-            "rms of (18)",
-            "rms refitted",
-        ),
-        rows,
+        for row in refit_groups(points, settings)
+        if row.variable == "f_v"
     )
+    for name in PAPER:
+        refits[[f"{name}_low", f"{name}_high"]] = refits[f"{name}_bootstrap"].tolist()
+    return refits
 
 
-def coefficient_table(refits: list[Refit]) -> Table:
+def refit_table(refits: pd.DataFrame) -> Table:
+    """Return a row per set of points and orientation; intervals are 95 %."""
+    paper = {"varied": "", "name": "the paper", "group": "all", **PAPER}
+    rows = pd.DataFrame([paper, *refits.to_dict("records")], dtype=object)
+    caption = "c1 and c2 on f V, bootstrap by operating condition (M, L, D)"
+    return Table("refits", caption, rows[list(HEADINGS)].rename(columns=HEADINGS))
+
+
+def coefficient_table(refits: pd.DataFrame) -> Table:
     """Return c1 and c2 of the resolved points beside the paper's, by orientation."""
-    main = next(refit for refit in refits if refit.name == MAIN)
     rows = []
-    for name, paper in (("c1", PAPER_C1), ("c2", PAPER_C2)):
-        for row in main.rows:
-            low, high = getattr(row, f"{name}_bootstrap")
+    for name, paper in PAPER.items():
+        for _, row in refits[refits["name"] == MAIN].iterrows():
+            error = (row[f"{name}_high"] - row[f"{name}_low"]) / 2
             rows.append(
-                comparison_row(
-                    f"{name} of (18), {row.group}", "1", paper, getattr(row, name), (high - low) / 2
-                )
+                comparison_row(f"{name} of (18), {row.group}", "1", paper, row[name], error)
             )
     caption = (
         "Coefficients of (18) at the resolved points, L = 12.05; error bar: half of the 95 % "
         "bootstrap interval. The paper has one pair for all orientations"
     )
-    return Table("coefficients", caption, COMPARISON, rows)
+    return comparison("coefficients", caption, rows)
 
 
-def coefficient_figure(refits: list[Refit]) -> Figure:
+def coefficient_figure(refits: pd.DataFrame) -> Figure:
     """Draw c1 and c2 with their intervals, one line per set of points."""
-    entries = [
-        (refit.name if row.group == "all" else row.group, row)
-        for refit in refits
-        for row in refit.rows
-        if row.group == "all" or refit.name == MAIN
-    ]
-    figure = Figure(figsize=(9.0, 0.28 * len(entries) + 1.2), layout="constrained")
+    is_all = refits["group"] == "all"
+    shown = refits[is_all | (refits["name"] == MAIN)]
+    figure = Figure(figsize=(9.0, 0.28 * len(shown) + 1.2), layout="constrained")
     panels = figure.subplots(1, 2, sharey=True)
-    place = np.arange(len(entries))[::-1]
-    for axes, name, paper in zip(panels, ("c1", "c2"), (PAPER_C1, PAPER_C2), strict=True):
-        for y, (_, row) in zip(place, entries, strict=True):
-            value = getattr(row, name)
-            low, high = getattr(row, f"{name}_bootstrap")
-            axes.plot([low, high], [y, y], color="#0072B2", linewidth=1.5)
-            axes.plot([value], [y], "o", color="#0072B2", markersize=4)
+    place = np.arange(len(shown))[::-1]
+    for axes, (name, paper) in zip(panels, PAPER.items(), strict=True):
+        style = {"color": "#0072B2", "linewidth": 1.5}
+        axes.hlines(place, shown[f"{name}_low"], shown[f"{name}_high"], **style)
+        axes.plot(shown[name], place, "o", color="#0072B2", markersize=4)
         axes.axvline(paper, color="black", linestyle=":", linewidth=0.9)
         axes.set_xlabel(name)
         axes.grid(axis="x", linewidth=0.3)
-    panels[0].set_yticks(place, [name for name, _ in entries], fontsize=8)
+    panels[0].set_yticks(place, shown["name"].where(is_all, shown["group"]), fontsize=8)
     return figure
 
 
-def _text(refits: list[Refit]) -> list[str]:
-    def all_of(name: str) -> RefitRow:
-        return next(refit.rows[0] for refit in refits if refit.name == name)
+def _text(refits: pd.DataFrame) -> list[str]:
+    every = refits[refits["group"] == "all"]
+    main = every.set_index("name").loc[MAIN]
 
-    main = all_of(MAIN)
-    by_l = [refit.rows[0] for refit in refits if refit.varied == "L"]
-    by_rheology = [refit.rows[0] for refit in refits if refit.varied == "rheology"]
+    def extent(varied: str, name: str) -> str:
+        values = every.loc[every["varied"] == varied, name]
+        return f"{values.min():.3g} and {values.max():.3g}"
+
     return [
         "Form (18) with free coefficients, fitted to points weighted by their error bars. Points "
         "at one operating condition share its errors, so whole conditions are drawn in the "
@@ -180,10 +148,7 @@ def _text(refits: list[Refit]) -> list[str]:
         f"Resolved points of the paper's sweep: c1 = {main.c1:.3g}, c2 = {main.c2:.3g} against "
         f"0.15 and 0.015; rms {main.rms_refit:.3g} against {main.rms_paper:.3g} for (18) as it "
         "stands. The three orientations do not share one curve within their intervals.",
-        f"L = 2.5 to 20 moves c1 between {min(row.c1 for row in by_l):.3g} and "
-        f"{max(row.c1 for row in by_l):.3g} and c2 between {min(row.c2 for row in by_l):.3g} and "
-        f"{max(row.c2 for row in by_l):.3g}; the rheologies tried, c1 between "
-        f"{min(row.c1 for row in by_rheology):.3g} and {max(row.c1 for row in by_rheology):.3g}, "
-        f"c2 between {min(row.c2 for row in by_rheology):.3g} and "
-        f"{max(row.c2 for row in by_rheology):.3g}.",
+        f"L = 2.5 to 20 moves c1 between {extent('L', 'c1')} and c2 between {extent('L', 'c2')}; "
+        f"the rheologies tried, c1 between {extent('rheology', 'c1')}, c2 between "
+        f"{extent('rheology', 'c2')}.",
     ]

@@ -3,25 +3,26 @@
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
+import pandas as pd
+
 from studies import experiment
 from studies.paper import (
     better_formula,
+    companion,
     html,
     line_contact,
     paper_points,
     provenance,
     refitted,
 )
-from studies.paper.companion import section as companion_section
-from studies.paper.refitted import RHEOLOGIES
-from studies.section import COMPARISON, Section, Table
+from studies.section import COMPARISON, Parts, Section, Table, make_sections
 
 TITLE = "Waviness in elliptical EHL contacts: the study of Venner, Kaneta and Lubrecht (2000) again"
-SWEEPS = ["paper_grid", "resolved", "companion", "dense", "fresh", *RHEOLOGIES, "line"]
+SWEEPS = ["paper_grid", "resolved", "companion", "dense", "fresh", *refitted.RHEOLOGIES, "line"]
 
-PARTS: Sequence[tuple[str, Callable[[Path], Section]]] = (
+PARTS: Parts = (
     ("Figures 1 and 2", paper_points.section),
-    ("companion", companion_section),
+    ("companion", companion.section),
     ("refit", refitted.section),
     ("better formula", better_formula.section),
     ("line contact", line_contact.section),
@@ -34,7 +35,7 @@ def write_report(
     folder: Path,
     output: Path,
     note: Callable[[str], None] = print,
-    parts: Sequence[tuple[str, Callable[[Path], Section]]] = PARTS,
+    parts: Parts = PARTS,
 ) -> list[Path]:
     """Write the report on the study in ``folder`` into ``output``; return the files.
 
@@ -54,29 +55,20 @@ def write_report(
     ResultsError
         If a stage of the study is missing or not finished.
     """
-    sections = []
-    for name, make in parts:
-        note(f"{name} ...")
-        sections.append(make(folder))
-    sections.insert(0, summary(sections))
-    return html.write_page(output, "report", TITLE, sections)
+    sections = make_sections(parts, folder, note)
+    return html.write_page(output, "report", TITLE, [summary(sections), *sections])
 
 
 def summary(sections: Sequence[Section]) -> Section:
     """Return the first section: every number of the paper in one table, and where it is from."""
-    rows = [
-        (section.title, *row)
+    found = [
+        table.data.assign(part=section.title)
         for section in sections
         for table in section.tables
-        if tuple(table.columns) == COMPARISON
-        for row in table.rows
+        if tuple(table.data.columns) == COMPARISON
     ]
-    table = Table(
-        "paper_and_this_code",
-        "Every number printed in the paper that this study computes",
-        ("part", *COMPARISON),
-        rows,
-    )
+    caption = "Every number printed in the paper that this study computes"
+    table = Table("paper_and_this_code", caption, pd.concat(found)[["part", *COMPARISON]])
     text = [
         "The paper's sweep of waviness through elliptical contacts, its formula, and its "
         "experiment, computed anew. Each part below says what was asked, what came out, and how "

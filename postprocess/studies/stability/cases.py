@@ -1,6 +1,6 @@
 """The cases of the stability map, as the groups and keys of ``ehlwave-case`` input files."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import product
 
@@ -22,6 +22,7 @@ _POINTS_PER_WAVE = 8
 _LENGTH = 4.0  # of the default domain along X
 _MOTION = {"load_balance": "equation_of_motion", "natural_frequency": 5.0}
 _Condition = tuple[float, float, int, int]
+_Keys = Mapping[str, float | int | str]
 
 
 @dataclass(frozen=True)
@@ -30,7 +31,7 @@ class Case:
 
     family: str
     variant: str
-    groups: dict[str, dict[str, float | int | str]] = field(hash=False)
+    groups: Mapping[str, _Keys] = field(hash=False)
 
     def value(self, key: str, default: float | str = "") -> float | int | str:
         """Return the value of an input key in whatever group it is, else `default`."""
@@ -158,26 +159,29 @@ def _orientations(conditions: Sequence[_Condition], ratios: Sequence[float]) -> 
 
 
 def _time_steps(conditions: Sequence[_Condition], steps: Sequence[float]) -> Iterator[Case]:
-    for condition, step, amplitude in product(conditions, steps, (0.2, 0.9)):
-        variant = f"{step:g} hX, {_percent(amplitude)}"
-        solver = {"time_step_over_cell": step}
-        yield _wavy("time step", variant, condition, 1.0, amplitude, solver=solver)
+    keys = {f"{step:g} hX,": {"time_step_over_cell": step} for step in steps}
+    return _varied("time step", conditions, "solver", keys)
 
 
 def _slip(conditions: Sequence[_Condition], slips: Sequence[float]) -> Iterator[Case]:
-    for condition, slip, amplitude in product(conditions, slips, (0.2, 0.9)):
-        variant = f"S {slip:g}, {_percent(amplitude)}"
-        keys = {"slip_parameter": slip}
-        yield _wavy("slip", variant, condition, 1.0, amplitude, conditions=keys)
+    keys = {f"S {slip:g},": {"slip_parameter": slip} for slip in slips}
+    return _varied("slip", conditions, "conditions", keys)
 
 
 def _lubricant(conditions: Sequence[_Condition]) -> Iterator[Case]:
     barus = {"viscosity_law": "barus"}
     incompressible = {"density_law": "incompressible"}
     laws = {"B.": barus, "inc.": incompressible, "B. inc.": {**barus, **incompressible}}
-    for condition, (name, lubricant), amplitude in product(conditions, laws.items(), (0.2, 0.9)):
+    return _varied("lubricant", conditions, "lubricant", laws)
+
+
+def _varied(
+    family: str, conditions: Sequence[_Condition], group: str, variants: Mapping[str, _Keys]
+) -> Iterator[Case]:
+    """Yield waves of two heights with the keys of each variant."""
+    for condition, (name, keys), amplitude in product(conditions, variants.items(), (0.2, 0.9)):
         variant = f"{name} {_percent(amplitude)}"
-        yield _wavy("lubricant", variant, condition, 1.0, amplitude, lubricant=lubricant)
+        yield _wavy(family, variant, condition, 1.0, amplitude, **{group: keys})
 
 
 def _dynamic(conditions: Sequence[_Condition]) -> Iterator[Case]:
@@ -221,7 +225,7 @@ def _wavy(
     condition: _Condition,
     wavelength: float,
     amplitude: float,
-    **groups: dict[str, float | str],
+    **groups: _Keys,
 ) -> Case:
     """Return a circular contact with transverse waves."""
     m, l, x, y = condition

@@ -4,6 +4,7 @@ import math
 from dataclasses import dataclass, field
 from typing import Any
 
+from ehlwave_post.deform.conditions import moes_film
 from studies.programs import Outcome
 from studies.stability.cases import Case
 
@@ -76,52 +77,28 @@ def _faults(result: dict[str, Any]) -> list[str]:
     if status in ("converged", "unresolved"):
         faults += _wrong_numbers(result)
     else:
-        faults += [
-            f"not converged, yet {name} given" for name in _RATIOS if _is_number(result[name])
-        ]
+        claims = dict.fromkeys(_RATIOS, "not converged")
         if "smooth surfaces" in result["message"]:
-            faults += [
-                f"no steady state, yet {name} given" for name in _FILMS if _is_number(result[name])
-            ]
+            claims |= dict.fromkeys(_FILMS, "no steady state")
+        given = (name for name in claims if math.isfinite(result[name]))
+        faults += [f"{claims[name]}, yet {name} given" for name in given]
     return faults
 
 
 def _wrong_numbers(result: dict[str, Any]) -> list[str]:
     """Return what cannot be true of a converged result."""
+    allowed = dict.fromkeys(_FILMS, (0, math.inf))
+    allowed |= dict.fromkeys(("residual", "load_error"), (-math.inf, _LARGEST_RESIDUAL))
     faults = [
         f"{name} = {result[name]}"
-        for name in _FILMS
-        if not _is_number(result[name]) or result[name] <= 0
-    ]
-    faults += [
-        f"{name} = {result[name]}"
-        for name in ("residual", "load_error")
-        if not _is_number(result[name]) or result[name] > _LARGEST_RESIDUAL
+        for name, (low, high) in allowed.items()
+        if not (math.isfinite(result[name]) and low < result[name] <= high)
     ]
     if result["status"] == "converged" and not faults:
-        expected = film_formula(
+        expected = moes_film(
             result["load_parameter_m"], result["lubricant_parameter_l"], result["radius_ratio_d"]
         )
         ratio = result["central_film_moes"] / expected
         if not 1 / _WIDEST_FACTOR < ratio < _WIDEST_FACTOR:
             faults.append(f"film thickness is {ratio:.3g} of the formula's")
     return faults
-
-
-def film_formula(m: float, l: float, d: float) -> float:
-    """Return the central film thickness in the Moes scale, Nijenbanning, Venner and Moes (1994)."""
-    rigid_isoviscous = 145 * (1 + 0.796 * d ** (14 / 15)) ** (-15 / 7) / d / m**2
-    rigid_piezoviscous = 1.29 * (1 + 0.691 * d) ** (-2 / 3) * l ** (2 / 3)
-    shape = 1 + 0.006 * math.log(d) + 0.63 * d ** (4 / 7)
-    elastic_isoviscous = 3.18 * shape ** (-14 / 25) * d ** (-1 / 15) * m ** (-2 / 15)
-    elastic_piezoviscous = 1.48 * shape ** (-7 / 20) * d ** (-1 / 24) * m ** (-1 / 12) * l**0.75
-    limit = 1.8 / d
-    ratio = elastic_isoviscous / elastic_piezoviscous if l > 0 else math.inf
-    s = 1.5 * (1 + math.exp(-1.2 * ratio))
-    left = rigid_isoviscous**1.5 + (elastic_isoviscous**-4 + limit**-4) ** (-3 / 8)
-    right = (rigid_piezoviscous**-8 + elastic_piezoviscous**-8) ** (-s / 8) if l > 0 else 0.0
-    return (left ** (2 * s / 3) + right) ** (1 / s)
-
-
-def _is_number(value: object) -> bool:
-    return isinstance(value, int | float) and math.isfinite(value)

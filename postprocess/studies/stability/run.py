@@ -1,6 +1,5 @@
 """The cases as a sweep, and those that must be refused, which no sweep takes, one by one."""
 
-import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -32,6 +31,4 @@ def read_rows(folder: Path, cases: Sequence[Case]) -> list[Row]:
 
 def plan(case: Case) -> programs.Outcome:
     """Have ``ehlwave-case`` plan a case."""
-    with tempfile.TemporaryDirectory() as folder:
-        (Path(folder) / "case.nml").write_text(programs.namelist(case.groups), encoding="utf-8")
-        return programs.run("case", "case.nml", "--plan", folder=folder)
+    return programs.run_case(case.groups, "--plan")

@@ -3,10 +3,11 @@
 from pathlib import Path
 
 import numpy as np
+import pandas as pd
 from matplotlib.figure import Figure
 
 from ehlwave_post.figures import COLOURS
-from studies.section import Cell, Picture, Section, Table
+from studies.section import Picture, Section, Table
 from studies.validation.dimple import INSIDE, INSTANTS, OUTSIDE, Dimple, computed
 from studies.validation.published import centre_line
 
@@ -35,65 +36,58 @@ def section(folder: Path) -> Section:
 
 def point_table(dimple: Dimple) -> Table:
     """Return every digitised point of the published simulation beside this code."""
-    rows: list[tuple[Cell, ...]] = []
+    parts = []
     for instant in INSTANTS:
         for quantity, unit in (("film", "nm"), ("pressure", "MPa")):
             x, value, fine, coarse = dimple.deviations(instant, quantity)
-            slope = dimple.lines[instant].at(quantity, x + 0.5)
-            slope = slope - dimple.lines[instant].at(quantity, x - 0.5)
-            inside = dimple.is_inside(instant, x)
-            for index, place in enumerate(x.tolist()):
-                difference = float(fine[index] - value[index])
-                rows.append(
-                    (
-                        *(instant, f"{quantity}, {unit}", place, float(value[index])),
-                        *(float(fine[index]), 100 * difference / float(value[index])),
-                        100 * float(fine[index] - coarse[index]) / 3 / float(value[index]),
-                        float(difference / slope[index]) if abs(slope[index]) > 1 else None,
-                        "dimple" if inside[index] else "",
-                    )
-                )
+            line = dimple.lines[instant]
+            slope = line.at(quantity, x + 0.5) - line.at(quantity, x - 0.5)
+            columns = {
+                "instant": instant,
+                "quantity": f"{quantity}, {unit}",
+                "x, um": x,
+                "published": value,
+                "this code": fine,
+                "deviation, %": 100 * (fine - value) / value,
+                "grid error, %": 100 * (fine - coarse) / 3 / value,
+                "sideways, um": np.where(np.abs(slope) > 1, (fine - value) / slope, np.nan),
+                "where": np.where(dimple.is_inside(instant, x), "dimple", ""),
+            }
+            parts.append(pd.DataFrame(columns))
     return Table(
         "mourier_points",
         "Every digitised point of the published simulation. Grid error: a third of the difference "
         "of the two grids; sideways: by how many um the curve would have to move along x to meet "
         "the point, where it rises by more than 1 nm or MPa a um",
-        (
-            *("instant", "quantity", "x, um", "published", "this code", "deviation, %"),
-            *("grid error, %", "sideways, um", "where"),
-        ),
-        rows,
+        pd.concat(parts),
         is_long=True,
     )
 
 
 def summary_table(dimple: Dimple) -> Table:
     """Return worst and rms deviations of the film by region, and whether the aims are reached."""
-    rows: list[tuple[Cell, ...]] = []
+    rows = []
     for instant in INSTANTS:
         x, value, fine, coarse = dimple.deviations(instant, "film")
         inside = dimple.is_inside(instant, x)
         for name, chosen, aim in (("outside", ~inside, OUTSIDE), ("inside", inside, INSIDE)):
             if not chosen.any():
                 continue
-            off = (fine / value - 1)[chosen]
-            fined = ((fine + (fine - coarse) / 3) / value - 1)[chosen]
-            rows.append(
-                (
-                    *(instant, name, int(chosen.sum()), 100 * float(np.abs(off).max())),
-                    *(100 * float(np.sqrt(np.mean(off**2))), 100 * float(np.abs(fined).max())),
-                    *(100 * aim, "yes" if np.abs(off).max() <= aim else "no"),
-                )
-            )
-    return Table(
-        "mourier_film",
-        "Film beside the published simulation, instants of pure rolling",
-        (
-            *("instant", "dimple", "points", "worst, %", "rms, %"),
-            *("worst at mesh size 0, %", "aim, %", "reached"),
-        ),
-        rows,
-    )
+            off = np.abs(fine / value - 1)[chosen]
+            fined = np.abs((fine + (fine - coarse) / 3) / value - 1)[chosen]
+            row = {
+                "instant": instant,
+                "dimple": name,
+                "points": chosen.sum(),
+                "worst, %": 100 * off.max(),
+                "rms, %": 100 * np.sqrt(np.mean(off**2)),
+                "worst at mesh size 0, %": 100 * fined.max(),
+                "aim, %": 100 * aim,
+                "reached": "yes" if off.max() <= aim else "no",
+            }
+            rows.append(row)
+    caption = "Film beside the published simulation, instants of pure rolling"
+    return Table("mourier_film", caption, pd.DataFrame(rows))
 
 
 def line_figure(dimple: Dimple) -> Figure:

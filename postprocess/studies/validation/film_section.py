@@ -4,14 +4,18 @@ from itertools import product
 from pathlib import Path
 
 import numpy as np
+import pandas as pd
 from matplotlib.figure import Figure
 
 from ehlwave_post.figures import COLOURS
-from studies.section import Cell, Picture, Section, Table
-from studies.validation.film_map import LARGEST_ERROR, LOADS, LUBRICANTS, RATIOS, Film, films
+from studies.section import Picture, Section, Table
+from studies.validation.film_map import LARGEST_ERROR, LOADS, LUBRICANTS, RATIOS, films
 from studies.validation.formulas import CENTRAL, SMALLEST, G
 
-_KINDS = {"central": CENTRAL, "smallest": SMALLEST}
+_FORMULAS = {
+    **{("central", name): formula for name, formula in CENTRAL.items()},
+    **{("smallest", name): formula for name, formula in SMALLEST.items()},
+}
 
 
 def section(folder: Path) -> Section:
@@ -19,7 +23,7 @@ def section(folder: Path) -> Section:
     found = films(folder)
     summary, points = summary_table(found), point_table(found)
     left_out = len(LOADS) * len(LUBRICANTS) * len(RATIOS) - len(found)
-    largest = max(one.central_error for one in found)
+    largest = found["central_error"].max()
     text = [
         f"Steady states of smooth surfaces at {len(found)} conditions (M {LOADS[0]} to "
         f"{LOADS[-1]}, L {LUBRICANTS[0]:g} to {LUBRICANTS[-1]}, D {RATIOS[0]} to {RATIOS[-1]}; "
@@ -39,66 +43,62 @@ def section(folder: Path) -> Section:
     )
 
 
-def summary_table(found: list[Film]) -> Table:
-    """Return mean, rms and worst deviation of each formula for each D and over the map."""
-    rows: list[tuple[Cell, ...]] = []
-    for kind, formulas in _KINDS.items():
-        for name in formulas:
-            for d in (*RATIOS, None):
-                off = np.array([_deviation(kind, name, one) for one in found if d in (None, one.d)])
-                rows.append(
-                    (
-                        *(kind, name, "all" if d is None else d, off.size, 100 * float(off.mean())),
-                        100 * float(np.sqrt(np.mean(off**2))),
-                        100 * float(off[np.abs(off).argmax()]),
-                    )
-                )
-    return Table(
-        "films",
-        "Formula over computed film, less 1",
-        ("film", "formula", "D", "conditions", "mean, %", "rms, %", "worst, %"),
-        rows,
+def deviations(found: pd.DataFrame) -> pd.DataFrame:
+    """Return formula over computed film, less 1, in per cent: a column for each kind and name."""
+    return pd.DataFrame(
+        {
+            (kind, name): 100 * (np.vectorize(formula)(found.m, found.l, found.d) / found[kind] - 1)
+            for (kind, name), formula in _FORMULAS.items()
+        }
     )
 
 
-def point_table(found: list[Film]) -> Table:
+def summary_table(found: pd.DataFrame) -> Table:
+    """Return mean, rms and worst deviation of each formula for each D and over the map."""
+    rows = []
+    for (kind, name), deviation in deviations(found).items():
+        for d in (*RATIOS, "all"):
+            off = deviation if d == "all" else deviation[found.d == d]
+            row = {
+                "film": kind,
+                "formula": name,
+                "D": d,
+                "conditions": off.size,
+                "mean, %": off.mean(),
+                "rms, %": np.sqrt(np.mean(off**2)),
+                "worst, %": off[off.abs().idxmax()],
+            }
+            rows.append(row)
+    return Table("films", "Formula over computed film, less 1", pd.DataFrame(rows))
+
+
+def point_table(found: pd.DataFrame) -> Table:
     """Return every condition with its films, their errors and the deviations of all formulas."""
-    names = [(kind, name) for kind, some in _KINDS.items() for name in some]
-    rows = [
-        (
-            *(one.m, one.l, one.d, one.central, 100 * one.central_error),
-            *(one.smallest, 100 * one.smallest_error),
-            *(100 * _deviation(kind, name, one) for kind, name in names),
-        )
-        for one in found
-    ]
+    data = found.assign(
+        central_error=100 * found.central_error, smallest_error=100 * found.smallest_error
+    )
+    headings = ["M", "L", "D", "central", "error, %", "smallest", "error, %"]
+    off = deviations(found)
+    headings += [f"{kind}: {name}, %" for kind, name in off]
     return Table(
         "film_points",
         "Computed films, (h/Rx)(2U)^(-1/2), their errors, and formula over computed film, less 1",
-        (
-            *("M", "L", "D", "central", "error, %", "smallest", "error, %"),
-            *(f"{kind}: {name}, %" for kind, name in names),
-        ),
-        rows,
+        pd.concat([data, off], axis=1).set_axis(headings, axis=1),
         is_long=True,
     )
 
 
-def figure(found: list[Film]) -> Figure:
+def figure(found: pd.DataFrame) -> Figure:
     """Draw the deviations of every formula against M."""
-    names = [(kind, name) for kind, some in _KINDS.items() for name in some]
     drawn = Figure(figsize=(11.0, 3.0), layout="constrained")
-    panels = drawn.subplots(1, len(names), sharey=True)
-    for axes, (kind, name) in zip(panels, names, strict=True):
+    panels = drawn.subplots(1, len(_FORMULAS), sharey=True)
+    for axes, ((kind, name), off) in zip(panels, deviations(found).items(), strict=True):
         for (colour, l), (marker, d) in product(
             zip(COLOURS, LUBRICANTS, strict=False), zip("os^", RATIOS, strict=True)
         ):
-            some = [one for one in found if (one.l, one.d) == (l, d)]
-            off = [100 * _deviation(kind, name, one) for one in some]
-            label = f"L = {l:g}, D = {d:g}"
-            axes.plot(
-                [one.m for one in some], off, marker, color=colour, markersize=3.5, label=label
-            )
+            some = (found.l == l) & (found.d == d)
+            style = {"color": colour, "markersize": 3.5, "label": f"L = {l:g}, D = {d:g}"}
+            axes.plot(found.m[some], off[some], marker, **style)
         axes.axhline(0, color="black", linewidth=0.6)
         axes.set_xscale("log")
         axes.set_xticks(LOADS, [str(m) for m in LOADS], fontsize=7)
@@ -109,7 +109,3 @@ def figure(found: list[Film]) -> Figure:
     handles, labels = panels[0].get_legend_handles_labels()
     drawn.legend(handles, labels, fontsize=7, frameon=False, loc="outside right center")
     return drawn
-
-
-def _deviation(kind: str, name: str, film: Film) -> float:
-    return _KINDS[kind][name](film.m, film.l, film.d) / getattr(film, kind) - 1

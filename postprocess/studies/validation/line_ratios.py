@@ -1,54 +1,50 @@
 """Ad/Ai of the line contact to mesh size 0, with errors, from its runs."""
 
-from dataclasses import dataclass
 from pathlib import Path
 
-import numpy as np
+import pandas as pd
 import xarray as xr
 
 from studies.validation.line_runs import DOMAINS, responses
-from studies.validation.published import LineRatio, line_ratios
+from studies.validation.published import line_ratios
+
+WAVE, AMPLITUDE = "wavelength_over_a", "amplitude_over_film"
 
 
-@dataclass(frozen=True)
-class Ratio:
-    """Ad/Ai to mesh size 0 and its error, absolute."""
-
-    value: float
-    error: float
-
-
-def linear_ratios(results: xr.Dataset) -> dict[float, Ratio]:
-    """Return by lambda/a what linear responses give, extrapolated by the program."""
-    columns = ("wavelength_over_a", "harmonic_extrapolated", "harmonic_error")
-    rows = zip(*(results[name].values.tolist() for name in columns), strict=True)
-    return {wave: Ratio(value, abs(value * error)) for wave, value, error in rows}
+def linear_ratios(results: xr.Dataset) -> pd.DataFrame:
+    """Return ``linear`` and its ``linear_error`` by lambda/a, extrapolated by the program."""
+    table = results.to_dataframe().set_index(WAVE)
+    linear = table["harmonic_extrapolated"]
+    error = (linear * table["harmonic_error"]).abs()
+    return pd.DataFrame({"linear": linear, "linear_error": error})
 
 
-def domain_changes(folder: Path) -> dict[float, float]:
+def domain_changes(folder: Path) -> pd.Series:
     """Return by lambda/a the change of Ad/Ai on the wide domain, at equal mesh size."""
-    near, wide = (responses(folder, domain) for domain in DOMAINS)
-    change = wide["harmonic_ratio"].values - near["harmonic_ratio"].values
-    return dict(zip(near["wavelength_over_a"].values.tolist(), change.tolist(), strict=True))
+    near, wide = (
+        responses(folder, domain).to_dataframe().set_index(WAVE)["harmonic_ratio"]
+        for domain in DOMAINS
+    )
+    return wide - near
 
 
-def marched_ratios(
-    results: xr.Dataset, linear: dict[float, Ratio], domain: dict[float, float]
-) -> dict[LineRatio, Ratio]:
-    """Return Ad/Ai of eq. (14) by published value.
+def marched_ratios(results: xr.Dataset, linear: pd.DataFrame, domain: pd.Series) -> pd.DataFrame:
+    """Return Ad/Ai of the march, eq. (14), and of linear responses beside the published values.
 
-    What the march has more than the linear response on its own grid is added to the linear
-    response at mesh size 0: both have the same discretisation error to first order. The error is
+    ``march`` is the linear response at mesh size 0 and what the march has more than the linear
+    response on its own grid: both have the same discretisation error to first order. Its error is
     the change of that difference from the coarser grid to the finer one, the linear response's
-    own, and what the domain changes.
+    own, and what the domain changes; ``..._difference`` is to the value ``published``.
     """
-    ratios = {}
-    for one in line_ratios():
-        wave = one.wavelength_over_a
-        chosen = np.isclose(results["wavelength_over_a"].values, wave)
-        chosen &= np.isclose(results["amplitude_over_film"].values, one.amplitude_over_film)
-        both = results.isel(case=np.flatnonzero(chosen)).sortby("cells_x")
-        coarse, fine = (both["amplitude_ratio"] - both["harmonic_ratio"]).values.tolist()
-        error = abs(fine - coarse) + linear[wave].error + abs(domain[wave])
-        ratios[one] = Ratio(linear[wave].value + fine, error)
-    return ratios
+    found = pd.DataFrame(line_ratios()).rename(columns={"amplitude_ratio": "published"})
+    found = found.join(linear, WAVE)
+    marches = results.to_dataframe()
+    marches["more"] = marches["amplitude_ratio"] - marches["harmonic_ratio"]
+    more = marches.pivot(index=[WAVE, AMPLITUDE], columns="cells_x", values="more")
+    more = more.loc[found.set_index([WAVE, AMPLITUDE]).index].to_numpy()
+    found["linear_error"] += domain.abs()[found[WAVE]].to_numpy()
+    found["march"] = found["linear"] + more[:, 1]
+    found["march_error"] = abs(more[:, 1] - more[:, 0]) + found["linear_error"]
+    for name in ("march", "linear"):
+        found[f"{name}_difference"] = found[name] - found["published"]
+    return found

@@ -4,12 +4,12 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from studies.paper.html import write_page
-from studies.section import Section
+from studies.section import Parts, make_sections
 from studies.validation import dimple_section, film_section, line_section, printed
 
 TITLE = "Measured and computed by others, and computed by ehlwave"
 
-PARTS: Sequence[tuple[str, Callable[[Path], Section]]] = (
+PARTS: Parts = (
     ("dimple", dimple_section.section),
     ("line", line_section.section),
     ("films", film_section.section),
@@ -28,9 +28,5 @@ def write_validation(
         If a case fails.
     """
     runs.mkdir(parents=True, exist_ok=True)
-    sections = []
-    for name, make in PARTS:
-        if name in names:
-            note(f"{name} ...")
-            sections.append(make(runs))
-    return write_page(output, "validation", TITLE, sections)
+    chosen = [part for part in PARTS if part[0] in names]
+    return write_page(output, "validation", TITLE, make_sections(chosen, runs, note))

@@ -2,6 +2,7 @@
 
 import argparse
 import sys
+from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
@@ -161,14 +162,8 @@ def add_reading(parser: argparse.ArgumentParser) -> None:
 
 def read_options(options: argparse.Namespace) -> ReadOptions:
     """Return the reader's options of a parsed command line."""
-    return ReadOptions(
-        length_unit=options.length_unit,
-        height_unit=options.height_unit,
-        step=options.step,
-        step_across=options.step_across,
-        rolling_axis=options.rolling_axis,
-        fill_missing=options.fill_missing,
-    )
+    names = (field.name for field in fields(ReadOptions))
+    return ReadOptions(**{name: getattr(options, name) for name in names})
 
 
 def _deform(options: argparse.Namespace) -> None:

@@ -104,8 +104,6 @@ def conditions_from_keys(keys: Mapping[str, Any], place: str = "conditions") -> 
         If a key is unknown, missing or not a positive number, or both kinds are given.
     """
     values = _checked(keys, place)
-    slip = values.pop("slip_parameter", 1.0)
-    film = values.pop("central_film_m", None)
     has_moes = any(key in values for key in MOES_KEYS)
     extra = [key for key in DIMENSIONAL_KEYS if key in values and key != "radius_x_m"]
     if has_moes and extra:
@@ -113,9 +111,24 @@ def conditions_from_keys(keys: Mapping[str, Any], place: str = "conditions") -> 
             f"{place}: gives both {MOES_KEYS[0]}, ... and {extra[0]}: give the Moes parameters or "
             "dimensional data"
         )
-    if has_moes:
-        return _from_moes(values, slip, film, place)
-    return _from_dimensional(values, slip, film, place)
+    needed = (*MOES_KEYS, "semi_axis_a_m") if has_moes else DIMENSIONAL_KEYS
+    advice = (
+        f"M, L and D need all of {', '.join(MOES_KEYS)}, and semi_axis_a_m (the Hertz semi-axis "
+        "along rolling) to relate metres to the contact"
+        if has_moes
+        else f"give all of {', '.join(DIMENSIONAL_KEYS)}, or {', '.join(MOES_KEYS)} with "
+        "semi_axis_a_m"
+    )
+    missing = [key for key in needed if key not in values]
+    if missing:
+        raise SurfaceError(f"{place}: {missing[0]} is missing: {advice}")
+    if not has_moes:
+        if "semi_axis_a_m" in values:
+            raise SurfaceError(
+                f"{place}: semi_axis_a_m follows from the dimensional data: remove it"
+            )
+        values |= _moes_values(values, place)
+    return _complete(values, place)
 
 
 def ellipticity(d: float) -> float:
@@ -155,9 +168,11 @@ def moes_film(m: float, l: float, d: float) -> float:  # noqa: E741
     h_00 = 1.8 / d
     h_rp = 1.29 * (1 + 0.691 * d) ** (-2 / 3) * l ** (2 / 3)
     h_ep = 1.48 * shape ** (-7 / 20) * d ** (-1 / 24) * m ** (-1 / 12) * l**0.75
-    s = 1.5 * (1 + math.exp(-1.2 * h_ei / h_ep))
+    ratio = h_ei / h_ep if l > 0 else math.inf
+    s = 1.5 * (1 + math.exp(-1.2 * ratio))
     rigid_elastic = (h_ri**1.5 + (h_ei**-4 + h_00**-4) ** (-3 / 8)) ** (2 * s / 3)
-    return float((rigid_elastic + (h_rp**-8 + h_ep**-8) ** (-s / 8)) ** (1 / s))
+    piezoviscous = (h_rp**-8 + h_ep**-8) ** (-s / 8) if l > 0 else 0.0
+    return float((rigid_elastic + piezoviscous) ** (1 / s))
 
 
 def _integral_combinations(kappa: float) -> tuple[float, float]:
@@ -172,63 +187,37 @@ def _integral_combinations(kappa: float) -> tuple[float, float]:
     return (k - e) / m, (e - kappa**2 * k) / m
 
 
-def _from_moes(values: dict[str, float], slip: float, film: float | None, place: str) -> Conditions:
-    missing = [key for key in (*MOES_KEYS, "semi_axis_a_m") if key not in values]
-    if missing:
-        raise SurfaceError(
-            f"{place}: {missing[0]} is missing: M, L and D need all of {', '.join(MOES_KEYS)}, and "
-            "semi_axis_a_m (the Hertz semi-axis along rolling) to relate metres to the contact"
-        )
-    m, l, d = (values[key] for key in MOES_KEYS)  # noqa: E741
-    return _complete(
-        (m, l, d), values["semi_axis_a_m"], values.get("radius_x_m"), slip, film, place
-    )
-
-
-def _from_dimensional(
-    values: dict[str, float], slip: float, film: float | None, place: str
-) -> Conditions:
-    missing = [key for key in DIMENSIONAL_KEYS if key not in values]
-    if missing:
-        raise SurfaceError(
-            f"{place}: {missing[0]} is missing: give all of {', '.join(DIMENSIONAL_KEYS)}, or "
-            f"{', '.join(MOES_KEYS)} with semi_axis_a_m"
-        )
-    if "semi_axis_a_m" in values:
-        raise SurfaceError(f"{place}: semi_axis_a_m follows from the dimensional data: remove it")
+def _moes_values(values: Mapping[str, float], place: str) -> dict[str, float]:
+    """Return M, L, D and the semi-axis a, m, that dimensional data give, eq. (1) and (2)."""
     radius_x, radius_y, modulus, load, speed, viscosity = (values[key] for key in DIMENSIONAL_KEYS)
     alpha = values.get("pressure_viscosity_per_pa", DEFAULT_PRESSURE_VISCOSITY)
     speed_2u = viscosity * 2 * speed / (modulus * radius_x)
     load_w = load / (modulus * radius_x**2)
-    m = load_w * speed_2u**-0.75
-    l = alpha * modulus * speed_2u**0.25  # noqa: E741
     d = radius_x / radius_y
     _check_ratio(d, place)
     kappa = ellipticity(d)
     radius = 1 / (1 / radius_x + 1 / radius_y)
     e = float(ellipe(1 - kappa**2))
-    a = (3 * load * radius / modulus * 2 * kappa * e / math.pi) ** (1 / 3)
-    return _complete((m, l, d), a, radius_x, slip, film, place)
+    return {
+        "load_parameter_m": load_w * speed_2u**-0.75,
+        "lubricant_parameter_l": alpha * modulus * speed_2u**0.25,
+        "radius_ratio_d": d,
+        "semi_axis_a_m": (3 * load * radius / modulus * 2 * kappa * e / math.pi) ** (1 / 3),
+    }
 
 
-def _complete(
-    moes: tuple[float, float, float],
-    semi_axis_a_m: float,
-    radius_x_m: float | None,
-    slip: float,
-    film_m: float | None,
-    place: str,
-) -> Conditions:
+def _complete(values: Mapping[str, float], place: str) -> Conditions:
     """Add what follows from M, L, D and the lengths, eq. (1) to (6)."""
-    m, l, d = moes  # noqa: E741
+    m, l, d = (values[key] for key in MOES_KEYS)  # noqa: E741
+    semi_axis_a_m, film_m = values["semi_axis_a_m"], values.get("central_film_m")
     _check_ratio(d, place)
     kappa = ellipticity(d)
     k, e = float(ellipk(1 - kappa**2)), float(ellipe(1 - kappa**2))
     b = _integral_combinations(kappa)[1]
     approach = None
     source = "given (central_film_m)"
-    if radius_x_m is not None:
-        approach = semi_axis_a_m**2 * (1 + d) / (2 * radius_x_m) * k / e
+    if "radius_x_m" in values:
+        approach = semi_axis_a_m**2 * (1 + d) / (2 * values["radius_x_m"]) * k / e
         if film_m is None:
             per_unit_h = k / 2 * b ** (-1 / 3) * (6 * m * kappa / math.pi) ** (2 / 3)
             film_m = approach * moes_film(m, l, d) / per_unit_h
@@ -241,7 +230,7 @@ def _complete(
         d=d,
         kappa=kappa,
         gamma=math.pi**2 * kappa / (16 * b**2),
-        slip_parameter=slip,
+        slip_parameter=values.get("slip_parameter", 1.0),
         semi_axis_a_m=semi_axis_a_m,
         hertz_approach_c_m=approach,
         central_film_m=film_m,

@@ -48,31 +48,19 @@ def spectrum_figure(result: Deformed) -> Figure:
     """
     spectra, conditions = result.spectra, result.conditions
     panels = [
-        (
-            "x",
-            "along rolling",
-            spectra.waves_x,
-            spectra.before_x,
-            spectra.after_x,
-            conditions.semi_axis_a_m,
-        ),
-        (
-            "y",
-            "across rolling",
-            spectra.waves_y,
-            spectra.before_y,
-            spectra.after_y,
-            conditions.semi_axis_b_m,
-        ),
+        (letter, text, spectra[letter], semi_axis)
+        for letter, text, semi_axis in (
+            ("x", "along rolling", conditions.semi_axis_a_m),
+            ("y", "across rolling", conditions.semi_axis_b_m),
+        )
+        if spectra[letter].waves.size > 1
     ]
-    panels = [panel for panel in panels if panel[2].size > 1]
     with rc_context(_STYLE):
         figure = Figure(figsize=(3.4 * len(panels) + 0.4, 3.2), layout="constrained")
         all_axes = figure.subplots(1, len(panels), squeeze=False, sharey=True)[0]
-        for axes, (letter, text, waves, before, after, semi_axis) in zip(
-            all_axes, panels, strict=True
-        ):
-            wavelength, squares = _bands(waves[1:], before[1:], after[1:])
+        for axes, (letter, text, spectrum, semi_axis) in zip(all_axes, panels, strict=True):
+            parts = (spectrum.waves[1:], spectrum.before[1:], spectrum.after[1:])
+            wavelength, squares = _bands(*parts)
             axes.loglog(wavelength * UM, squares[0] * UM**2, ".-", color=BEFORE, label="before")
             axes.loglog(wavelength * UM, squares[1] * UM**2, ".-", color=AFTER, label="after")
             limit = 2 * semi_axis * UM

@@ -9,17 +9,6 @@ from numpy.typing import NDArray
 
 from ehlwave_post.deform.conditions import ellipticity
 
-COLUMNS = (
-    "M",
-    "L",
-    "D",
-    "slip_parameter",
-    "lambda_x_over_a",
-    "lambda_y_over_b",
-    "transfer_real",
-    "transfer_imag",
-)
-
 
 def harmonic_table(points: xr.Dataset) -> pd.DataFrame:
     """Return a harmonic table of the points of a sweep.
@@ -34,23 +23,23 @@ def harmonic_table(points: xr.Dataset) -> pd.DataFrame:
     Returns
     -------
     pandas.DataFrame
-        Columns ``COLUMNS``, sorted; a wavelength of 0 stands for no variation.
+        Columns as :func:`ehlwave_post.deform.table_read.read_table` takes them, sorted; a
+        wavelength of 0 stands for no variation.
     """
     d = points["radius_ratio_d"].values
     kappa = np.array([ellipticity(float(value)) for value in d])
     transfer = _transfer(points)
-    columns = (
-        points["load_parameter_m"].values,
-        points["lubricant_parameter_l"].values,
-        d,
-        points["slip_parameter"].values,
-        points["wavelength_x_over_a"].values,
-        points["wavelength_y_over_a"].values * kappa,
-        transfer.real,
-        transfer.imag,
-    )
-    table = pd.DataFrame(dict(zip(COLUMNS, columns, strict=True)))
-    return table.sort_values(list(COLUMNS[:-2]), ignore_index=True)
+    columns = {
+        "M": points["load_parameter_m"].values,
+        "L": points["lubricant_parameter_l"].values,
+        "D": d,
+        "slip_parameter": points["slip_parameter"].values,
+        "lambda_x_over_a": points["wavelength_x_over_a"].values,
+        "lambda_y_over_b": points["wavelength_y_over_a"].values * kappa,
+        "transfer_real": transfer.real,
+        "transfer_imag": transfer.imag,
+    }
+    return pd.DataFrame(columns).sort_values(list(columns)[:-2], ignore_index=True)
 
 
 def _transfer(points: xr.Dataset) -> NDArray[np.complex128]:

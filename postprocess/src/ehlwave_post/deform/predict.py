@@ -9,7 +9,7 @@ from scipy import fft
 
 from ehlwave_post.deform.conditions import Conditions
 from ehlwave_post.deform.prepare import Form, Window, extended, judged_part, remove_form
-from ehlwave_post.deform.spectrum import Coverage, Spectra, Unjudged, empty_spectra
+from ehlwave_post.deform.spectrum import Coverage, Spectrum, Unjudged, empty_spectrum
 from ehlwave_post.deform.statistics import FilmStatistics, film_statistics, warnings_of
 from ehlwave_post.deform.surface import Heights, Surface, checked_surface
 from ehlwave_post.deform.transfer import FormulaTransfer, Transfer
@@ -34,8 +34,8 @@ class Deformed:
         point (x, y) of the surface passes it is ``conditions.central_film_m`` less this.
     conditions, transfer_name, form, window
         What it was made with.
-    spectra : Spectra
-        Mean square of the components before and after, along x and along y.
+    spectra : dict of Spectrum
+        Mean square of the components before and after, along ``"x"`` and along ``"y"``.
     statistics : FilmStatistics
         Roughness and film thickness.
     unjudged : list of Unjudged
@@ -50,7 +50,7 @@ class Deformed:
     transfer_name: str
     form: Form
     window: Window
-    spectra: Spectra
+    spectra: dict[str, Spectrum]
     statistics: FilmStatistics
     unjudged: list[Unjudged] = field(default_factory=list)
     warnings: list[str] = field(default_factory=list)
@@ -119,7 +119,7 @@ def deform_surface(
 
 def _filtered(
     height: Heights, surface: Surface, conditions: Conditions, transfer: Transfer
-) -> tuple[Heights, Spectra, Coverage]:
+) -> tuple[Heights, dict[str, Spectrum], Coverage]:
     """Return the sum of the components times their transfer, and the spectra on the way."""
     nx, ny = height.shape
     # The half spectrum is along y but for traces along x.
@@ -128,7 +128,8 @@ def _filtered(
     del height
     qx = _frequencies(nx, surface.step_x_m, half == 0)
     qy = _frequencies(ny, surface.step_y_m, half == 1)
-    spectra, cover = empty_spectra(qx, qy), Coverage(conditions, transfer)
+    spectra = {"x": empty_spectrum(qx), "y": empty_spectrum(qy)}
+    cover = Coverage(conditions, transfer)
     rows = max(1, 2**18 // spectrum.shape[1])
     for first in range(0, spectrum.shape[0], rows):
         block = slice(first, min(first + rows, spectrum.shape[0]))
@@ -139,7 +140,8 @@ def _filtered(
         power = part.real.astype(np.float64) ** 2 + part.imag.astype(np.float64) ** 2
         before = power * (_multiplicity(block, nx, ny, half) / (nx * ny) ** 2)
         after = before * np.abs(ratio) ** 2
-        spectra.add(block, before, after)
+        spectra["x"].add(block, before.sum(axis=1), after.sum(axis=1))
+        spectra["y"].add(slice(None), before.sum(axis=0), after.sum(axis=0))
         cover.add(along, across, before, after)
         part *= _real_at_nyquist(ratio, block, nx).astype(part.dtype)
     sizes = (nx, ny) if half == 1 else (ny, nx)

@@ -105,7 +105,7 @@ def read_surface(path: str | Path, options: ReadOptions | None = None) -> Surfac
     height *= height_metres
     if chosen.fill_missing:
         try:
-            height, _ = filled(height)
+            height = filled(height)
         except SurfaceError as error:
             raise SurfaceError(f"{file}: {error}") from None
     along, across = _steps(file, raw, chosen)

@@ -1,13 +1,14 @@
 """Predictions as text, JSON, CSV and HDF5."""
 
-import csv
 import json
 import math
+from collections.abc import Sequence
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pandas as pd
 import xarray as xr
 
 from ehlwave_post.deform.predict import Deformed
@@ -15,6 +16,7 @@ from ehlwave_post.deform.spectrum import Component
 
 FORMAT_NAME = "ehlwave-deformed"
 UM = 1e6
+CSV_FORMAT: Any = {"index": False, "float_format": "%.9g", "lineterminator": "\r\n"}
 
 
 def report_text(result: Deformed) -> str:
@@ -72,19 +74,18 @@ def report_json(result: Deformed) -> str:
 def to_dataset(result: Deformed) -> xr.Dataset:
     """Return heights before and after over x and y, m, with the report as attributes."""
     nx, ny = result.height.shape
-    text = {"units": "m"}
-    film = result.conditions.central_film_m
+    surface, film = result.surface, result.conditions.central_film_m
+
+    def in_metres(dims: Sequence[str], values: Any, name: str) -> xr.Variable:  # noqa: ANN401
+        return xr.Variable(dims, values, {"units": "m", "long_name": name})
+
     variables = {
-        "height": (
-            ("x", "y"),
-            result.surface.height,
-            text | {"long_name": "before, peaks positive"},
-        ),
-        "deformed": (("x", "y"), result.height, text | {"long_name": "inside the contact"}),
+        "height": in_metres(("x", "y"), surface.height, "before, peaks positive"),
+        "deformed": in_metres(("x", "y"), result.height, "inside the contact"),
     }
     coordinates = {
-        "x": ("x", np.arange(nx) * result.surface.step_x_m, text | {"long_name": "along rolling"}),
-        "y": ("y", np.arange(ny) * result.surface.step_y_m, text | {"long_name": "across"}),
+        "x": in_metres(("x",), np.arange(nx) * surface.step_x_m, "along rolling"),
+        "y": in_metres(("y",), np.arange(ny) * surface.step_y_m, "across"),
     }
     attributes: dict[str, Any] = {"format": FORMAT_NAME, "report": report_json(result)}
     if film is not None:
@@ -113,35 +114,32 @@ def _write_trace(result: Deformed, path: Path) -> None:
     step = max(result.surface.step_x_m, result.surface.step_y_m)
     before, after = result.surface.height.ravel(), result.height.ravel()
     film = result.conditions.central_film_m
-    with path.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file)
-        axis = result.surface.trace_axis
-        writer.writerow([f"{axis}_um", "height_um", "deformed_um", *(["film_um"] if film else [])])
-        for index, (height, deformed) in enumerate(zip(before, after, strict=True)):
-            cells = [index * step * UM, height * UM, deformed * UM]
-            if film:
-                cells.append((film - deformed) * UM)
-            writer.writerow([f"{cell:.9g}" for cell in cells])
+    table = pd.DataFrame(
+        {
+            f"{result.surface.trace_axis}_um": np.arange(before.size) * step * UM,
+            "height_um": before * UM,
+            "deformed_um": after * UM,
+        }
+    )
+    if film is not None:
+        table["film_um"] = (film - after) * UM
+    table.to_csv(path, **CSV_FORMAT)
 
 
 def _write_spectrum(result: Deformed, path: Path) -> None:
-    spectra = result.spectra
-    directions = (
-        ("x", spectra.waves_x, spectra.before_x, spectra.after_x),
-        ("y", spectra.waves_y, spectra.before_y, spectra.after_y),
-    )
-    with path.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file)
-        writer.writerow(
-            ["direction", "wavelength_um", "mean_square_before_um2", "mean_square_after_um2"]
-        )
-        for name, waves, before, after in directions:
-            if waves.size == 1:
-                continue
-            for wave, first, second in zip(waves, before, after, strict=True):
-                length = UM / wave if wave > 0 else math.inf
-                cells = (length, first * UM**2, second * UM**2)
-                writer.writerow([name, *(f"{cell:.9g}" for cell in cells)])
+    parts = []
+    for name, spectrum in result.spectra.items():
+        if spectrum.waves.size == 1:
+            continue
+        with np.errstate(divide="ignore"):
+            columns = {
+                "direction": name,
+                "wavelength_um": UM / spectrum.waves,
+                "mean_square_before_um2": spectrum.before * UM**2,
+                "mean_square_after_um2": spectrum.after * UM**2,
+            }
+        parts.append(pd.DataFrame(columns))
+    pd.concat(parts).to_csv(path, **CSV_FORMAT)
 
 
 def _size_text(result: Deformed) -> str:

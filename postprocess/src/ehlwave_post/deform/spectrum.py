@@ -18,47 +18,29 @@ NEGLIGIBLE_SHARE = 1e-9
 """Of the mean square: below it a class of components is rounding, not surface."""
 
 
-@dataclass
-class Spectra:
-    """Mean square of the components, m^2: by waves per metre along x, and along y.
+@dataclass(frozen=True)
+class Spectrum:
+    """Mean square of the components, m^2, before and after, by their waves per metre along x or y.
 
-    The sum over either is the mean square of the surface that was transformed: Parseval. The first
-    entry of each holds the components that do not vary in that direction, the mean included.
+    The sum is the mean square of the surface that was transformed: Parseval. The first entry holds
+    the components that do not vary in that direction, the mean included.
     """
 
-    waves_x: Floats
-    waves_y: Floats
-    before_x: Floats
-    after_x: Floats
-    before_y: Floats
-    after_y: Floats
-    _bin_x: NDArray[np.intp] = field(repr=False)
-    _bin_y: NDArray[np.intp] = field(repr=False)
+    waves: Floats
+    before: Floats
+    after: Floats
+    _bin: NDArray[np.intp] = field(repr=False)
 
-    def add(self, rows: slice, before: Floats, after: Floats) -> None:
-        """Add mean squares of a block of rows (waves along x) of a spectrum."""
-        for values, x, y in (
-            (before, self.before_x, self.before_y),
-            (after, self.after_x, self.after_y),
-        ):
-            np.add.at(x, self._bin_x[rows], values.sum(axis=1))
-            np.add.at(y, self._bin_y, values.sum(axis=0))
+    def add(self, part: slice, before: Floats, after: Floats) -> None:
+        """Add mean squares of a part of the waves that it was made for."""
+        np.add.at(self.before, self._bin[part], before)
+        np.add.at(self.after, self._bin[part], after)
 
 
-def empty_spectra(qx: Floats, qy: Floats) -> Spectra:
-    """Return spectra to add to, for waves per metre of either sign."""
-    waves_x, bin_x = np.unique(np.abs(qx), return_inverse=True)
-    waves_y, bin_y = np.unique(np.abs(qy), return_inverse=True)
-    return Spectra(
-        waves_x,
-        waves_y,
-        before_x=np.zeros_like(waves_x),
-        after_x=np.zeros_like(waves_x),
-        before_y=np.zeros_like(waves_y),
-        after_y=np.zeros_like(waves_y),
-        _bin_x=bin_x,
-        _bin_y=bin_y,
-    )
+def empty_spectrum(q: Floats) -> Spectrum:
+    """Return a spectrum to add to, for waves per metre of either sign."""
+    waves, index = np.unique(np.abs(q), return_inverse=True)
+    return Spectrum(waves, np.zeros_like(waves), np.zeros_like(waves), index)
 
 
 @dataclass(frozen=True)
@@ -118,11 +100,8 @@ class Tally:
         count = min(NAMED_COMPONENTS, squares.size)
         best = np.argpartition(squares, -count)[-count:]
         rows, columns = row[best], column[best]
-        named = zip(squares[best], qx[rows, 0], qy[0, columns], after[rows, columns], strict=True)
-        candidates = [
-            *self._largest,
-            *((float(a), float(b), float(c), float(d)) for a, b, c, d in named),
-        ]
+        named = (squares[best], qx[rows, 0], qy[0, columns], after[rows, columns])
+        candidates = [*self._largest, *zip(*(values.tolist() for values in named), strict=True)]
         self._largest = heapq.nlargest(NAMED_COMPONENTS, candidates)
 
     def largest(self) -> tuple[Component, ...]:

@@ -37,27 +37,30 @@ class FilmStatistics:
     rz_before_m: float
     rz_after_m: float
     mean_film_m: float | None
-    minimum_film_m: float | None
-    lambda_ratio_before: float | None
-    lambda_ratio_after: float | None
-    amplitude_over_film: float | None
+    minimum_film_m: float | None = None
+    lambda_ratio_before: float | None = None
+    lambda_ratio_after: float | None = None
+    amplitude_over_film: float | None = None
 
 
 def film_statistics(before: Heights, after: Heights, film_m: float | None) -> FilmStatistics:
     """Return the statistics of a surface before and after, for a smooth central film in m."""
     rq_before, rq_after = _rms(before), _rms(after)
-    known = film_m is not None
-    film = film_m if film_m is not None else math.nan
+    of_film = {}
+    if film_m is not None:
+        of_film = {
+            "minimum_film_m": film_m - float(after.max()),
+            "lambda_ratio_before": _quotient(film_m, rq_before),
+            "lambda_ratio_after": _quotient(film_m, rq_after),
+            "amplitude_over_film": math.sqrt(2) * rq_before / film_m,
+        }
     return FilmStatistics(
         rq_before_m=rq_before,
         rq_after_m=rq_after,
         rz_before_m=float(before.max() - before.min()),
         rz_after_m=float(after.max() - after.min()),
         mean_film_m=film_m,
-        minimum_film_m=film - float(after.max()) if known else None,
-        lambda_ratio_before=_quotient(film, rq_before) if known else None,
-        lambda_ratio_after=_quotient(film, rq_after) if known else None,
-        amplitude_over_film=math.sqrt(2) * rq_before / film if known else None,
+        **of_film,
     )
 
 

@@ -140,8 +140,8 @@ def rms_slope(surface: Surface) -> float:
     return max(slopes)
 
 
-def filled(height: Heights) -> tuple[Heights, int]:
-    """Return heights with each missing one replaced by its nearest neighbour, and their number.
+def filled(height: Heights) -> Heights:
+    """Return heights with each missing one replaced by its nearest neighbour.
 
     Raises
     ------
@@ -151,14 +151,14 @@ def filled(height: Heights) -> tuple[Heights, int]:
     missing = ~np.isfinite(height)
     count = int(missing.sum())
     if count == 0:
-        return height, 0
+        return height
     if count > 0.1 * height.size:
         raise SurfaceError(
             f"{count} of {height.size} heights are missing, more than a tenth: measure again or "
             "cut the surface to a measured part"
         )
     nearest = ndimage.distance_transform_edt(missing, return_distances=False, return_indices=True)
-    return height[tuple(nearest)], count
+    return height[tuple(nearest)]
 
 
 def uniform_step(positions: NDArray[np.float64], name: str) -> float:

@@ -61,8 +61,34 @@ def orientation_and_wave(per_length_x: Waves, per_length_y: Waves) -> tuple[Wave
         return f_of_r(ratio), 1 / np.maximum(qx, qy)
 
 
+class FormulaBasis:
+    """What formulas share: all components are covered, or none, for reasons."""
+
+    conditions: Conditions
+
+    def reasons(self) -> list[str]:
+        """Return why the conditions are not those of the formula; slip is one of them."""
+        slip = self.conditions.slip_parameter
+        return [] if slip == 1 else [f"slip (S = {slip:g}): the formula is for pure rolling"]
+
+    @property
+    def covers_all(self) -> bool:
+        """Return whether the conditions are those of the formula."""
+        return not self.reasons()
+
+    @property
+    def outside_reason(self) -> str:
+        """Return why components are not covered."""
+        return "; ".join(self.reasons())
+
+    def is_covered(self, per_length_x: Waves, per_length_y: Waves) -> NDArray[np.bool_]:
+        """Return whether the conditions are those of the formula."""
+        shape = np.broadcast_shapes(np.shape(per_length_x), np.shape(per_length_y))
+        return np.full(shape, self.covers_all)
+
+
 @dataclass(frozen=True)
-class FormulaTransfer:
+class FormulaTransfer(FormulaBasis):
     """Ad/Ai = 1/(1 + c1 f V + c2 (f V)^2), eq. (18): real, no phase, pure rolling.
 
     The mean, whose wavelength is infinite, does not deform the film: its ratio is 0, because the
@@ -93,24 +119,9 @@ class FormulaTransfer:
         f_v = factor * wavelength * self.conditions.v_per_wavelength
         return amplitude_ratio_formula(f_v, self.c1, self.c2)
 
-    @property
-    def covers_all(self) -> bool:
-        """Return whether rolling is pure."""
-        return self.conditions.slip_parameter == 1
-
-    @property
-    def outside_reason(self) -> str:
-        """Return why components are not covered."""
-        return f"slip (S = {self.conditions.slip_parameter:g}): the formula is for pure rolling"
-
-    def is_covered(self, per_length_x: Waves, per_length_y: Waves) -> NDArray[np.bool_]:
-        """Return whether rolling is pure."""
-        shape = np.broadcast_shapes(np.shape(per_length_x), np.shape(per_length_y))
-        return np.full(shape, self.covers_all)
-
 
 @dataclass(frozen=True)
-class RecommendedTransfer:
+class RecommendedTransfer(FormulaBasis):
     """Ad/Ai of :func:`ehlwave_post.formula.recommended_ratio`: real, no phase, pure rolling.
 
     As with (18), the ratio of the mean is 0.
@@ -129,34 +140,16 @@ class RecommendedTransfer:
         ratio = recommended_ratio(contact.m, contact.l, contact.gamma, *waves)
         return np.where((along == 0) & (across == 0), 0.0, ratio)
 
-    @property
-    def covers_all(self) -> bool:
-        """Return whether rolling is pure, and M, L and D are among those of the fit."""
-        return not self._reasons()
-
-    @property
-    def outside_reason(self) -> str:
-        """Return why components are not covered."""
-        return "; ".join(self._reasons())
-
-    def is_covered(self, per_length_x: Waves, per_length_y: Waves) -> NDArray[np.bool_]:
-        """Return whether the conditions are those of the fit."""
-        shape = np.broadcast_shapes(np.shape(per_length_x), np.shape(per_length_y))
-        return np.full(shape, self.covers_all)
-
-    def _reasons(self) -> list[str]:
+    def reasons(self) -> list[str]:
+        """Return which of M, L and D are not among those of the fit, and whether there is slip."""
         contact = self.conditions
         values = {"M": contact.m, "L": contact.l, "D": contact.d}
-        reasons = [
+        outside = [
             f"{name} = {values[name]:.4g}: the formula was fitted to {low:g} to {high:g}"
             for name, (low, high) in RECOMMENDED_RANGES.items()
             if not low <= values[name] <= high
         ]
-        if contact.slip_parameter != 1:
-            reasons.append(
-                f"slip (S = {contact.slip_parameter:g}): the formula is for pure rolling"
-            )
-        return reasons
+        return outside + super().reasons()
 
 
 def shorter_than_contact(

@@ -13,10 +13,10 @@ module ehlwave_mean_film
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp, pi
    use ehlwave_real_gmres, only: gmres_t
-   use ehlwave_real_linearised_contact, only: linearised_contact_t
+   use ehlwave_real_linearised_contact, only: linearised_contact_t, set_wedge
    use ehlwave_state, only: state_t
    use ehlwave_status, only: status_converged, status_not_finite, status_stalled
-   use ehlwave_transport, only: implicit_part, steady_transport
+   use ehlwave_transport, only: steady_transport
    use ehlwave_waviness, only: waviness_t
    implicit none (type, external)
    private
@@ -61,7 +61,7 @@ contains
    subroutine init(self, levels)
       class(mean_film_solver_t), intent(inout) :: self
       type(level_t), intent(inout), target :: levels(:)   !! coarsest first
-      integer :: l, n
+      integer :: n
 
       n = size(levels)
       self%is_factorised = .false.
@@ -71,10 +71,7 @@ contains
          call linear%start(n)
          linear%levels(n)%equations%given = given_t(transport=steady_transport(problem%grid))
          call problem%film_of(linear%levels(n)%equations%given, self%state%p, self%state%delta, self%state%h)
-         linear%levels(n)%wedge = implicit_part(linear%levels(n)%equations%given%transport, problem%grid)
-         do l = n - 1, 1, -1
-            linear%levels(l)%wedge = implicit_part(linear%levels(l + 1)%wedge, levels(l)%problem%grid)
-         end do
+         call set_wedge(linear)
       end associate
    end subroutine init
 
@@ -122,8 +119,8 @@ contains
       end associate
    end subroutine solve
 
-   !> Right side: minus the mean over the phases of what waves change in the weighted residual; 0 at cavitated nodes and in
-   !> the load row. The equations are left evaluated at the steady state.
+   !> Right side: minus the mean over the phases of what waves change in the weighted residual; 0 at cavitated nodes, in
+   !> the load row and at flooded edges, whose pressure is small and changes by (h/H)^2 of it. The equations are left evaluated at the steady state.
    subroutine mean_residual(self, level, response, phases, amplitude, b)
       class(mean_film_solver_t), intent(inout) :: self
       type(level_t), intent(in) :: level           !! the finest

@@ -91,6 +91,7 @@ contains
       complex(dp), pointer, contiguous :: q(:, :), dr(:, :)
       complex(dp) :: inertia
       real(dp) :: frequency
+      integer :: k
 
       associate (linear => self%linear, grid => self%linear%levels(self%linear%finest)%equations%mesh%grid)
          allocate (b(linear%n), x(linear%n), g(0:grid%nx, 0:grid%ny), dh(0:grid%nx, 0:grid%ny))
@@ -104,6 +105,11 @@ contains
          call linear%factorise(1)
          dr(0:grid%nx, 0:grid%ny) => b(:linear%n - 1)
          call linear%gap_change(g, dr)
+         associate (edges => linear%levels(linear%finest)%equations%edges)
+            do k = 1, edges%count()
+               dr(edges%i(k), edges%j(k)) = 0   ! the far field does not see the waves
+            end do
+         end associate
          dr = -dr
          b(linear%n) = 0
          call self%gmres%solve(linear, b, x, self%tolerance)

@@ -1,0 +1,173 @@
+!> Pressure at the edges of a flooded domain: that of the far field for the film there.
+!>
+!> With the reduced pressure q = A/H^2 of the far field (`ehlwave_far_field`) and an oil that thickens by exp(alpha P) at these low
+!> pressures, P = -ln(1 - alpha q)/alpha. The film counts without roughness: of waves that pass the edge the far field sees the mean, so
+!> that the smooth film gives the better pressure (Ad/Ai, M = 20, L = 5, D = 1, on the paper's domain: 0.05 % off in place of 0.28 %). It is one more equation for each node of the edges, whose unknown is P there. Edges
+!> of a truncated domain have no such nodes: P = 0 there.
+module ehlwave_edge_values
+   use ehlwave_conditions, only: conditions_t
+   use ehlwave_far_field, only: far_field_t, new_far_field
+   use ehlwave_given, only: given_t
+   use ehlwave_grid, only: grid_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_rheology, only: rheology_t
+   implicit none (type, external)
+   private
+   public :: new_edge_values
+
+   real(dp), parameter :: most_thickening = 0.9_dp   !! bound of alpha q, which far out is some per cent
+
+   !> The nodes, and the far field there.
+   type, public :: edge_values_t
+      integer, allocatable :: i(:), j(:)        !! nodes
+      integer, allocatable :: link(:)           !! of `poiseuille_links` by which the next node inside sees it, 0 for corners
+      real(dp), allocatable :: strength(:)      !! A
+      real(dp), private :: load = 0             ! borne outside the domain, over the nominal one, and over the sum of P at the nodes
+      real(dp), private :: thickening = 0       ! alpha: d ln(eta)/dP at P = 0
+   contains
+      procedure :: count => count_nodes
+      procedure :: inner
+      procedure :: compare
+      procedure :: impose
+      procedure :: rough_from
+      procedure :: load_outside
+   end type edge_values_t
+
+   integer, parameter :: west = 3, north = 4, south = 5                      ! links
+   integer, parameter :: inner_i(west:south) = [1, 0, 0], inner_j(west:south) = [0, -1, 1]
+
+contains
+
+   !> Edges of a grid. A flooded one has pressure upstream of X = 0: at the inlet, and at the sides up to there.
+   pure function new_edge_values(grid, conditions, rheology) result(self)
+      type(grid_t), intent(in) :: grid
+      type(conditions_t), intent(in) :: conditions
+      type(rheology_t), intent(in) :: rheology
+      type(edge_values_t) :: self
+      type(far_field_t) :: far
+      real(dp) :: drho(1), fluidity(1), rho(1), slope(1)
+      integer :: first, i, j, wet
+
+      allocate (self%i(0), self%j(0), self%link(0), self%strength(0))
+      if (.not. grid%is_flooded) return
+      call rheology%evaluate(1, [0.0_dp], rho, drho, fluidity, slope)
+      self%thickening = slope(1)
+      far = new_far_field(conditions, self%thickening)
+      self%i = [(0, j=0, grid%ny)]
+      self%j = [(j, j=0, grid%ny)]
+      self%link = merge(west, 0, self%j >= grid%first_row .and. self%j <= grid%last_row)
+      if (grid%is_line) then
+         self%load = far%load_outside(grid%x(0) - 0.5_dp*grid%hx, grid%hy)   ! the strip's width
+      else
+         self%load = far%load_outside(grid%x(0) - 0.5_dp*grid%hx, grid%y(grid%ny) + 0.5_dp*grid%hy)
+         wet = count(grid%x(1:grid%nx - 1) < 0)
+         do first = merge(grid%ny, 0, grid%is_half), grid%ny, grid%ny
+            self%i = [self%i, (i, i=1, wet)]
+            self%j = [self%j, (first, i=1, wet)]
+            self%link = [self%link, (merge(south, north, first == 0), i=1, wet)]
+         end do
+      end if
+      self%strength = far%strength(grid%x(self%i), grid%y(self%j))
+      self%load = self%load/sum([(self%strength(i)/far%film_at(grid%x(self%i(i)), grid%y(self%j(i)))**2, i=1, size(self%i))])
+   end function new_edge_values
+
+   !> Number of nodes.
+   pure integer function count_nodes(self)
+      class(edge_values_t), intent(in) :: self
+      count_nodes = size(self%i)
+   end function count_nodes
+
+   !> The next node inside of a node that has a link.
+   pure function inner(self, k) result(node)
+      class(edge_values_t), intent(in) :: self
+      integer, intent(in) :: k
+      integer :: node(2)   !! i, j
+      node = [self%i(k) + inner_i(self%link(k)), self%j(k) + inner_j(self%link(k))]
+   end function inner
+
+   !> By how much the pressures at the edges exceed those of the far field, and how fast the latter fall with the film.
+   pure subroutine compare(self, given, p, h, excess, slope)
+      class(edge_values_t), intent(in) :: self
+      type(given_t), intent(in) :: given
+      real(dp), intent(in) :: p(0:, 0:), h(0:, 0:)          !! P and H > 0, (0:nx, 0:ny)
+      real(dp), intent(inout) :: excess(:), slope(:)        !! (nodes) P - P_far(H), -d P_far/dH
+      real(dp) :: film
+      integer :: k
+      do k = 1, size(self%i)
+         film = h(self%i(k), self%j(k)) - rough_at(self, given, k)
+         excess(k) = p(self%i(k), self%j(k)) - far_pressure(self, k, film)
+         slope(k) = 2*self%strength(k)/film**3/(1 - thickened(self, k, film))
+      end do
+   end subroutine compare
+
+   !> Give the edges the pressures of the far field.
+   pure subroutine impose(self, given, h, p)
+      class(edge_values_t), intent(in) :: self
+      type(given_t), intent(in) :: given
+      real(dp), intent(in) :: h(0:, 0:)
+      real(dp), intent(inout) :: p(0:, 0:)
+      integer :: k
+      do k = 1, size(self%i)
+         p(self%i(k), self%j(k)) = far_pressure(self, k, h(self%i(k), self%j(k)) - rough_at(self, given, k))
+      end do
+   end subroutine impose
+
+   !> Roughness at the edges of a grid, from what the next finer one is given.
+   pure function rough_from(self, fine, given, row_ratio) result(rough)
+      class(edge_values_t), intent(in) :: self
+      type(edge_values_t), intent(in) :: fine
+      type(given_t), intent(in) :: given        !! to the finer grid
+      integer, intent(in) :: row_ratio          !! its rows for one of this
+      real(dp), allocatable :: field(:, :), rough(:)
+      integer :: k
+
+      allocate (field(0:maxval(fine%i), 0:maxval(fine%j)), rough(size(self%i)), source=0.0_dp)
+      do k = 1, size(fine%i)
+         field(fine%i(k), fine%j(k)) = rough_at(fine, given, k)
+      end do
+      do k = 1, size(self%i)
+         rough(k) = field(2*self%i(k), row_ratio*self%j(k))
+      end do
+   end function rough_from
+
+   !> Roughness at a node.
+   pure real(dp) function rough_at(self, given, k) result(rough)
+      class(edge_values_t), intent(in) :: self
+      type(given_t), intent(in) :: given
+      integer, intent(in) :: k
+      rough = 0
+      if (allocated(given%edge_rough)) then
+         rough = given%edge_rough(k)
+      else if (allocated(given%rough)) then
+         rough = given%rough(self%i(k), self%j(k))
+      end if
+   end function rough_at
+
+   !> Load over the nominal one that is borne outside the domain, in proportion to the pressures at its edges.
+   pure real(dp) function load_outside(self, p)
+      class(edge_values_t), intent(in) :: self
+      real(dp), intent(in) :: p(0:, 0:)
+      integer :: k
+      load_outside = 0
+      do k = 1, size(self%i)
+         load_outside = load_outside + self%load*p(self%i(k), self%j(k))
+      end do
+   end function load_outside
+
+   pure real(dp) function far_pressure(self, k, h)
+      class(edge_values_t), intent(in) :: self
+      integer, intent(in) :: k
+      real(dp), intent(in) :: h
+      far_pressure = self%strength(k)/h**2
+      if (self%thickening > 0) far_pressure = -log(1 - thickened(self, k, h))/self%thickening
+   end function far_pressure
+
+   !> alpha q.
+   pure real(dp) function thickened(self, k, h)
+      class(edge_values_t), intent(in) :: self
+      integer, intent(in) :: k
+      real(dp), intent(in) :: h
+      thickened = min(self%thickening*self%strength(k)/h**2, most_thickening)
+   end function thickened
+
+end module ehlwave_edge_values
