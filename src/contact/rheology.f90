@@ -27,6 +27,7 @@ module ehlwave_rheology
       real(dp) :: ph_over_dh = 0    !! ph/5.9e8 Pa
       real(dp) :: ph_pa = 0         !! ph, Pa
       class(viscosity_law_t), allocatable :: law   !! viscosity_special
+      real(dp) :: law_factor = 1    !! of ln(eta/eta0) by that law
       type(tait_density_t) :: tait                 !! density_tait
       class(flow_law_t), allocatable :: flow_law   !! not of a Newtonian oil
       real(dp) :: modulus_times_stress_pa2 = 0     !! E' tau0
@@ -35,6 +36,9 @@ module ehlwave_rheology
       procedure :: evaluate
       procedure :: density
       procedure :: at_pressure
+      procedure :: depends_on_alpha
+      procedure :: with_alpha
+      procedure :: with_stress
       procedure :: use_viscosity
       procedure :: use_density
       procedure :: use_flow
@@ -111,9 +115,35 @@ contains
       type(rheology_t) :: other
       other = new_rheology(self%viscosity_law, self%density_law, alphabar, self%z, hertz_pressure_pa)
       if (allocated(self%law)) other%law = self%law
+      other%law_factor = self%law_factor
       other%tait = self%tait
       if (allocated(self%flow_law)) call other%use_flow(self%flow_law, self%modulus_times_stress_pa2, self%slip_parameter)
    end function at_pressure
+
+   !> Whether the viscosity grows with pressure.
+   pure logical function depends_on_alpha(self)
+      class(rheology_t), intent(in) :: self
+      depends_on_alpha = self%viscosity_law /= viscosity_constant
+   end function depends_on_alpha
+
+   !> The same oil with ln(eta/eta0) so many times as large at every pressure.
+   pure function with_alpha(self, factor) result(other)
+      class(rheology_t), intent(in) :: self
+      real(dp), intent(in) :: factor   !! > 0
+      type(rheology_t) :: other
+      other = self
+      other%alphabar = factor*self%alphabar
+      other%law_factor = factor*self%law_factor
+   end function with_alpha
+
+   !> The same oil with the stress of its flow law so many times as large.
+   pure function with_stress(self, factor) result(other)
+      class(rheology_t), intent(in) :: self   !! not Newtonian
+      real(dp), intent(in) :: factor          !! > 0
+      type(rheology_t) :: other
+      other = self
+      other%modulus_times_stress_pa2 = factor*self%modulus_times_stress_pa2
+   end function with_stress
 
    !> Density, fluidity 1/eta and their derivatives at pressures P >= 0, theory section 3:
    !>
@@ -174,8 +204,8 @@ contains
       case (viscosity_special)
          p_pa = self%ph_pa*p
          call self%law%evaluate(n, p_pa, fluidity, dln_eta)
-         fluidity = exp(-fluidity)
-         dln_eta = self%ph_pa*dln_eta
+         fluidity = exp(-self%law_factor*fluidity)
+         dln_eta = self%law_factor*self%ph_pa*dln_eta
       case default
          do i = 1, n
             fluidity(i) = 1

@@ -69,6 +69,7 @@ module ehlwave_case_definition
       real(dp) :: end_time = 0                           !! 0: until the amplitude is measured
       ! &output
       logical :: fields = .false.
+      logical :: sensitivities = .false.
    end type case_t
 
    integer, parameter, public :: usual_largest_cells = 1024   !! that the plan chooses where no limit is given,

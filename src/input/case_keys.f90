@@ -59,9 +59,11 @@ contains
       call visit_grid(case, list)
       call visit_solver(case, list)
       call visit_dynamics(case, list)
-      call list%enter('output', 'What is kept.')
+      call list%enter('output', 'What is computed besides, and kept.')
       call list%see(case%fields, key_t('fields', 'whether the last fields are kept even without --output', is_written=.false., &
          can_vary=.false.))
+      call list%see(case%sensitivities, key_t('sensitivities', 'whether film and linear response are differentiated by alpha '// &
+         'and by the stress of the flow law', is_late=.true.))
    end subroutine visit_case_keys
 
    subroutine visit_conditions(case, list)

@@ -29,6 +29,7 @@ module ehlwave_contact_problem
    contains
       procedure :: init
       procedure :: set_conditions
+      procedure :: set_oil
       procedure :: film
       procedure :: film_of
       procedure :: film_of_guess
@@ -67,12 +68,22 @@ contains
       type(rheology_t), intent(in) :: rheology
 
       self%conditions = conditions
+      call self%set_oil(rheology)
+   end subroutine set_conditions
+
+   !> Another oil under the same conditions.
+   subroutine set_oil(self, rheology)
+      class(contact_problem_t), intent(inout) :: self
+      type(rheology_t), intent(in) :: rheology
+
       self%rheology = rheology
-      self%edges = new_edge_values(self%grid, conditions, rheology)
+      self%edges = new_edge_values(self%grid, self%conditions, rheology)
       if (allocated(self%film_flow)) deallocate (self%film_flow)
       if (rheology%is_newtonian()) return
-      self%film_flow = rheology%film_flow(conditions%elliptic%k, conditions%hertz_pressure_pa, conditions%lambdabar)
-   end subroutine set_conditions
+      associate (c => self%conditions)
+         self%film_flow = rheology%film_flow(c%elliptic%k, c%hertz_pressure_pa, c%lambdabar)
+      end associate
+   end subroutine set_oil
 
    !> Film thickness H = -Delta + S X^2 + (1 - S) Y^2 + Rough + Dbar(P), theory eq. (8).
    subroutine film(self, p, delta, h)

@@ -1,9 +1,10 @@
 !> Amplitude of the film oscillation at the contact centre.
 module ehlwave_amplitude
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_kinds, only: dp, no_value, pi
    implicit none (type, external)
    private
-   public :: sampled_amplitude, fitted_harmonic
+   public :: sampled_amplitude, fitted_harmonic, fitted_mean
 
    real(dp), parameter :: singular = 1e-12_dp   !! smallest pivot of the fit, per sample
 
@@ -22,11 +23,31 @@ contains
       real(dp), intent(in) :: time(:)   !! T of the samples
       real(dp), intent(in) :: film(:)   !! H(0,0) at these times
       real(dp), intent(in) :: period    !! forcing period in T
-      real(dp) :: basis(size(time), 3), normal(3, 3), right(3), factor, nan
+      real(dp) :: c(3)
+      c = coefficients(time, film, period)
+      fitted_harmonic = cmplx(c(2), c(3), dp)
+   end function fitted_harmonic
+
+   !> Mean of an oscillation whose samples need not fill whole periods: that of the same fit. Where there is none, the mean of
+   !> the samples, which is off by up to the amplitude over their number for each part of a period that is missing.
+   pure real(dp) function fitted_mean(time, film, period)
+      real(dp), intent(in) :: time(:)   !! T of the samples
+      real(dp), intent(in) :: film(:)   !! H(0,0) at these times
+      real(dp), intent(in) :: period    !! forcing period in T
+      real(dp) :: c(3)
+      c = coefficients(time, film, period)
+      fitted_mean = sum(film)/size(film)
+      if (ieee_is_finite(c(1))) fitted_mean = film(1) + c(1)
+   end function fitted_mean
+
+   !> Mean less the first sample, c and s of the fit; NaN where there is none.
+   pure function coefficients(time, film, period) result(c)
+      real(dp), intent(in) :: time(:), film(:), period
+      real(dp) :: c(3)
+      real(dp) :: basis(size(time), 3), normal(3, 3), right(3), factor
       integer :: i, j
 
-      nan = no_value
-      fitted_harmonic = cmplx(nan, nan, dp)
+      c = no_value
       if (size(time) < 3) return
       basis(:, 1) = 1
       basis(:, 2) = cos(2*pi*time/period)
@@ -44,7 +65,7 @@ contains
       do i = 3, 1, -1
          right(i) = (right(i) - dot_product(normal(i, i + 1:), right(i + 1:)))/normal(i, i)
       end do
-      fitted_harmonic = cmplx(right(2), right(3), dp)
-   end function fitted_harmonic
+      c = right
+   end function coefficients
 
 end module ehlwave_amplitude

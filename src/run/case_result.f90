@@ -9,6 +9,14 @@ module ehlwave_case_result
 
    integer, parameter, public :: rung_length = 12
 
+   !> Derivatives by the logarithm of a property of the oil, all else of the contact the same; NaN: not asked for, or none.
+   type, public :: oil_sensitivity_t
+      real(dp) :: film = no_value                    !! of ln H(0,0)
+      real(dp) :: response = no_value                !! of ln(Ad/Ai), small waves
+      real(dp) :: response_real = no_value           !! of the transfer function from the pattern to H(0,0)
+      real(dp) :: response_imaginary = no_value
+   end type oil_sensitivity_t
+
    type, public :: case_result_t
       integer :: status = status_pending
       logical :: is_resolved = .true.
@@ -32,6 +40,7 @@ module ehlwave_case_result
       real(dp) :: v = 0, v2 = 0, f_r = 0             !! theory eq. (17), (16), (15)
       real(dp) :: formula_ratio = 0                  !! theory eq. (18)
       type(harmonic_result_t) :: harmonic            !! linear response, if asked for
+      type(oil_sensitivity_t) :: by_oil(2)           !! by ln(alpha), by ln(stress of the flow law)
       type(shear_result_t) :: shear                  !! friction of the smooth contact, and estimates
       character(len=:), allocatable :: warning       !! what the model leaves out and matters here, else empty
       ! the largest over all solutions of the case

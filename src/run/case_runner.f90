@@ -1,6 +1,6 @@
 !> Runs one planned case.
 module ehlwave_case_runner
-   use ehlwave_amplitude, only: fitted_harmonic, sampled_amplitude
+   use ehlwave_amplitude, only: fitted_harmonic, fitted_mean, sampled_amplitude
    use ehlwave_case_account, only: blank_result, end_early, keep_history, take_report, worse
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t, run_march, run_standing
@@ -16,6 +16,7 @@ module ehlwave_case_runner
    use ehlwave_monitor, only: go_on, monitor_t
    use ehlwave_resolution, only: touching_reason
    use ehlwave_rescue, only: rescue_t, rung_name
+   use ehlwave_sensitivity_case, only: find_film_sensitivities
    use ehlwave_shared_steady, only: limits_of, shared_steady_t
    use ehlwave_shear_result, only: mean_shear_stress
    use ehlwave_solve_report, only: solve_limits_t
@@ -73,6 +74,7 @@ contains
          if (result%status == status_converged) then
             call take_smooth_film(case, plan, level, result)
             call estimate_film_errors(steady%multigrid%hierarchy_t, result)
+            if (case%sensitivities) call find_film_sensitivities(case, steady, result)
             if (plan%responds) call run_response(case, plan, steady, result)
          end if
          if (result%status == status_converged) then
@@ -220,7 +222,7 @@ contains
             ! the pattern at the centre is cos(kx (-Xs - S T)): the real part of exp(-i (kx Xs + w T)) for S > 0
             fit = fit*exp(cmplx(0, 2*pi*plan%waviness%start/plan%waviness%wavelength_x, dp))
             result%phase_fit = atan2(aimag(fit), real(fit, dp))
-            result%mean_film = sum(film(2:))/(size(film) - 1)
+            result%mean_film = fitted_mean(time(2:), film(2:), plan%waviness%period())
          end associate
       end if
    end subroutine run_moving

@@ -100,6 +100,7 @@ contains
       relay%whole => monitor
       coarse_case = case
       coarse_case%fields = .false.
+      coarse_case%sensitivities = .false.
       coarse_case%domain_scale = plan%domain_scale
       coarse_case%accuracy = 0                    ! is that of the case itself
       coarse_case%response = 'transient'          ! has its own estimate

@@ -5,7 +5,8 @@ module ehlwave_harmonic_case
    use ehlwave_case_result, only: case_result_t
    use ehlwave_harmonic_response, only: harmonic_response_t
    use ehlwave_kinds, only: dp
-   use ehlwave_mean_film, only: has_mean, mean_change_t
+   use ehlwave_mean_film, only: find_mean_change, has_mean, mean_change_t
+   use ehlwave_sensitivity_case, only: find_response_sensitivities
    use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_status, only: status_converged, status_name
    use ehlwave_text, only: to_text
@@ -44,6 +45,7 @@ contains
       end if
       call result%harmonic%take(response%film, response%approach)
       call find_mean(case, plan, steady, response, result)
+      if (case%sensitivities) call find_response_sensitivities(steady, response, result)
       associate (level => steady%multigrid%levels(n))
          if (plan%waviness%moves()) &
             result%harmonic%waves = new_two_wave_result(level%problem, level%state, plan%waviness, response%h)
@@ -69,7 +71,7 @@ contains
 
       if (.not. has_mean(plan%waviness)) return
       associate (amplitude => case%amplitude_over_film*result%central_film)
-         call steady%mean%solve(steady%multigrid%levels, response, plan%waviness, amplitude, change)
+         call find_mean_change(steady%tangent, steady%multigrid%levels, response, plan%waviness, amplitude, change)
          if (change%status == status_converged) call result%harmonic%take_mean(change, amplitude)
       end associate
    end subroutine find_mean

@@ -8,7 +8,7 @@ module ehlwave_quantities
    use ehlwave_case_key, only: key_long_name, number_kind, truth_kind, whole_kind
    use ehlwave_case_keys, only: case_key_list
    use ehlwave_case_plan, only: case_plan_t
-   use ehlwave_case_result, only: case_result_t
+   use ehlwave_case_result, only: case_result_t, oil_sensitivity_t
    use ehlwave_case_text, only: case_identity
    use ehlwave_key_list, only: find_key, key_list_t
    use ehlwave_harmonic_result, only: harmonic_result_t
@@ -134,6 +134,7 @@ contains
       call list%add('amplitude_error_basis', 'what amplitude_ratio_error is from', &
                     trim(result%amplitude_error_basis))
       call add_response(list, result%harmonic)
+      call add_sensitivities(list, case, result%by_oil)
       call list%add('v', 'V of theory eq. (17)', result%v)
       call list%add('v2', 'V2 of theory eq. (16)', result%v2)
       call list%add('f_r', 'f(r) of theory eq. (15)', result%f_r)
@@ -207,6 +208,27 @@ contains
       call list%add('harmonic_work_units', 'processor time of the linear response in plain FFT convolutions of the grid', &
                     harmonic%work_units)
    end subroutine add_response
+
+   !> Derivatives by the oil, where they were asked for.
+   subroutine add_sensitivities(list, case, by_oil)
+      type(quantity_list_t), intent(inout) :: list
+      type(case_t), intent(in) :: case
+      type(oil_sensitivity_t), intent(in) :: by_oil(:)
+      character(len=*), parameter :: by(2) = [character(len=6) :: 'alpha', 'stress'], &
+                                     of(2) = [character(len=31) :: 'alpha', 'the stress of the flow law']
+      integer :: x
+
+      do x = 1, size(by_oil)
+         call list%add('film_sensitivity_'//trim(by(x)), 'd ln H(0,0) of the smooth contact/d ln '//trim(of(x)), by_oil(x)%film, &
+                       exists=case%sensitivities)
+         call list%add('response_sensitivity_'//trim(by(x)), 'd ln harmonic_ratio/d ln '//trim(of(x)), by_oil(x)%response, &
+                       exists=case%sensitivities)
+         call list%add('response_real_by_'//trim(by(x)), 'd harmonic_real/d ln '//trim(of(x)), by_oil(x)%response_real, &
+                       exists=case%sensitivities)
+         call list%add('response_imaginary_by_'//trim(by(x)), 'd harmonic_imaginary/d ln '//trim(of(x)), &
+                       by_oil(x)%response_imaginary, exists=case%sensitivities)
+      end do
+   end subroutine add_sensitivities
 
    !> The two waves of the film at the centre.
    subroutine add_waves(list, row)

@@ -7,11 +7,12 @@ module ehlwave_shared_steady
    use ehlwave_grid, only: grid_t, new_grid, new_line_grid
    use ehlwave_harmonic_response, only: harmonic_solver_t
    use ehlwave_kinds, only: dp
-   use ehlwave_mean_film, only: mean_film_solver_t
+   use ehlwave_oil_sensitivity, only: by_alpha, by_stress, differentiate_steady
    use ehlwave_rescue, only: rescue_t, rung_direct
    use ehlwave_solve_report, only: solve_limits_t, solve_report_t
    use ehlwave_solver_choice, only: init_multigrid, method_t
    use ehlwave_status, only: status_converged
+   use ehlwave_steady_tangent, only: steady_tangent_t, tangent_change_t
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
@@ -22,19 +23,24 @@ module ehlwave_shared_steady
       type(full_multigrid_t) :: multigrid
       type(rescue_t) :: rescue                       !! as the steady state left it, for what follows in a case
       type(harmonic_solver_t) :: response            !! about the finest level
-      type(mean_film_solver_t) :: mean               !! about the finest level
+      type(steady_tangent_t) :: tangent              !! about the finest level
+      type(tangent_change_t) :: by_oil(2)            !! of its state, by ln(alpha) and by ln(stress), see `differentiate`
       type(harmonic_solver_t) :: coarse_response     !! about the next coarser one, if `has_coarse`
       logical :: has_coarse = .false.
-      logical, private :: is_linearised = .false.
+      logical, private :: is_linearised = .false., has_tangent = .false., is_differentiated = .false.
       character(len=:), allocatable, private :: key  ! of the steady state held, if it may be used again
    contains
       procedure :: prepare
       procedure :: linearise
+      procedure :: differentiate
+      procedure, private :: find_tangent
    end type shared_steady_t
 
    ! Of the levels below the finest. As a first guess 1e-3 would do; the error estimate wants the discretisation error
    ! of these levels alone (M = 20, D = 0.35 on 512^2: 1e-3 leaves 4e-4 of H(0,0), ten times the error of the finest).
    real(dp), parameter :: coarse_tolerance = 1e-5_dp
+
+   real(dp), parameter :: tangent_tolerance = 1e-6_dp   !! of its derivatives, at most
 
 contains
 
@@ -73,6 +79,8 @@ contains
       end if
       self%key = key
       self%is_linearised = .false.
+      self%has_tangent = .false.
+      self%is_differentiated = .false.
       call init_multigrid(self%multigrid, plan%conditions, plan%rheology, grid_of(case, plan), &
                           method_t(case%method, case%cycle, case%deformation))
       self%rescue = rescue_t(is_ready=climbs(plan), steps_left=plan%largest_total_steps)
@@ -116,10 +124,34 @@ contains
       self%response%tolerance = case%response_tolerance
       self%coarse_response%tolerance = case%response_tolerance
       call self%response%init(self%multigrid%levels)
-      call self%mean%init(self%multigrid%levels)
+      call self%find_tangent()
       if (self%has_coarse) call self%coarse_response%init(self%multigrid%levels(:n - 1))
       self%is_linearised = .true.
    end subroutine linearise
+
+   !> Derivatives of the steady state by the oil. Where the oil does not depend on a property they are not converged.
+   subroutine differentiate(self, case)
+      class(shared_steady_t), intent(inout) :: self
+      type(case_t), intent(in) :: case
+
+      if (self%is_differentiated) return
+      self%by_oil = tangent_change_t()
+      call self%find_tangent()
+      associate (levels => self%multigrid%levels, oil => self%multigrid%levels(size(self%multigrid%levels))%problem%rheology, &
+                 tolerance => min(tangent_tolerance, case%tolerance))
+         if (oil%depends_on_alpha()) &
+            call differentiate_steady(self%tangent, levels, by_alpha, tolerance, self%by_oil(by_alpha))
+         if (.not. oil%is_newtonian()) &
+            call differentiate_steady(self%tangent, levels, by_stress, tolerance, self%by_oil(by_stress))
+      end associate
+      self%is_differentiated = .true.
+   end subroutine differentiate
+
+   subroutine find_tangent(self)
+      class(shared_steady_t), intent(inout) :: self
+      if (.not. self%has_tangent) call self%tangent%init(self%multigrid%levels)
+      self%has_tangent = .true.
+   end subroutine find_tangent
 
    !> The finest grid.
    pure function grid_of(case, plan) result(grid)

@@ -4,6 +4,7 @@ module ehlwave_harmonic_response
    use ehlwave_complex_linearised_contact, only: linearised_contact_t
    use ehlwave_cycle_settings, only: response_cycle
    use ehlwave_given, only: given_t
+   use ehlwave_grid, only: grid_t
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp, pi
    use ehlwave_load_balance, only: harmonic_inertia
@@ -13,6 +14,10 @@ module ehlwave_harmonic_response
    use ehlwave_waviness, only: waviness_t
    implicit none (type, external)
    private
+
+   !> Of the linear residual: 1e-4 leaves up to 0.3 % where Ad/Ai is a few per cent (2e-4 of Ai), 1e-5 a tenth of that for one or
+   !> two steps more.
+   real(dp), parameter :: response_tolerance = 1e-5_dp
 
    !> What a pattern of amplitude A does to first order in A. The pattern is the real part of
    !>
@@ -31,14 +36,13 @@ module ehlwave_harmonic_response
 
    !> The contact linearised about a steady state.
    type, public :: harmonic_solver_t
-      ! Of the linear residual. 1e-4 leaves up to 0.3 % where Ad/Ai is a few per cent (2e-4 of Ai), 1e-5 a tenth of that
-      ! for one or two steps more.
-      real(dp) :: tolerance = 1e-5_dp
+      real(dp) :: tolerance = response_tolerance   !! of the linear residual
       type(linearised_contact_t) :: linear
       type(gmres_t), private :: gmres
    contains
       procedure :: init
       procedure :: respond
+      procedure :: respond_to
       procedure :: set_frequency
    end type harmonic_solver_t
 
@@ -86,15 +90,15 @@ contains
       real(dp), intent(in) :: natural_frequency      !! Omega of the equation of motion; 0: force balance
       integer, intent(in) :: steps_per_cell          !! m for dT = hX/m: enters through the equation of motion only
       type(harmonic_response_t), intent(out) :: response
-      complex(dp), allocatable, target :: b(:), x(:)
-      complex(dp), allocatable :: dh(:, :), g(:, :)
-      complex(dp), pointer, contiguous :: q(:, :), dr(:, :)
+      complex(dp), allocatable, target :: b(:)
+      complex(dp), allocatable :: g(:, :)
+      complex(dp), pointer, contiguous :: dr(:, :)
       complex(dp) :: inertia
       real(dp) :: frequency
       integer :: k
 
       associate (linear => self%linear, grid => self%linear%levels(self%linear%finest)%equations%mesh%grid)
-         allocate (b(linear%n), x(linear%n), g(0:grid%nx, 0:grid%ny), dh(0:grid%nx, 0:grid%ny))
+         allocate (b(linear%n), g(0:grid%nx, 0:grid%ny))
          g = waviness%amplitude_at(grid%x, grid%y)
          frequency = 0
          if (waviness%moves()) frequency = 2*pi*waviness%slip/waviness%wavelength_x
@@ -112,6 +116,24 @@ contains
          end associate
          dr = -dr
          b(linear%n) = 0
+         call self%respond_to(levels, b, response)
+         response%h = response%h + g
+         response%film = at_centre(grid, response%h)
+      end associate
+   end subroutine respond
+
+   !> Response of another right side, with the factors of the pattern that was the last.
+   subroutine respond_to(self, levels, b, response)
+      class(harmonic_solver_t), intent(inout) :: self
+      type(level_t), intent(inout), target :: levels(:)   !! those of `init`
+      complex(dp), intent(in), contiguous :: b(:)         !! weighted change of the residuals, 0 at cavitated nodes
+      type(harmonic_response_t), intent(out) :: response
+      complex(dp), allocatable, target :: x(:)
+      complex(dp), pointer, contiguous :: q(:, :)
+
+      associate (linear => self%linear, grid => self%linear%levels(self%linear%finest)%equations%mesh%grid)
+         allocate (x(linear%n), response%p(0:grid%nx, 0:grid%ny), response%h(0:grid%nx, 0:grid%ny))
+         call linear%borrow(levels)
          call self%gmres%solve(linear, b, x, self%tolerance)
          response%linear_steps = self%gmres%steps
          response%reduction = self%gmres%reduction
@@ -121,15 +143,19 @@ contains
             response%status = status_converged
          end if
          q(0:grid%nx, 0:grid%ny) => x(:linear%n - 1)
-         call linear%film_change(q, x(linear%n), dh)
-         call linear%release()
-         dh = dh + g
-         response%film = cmplx(grid%value_at_centre(real(dh, dp)), grid%value_at_centre(aimag(dh)), dp)
-         response%approach = x(linear%n)
-         allocate (response%p(0:grid%nx, 0:grid%ny), response%h(0:grid%nx, 0:grid%ny))
          response%p = q
-         response%h = dh
+         response%approach = x(linear%n)
+         call linear%film_change(response%p, response%approach, response%h)
+         call linear%release()
+         response%film = at_centre(grid, response%h)
       end associate
-   end subroutine respond
+   end subroutine respond_to
+
+   !> Value of a complex field at X = Y = 0.
+   pure complex(dp) function at_centre(grid, field)
+      type(grid_t), intent(in) :: grid
+      complex(dp), intent(in) :: field(0:, 0:)
+      at_centre = cmplx(grid%value_at_centre(real(field, dp)), grid%value_at_centre(aimag(field)), dp)
+   end function at_centre
 
 end module ehlwave_harmonic_response

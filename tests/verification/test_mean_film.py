@@ -16,12 +16,13 @@ def waves(orientation, wavelength, amplitude=0.2, response="both"):
 
 class MeanFilm(TestCase):
     def test_marches(self):
-        """Measured: 1.0, 0.5, 1.4 and 0.2 %."""
+        """Measured: 1.0, 0.5, 1.4, 0.2 and 0.2 %."""
         for name, waviness, conditions, lubricant in [
                 ("transverse, 0.5 a", waves("transverse", 0.5), {}, {}),
                 ("transverse, 2 a", waves("transverse", 2), {}, {}),
                 ("longitudinal, a", waves("longitudinal", 1), {}, {}),
-                ("transverse, 0.75 a, Ree-Eyring, S = 1.5", waves("transverse", 0.75), SLIDING, EYRING)]:
+                ("transverse, 0.75 a, Ree-Eyring, S = 1.5", waves("transverse", 0.75), SLIDING, EYRING),
+                ("transverse, a, Ree-Eyring, S = 1.5", waves("transverse", 1), SLIDING, EYRING)]:   # not a whole number of steps
             with self.subTest(case=name):
                 result = solve(m=100, d=1, grid=GRID, waviness=waviness, conditions=conditions, lubricant=lubricant,
                                solver={"settling_periods": 4})

@@ -1,0 +1,100 @@
+!> A steady contact linearised about its solution: what a small change of its equations does to it.
+module ehlwave_steady_tangent
+   use ehlwave_cycle_settings, only: diagonal_shift, newton_cycle
+   use ehlwave_given, only: given_t
+   use ehlwave_hierarchy, only: level_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_real_gmres, only: gmres_t
+   use ehlwave_real_linearised_contact, only: linearised_contact_t, set_wedge
+   use ehlwave_state, only: new_state, state_t
+   use ehlwave_status, only: status_converged, status_not_finite, status_stalled
+   use ehlwave_transport, only: steady_transport
+   implicit none (type, external)
+   private
+
+   !> Change of a steady state.
+   type, public :: tangent_change_t
+      type(state_t) :: state               !! change of P, H and Delta
+      integer :: status = status_stalled   !! converged, stalled or not finite
+      integer :: linear_steps = 0          !! GMRES steps
+   end type tangent_change_t
+
+   !> The linear system about a steady state, whose factors are kept from one right side to the next.
+   type, public :: steady_tangent_t
+      type(linearised_contact_t) :: linear
+      type(state_t) :: state                        !! the steady state of smooth surfaces
+      type(gmres_t), private :: gmres
+      logical, private :: is_factorised = .false.   ! without a diagonal shift
+   contains
+      procedure :: init
+      procedure :: stand
+      procedure :: solve
+   end type steady_tangent_t
+
+contains
+
+   !> Linearise about the steady state of the finest of `levels`, of smooth surfaces.
+   subroutine init(self, levels)
+      class(steady_tangent_t), intent(inout) :: self
+      type(level_t), intent(inout), target :: levels(:)   !! coarsest first
+      integer :: n
+
+      n = size(levels)
+      self%is_factorised = .false.
+      self%state = levels(n)%state
+      associate (linear => self%linear, problem => levels(n)%problem)
+         call linear%init(levels, newton_cycle)
+         call linear%start(n)
+         linear%levels(n)%equations%given = given_t(transport=steady_transport(problem%grid))
+         call problem%film_of(linear%levels(n)%equations%given, self%state%p, self%state%delta, self%state%h)
+         call set_wedge(linear)
+      end associate
+      call self%stand(levels(n))
+   end subroutine init
+
+   !> Have the equations evaluated at the steady state, after they were used elsewhere.
+   subroutine stand(self, level)
+      class(steady_tangent_t), intent(inout) :: self
+      type(level_t), intent(in) :: level   !! the finest
+      associate (linear => self%linear)
+         call linear%levels(linear%finest)%equations%evaluate(level%problem, self%state)
+         call linear%weigh(linear%finest)
+      end associate
+   end subroutine stand
+
+   !> Change of the state whose weighted residuals change by b, with the cavitated nodes as they are.
+   subroutine solve(self, levels, b, tolerance, change)
+      class(steady_tangent_t), intent(inout) :: self
+      type(level_t), intent(inout), target :: levels(:)   !! those of `init`: their deformation is used
+      real(dp), intent(in), contiguous :: b(:)            !! (linear%n), 0 at cavitated nodes
+      real(dp), intent(in) :: tolerance                   !! of the linear residual
+      type(tangent_change_t), intent(out) :: change
+      real(dp), allocatable, target :: x(:)
+      real(dp), pointer, contiguous :: q(:, :)
+      integer :: rung
+
+      associate (linear => self%linear, grid => levels(size(levels))%problem%grid)
+         allocate (x(linear%n))
+         call linear%borrow(levels)
+         do rung = 1, size(diagonal_shift)
+            if (rung > 1 .or. .not. self%is_factorised) call linear%factorise(rung)
+            self%is_factorised = rung == 1
+            call self%gmres%solve(linear, b, x, tolerance)
+            change%linear_steps = change%linear_steps + self%gmres%steps
+            if (self%gmres%steps > 0 .and. self%gmres%reduction <= tolerance) exit
+         end do
+         if (self%gmres%steps == 0) then
+            change%status = status_not_finite
+         else if (self%gmres%reduction <= tolerance) then
+            change%status = status_converged
+         end if
+         change%state = new_state(grid)
+         q(0:grid%nx, 0:grid%ny) => x(:linear%n - 1)
+         change%state%p = q
+         change%state%delta = x(linear%n)
+         call linear%film_change(change%state%p, change%state%delta, change%state%h)
+         call linear%release()
+      end associate
+   end subroutine solve
+
+end module ehlwave_steady_tangent

@@ -1,0 +1,62 @@
+"""Marches of small waves under slip against the linear response, and orders in mesh size and time step, Ree-Eyring.
+
+Small grids; `scripts/check-transients` has more cases on finer ones.
+"""
+
+import cmath
+import unittest
+
+from ehlwave_program import TestCase, report, solve
+
+OBLIQUE = {"orientation": "custom", "wavelength_x_over_a": 1, "wavelength_y_over_a": 1.5, "oblique": True}
+EYRING = {"flow_law": "eyring", "eyring_stress_pa": 5e6}
+AGREEMENT = 0.003     # of Ai, complex
+SMALLEST_ORDER = 1.8
+
+
+def sliding(slip):
+    return {"slip_parameter": slip, "reduced_modulus_pa": 2.26e11}
+
+
+def march(result):
+    return cmath.rect(result["amplitude_ratio_fit"], result["phase_fit"])
+
+
+def response(result):
+    return complex(result["harmonic_real"], result["harmonic_imaginary"])
+
+
+class SlipTransients(TestCase):
+    def test_linear_response(self):
+        for name, slip, waves, lubricant in [
+                ("transverse, Ree-Eyring", 1.5, {"orientation": "transverse", "wavelength_over_a": 1}, EYRING),
+                ("oblique, Newtonian", 1.5, OBLIQUE, {}),
+                ("isotropic, Ree-Eyring", 1.1, {"orientation": "isotropic", "wavelength_over_a": 1}, EYRING)]:
+            with self.subTest(case=name):
+                result = solve(m=100, d=1, grid={"cells_x": 64, "cells_y": 64}, conditions=sliding(slip), lubricant=lubricant,
+                               waviness={**waves, "amplitude_over_film": 0.01, "response": "both"},
+                               solver={"settling_periods": 5, "error_estimate": "model"})
+                deviation = abs(march(result) - response(result))
+                self.assertLessEqual(deviation, AGREEMENT)
+                report(f"{name}, S = {slip}: {100*deviation:.4f} % of Ai")
+
+    def test_order_of_film_and_response(self):
+        for slip in (0.5, 1.5):
+            results = [solve(m=20, d=1, grid={"cells_x": cells, "cells_y": cells}, conditions=sliding(slip), lubricant=EYRING,
+                             waviness={"orientation": "transverse", "wavelength_over_a": 2, "response": "harmonic"},
+                             solver={"tolerance": 1e-9}) for cells in (32, 64, 128)]
+            film = self.check_order([result["central_film"] for result in results], SMALLEST_ORDER, "film")
+            wave = self.check_order([response(result) for result in results], SMALLEST_ORDER, "response")
+            report(f"S = {slip}: order {film:.2f} of the film, {wave:.2f} of the complex response")
+
+    def test_order_in_time(self):
+        """dT = 4, 2, 1 hX along the characteristic at fixed mesh size."""
+        films = [march(solve(m=20, d=1, grid={"cells_x": 128, "cells_y": 32}, conditions=sliding(1.5), lubricant=EYRING,
+                             waviness={"orientation": "transverse", "wavelength_over_a": 3, "amplitude_over_film": 0.01},
+                             solver={"tolerance": 1e-9, "step_tolerance": 1e-6, "settling_periods": 3,
+                                     "time_step_over_cell": cells, "error_estimate": "model"})) for cells in (4, 2, 1)]
+        report(f"time step: order {self.check_order(films, SMALLEST_ORDER, 'complex film'):.2f}")
+
+
+if __name__ == "__main__":
+    unittest.main()
