@@ -10,14 +10,13 @@ program ehlwave_case
    use ehlwave_errors, only: error_t
    use ehlwave_estimated_case, only: run_estimated_case
    use ehlwave_field_file, only: check_writable, write_case_file
-   use ehlwave_json, only: json_t
    use ehlwave_key_reference, only: case_key_reference
    use ehlwave_log, only: log_monitor_t
    use ehlwave_petsc_library, only: finish_petsc
    use ehlwave_provenance_list, only: print_version
    use ehlwave_quantities, only: add_plan, add_result
    use ehlwave_quantity, only: quantity_list_t
-   use ehlwave_quantity_output, only: json_of
+   use ehlwave_quantity_output, only: json_object
    use ehlwave_status, only: is_success
    implicit none (type, external)
 
@@ -46,7 +45,6 @@ program ehlwave_case
    type(case_plan_t) :: plan
    type(case_result_t) :: result
    type(error_t), allocatable :: error
-   type(json_t) :: json
    type(log_monitor_t) :: monitor
    type(quantity_list_t) :: quantities
    integer :: i
@@ -79,8 +77,7 @@ program ehlwave_case
    if (arguments%has('--plan')) then
       if (arguments%has('--json')) then
          call add_plan(quantities, case, plan)
-         json = json_of(quantities)
-         write (output_unit, '(a)') json%to_string()
+         write (output_unit, '(a)') json_object(quantities)
       end if
       stop 0, quiet=.true.
    end if
@@ -96,8 +93,7 @@ program ehlwave_case
    end if
    if (arguments%has('--json')) then
       call add_result(quantities, case, plan, result)
-      json = json_of(quantities)
-      write (output_unit, '(a)') json%to_string()
+      write (output_unit, '(a)') json_object(quantities)
    end if
    flush (output_unit)
    if (allocated(error)) stop 3, quiet=.true.

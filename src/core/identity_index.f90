@@ -93,23 +93,15 @@ contains
       write (identity, '(z16.16)') hash
    end function text_identity
 
-   !> hash * 1099511628211 modulo 2^64, without signed overflow: the prime is 2^40 + 2^8 + 0xb3.
+   !> hash * 1099511628211 modulo 2^64, without signed overflow: in halves of 32 bits. The prime is 2^40 + 435.
    pure integer(i8) function times_prime(hash)
       integer(i8), intent(in) :: hash
+      integer(i8), parameter :: half = int(z'FFFFFFFF', i8), prime = 435
       integer(i8) :: low, high
-      low = iand(hash, int(z'FFFFFFFF', i8))
-      high = ishft(hash, -32)
-      times_prime = sum_of(ishft(hash, 40), sum_of(low*435_i8, ishft(high*435_i8, 32)))
+      low = iand(hash, half)*prime
+      high = ishft(hash, -32)*prime + ishft(low, -32) + ishft(iand(hash, int(z'FFFFFF', i8)), 8)
+      times_prime = ior(ishft(high, 32), iand(low, half))
    end function times_prime
-
-   !> Sum modulo 2^64.
-   pure integer(i8) function sum_of(a, b)
-      integer(i8), intent(in) :: a, b
-      integer(i8) :: low, high
-      low = iand(a, int(z'FFFFFFFF', i8)) + iand(b, int(z'FFFFFFFF', i8))
-      high = ishft(a, -32) + ishft(b, -32) + ishft(low, -32)
-      sum_of = ior(ishft(high, 32), iand(low, int(z'FFFFFFFF', i8)))
-   end function sum_of
 
    !> Identity of numbers: that of their bytes.
    pure function numbers_identity(numbers) result(identity)

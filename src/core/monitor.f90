@@ -2,7 +2,7 @@
 module ehlwave_monitor
    implicit none (type, external)
    private
-   public :: monitor_t, silent_monitor_t
+   public :: monitor_t
 
    integer, parameter, public :: go_on = 0     !! the calculation goes on
    integer, parameter, public :: stop_now = 1  !! it stops where it is, to be continued another time
@@ -24,23 +24,5 @@ module ehlwave_monitor
          integer, intent(in) :: done, total      !! units finished, units in this stage
       end subroutine step_done
    end interface
-
-   !> Ignores everything.
-   type, extends(monitor_t) :: silent_monitor_t
-   contains
-      procedure :: step_done => ignore_step
-   end type silent_monitor_t
-
-contains
-
-   subroutine ignore_step(self, stage, done, total)
-      class(silent_monitor_t), intent(inout) :: self
-      character(len=*), intent(in) :: stage
-      integer, intent(in) :: done, total
-      if (.false.) then   ! silence unused-argument warnings
-         associate (a => self, b => stage, c => done, d => total)
-         end associate
-      end if
-   end subroutine ignore_step
 
 end module ehlwave_monitor

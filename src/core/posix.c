@@ -45,13 +45,13 @@ static void sync_folder_of(const char *path)
    close(file);
 }
 
-/* A new file for appending; a file that exists is an error (EEXIST). */
-int ehlwave_create(const char *path, int *file)
+/* A new file for appending, or an errno value with a minus; a file that exists is an error (EEXIST). */
+int ehlwave_create(const char *path)
 {
-   *file = open(path, O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0666);
-   if (*file < 0) return errno;
+   int file = open(path, O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0666);
+   if (file < 0) return -errno;
    sync_folder_of(path);
-   return 0;
+   return file;
 }
 
 /* Append all of a text in one call as long as the system takes it so. */
@@ -120,11 +120,11 @@ long ehlwave_list(const char *path, char *buffer, long size)
 
 /* Lock a file against other processes, on all nodes where the file system has locks. The system gives the lock
    back when the process ends, however it ends. 0: locked, 1: another has it, 2: cannot be locked, -1: no file. */
-int ehlwave_lock(const char *path, int *file)
+int ehlwave_lock(const char *path)
 {
-   *file = open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-   if (*file < 0) return -1;
-   if (lockf(*file, F_TLOCK, 0) == 0) return 0;
+   int file = open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+   if (file < 0) return -1;
+   if (lockf(file, F_TLOCK, 0) == 0) return 0;
    return errno == EACCES || errno == EAGAIN ? 1 : 2;
 }
 
@@ -170,13 +170,14 @@ void ehlwave_catch_signals(void)
 int ehlwave_signal_caught(void) { return caught; }
 
 /* What the first signal appends to a file, at once: whoever sends it may not wait. Length 0: nothing. */
-void ehlwave_set_note(int file, const char *text, long length)
+int ehlwave_set_note(int file, const char *text, long length)
 {
    note_length = 0;
-   if (length <= 0 || length > (long)sizeof note) return;
+   if (length > (long)sizeof note) return EMSGSIZE;
    memcpy(note, text, (size_t)length);
    note_file = file;
    note_length = (sig_atomic_t)length;
+   return 0;
 }
 
 /* End this process by SIGALRM unless called again within some seconds; 0: never. */
@@ -199,22 +200,22 @@ void (*ehlwave_find_procedure(const char *library, const char *name, int loads, 
    return procedure;
 }
 
+/* The system's words for an error number, cut to `size` and ended by a zero. */
+void ehlwave_reason(int number, char *text, long size)
+{
+   snprintf(text, (size_t)size, "%s", strerror(number));
+}
+
 /* The text in an array of characters that a library has for all, such as fftw_version of FFTW, cut to `size` and ended by a
-   zero; empty if no library that the program was started with has it. */
+   zero; empty if no library that the program was started with has it. Without a name: name and version of the C library,
+   whose vector functions results depend on; empty if it does not say. */
 void ehlwave_library_text(const char *name, char *text, long size)
 {
    void *handle = dlopen(NULL, RTLD_NOW);
-   const char *found = handle ? dlsym(handle, name) : NULL;
+   const char *found = handle && *name ? dlsym(handle, name) : NULL;
    snprintf(text, (size_t)size, "%s", found ? found : "");
    if (handle) dlclose(handle);
-}
-
-/* Name and version of the C library, whose vector functions results depend on; empty if it does not say. */
-void ehlwave_c_library(char *text, long size)
-{
 #ifdef __GLIBC__
-   snprintf(text, (size_t)size, "glibc %s", gnu_get_libc_version());
-#else
-   snprintf(text, (size_t)size, "%s", "");
+   if (!*name) snprintf(text, (size_t)size, "glibc %s", gnu_get_libc_version());
 #endif
 }

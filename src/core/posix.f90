@@ -6,11 +6,48 @@ module ehlwave_posix
    use, intrinsic :: iso_c_binding, only: c_char, c_funptr, c_int, c_int32_t, c_long, c_null_char
    implicit none (type, external)
    private
-   public :: append_text, c_library, catch_signals, checksum, close_file, create_file, find_procedure, is_locked, &
+   public :: append_text, catch_signals, checksum, close_file, create_file, find_procedure, is_locked, &
       library_text, lock_file, list_folder, make_folder, process_id, remove_file, replace_file, reason_text, set_note, &
       signal_caught, sync_file, watchdog
 
    integer, parameter, public :: lock_taken = 0, lock_refused = 1, lock_absent = 2, lock_unwritable = -1
+
+   abstract interface
+      integer(c_int) function of_process() bind(c)
+         import :: c_int
+         implicit none (type, external)
+      end function of_process
+      integer(c_int) function of_file(file) bind(c)
+         import :: c_int
+         implicit none (type, external)
+         integer(c_int), value :: file
+      end function of_file
+      integer(c_int) function of_path(path) bind(c)
+         import :: c_char, c_int
+         implicit none (type, external)
+         character(kind=c_char), intent(in) :: path(*)
+      end function of_path
+      integer(c_int) function of_file_and_text(file, text, length) bind(c)
+         import :: c_char, c_int, c_long
+         implicit none (type, external)
+         integer(c_int), value :: file
+         character(kind=c_char), intent(in) :: text(*)
+         integer(c_long), value :: length
+      end function of_file_and_text
+   end interface
+
+   procedure(of_process), bind(c, name='ehlwave_process_id') :: process_id        !! number of this process
+   procedure(of_process), bind(c, name='ehlwave_signal_caught') :: signal_caught  !! the last signal caught, 0 for none
+   !> Wait until what was appended is on the disk. 0, or the system's error number.
+   procedure(of_file), bind(c, name='ehlwave_sync') :: sync_file
+   procedure(of_file), bind(c, name='ehlwave_close') :: close_file                !! 0, or the system's error number
+   procedure(of_path), bind(c, name='ehlwave_create') :: c_create
+   procedure(of_path), bind(c, name='ehlwave_make_folder') :: c_make_folder
+   procedure(of_path), bind(c, name='ehlwave_remove') :: c_remove
+   procedure(of_path), bind(c, name='ehlwave_lock') :: c_lock
+   procedure(of_path), bind(c, name='ehlwave_is_locked') :: c_is_locked
+   procedure(of_file_and_text), bind(c, name='ehlwave_append') :: c_append
+   procedure(of_file_and_text), bind(c, name='ehlwave_set_note') :: c_set_note
 
    interface
       integer(c_int32_t) function c_crc32(text, length) bind(c, name='ehlwave_crc32')
@@ -19,47 +56,12 @@ module ehlwave_posix
          character(kind=c_char), intent(in) :: text(*)
          integer(c_long), value :: length
       end function c_crc32
-      integer(c_int) function c_create(path, file) bind(c, name='ehlwave_create')
-         import :: c_char, c_int
-         implicit none (type, external)
-         character(kind=c_char), intent(in) :: path(*)
-         integer(c_int), intent(out) :: file
-      end function c_create
-      integer(c_int) function c_append(file, text, length) bind(c, name='ehlwave_append')
-         import :: c_char, c_int, c_long
-         implicit none (type, external)
-         integer(c_int), value :: file
-         character(kind=c_char), intent(in) :: text(*)
-         integer(c_long), value :: length
-      end function c_append
-      !> Wait until what was appended is on the disk. 0, or the system's error number.
-      integer(c_int) function sync_file(file) bind(c, name='ehlwave_sync')
-         import :: c_int
-         implicit none (type, external)
-         integer(c_int), value :: file
-      end function sync_file
-      !> Close a file. 0, or the system's error number.
-      integer(c_int) function close_file(file) bind(c, name='ehlwave_close')
-         import :: c_int
-         implicit none (type, external)
-         integer(c_int), value :: file
-      end function close_file
       integer(c_int) function c_replace(path, temporary, text, length) bind(c, name='ehlwave_replace')
          import :: c_char, c_int, c_long
          implicit none (type, external)
          character(kind=c_char), intent(in) :: path(*), temporary(*), text(*)
          integer(c_long), value :: length
       end function c_replace
-      integer(c_int) function c_make_folder(path) bind(c, name='ehlwave_make_folder')
-         import :: c_char, c_int
-         implicit none (type, external)
-         character(kind=c_char), intent(in) :: path(*)
-      end function c_make_folder
-      integer(c_int) function c_remove(path) bind(c, name='ehlwave_remove')
-         import :: c_char, c_int
-         implicit none (type, external)
-         character(kind=c_char), intent(in) :: path(*)
-      end function c_remove
       integer(c_long) function c_list(path, buffer, size) bind(c, name='ehlwave_list')
          import :: c_char, c_long
          implicit none (type, external)
@@ -67,38 +69,10 @@ module ehlwave_posix
          character(kind=c_char), intent(inout) :: buffer(*)
          integer(c_long), value :: size
       end function c_list
-      integer(c_int) function c_lock(path, file) bind(c, name='ehlwave_lock')
-         import :: c_char, c_int
-         implicit none (type, external)
-         character(kind=c_char), intent(in) :: path(*)
-         integer(c_int), intent(out) :: file
-      end function c_lock
-      integer(c_int) function c_is_locked(path) bind(c, name='ehlwave_is_locked')
-         import :: c_char, c_int
-         implicit none (type, external)
-         character(kind=c_char), intent(in) :: path(*)
-      end function c_is_locked
-      !> Number of this process.
-      integer(c_int) function process_id() bind(c, name='ehlwave_process_id')
-         import :: c_int
-         implicit none (type, external)
-      end function process_id
       !> From now on SIGTERM, SIGUSR1 and SIGINT are remembered; a second SIGINT ends the process as usual.
       subroutine catch_signals() bind(c, name='ehlwave_catch_signals')
          implicit none (type, external)
       end subroutine catch_signals
-      !> The last signal caught, 0 for none.
-      integer(c_int) function signal_caught() bind(c, name='ehlwave_signal_caught')
-         import :: c_int
-         implicit none (type, external)
-      end function signal_caught
-      subroutine c_set_note(file, text, length) bind(c, name='ehlwave_set_note')
-         import :: c_char, c_int, c_long
-         implicit none (type, external)
-         integer(c_int), value :: file
-         character(kind=c_char), intent(in) :: text(*)
-         integer(c_long), value :: length
-      end subroutine c_set_note
       !> End this process by SIGALRM unless called again within some seconds; 0: never.
       subroutine watchdog(seconds) bind(c, name='ehlwave_watchdog')
          import :: c_int
@@ -120,23 +94,13 @@ module ehlwave_posix
          character(kind=c_char), intent(out) :: text(*)
          integer(c_long), value :: size
       end subroutine c_library_text
-      subroutine c_c_library(text, size) bind(c, name='ehlwave_c_library')
-         import :: c_char, c_long
-         implicit none (type, external)
-         character(kind=c_char), intent(out) :: text(*)
-         integer(c_long), value :: size
-      end subroutine c_c_library
-      function c_strerror(number) result(text) bind(c, name='strerror')
-         use, intrinsic :: iso_c_binding, only: c_int, c_ptr
+      subroutine c_reason(number, text, size) bind(c, name='ehlwave_reason')
+         import :: c_char, c_int, c_long
          implicit none (type, external)
          integer(c_int), value :: number
-         type(c_ptr) :: text
-      end function c_strerror
-      integer(c_long) function c_strlen(text) bind(c, name='strlen')
-         use, intrinsic :: iso_c_binding, only: c_long, c_ptr
-         implicit none (type, external)
-         type(c_ptr), value :: text
-      end function c_strlen
+         character(kind=c_char), intent(out) :: text(*)
+         integer(c_long), value :: size
+      end subroutine c_reason
    end interface
 
 contains
@@ -159,7 +123,8 @@ contains
    subroutine create_file(path, file, status)
       character(len=*), intent(in) :: path
       integer, intent(out) :: file, status
-      status = c_create(path//c_null_char, file)
+      file = c_create(path//c_null_char)
+      status = max(0, -file)
    end subroutine create_file
 
    !> Append a text in one piece. `status` is 0 or the system's error number; then a part may be there.
@@ -214,8 +179,7 @@ contains
    subroutine lock_file(path, status)
       character(len=*), intent(in) :: path
       integer, intent(out) :: status
-      integer(c_int) :: file
-      status = c_lock(path//c_null_char, file)
+      status = c_lock(path//c_null_char)
    end subroutine lock_file
 
    !> Whether another process holds the lock of a file.
@@ -228,7 +192,8 @@ contains
    subroutine set_note(file, text)
       integer, intent(in) :: file
       character(len=*), intent(in) :: text
-      call c_set_note(file, text, int(len(text), c_long))
+      integer :: status
+      status = c_set_note(file, text, int(len(text), c_long))
    end subroutine set_note
 
    !> A C function of a shared library, not associated if there is none. `may_load`: load the library if it has not been.
@@ -244,7 +209,8 @@ contains
       reason = buffer(:index(buffer, c_null_char) - 1)
    end subroutine find_procedure
 
-   !> The text that a loaded library has under a name, as `fftw_version` of FFTW; empty if there is none.
+   !> The text that a loaded library has under a name, as `fftw_version` of FFTW; empty if there is none. Without a name: name
+   !> and version of the C library, empty if it does not say.
    function library_text(name) result(text)
       character(len=*), intent(in) :: name
       character(len=:), allocatable :: text
@@ -253,28 +219,13 @@ contains
       text = buffer(:index(buffer, c_null_char) - 1)
    end function library_text
 
-   !> Name and version of the C library, empty if it does not say.
-   function c_library() result(text)
-      character(len=:), allocatable :: text
-      character(len=200) :: buffer
-      call c_c_library(buffer, int(len(buffer), c_long))
-      text = buffer(:index(buffer, c_null_char) - 1)
-   end function c_library
-
    !> The system's words for an error number.
    function reason_text(status) result(text)
-      use, intrinsic :: iso_c_binding, only: c_f_pointer, c_ptr
       integer, intent(in) :: status
       character(len=:), allocatable :: text
-      type(c_ptr) :: words
-      character(kind=c_char), pointer :: letters(:)
-      integer :: i
-      words = c_strerror(status)
-      call c_f_pointer(words, letters, [c_strlen(words)])
-      allocate (character(len=size(letters)) :: text)
-      do i = 1, size(letters)
-         text(i:i) = letters(i)
-      end do
+      character(len=200) :: buffer
+      call c_reason(status, buffer, int(len(buffer), c_long))
+      text = buffer(:index(buffer, c_null_char) - 1)
    end function reason_text
 
 end module ehlwave_posix

@@ -15,33 +15,25 @@ module ehlwave_status
    integer, parameter, public :: status_interrupted = 8 !! stopped from outside, to be continued
    integer, parameter, public :: last_status = 8
 
+   !> As written to results.
+   character(len=*), parameter :: names(0:last_status) = [character(len=11) :: 'converged', 'unresolved', 'stalled', &
+      'diverged', 'not_finite', 'pending', 'over_budget', 'crashed', 'interrupted']
+
 contains
 
    !> Name of a status as written to results.
    pure function status_name(status) result(name)
       integer, intent(in) :: status
       character(len=:), allocatable :: name
-      select case (status)
-      case (status_converged); name = 'converged'
-      case (status_unresolved); name = 'unresolved'
-      case (status_stalled); name = 'stalled'
-      case (status_diverged); name = 'diverged'
-      case (status_not_finite); name = 'not_finite'
-      case (status_pending); name = 'pending'
-      case (status_over_budget); name = 'over_budget'
-      case (status_crashed); name = 'crashed'
-      case (status_interrupted); name = 'interrupted'
-      case default; name = 'unknown'
-      end select
+      name = 'unknown'
+      if (status >= 0 .and. status <= last_status) name = trim(names(status))
    end function status_name
 
    !> Status of a name; `pending` for a name that is none.
    pure integer function status_of_name(name)
       character(len=*), intent(in) :: name
-      do status_of_name = 0, last_status
-         if (status_name(status_of_name) == name) return
-      end do
-      status_of_name = status_pending
+      status_of_name = findloc(names, name, 1) - 1
+      if (status_of_name < 0) status_of_name = status_pending
    end function status_of_name
 
    !> Whether the equations were solved to the asked tolerance.

@@ -3,7 +3,7 @@ module ehlwave_text
    use ehlwave_kinds, only: dp, i8
    implicit none (type, external)
    private
-   public :: lower_case, shown, to_text
+   public :: count_lines, lower_case, next_line, shown, to_text
 
    integer, parameter :: most_shown = 60   ! characters of a text from outside that a message repeats
 
@@ -78,6 +78,28 @@ contains
       text = merge('true ', 'false', value)
       text = trim(text)
    end function logical_text
+
+   !> Whether a text has one more line, which is text(first:last) without its end. Begin with last = -1.
+   logical function next_line(text, first, last)
+      character(len=*), intent(in) :: text
+      integer, intent(out) :: first
+      integer, intent(inout) :: last
+      first = last + 2
+      next_line = first <= len(text)
+      if (.not. next_line) return
+      last = first + index(text(first:), new_line('a')) - 2
+      if (last < first - 1) last = len(text)
+   end function next_line
+
+   !> Number of lines, the last one with or without its end.
+   pure integer function count_lines(text)
+      character(len=*), intent(in) :: text
+      integer :: i
+      count_lines = 1
+      do i = 1, len(text)
+         if (text(i:i) == new_line('a')) count_lines = count_lines + 1
+      end do
+   end function count_lines
 
    !> Copy of `text` in lower case.
    elemental function lower_case(text) result(lower)

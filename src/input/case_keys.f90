@@ -220,8 +220,9 @@ contains
          default='1024; of line contacts 8192', is_written=min(case%cells_x, case%cells_y) == 0))
       call list%see(case%domain, key_t('domain', "computed domain; 'auto': half of it where the case is even in Y, 'whole': "// &
          'always all of it', choices='auto whole', applies=is_elliptical, when=elliptical))
-      call list%see(case%edges, key_t('edges', "pressure at the edges of the domain; 'flooded': that of the oil farther out, "// &
-         "'truncated': 0, which starves the contact a little", choices='flooded truncated', is_late=.true.))
+      call list%see(case%edges, key_t('edges', "pressure at the edges of the domain; 'flooded': that of the oil farther out; "// &
+         "with accuracy a domain of the usual size is enlarged where that takes more; 'truncated': 0, which starves the "// &
+         "contact a little", choices='flooded truncated', is_late=.true.))
    end subroutine visit_grid
 
    subroutine visit_solver(case, list)

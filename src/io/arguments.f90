@@ -36,28 +36,19 @@ contains
             cycle
          end if
          equal = index(argument, '=')
-         name = argument
-         value = ''
-         if (equal > 0) then
-            name = argument(:equal - 1)
-            value = argument(equal + 1:)
-         end if
+         if (equal == 0) equal = longest + 1
+         name = argument(:equal - 1)
+         value = argument(equal + 1:)
          if (any(options == name)) then
-            if (equal == 0) then
-               if (i == command_argument_count()) then
-                  call raise(error, trim(name)//' needs a value')
-                  return
-               end if
+            if (equal > longest) then
                i = i + 1
-               call get_command_argument(i, value)
+               call get_command_argument(i, value)      ! blank after the last one
             end if
-            if (len_trim(value) == 0) call raise(error, trim(name)//' needs a value')
-         else if (.not. any(switches == name) .or. equal > 0) then
+            if (value == '') call raise(error, trim(name)//' needs a value')
+         else if (.not. any(switches == name) .or. equal <= longest) then
             call raise(error, 'unknown option '//trim(argument))
          end if
-         if (.not. allocated(error)) then
-            if (arguments%has(trim(name))) call raise(error, trim(name)//' is given twice')
-         end if
+         if (arguments%has(trim(name)) .and. .not. allocated(error)) call raise(error, trim(name)//' is given twice')
          if (allocated(error)) return
          arguments%names = [character(len=longest) :: arguments%names, name]
          arguments%values = [character(len=longest) :: arguments%values, value]

@@ -2,7 +2,7 @@
 module ehlwave_csv
    use ehlwave_errors, only: error_t, raise
    use ehlwave_identity_index, only: identity_index_t, text_identity
-   use ehlwave_text, only: lower_case, shown, to_text
+   use ehlwave_text, only: count_lines, lower_case, next_line, shown, to_text
    use ehlwave_text_file, only: read_text
    implicit none (type, external)
    private
@@ -39,14 +39,11 @@ contains
       table%path = path
       allocate (table%line(count_lines(text)))
       rows = 0
-      first = 1
-      if (index(text, byte_order_mark) == 1) first = 4
       number = 0
-      do while (first <= len(text))
-         last = index(text(first:), new_line('a'))
-         if (last == 0) last = len(text) - first + 2
-         line = without_return(text(first:first + last - 2))
-         first = first + last
+      last = -1
+      if (index(text, byte_order_mark) == 1) last = 2
+      do while (next_line(text, first, last))
+         line = without_return(text(first:last))
          number = number + 1
          if (len_trim(line) == 0) cycle
          if (line(1:1) == '#') cycle
@@ -74,16 +71,6 @@ contains
       if (allocated(table%cells)) table%cells = table%cells(:, :rows)
       if (rows == 0) call raise(error, path//': no rows: give a line of column names and at least one row')
    end subroutine read_csv
-
-   !> Number of lines, the last one with or without its end.
-   pure integer function count_lines(text)
-      character(len=*), intent(in) :: text
-      integer :: i
-      count_lines = 1
-      do i = 1, len(text)
-         if (text(i:i) == new_line('a')) count_lines = count_lines + 1
-      end do
-   end function count_lines
 
    subroutine refuse_doubled_names(table, number, error)
       type(csv_t), intent(in) :: table

@@ -31,10 +31,8 @@ module ehlwave_hdf5_file
       generic :: attribute => text_attribute, integer_attribute
       procedure :: dimension
       procedure :: has
-      generic :: write => write_real, write_integer, write_reals, write_integers, write_texts, write_plane
-      procedure, private :: write_real, write_integer, write_reals, write_integers, write_texts, write_plane
-      procedure, private :: text_attribute, integer_attribute
-      procedure, private :: note, attach, write_values
+      generic :: write => write_reals, write_integers, write_texts
+      procedure, private :: text_attribute, integer_attribute, write_reals, write_integers, write_texts, note
    end type hdf5_file_t
 
 contains
@@ -106,36 +104,43 @@ contains
    subroutine integer_attribute(self, name, value)
       class(hdf5_file_t), intent(inout) :: self
       character(len=*), intent(in) :: name
-      integer, intent(in) :: value
-      integer(hid_t) :: id, space
-      integer :: status(5)
-      call h5screate_f(h5s_scalar_f, space, status(1))
-      call h5acreate_f(self%id, name, h5t_native_integer, space, id, status(2))
-      call h5awrite_f(id, h5t_native_integer, value, [1_hsize_t], status(3))
-      call h5aclose_f(id, status(4))
-      call h5sclose_f(space, status(5))
-      call self%note(status)
+      integer, intent(in), target :: value
+      call write_value(self, self%id, name, h5t_native_integer, c_loc(value))
    end subroutine integer_attribute
 
+   !> Text attribute of an object, as long as the text without trailing blanks.
    subroutine write_attribute(self, object, name, text)
       type(hdf5_file_t), intent(inout) :: self
       integer(hid_t), intent(in) :: object
       character(len=*), intent(in) :: name, text
-      integer(hid_t) :: space, type, id
-      character(len=max(1, len_trim(text))) :: value
-      integer :: status(8)
+      integer(hid_t) :: type
+      character(len=max(1, len_trim(text))), target :: value
+      type(c_ptr) :: address   ! as an argument, c_loc of text shifts the lengths of the texts after it (gfortran 12)
+      integer :: status(3)
 
       value = text
-      call h5screate_f(h5s_scalar_f, space, status(1))
-      call h5tcopy_f(h5t_fortran_s1, type, status(2))
-      call h5tset_size_f(type, len(value, size_t), status(3))
-      call h5acreate_f(object, name, type, space, id, status(4))
-      call h5awrite_f(id, type, value, [1_hsize_t], status(5))
-      call h5aclose_f(id, status(6))
-      call h5tclose_f(type, status(7))
-      call h5sclose_f(space, status(8))
+      call h5tcopy_f(h5t_fortran_s1, type, status(1))
+      call h5tset_size_f(type, len(value, size_t), status(2))
+      address = c_loc(value)
+      call write_value(self, object, name, type, address)
+      call h5tclose_f(type, status(3))
       call self%note(status)
    end subroutine write_attribute
+
+   subroutine write_value(self, object, name, type, value)
+      type(hdf5_file_t), intent(inout) :: self
+      integer(hid_t), intent(in) :: object, type
+      character(len=*), intent(in) :: name
+      type(c_ptr), intent(in) :: value
+      integer(hid_t) :: id, space
+      integer :: status(5)
+      call h5screate_f(h5s_scalar_f, space, status(1))
+      call h5acreate_f(object, name, type, space, id, status(2))
+      call h5awrite_f(id, type, value, status(3))
+      call h5aclose_f(id, status(4))
+      call h5sclose_f(space, status(5))
+      call self%note(status)
+   end subroutine write_value
 
    !> Make a dataset already written the scale of the dimension of its name.
    subroutine dimension(self, name)
@@ -179,14 +184,14 @@ contains
       call self%note(status)
    end function storage
 
-   !> One dataset and what belongs to it: units, long_name and its scales, slowest dimension first.
+   !> One dataset and what belongs to it: units, long_name and its scales.
    subroutine write_values(self, name, in_memory, in_file, extent, values, units, long_name, scale, second_scale)
-      class(hdf5_file_t), intent(inout) :: self
+      type(hdf5_file_t), intent(inout) :: self
       character(len=*), intent(in) :: name, units, long_name
       integer(hid_t), intent(in) :: in_memory, in_file       !! types
       integer(hsize_t), intent(in) :: extent(:)              !! empty: one value without dimension
       type(c_ptr), intent(in) :: values                      !! contiguous
-      character(len=*), intent(in), optional :: scale, second_scale
+      character(len=*), intent(in), optional :: scale, second_scale   !! of the first dimension, of the second
       integer(hid_t) :: id, properties, space
       integer :: status(6)
 
@@ -201,8 +206,8 @@ contains
       call h5dwrite_f(id, in_memory, values, status(4))
       if (len(units) > 0) call write_attribute(self, id, 'units', units)
       call write_attribute(self, id, 'long_name', long_name)
-      if (present(scale)) call self%attach(id, scale, 1)
-      if (present(second_scale)) call self%attach(id, second_scale, 2)
+      if (present(second_scale)) call attach(self, id, second_scale, 1)
+      if (present(scale)) call attach(self, id, scale, size(extent))
       call h5dclose_f(id, status(5))
       call h5sclose_f(space, status(6))
       call self%note(status)
@@ -210,59 +215,44 @@ contains
 
    !> Attach a dimension scale; `number` counts dimensions in C order, slowest first.
    subroutine attach(self, id, scale, number)
-      class(hdf5_file_t), intent(inout) :: self
+      type(hdf5_file_t), intent(inout) :: self
       integer(hid_t), intent(in) :: id
-      character(len=*), intent(in) :: scale   !! empty: the dataset is a scale itself
+      character(len=*), intent(in) :: scale
       integer, intent(in) :: number
       integer(hid_t) :: scale_id
       integer :: status(3)
-      if (len_trim(scale) == 0) return
-      call h5dopen_f(self%id, trim(scale), scale_id, status(1))
+      call h5dopen_f(self%id, scale, scale_id, status(1))
       call h5dsattach_scale_f(id, scale_id, number, status(2))
       call h5dclose_f(scale_id, status(3))
       call self%note(status)
    end subroutine attach
 
-   !> One real value.
-   subroutine write_real(self, name, value, units, long_name)
+   !> Real values over as many dimensions as they have. In the file (C order) the first one comes last.
+   subroutine write_reals(self, name, values, units, long_name, scale, second_scale)
       class(hdf5_file_t), intent(inout) :: self
       character(len=*), intent(in) :: name, units, long_name
-      real(dp), intent(in), target :: value
-      call self%write_values(name, h5t_native_double, h5t_native_double, [integer(hsize_t) ::], c_loc(value), units, long_name)
-   end subroutine write_real
-
-   !> One whole number.
-   subroutine write_integer(self, name, value, units, long_name)
-      class(hdf5_file_t), intent(inout) :: self
-      character(len=*), intent(in) :: name, units, long_name
-      integer, intent(in), target :: value
-      call self%write_values(name, h5t_native_integer, h5t_native_integer, [integer(hsize_t) ::], c_loc(value), units, &
-                             long_name)
-   end subroutine write_integer
-
-   !> Real values over one dimension.
-   subroutine write_reals(self, name, values, scale, units, long_name)
-      class(hdf5_file_t), intent(inout) :: self
-      character(len=*), intent(in) :: name, scale, units, long_name
-      real(dp), intent(in), target, contiguous :: values(:)
-      call self%write_values(name, h5t_native_double, h5t_native_double, shape(values, hsize_t), c_loc(values), units, &
-                             long_name, scale)
+      real(dp), intent(in), target, contiguous :: values(..)
+      character(len=*), intent(in), optional :: scale, second_scale   !! of the first dimension, of the second
+      call write_values(self, name, h5t_native_double, h5t_native_double, shape(values, hsize_t), c_loc(values), units, &
+                        long_name, scale, second_scale)
    end subroutine write_reals
 
-   !> Whole numbers over one dimension.
-   subroutine write_integers(self, name, values, scale, units, long_name)
+   !> Whole numbers, one or over one dimension.
+   subroutine write_integers(self, name, values, units, long_name, scale)
       class(hdf5_file_t), intent(inout) :: self
-      character(len=*), intent(in) :: name, scale, units, long_name
-      integer, intent(in), target, contiguous :: values(:)
-      call self%write_values(name, h5t_native_integer, h5t_native_integer, shape(values, hsize_t), c_loc(values), units, &
-                             long_name, scale)
+      character(len=*), intent(in) :: name, units, long_name
+      integer, intent(in), target, contiguous :: values(..)
+      character(len=*), intent(in), optional :: scale
+      call write_values(self, name, h5t_native_integer, h5t_native_integer, shape(values, hsize_t), c_loc(values), units, &
+                        long_name, scale)
    end subroutine write_integers
 
    !> Texts over one dimension, in a fixed length, padded with nulls in the file.
-   subroutine write_texts(self, name, values, scale, units, long_name)
+   subroutine write_texts(self, name, values, units, long_name, scale)
       class(hdf5_file_t), intent(inout) :: self
-      character(len=*), intent(in) :: name, scale, units, long_name
+      character(len=*), intent(in) :: name, units, long_name
       character(len=*), intent(in), target, contiguous :: values(:)
+      character(len=*), intent(in) :: scale
       integer(hid_t) :: in_memory, in_file
       type(c_ptr) :: address   ! as an argument, c_loc of text shifts the lengths of the texts after it (gfortran 12)
       integer :: status(7)
@@ -272,19 +262,10 @@ contains
       call h5tset_size_f(in_file, int(max(1, maxval(len_trim(values))), size_t), status(4))
       call h5tset_strpad_f(in_file, h5t_str_nullpad_f, status(5))
       address = c_loc(values)
-      call self%write_values(name, in_memory, in_file, shape(values, hsize_t), address, units, long_name, scale)
+      call write_values(self, name, in_memory, in_file, shape(values, hsize_t), address, units, long_name, scale)
       call h5tclose_f(in_memory, status(6))
       call h5tclose_f(in_file, status(7))
       call self%note(status)
    end subroutine write_texts
-
-   !> Field values(nx, ny) over two dimensions. In the file (C order) y comes first.
-   subroutine write_plane(self, name, values, scale_x, scale_y, units, long_name)
-      class(hdf5_file_t), intent(inout) :: self
-      character(len=*), intent(in) :: name, scale_x, scale_y, units, long_name
-      real(dp), intent(in), target, contiguous :: values(:, :)
-      call self%write_values(name, h5t_native_double, h5t_native_double, shape(values, hsize_t), c_loc(values), units, &
-                             long_name, scale_y, scale_x)
-   end subroutine write_plane
 
 end module ehlwave_hdf5_file

@@ -1,128 +1,27 @@
-!> Builds one JSON object on one line, for log and provenance records.
+!> Values as JSON.
 module ehlwave_json
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_kinds, only: dp, i8
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
-   public :: json_t
-
-   !> Members in the order in which they are added; the caller gives each name once.
-   type :: json_t
-      character(len=:), allocatable, private :: members   !! text between the braces
-      character(len=:), allocatable, private :: columns   ! ["name", "kind"] of each
-      character(len=:), allocatable, private :: values    ! their values alone
-   contains
-      generic :: add => add_real, add_integer, add_long, add_logical, add_character
-      procedure :: add_list
-      procedure :: add_object
-      procedure :: to_string
-      procedure :: column_list
-      procedure :: value_list
-      procedure, private :: add_real, add_integer, add_long, add_logical, add_character, add_member
-   end type json_t
+   public :: list_json, real_json, string_json
 
 contains
 
-   !> The object as text: ASCII and UTF-8, no line ends.
-   pure function to_string(self) result(text)
-      class(json_t), intent(in) :: self
+   !> A list of real numbers; NaN and infinities become null.
+   pure function list_json(values) result(text)
+      real(dp), intent(in) :: values(:)
       character(len=:), allocatable :: text
-      text = '{}'
-      if (allocated(self%members)) text = '{'//self%members//'}'
-   end function to_string
-
-   !> Names and kinds (real, integer, logical, text, list, object) of the members: [["name","kind"],...]
-   pure function column_list(self) result(text)
-      class(json_t), intent(in) :: self
-      character(len=:), allocatable :: text
-      text = '[]'
-      if (allocated(self%columns)) text = '['//self%columns//']'
-   end function column_list
-
-   !> The values of the members alone, in the order of `column_list`.
-   pure function value_list(self) result(text)
-      class(json_t), intent(in) :: self
-      character(len=:), allocatable :: text
-      text = '[]'
-      if (allocated(self%values)) text = '['//self%values//']'
-   end function value_list
-
-   pure subroutine add_real(self, name, value)
-      class(json_t), intent(inout) :: self
-      character(len=*), intent(in) :: name
-      real(dp), intent(in) :: value               !! NaN and infinities become null
-      call self%add_member('real', name, real_json(value))
-   end subroutine add_real
-
-   pure subroutine add_integer(self, name, value)
-      class(json_t), intent(inout) :: self
-      character(len=*), intent(in) :: name
-      integer, intent(in) :: value
-      call self%add_member('integer', name, to_text(value))
-   end subroutine add_integer
-
-   pure subroutine add_long(self, name, value)
-      class(json_t), intent(inout) :: self
-      character(len=*), intent(in) :: name
-      integer(i8), intent(in) :: value
-      call self%add_member('integer', name, to_text(value))
-   end subroutine add_long
-
-   pure subroutine add_logical(self, name, value)
-      class(json_t), intent(inout) :: self
-      character(len=*), intent(in) :: name
-      logical, intent(in) :: value
-      call self%add_member('logical', name, to_text(value))
-   end subroutine add_logical
-
-   pure subroutine add_character(self, name, value)
-      class(json_t), intent(inout) :: self
-      character(len=*), intent(in) :: name
-      character(len=*), intent(in) :: value       !! kept with its trailing blanks
-      call self%add_member('text', name, string_json(value))
-   end subroutine add_character
-
-   pure subroutine add_list(self, name, values)
-      class(json_t), intent(inout) :: self
-      character(len=*), intent(in) :: name
-      real(dp), intent(in) :: values(:)           !! NaN and infinities become null
-      character(len=:), allocatable :: list
       integer :: i
-
-      list = ''
+      text = ''
       do i = 1, size(values)
-         list = list//', '//real_json(values(i))
+         text = text//', '//real_json(values(i))
       end do
-      call self%add_member('list', name, '['//list(3:)//']')
-   end subroutine add_list
+      text = '['//text(3:)//']'
+   end function list_json
 
-   pure subroutine add_object(self, name, value)
-      class(json_t), intent(inout) :: self
-      character(len=*), intent(in) :: name
-      type(json_t), intent(in) :: value
-      call self%add_member('object', name, value%to_string())
-   end subroutine add_object
-
-   pure subroutine add_member(self, kind, name, value)
-      class(json_t), intent(inout) :: self
-      character(len=*), intent(in) :: kind, name
-      character(len=*), intent(in) :: value       !! as JSON
-      character(len=:), allocatable :: quoted
-
-      quoted = string_json(name)
-      if (allocated(self%members)) then
-         self%members = self%members//', '//quoted//': '//value
-         self%columns = self%columns//',['//quoted//',"'//kind//'"]'
-         self%values = self%values//','//value
-      else
-         self%members = quoted//': '//value
-         self%columns = '['//quoted//',"'//kind//'"]'
-         self%values = value
-      end if
-   end subroutine add_member
-
-   !> The shortest of 15, 16 and 17 significant digits that reads back as the same number.
+   !> The shortest of 15, 16 and 17 significant digits that reads back as the same number; of NaN and infinities null.
    pure function real_json(value) result(text)
       real(dp), intent(in) :: value
       character(len=:), allocatable :: text

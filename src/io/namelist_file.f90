@@ -23,12 +23,10 @@ module ehlwave_namelist
    contains
       procedure :: load
       procedure :: load_text
-      procedure :: has, has_group
       procedure :: place
       procedure :: check_all_used
       procedure :: values_of, value_of
       procedure :: refuse
-      procedure, private :: find
    end type namelist_t
 
 contains
@@ -62,25 +60,6 @@ contains
       self%contents = contents
       self%known = known_names_t()
    end subroutine load_text
-
-   !> Whether the file gives a key; the key counts as known afterwards. Give the call a statement of its
-   !> own: beside '.and.' or '.or.' a compiler may leave it out, and then the key stays unknown.
-   logical function has(self, group, key)
-      class(namelist_t), intent(inout) :: self
-      character(len=*), intent(in) :: group, key
-      type(error_t), allocatable :: error
-      integer :: i
-      call self%find(group, key, i, error)
-      has = i > 0
-   end function has
-
-   !> Whether the file has a group; the group counts as known afterwards. A statement of its own, as `has`.
-   logical function has_group(self, group)
-      class(namelist_t), intent(inout) :: self
-      character(len=*), intent(in) :: group
-      call self%known%learn(group)
-      has_group = self%contents%group_place(group) > 0
-   end function has_group
 
    !> `FILE:LINE: ` of a key, else of its group, or `FILE: `; for messages of the caller.
    function place(self, group, key) result(prefix)
@@ -127,7 +106,9 @@ contains
       type(value_t), allocatable, intent(out) :: items(:)
       type(error_t), allocatable, intent(in) :: error
       integer :: i
-      call self%find(group, key, i, error)
+      if (allocated(error)) return
+      call self%known%learn(group, key)
+      i = self%contents%entry_place(group, key)
       if (i > 0) items = self%contents%values(self%contents%entries(i)%first:self%contents%entries(i)%last)
    end subroutine values_of
 
@@ -137,22 +118,19 @@ contains
       character(len=*), intent(in) :: group, key
       type(value_t), allocatable, intent(out) :: item
       type(error_t), allocatable, intent(inout) :: error
+      type(value_t), allocatable :: items(:)
       character(len=:), allocatable :: problem
-      integer :: i, n
 
-      call self%find(group, key, i, error)
-      if (i == 0) return
-      associate (first => self%contents%entries(i)%first, values => self%contents%values)
-         n = self%contents%entries(i)%last - first + 1
-         if (n > 1) then
-            problem = to_text(n)//' values ('//shown(values(first)%text)//', '//shown(values(first + 1)%text)// &
-                      trim(merge(', ...', '     ', n > 2))//') where one is needed: write one, with a point as '// &
-                      'decimal mark, and ''='' after each key'
-            call self%refuse(group, key, problem, error)
-         else
-            item = values(first)
-         end if
-      end associate
+      call self%values_of(group, key, items, error)
+      if (.not. allocated(items)) return
+      if (size(items) > 1) then
+         problem = to_text(size(items))//' values ('//shown(items(1)%text)//', '//shown(items(2)%text)// &
+                   trim(merge(', ...', '     ', size(items) > 2))//') where one is needed: write one, with a point as '// &
+                   'decimal mark, and ''='' after each key'
+         call self%refuse(group, key, problem, error)
+      else
+         item = items(1)
+      end if
    end subroutine value_of
 
    !> Raise an error about a key, if there is a problem with it.
@@ -169,18 +147,5 @@ contains
       if (present(line)) where = line_prefix(self%path, line)
       call raise(error, where//'key '''//trim(lower_case(key))//''' in &'//trim(lower_case(group))//': '//problem)
    end subroutine refuse
-
-   !> Index of an entry, 0 when it is absent or `error` is allocated.
-   subroutine find(self, group, key, i, error)
-      class(namelist_t), intent(inout) :: self
-      character(len=*), intent(in) :: group, key
-      integer, intent(out) :: i
-      type(error_t), allocatable, intent(in) :: error
-
-      i = 0
-      if (allocated(error)) return
-      call self%known%learn(group, key)
-      i = self%contents%entry_place(group, key)
-   end subroutine find
 
 end module ehlwave_namelist

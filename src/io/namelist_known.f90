@@ -8,13 +8,9 @@ module ehlwave_namelist_known
    private
    public :: known_names_t
 
-   type :: name_t
-      character(len=name_length) :: group = '', key = ''   !! lower case; blank key: the group alone
-   end type name_t
-
    type :: known_names_t
-      type(name_t), allocatable, private :: names(:)       !! in the order of asking
-      type(identity_index_t), private :: index
+      character(len=name_length), allocatable, private :: groups(:), keys(:)   !! of each key, lower case
+      type(identity_index_t), private :: index                                !! of both, in the order of asking
    contains
       procedure :: learn
       procedure :: group_problem
@@ -23,19 +19,17 @@ module ehlwave_namelist_known
 
 contains
 
-   !> Note a group, or a key and its group.
+   !> Note a key and its group.
    subroutine learn(self, group, key)
       class(known_names_t), intent(inout) :: self
-      character(len=*), intent(in) :: group
-      character(len=*), intent(in), optional :: key
-      type(name_t) :: new
+      character(len=*), intent(in) :: group, key
       integer :: i
 
-      new%group = lower_case(group)
-      if (present(key)) new%key = lower_case(key)
-      if (.not. allocated(self%names)) allocate (self%names(0))
-      call self%index%add(text_identity(trim(new%group)//' '//trim(new%key)), i)
-      if (i > size(self%names)) self%names = [self%names, new]
+      if (.not. allocated(self%keys)) allocate (self%groups(0), self%keys(0))
+      call self%index%add(text_identity(lower_case(trim(group))//' '//lower_case(trim(key))), i)
+      if (i <= size(self%keys)) return
+      self%groups = [character(len=name_length) :: self%groups, lower_case(group)]
+      self%keys = [character(len=name_length) :: self%keys, lower_case(key)]
    end subroutine learn
 
    !> Empty for a known group; otherwise what is wrong and what to change.
@@ -46,10 +40,9 @@ contains
       character(len=name_length), allocatable :: groups(:)
 
       allocate (groups(0))
-      if (allocated(self%names)) groups = self%names%group
+      if (allocated(self%groups)) groups = self%groups
       problem = ''
-      if (any(groups == group)) return
-      problem = 'unknown group &'//trim(group)//': '//advice(group, groups, '&', 'groups')
+      if (.not. any(groups == group)) problem = 'unknown group &'//trim(group)//': '//advice(group, groups, '&', 'groups')
    end function group_problem
 
    !> Empty for a known key of a known group; otherwise what is wrong and what to change.
@@ -57,20 +50,17 @@ contains
       class(known_names_t), intent(in) :: self
       character(len=name_length), intent(in) :: group, key   !! the group is known
       character(len=:), allocatable :: problem
-      character(len=name_length), allocatable :: groups(:), keys(:)
       integer :: i
 
       problem = ''
       if (self%index%find(text_identity(trim(group)//' '//trim(key))) > 0) return
-      groups = self%names%group
-      keys = self%names%key
-      do i = 1, size(keys)
-         if (keys(i) == key) problem = problem//' or &'//trim(groups(i))
+      do i = 1, size(self%keys)
+         if (self%keys(i) == key) problem = problem//' or &'//trim(self%groups(i))
       end do
       if (problem /= '') then
          problem = 'it belongs to '//problem(5:)//', move it there'
       else
-         problem = advice(key, pack(keys, groups == group .and. keys /= ''), '', 'keys')
+         problem = advice(key, pack(self%keys, self%groups == group), '', 'keys')
       end if
       problem = 'unknown key '''//trim(key)//''' in &'//trim(group)//': '//problem
    end function key_problem
@@ -93,11 +83,7 @@ contains
          if (any(known(:i - 1) == known(i))) cycle
          text = text//', '//mark//trim(known(i))
       end do
-      if (text == '') then
-         text = 'no '//what//' are known here, remove it'
-      else
-         text = 'the known '//what//' are '//text(3:)
-      end if
+      text = 'the known '//what//' are '//text(3:)
    end function advice
 
 end module ehlwave_namelist_known

@@ -48,12 +48,9 @@ module ehlwave_namelist_scanner
    end type contents_t
 
    !> What was found so far, the token at hand and the one after it.
-   type :: scanner_t
-      type(cursor_t) :: cursor
+   type, extends(cursor_t) :: scanner_t
       type(token_t) :: token, after
       type(contents_t) :: found
-      type(entry_t) :: current                      !! key being read; line 0 before the first of a group
-      logical :: needs_value = .false.              !! after '=' or ','
    end type scanner_t
 
 contains
@@ -72,7 +69,7 @@ contains
       entry_place = self%entry_index%find(text_identity(lower_case(trim(group)//' '//trim(key))))
    end function entry_place
 
-   !> Split `text`.
+   !> Split `text`. Fails when it breaks the format.
    subroutine scan_namelist(path, text, contents, error)
       character(len=*), intent(in) :: path          !! for messages
       character(len=*), intent(in) :: text
@@ -80,179 +77,166 @@ contains
       type(error_t), allocatable, intent(out) :: error
       type(scanner_t) :: s
 
-      s%cursor%path = trim(path)
-      s%cursor%text = text
+      s%path = trim(path)
+      s%text = text
       allocate (s%found%groups(8), s%found%entries(64), s%found%values(64))
-      call s%cursor%take(s%after, error)
-      if (.not. allocated(error)) call shift(s, error)
-      do while (.not. allocated(error) .and. s%token%kind /= end_of_text)
-         call take_group(s, error)
+      call s%take(s%after)
+      call shift(s)
+      do while (s%token%kind /= end_of_text)
+         call take_group(s)
       end do
-      if (allocated(error)) return
-      if (s%found%n_groups == 0) then
-         call raise(error, s%cursor%path//': holds no group: write at least one ''&name ... /''')
-         return
+      if (allocated(s%error)) then
+         call move_alloc(s%error, error)
+      else if (s%found%n_groups == 0) then
+         call raise(error, s%path//': holds no group: write at least one ''&name ... /''')
+      else
+         contents = s%found
       end if
-      contents = s%found
    end subroutine scan_namelist
 
-   !> Go one token further.
-   subroutine shift(s, error)
+   !> Go one token further; after an error to the end of the text.
+   subroutine shift(s)
       type(scanner_t), intent(inout) :: s
-      type(error_t), allocatable, intent(out) :: error
       s%token = s%after
-      if (s%token%kind /= end_of_text) call s%cursor%take(s%after, error)
+      if (s%token%kind /= end_of_text) call s%take(s%after)
+      if (allocated(s%error)) s%token%kind = end_of_text
    end subroutine shift
 
    !> One group from '&' to '/'.
-   subroutine take_group(s, error)
+   subroutine take_group(s)
       type(scanner_t), intent(inout) :: s
-      type(error_t), allocatable, intent(out) :: error
       type(group_t) :: group
       integer :: i
 
       group%line = s%token%line
-      if (s%token%kind /= '&') then
-         call s%cursor%fail(error, group%line, ''''//shown(s%token%text)//''' stands outside a group: '// &
-                            'move it between ''&name'' and ''/'', or make it a comment with ''!''')
-         return
-      end if
-      call shift(s, error)
-      if (allocated(error)) return
-      call check_name(s, 'group', error)
-      if (allocated(error)) return
+      if (s%token%kind /= '&') call s%fail(group%line, ''''//shown(s%token%text)//''' stands outside a group: '// &
+                                           'move it between ''&name'' and ''/'', or make it a comment with ''!''')
+      call shift(s)
+      call check_name(s, 'group')
       group%name = lower_case(s%token%text)
       call s%found%group_index%add(text_identity(trim(group%name)), i)
-      if (i <= s%found%n_groups) then
-         call s%cursor%fail(error, group%line, 'group &'//trim(group%name)//' is given twice (first on line '// &
-                            to_text(s%found%groups(i)%line)//'): put all its keys into one')
-         return
-      end if
+      if (i <= s%found%n_groups) call s%fail(group%line, 'group &'//trim(group%name)//' is given twice (first on line '// &
+                                             to_text(s%found%groups(i)%line)//'): put all its keys into one')
       if (i > size(s%found%groups)) s%found%groups = [s%found%groups, s%found%groups]   ! room for as many again
       s%found%groups(i) = group
       s%found%n_groups = i
-      call shift(s, error)
-      do while (.not. allocated(error) .and. s%token%kind /= '/')
-         call take_item(s, group, error)
-         if (.not. allocated(error)) call shift(s, error)
+      call shift(s)
+      do while (s%token%kind /= '/' .and. .not. allocated(s%error))
+         call take_key(s, group)
       end do
-      if (allocated(error)) return
-      if (s%after%is_attached .and. scan(s%after%kind, '&'//end_of_text) == 0) then
-         call s%cursor%fail(error, s%token%line, '''/'' ends a group: put text that holds ''/'' into quotes, '// &
-                            'write fractions as decimal numbers, and begin a new line after ''/''')
-         return
-      end if
-      call end_key(s, error)
-      if (.not. allocated(error)) call shift(s, error)
+      call check_end(s)
+      call shift(s)
    end subroutine take_group
 
-   !> One key with its '=', one value or one comma inside a group.
-   subroutine take_item(s, group, error)
+   !> One key with its '=' and all its values, up to the next key or the end of the group.
+   subroutine take_key(s, group)
       type(scanner_t), intent(inout) :: s
       type(group_t), intent(in) :: group
-      type(error_t), allocatable, intent(out) :: error
+      type(entry_t) :: entry
+      logical :: needs_value
+      integer :: i
+
+      if (s%token%kind /= word .or. s%after%kind /= '=') then
+         call refuse_token(s, group)
+         return
+      end if
+      call check_name(s, 'key')
+      entry = entry_t(group%name, lower_case(s%token%text), s%token%line, first=s%found%n_values + 1)
+      call s%found%entry_index%add(text_identity(trim(entry%group)//' '//trim(entry%key)), i)
+      if (i <= s%found%n_entries) call s%fail(entry%line, 'key '''//trim(entry%key)//''' is given twice (first on line '// &
+                                              to_text(s%found%entries(i)%line)//'): remove one')
+      call shift(s)
+      call shift(s)
+      needs_value = .true.
+      do while (scan(s%token%kind, word//quoted//',') > 0 .and. .not. begins_key(s))
+         if (s%token%kind /= ',') then
+            call take_value(s, trim(entry%key))
+         else if (needs_value) then
+            call s%fail(s%token%line, 'empty value of key '''//trim(entry%key)//''': give a value or remove the '',''')
+         end if
+         needs_value = s%token%kind == ','
+         call shift(s)
+      end do
+      call check_end(s)
+      entry%last = s%found%n_values
+      if (entry%last < entry%first .and. (s%token%kind == '/' .or. (begins_key(s) .and. s%after%kind == '='))) &
+         call s%fail(entry%line, 'key '''//trim(entry%key)//''' has no value: give one, or remove the key')
+      if (s%found%n_entries == size(s%found%entries)) s%found%entries = [s%found%entries, s%found%entries]
+      s%found%n_entries = s%found%n_entries + 1
+      s%found%entries(s%found%n_entries) = entry
+   end subroutine take_key
+
+   !> Whether the token at hand is a key, and not a value of the one before.
+   pure logical function begins_key(s)
+      type(scanner_t), intent(in) :: s
+      begins_key = s%token%kind == word .and. scan(s%after%kind, '=(') > 0
+   end function begins_key
+
+   !> Say why there is no key where one could be.
+   subroutine refuse_token(s, group)
+      type(scanner_t), intent(inout) :: s
+      type(group_t), intent(in) :: group
 
       select case (s%token%kind)
       case (end_of_text)
-         call s%cursor%fail(error, group%line, 'group &'//trim(group%name)// &
-                            ' is not closed: put ''/'' on a line of its own at its end')
+         call s%fail(group%line, 'group &'//trim(group%name)//' is not closed: put ''/'' on a line of its own at its end')
       case ('&')
-         call s%cursor%fail(error, s%token%line, 'group &'//trim(group%name)//' of line '//to_text(group%line)// &
-                            ' is not closed: put ''/'' on a line of its own before this one')
+         call s%fail(s%token%line, 'group &'//trim(group%name)//' of line '//to_text(group%line)// &
+                     ' is not closed: put ''/'' on a line of its own before this one')
       case ('(')
-         call s%cursor%fail(error, s%token%line, '''('' is not accepted: write a list as ''key = a, b, c''')
-      case ('=')
-         call s%cursor%fail(error, s%token%line, '''='' without a key before it: write ''key = value''')
-      case (',')
-         if (s%current%line == 0) then
-            call s%cursor%fail(error, s%token%line, ''','' without a key before it: write ''key = value''')
-         else if (s%needs_value) then
-            call s%cursor%fail(error, s%token%line, 'empty value of key '''//trim(s%current%key)// &
-                               ''': give a value or remove the '',''')
-         end if
-         s%needs_value = .true.
+         call s%fail(s%token%line, '''('' is not accepted: write a list as ''key = a, b, c''')
+      case ('=', ',')
+         call s%fail(s%token%line, ''''//s%token%kind//''' without a key before it: write ''key = value''')
       case default
-         if (s%token%kind == word .and. s%after%kind == '=') then
-            call begin_key(s, error)
-         else if (s%token%kind == word .and. s%after%kind == '(') then
-            call s%cursor%fail(error, s%token%line, '''('' after '''//shown(s%token%text)//''': array elements are not '// &
-                               'accepted: write the whole list as ''key = a, b, c''')
-         else if (s%current%line == 0) then
-            call s%cursor%fail(error, s%token%line, 'no key before '''//shown(s%token%text)//''', or no ''='' after it: '// &
-                               'write ''key = value''')
-         else
-            call take_value(s, error)
-         end if
+         if (begins_key(s)) call s%fail(s%token%line, '''('' after '''//shown(s%token%text)//''': array elements are not '// &
+                                        'accepted: write the whole list as ''key = a, b, c''')
+         call s%fail(s%token%line, 'no key before '''//shown(s%token%text)//''', or no ''='' after it: '// &
+                     'write ''key = value''')
       end select
-   end subroutine take_item
+   end subroutine refuse_token
 
-   !> Close the key before, note the new one and go to its '='.
-   subroutine begin_key(s, error)
+   !> Refuse a '/' that belongs to something else.
+   subroutine check_end(s)
       type(scanner_t), intent(inout) :: s
-      type(error_t), allocatable, intent(out) :: error
-      type(entry_t) :: new
-      integer :: i
-
-      call end_key(s, error)
-      if (allocated(error)) return
-      call check_name(s, 'key', error)
-      if (allocated(error)) return
-      new%group = s%found%groups(s%found%n_groups)%name
-      new%key = lower_case(s%token%text)
-      new%line = s%token%line
-      new%first = s%found%n_values + 1
-      call s%found%entry_index%add(text_identity(trim(new%group)//' '//trim(new%key)), i)
-      if (i <= s%found%n_entries) then
-         call s%cursor%fail(error, new%line, 'key '''//trim(new%key)//''' is given twice (first on line '// &
-                            to_text(s%found%entries(i)%line)//'): remove one')
-         return
-      end if
-      s%current = new
-      s%needs_value = .true.
-      call shift(s, error)
-   end subroutine begin_key
-
-   !> Store the key being read, if there is one.
-   subroutine end_key(s, error)
-      type(scanner_t), intent(inout) :: s
-      type(error_t), allocatable, intent(out) :: error
-
-      s%needs_value = .false.
-      if (s%current%line == 0) return
-      s%current%last = s%found%n_values
-      if (s%current%last < s%current%first) then
-         call s%cursor%fail(error, s%current%line, 'key '''//trim(s%current%key)// &
-                            ''' has no value: give one, or remove the key')
-      else
-         if (s%found%n_entries == size(s%found%entries)) s%found%entries = [s%found%entries, s%found%entries]
-         s%found%n_entries = s%found%n_entries + 1
-         s%found%entries(s%found%n_entries) = s%current
-      end if
-      s%current = entry_t()
-   end subroutine end_key
+      if (s%token%kind == '/' .and. s%after%is_attached .and. scan(s%after%kind, '&'//end_of_text) == 0) &
+         call s%fail(s%token%line, '''/'' ends a group: put text that holds ''/'' into quotes, '// &
+                     'write fractions as decimal numbers, and begin a new line after ''/''')
+   end subroutine check_end
 
    !> A value, with or without a repeat count.
-   subroutine take_value(s, error)
+   subroutine take_value(s, key)
       type(scanner_t), intent(inout) :: s
-      type(error_t), allocatable, intent(out) :: error
-      integer :: repeats
+      character(len=*), intent(in) :: key           !! it belongs to
+      type(value_t), allocatable :: grown(:)
+      type(value_t) :: value
+      integer :: n, repeats
 
-      call take_repeat_count(s, repeats, error)
-      if (allocated(error)) return
-      if (s%after%is_attached .and. scan(s%after%kind, word//quoted) > 0) then
-         call s%cursor%fail(error, s%token%line, 'key '''//trim(s%current%key)//''': '''//shown(s%token%text)// &
-                            ''' and what follows are not apart: put '','' between values and a whole text '// &
-                            'into one pair of quotes, a quote inside it doubled')
-         return
+      call take_repeat_count(s, key, repeats)
+      if (s%after%is_attached .and. scan(s%after%kind, word//quoted) > 0) &
+         call s%fail(s%token%line, 'key '''//key//''': '''//shown(s%token%text)// &
+                     ''' and what follows are not apart: put '','' between values and a whole text '// &
+                     'into one pair of quotes, a quote inside it doubled')
+      n = s%found%n_values + repeats
+      if (n > max_values) call s%fail(s%token%line, 'key '''//key//''': more than '//to_text(max_values)// &
+                                      ' values in the file: give fewer')
+      if (allocated(s%error)) return
+      if (n > size(s%found%values)) then
+         allocate (grown(2*n))
+         grown(:s%found%n_values) = s%found%values(:s%found%n_values)
+         call move_alloc(grown, s%found%values)
       end if
-      call store_value(s, repeats, error)
+      value%text = s%token%text
+      value%is_quoted = s%token%kind == quoted
+      value%line = s%token%line
+      s%found%values(s%found%n_values + 1:n) = value
+      s%found%n_values = n
    end subroutine take_value
 
    !> Take the `3*` off `3*1.0`, or go from `3*` to the text in quotes after it.
-   subroutine take_repeat_count(s, repeats, error)
+   subroutine take_repeat_count(s, key, repeats)
       type(scanner_t), intent(inout) :: s
+      character(len=*), intent(in) :: key
       integer, intent(out) :: repeats
-      type(error_t), allocatable, intent(out) :: error
       integer :: star
 
       repeats = 1
@@ -263,65 +247,30 @@ contains
       repeats = 0
       if (star <= 10) read (s%token%text(:star - 1), *) repeats
       if (repeats < 1 .or. repeats > max_values) then
-         call s%cursor%fail(error, s%token%line, 'repeat count in '''//shown(s%token%text)//''' of key '''// &
-                            trim(s%current%key)//''' must be from 1 to '//to_text(max_values))
+         call s%fail(s%token%line, 'repeat count in '''//shown(s%token%text)//''' of key '''//key//''' must be from 1 to '// &
+                     to_text(max_values))
       else if (star < len(s%token%text)) then
          s%token%text = s%token%text(star + 1:)
       else if (s%after%kind == quoted .and. s%after%is_attached) then
-         call shift(s, error)
+         call shift(s)
       else
-         call s%cursor%fail(error, s%token%line, 'empty value of key '''//trim(s%current%key)// &
-                            ''': give a value after '''//shown(s%token%text)//'''')
+         call s%fail(s%token%line, 'empty value of key '''//key//''': give a value after '''//shown(s%token%text)//'''')
       end if
    end subroutine take_repeat_count
 
-   !> Add the token at hand to the values.
-   subroutine store_value(s, repeats, error)
-      type(scanner_t), intent(inout) :: s
-      integer, intent(in) :: repeats
-      type(error_t), allocatable, intent(out) :: error
-      type(value_t), allocatable :: grown(:)
-      integer :: i, n
-
-      n = s%found%n_values + repeats
-      if (n > max_values) then
-         call s%cursor%fail(error, s%token%line, 'key '''//trim(s%current%key)//''': more than '// &
-                            to_text(max_values)//' values in the file: give fewer')
-         return
-      end if
-      if (n > size(s%found%values)) then
-         allocate (grown(2*n))
-         do i = 1, s%found%n_values
-            call move_alloc(s%found%values(i)%text, grown(i)%text)
-            grown(i)%is_quoted = s%found%values(i)%is_quoted
-            grown(i)%line = s%found%values(i)%line
-         end do
-         call move_alloc(grown, s%found%values)
-      end if
-      do i = s%found%n_values + 1, n
-         s%found%values(i)%text = s%token%text
-         s%found%values(i)%is_quoted = s%token%kind == quoted
-         s%found%values(i)%line = s%token%line
-      end do
-      s%found%n_values = n
-      s%needs_value = .false.
-   end subroutine store_value
-
    !> Whether the token at hand can be a name.
-   subroutine check_name(s, what, error)
-      type(scanner_t), intent(in) :: s
+   subroutine check_name(s, what)
+      type(scanner_t), intent(inout) :: s
       character(len=*), intent(in) :: what   !! 'group' or 'key'
-      type(error_t), allocatable, intent(out) :: error
       character(len=*), parameter :: letters = 'abcdefghijklmnopqrstuvwxyz', digits = '0123456789'
       logical :: is_name
 
       is_name = s%token%kind == word .and. len(s%token%text) <= name_length
       if (is_name) is_name = verify(lower_case(s%token%text(1:1)), letters) == 0 .and. &
                              verify(lower_case(s%token%text), letters//digits//'_') == 0
-      if (.not. is_name) then
-         call s%cursor%fail(error, s%token%line, ''''//shown(s%token%text)//''' is not the name of a '//what// &
-                            ': use letters, digits and ''_'', at most '//to_text(name_length)//', a letter first')
-      end if
+      if (.not. is_name) &
+         call s%fail(s%token%line, ''''//shown(s%token%text)//''' is not the name of a '//what// &
+                     ': use letters, digits and ''_'', at most '//to_text(name_length)//', a letter first')
    end subroutine check_name
 
 end module ehlwave_namelist_scanner

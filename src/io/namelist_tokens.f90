@@ -19,11 +19,13 @@ module ehlwave_namelist_tokens
       logical :: is_attached = .false.            !! nothing stands between this token and the one before
    end type token_t
 
-   !> A place in a text.
+   !> A place in a text, and the first thing that is wrong with the text. What is read after that is of no meaning, so one
+   !> check at the end is enough.
    type :: cursor_t
       character(len=:), allocatable :: path       !! for messages
       character(len=:), allocatable :: text
       integer :: at = 1, line = 1
+      type(error_t), allocatable :: error
    contains
       procedure :: take
       procedure :: fail
@@ -45,10 +47,9 @@ contains
    end function line_prefix
 
    !> Take the next token; comments, blanks and a byte order mark are passed over.
-   subroutine take(self, token, error)
+   subroutine take(self, token)
       class(cursor_t), intent(inout) :: self
       type(token_t), intent(out) :: token
-      type(error_t), allocatable, intent(out) :: error
       integer :: first
 
       if (self%at == 1) then
@@ -67,35 +68,33 @@ contains
          call self%advance()
       case ('''', '"')
          token%kind = quoted
-         call self%take_quoted(token%text, error)
+         call self%take_quoted(token%text)
       case default
          token%kind = word
-         call self%take_word(token%text, error)
+         call self%take_word(token%text)
       end select
    end subroutine take
 
-   !> Raise an error about a line.
-   subroutine fail(self, error, line, message)
-      class(cursor_t), intent(in) :: self
-      type(error_t), allocatable, intent(out) :: error
+   !> Raise an error about a line, unless there is one already.
+   subroutine fail(self, line, message)
+      class(cursor_t), intent(inout) :: self
       integer, intent(in) :: line
       character(len=*), intent(in) :: message
-      call raise(error, line_prefix(self%path, line)//message)
+      if (.not. allocated(self%error)) call raise(self%error, line_prefix(self%path, line)//message)
    end subroutine fail
 
    !> Characters up to a separator.
-   subroutine take_word(self, text, error)
+   subroutine take_word(self, text)
       class(cursor_t), intent(inout) :: self
       character(len=:), allocatable, intent(out) :: text
-      type(error_t), allocatable, intent(out) :: error
       integer :: first
 
       first = self%at
       do while (self%next() /= end_of_text .and. scan(self%next(), blanks//quotes//',/=!(') == 0)
          if (iachar(self%next()) < 32 .or. iachar(self%next()) > 126) then
-            call self%fail(error, self%line, 'a character that is not plain ASCII stands outside quotes and '// &
+            call self%fail(self%line, 'a character that is not plain ASCII stands outside quotes and '// &
                            'comments: retype it (often a pasted quote, dash or blank)')
-            return
+            exit
          end if
          call self%advance()
       end do
@@ -103,10 +102,9 @@ contains
    end subroutine take_word
 
    !> Text between quotes; a doubled quote stands for one.
-   subroutine take_quoted(self, text, error)
+   subroutine take_quoted(self, text)
       class(cursor_t), intent(inout) :: self
       character(len=:), allocatable, intent(out) :: text
-      type(error_t), allocatable, intent(out) :: error
       character(len=1) :: mark
       integer :: first
 
@@ -121,7 +119,7 @@ contains
             if (self%next() /= mark) return
             first = self%at                        ! of two quotes the second is kept
          else if (scan(self%next(), end_of_text//lf//cr) > 0) then
-            call self%fail(error, self%line, 'quote without its partner: close the text with '//mark// &
+            call self%fail(self%line, 'quote without its partner: close the text with '//mark// &
                            ' on the line where it begins')
             return
          end if

@@ -106,30 +106,23 @@ contains
    !> [sign] digits
    pure logical function is_integer(text)
       character(len=*), intent(in) :: text
-      is_integer = .false.
-      if (len(text) == 0) return
-      if (scan(text(1:1), '+-') == 1) then
-         is_integer = len(text) > 1 .and. verify(text(2:), digits) == 0
-      else
-         is_integer = verify(text, digits) == 0
-      end if
+      is_integer = len(text) > sign_length(text) .and. verify(text(sign_length(text) + 1:), digits) == 0
    end function is_integer
 
    !> [sign] digits with at most one point, then an exponent or nothing
    pure logical function is_real(text)
       character(len=*), intent(in) :: text
-      integer :: point, last
-
-      last = mantissa_end(text)
-      point = index(text(:last), '.')
-      if (point > 0) then
-         is_real = is_integer(text(:point - 1)//'0') .and. is_integer('0'//text(point + 1:last)) .and. &
-                   scan(text(:last), digits) > 0
-      else
-         is_real = is_integer(text(:last))
-      end if
-      if (is_real .and. last < len(text)) is_real = is_integer(text(last + 2:))
+      associate (mantissa => text(sign_length(text) + 1:mantissa_end(text)), exponent => text(mantissa_end(text) + 2:))
+         is_real = scan(mantissa, digits) > 0 .and. verify(mantissa, digits//'.') == 0 .and. &
+                   index(mantissa, '.') == index(mantissa, '.', back=.true.) .and. &
+                   (mantissa_end(text) == len(text) .or. is_integer(exponent))
+      end associate
    end function is_real
+
+   pure integer function sign_length(text)
+      character(len=*), intent(in) :: text
+      sign_length = merge(1, 0, scan(text, '+-') == 1)
+   end function sign_length
 
    !> Power of ten of the first digit that is not 0, of a text that `is_real` and not 0; limited to a million.
    pure integer function decimal_power(text)

@@ -1,6 +1,6 @@
 !> Where a result comes from: this build, and what it runs with, as quantities.
 module ehlwave_provenance_list
-   use ehlwave_posix, only: c_library, library_text
+   use ehlwave_posix, only: library_text
    use ehlwave_provenance, only: build_type, compiler, compiler_flags, git_revision, library_versions, program_version
    use ehlwave_quantity, only: quantity_list_t
    use hdf5, only: h5get_libversion_f
@@ -42,7 +42,7 @@ contains
    !> Names and versions of the libraries that numbers depend on.
    function loaded_libraries() result(text)
       character(len=:), allocatable :: text
-      character(len=:), allocatable :: fftw
+      character(len=:), allocatable :: c_library, fftw
       character(len=40) :: hdf5
       integer :: number(3), status
 
@@ -56,7 +56,8 @@ contains
       call h5get_libversion_f(number(1), number(2), number(3), status)
       write (hdf5, '(a,i0,2(".",i0))') 'HDF5 ', number
       text = text//', '//trim(hdf5)
-      if (c_library() /= '') text = text//', '//c_library()
+      c_library = library_text('')
+      if (c_library /= '') text = text//', '//c_library
       if (index(library_versions, 'PETSc') > 0) text = text//', '//built_with('PETSc')//' on demand'
    end function loaded_libraries
 

@@ -1,34 +1,64 @@
 !> Quantities to and from JSON, and to HDF5 files.
 module ehlwave_quantity_output
    use ehlwave_hdf5_file, only: hdf5_file_t
-   use ehlwave_json, only: json_t
+   use ehlwave_json, only: list_json, real_json, string_json
    use ehlwave_json_reader, only: json_number, json_string, split_list
    use ehlwave_kinds, only: i8
    use ehlwave_quantity, only: quantity_list_t, quantity_t
+   use ehlwave_text, only: to_text
    implicit none (type, external)
    private
-   public :: json_of, take_json, write_quantities
+   public :: json_columns, json_object, json_values, take_json, write_quantities
 
 contains
 
-   !> The quantities that exist as one JSON object.
-   pure function json_of(list) result(json)
+   !> The quantities that exist as one JSON object, on one line.
+   pure function json_object(list) result(text)
       type(quantity_list_t), intent(in) :: list
-      type(json_t) :: json
+      character(len=:), allocatable :: text
       integer :: k
+      text = ''
       do k = 1, list%count
-         associate (q => list%items(k))
-            if (.not. q%exists) cycle
-            select case (q%kind)
-            case ('real'); call json%add(q%name, q%number)
-            case ('integer'); call json%add(q%name, nint(q%number, i8))
-            case ('logical'); call json%add(q%name, q%number > 0)
-            case ('list'); call json%add_list(q%name, q%list)
-            case default; call json%add(q%name, q%text)
-            end select
-         end associate
+         if (list%items(k)%exists) text = text//', '//string_json(list%items(k)%name)//': '//value_json(list%items(k))
       end do
-   end function json_of
+      text = '{'//text(3:)//'}'
+   end function json_object
+
+   !> Names and kinds of the quantities that exist: [["name","kind"],...]
+   pure function json_columns(list) result(text)
+      type(quantity_list_t), intent(in) :: list
+      character(len=:), allocatable :: text
+      integer :: k
+      text = ''
+      do k = 1, list%count
+         if (list%items(k)%exists) text = text//',['//string_json(list%items(k)%name)//',"'//trim(list%items(k)%kind)//'"]'
+      end do
+      text = '['//text(2:)//']'
+   end function json_columns
+
+   !> The values of the quantities that exist as a list, in the order of `json_columns`.
+   pure function json_values(list) result(text)
+      type(quantity_list_t), intent(in) :: list
+      character(len=:), allocatable :: text
+      integer :: k
+      text = ''
+      do k = 1, list%count
+         if (list%items(k)%exists) text = text//','//value_json(list%items(k))
+      end do
+      text = '['//text(2:)//']'
+   end function json_values
+
+   pure function value_json(quantity) result(text)
+      type(quantity_t), intent(in) :: quantity
+      character(len=:), allocatable :: text
+      select case (quantity%kind)
+      case ('real'); text = real_json(quantity%number)
+      case ('integer'); text = to_text(nint(quantity%number, i8))
+      case ('logical'); text = to_text(quantity%number > 0)
+      case ('list'); text = list_json(quantity%list)
+      case default; text = string_json(quantity%text)
+      end select
+   end function value_json
 
    !> The value of a quantity from JSON, by its kind; missing ones are NaN or empty.
    subroutine take_json(text, quantity)
@@ -58,7 +88,7 @@ contains
             select case (q%kind)
             case ('real'); call file%write(q%name, q%number, q%unit, q%long_name)
             case ('integer', 'logical'); call file%write(q%name, nint(q%number), q%unit, q%long_name)
-            case ('list'); call file%write(q%name, q%list, '', q%unit, q%long_name)
+            case ('list'); call file%write(q%name, q%list, q%unit, q%long_name)
             case default; call file%attribute(q%name, q%text)
             end select
          end associate

@@ -2,9 +2,8 @@
 module ehlwave_surface_file
    use ehlwave_errors, only: error_t, raise
    use ehlwave_kinds, only: dp
-   use hdf5, only: h5close_f, h5dclose_f, h5dget_space_f, h5dopen_f, h5dread_f, h5eset_auto_f, h5f_acc_rdonly_f, &
-      h5fclose_f, h5fopen_f, h5open_f, h5sclose_f, h5sget_simple_extent_dims_f, h5sget_simple_extent_ndims_f, &
-      h5t_native_double, hid_t, hsize_t
+   use h5lt, only: h5ltget_dataset_info_f, h5ltget_dataset_ndims_f, h5ltread_dataset_double_f
+   use hdf5, only: h5close_f, h5eset_auto_f, h5f_acc_rdonly_f, h5fclose_f, h5fopen_f, h5open_f, hid_t, hsize_t, size_t
    implicit none (type, external)
    private
    public :: read_surface_file
@@ -63,28 +62,18 @@ contains
       character(len=*), intent(in) :: name
       real(dp), allocatable, intent(out) :: values(:)
       integer(hsize_t), allocatable, intent(out) :: extent(:)
-      integer(hsize_t), allocatable :: most(:)
-      integer(hid_t) :: dataset, space
-      integer :: rank, status
+      integer(size_t) :: bytes
+      integer :: kind, rank, status
 
       allocate (extent(0), values(0))
-      call h5dopen_f(file, name, dataset, status)
-      if (status < 0) return
-      call h5dget_space_f(dataset, space, status)
-      call h5sget_simple_extent_ndims_f(space, rank, status)
-      if (status >= 0 .and. rank > 0) then
-         deallocate (extent, values)
-         allocate (extent(rank), most(rank))
-         call h5sget_simple_extent_dims_f(space, extent, most, status)
-         allocate (values(product(extent)))
-         call h5dread_f(dataset, h5t_native_double, values, extent, status)
-         if (status < 0) then
-            deallocate (extent)
-            allocate (extent(0))
-         end if
-      end if
-      call h5sclose_f(space, status)
-      call h5dclose_f(dataset, status)
+      call h5ltget_dataset_ndims_f(file, name, rank, status)
+      if (status < 0 .or. rank < 1) return
+      deallocate (extent, values)
+      allocate (extent(rank))
+      call h5ltget_dataset_info_f(file, name, extent, kind, bytes, status)
+      allocate (values(product(extent)))
+      call h5ltread_dataset_double_f(file, name, values, extent, status)
+      if (status < 0) extent = [integer(hsize_t) ::]
    end subroutine read_numbers
 
    !> Step of equidistant positions.

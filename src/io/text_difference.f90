@@ -1,6 +1,6 @@
 !> A text told by the lines in which it differs from another one.
 module ehlwave_text_difference
-   use ehlwave_text, only: to_text
+   use ehlwave_text, only: next_line, to_text
    implicit none (type, external)
    private
    public :: text_difference, text_from_difference
@@ -11,25 +11,25 @@ contains
 
    !> Lines of `text` that differ from those of `base`, as NUMBER:LINE; all of it, after a `=`, when the two have
    !> not the same number of lines.
-   pure function text_difference(base, text) result(difference)
+   function text_difference(base, text) result(difference)
       character(len=*), intent(in) :: base, text   !! every line ended
       character(len=:), allocatable :: difference
-      integer :: a, b, a_end, b_end, number
+      integer :: a, a_end, b, b_end, number
+      logical :: has_a, has_b
 
       difference = ''
-      a = 1
-      b = 1
+      a_end = -1
+      b_end = -1
       number = 0
-      do while (a <= len(base) .and. b <= len(text))
-         a_end = a + index(base(a:), line_end) - 1
-         b_end = b + index(text(b:), line_end) - 1
-         if (a_end < a .or. b_end < b) exit
+      do
+         has_a = next_line(base, a, a_end)
+         has_b = next_line(text, b, b_end)
+         if (.not. (has_a .and. has_b)) exit
          number = number + 1
-         if (base(a:a_end) /= text(b:b_end)) difference = difference//to_text(number)//':'//text(b:b_end)
-         a = a_end + 1
-         b = b_end + 1
+         if (base(a:a_end)//line_end /= text(b:b_end)//line_end) &
+            difference = difference//to_text(number)//':'//text(b:b_end)//line_end
       end do
-      if (a <= len(base) .or. b <= len(text)) difference = '='//text
+      if (has_a .or. has_b) difference = '='//text
    end function text_difference
 
    !> The text again.
@@ -38,42 +38,34 @@ contains
       character(len=:), allocatable :: text
       integer :: a, a_end, colon, d, d_end, io, number, wanted
 
-      text = ''
-      if (len(difference) > 0) then
-         if (difference(1:1) == '=') then
-            text = difference(2:)
-            return
-         end if
+      if (index(difference, '=') == 1) then
+         text = difference(2:)
+         return
       end if
-      a = 1
-      d = 1
+      text = ''
+      a_end = -1
+      d_end = -1
       number = 0
-      call next_difference()
-      do while (a <= len(base))
-         a_end = a + index(base(a:), line_end) - 1
-         if (a_end < a) exit
+      call find_next_difference()
+      do while (next_line(base, a, a_end))
          number = number + 1
          if (number == wanted) then
-            text = text//difference(colon + 1:d_end)
-            d = d_end + 1
-            call next_difference()
+            text = text//difference(colon + 1:d_end)//line_end
+            call find_next_difference()
          else
-            text = text//base(a:a_end)
+            text = text//base(a:a_end)//line_end
          end if
-         a = a_end + 1
       end do
 
    contains
 
-      subroutine next_difference()
+      subroutine find_next_difference()
          wanted = 0
-         if (d > len(difference)) return
-         colon = d + index(difference(d:), ':') - 1
-         d_end = d + index(difference(d:), line_end) - 1
-         if (colon <= d .or. d_end < colon) return
+         if (.not. next_line(difference, d, d_end)) return
+         colon = d + index(difference(d:d_end), ':') - 1
          read (difference(d:colon - 1), *, iostat=io) wanted
          if (io /= 0) wanted = 0
-      end subroutine next_difference
+      end subroutine find_next_difference
 
    end function text_from_difference
 

@@ -59,32 +59,32 @@ contains
       call write_quantities(file, quantities)
       if (allocated(result%time)) then
          if (size(result%time) > 0) then
-            call file%write('time', result%time, '', '1', 'T, or phase over 2 pi for a standing pattern')
+            call file%write('time', result%time, '1', 'T, or phase over 2 pi for a standing pattern')
             call file%dimension('time')
-            call file%write('film_at_centre', result%film_history, 'time', '1', 'H(0,0)')
-            if (allocated(result%surface_position)) call file%write('surface_position_m', result%surface_position, 'time', &
-               'm', 'x on the surface, as in its file, that is at the contact centre')
+            call file%write('film_at_centre', result%film_history, '1', 'H(0,0)', 'time')
+            if (allocated(result%surface_position)) call file%write('surface_position_m', result%surface_position, &
+               'm', 'x on the surface, as in its file, that is at the contact centre', 'time')
             if (allocated(result%approach_history)) &
-               call file%write('approach', result%approach_history, 'time', '1', 'mutual approach Delta')
+               call file%write('approach', result%approach_history, '1', 'mutual approach Delta', 'time')
          end if
       end if
       if (allocated(result%p)) then
-         call file%write('x', result%x, '', '1', 'X = x/a')
+         call file%write('x', result%x, '1', 'X = x/a')
          call file%dimension('x')
-         call file%write('y', result%y, '', '1', 'Y = y/b')
+         call file%write('y', result%y, '1', 'Y = y/b')
          call file%dimension('y')
-         call file%write('pressure', result%p, 'x', 'y', '1', 'P = p/ph of the last solution')
-         call file%write('film', result%h, 'x', 'y', '1', 'H = h/c of the last solution')
-         if (allocated(result%shear_stress_pa)) call file%write('mean_shear_stress_pa', result%shear_stress_pa, 'x', 'y', 'Pa', &
-            'mean of the shear stresses at the two surfaces along x, last solution')
+         call file%write('pressure', result%p, '1', 'P = p/ph of the last solution', 'x', 'y')
+         call file%write('film', result%h, '1', 'H = h/c of the last solution', 'x', 'y')
+         if (allocated(result%shear_stress_pa)) call file%write('mean_shear_stress_pa', result%shear_stress_pa, 'Pa', &
+            'mean of the shear stresses at the two surfaces along x, last solution', 'x', 'y')
       end if
       if (allocated(result%harmonic%h)) then
-         call file%write('film_response', abs(result%harmonic%h), 'x', 'y', '1', 'amplitude of H over Ai, small waves')
-         call file%write('film_phase', atan2(aimag(result%harmonic%h), real(result%harmonic%h)), 'x', 'y', 'rad', &
-                         'phase of H, exp(-i w T) with a crest of the pattern at the origin at T = 0')
-         call file%write('pressure_response', abs(result%harmonic%p), 'x', 'y', '1', 'amplitude of P over Ai, small waves')
-         call file%write('pressure_phase', atan2(aimag(result%harmonic%p), real(result%harmonic%p)), 'x', 'y', 'rad', &
-                         'phase of P')
+         call file%write('film_response', abs(result%harmonic%h), '1', 'amplitude of H over Ai, small waves', 'x', 'y')
+         call file%write('film_phase', atan2(aimag(result%harmonic%h), real(result%harmonic%h)), 'rad', &
+                         'phase of H, exp(-i w T) with a crest of the pattern at the origin at T = 0', 'x', 'y')
+         call file%write('pressure_response', abs(result%harmonic%p), '1', 'amplitude of P over Ai, small waves', 'x', 'y')
+         call file%write('pressure_phase', atan2(aimag(result%harmonic%p), real(result%harmonic%p)), 'rad', &
+                         'phase of P', 'x', 'y')
       end if
       if (case%fields .and. allocated(result%harmonic%waves%rows)) then
          associate (row => result%harmonic%waves%rows)
@@ -100,8 +100,8 @@ contains
       type(hdf5_file_t), intent(inout) :: file
       character(len=*), intent(in) :: name, long_name
       complex(dp), intent(in) :: values(:)
-      call file%write(name//'_real', real(values, dp), 'y', '1', long_name//', real part')
-      call file%write(name//'_imaginary', aimag(values), 'y', '1', long_name//', imaginary part')
+      call file%write(name//'_real', real(values, dp), '1', long_name//', real part', 'y')
+      call file%write(name//'_imaginary', aimag(values), '1', long_name//', imaginary part', 'y')
    end subroutine write_complex
 
    !> What wrote the file and how it was built.

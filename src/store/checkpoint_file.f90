@@ -1,12 +1,13 @@
 !> Checkpoint of a time march: a march that goes on from it ends with the same numbers, bit for bit.
 module ehlwave_checkpoint_file
+   use, intrinsic :: iso_c_binding, only: c_f_pointer, c_loc
    use, intrinsic :: iso_fortran_env, only: error_unit
    use ehlwave_clock, only: wall_seconds
    use ehlwave_kinds, only: dp
    use ehlwave_march_keeper, only: march_keeper_t
    use ehlwave_posix, only: checksum, reason_text, remove_file, replace_file
    use ehlwave_provenance, only: compiler, compiler_flags, git_revision, program_version
-   use ehlwave_record_file, only: read_whole_file
+   use ehlwave_text_file, only: read_whole_file
    use ehlwave_time_march, only: march_t
    implicit none (type, external)
    private
@@ -22,7 +23,6 @@ module ehlwave_checkpoint_file
       integer :: place = 0
       logical :: is_reading = .false.
    contains
-      procedure :: number => pass_number
       procedure :: numbers => pass_numbers
       procedure :: count => pass_count
    end type bytes_t
@@ -116,16 +116,16 @@ contains
 
       associate (r => march%result, past => march%past, given => march%given, rescue => march%rescue)
          if (.not. allocated(given%rough)) allocate (given%rough, source=0*given%transport%carried)   ! before step 1
-         call bytes%number(seconds)
-         call bytes%numbers(march%approach, size(march%approach))
-         call bytes%number(past%before%delta)
-         call bytes%number(past%earlier%delta)
-         call bytes%number(past%earliest%delta)
-         call bytes%number(r%worst_residual)
-         call bytes%number(r%worst_load_error)
-         call bytes%number(given%load%carried)
-         call bytes%number(given%load%force)
-         call bytes%number(rescue%thinnest)
+         call bytes%numbers(seconds)
+         call bytes%numbers(march%approach)
+         call bytes%numbers(past%before%delta)
+         call bytes%numbers(past%earlier%delta)
+         call bytes%numbers(past%earliest%delta)
+         call bytes%numbers(r%worst_residual)
+         call bytes%numbers(r%worst_load_error)
+         call bytes%numbers(given%load%carried)
+         call bytes%numbers(given%load%force)
+         call bytes%numbers(rescue%thinnest)
          call bytes%count(r%steps)
          call bytes%count(r%nonlinear_steps)
          call bytes%count(r%linear_steps)
@@ -133,40 +133,36 @@ contains
          call bytes%count(rescue%steps_left)
          call bytes%count(rescue%rung)
          call bytes%count(rescue%rescued)
-         call bytes%numbers(r%time, size(r%time))
-         call bytes%numbers(r%central_film, size(r%central_film))
-         call bytes%numbers(r%approach, size(r%approach))
-         call bytes%numbers(past%before%p, size(past%before%p))
-         call bytes%numbers(past%before%h, size(past%before%h))
-         call bytes%numbers(past%earlier%p, size(past%earlier%p))
-         call bytes%numbers(past%earliest%p, size(past%earliest%p))
-         call bytes%numbers(march%history, size(march%history))
-         call bytes%numbers(given%transport%carried, size(given%transport%carried))
-         call bytes%numbers(given%rough, size(given%rough))
+         call bytes%numbers(r%time)
+         call bytes%numbers(r%central_film)
+         call bytes%numbers(r%approach)
+         call bytes%numbers(past%before%p)
+         call bytes%numbers(past%before%h)
+         call bytes%numbers(past%earlier%p)
+         call bytes%numbers(past%earliest%p)
+         call bytes%numbers(march%history)
+         call bytes%numbers(given%transport%carried)
+         call bytes%numbers(given%rough)
       end associate
    end subroutine pass_march
 
-   subroutine pass_numbers(self, values, n)
+   !> Real numbers, one or as many dimensions as there are.
+   subroutine pass_numbers(self, values)
       class(bytes_t), intent(inout) :: self
-      integer, intent(in) :: n
-      real(dp), intent(inout) :: values(n)
+      real(dp), intent(inout), target, contiguous :: values(..)
+      real(dp), pointer :: list(:)
+      integer :: n
+      n = bytes_of_real*size(values)
+      if (n == 0) return
+      call c_f_pointer(c_loc(values), list, [size(values)])
       if (self%is_reading) then
-         values = transfer(self%text(self%place + 1:self%place + bytes_of_real*n), values)
+         list = transfer(self%text(self%place + 1:self%place + n), list)
       else
          if (.not. allocated(self%text)) self%text = ''
-         self%text = self%text//transfer(values, repeat(' ', bytes_of_real*n))
+         self%text = self%text//transfer(list, repeat(' ', n))
       end if
-      self%place = self%place + bytes_of_real*n
+      self%place = self%place + n
    end subroutine pass_numbers
-
-   subroutine pass_number(self, value)
-      class(bytes_t), intent(inout) :: self
-      real(dp), intent(inout) :: value
-      real(dp) :: list(1)
-      list = value
-      call self%numbers(list, 1)
-      value = list(1)
-   end subroutine pass_number
 
    !> A whole number; as a real one it comes back as it was.
    subroutine pass_count(self, value)
@@ -174,7 +170,7 @@ contains
       integer, intent(inout) :: value
       real(dp) :: number
       number = value
-      call self%number(number)
+      call self%numbers(number)
       value = nint(number)
    end subroutine pass_count
 

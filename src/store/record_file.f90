@@ -11,7 +11,7 @@ module ehlwave_record_file
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
-   public :: next_record, read_whole_file
+   public :: next_record
 
    real(dp), parameter :: sync_share = 0.02_dp   !! of the time goes into waiting for the disk, at most
 
@@ -149,20 +149,5 @@ contains
       first = 1
       last = 0
    end subroutine next_record
-
-   !> All bytes of a file; not allocated when it cannot be read.
-   subroutine read_whole_file(path, text)
-      character(len=*), intent(in) :: path
-      character(len=:), allocatable, intent(out) :: text
-      integer :: io, length, unit
-
-      open (newunit=unit, file=path, access='stream', form='unformatted', status='old', action='read', iostat=io)
-      if (io /= 0) return
-      inquire (unit=unit, size=length)
-      allocate (character(len=max(0, length)) :: text)
-      if (length > 0) read (unit, iostat=io) text
-      close (unit)
-      if (io /= 0) deallocate (text)
-   end subroutine read_whole_file
 
 end module ehlwave_record_file

@@ -18,13 +18,14 @@
 module ehlwave_store
    use ehlwave_clock, only: time_stamp
    use ehlwave_errors, only: error_t
-   use ehlwave_json, only: json_t
+   use ehlwave_json, only: string_json
    use ehlwave_posix, only: list_folder, process_id
    use ehlwave_provenance_list, only: add_provenance
    use ehlwave_quantity, only: quantity_list_t
-   use ehlwave_quantity_output, only: json_of
+   use ehlwave_quantity_output, only: json_columns, json_values
    use ehlwave_record_file, only: record_writer_t
    use ehlwave_store_folder, only: log_name, records_name, take_folder
+   use ehlwave_text, only: next_line
    use ehlwave_text_difference, only: text_difference
    implicit none (type, external)
    private
@@ -53,47 +54,38 @@ module ehlwave_store
 
 contains
 
-   !> Make or take over a store for this job and give the run its number. Called on rank 0 only. Fails as `take_folder`.
+   !> Make or take over a store for this job and give the run the next free number; the log of rank 0 stands for it.
+   !> Called on rank 0 only. Fails as `take_folder`.
    subroutine prepare_store(folder, store, warning, error)
       character(len=*), intent(in) :: folder
       type(store_t), intent(inout) :: store              !! rank, host, job and MPI library are set
       character(len=:), allocatable, intent(out) :: warning   !! allocated: what the user should know
       type(error_t), allocatable, intent(inout) :: error
+      character(len=:), allocatable :: names
+      integer :: first, io, last, number
 
       call take_folder(folder, warning, error)
       if (allocated(error)) return
       store%folder = folder
-      call claim_run(store, error)
-   end subroutine prepare_store
-
-   !> The next free number for this run; the log of rank 0 stands for it.
-   subroutine claim_run(store, error)
-      type(store_t), intent(inout) :: store
-      type(error_t), allocatable, intent(inout) :: error
-      character(len=:), allocatable :: names
-      integer :: i, io, last, number
-
-      call list_folder(store%folder//'/'//records_name, names)
-      last = 0
-      i = 1
-      do while (i <= len(names))
-         read (names(i:i + index(names(i:), '-') - 2), *, iostat=io) number
-         if (io == 0) last = max(last, number)
-         i = i + index(names(i:), new_line('a'))
+      call list_folder(folder//'/'//records_name, names)
+      store%run = 1
+      last = -1
+      do while (next_line(names, first, last))
+         read (names(first:first + index(names(first:last), '-') - 2), *, iostat=io) number
+         if (io == 0) store%run = max(store%run, number + 1)
       end do
-      store%run = last + 1
       call store%open_log(error)
-   end subroutine claim_run
+   end subroutine prepare_store
 
    subroutine open_log(self, error)
       class(store_t), intent(inout) :: self
       type(error_t), allocatable, intent(inout) :: error
-      type(json_t) :: json
+      type(quantity_list_t) :: header
 
       if (self%is_open .or. allocated(error)) return
       call self%log%create(self%folder//'/'//records_name//'/'//log_name(self%run, self%rank), error)
-      json = json_of(self%header())
-      call self%log%append('run ['//json%column_list()//','//json%value_list()//']', error)
+      header = self%header()
+      call self%log%append('run ['//json_columns(header)//','//json_values(header)//']', error)
       self%is_open = .not. allocated(error)
       self%columns = ''
    end subroutine open_log
@@ -134,25 +126,23 @@ contains
    !> A case is done. Fails when that could not be stored; then it counts as not run.
    subroutine keep(self, record, input, error)
       class(store_t), intent(inout) :: self
-      type(json_t), intent(inout) :: record      !! what it came to; the effective input is added
+      type(quantity_list_t), intent(inout) :: record   !! what it came to; the effective input is added
       character(len=*), intent(in) :: input      !! effective input
       type(error_t), allocatable, intent(inout) :: error
-      type(json_t) :: base
+      character(len=:), allocatable :: columns
 
       call self%open_log(error)
       if (allocated(error)) return
       if (.not. allocated(self%base_input)) then
-         call base%add('input', input)
-         call self%log%append('input '//base%value_list(), error)
+         call self%log%append('input ['//string_json(input)//']', error)
          if (.not. allocated(error)) self%base_input = input
       end if
       if (allocated(error)) return
-      call record%add('effective_input', text_difference(self%base_input, input))
-      if (record%column_list() /= self%columns) then
-         call self%log%append('columns '//record%column_list(), error)
-         if (.not. allocated(error)) self%columns = record%column_list()
-      end if
-      call self%log%append('case '//record%value_list(), error)
+      call record%add('effective_input', 'how the effective input differs', text_difference(self%base_input, input))
+      columns = json_columns(record)
+      if (columns /= self%columns) call self%log%append('columns '//columns, error)
+      if (.not. allocated(error)) self%columns = columns
+      call self%log%append('case '//json_values(record), error)
       call self%log%announce('')
    end subroutine keep
 

@@ -8,10 +8,12 @@ module ehlwave_store_contents
    use ehlwave_layout, only: layout_t, new_layout, values_t
    use ehlwave_posix, only: list_folder
    use ehlwave_provenance, only: git_revision, program_version
-   use ehlwave_record_file, only: next_record, read_whole_file
+   use ehlwave_record_file, only: next_record
    use ehlwave_status, only: status_of_name, status_pending
    use ehlwave_store_folder, only: check_store, log_name, records_name
+   use ehlwave_text, only: count_lines, next_line
    use ehlwave_text_difference, only: text_from_difference
+   use ehlwave_text_file, only: read_whole_file
    implicit none (type, external)
    private
    public :: add_layout, read_store
@@ -28,14 +30,13 @@ module ehlwave_store_contents
 
    !> One log: who wrote it and what it was at.
    type, public :: log_t
-      integer :: run = 0, rank = 0
+      integer :: run = 0, rank = 0                     !! run 0: it does not tell who wrote it, and is not believed
       type(values_t) :: header
       type(layout_t) :: columns                        !! of the header
       character(len=:), allocatable :: base_input      !! effective input that those of its cases differ from
       character(len=identity_length) :: in_flight = '' !! case that was begun, and neither done nor stopped
       logical :: is_by_this_build = .false.            !! version and revision
    contains
-      procedure :: has_header
       procedure :: element => header_element
       procedure :: build
    end type log_t
@@ -64,41 +65,38 @@ contains
       type(error_t), allocatable, intent(inout) :: error
       integer, intent(in), optional :: ranks_of_last_run   !! look for these logs by name, too: on network file
                                                            !! systems a new file may be late in the listing
-      character(len=:), allocatable :: names, text
+      character(len=:), allocatable :: names
       logical :: is_there
-      integer :: i, line_end, rank
+      integer :: first, last, rank
 
-      allocate (contents%layouts(0), contents%cases(64), contents%logs(16))
-      names = ''
       if (.not. allocated(error)) call check_store(folder, is_there, error)
       if (.not. allocated(error)) call list_folder(folder//'/'//records_name, names)
       if (.not. allocated(names)) names = ''
-      i = 1
-      do while (i <= len(names))
-         line_end = i + index(names(i:), new_line('a')) - 1
-         call read_whole_file(folder//'/'//records_name//'/'//names(i:line_end - 1), text)
-         if (allocated(text)) call read_log(text, contents)
-         i = line_end + 1
+      rank = 0
+      if (present(ranks_of_last_run)) rank = ranks_of_last_run
+      allocate (contents%layouts(0), contents%cases(64), contents%logs(count_lines(names) + rank))
+      last = -1
+      do while (next_line(names, first, last))
+         call read_log(folder, names(first:last), contents)
       end do
-      if (present(ranks_of_last_run)) then
-         do rank = 0, ranks_of_last_run - 1
-            if (index(names, log_name(contents%runs, rank)) > 0) cycle
-            call read_whole_file(folder//'/'//records_name//'/'//log_name(contents%runs, rank), text)
-            if (allocated(text)) call read_log(text, contents)
-         end do
-      end if
+      do rank = 0, rank - 1
+         if (index(names, log_name(contents%runs, rank)) == 0) call read_log(folder, log_name(contents%runs, rank), contents)
+      end do
       contents%logs = contents%logs(:contents%log_count)
    end subroutine read_store
 
-   subroutine read_log(text, contents)
-      character(len=*), intent(in) :: text
+   !> Take what a log holds; one that cannot be read holds nothing.
+   subroutine read_log(folder, name, contents)
+      character(len=*), intent(in) :: folder, name
       type(contents_t), intent(inout) :: contents
       type(log_t) :: log
-      type(log_t), allocatable :: more(:)
+      character(len=:), allocatable :: text
       integer, allocatable :: first(:), last(:)
       integer :: begins, blank, ends, layout, position
       logical :: fits
 
+      call read_whole_file(folder//'/'//records_name//'/'//name, text)
+      if (.not. allocated(text)) return
       position = 1
       layout = 0
       do
@@ -126,17 +124,12 @@ contains
                call add_layout(value, contents, layout)
             case ('case')
                log%in_flight = ''
-               if (layout > 0 .and. log%has_header()) call take_case(value, layout, log%run, contents)
+               if (layout > 0 .and. log%run > 0) call take_case(value, layout, log%run, contents)
             end select
          end associate
       end do
       contents%runs = max(contents%runs, log%run)
-      if (.not. log%has_header()) return
-      if (contents%log_count == size(contents%logs)) then
-         allocate (more(2*contents%log_count))
-         more(:contents%log_count) = contents%logs
-         call move_alloc(more, contents%logs)
-      end if
+      if (log%run == 0) return
       contents%log_count = contents%log_count + 1
       contents%logs(contents%log_count) = log
    end subroutine read_log
@@ -209,12 +202,6 @@ contains
             text = text_from_difference(log%base_input, json_string(self%value(place, 'effective_input')))
       end associate
    end function input
-
-   !> Whether the log tells who wrote it; else it is not believed.
-   pure logical function has_header(self)
-      class(log_t), intent(in) :: self
-      has_header = self%run > 0
-   end function has_header
 
    !> Value of the header as JSON; empty when it has no such value.
    pure function header_element(self, name) result(text)

@@ -3,7 +3,8 @@ module ehlwave_store_folder
    use ehlwave_errors, only: error_t, raise
    use ehlwave_posix, only: list_folder, lock_absent, lock_file, lock_refused, lock_taken, make_folder, reason_text, &
       remove_file, replace_file
-   use ehlwave_record_file, only: read_whole_file
+   use ehlwave_text, only: next_line
+   use ehlwave_text_file, only: read_whole_file
    implicit none (type, external)
    private
    public :: check_store, discard_store, log_name, store_path, take_folder
@@ -63,31 +64,22 @@ contains
          return
       end if
       if (text /= format_name//' '//format_version//new_line('a')) call raise(error, folder//" has the format '"// &
-         first_line(text)//"', this program reads and writes '"//format_name//' '//format_version// &
-         "': use the program that made it, or name another results file")
+         text(:min(60, index(text//new_line('a'), new_line('a')) - 1))//"', this program reads and writes '"//format_name// &
+         ' '//format_version//"': use the program that made it, or name another results file")
    end subroutine check_store
 
    !> Whether a folder holds nothing but what a store has besides its first line.
-   pure logical function has_known_names(names)
+   logical function has_known_names(names)
       character(len=*), intent(in) :: names   !! one a line
-      integer :: i, n
+      integer :: first, last
       has_known_names = .true.
-      i = 1
-      do while (i <= len(names))
-         n = index(names(i:), new_line('a'))
-         associate (name => names(i:i + n - 2))
+      last = -1
+      do while (next_line(names, first, last))
+         associate (name => names(first:last))
             has_known_names = has_known_names .and. (any(folders == name) .or. name == lock_name .or. name == 'store.part')
          end associate
-         i = i + n
       end do
    end function has_known_names
-
-   pure function first_line(text) result(line)
-      character(len=*), intent(in) :: text
-      character(len=:), allocatable :: line
-      line = text(:index(text//new_line('a'), new_line('a')) - 1)
-      if (len(line) > 60) line = line(:60)
-   end function first_line
 
    !> Make or take over the folder of a store for this job, and lock it.
    !>
@@ -151,15 +143,13 @@ contains
       character(len=*), intent(in) :: path
       type(error_t), allocatable, intent(inout) :: error
       character(len=:), allocatable :: names
-      integer :: i, n, status
+      integer :: first, last, status
 
       call list_folder(path, names)
       if (allocated(error) .or. .not. allocated(names)) return
-      i = 1
-      do while (i <= len(names))
-         n = index(names(i:), new_line('a'))
-         call remove_file(path//'/'//names(i:i + n - 2), status)
-         i = i + n
+      last = -1
+      do while (next_line(names, first, last))
+         call remove_file(path//'/'//names(first:last), status)
       end do
       call remove_file(path, status)
       if (status /= 0) call raise(error, 'cannot remove '//path//': '//reason_text(status))

@@ -6,8 +6,8 @@ module ehlwave_case_list
    use ehlwave_identity_index, only: identity_length
    use ehlwave_kinds, only: dp
    use ehlwave_posix, only: reason_text, replace_file
-   use ehlwave_record_file, only: read_whole_file
    use ehlwave_store_folder, only: cases_name
+   use ehlwave_text_file, only: read_whole_file
    implicit none (type, external)
    private
 

@@ -29,6 +29,8 @@ contains
       type(case_input_t) :: base
       type(key_list_t) :: table
       type(sweep_lists_t) :: lists
+      type(csv_t) :: rows
+      integer, allocatable :: columns(:)
 
       call file%load(path, error)
       call base%read(file, error)
@@ -36,15 +38,22 @@ contains
       table = case_key_list()
       call read_lists(file, table, lists, error)
       call file%check_all_used(error)
-      if (.not. allocated(error)) call check_settings(file, settings, lists, error)
       if (allocated(error)) return
+      if (settings%case_file /= '' .and. (size(lists%keys) > 0 .or. lists%has_f_v)) then
+         call raise(error, file%place(sweep_group, 'case_file')//'&sweep gives case_file and lists: give one of the two')
+         return
+      end if
       base%may_idle = base%is_given
-      call sweep%begin(skips_unresolved=settings%unresolved == 'skip')
       sweep%output = trim(settings%output)
       sweep%limits = settings%limits
       if (settings%case_file /= '') then
-         call add_rows(trim(settings%case_file), file, base, table, sweep, error)
+         call read_csv(trim(settings%case_file), rows, error)
+         call find_columns(rows, table, columns, error)
+         if (allocated(error)) return
+         call sweep%begin(size(rows%line), settings%unresolved == 'skip')
+         call add_rows(rows, columns, file, base, table, sweep, error)
       else
+         call sweep%begin(nint(lists%combinations()), settings%unresolved == 'skip')
          call add_product(file, base, table, lists, sweep, error)
       end if
       if (allocated(error)) return
@@ -78,19 +87,6 @@ contains
       call visit_sweep_keys(settings, list)
    end subroutine read_settings
 
-   !> What cannot be together in a sweep file.
-   subroutine check_settings(file, settings, lists, error)
-      type(namelist_t), intent(in) :: file
-      type(sweep_settings_t), intent(in) :: settings
-      type(sweep_lists_t), intent(in) :: lists
-      type(error_t), allocatable, intent(inout) :: error
-
-      if (settings%case_file /= '' .and. (size(lists%keys) > 0 .or. lists%has_f_v)) then
-         call raise(error, file%place(sweep_group, 'case_file')//'&sweep gives case_file and lists: give one '// &
-                    'of the two')
-      end if
-   end subroutine check_settings
-
    !> Every combination of the lists; a list takes the place of what the group of its key gives.
    subroutine add_product(file, base, table, lists, sweep, error)
       type(namelist_t), intent(in) :: file
@@ -119,29 +115,25 @@ contains
    end subroutine add_product
 
    !> One case for each row of a CSV file; its columns take the place of what the groups of their keys give.
-   subroutine add_rows(path, file, base, table, sweep, error)
-      character(len=*), intent(in) :: path
+   subroutine add_rows(rows, columns, file, base, table, sweep, error)
+      type(csv_t), intent(in) :: rows
+      integer, intent(in) :: columns(:)                !! number of the key of each column, 0: f_v
       type(namelist_t), intent(in) :: file
       type(case_input_t), intent(in) :: base
       type(key_list_t), intent(in) :: table
       type(sweep_t), intent(inout) :: sweep
       type(error_t), allocatable, intent(inout) :: error
-      type(csv_t) :: rows
       type(case_input_t) :: input
       logical :: is_used(most_keys)
-      integer, allocatable :: columns(:)
       integer :: row
 
-      call read_csv(path, rows, error)
-      call find_columns(rows, table, columns, error)
-      if (allocated(error)) return
       call sweep%vary(pack(columns, columns > 0), any(columns == 0))
       call note_replaced(file, base, table, sweep)
       is_used = .false.
       do row = 1, size(rows%line)
          input = base
          call set_row(rows, row, table, columns, input, error)
-         call sweep%add(input, table, path//':'//to_text(rows%line(row))//': ', error)
+         call sweep%add(input, table, rows%path//':'//to_text(rows%line(row))//': ', error)
          if (allocated(error)) return
          is_used = is_used .or. input%is_given
       end do

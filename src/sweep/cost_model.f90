@@ -72,11 +72,10 @@ contains
       do i = 1, feature_count
          normal(i, i) = weight(i)
       end do
-      right = 0                                ! for the difference from the prior
       do i = 1, feature_count
          normal(:, i) = normal(:, i) + weight_of_plans*middle*middle(i)
       end do
-      right = right + weight_of_plans*shift*middle
+      right = weight_of_plans*shift*middle     ! for the difference from the prior
       do i = 1, size(seconds)
          if (.not. seconds(i) > 0) cycle
          do j = 1, feature_count

@@ -10,25 +10,29 @@ module ehlwave_messages
    use ehlwave_outcome, only: message_length, outcome_t
    use ehlwave_case_text, only: effective_input
    use ehlwave_errors, only: error_t, raise
-   use ehlwave_kinds, only: dp
    use ehlwave_text, only: to_text
-   use mpi_f08, only: mpi_any_source, mpi_any_tag, mpi_character, mpi_comm, mpi_double_precision, mpi_get_count, &
-      mpi_iprobe, mpi_probe, mpi_recv, mpi_send, mpi_status, mpi_status_ignore
+   use mpi_f08, only: mpi_any_source, mpi_any_tag, mpi_byte, mpi_character, mpi_comm, mpi_get_count, mpi_iprobe, &
+      mpi_probe, mpi_recv, mpi_send, mpi_status, mpi_status_ignore
    implicit none (type, external)
    private
-   public :: is_stop_waiting, is_waiting, next_message, receive_case, receive_outcome, receive_stop, send_case, &
-      send_outcome, send_request, send_stop
+   public :: is_waiting, next_message, receive_case, receive_outcome, receive_word, send_case, send_outcome, send_word
 
    integer, parameter, public :: no_case = 0
-   integer, parameter :: tag_ask = 1, tag_case = 2, tag_numbers = 3, tag_text = 4, tag_stop = 5
+   integer, parameter, public :: ask = 1, stop_work = 2   !! words: messages without anything in them
+   integer, parameter :: tag_case = 3, tag_outcome = 4
    integer, parameter :: number_digits = 12   !! of the number of a case, before its input; then T: keep fields
 
 contains
 
-   !> Rank 0: whether there is a message.
-   logical function is_waiting(comm)
+   !> Whether there is a message of any rank, or a word of rank 0.
+   logical function is_waiting(comm, word)
       type(mpi_comm), intent(in) :: comm
-      call mpi_iprobe(mpi_any_source, mpi_any_tag, comm, is_waiting, mpi_status_ignore)
+      integer, intent(in), optional :: word
+      if (present(word)) then
+         call mpi_iprobe(0, word, comm, is_waiting, mpi_status_ignore)
+      else
+         call mpi_iprobe(mpi_any_source, mpi_any_tag, comm, is_waiting, mpi_status_ignore)
+      end if
    end function is_waiting
 
    !> Rank 0: wait for a message; a request is received with that, an outcome is not.
@@ -39,15 +43,22 @@ contains
       type(mpi_status) :: status
       call mpi_probe(mpi_any_source, mpi_any_tag, comm, status)
       rank = status%mpi_source
-      is_request = status%mpi_tag == tag_ask
-      if (is_request) call receive_nothing(comm, rank, tag_ask)
+      is_request = status%mpi_tag == ask
+      if (is_request) call receive_word(comm, rank, ask)
    end subroutine next_message
 
-   !> Ask rank 0 for a case.
-   subroutine send_request(comm)
+   subroutine send_word(comm, rank, word)
       type(mpi_comm), intent(in) :: comm
-      call mpi_send('', 0, mpi_character, 0, tag_ask, comm)
-   end subroutine send_request
+      integer, intent(in) :: rank, word
+      call mpi_send('', 0, mpi_character, rank, word, comm)
+   end subroutine send_word
+
+   subroutine receive_word(comm, rank, word)
+      type(mpi_comm), intent(in) :: comm
+      integer, intent(in) :: rank, word
+      character(len=1) :: nothing
+      call mpi_recv(nothing, 0, mpi_character, rank, word, comm, mpi_status_ignore)
+   end subroutine receive_word
 
    !> Answer a request.
    subroutine send_case(comm, rank, number, case)
@@ -92,51 +103,17 @@ contains
    end subroutine receive_case
 
    !> Tell rank 0 what a case came to.
-   subroutine send_outcome(comm, number, outcome)
+   subroutine send_outcome(comm, outcome)
       type(mpi_comm), intent(in) :: comm
-      integer, intent(in) :: number
       type(outcome_t), intent(in) :: outcome
-      call mpi_send([real(dp) :: number, outcome%status, outcome%seconds, merge(1, 0, outcome%is_store_broken)], 4, &
-                    mpi_double_precision, 0, tag_numbers, comm)
-      call mpi_send(outcome%message, message_length, mpi_character, 0, tag_text, comm)
+      call mpi_send(outcome, storage_size(outcome)/8, mpi_byte, 0, tag_outcome, comm)
    end subroutine send_outcome
 
-   subroutine receive_outcome(comm, rank, number, outcome)
+   subroutine receive_outcome(comm, rank, outcome)
       type(mpi_comm), intent(in) :: comm
       integer, intent(in) :: rank
-      integer, intent(out) :: number
       type(outcome_t), intent(out) :: outcome
-      real(dp) :: numbers(4)
-      call mpi_recv(numbers, 4, mpi_double_precision, rank, tag_numbers, comm, mpi_status_ignore)
-      call mpi_recv(outcome%message, message_length, mpi_character, rank, tag_text, comm, mpi_status_ignore)
-      number = nint(numbers(1))
-      outcome%status = nint(numbers(2))
-      outcome%seconds = numbers(3)
-      outcome%is_store_broken = numbers(4) > 0.5_dp
+      call mpi_recv(outcome, storage_size(outcome)/8, mpi_byte, rank, tag_outcome, comm, mpi_status_ignore)
    end subroutine receive_outcome
-
-   subroutine send_stop(comm, rank)
-      type(mpi_comm), intent(in) :: comm
-      integer, intent(in) :: rank
-      call mpi_send('', 0, mpi_character, rank, tag_stop, comm)
-   end subroutine send_stop
-
-   !> Whether rank 0 wants this rank to stop.
-   logical function is_stop_waiting(comm)
-      type(mpi_comm), intent(in) :: comm
-      call mpi_iprobe(0, tag_stop, comm, is_stop_waiting, mpi_status_ignore)
-   end function is_stop_waiting
-
-   subroutine receive_stop(comm)
-      type(mpi_comm), intent(in) :: comm
-      call receive_nothing(comm, 0, tag_stop)
-   end subroutine receive_stop
-
-   subroutine receive_nothing(comm, source, tag)
-      type(mpi_comm), intent(in) :: comm
-      integer, intent(in) :: source, tag
-      character(len=1) :: nothing
-      call mpi_recv(nothing, 0, mpi_character, source, tag, comm, mpi_status_ignore)
-   end subroutine receive_nothing
 
 end module ehlwave_messages

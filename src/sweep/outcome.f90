@@ -8,6 +8,7 @@ module ehlwave_outcome
    integer, parameter, public :: message_length = 256   !! longest message told to rank 0
 
    type, public :: outcome_t
+      integer :: case = 0                     !! its number
       integer :: status = status_pending      !! pending: not run, or not stored
       real(dp) :: seconds = 0
       character(len=message_length) :: message = ''

@@ -79,9 +79,9 @@ contains
          case ('list')
             if (self%longest > 0) call self%write_lists(file)
          case ('real')
-            call file%write(q%name, self%numbers, 'case', q%unit, q%long_name)
+            call file%write(q%name, self%numbers, q%unit, q%long_name, 'case')
          case default
-            call file%write(q%name, nint(self%numbers), 'case', q%unit, q%long_name)
+            call file%write(q%name, nint(self%numbers), q%unit, q%long_name, 'case')
          end select
       end associate
    end subroutine write_column
@@ -96,7 +96,7 @@ contains
       do i = 1, size(texts)
          if (allocated(self%cells(i)%text)) texts(i) = self%cells(i)%text
       end do
-      call file%write(self%quantity%name, texts, 'case', '', self%quantity%long_name)
+      call file%write(self%quantity%name, texts, '', self%quantity%long_name, 'case')
    end subroutine write_texts
 
    subroutine write_lists(self, file)
@@ -112,9 +112,9 @@ contains
       end do
       associate (q => self%quantity)
          scale = q%name//'_entry'
-         call file%write(scale, [(i, i=1, self%longest)], '', '1', 'place in '//q%long_name)
+         call file%write(scale, [(i, i=1, self%longest)], '1', 'place in '//q%long_name)
          call file%dimension(scale)
-         call file%write(q%name, lists, scale, 'case', q%unit, q%long_name)
+         call file%write(q%name, lists, q%unit, q%long_name, scale, 'case')
       end associate
    end subroutine write_lists
 

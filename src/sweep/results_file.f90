@@ -6,16 +6,15 @@ module ehlwave_results_file
    use ehlwave_case_account, only: blank_result
    use ehlwave_case_keys, only: case_key_list
    use ehlwave_case_plan, only: case_plan_t
-   use ehlwave_case_record, only: case_record, circumstances_t
+   use ehlwave_case_record, only: case_record
    use ehlwave_case_text, only: effective_input, text_identity
    use ehlwave_errors, only: error_t, raise
    use ehlwave_field_file, only: write_provenance
    use ehlwave_hdf5_file, only: hdf5_file_t
-   use ehlwave_json, only: json_t
    use ehlwave_key_list, only: key_list_t
    use ehlwave_quantities, only: add_case, add_key
    use ehlwave_quantity, only: quantity_list_t, quantity_t
-   use ehlwave_quantity_output, only: json_of, take_json
+   use ehlwave_quantity_output, only: json_columns, take_json
    use ehlwave_results_column, only: column_t
    use ehlwave_status, only: status_name, status_pending
    use ehlwave_store, only: store_t
@@ -43,20 +42,22 @@ contains
       type(contents_t), intent(inout) :: contents      !! gets the columns of a case that has not run, if missing
       type(error_t), allocatable, intent(inout) :: error
       type(hdf5_file_t) :: file
+      type(store_t) :: no_store
       type(quantity_list_t) :: table                   ! all quantities that a record can have
-      type(json_t) :: blank
       integer :: place(size(sweep%cases))              ! in the contents; 0: not there
       integer :: i, layout, n
 
       n = size(sweep%cases)
-      table = case_record(sweep%cases(1), sweep%plans(1), blank_result(sweep%cases(1), sweep%plans(1)), circumstances_t())
-      blank = json_of(table)
-      call add_layout(blank%column_list(), contents, layout)
+      table = case_record(sweep%cases(1), sweep%plans(1), blank_result(sweep%cases(1), sweep%plans(1)), no_store, '', '')
+      call add_layout(json_columns(table), contents, layout)
       do i = 1, n
          place(i) = contents%index%find(sweep%identity(i))
+         if (place(i) == 0) cycle
+         if (text_identity(contents%input(place(i))) == sweep%identity(i)) cycle
+         call raise(error, 'the store has a record of case '//sweep%identity(i)//' with the input of '// &
+                    'another case: keep the store for inspection and name another results file')
+         return
       end do
-      call check_inputs(contents, place, error)
-      if (allocated(error)) return
       call file%create(path, error)
       if (allocated(error)) return
       call file%attribute('title', 'ehlwave: amplitude reduction of waviness in EHL contacts')
@@ -64,28 +65,13 @@ contains
       call file%attribute('format_version', 1)
       call write_provenance(file)
       call file%attribute('sweep_input', sweep_text)
-      call file%write('case', [(i, i=1, n)], '', '1', 'number of the case in the sweep')
+      call file%write('case', [(i, i=1, n)], '1', 'number of the case in the sweep')
       call file%dimension('case')
       call write_inputs(file, sweep)
       call write_outcomes(file, sweep, contents, place, table)
       call write_runs(file, contents, place)
       call file%finish(error)
    end subroutine write_results
-
-   !> The effective input that a record holds must have the identity of its case.
-   subroutine check_inputs(contents, place, error)
-      type(contents_t), intent(in) :: contents
-      integer, intent(in) :: place(:)
-      type(error_t), allocatable, intent(inout) :: error
-      integer :: i
-      do i = 1, size(place)
-         if (place(i) == 0) cycle
-         if (text_identity(contents%input(place(i))) == contents%cases(place(i))%identity) cycle
-         call raise(error, 'the store has a record of case '//contents%cases(place(i))%identity//' with the input of '// &
-                    'another case: keep the store for inspection and name another results file')
-         return
-      end do
-   end subroutine check_inputs
 
    !> Columns that follow from the sweep file; pending cases have them, too.
    subroutine write_inputs(file, sweep)
@@ -199,23 +185,21 @@ contains
       integer, intent(in) :: place(:)
       type(store_t) :: no_store
       type(quantity_list_t) :: header
-      type(quantity_t) :: of_log(0:size(contents%logs))   ! 0: has not run
+      type(quantity_t) :: quantity
       type(column_t) :: column
-      integer :: i, k, log
+      character(len=:), allocatable :: text
+      integer :: i, k
 
       header = no_store%header()
       do k = 1, header%count
-         if (.not. any(run_columns == header%items(k)%name)) cycle
-         of_log = header%items(k)
-         call take_json('', of_log(0))
-         do log = 1, size(contents%logs)
-            call take_json(contents%logs(log)%element(header%items(k)%name), of_log(log))
-         end do
-         call column%init(header%items(k), size(place))
+         quantity = header%items(k)
+         if (.not. any(run_columns == quantity%name)) cycle
+         call column%init(quantity, size(place))
          do i = 1, size(place)
-            log = 0
-            if (place(i) > 0) log = contents%cases(place(i))%log
-            call column%set(i, of_log(log))
+            text = ''
+            if (place(i) > 0) text = contents%logs(contents%cases(place(i))%log)%element(quantity%name)
+            call take_json(text, quantity)
+            call column%set(i, quantity)
          end do
          call column%write(file)
       end do

@@ -9,8 +9,8 @@ module ehlwave_scheduler
    use ehlwave_case_text, only: effective_input
    use ehlwave_case_work, only: case_procedure, case_watch_t, work_on_case
    use ehlwave_errors, only: error_t
-   use ehlwave_messages, only: is_stop_waiting, is_waiting, next_message, no_case, receive_case, receive_outcome, &
-      receive_stop, send_case, send_outcome, send_request, send_stop
+   use ehlwave_messages, only: ask, is_waiting, next_message, no_case, receive_case, receive_outcome, receive_word, send_case, &
+      send_outcome, send_word, stop_work
    use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_status, only: status_interrupted, status_pending
    use ehlwave_sweep_cases, only: sweep_t
@@ -47,11 +47,10 @@ module ehlwave_scheduler
 
    abstract interface
       !> A case is finished.
-      subroutine count_case(self, case, outcome)
+      subroutine count_case(self, outcome)
          import :: leader_t, outcome_t
          implicit none (type, external)
          class(leader_t), intent(inout) :: self
-         integer, intent(in) :: case
          type(outcome_t), intent(in) :: outcome
       end subroutine count_case
 
@@ -85,7 +84,8 @@ contains
          call leader%queue%take(0, case)
          call work_on_case(run, leader%sweep%cases(case), leader%sweep%plans(case), &
                            effective_input(leader%sweep%cases(case)), leader, shared, outcome)
-         call take_outcome(leader, case, outcome)
+         outcome%case = case
+         call take_outcome(leader, outcome)
       end do
       do while (leader%running > 0 .or. leader%asking > 0)
          call serve_one(leader)
@@ -117,7 +117,7 @@ contains
       class(leader_t), intent(inout) :: self
       integer :: rank
       do rank = 1, size(self%has_stopped)
-         if (.not. self%has_stopped(rank)) call send_stop(self%comm, rank)
+         if (.not. self%has_stopped(rank)) call send_word(self%comm, rank, stop_work)
       end do
       self%has_stopped = .true.
    end subroutine stop_others
@@ -131,9 +131,9 @@ contains
 
       call next_message(self%comm, rank, is_request)
       if (.not. is_request) then
-         call receive_outcome(self%comm, rank, case, outcome)
+         call receive_outcome(self%comm, rank, outcome)
          self%running = self%running - 1
-         call take_outcome(self, case, outcome)
+         call take_outcome(self, outcome)
       else if (self%is_stopping .or. self%queue%is_empty()) then
          self%asking = self%asking - 1
          call send_case(self%comm, rank, no_case)
@@ -145,9 +145,8 @@ contains
    end subroutine serve_one
 
    !> A case is finished, or could not be: then all stop.
-   subroutine take_outcome(self, case, outcome)
+   subroutine take_outcome(self, outcome)
       class(leader_t), intent(inout) :: self
-      integer, intent(in) :: case
       type(outcome_t), intent(in) :: outcome
 
       if (outcome%status == status_pending .or. outcome%status == status_interrupted) then
@@ -156,8 +155,8 @@ contains
          if (self%reason == '') self%reason = 'a signal asked for it'
          self%is_store_broken = self%is_store_broken .or. outcome%is_store_broken
       else
-         call self%queue%learn(case, outcome%seconds)
-         call self%count_case(case, outcome)
+         call self%queue%learn(outcome%case, outcome%seconds)
+         call self%count_case(outcome)
       end if
    end subroutine take_outcome
 
@@ -178,7 +177,7 @@ contains
       worker%case_watch_t = watch
       worker%comm = comm
       do i = 1, in_reserve
-         call send_request(comm)
+         call send_word(comm, 0, ask)
       end do
       unanswered = in_reserve
       do while (unanswered > 0)
@@ -195,19 +194,20 @@ contains
             call work_on_case(run, case, plan, input, worker, shared, outcome)
          end if
          if (outcome%is_store_broken) worker%is_stopping = .true.
-         call send_outcome(comm, number, outcome)
-         call send_request(comm)
+         outcome%case = number
+         call send_outcome(comm, outcome)
+         call send_word(comm, 0, ask)
          unanswered = unanswered + 1
       end do
-      if (.not. worker%has_heard) call receive_stop(comm)
+      if (.not. worker%has_heard) call receive_word(comm, 0, stop_work)
    end subroutine follow
 
    !> Whether rank 0 wants all to stop.
    subroutine hear(self)
       class(worker_t), intent(inout) :: self
       if (self%has_heard) return
-      if (.not. is_stop_waiting(self%comm)) return
-      call receive_stop(self%comm)
+      if (.not. is_waiting(self%comm, stop_work)) return
+      call receive_word(self%comm, 0, stop_work)
       self%has_heard = .true.
       self%is_stopping = .true.
    end subroutine hear

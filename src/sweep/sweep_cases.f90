@@ -33,6 +33,7 @@ module ehlwave_sweep_cases
       integer, allocatable :: varied(:)            !! numbers of the keys that its lists or columns give; unallocated: none
       character(len=:), allocatable :: notice      !! what the user should know about the sweep file, lines
       type(identity_index_t) :: index              !! from identity to number of the case
+      integer, allocatable, private :: told(:)     ! of these, those that have no column of their own in plans and reports
       logical, private :: skips_unresolved = .false.
    contains
       procedure :: begin
@@ -46,17 +47,23 @@ module ehlwave_sweep_cases
 contains
 
    !> An empty list, to which cases are to be added.
-   subroutine begin(self, skips_unresolved)
+   subroutine begin(self, most, skips_unresolved)
       class(sweep_t), intent(inout) :: self
+      integer, intent(in) :: most                  !! cases that can be added
       logical, intent(in) :: skips_unresolved
-      allocate (self%cases(64), self%plans(64), self%identity(64))
+      allocate (self%cases(most), self%plans(most), self%identity(most))
       self%skips_unresolved = skips_unresolved
    end subroutine begin
 
    !> No case will be added any more: the lists get the length that they need.
    subroutine finish(self)
       class(sweep_t), intent(inout) :: self
-      call resize(self, self%index%count)
+      associate (n => self%index%count)
+         if (n == size(self%cases)) return
+         self%cases = self%cases(:n)
+         self%plans = self%plans(:n)
+         self%identity = self%identity(:n)
+      end associate
    end subroutine finish
 
    !> Note the keys that vary.
@@ -70,6 +77,7 @@ contains
       list = case_key_list()
       wavelength = find_key(list%keys, 'wavelength_over_a')
       self%varied = pack([(i, i=1, list%count)], [(any(keys == i) .or. (has_f_v .and. i == wavelength), i=1, list%count)])
+      self%told = pack(self%varied, [(all(shown_anyway /= list%keys(self%varied(i))%name), i=1, size(self%varied))])
    end subroutine vary
 
    !> Whether the key of a number varies.
@@ -89,16 +97,15 @@ contains
       type(key_list_t) :: list
       integer :: i
 
-      text = ''
-      if (.not. allocated(self%varied)) return
       parts = ''
-      list = case_key_list(self%cases(case))
-      do i = 1, size(self%varied)
-         associate (key => list%keys(self%varied(i)), value => list%values(self%varied(i)))
-            if (any(shown_anyway == key%name) .or. .not. key%applies) cycle
-            parts = parts//', '//trim(key%name)//' = '//value_text(value, 6)
-         end associate
-      end do
+      if (allocated(self%told)) then
+         if (size(self%told) > 0) list = case_key_list(self%cases(case))
+         do i = 1, size(self%told)
+            associate (key => list%keys(self%told(i)), value => list%values(self%told(i)))
+               if (key%applies) parts = parts//', '//trim(key%name)//' = '//value_text(value, 6)
+            end associate
+         end do
+      end if
       text = parts(min(3, len(parts) + 1):)
    end function variation
 
@@ -128,29 +135,9 @@ contains
       before = self%index%count
       call self%index%add(identity, i)
       if (i <= before) return
-      if (i > size(self%cases)) call resize(self, 2*size(self%cases))
       self%cases(i) = input%case
       self%plans(i) = plan
       self%identity(i) = identity
    end subroutine add
-
-   !> Make the lists n long, keeping what fits.
-   subroutine resize(self, n)
-      class(sweep_t), intent(inout) :: self
-      integer, intent(in) :: n
-      type(case_t), allocatable :: cases(:)
-      type(case_plan_t), allocatable :: plans(:)
-      character(len=identity_length), allocatable :: identity(:)
-      integer :: kept
-
-      kept = min(n, size(self%cases))
-      allocate (cases(n), plans(n), identity(n))
-      cases(:kept) = self%cases(:kept)
-      plans(:kept) = self%plans(:kept)
-      identity(:kept) = self%identity(:kept)
-      call move_alloc(cases, self%cases)
-      call move_alloc(plans, self%plans)
-      call move_alloc(identity, self%identity)
-   end subroutine resize
 
 end module ehlwave_sweep_cases

@@ -9,8 +9,8 @@ module ehlwave_sweep_job
    use ehlwave_store, only: store_t
    use ehlwave_sweep_cases, only: case_limits_t, sweep_t
    use ehlwave_sweep_leader, only: exit_bad_input, exit_done, job_options_t, job_t
-   use mpi_f08, only: mpi_allreduce, mpi_bcast, mpi_character, mpi_comm, mpi_comm_rank, mpi_comm_size, &
-      mpi_double_precision, mpi_get_library_version, mpi_get_processor_name, mpi_integer, mpi_logical, mpi_lor, &
+   use mpi_f08, only: mpi_allreduce, mpi_bcast, mpi_byte, mpi_character, mpi_comm, mpi_comm_rank, mpi_comm_size, &
+      mpi_get_library_version, mpi_get_processor_name, mpi_integer, mpi_logical, mpi_lor, &
       mpi_max_library_version_string, mpi_max_processor_name
    implicit none (type, external)
    private
@@ -89,20 +89,18 @@ contains
       type(sweep_t), intent(in) :: sweep
       type(store_t), intent(inout) :: store
       type(case_limits_t), intent(out) :: limits
-      real(dp) :: numbers(2)
-      integer :: integers(2), rank
+      integer :: numbers(2), rank
 
       call mpi_comm_rank(comm, rank)
       if (rank == 0) then
-         numbers = [sweep%limits%largest_case_seconds, sweep%limits%checkpoint_seconds]
-         integers = [store%run, len(store%folder)]
+         limits = sweep%limits
+         numbers = [store%run, len(store%folder)]
       end if
-      call mpi_bcast(numbers, 2, mpi_double_precision, 0, comm)
-      call mpi_bcast(integers, 2, mpi_integer, 0, comm)
-      limits = case_limits_t(numbers(1), numbers(2))
-      store%run = integers(1)
-      if (rank /= 0) store%folder = repeat(' ', integers(2))
-      call mpi_bcast(store%folder, integers(2), mpi_character, 0, comm)
+      call mpi_bcast(limits, storage_size(limits)/8, mpi_byte, 0, comm)
+      call mpi_bcast(numbers, 2, mpi_integer, 0, comm)
+      store%run = numbers(1)
+      if (rank /= 0) store%folder = repeat(' ', numbers(2))
+      call mpi_bcast(store%folder, numbers(2), mpi_character, 0, comm)
    end subroutine share
 
    !> Whether something is true on some rank.

@@ -66,11 +66,16 @@ contains
       integer, allocatable :: status(:)
       real(dp), allocatable :: seconds(:)
       integer :: i
+      logical :: has_results, has_store
 
       folder = store_path(sweep%output)
+      has_store = .false.   ! results without a store were not made by this sweep: they are not replaced unasked
       call check_writable(sweep%output, error)
       if (options%overwrite) call discard_store(folder, error)
-      if (.not. (allocated(error) .or. options%overwrite)) call refuse_foreign_results(sweep%output, folder, error)
+      if (.not. (allocated(error) .or. options%overwrite)) call check_store(folder, has_store, error)
+      inquire (file=sweep%output, exist=has_results)
+      if (has_results .and. .not. (has_store .or. options%overwrite .or. allocated(error))) call raise(error, 'results file '// &
+         sweep%output//' exists but not its store '//folder//': move it away, name another with --output, or give --overwrite')
       call prepare_store(folder, store, warning, error)
       call read_store(folder, contents, error)
       if (.not. allocated(error)) call read_text(sweep_path, self%writer%sweep_text, error)
@@ -119,22 +124,10 @@ contains
       call list%write(folder, error)
    end subroutine list_cases
 
-   !> A results file without a store was not made by this sweep: it is not replaced unasked.
-   subroutine refuse_foreign_results(output, folder, error)
-      character(len=*), intent(in) :: output, folder
-      type(error_t), allocatable, intent(inout) :: error
-      logical :: has_results, has_store
-      call check_store(folder, has_store, error)
-      inquire (file=output, exist=has_results)
-      if (has_results .and. .not. (has_store .or. allocated(error))) call raise(error, 'results file '//output// &
-         ' exists but not its store '//folder//': move it away, name another with --output, or give --overwrite')
-   end subroutine refuse_foreign_results
-
-   subroutine count_case(self, case, outcome)
+   subroutine count_case(self, outcome)
       class(job_t), intent(inout) :: self
-      integer, intent(in) :: case
       type(outcome_t), intent(in) :: outcome
-      call self%progress%finished(case, outcome)
+      call self%progress%finished(outcome)
    end subroutine count_case
 
    subroutine look_after(self)

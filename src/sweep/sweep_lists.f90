@@ -29,7 +29,7 @@ module ehlwave_sweep_lists
       type(list_t), allocatable, private :: lists(:) ! the one that varies fastest last
       integer, allocatable, private :: at(:)         ! place in each list
    contains
-      procedure :: has
+      procedure :: combinations
       procedure :: next
       procedure :: put
    end type sweep_lists_t
@@ -48,7 +48,6 @@ contains
       type(sweep_lists_t), intent(out) :: self
       type(error_t), allocatable, intent(inout) :: error
       integer :: i, order(table%count), quick(size(fast))
-      real(dp) :: count
 
       quick = [(find_key(table%keys, fast(i)), i=1, size(fast))]
       order = [pack([(i, i=1, table%count)], [(all(quick /= i), i=1, table%count)]), quick]
@@ -60,13 +59,12 @@ contains
       call read_list(file, f_v_key, 0, self%lists, error)
       if (allocated(error)) return
       self%has_f_v = size(self%lists) > size(self%keys)
-      if (self%has_f_v .and. self%has(quick(size(quick)))) then
+      if (self%has_f_v .and. any(self%keys == quick(size(quick)))) then
          call raise(error, file%place(sweep_group, 'f_v')//'&sweep gives wavelength_over_a and f_v: give one of the two')
          return
       end if
-      count = product([(real(size(self%lists(i)%values), dp), i=1, size(self%lists))])
-      if (count > most_cases) call raise(error, file%place(sweep_group, '')//'the lists of &sweep have '// &
-         to_text(count, 15)//' combinations, more than '//to_text(most_cases, 15)//': shorten them, or run parts')
+      if (self%combinations() > most_cases) call raise(error, file%place(sweep_group, '')//'the lists of &sweep have '// &
+         to_text(self%combinations(), 15)//' combinations, more than '//to_text(most_cases, 15)//': shorten them, or run parts')
    end subroutine read_lists
 
    !> Append the list of one key, if the file has one.
@@ -95,12 +93,12 @@ contains
       lists = [lists, list]
    end subroutine read_list
 
-   !> Whether the key of a number has a list.
-   pure logical function has(self, number)
+   !> Number of combinations.
+   pure real(dp) function combinations(self)
       class(sweep_lists_t), intent(in) :: self
-      integer, intent(in) :: number
-      has = any(self%keys == number)
-   end function has
+      integer :: i
+      combinations = product([(real(size(self%lists(i)%values), dp), i=1, size(self%lists))])
+   end function combinations
 
    !> Go to the next combination, at first to the first one; false when there is none. Without lists there is one.
    logical function next(self)

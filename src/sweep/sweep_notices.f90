@@ -4,7 +4,7 @@ module ehlwave_sweep_notices
    use ehlwave_case_text, only: effective_input
    use ehlwave_store_contents, only: contents_t, this_build
    use ehlwave_sweep_cases, only: sweep_t
-   use ehlwave_text, only: to_text
+   use ehlwave_text, only: next_line, to_text
    implicit none (type, external)
    private
    public :: print_notices
@@ -49,7 +49,7 @@ contains
    subroutine print_changed_settings(sweep, contents)
       type(sweep_t), intent(in) :: sweep
       type(contents_t), intent(in) :: contents
-      character(len=:), allocatable :: earlier, line, now
+      character(len=:), allocatable :: earlier, now
       integer :: first, last, log
 
       now = settings_of(effective_input(sweep%cases(1)))
@@ -57,13 +57,10 @@ contains
          if (.not. allocated(contents%logs(log)%base_input)) cycle
          earlier = settings_of(contents%logs(log)%base_input)
          if (earlier == now) cycle
-         first = 1
-         do while (first <= len(earlier))
-            last = first + index(earlier(first:), new_line('a')) - 2
-            line = earlier(first:last)
-            if (index(now, line//new_line('a')) == 0) &
-               write (output_unit, '(a)') '   an earlier run had '//trim(adjustl(line))
-            first = last + 2
+         last = -1
+         do while (next_line(earlier, first, last))
+            if (index(now, earlier(first:last)//new_line('a')) == 0) &
+               write (output_unit, '(a)') '   an earlier run had '//trim(adjustl(earlier(first:last)))
          end do
          exit
       end do

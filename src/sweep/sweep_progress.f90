@@ -51,12 +51,11 @@ contains
    end subroutine count_case
 
    !> Count a case of this run; failures are told at once.
-   subroutine finished(self, case, outcome)
+   subroutine finished(self, outcome)
       class(progress_t), intent(inout) :: self
-      integer, intent(in) :: case
       type(outcome_t), intent(in) :: outcome
       call self%count_case(outcome%status, outcome%seconds)
-      if (.not. is_success(outcome%status)) write (output_unit, '(a)') time_stamp()//' case '//to_text(case)//' '// &
+      if (.not. is_success(outcome%status)) write (output_unit, '(a)') time_stamp()//' case '//to_text(outcome%case)//' '// &
          status_name(outcome%status)//': '//trim(outcome%message)
    end subroutine finished
 

@@ -1,9 +1,11 @@
 !> Plan and outcome of a sweep as text.
 module ehlwave_sweep_report
-   use ehlwave_case_plan, only: run_harmonic, run_march, run_smooth
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+   use ehlwave_case_plan, only: case_plan_t, run_harmonic, run_march, run_smooth
+   use ehlwave_kinds, only: dp
    use ehlwave_status, only: last_status, status_name, status_pending
    use ehlwave_sweep_cases, only: sweep_t
-   use ehlwave_sweep_expectation, only: expect_sweep, sweep_expectation_t
+   use ehlwave_sweep_expectation, only: expected_seconds
    use ehlwave_sweep_progress, only: duration, progress_t
    use ehlwave_text, only: to_text
    implicit none (type, external)
@@ -35,19 +37,27 @@ contains
       end do
       write (unit, '(i0,a,i0,a,i0,a)') size(sweep%cases), ' cases, ', count(sweep%plans%resolution%is_resolved), &
          ' resolved, ', sweep%skipped, ' unresolved ones left out'
-      call print_expectation(unit, expect_sweep(sweep%plans))
+      call print_expectation(unit, sweep%plans)
    end subroutine print_sweep_plan
 
-   !> Time, error and memory of all cases.
-   subroutine print_expectation(unit, expected)
+   !> Time, error and memory of all cases: the sum of the times, the largest error, the largest memory.
+   subroutine print_expectation(unit, plans)
       integer, intent(in) :: unit
-      type(sweep_expectation_t), intent(in) :: expected
+      type(case_plan_t), intent(in) :: plans(:)
       character(len=:), allocatable :: text
+      real(dp) :: memory_mib, seconds(size(plans))
+      integer :: i, line_contacts, worst
+
+      seconds = expected_seconds(plans)
+      line_contacts = count(.not. ieee_is_finite(seconds))
+      memory_mib = maxval([(plans(i)%expected_memory_mib(), i=1, size(plans))])
+      worst = maxloc(plans%expected_error, 1, mask=ieee_is_finite(plans%expected_error) .and. plans%expected_error > 0)
       text = 'Expected     '
-      if (expected%error_case > 0) text = text//duration(expected%seconds)//' of computing on this machine (a model, usually '// &
-         'right within a factor 2), errors up to '//to_text(expected%error, 2)//' (case '//to_text(expected%error_case)//'), '
-      write (unit, '(a)') text//to_text(expected%memory_mib, 2)//' MiB a rank, and what MPI takes'
-      if (expected%without_model > 0) write (unit, '(a)') '             '//to_text(expected%without_model)// &
+      if (worst > 0) text = text//duration(sum(seconds, mask=ieee_is_finite(seconds)))//' of computing on this machine (a '// &
+         'model, usually right within a factor 2), errors up to '//to_text(plans(worst)%expected_error, 2)//' (case '// &
+         to_text(worst)//'), '
+      write (unit, '(a)') text//to_text(memory_mib, 2)//' MiB a rank, and what MPI takes'
+      if (line_contacts > 0) write (unit, '(a)') '             '//to_text(line_contacts)// &
          ' line contacts besides, which have no model of time and error'
    end subroutine print_expectation
 

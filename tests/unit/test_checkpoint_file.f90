@@ -35,8 +35,8 @@ program test_checkpoint_file
    use ehlwave_errors, only: error_t
    use ehlwave_kinds, only: i8
    use ehlwave_posix, only: remove_file, replace_file
-   use ehlwave_record_file, only: read_whole_file
    use ehlwave_status, only: is_success, status_interrupted
+   use ehlwave_text_file, only: read_whole_file
    use ehlwave_time_march, only: steps_per_stretch
    use step_counter, only: counter_t
    use testing, only: test_t

@@ -6,12 +6,11 @@ program test_quantities
    use ehlwave_case_plan, only: case_plan_t, make_plan
    use ehlwave_case_result, only: case_result_t
    use ehlwave_errors, only: error_t
-   use ehlwave_json, only: json_t
    use ehlwave_json_reader, only: json_string, split_list
    use ehlwave_kinds, only: dp, i8
    use ehlwave_quantities, only: add_case, add_plan, add_result
    use ehlwave_quantity, only: quantity_list_t, quantity_t
-   use ehlwave_quantity_output, only: json_of, take_json
+   use ehlwave_quantity_output, only: json_columns, json_values, take_json
    use testing, only: test_t
    implicit none (type, external)
 
@@ -95,15 +94,13 @@ contains
    subroutine check_json()
       type(quantity_list_t) :: list
       type(quantity_t) :: back
-      type(json_t) :: json
       character(len=:), allocatable :: columns, values
       integer, allocatable :: first(:), last(:), first_column(:), last_column(:)
       integer :: k, n, wrong
 
       call add_result(list, case, plan, result)
-      json = json_of(list)
-      values = json%value_list()
-      columns = json%column_list()
+      values = json_values(list)
+      columns = json_columns(list)
       call split_list(values, first, last)
       call split_list(columns, first_column, last_column)
       call test%check_equal(size(first), count(list%items(:list%count)%exists), 'values')

@@ -2,8 +2,9 @@
 program test_record_file
    use ehlwave_errors, only: error_t
    use ehlwave_posix, only: checksum, remove_file
-   use ehlwave_record_file, only: next_record, read_whole_file, record_writer_t
+   use ehlwave_record_file, only: next_record, record_writer_t
    use ehlwave_text, only: to_text
+   use ehlwave_text_file, only: read_whole_file
    use testing, only: test_t
    implicit none (type, external)
 

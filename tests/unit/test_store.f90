@@ -2,16 +2,16 @@
 program test_store
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use ehlwave_errors, only: error_t
-   use ehlwave_json, only: json_t
    use ehlwave_json_reader, only: json_number, json_string
    use ehlwave_kinds, only: dp, i8, no_value
    use ehlwave_posix, only: replace_file
-   use ehlwave_record_file, only: read_whole_file
+   use ehlwave_quantity, only: quantity_list_t
    use ehlwave_status, only: status_converged, status_stalled
    use ehlwave_store, only: prepare_store, store_t
    use ehlwave_store_contents, only: contents_t, read_store
    use ehlwave_store_folder, only: log_name
    use ehlwave_text, only: to_text
+   use ehlwave_text_file, only: read_whole_file
    use testing, only: test_t
    implicit none (type, external)
 
@@ -58,14 +58,16 @@ contains
       type(store_t), intent(inout) :: store
       character(len=*), intent(in) :: identity, status, input
       real(dp), intent(in) :: seconds
-      type(json_t) :: record
+      type(quantity_list_t) :: record
       type(error_t), allocatable :: error
-      call record%add('case_id', identity)
-      call record%add('status', status)
-      call record%add('third', 1/3.0_dp)
-      call record%add('missing', no_value)
-      call record%add_list('history', [0.1_dp, 0.2_dp])
-      call record%add('seconds', seconds)
+      real(dp), allocatable :: history(:)
+      allocate (history, source=[0.1_dp, 0.2_dp])
+      call record%add('case_id', '', identity)
+      call record%add('status', '', status)
+      call record%add('third', '', 1/3.0_dp)
+      call record%add('missing', '', no_value)
+      call record%add_list('history', '', history)
+      call record%add('seconds', '', seconds)
       call store%start(identity, error)
       call store%keep(record, input, error)
       call test%check_no_error(error, 'keep '//identity)

@@ -5,7 +5,7 @@ program test_sweep_case_list
    use ehlwave_errors, only: error_t
    use ehlwave_kinds, only: dp
    use ehlwave_posix, only: make_folder, replace_file
-   use ehlwave_record_file, only: read_whole_file
+   use ehlwave_text_file, only: read_whole_file
    use testing, only: test_t
    implicit none (type, external)
 

@@ -56,11 +56,10 @@ contains
       if (present(keeper)) keeper%seconds_before = 0
    end subroutine run_planned
 
-   subroutine count_case(self, case, outcome)
+   subroutine count_case(self, outcome)
       class(counting_leader_t), intent(inout) :: self
-      integer, intent(in) :: case
       type(outcome_t), intent(in) :: outcome
-      self%done = [self%done, case]
+      self%done = [self%done, outcome%case]
       self%status = [self%status, outcome%status]
    end subroutine count_case
 
@@ -124,7 +123,7 @@ contains
                                                          'lubricant_parameter_l', 'radius_ratio_d']), &
                                i=1, keys%count)]
       call execute_command_line('rm -rf '//folder)
-      call sweep%begin(skips_unresolved=.false.)
+      call sweep%begin(most=4, skips_unresolved=.false.)
       do i = 1, 4
          input = case_input_t()
          input%is_given = is_moes

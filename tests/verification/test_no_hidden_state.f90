@@ -7,8 +7,8 @@ program test_no_hidden_state
    use ehlwave_case_runner, only: run_case
    use ehlwave_errors, only: error_t
    use ehlwave_kinds, only: dp
-   use ehlwave_monitor, only: silent_monitor_t
    use ehlwave_status, only: is_success
+   use silent_monitor, only: silent_monitor_t
    use testing, only: test_t
    implicit none (type, external)
 

@@ -7,9 +7,9 @@ program test_shared_steady
    use ehlwave_case_runner, only: run_case
    use ehlwave_errors, only: error_t
    use ehlwave_kinds, only: dp
-   use ehlwave_monitor, only: silent_monitor_t
    use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_status, only: is_success
+   use silent_monitor, only: silent_monitor_t
    use testing, only: test_t
    implicit none (type, external)
 
