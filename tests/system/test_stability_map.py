@@ -5,7 +5,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from ehlwave_program import SKIPPED, last_line, namelist, run
+from ehlwave_program import SKIPPED, TestCase, last_line, namelist, run
 
 try:
     from studies.stability.cases import quick_cases, sliding_cases
@@ -26,7 +26,7 @@ def touching(orientation, **conditions):
             "grid": {"cells_x": 64, "cells_y": 64}}
 
 
-class StabilityMap(unittest.TestCase):
+class StabilityMap(TestCase):
     def case(self, groups, *arguments):
         with tempfile.TemporaryDirectory() as folder:
             Path(folder, "case.nml").write_text(namelist(groups))
@@ -56,9 +56,14 @@ class StabilityMap(unittest.TestCase):
         self.assertGreater(outcomes.count(CONVERGED), 11, outcomes)
 
     def test_rung_is_told(self):
-        outcome, result = self.case(touching("longitudinal"))
+        """A solution that takes more steps than it may is found by continuation, the same to the tolerance."""
+        groups = touching("longitudinal")
+        _, direct = self.case(groups)
+        self.assertEqual((direct["status"], direct["rung"]), ("converged", "direct"), direct)
+        outcome, result = self.case({**groups, "solver": {"largest_steps": 10}})
         self.assertEqual((outcome.returncode, result["status"]), (0, "converged"), result)
         self.assertEqual(result["rung"], "continuation")
+        self.check_close(result["amplitude_ratio"], direct["amplitude_ratio"], 1e-6, "Ad/Ai")
         self.assertGreaterEqual(result["rescued_solutions"], 1)
         self.assertIn("Rescue       continuation", outcome.stdout)
 

@@ -35,6 +35,13 @@ class Oils(TestCase):
                     worst = max(self.check_close(other[name], newton[name], 1e-8, name) for name in FILMS)
                     report(f"M = {m}, D = {d}: {method} within {worst:.1e} of Newton")
 
+    def test_small_stress(self):
+        """0.5 MPa under 3.8 GPa: the flow at the steep end grows exponentially with the gradient."""
+        result = solve(m=300, l=12, d=0, conditions={"reduced_modulus_pa": 2.26e11}, grid={"cells_x": 1024},
+                       lubricant={"flow_law": "eyring", "eyring_stress_pa": 5e5})
+        self.assertEqual((result["status"], result["rung"]), ("converged", "direct"))
+        self.assertLessEqual(result["nonlinear_steps"], 12)
+
     def test_viscosity_laws(self):
         """Roelands' oil with the same film-forming coefficient has the same film within 6 %; less the more alike the laws are."""
         for shape, (conditions, grid) in SHAPES.items():
