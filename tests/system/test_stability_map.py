@@ -52,8 +52,7 @@ class StabilityMap(TestCase):
         keys = {"load_parameter_m": 30, "lubricant_parameter_l": 6, "eyring_stress_pa": 5e5}
         rows = self.rows([case for case in sliding_cases()
                           if all(case.value(key) == value for key, value in keys.items())])
-        outcomes = [row.outcome for row in rows]
-        self.assertGreater(outcomes.count(CONVERGED), 11, outcomes)
+        self.assertEqual([row.outcome for row in rows], 18*[CONVERGED])
 
     def test_rung_is_told(self):
         """A solution that takes more steps than it may is found by continuation, the same to the tolerance."""
