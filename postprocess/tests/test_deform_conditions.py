@@ -133,3 +133,6 @@ def test_film_formula_has_the_right_asymptotes() -> None:
     assert moes_film(0.01, 0.0, 1.0) == pytest.approx(rigid, rel=1e-2)
     piezoviscous = 1.48 * shape ** (-7 / 20) * 1e5 ** (-1 / 12) * 30**0.75
     assert moes_film(1e5, 30.0, 1.0) == pytest.approx(piezoviscous, rel=0.03)
+    line = 1.311 * 1e5 ** (-1 / 8) * 30**0.75
+    assert moes_film(1e5, 30.0, 0.0) == pytest.approx(line, rel=0.03)
+    assert moes_film(1e5, 0.0, 0.0) == pytest.approx(2.621 * 1e5 ** (-1 / 5), rel=1e-3)

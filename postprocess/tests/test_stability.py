@@ -8,7 +8,14 @@ from synthetic import write_results
 
 from ehlwave_post.schema import REQUIRED_COLUMNS
 from studies.stability.__main__ import main
-from studies.stability.cases import OUTSIDE, Case, corner_cases, full_cases, quick_cases
+from studies.stability.cases import (
+    OUTSIDE,
+    Case,
+    corner_cases,
+    full_cases,
+    quick_cases,
+    sliding_cases,
+)
 from studies.stability.figures import parameter_map
 from studies.stability.outcome import (
     CONVERGED,
@@ -16,6 +23,7 @@ from studies.stability.outcome import (
     REFUSED,
     UNRESOLVED,
     UNSOLVED,
+    compare,
     judge,
     judge_refusal,
 )
@@ -39,6 +47,7 @@ GOOD = {
     "amplitude_ratio": NAN,
     "amplitude_ratio_fit": NAN,
     "mean_film": NAN,
+    "harmonic_ratio": NAN,
     "residual": 1e-7,
     "load_error": 1e-8,
     "rung": "direct",
@@ -83,6 +92,9 @@ def test_honest_results_have_no_faults(result: dict[str, Any], outcome: str) -> 
         ({"residual": NAN}, "residual"),
         ({"load_error": 0.1}, "load_error"),
         ({"central_film_moes": 1.0}, "of the formula's"),
+        ({"central_film_moes": 12.0, "eyring_stress_pa": 5e6}, "of the formula's"),
+        ({"response": "harmonic"}, "harmonic_ratio = nan"),
+        ({**LOST, "harmonic_ratio": 0.5}, "harmonic_ratio given"),
         ({**LOST, "central_film": 0.15}, "central_film given"),
         (
             {**LOST, "message": "time step 3 stalled", "amplitude_ratio": 0.8},
@@ -97,10 +109,34 @@ def test_dishonest_results_are_found(changes: dict[str, Any], fault: str) -> Non
     assert any(fault in text for text in row.faults), row.faults
 
 
+def test_a_sliding_oil_may_thin_by_any_factor_on_a_line_too() -> None:
+    thin = {**GOOD, "central_film_moes": 1.0, "eyring_stress_pa": 5e5, "radius_ratio_d": 0.0}
+    assert not judge(CASE, thin).faults
+
+
+def test_two_solutions_of_one_sliding_problem_must_agree() -> None:
+    cases = sliding_cases()[:6]
+    assert [case.value("slip_parameter") for case in cases] == [0.0, 0.5, 1.0, 1.5, 2.0, 1.5]
+    films = (0.10, 0.12, 0.13, 0.12, 0.10, 0.12)
+    ratios = (0.9, 0.8, 0.7, 0.6, 0.5, 0.6)
+    rows = [
+        judge(case, {**GOOD, "central_film": film, "harmonic_ratio": ratio})
+        for case, film, ratio in zip(cases, films, ratios, strict=True)
+    ]
+    compare(rows)
+    assert not any(row.faults for row in rows)
+    rows[4].result["central_film"] *= 1.001
+    rows[5].result["harmonic_ratio"] = NAN
+    compare(rows)
+    assert rows[4].faults == ["central_film = 0.1001, yet 0.1 with S 0"]
+    assert rows[5].faults == ["harmonic_ratio = nan, yet 0.6 with S 1.5"]
+    assert not any(row.faults for row in rows[:4])
+
+
 def test_cases_cover_the_range_and_have_inputs_of_their_own() -> None:
     everything = [*full_cases(), *corner_cases()]
     assert {case.family for case in quick_cases()} <= {case.family for case in everything}
-    for cases in (everything, quick_cases()):
+    for cases in (everything, quick_cases(), sliding_cases()):
         assert len({str(flat(case.groups)) for case in cases}) == len(cases)
     reached = [
         ("load_parameter_m", 3.0, 10000.0),
@@ -163,3 +199,10 @@ def test_summary_counts_resolved_cases_and_names_bad_ones() -> None:
     assert "1 of 2 resolved cases converged" in text
     assert "BAD corner, 512 cells, M = 2000, L = 12.05, D = 1: steady state" in text
     assert parameter_map(rows).axes
+    sliding = parameter_map([judge(case, GOOD) for case in sliding_cases()])
+    assert [axes.get_title() for axes in sliding.axes] == [
+        f"sliding, {stress} MPa" for stress in ("0.5", "5", "50")
+    ]
+    labels = [label.get_text() for label in sliding.axes[0].get_xticklabels()]
+    assert labels[0] == "M 30\nL 6\nD 1"
+    assert labels[-1] == "M 300\nL 12.05\nline"

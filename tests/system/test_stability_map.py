@@ -8,7 +8,7 @@ from pathlib import Path
 from ehlwave_program import SKIPPED, TestCase, last_line, namelist, run
 
 try:
-    from studies.stability.cases import quick_cases
+    from studies.stability.cases import quick_cases, sliding_cases
     from studies.stability.outcome import CONVERGED, REFUSED
     from studies.stability.run import read_rows, write_cases
 except ImportError as error:
@@ -33,8 +33,7 @@ class StabilityMap(TestCase):
             outcome = run("case", "case.nml", "--json", "--quiet", *arguments, folder=folder)
         return outcome, last_line(outcome)
 
-    def test_sample(self):
-        cases = quick_cases()[::EVERY]
+    def rows(self, cases):
         with tempfile.TemporaryDirectory() as folder:
             outcome = run("sweep", write_cases(Path(folder), cases, LIMIT))
             self.assertIn(outcome.returncode, (0, 1), outcome.stderr)
@@ -42,9 +41,19 @@ class StabilityMap(TestCase):
         self.assertEqual(len(rows), len(cases))
         for row in rows:
             self.assertFalse(row.is_bad, (row.case, row.message, row.faults))
-        outcomes = [row.outcome for row in rows]
+        return rows
+
+    def test_sample(self):
+        outcomes = [row.outcome for row in self.rows(quick_cases()[::EVERY])]
         self.assertGreater(outcomes.count(CONVERGED), 6, outcomes)
         self.assertGreater(outcomes.count(REFUSED), 0, outcomes)
+
+    def test_sliding_sample(self):
+        keys = {"load_parameter_m": 30, "lubricant_parameter_l": 6, "eyring_stress_pa": 5e5}
+        rows = self.rows([case for case in sliding_cases()
+                          if all(case.value(key) == value for key, value in keys.items())])
+        outcomes = [row.outcome for row in rows]
+        self.assertGreater(outcomes.count(CONVERGED), 11, outcomes)
 
     def test_rung_is_told(self):
         """A solution that takes more steps than it may is found by continuation, the same to the tolerance."""

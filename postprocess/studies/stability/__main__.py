@@ -11,6 +11,7 @@ from studies.stability.cases import (
     corner_cases,
     full_cases,
     quick_cases,
+    sliding_cases,
     steady_cases,
     wavy_cases,
 )
@@ -25,6 +26,7 @@ _SETS = {
     "wavy": wavy_cases,
     "full": lambda: [*full_cases(), *corner_cases()],
     "corner": corner_cases,
+    "sliding": sliding_cases,
 }
 
 

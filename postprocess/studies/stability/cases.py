@@ -15,6 +15,22 @@ _CONDITIONS = (
     (300.0, 0.0, 192, 128),  # isoviscous
     (300.0, 30.0, 128, 64),  # very viscous
 )
+# Conditions of a sliding Ree-Eyring oil with their cells, on a line (D = 0) along X only.
+_SLIDING_CONDITIONS = (
+    (30.0, 6.0, 1.0, 64, 64),
+    (30.0, 12.05, 1.0, 64, 64),
+    (100.0, 12.05, 1.0, 64, 64),
+    (100.0, 30.0, 1.0, 64, 64),
+    (300.0, 12.05, 1.0, 128, 64),
+    (30.0, 6.0, 0.12, 64, 64),
+    (100.0, 12.05, 0.12, 64, 64),
+    (300.0, 12.05, 0.12, 128, 64),
+    (30.0, 6.0, 0.0, 256, 0),
+    (100.0, 12.05, 0.0, 512, 0),
+    (300.0, 12.05, 0.0, 1024, 0),
+)
+SLIDING = "sliding"
+"""Begins the name of a family of cases with a Ree-Eyring oil: one for each tau0."""
 OUTSIDE = "outside"
 """The family of cases that must be refused."""
 
@@ -97,6 +113,28 @@ def corner_cases(cells: int = 512) -> list[Case]:
     return [
         _case("corner", f"{cells} cells", m, l, d, grid=_grid(cells)) for m, l, d in STIFF_CORNER
     ]
+
+
+def sliding_cases() -> list[Case]:
+    """Return smooth steady states of a Ree-Eyring oil with their linear responses.
+
+    S = 1.5 is solved a second time, to a smaller tolerance and, but for lines, by FAS.
+    """
+    waviness = {"orientation": "transverse", "wavelength_over_a": 1.0, "response": "harmonic"}
+    slips = {f"S {slip:g}": (slip, {}) for slip in (0.0, 0.5, 1.0, 1.5, 2.0)}
+    slips["S 1.5 again"] = (1.5, {"tolerance": 1e-8})
+    cases = []
+    for stress, (m, l, d, x, y) in product((0.5e6, 5e6, 50e6), _SLIDING_CONDITIONS):
+        family = f"{SLIDING}, {stress / 1e6:g} MPa"
+        for variant, (slip, keys) in slips.items():
+            groups = {
+                "conditions": {"slip_parameter": slip, "reduced_modulus_pa": 2.26e11},
+                "lubricant": {"flow_law": "eyring", "eyring_stress_pa": stress},
+                "grid": {"cells_x": x, "cells_y": y} if d > 0 else {"cells_x": x},
+                "solver": {**keys, "method": "fas"} if keys and d > 0 else keys,
+            }
+            cases.append(_case(family, variant, m, l, d, waviness=waviness, **groups))
+    return cases
 
 
 def _case(family: str, variant: str, m: float, l: float, d: float, **groups: object) -> Case:

@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from studies.stability.cases import OUTSIDE
+from studies.stability.cases import OUTSIDE, SLIDING
 from studies.stability.outcome import (
     CONVERGED,
     FAILED,
@@ -54,7 +54,7 @@ def steady_map(rows: Sequence[Row]) -> Figure:
                 for row in members
             ]
             _draw(axes, places, members)
-            _ticks(axes, [f"{m:g}" for m in loads], [f"{l:g}" for l in viscous])
+            _ticks(axes, [f"{m:g}" for m in loads], [f"{l:g}" for l in viscous], rotation=45)
             axes.set_title(f"D = {ratio:g}")
             axes.set_xlabel("M")
         panels[0].set_ylabel("L")
@@ -71,12 +71,14 @@ def parameter_map(rows: Sequence[Row]) -> Figure:
     families = list(dict.fromkeys(row.case.family for row in others))
     tables = {name: [row for row in others if row.case.family == name] for name in families}
     shapes = {
-        name: (_unique(map(_condition, sorted(t, key=_load_and_viscosity))), _unique(_variants(t)))
+        name: (_unique(map(_condition, sorted(t, key=_place))), _unique(_variants(t)))
         for name, t in tables.items()
     }
     with rc_context(_STYLE):
-        figure = Figure(figsize=(11, 0.5 + _column_height(shapes.values())), layout="constrained")
-        columns = [[], []]
+        is_wide = any(len(across) > 5 for across, _ in shapes.values())
+        columns = [[]] if is_wide else [[], []]
+        height = 0.5 + _column_height(shapes.values(), len(columns))
+        figure = Figure(figsize=(8 if is_wide else 11, height), layout="constrained")
         for name in sorted(families, key=lambda name: -len(shapes[name][1])):
             min(columns, key=lambda column: sum(len(shapes[n][1]) + 3 for n in column)).append(name)
         columns = [names for names in columns if names]
@@ -115,8 +117,8 @@ def _effort(row: Row) -> str:
     return f"{steps / marched:.1f}" if marched else f"{steps:d}"
 
 
-def _ticks(axes: Axes, across: Sequence[str], upwards: Sequence[str]) -> None:
-    axes.set_xticks(range(len(across)), across, rotation=45 if len(across) > 5 else 0)
+def _ticks(axes: Axes, across: Sequence[str], upwards: Sequence[str], rotation: float = 0) -> None:
+    axes.set_xticks(range(len(across)), across, rotation=rotation)
     axes.set_yticks(range(len(upwards)), upwards)
     axes.set_xlim(-0.6, len(across) - 0.4)
     axes.set_ylim(-0.6, len(upwards) - 0.4)
@@ -136,14 +138,19 @@ def _legend(figure: Figure, rows: Sequence[Row]) -> None:
     figure.legend(handles=handles, loc="outside lower center", ncols=3, frameon=False)
 
 
-def _load_and_viscosity(row: Row) -> tuple[float, float]:
-    return row.case.value("load_parameter_m"), row.case.value("lubricant_parameter_l")
+def _place(row: Row) -> tuple[float, float, float]:
+    m, l = row.case.value("load_parameter_m"), row.case.value("lubricant_parameter_l")
+    return -row.case.value("radius_ratio_d"), m, l
 
 
 def _condition(row: Row) -> str:
     m = row.case.value("load_parameter_m")
     l = row.case.value("lubricant_parameter_l")
-    return f"M {m:g}\nL {l:g}"
+    label = f"M {m:g}\nL {l:g}"
+    if not row.case.family.startswith(SLIDING):
+        return label
+    d = row.case.value("radius_ratio_d")
+    return f"{label}\nD {d:g}" if d > 0 else f"{label}\nline"
 
 
 def _variants(rows: Iterable[Row]) -> Iterable[str]:
@@ -154,5 +161,5 @@ def _unique(names: Iterable[str]) -> list[str]:
     return list(dict.fromkeys(names))
 
 
-def _column_height(shapes: Iterable[tuple[list[str], list[str]]]) -> float:
-    return 0.34 * sum(len(down) + 3 for _, down in shapes) / 2 + 0.9
+def _column_height(shapes: Iterable[tuple[list[str], list[str]]], columns: int) -> float:
+    return 0.34 * sum(len(down) + 3 for _, down in shapes) / columns + 0.9

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from studies import programs, sweeps
 from studies.stability.cases import OUTSIDE, Case
-from studies.stability.outcome import Row, judge, judge_refusal
+from studies.stability.outcome import Row, compare, judge, judge_refusal
 
 NAME = "cases"
 """Of the sweep's files."""
@@ -26,6 +26,7 @@ def read_rows(folder: Path, cases: Sequence[Case]) -> list[Row]:
     swept = [case for case in cases if case.family != OUTSIDE]
     found = sweeps.read_sweep(folder, NAME, len(swept)) if swept else []
     rows = [judge(case, result) for case, result in zip(swept, found, strict=True)]
+    compare(rows)
     return rows + [judge_refusal(case, plan(case)) for case in cases if case.family == OUTSIDE]
 
 

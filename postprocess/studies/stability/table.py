@@ -14,6 +14,8 @@ _INPUTS = {
     "slip_parameter": 1.0,
     "viscosity_law": "roelands",
     "density_law": "dowson_higginson",
+    "eyring_stress_pa": 0.0,
+    "method": "newton",
     "orientation": "none",
     "wavelength_over_a": 0.0,
     "amplitude_over_film": 0.0,
@@ -39,6 +41,7 @@ _RESULTS = (
     "inlet_gap_over_film",
     "central_film_moes",
     "amplitude_ratio_fit",
+    "harmonic_ratio",
 )
 
 

@@ -160,8 +160,10 @@ def moes_film(m: float, l: float, d: float) -> float:  # noqa: E741
     """Return the central film of a smooth contact in the Moes scale, (h/Rx)(2U)^(-1/2).
 
     Nijenbanning, Venner and Moes (1994), *Wear* 176: a fit for all D. Converged solutions lie up
-    to about 20 per cent below it.
+    to about 20 per cent below it. Line contacts (D = 0): Moes (1992).
     """
+    if d == 0:
+        return _moes_line_film(m, l)
     shape = 1 + 0.006 * math.log(d) + 0.63 * d ** (4 / 7)
     h_ri = 145 * (1 + 0.796 * d ** (14 / 15)) ** (-15 / 7) / d / m**2
     h_ei = 3.18 * shape ** (-14 / 25) * d ** (-1 / 15) * m ** (-2 / 15)
@@ -173,6 +175,14 @@ def moes_film(m: float, l: float, d: float) -> float:  # noqa: E741
     rigid_elastic = (h_ri**1.5 + (h_ei**-4 + h_00**-4) ** (-3 / 8)) ** (2 * s / 3)
     piezoviscous = (h_rp**-8 + h_ep**-8) ** (-s / 8) if l > 0 else 0.0
     return float((rigid_elastic + piezoviscous) ** (1 / s))
+
+
+def _moes_line_film(m: float, l: float) -> float:  # noqa: E741
+    h_ri, h_ei = 3 / m, 2.621 * m ** (-1 / 5)
+    h_rp, h_ep = 1.287 * l ** (2 / 3), 1.311 * m ** (-1 / 8) * l ** (3 / 4)
+    s = (7 + 8 * math.exp(-2 * h_ei / h_ri)) / 5
+    piezoviscous = (h_rp ** (-7 / 2) + h_ep ** (-7 / 2)) ** (-2 * s / 7) if l > 0 else 0.0
+    return float(((h_ri ** (7 / 3) + h_ei ** (7 / 3)) ** (3 * s / 7) + piezoviscous) ** (1 / s))
 
 
 def _integral_combinations(kappa: float) -> tuple[float, float]:
