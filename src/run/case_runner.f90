@@ -1,5 +1,6 @@
 !> Runs one planned case.
 module ehlwave_case_runner
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_amplitude, only: fitted_harmonic, fitted_mean, sampled_amplitude
    use ehlwave_case_account, only: blank_result, end_early, keep_history, take_report, worse
    use ehlwave_case_definition, only: case_t
@@ -119,7 +120,8 @@ contains
       type(case_t), intent(in) :: case
       type(case_result_t), intent(inout) :: result
       real(dp), parameter :: largest_difference = 0.05_dp
-      if (.not. abs(result%amplitude_ratio_fit/result%harmonic%ratio - 1) > largest_difference) return   ! NaN: not both
+      if (.not. (ieee_is_finite(result%amplitude_ratio_fit) .and. ieee_is_finite(result%harmonic%ratio))) return
+      if (abs(result%amplitude_ratio_fit/result%harmonic%ratio - 1) <= largest_difference) return
       if (len(result%warning) > 0) result%warning = result%warning//'; '
       result%warning = result%warning//'waves of '//to_text(100*case%amplitude_over_film, 3)// &
          ' % of the film do not respond as small ones: Ad/Ai = '//to_text(result%amplitude_ratio_fit, 3)//' against '// &
