@@ -11,8 +11,8 @@ from pathlib import Path
 
 import numpy as np
 
-from ehlwave_post import write_figure
-from ehlwave_post.deform import (
+from ehlwave import write_figure
+from ehlwave.deform import (
     conditions_from_keys,
     deform_surface,
     deformed_figure,

@@ -13,11 +13,11 @@ import xarray as xr
 from matplotlib import rc_context
 from matplotlib.figure import Figure
 
-from ehlwave_post.errors import ResultsError
-from ehlwave_post.figures import COLOURS, write_figure
-from ehlwave_post.read import read_results
-from ehlwave_post.schema import CONVERGED, DIMENSION, UNRESOLVED
-from ehlwave_post.tables import write_dataset_csv
+from ehlwave.errors import ResultsError
+from ehlwave.figures import COLOURS, write_figure
+from ehlwave.read import read_results
+from ehlwave.schema import CONVERGED, DIMENSION, UNRESOLVED
+from ehlwave.tables import write_dataset_csv
 from studies.sweeps import run_command
 
 COLUMNS = (
@@ -46,7 +46,7 @@ def linearity_points(results: xr.Dataset) -> xr.Dataset:
     Parameters
     ----------
     results : xarray.Dataset
-        From :func:`ehlwave_post.read.read_results`, of cases with ``response = 'both'``.
+        From :func:`ehlwave.read.read_results`, of cases with ``response = 'both'``.
 
     Returns
     -------

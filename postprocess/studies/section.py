@@ -7,7 +7,7 @@ from pathlib import Path
 import pandas as pd
 from matplotlib.figure import Figure
 
-from ehlwave_post.figures import write_figure
+from ehlwave.figures import write_figure
 
 Cell = str | float | int | None
 

@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
-from ehlwave_post.errors import ResultsError
+from ehlwave.errors import ResultsError
 from studies.programs import Groups, solve
 from studies.sweeps import run_command, write_rows
 

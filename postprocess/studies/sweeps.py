@@ -9,9 +9,9 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from ehlwave_post.deform import Surface, simulation_surface, write_simulation_surface
-from ehlwave_post.errors import ResultsError
-from ehlwave_post.read import read_results
+from ehlwave.deform import Surface, simulation_surface, write_simulation_surface
+from ehlwave.errors import ResultsError
+from ehlwave.read import read_results
 from studies.programs import Groups, namelist
 
 Row = dict[str, Any]

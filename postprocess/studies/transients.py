@@ -10,8 +10,8 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from ehlwave_post.errors import ResultsError
-from ehlwave_post.read import read_results
+from ehlwave.errors import ResultsError
+from ehlwave.read import read_results
 from studies.sweeps import run_command
 
 SMALL = 0.01

@@ -1,6 +1,6 @@
 """The contact of the paper's experiment (its Table 1), for the tests of deformed surfaces."""
 
-from ehlwave_post.deform import Conditions, conditions_from_keys
+from ehlwave.deform import Conditions, conditions_from_keys
 
 EXPERIMENT = {
     "radius_x_m": 12.52e-3,

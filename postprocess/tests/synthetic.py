@@ -6,7 +6,7 @@ from typing import Any
 import h5py
 import numpy as np
 
-from ehlwave_post.formula import amplitude_ratio_formula, f_of_r, v, v2, wavelength_ratio
+from ehlwave.formula import amplitude_ratio_formula, f_of_r, v, v2, wavelength_ratio
 
 Columns = dict[str, np.ndarray]
 

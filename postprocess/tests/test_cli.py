@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from synthetic import Columns, make_columns, write_results
 
-from ehlwave_post.cli import main
+from ehlwave.cli import main
 
 Capture = pytest.CaptureFixture[str]
 KEY = ("orientation", "load_parameter_m", "radius_ratio_d", "wavelength_over_a")
@@ -153,7 +153,7 @@ def test_bad_option_values(results_file: Path, capsys: Capture) -> None:
 @pytest.mark.parametrize("command", [["collapse"], ["refit"], ["table"], ["export", "--csv", "x"]])
 def test_a_newer_format_ends_the_program_with_a_message(tmp_path: Path, command: list[str]) -> None:
     source = write_results(tmp_path / "r.h5", make_columns(), format_version=2)
-    code = "import sys; from ehlwave_post.cli import main; sys.exit(main())"
+    code = "import sys; from ehlwave.cli import main; sys.exit(main())"
     finished = subprocess.run(
         [sys.executable, "-c", code, command[0], str(source), *command[1:]],
         capture_output=True,
@@ -162,6 +162,6 @@ def test_a_newer_format_ends_the_program_with_a_message(tmp_path: Path, command:
         check=False,
     )
     assert finished.returncode == 1
-    assert finished.stderr.startswith(f"ehlwave-post: error: {source}: format version 2 is newer")
+    assert finished.stderr.startswith(f"ehlwave: error: {source}: format version 2 is newer")
     assert finished.stderr.count("\n") == 1
     assert sorted(path.name for path in tmp_path.iterdir()) == ["r.h5"]

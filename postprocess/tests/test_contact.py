@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from ehlwave_post.cli import main
-from ehlwave_post.contact import contact_figure, read_contact
-from ehlwave_post.errors import ResultsError
+from ehlwave.cli import main
+from ehlwave.contact import contact_figure, read_contact
+from ehlwave.errors import ResultsError
 
 
 def _write(path: Path, y: np.ndarray, **attributes: str) -> Path:

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from contact import EXPERIMENT, experiment
 
-from ehlwave_post.cli import main
-from ehlwave_post.formula import amplitude_ratio_formula, recommended_ratio
+from ehlwave.cli import main
+from ehlwave.formula import amplitude_ratio_formula, recommended_ratio
 
 Capture = pytest.CaptureFixture[str]
 CONDITIONS = ["--conditions", *(f"{key}={value}" for key, value in EXPERIMENT.items())]
@@ -98,7 +98,7 @@ def test_a_large_map_stays_within_memory(tmp_path: Path) -> None:
     np.save(tmp_path / "m.npy", 1e-2 * heights)
     arguments = ["deform", str(tmp_path / "m.npy"), *CONDITIONS, "--step", "2"]
     arguments += ["--length-unit", "um", "--height-unit", "um", "--output", str(tmp_path / "out")]
-    start = "import sys; from ehlwave_post.cli import main; sys.exit(main())"
+    start = "import sys; from ehlwave.cli import main; sys.exit(main())"
     subprocess.run([sys.executable, "-c", start, *arguments], check=True, capture_output=True)
     assert resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss < 2**20  # KiB
     assert (tmp_path / "out" / "deformed.h5").stat().st_size > 2 * 4 * 2048**2

@@ -4,9 +4,9 @@ from pathlib import Path
 import pytest
 from contact import EXPERIMENT, experiment
 
-from ehlwave_post.deform import conditions_from_keys, read_conditions
-from ehlwave_post.deform.conditions import ellipticity, moes_film
-from ehlwave_post.errors import SurfaceError
+from ehlwave.deform import conditions_from_keys, read_conditions
+from ehlwave.deform.conditions import ellipticity, moes_film
+from ehlwave.errors import SurfaceError
 
 
 def test_experiment_agrees_with_the_paper() -> None:

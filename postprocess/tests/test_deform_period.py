@@ -3,9 +3,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from ehlwave_post.cli import main
-from ehlwave_post.deform import cut_period, read_surface, trace_surface
-from ehlwave_post.errors import SurfaceError
+from ehlwave.cli import main
+from ehlwave.deform import cut_period, read_surface, trace_surface
+from ehlwave.errors import SurfaceError
 
 WAVE = 60e-6
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from contact import experiment
 
-from ehlwave_post.deform import (
+from ehlwave.deform import (
     FormulaTransfer,
     RecommendedTransfer,
     Surface,
@@ -12,8 +12,8 @@ from ehlwave_post.deform import (
     map_surface,
     trace_surface,
 )
-from ehlwave_post.errors import SurfaceError
-from ehlwave_post.formula import amplitude_ratio_formula, f_of_r, recommended_ratio
+from ehlwave.errors import SurfaceError
+from ehlwave.formula import amplitude_ratio_formula, f_of_r, recommended_ratio
 
 CONTACT = experiment()
 ELLIPTIC = experiment(radius_y_m=0.12)

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from contact import experiment
 
-from ehlwave_post.deform import (
+from ehlwave.deform import (
     ReadOptions,
     Surface,
     deform_surface,
@@ -14,7 +14,7 @@ from ehlwave_post.deform import (
     to_dataset,
     trace_surface,
 )
-from ehlwave_post.errors import SurfaceError
+from ehlwave.errors import SurfaceError
 
 UM = ReadOptions(length_unit="um", height_unit="um", step=2.0)
 HEIGHTS = 0.01 * np.sin(np.arange(40.0)) + 0.001 * np.arange(40)

@@ -5,8 +5,8 @@ import numpy as np
 import pytest
 from contact import experiment
 
-from ehlwave_post.cli import main
-from ehlwave_post.deform import (
+from ehlwave.cli import main
+from ehlwave.deform import (
     deform_surface,
     map_surface,
     read_surface,
@@ -14,7 +14,7 @@ from ehlwave_post.deform import (
     trace_surface,
     write_simulation_surface,
 )
-from ehlwave_post.errors import SurfaceError
+from ehlwave.errors import SurfaceError
 
 
 def test_ends_are_faded_and_the_middle_is_kept() -> None:

@@ -7,8 +7,8 @@ import pytest
 from contact import experiment
 from synthetic import make_columns, write_results
 
-from ehlwave_post.cli import main
-from ehlwave_post.deform import (
+from ehlwave.cli import main
+from ehlwave.deform import (
     Conditions,
     FormulaTransfer,
     TableTransfer,
@@ -19,10 +19,10 @@ from ehlwave_post.deform import (
     read_table,
     trace_surface,
 )
-from ehlwave_post.errors import SurfaceError
-from ehlwave_post.formula import amplitude_ratio_formula, f_of_r
-from ehlwave_post.points import select_points
-from ehlwave_post.read import read_results
+from ehlwave.errors import SurfaceError
+from ehlwave.formula import amplitude_ratio_formula, f_of_r
+from ehlwave.points import select_points
+from ehlwave.read import read_results
 
 CONTACT = experiment(radius_y_m=0.05)
 WAVES = np.geomspace(0.05, 3, 25)
@@ -238,5 +238,5 @@ def test_coefficients_are_read_from_what_refit_writes(tmp_path: Path, results_fi
     with pytest.raises(SurfaceError, match="no group 'round'"):
         read_coefficients(tmp_path / "refit.csv", "round")
     (tmp_path / "bad.csv").write_text("a,b\n1,2\n")
-    with pytest.raises(SurfaceError, match="not a file of ehlwave-post refit"):
+    with pytest.raises(SurfaceError, match="not a file of ehlwave refit"):
         read_coefficients(tmp_path / "bad.csv")

@@ -5,7 +5,7 @@ import pytest
 from synthetic import Columns, make_columns, write_results
 from xarray import Dataset
 
-from ehlwave_post import (
+from ehlwave import (
     amplitude_ratio_formula,
     collapse_figure,
     fit_formula,
@@ -13,8 +13,8 @@ from ehlwave_post import (
     select_points,
     write_figure,
 )
-from ehlwave_post.figures import outside_axes
-from ehlwave_post.points import Variable, of_orientation
+from ehlwave.figures import outside_axes
+from ehlwave.points import Variable, of_orientation
 
 ORIENTATIONS = ("transverse", "isotropic", "longitudinal")
 GREY = "0.6"

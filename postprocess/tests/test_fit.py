@@ -3,7 +3,7 @@ import pytest
 from scipy.optimize import minimize_scalar
 from scipy.stats import f as f_distribution
 
-from ehlwave_post import (
+from ehlwave import (
     FitError,
     amplitude_ratio_formula,
     bootstrap_coefficients,

@@ -1,7 +1,9 @@
+import importlib
+
 import numpy as np
 import pytest
 
-from ehlwave_post import amplitude_ratio_formula, f_of_r, v, v2, wavelength_ratio
+from ehlwave import amplitude_ratio_formula, f_of_r, v, v2, wavelength_ratio
 
 
 def test_wavelength_zero_means_no_variation() -> None:
@@ -57,3 +59,11 @@ def test_negative_arguments_are_refused() -> None:
         wavelength_ratio(1, -1)
     with pytest.raises(ValueError, match="lubricant_l is zero"):
         v(1, 1, 0, 1)
+
+
+def test_former_name_of_the_package_is_the_same_module() -> None:
+    assert importlib.import_module("ehlwave_post.errors") is importlib.import_module(
+        "ehlwave.errors"
+    )
+    with pytest.raises(ModuleNotFoundError):
+        importlib.import_module("ehlwave_post.nothing")

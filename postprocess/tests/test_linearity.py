@@ -5,7 +5,7 @@ import pytest
 import xarray as xr
 from synthetic import Columns, make_columns, write_results
 
-from ehlwave_post import ResultsError, read_results
+from ehlwave import ResultsError, read_results
 from studies.linearity import linearity_figure, linearity_points, linearity_text, main
 
 

@@ -5,8 +5,8 @@ import pytest
 import xarray as xr
 from synthetic import Columns, concatenated, make_columns, write_results
 
-from ehlwave_post import ResultsError, read_results, select_points
-from ehlwave_post.points import condition_index, remarks
+from ehlwave import ResultsError, read_results, select_points
+from ehlwave.points import condition_index, remarks
 
 
 def _read(tmp_path: Path, columns: Columns) -> xr.Dataset:

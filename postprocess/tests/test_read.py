@@ -8,7 +8,7 @@ import pytest
 import xarray as xr
 from synthetic import make_columns, write_results
 
-from ehlwave_post import ResultsError, read_results
+from ehlwave import ResultsError, read_results
 
 
 @pytest.mark.parametrize("pad", ["null", "space"])
@@ -127,7 +127,7 @@ def _write_truncated(path: Path) -> None:
         ),
         (
             lambda path: write_results(path, make_columns(), format_version=2),
-            "format version 2 is newer .* update ehlwave-post",
+            "format version 2 is newer .* update ehlwave",
         ),
         (
             lambda path: write_results(path, make_columns(), format_version=0),

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from synthetic import CONDITIONS, Columns, make_columns, taken, write_results
 
-from ehlwave_post import RefitRow, RefitSettings, read_results, refit_groups, select_points
+from ehlwave import RefitRow, RefitSettings, read_results, refit_groups, select_points
 
 SETTINGS = RefitSettings(replicates=50)
 

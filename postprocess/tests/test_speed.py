@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from ehlwave_post.errors import ResultsError
+from ehlwave.errors import ResultsError
 from studies import speed
 from studies.programs import Groups
 

@@ -9,11 +9,11 @@ import pytest
 from matplotlib.figure import Figure
 from synthetic import Columns, make_columns, taken, write_results
 
-from ehlwave_post.errors import ResultsError
-from ehlwave_post.formula import amplitude_ratio_formula
-from ehlwave_post.points import select_points
-from ehlwave_post.read import read_results
-from ehlwave_post.refit import RefitSettings
+from ehlwave.errors import ResultsError
+from ehlwave.formula import amplitude_ratio_formula
+from ehlwave.points import select_points
+from ehlwave.read import read_results
+from ehlwave.refit import RefitSettings
 from studies.paper import html, line_contact, paper_points, refitted
 from studies.paper.data import by_point, read_stage, read_stages
 from studies.paper.report import write_report

@@ -1,6 +1,6 @@
 # What `cmake --install` puts into one prefix, which can be moved. Components: core, petsc, python.
 #
-#     bin/                            the programs, run-sweep, ehlwave-accept, ehlwave-post
+#     bin/                            the programs, run-sweep, ehlwave-accept, ehlwave
 #     lib/libehlwave_petsc.so         PETSc's solver, which the programs load when it is asked for (petsc)
 #     share/ehlwave/                  scripts, scripts/batch and inputs, as in the source
 #     share/man, share/bash-completion, share/modulefiles, share/doc
@@ -54,8 +54,9 @@ file(RELATIVE_PATH prefix_of_module ${CMAKE_INSTALL_PREFIX}/${modules}/ehlwave $
 configure_file(${packaging}/modulefile.in ${made}/modulefile @ONLY)
 install(FILES ${made}/modulefile DESTINATION ${modules}/ehlwave RENAME ${PROJECT_VERSION} COMPONENT core)
 
-install(DIRECTORY postprocess/src/ehlwave_post DESTINATION ${EHLWAVE_INSTALL_PYTHONDIR} COMPONENT python
+install(DIRECTORY postprocess/src/ehlwave postprocess/src/ehlwave_post DESTINATION ${EHLWAVE_INSTALL_PYTHONDIR} COMPONENT python
         FILES_MATCHING PATTERN "*.py" PATTERN "py.typed" PATTERN "__pycache__" EXCLUDE)
 file(RELATIVE_PATH python_folder ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_PREFIX}/${EHLWAVE_INSTALL_PYTHONDIR})
-configure_file(${packaging}/ehlwave-post.in ${made}/starters/ehlwave-post @ONLY)
-install(PROGRAMS ${made}/starters/ehlwave-post DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT python)
+configure_file(${packaging}/ehlwave.in ${made}/starters/ehlwave @ONLY)
+install(PROGRAMS ${made}/starters/ehlwave DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT python)
+install(PROGRAMS ${made}/starters/ehlwave DESTINATION ${CMAKE_INSTALL_BINDIR} RENAME ehlwave-post COMPONENT python)

@@ -60,7 +60,7 @@ contains
          edge = max(edge, maxval(abs(height(:, 1))), maxval(abs(height(:, size(height, 2)))))
       if (edge > largest_edge*highest) then
          call raise(error, 'heights at the ends of the surface reach '//to_text(edge/highest, 3)//' of the largest: it '// &
-                    'would enter the contact as a step. Write the file by ehlwave-post surface, which fades the ends')
+                    'would enter the contact as a step. Write the file by ehlwave surface, which fades the ends')
          return
       end if
 

@@ -196,7 +196,7 @@ contains
       call list%see(case%response, key_t('response', "response to the waves; 'transient': waves of this amplitude in time, "// &
          "'harmonic': the linear response to small waves, without time steps, 'both'", choices='transient harmonic both'))
       call list%enter('surface', 'A measured surface in place of &waviness.')
-      call list%see(case%surface_file, key_t('file', 'surface written by `ehlwave-post surface`; it enters at x_min, moves '// &
+      call list%see(case%surface_file, key_t('file', 'surface written by `ehlwave surface`; it enters at x_min, moves '// &
          'with S and is followed until its trailing end is at the contact centre, or end_time; needs dimensional conditions. '// &
          'The whole domain is computed unless it is even in Y. With --output, surface_position_m says which x of the surface '// &
          'was at the centre for each film_at_centre', maximum=real(path_length, dp), is_written=case%surface_file /= ''))

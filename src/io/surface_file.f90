@@ -1,4 +1,4 @@
-!> Surfaces written by `ehlwave-post surface`: HDF5 with heights over x and y in metres.
+!> Surfaces written by `ehlwave surface`: HDF5 with heights over x and y in metres.
 module ehlwave_surface_file
    use ehlwave_errors, only: error_t, raise
    use ehlwave_kinds, only: dp
@@ -29,14 +29,14 @@ contains
       step_y = 0
       inquire (file=path, exist=exists)
       if (.not. exists) then
-         call raise(error, '&surface file = '''//path//''': no such file; ehlwave-post surface writes one')
+         call raise(error, '&surface file = '''//path//''': no such file; ehlwave surface writes one')
          return
       end if
       call h5open_f(status)
       call h5eset_auto_f(0, status)
       call h5fopen_f(path, h5f_acc_rdonly_f, file, status)
       if (status < 0) then
-         call raise(error, '&surface file = '''//path//''': is not an HDF5 file; ehlwave-post surface writes one')
+         call raise(error, '&surface file = '''//path//''': is not an HDF5 file; ehlwave surface writes one')
       else
          call read_numbers(file, 'height', flat, extent)
          call read_numbers(file, 'x', x, extent_x)
@@ -44,7 +44,7 @@ contains
          call h5fclose_f(file, status)
          if (size(extent) /= 2 .or. size(extent_x) /= 1 .or. size(extent_y) /= 1) then
             call raise(error, '&surface file = '''//path//''': needs height over (y, x), and x and y, in metres; '// &
-                       'ehlwave-post surface writes them')
+                       'ehlwave surface writes them')
          else if (any(extent /= [extent_x, extent_y])) then
             call raise(error, '&surface file = '''//path//''': x and y do not have the numbers of points of height')
          end if

@@ -10,12 +10,12 @@ from pathlib import Path
 from ehlwave_program import SKIPPED, TestCase, run
 
 try:
-    from ehlwave_post.errors import ResultsError
+    from ehlwave.errors import ResultsError
     from studies.error_time import runs
     from studies.error_time.__main__ import write_all
     from studies.error_time.table import read_table, write_cases
 except ImportError as error:
-    print(f"SKIPPED: this Python cannot run ehlwave-post: {error}")
+    print(f"SKIPPED: this Python cannot run ehlwave: {error}")
     sys.exit(SKIPPED)
 
 EXTENT = runs.Extent(

@@ -123,7 +123,7 @@ class Install(unittest.TestCase):
     @unittest.skipUnless(importlib.util.find_spec("xarray"), "no xarray: set EHLWAVE_PYTHON")
     def test_the_python_package(self):
         self.run_here(self.prefix/"bin"/"run-sweep", "--ranks", "1", "sweep.nml", "--output", "results.h5")
-        self.run_here(self.prefix/"bin"/"ehlwave-post", "export", "results.h5", "--csv", "rows.csv",
+        self.run_here(self.prefix/"bin"/"ehlwave", "export", "results.h5", "--csv", "rows.csv",
                       EHLWAVE_PYTHON=os.environ.get("EHLWAVE_PYTHON", "python3"))
         with (self.folder/"rows.csv").open(newline="") as table:
             self.assertEqual(len(list(csv.DictReader(table))), 2)

@@ -1,4 +1,4 @@
-"""The Moes parameters and Hertz lengths of ehlwave-post are those of ehlwave-case."""
+"""The Moes parameters and Hertz lengths of ehlwave are those of ehlwave-case."""
 
 import re
 import sys
@@ -9,9 +9,9 @@ from pathlib import Path
 from ehlwave_program import SKIPPED, last_line, namelist, run
 
 try:
-    from ehlwave_post.deform import conditions_from_keys, read_conditions
+    from ehlwave.deform import conditions_from_keys, read_conditions
 except ImportError as error:
-    print(f"SKIPPED: ehlwave_post cannot be imported ({error})")
+    print(f"SKIPPED: ehlwave cannot be imported ({error})")
     sys.exit(SKIPPED)
 
 CONTACTS = [

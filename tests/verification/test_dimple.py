@@ -12,7 +12,7 @@ try:
     from studies.validation.dimple import INSIDE, OUTSIDE, Dimple
     from studies.validation.dimple_runs import Grid, dimple_lines, smooth_lines
 except ImportError as error:
-    print(f"SKIPPED: ehlwave_post cannot be imported ({error})")
+    print(f"SKIPPED: ehlwave cannot be imported ({error})")
     sys.exit(SKIPPED)
 
 PLACE = 21.14   # um, of the dimple on the surface when the film has it where it was published; found by scripts/validate

@@ -12,7 +12,7 @@ try:
     from studies.experiment.cases import SMOOTH, read_input, shared_groups
     from studies.experiment.measure import richardson
 except ImportError as error:
-    print(f"SKIPPED: ehlwave_post cannot be imported ({error})")
+    print(f"SKIPPED: ehlwave cannot be imported ({error})")
     sys.exit(SKIPPED)
 
 INPUTS = Path(__file__).parents[2]/"inputs"/"full"
@@ -36,7 +36,7 @@ class Experiment(TestCase):
 
     def test_input_of_the_study_with_the_surface_its_heading_tells_to_write(self):
         with tempfile.TemporaryDirectory() as folder:
-            command = [sys.executable, "-c", "import sys; from ehlwave_post.cli import main; sys.exit(main())", "surface",
+            command = [sys.executable, "-c", "import sys; from ehlwave.cli import main; sys.exit(main())", "surface",
                        INPUTS/"sputtered_profile.csv", "--period", "60", "--repeat", "16", "--output", "sputtered_wave.h5"]
             subprocess.run(command, cwd=folder, check=True, capture_output=True)
             outcome = run("case", INPUTS/"experiment.nml", "--plan", "--json", folder=folder)

@@ -12,11 +12,11 @@ from ehlwave_program import SKIPPED, run
 
 try:
     import numpy as np
-    from ehlwave_post.deform import read_table, trace_surface
+    from ehlwave.deform import read_table, trace_surface
     from studies.microgeometry.compare import compare_speeds
     from studies.microgeometry.simulate import conditions_at, table_file, write_surface, write_tables, write_waves
 except ImportError as error:
-    print(f"SKIPPED: ehlwave_post cannot be imported ({error})")
+    print(f"SKIPPED: ehlwave cannot be imported ({error})")
     sys.exit(SKIPPED)
 
 SPEEDS = (0.024,)

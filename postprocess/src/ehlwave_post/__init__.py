@@ -1,40 +1,34 @@
-"""Post-processing of results of ``ehlwave-sweep``: read, select, fit, draw, tabulate."""
+"""The former name of :mod:`ehlwave`: ``ehlwave_post.x`` is the module ``ehlwave.x`` itself."""
 
-from ehlwave_post.errors import ResultsError
-from ehlwave_post.figures import collapse_figure, write_figure
-from ehlwave_post.fit import (
-    FitError,
-    FormulaFit,
-    bootstrap_coefficients,
-    fit_formula,
-    percentile_intervals,
-    point_weights,
-    rms_residual,
-)
-from ehlwave_post.formula import amplitude_ratio_formula, f_of_r, v, v2, wavelength_ratio
-from ehlwave_post.points import select_points
-from ehlwave_post.read import read_results
-from ehlwave_post.refit import RefitRow, RefitSettings, refit_groups
+import importlib
+import sys
+from collections.abc import Sequence
+from importlib.abc import Loader, MetaPathFinder
+from importlib.machinery import ModuleSpec
+from types import ModuleType
 
-__all__ = [
-    "FitError",
-    "FormulaFit",
-    "RefitRow",
-    "RefitSettings",
-    "ResultsError",
-    "amplitude_ratio_formula",
-    "bootstrap_coefficients",
-    "collapse_figure",
-    "f_of_r",
-    "fit_formula",
-    "percentile_intervals",
-    "point_weights",
-    "read_results",
-    "refit_groups",
-    "rms_residual",
-    "select_points",
-    "v",
-    "v2",
-    "wavelength_ratio",
-    "write_figure",
-]
+import ehlwave
+
+
+class _Renamed(MetaPathFinder, Loader):
+    """Finds a module of the former name and hands out the one of today."""
+
+    def find_spec(
+        self, fullname: str, path: Sequence[str] | None, target: ModuleType | None = None
+    ) -> ModuleSpec | None:
+        """Return a spec for ``ehlwave_post.x``, None for anything else."""
+        return ModuleSpec(fullname, self) if fullname.startswith("ehlwave_post.") else None
+
+    def create_module(self, spec: ModuleSpec) -> ModuleType:
+        """Return ``ehlwave.x``; ModuleNotFoundError when there is none."""
+        self._own = importlib.import_module(spec.name.replace("ehlwave_post", "ehlwave", 1))
+        self._spec = self._own.__spec__
+        return self._own
+
+    def exec_module(self, module: ModuleType) -> None:
+        """Give the module its own spec back; it has been executed under its name of today."""
+        module.__spec__ = self._spec
+
+
+sys.meta_path.insert(0, _Renamed())
+sys.modules[__name__] = ehlwave

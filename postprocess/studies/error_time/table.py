@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pandas as pd
 
-from ehlwave_post.errors import ResultsError
+from ehlwave.errors import ResultsError
 from studies import programs, sweeps
 from studies.error_time.runs import METHODS, WAVY, Extent, Run, all_runs
 

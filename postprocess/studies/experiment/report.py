@@ -5,8 +5,8 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from ehlwave_post.deform import read_surface
-from ehlwave_post.errors import ResultsError
+from ehlwave.deform import read_surface
+from ehlwave.errors import ResultsError
 from studies.experiment import paper
 from studies.experiment.cases import (
     GRIDS,

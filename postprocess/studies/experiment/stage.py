@@ -3,9 +3,9 @@
 from pathlib import Path
 from typing import Any
 
-from ehlwave_post.deform import cut_period, read_surface
-from ehlwave_post.deform.prepare import remove_form
-from ehlwave_post.errors import ResultsError
+from ehlwave.deform import cut_period, read_surface
+from ehlwave.deform.prepare import remove_form
+from ehlwave.errors import ResultsError
 from studies import sweeps
 from studies.experiment.cases import COSINE, TRACE, Groups, Run, all_runs, keys_of, shared_groups
 from studies.experiment.trace import WAVELENGTH_UM

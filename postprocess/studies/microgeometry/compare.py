@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from ehlwave_post.contact import read_contact
-from ehlwave_post.deform import (
+from ehlwave.contact import read_contact
+from ehlwave.deform import (
     FormulaTransfer,
     Surface,
     TableTransfer,
@@ -18,8 +18,8 @@ from ehlwave_post.deform import (
     read_surface,
     read_table,
 )
-from ehlwave_post.deform.prepare import TAPERED_SHARE
-from ehlwave_post.errors import ResultsError
+from ehlwave.deform.prepare import TAPERED_SHARE
+from ehlwave.errors import ResultsError
 from studies import sweeps
 from studies.microgeometry.simulate import SPEEDS, conditions_at, table_file
 from studies.microgeometry.surfaces import Floats, amplitude_of

@@ -6,7 +6,7 @@ from pathlib import Path
 import pandas as pd
 from matplotlib.figure import Figure
 
-from ehlwave_post.figures import COLOURS
+from ehlwave.figures import COLOURS
 from studies.microgeometry.compare import Comparison
 
 LINES = {

@@ -6,10 +6,10 @@ from typing import Any
 
 import numpy as np
 
-from ehlwave_post.deform import Conditions, Surface, conditions_from_keys
-from ehlwave_post.deform.harmonics import write_harmonic_table
-from ehlwave_post.points import select_points
-from ehlwave_post.read import read_results
+from ehlwave.deform import Conditions, Surface, conditions_from_keys
+from ehlwave.deform.harmonics import write_harmonic_table
+from ehlwave.points import select_points
+from ehlwave.read import read_results
 from studies import sweeps
 
 # Table 1 of the paper: ball on disc.

@@ -6,8 +6,8 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ehlwave_post.figures import COLOURS
-from ehlwave_post.formula import (
+from ehlwave.figures import COLOURS
+from ehlwave.formula import (
     RECOMMENDED_L_EXPONENT,
     RECOMMENDED_SHARPNESS,
     amplitude_ratio_formula,

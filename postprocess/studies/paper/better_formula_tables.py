@@ -6,7 +6,7 @@ from itertools import pairwise
 import numpy as np
 import pandas as pd
 
-from ehlwave_post.formula import power_ratio
+from ehlwave.formula import power_ratio
 from studies.paper.candidates import PAPER, REFITTED, ROUNDED, Candidate, Parameters
 from studies.paper.cases import DIRECTIONS
 from studies.paper.crossvalidation import (

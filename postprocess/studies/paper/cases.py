@@ -6,8 +6,8 @@ import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from ehlwave_post.deform.conditions import conditions_from_keys
-from ehlwave_post.formula import f_of_r
+from ehlwave.deform.conditions import conditions_from_keys
+from ehlwave.formula import f_of_r
 
 RADIUS_RATIOS = (1.0, 0.35, 0.12, 0.04)
 PAPER_L = 12.05

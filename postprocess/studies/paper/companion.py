@@ -2,8 +2,8 @@
 
 from pathlib import Path
 
-from ehlwave_post.formula import amplitude_ratio_formula
-from ehlwave_post.points import select_points
+from ehlwave.formula import amplitude_ratio_formula
+from ehlwave.points import select_points
 from studies.paper.data import read_stage
 from studies.section import Section, comparison, comparison_row
 

@@ -5,9 +5,9 @@ from pathlib import Path
 import pandas as pd
 import xarray as xr
 
-from ehlwave_post.errors import ResultsError
-from ehlwave_post.points import CONDITION
-from ehlwave_post.read import read_results
+from ehlwave.errors import ResultsError
+from ehlwave.points import CONDITION
+from ehlwave.read import read_results
 
 STAGES = "stages.csv"
 POINT = (*CONDITION, "wavelength_x_over_a", "wavelength_y_over_a")

@@ -8,10 +8,10 @@ import pandas as pd
 import xarray as xr
 from matplotlib.figure import Figure
 
-from ehlwave_post.figures import COLOURS, FIGURE_NUMBERS, collapse_figure, outside_axes
-from ehlwave_post.formula import amplitude_ratio_formula
-from ehlwave_post.points import count_by_status, select_points
-from ehlwave_post.schema import ORIENTATIONS
+from ehlwave.figures import COLOURS, FIGURE_NUMBERS, collapse_figure, outside_axes
+from ehlwave.formula import amplitude_ratio_formula
+from ehlwave.points import count_by_status, select_points
+from ehlwave.schema import ORIENTATIONS
 from studies.paper.data import by_point, read_stage
 from studies.section import Picture, Section, Table
 

@@ -8,12 +8,12 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from ehlwave_post.points import count_by_status
-from ehlwave_post.schema import DIMENSION
+from ehlwave.points import count_by_status
+from ehlwave.schema import DIMENSION
 from studies.paper.data import read_stage, read_stages
 from studies.section import Section, Table
 
-PACKAGES = ("ehlwave-post", "numpy", "scipy", "lmfit", "xarray", "h5py", "matplotlib")
+PACKAGES = ("ehlwave", "numpy", "scipy", "lmfit", "xarray", "h5py", "matplotlib")
 PROGRAM = ("program_version", "compiler", "compiler_flags", "library_versions", "mpi_library")
 
 

@@ -7,10 +7,10 @@ import numpy as np
 import pandas as pd
 from matplotlib.figure import Figure
 
-from ehlwave_post.formula import PAPER_C1, PAPER_C2
-from ehlwave_post.points import resolved_only, select_points
-from ehlwave_post.refit import RefitSettings, refit_groups
-from ehlwave_post.schema import DIMENSION, ORIENTATIONS
+from ehlwave.formula import PAPER_C1, PAPER_C2
+from ehlwave.points import resolved_only, select_points
+from ehlwave.refit import RefitSettings, refit_groups
+from ehlwave.schema import DIMENSION, ORIENTATIONS
 from studies.paper.data import read_stage
 from studies.section import Picture, Section, Table, comparison, comparison_row
 
@@ -65,7 +65,7 @@ def study_refits(folder: Path, settings: RefitSettings) -> pd.DataFrame:
     """Fit every set of points of the study on f(r) V.
 
     One row for each set and group of points in it: ``varied`` is what varies from set to set,
-    ``name`` that of the set, the others are of :class:`ehlwave_post.refit.RefitRow`, with the ends
+    ``name`` that of the set, the others are of :class:`ehlwave.refit.RefitRow`, with the ends
     of the bootstrap intervals.
     """
     resolved = select_points(read_stage(folder, "resolved"))

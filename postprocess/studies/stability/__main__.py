@@ -5,7 +5,7 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from ehlwave_post.figures import write_figure
+from ehlwave.figures import write_figure
 from studies.stability.cases import (
     OUTSIDE,
     corner_cases,

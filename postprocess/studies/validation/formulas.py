@@ -8,7 +8,7 @@ by changes with it, by a few per cent over a factor of two in G.
 import math
 from collections.abc import Callable
 
-from ehlwave_post.deform.conditions import DEFAULT_PRESSURE_VISCOSITY, moes_film
+from ehlwave.deform.conditions import DEFAULT_PRESSURE_VISCOSITY, moes_film
 
 Formula = Callable[[float, float, float], float]
 

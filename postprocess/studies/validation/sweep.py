@@ -5,9 +5,9 @@ from pathlib import Path
 
 import xarray as xr
 
-from ehlwave_post.errors import ResultsError
-from ehlwave_post.read import read_results
-from ehlwave_post.schema import CONVERGED, UNRESOLVED
+from ehlwave.errors import ResultsError
+from ehlwave.read import read_results
+from ehlwave.schema import CONVERGED, UNRESOLVED
 from studies.programs import Groups, run
 from studies.sweeps import write_sweep
 

@@ -16,7 +16,7 @@ class Ehlwave(CMakePackage, PythonExtension):
     variant("mpi", default=True, description="Sweeps over MPI ranks (ehlwave-sweep)")
     variant("petsc", default=False, description="PETSc's solver as a check and last resort")
     variant("native", default=False, description="-march=native besides what Spack's target gives")
-    variant("python", default=True, description="Python package ehlwave_post and ehlwave-post")
+    variant("python", default=True, description="Python package and command ehlwave")
 
     depends_on("c", type="build")
     depends_on("fortran", type="build")

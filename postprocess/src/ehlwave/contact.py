@@ -1,0 +1,102 @@
+"""One contact: film and pressure from the file that ``ehlwave-case --output`` writes."""
+
+from pathlib import Path
+
+import numpy as np
+import xarray as xr
+from matplotlib import rc_context
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.layout_engine import ConstrainedLayoutEngine
+
+from ehlwave.errors import ResultsError
+from ehlwave.figures import COLOURS
+
+FORMAT_NAME = "ehlwave-case"
+FIELDS = ("pressure", "film")
+FILM_SHOWN = 2.0
+"""Thickest film that is shown, over that of the smooth contact's centre: the inlet is far above."""
+
+REACH = 1.5
+"""Largest distance from the centre that is shown, in units of a and b."""
+
+_STYLE = {"font.size": 8.5, "axes.labelsize": 9.5, "axes.titlesize": 9.5}
+
+
+def read_contact(path: str | Path) -> xr.Dataset:
+    """Read the file of one case.
+
+    Returns
+    -------
+    xarray.Dataset
+        As in the file, with ``pressure`` and ``film`` over ``y`` and ``x`` (P and H of the last
+        solution, dimensionless) on the whole domain.
+
+    Raises
+    ------
+    ResultsError
+        If it cannot be read, is not the file of a case, or has no fields.
+    """
+    try:
+        with xr.open_dataset(path, engine="h5netcdf", decode_times=False) as opened:
+            contact = opened.load()
+    except (OSError, ValueError, KeyError) as error:
+        raise ResultsError(f"{path}: cannot be read as HDF5 ({error})") from error
+    if contact.attrs.get("format") != FORMAT_NAME:
+        raise ResultsError(f"{path}: not a file of ehlwave-case --output")
+    if any(name not in contact for name in FIELDS):
+        raise ResultsError(f"{path}: no pressure and film (status {contact.attrs.get('status')})")
+    return whole_domain(contact)
+
+
+def whole_domain(contact: xr.Dataset) -> xr.Dataset:
+    """Return fields over ``y`` on the whole domain: a half not computed is the mirror image."""
+    if contact["y"].size == 1 or contact["y"].values[0] < 0:
+        return contact
+    other = contact.isel(y=slice(None, 0, -1))
+    joined = xr.concat((other.assign_coords(y=-other["y"]), contact), "y", data_vars="minimal")
+    return joined.assign_attrs(contact.attrs)
+
+
+def contact_figure(contact: xr.Dataset) -> Figure:
+    """Draw pressure and film: maps over X and Y, and along the centre line.
+
+    A line contact has the latter alone. Film is over the central film of the smooth contact.
+    """
+    is_line = contact["y"].size == 1
+    film = (contact["film"] / contact["central_film"]).clip(max=FILM_SHOWN)
+    with rc_context(_STYLE):
+        width, panels = (4.4, 1) if is_line else (9.4, 3)
+        figure = Figure(figsize=(width, 2.8), layout=ConstrainedLayoutEngine(w_pad=0.12))
+        axes = figure.subplots(1, panels, squeeze=False)[0]
+        if not is_line:
+            _draw_map(axes[0], contact["pressure"], "pressure $P$", "magma")
+            _draw_map(axes[1], film, "film $H/H_c$", "viridis")
+        _draw_line(axes[-1], contact["pressure"], film)
+    return figure
+
+
+def _draw_map(axes: Axes, field: xr.DataArray, name: str, colours: str) -> None:
+    mesh = axes.pcolormesh(
+        field["x"], field["y"], field, cmap=colours, vmin=0, shading="gouraud", rasterized=True
+    )
+    axes.figure.colorbar(mesh, ax=axes, shrink=0.9)
+    axes.set(title=name, xlabel="$X$", ylabel="$Y$", aspect="equal")
+    _limit(axes, "x", field["x"])
+    _limit(axes, "y", field["y"])
+
+
+def _draw_line(axes: Axes, pressure: xr.DataArray, film: xr.DataArray) -> None:
+    axes.plot(film["x"], film.sel(y=0, method="nearest"), color=COLOURS[0])
+    axes.set(title="$Y=0$", xlabel="$X$", ylim=(0, FILM_SHOWN))
+    _limit(axes, "x", film["x"])
+    axes.set_ylabel("$H/H_c$", color=COLOURS[0])
+    right = axes.twinx()
+    right.plot(pressure["x"], pressure.sel(y=0, method="nearest"), color=COLOURS[1])
+    right.set_ylim(0, 1.8 * float(pressure.max()))
+    right.set_ylabel("$P$", color=COLOURS[1])
+
+
+def _limit(axes: Axes, which: str, positions: xr.DataArray) -> None:
+    ends = np.clip((float(positions.min()), float(positions.max())), -REACH, REACH)
+    axes.set(**{f"{which}lim": ends})

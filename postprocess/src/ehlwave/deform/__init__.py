@@ -1,0 +1,49 @@
+"""From a measured surface to its deformed shape inside the contact, without a simulation.
+
+Section 3.4 of Venner, Kaneta and Lubrecht (2000): decompose a microgeometry into harmonics, reduce
+each by formula (18) or by a computed transfer, and add them up again.
+"""
+
+from ehlwave.deform.coefficients import read_coefficients
+from ehlwave.deform.conditions import Conditions, conditions_from_keys
+from ehlwave.deform.conditions_read import read_conditions
+from ehlwave.deform.figures import deformed_figure, spectrum_figure
+from ehlwave.deform.harmonics import harmonic_table
+from ehlwave.deform.period import cut_period
+from ehlwave.deform.predict import Deformed, deform_surface
+from ehlwave.deform.read import ReadOptions, read_surface
+from ehlwave.deform.report import report_json, report_text, to_dataset, write_results
+from ehlwave.deform.simulation import simulation_surface, write_simulation_surface
+from ehlwave.deform.surface import Surface, map_surface, trace_surface
+from ehlwave.deform.table import TableTransfer
+from ehlwave.deform.table_read import read_table
+from ehlwave.deform.transfer import FormulaTransfer, RecommendedTransfer, Transfer
+
+__all__ = [
+    "Conditions",
+    "Deformed",
+    "FormulaTransfer",
+    "ReadOptions",
+    "RecommendedTransfer",
+    "Surface",
+    "TableTransfer",
+    "Transfer",
+    "conditions_from_keys",
+    "cut_period",
+    "deform_surface",
+    "deformed_figure",
+    "harmonic_table",
+    "map_surface",
+    "read_coefficients",
+    "read_conditions",
+    "read_surface",
+    "read_table",
+    "report_json",
+    "report_text",
+    "simulation_surface",
+    "spectrum_figure",
+    "to_dataset",
+    "trace_surface",
+    "write_results",
+    "write_simulation_surface",
+]

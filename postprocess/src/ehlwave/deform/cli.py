@@ -1,0 +1,208 @@
+"""``ehlwave deform`` and ``ehlwave harmonics``."""
+
+import argparse
+import sys
+from dataclasses import fields
+from pathlib import Path
+from typing import Any
+
+from ehlwave.deform.coefficients import read_coefficients
+from ehlwave.deform.conditions import Conditions
+from ehlwave.deform.conditions_read import read_conditions
+from ehlwave.deform.figures import deformed_figure, spectrum_figure
+from ehlwave.deform.period import cut_period
+from ehlwave.deform.predict import deform_surface
+from ehlwave.deform.prepare import FORMS, WINDOWS, remove_form
+from ehlwave.deform.read import ReadOptions, read_surface
+from ehlwave.deform.report import report_json, report_text, write_results
+from ehlwave.deform.simulation import simulation_surface, write_simulation_surface
+from ehlwave.deform.table import TableTransfer
+from ehlwave.deform.table_read import read_table
+from ehlwave.deform.transfer import FormulaTransfer, RecommendedTransfer, Transfer
+from ehlwave.errors import SurfaceError
+from ehlwave.figures import write_figure
+
+DESCRIPTION = """\
+Predict the shape of a surface inside the contact, without a simulation: decompose it into
+harmonics, reduce each by Ad/Ai = 1/(1 + 0.15 f V + 0.015 (f V)^2) of Venner, Kaneta and Lubrecht
+(2000), by the recommended formula, or by a harmonic table, and add them up again."""
+
+EPILOG = """\
+Conditions are an input file of ehlwave-case, or KEY=VALUE with its keys, or both:
+  --conditions contact.nml
+  --conditions contact.nml mean_speed_m_per_s=0.1
+  --conditions radius_x_m=12.5e-3 radius_y_m=12.5e-3 reduced_modulus_pa=1.17e11 load_n=39.2
+               mean_speed_m_per_s=0.024 viscosity_pa_s=1.22 pressure_viscosity_per_pa=2.25e-8
+  --conditions load_parameter_m=100 lubricant_parameter_l=10 radius_ratio_d=1
+               semi_axis_a_m=0.2e-3 radius_x_m=12.5e-3
+The film thickness is that of a formula for smooth contacts; central_film_m=... replaces it.
+
+Form removal: the radii are in the conditions, so they must not be in the roughness as well. 'plane'
+removes the tilt of the specimen; 'quadratic' also the curvature of a ball or roller.
+
+Ends: a Fourier series repeats the surface, and ends that do not match would add components.
+'mirror' continues the surface by its mirror image; 'taper' fades the outer tenth at each end to
+zero and leaves it out of the statistics; 'none' is for surfaces that repeat, such as synthetic
+ones.
+
+Examples:
+  ehlwave deform trace.csv --conditions contact.nml --length-unit mm --height-unit um
+  ehlwave deform map.sdf --conditions contact.nml --rolling-axis y --form quadratic"""
+
+
+SURFACE_DESCRIPTION = """\
+Write a trace or map for the full simulation: remove its form, fade the outer tenth at each end to
+zero so that nothing enters the contact as a step, and put it in metres, rolling direction first.
+
+The input of ehlwave-case names the file:   &surface file = 'FILE.h5' /
+ehlwave deform reads the same file, so that prediction and simulation stand side by side."""
+
+
+def add_commands(commands: Any) -> None:  # noqa: ANN401 - argparse does not name this type
+    """Add the commands of this package to the parsers of ``ehlwave``."""
+    deform = commands.add_parser(
+        "deform",
+        help="predict the shape of a measured surface inside the contact",
+        description=DESCRIPTION,
+        epilog=EPILOG,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    deform.add_argument(
+        "surface",
+        type=Path,
+        metavar="PROFILE",
+        help="trace or map: CSV, NumPy, HDF5, SDF, X3P, ...",
+    )
+    deform.add_argument(
+        "--conditions", nargs="+", required=True, metavar="FILE|KEY=VALUE", help="see below"
+    )
+    add_reading(deform)
+    deform.add_argument(
+        "--ends", choices=WINDOWS, default="mirror", help="what is done about the ends; see below"
+    )
+    source = deform.add_mutually_exclusive_group()
+    source.add_argument(
+        "--refit", type=Path, metavar="FILE", help="coefficients from refit.csv or refit.json"
+    )
+    source.add_argument(
+        "--formula",
+        choices=("paper", "recommended"),
+        default="paper",
+        help="(18) as printed, or the formula with a quarter of its error, see the README",
+    )
+    source.add_argument(
+        "--table", type=Path, metavar="FILE", help="harmonic table to use in place of the formula"
+    )
+    deform.add_argument("--output", type=Path, metavar="DIR", help="write files and figures there")
+    deform.add_argument("--json", action="store_true", help="print JSON instead of text")
+    deform.set_defaults(run=_deform)
+    surface = commands.add_parser(
+        "surface",
+        help="write a measured surface for ehlwave-case",
+        description=SURFACE_DESCRIPTION,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    surface.add_argument("surface", type=Path, metavar="PROFILE", help="as for deform")
+    add_reading(surface)
+    surface.add_argument(
+        "--period",
+        type=float,
+        metavar="UM",
+        help="cut out one wave of this length, um, from the middle of a trace, so that copies of "
+        "it join without a jump",
+    )
+    surface.add_argument(
+        "--period-start",
+        type=float,
+        metavar="UM",
+        help="where that wave begins, um from the first point of the trace",
+    )
+    surface.add_argument(
+        "--repeat",
+        type=int,
+        default=1,
+        metavar="N",
+        help="so many copies along the rolling direction",
+    )
+    surface.add_argument(
+        "--output", type=Path, required=True, metavar="FILE.h5", help="file to write"
+    )
+    surface.set_defaults(run=_surface)
+
+
+def add_reading(parser: argparse.ArgumentParser) -> None:
+    """Add the options that say what a surface file does not."""
+    parser.add_argument(
+        "--length-unit", metavar="UNIT", help="of positions and steps: m, mm, um, nm"
+    )
+    parser.add_argument("--height-unit", metavar="UNIT", help="of heights: m, mm, um, nm")
+    parser.add_argument(
+        "--step", type=float, metavar="LENGTH", help="sampling step, for files without positions"
+    )
+    parser.add_argument(
+        "--step-across", type=float, metavar="LENGTH", help="of a map's rows; default: --step"
+    )
+    parser.add_argument(
+        "--rolling-axis",
+        choices=("x", "y"),
+        default="x",
+        help="rolling direction of a map: x along its rows, y across; of a trace: x if it was "
+        "measured along rolling, y if across (longitudinal ridges)",
+    )
+    parser.add_argument(
+        "--fill-missing", action="store_true", help="give missing heights their neighbour's"
+    )
+    parser.add_argument(
+        "--form",
+        choices=tuple(FORMS),
+        default="plane",
+        help="polynomial to remove: nothing, offset, tilt (default), tilt and curvature",
+    )
+
+
+def read_options(options: argparse.Namespace) -> ReadOptions:
+    """Return the reader's options of a parsed command line."""
+    names = (field.name for field in fields(ReadOptions))
+    return ReadOptions(**{name: getattr(options, name) for name in names})
+
+
+def _deform(options: argparse.Namespace) -> None:
+    conditions = read_conditions(options.conditions)
+    transfer = _transfer(options, conditions)
+    surface = read_surface(options.surface, read_options(options))
+    result = deform_surface(surface, conditions, transfer, options.form, options.ends)
+    print(report_json(result) if options.json else report_text(result))
+    if options.output is not None:
+        written = write_results(result, options.output)
+        written += write_figure(deformed_figure(result), options.output, "deformed")
+        written += write_figure(spectrum_figure(result), options.output, "spectrum")
+        listing = sys.stderr if options.json else sys.stdout
+        print("\n".join(str(path) for path in written), file=listing)
+
+
+def _surface(options: argparse.Namespace) -> None:
+    surface, form = read_surface(options.surface, read_options(options)), options.form
+    start = options.period_start
+    if options.period is not None:
+        start_m = None if start is None else start * 1e-6
+        # The form is that of the whole trace: one wave of it has a tilt of its own.
+        surface = cut_period(remove_form(surface, form), options.period * 1e-6, start_m)
+        form = "none"
+    elif start is not None:
+        raise SurfaceError(f"--period-start {start:g} without --period: say how long the wave is")
+    prepared = simulation_surface(surface, form, options.repeat)
+    write_simulation_surface(prepared, options.output)
+    nx, ny = prepared.height.shape
+    print(f"{options.output}: {nx} x {ny} points, {(nx - 1) * prepared.step_x_m * 1e6:.5g} um long")
+
+
+def _transfer(options: argparse.Namespace, conditions: Conditions) -> Transfer:
+    if options.table is not None:
+        return TableTransfer(conditions, read_table(options.table), options.table.name)
+    if options.refit is not None:
+        c1, c2 = read_coefficients(options.refit)
+        name = f"formula (18), c1 = {c1:.4g} and c2 = {c2:.4g} of {options.refit.name}"
+        return FormulaTransfer(conditions, c1, c2, name)
+    if options.formula == "recommended":
+        return RecommendedTransfer(conditions)
+    return FormulaTransfer(conditions)

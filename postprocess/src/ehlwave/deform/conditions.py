@@ -1,0 +1,276 @@
+"""Operating conditions of a contact: the one place in this package that computes Moes parameters.
+
+The keys are those of the input files of ``ehlwave-case``; equation numbers are those of the
+project's model description (see :mod:`ehlwave.formula`).
+"""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from scipy.optimize import brentq
+from scipy.special import ellipe, ellipk
+
+from ehlwave.errors import SurfaceError
+from ehlwave.formula import v
+
+DEFAULT_PRESSURE_VISCOSITY = 2.2e-8
+"""alpha, 1/Pa, when none is given, as in ``ehlwave-case``."""
+
+SMALLEST_RADIUS_RATIO = 0.005
+
+MOES_KEYS = ("load_parameter_m", "lubricant_parameter_l", "radius_ratio_d")
+DIMENSIONAL_KEYS = (
+    "radius_x_m",
+    "radius_y_m",
+    "reduced_modulus_pa",
+    "load_n",
+    "mean_speed_m_per_s",
+    "viscosity_pa_s",
+)
+SCALE_KEYS = ("semi_axis_a_m", "radius_x_m", "central_film_m")
+"""Lengths that M, L and D leave open."""
+
+_FIT_TEXT = "the film thickness fit of Nijenbanning, Venner and Moes (1994)"
+
+
+@dataclass(frozen=True)
+class Conditions:
+    """An operating point, with the lengths that turn metres into its units.
+
+    Attributes
+    ----------
+    m, l, d : float
+        Moes load and lubricant parameters, and D = Rx/Ry.
+    kappa : float
+        Ellipticity a/b, eq. (1).
+    gamma : float
+        Pressure factor of the ellipticity, 1 for a circular contact.
+    slip_parameter : float
+        S = u1/ubar of the rough surface; 1 is pure rolling.
+    semi_axis_a_m : float
+        Hertz semi-axis in the rolling direction, m.
+    central_film_m : float or None
+        Central film thickness of the smooth contact, m; None when M, L and D came without a
+        radius and without a film thickness.
+    hertz_approach_c_m : float or None
+        Hertz approach c, m: the unit of H in results.
+    film_source : str
+        Where the film thickness comes from.
+    """
+
+    m: float
+    l: float  # noqa: E741 - the paper's letter
+    d: float
+    kappa: float
+    gamma: float
+    slip_parameter: float
+    semi_axis_a_m: float
+    hertz_approach_c_m: float | None
+    central_film_m: float | None
+    film_source: str
+
+    @property
+    def semi_axis_b_m(self) -> float:
+        """Hertz semi-axis across the rolling direction, b = a/kappa, m."""
+        return self.semi_axis_a_m / self.kappa
+
+    @property
+    def v_per_wavelength(self) -> float:
+        """V = (lambda/a)(gamma M/L)^(1/2) for a wavelength of one metre, eq. (17), 1/m."""
+        return float(v(1 / self.semi_axis_a_m, self.m, self.l, self.gamma))
+
+
+def conditions_from_keys(keys: Mapping[str, Any], place: str = "conditions") -> Conditions:
+    """Return the conditions given by keys of ``ehlwave-case``.
+
+    Parameters
+    ----------
+    keys : mapping
+        Either all of ``radius_x_m``, ``radius_y_m``, ``reduced_modulus_pa``, ``load_n``,
+        ``mean_speed_m_per_s``, ``viscosity_pa_s`` (reduced radii and E' with
+        2/E' = (1-nu1^2)/E1 + (1-nu2^2)/E2), and ``pressure_viscosity_per_pa`` (2.2e-8 if absent);
+        or ``load_parameter_m``, ``lubricant_parameter_l``, ``radius_ratio_d`` with
+        ``semi_axis_a_m`` and, for the film thickness, ``radius_x_m``. In both cases
+        ``slip_parameter`` (1 if absent) and ``central_film_m``, which replaces the film thickness
+        formula where it is better known.
+    place : str
+        Begins every message.
+
+    Raises
+    ------
+    SurfaceError
+        If a key is unknown, missing or not a positive number, or both kinds are given.
+    """
+    values = _checked(keys, place)
+    has_moes = any(key in values for key in MOES_KEYS)
+    extra = [key for key in DIMENSIONAL_KEYS if key in values and key != "radius_x_m"]
+    if has_moes and extra:
+        raise SurfaceError(
+            f"{place}: gives both {MOES_KEYS[0]}, ... and {extra[0]}: give the Moes parameters or "
+            "dimensional data"
+        )
+    needed = (*MOES_KEYS, "semi_axis_a_m") if has_moes else DIMENSIONAL_KEYS
+    advice = (
+        f"M, L and D need all of {', '.join(MOES_KEYS)}, and semi_axis_a_m (the Hertz semi-axis "
+        "along rolling) to relate metres to the contact"
+        if has_moes
+        else f"give all of {', '.join(DIMENSIONAL_KEYS)}, or {', '.join(MOES_KEYS)} with "
+        "semi_axis_a_m"
+    )
+    missing = [key for key in needed if key not in values]
+    if missing:
+        raise SurfaceError(f"{place}: {missing[0]} is missing: {advice}")
+    if not has_moes:
+        if "semi_axis_a_m" in values:
+            raise SurfaceError(
+                f"{place}: semi_axis_a_m follows from the dimensional data: remove it"
+            )
+        values |= _moes_values(values, place)
+    return _complete(values, place)
+
+
+def ellipticity(d: float) -> float:
+    """Return kappa = a/b that solves D = kappa^2 (K - E)/(E - kappa^2 K), eq. (1).
+
+    The elliptic integrals have the parameter 1 - kappa^2. Valid for 0.005 <= D <= 1.
+
+    Raises
+    ------
+    SurfaceError
+        For D = 0, a line contact, which has no width.
+    """
+    if d == 0:
+        raise SurfaceError(
+            "radius_ratio_d = 0 is a line contact: deformed surfaces and their tables are for "
+            "elliptical contacts, radius_ratio_d of 0.005 to 1"
+        )
+    if d == 1:
+        return 1.0
+
+    def excess(kappa: float) -> float:
+        k_minus_e, b = _integral_combinations(kappa)
+        return kappa**2 * k_minus_e / b - d
+
+    return float(brentq(excess, 1e-3, 1.0, xtol=1e-15, rtol=1e-14))
+
+
+def moes_film(m: float, l: float, d: float) -> float:  # noqa: E741
+    """Return the central film of a smooth contact in the Moes scale, (h/Rx)(2U)^(-1/2).
+
+    Nijenbanning, Venner and Moes (1994), *Wear* 176: a fit for all D. Converged solutions lie up
+    to about 20 per cent below it. Line contacts (D = 0): Moes (1992).
+    """
+    if d == 0:
+        return _moes_line_film(m, l)
+    shape = 1 + 0.006 * math.log(d) + 0.63 * d ** (4 / 7)
+    h_ri = 145 * (1 + 0.796 * d ** (14 / 15)) ** (-15 / 7) / d / m**2
+    h_ei = 3.18 * shape ** (-14 / 25) * d ** (-1 / 15) * m ** (-2 / 15)
+    h_00 = 1.8 / d
+    h_rp = 1.29 * (1 + 0.691 * d) ** (-2 / 3) * l ** (2 / 3)
+    h_ep = 1.48 * shape ** (-7 / 20) * d ** (-1 / 24) * m ** (-1 / 12) * l**0.75
+    ratio = h_ei / h_ep if l > 0 else math.inf
+    s = 1.5 * (1 + math.exp(-1.2 * ratio))
+    rigid_elastic = (h_ri**1.5 + (h_ei**-4 + h_00**-4) ** (-3 / 8)) ** (2 * s / 3)
+    piezoviscous = (h_rp**-8 + h_ep**-8) ** (-s / 8) if l > 0 else 0.0
+    return float((rigid_elastic + piezoviscous) ** (1 / s))
+
+
+def _moes_line_film(m: float, l: float) -> float:  # noqa: E741
+    h_ri, h_ei = 3 / m, 2.621 * m ** (-1 / 5)
+    h_rp, h_ep = 1.287 * l ** (2 / 3), 1.311 * m ** (-1 / 8) * l ** (3 / 4)
+    s = (7 + 8 * math.exp(-2 * h_ei / h_ri)) / 5
+    piezoviscous = (h_rp ** (-7 / 2) + h_ep ** (-7 / 2)) ** (-2 * s / 7) if l > 0 else 0.0
+    return float(((h_ri ** (7 / 3) + h_ei ** (7 / 3)) ** (3 * s / 7) + piezoviscous) ** (1 / s))
+
+
+def _integral_combinations(kappa: float) -> tuple[float, float]:
+    """Return (K - E)/(1 - kappa^2) and (E - kappa^2 K)/(1 - kappa^2); pi/4 each at kappa = 1."""
+    m = 1 - kappa**2
+    if m < 1e-4:
+        # Power series: the differences lose all digits here. Error of the order m^3.
+        return math.pi / 4 * (1 + 3 / 8 * m + 15 / 64 * m**2), math.pi / 4 * (
+            1 + m / 8 + 3 / 64 * m**2
+        )
+    k, e = float(ellipk(m)), float(ellipe(m))
+    return (k - e) / m, (e - kappa**2 * k) / m
+
+
+def _moes_values(values: Mapping[str, float], place: str) -> dict[str, float]:
+    """Return M, L, D and the semi-axis a, m, that dimensional data give, eq. (1) and (2)."""
+    radius_x, radius_y, modulus, load, speed, viscosity = (values[key] for key in DIMENSIONAL_KEYS)
+    alpha = values.get("pressure_viscosity_per_pa", DEFAULT_PRESSURE_VISCOSITY)
+    speed_2u = viscosity * 2 * speed / (modulus * radius_x)
+    load_w = load / (modulus * radius_x**2)
+    d = radius_x / radius_y
+    _check_ratio(d, place)
+    kappa = ellipticity(d)
+    radius = 1 / (1 / radius_x + 1 / radius_y)
+    e = float(ellipe(1 - kappa**2))
+    return {
+        "load_parameter_m": load_w * speed_2u**-0.75,
+        "lubricant_parameter_l": alpha * modulus * speed_2u**0.25,
+        "radius_ratio_d": d,
+        "semi_axis_a_m": (3 * load * radius / modulus * 2 * kappa * e / math.pi) ** (1 / 3),
+    }
+
+
+def _complete(values: Mapping[str, float], place: str) -> Conditions:
+    """Add what follows from M, L, D and the lengths, eq. (1) to (6)."""
+    m, l, d = (values[key] for key in MOES_KEYS)  # noqa: E741
+    semi_axis_a_m, film_m = values["semi_axis_a_m"], values.get("central_film_m")
+    _check_ratio(d, place)
+    kappa = ellipticity(d)
+    k, e = float(ellipk(1 - kappa**2)), float(ellipe(1 - kappa**2))
+    b = _integral_combinations(kappa)[1]
+    approach = None
+    source = "given (central_film_m)"
+    if "radius_x_m" in values:
+        approach = semi_axis_a_m**2 * (1 + d) / (2 * values["radius_x_m"]) * k / e
+        if film_m is None:
+            per_unit_h = k / 2 * b ** (-1 / 3) * (6 * m * kappa / math.pi) ** (2 / 3)
+            film_m = approach * moes_film(m, l, d) / per_unit_h
+            source = _FIT_TEXT
+    if film_m is None:
+        source = "unknown: give central_film_m or radius_x_m"
+    return Conditions(
+        m=m,
+        l=l,
+        d=d,
+        kappa=kappa,
+        gamma=math.pi**2 * kappa / (16 * b**2),
+        slip_parameter=values.get("slip_parameter", 1.0),
+        semi_axis_a_m=semi_axis_a_m,
+        hertz_approach_c_m=approach,
+        central_film_m=film_m,
+        film_source=source,
+    )
+
+
+def _check_ratio(d: float, place: str) -> None:
+    if not SMALLEST_RADIUS_RATIO <= d <= 1:
+        raise SurfaceError(
+            f"{place}: D = Rx/Ry = {d:.6g} must lie in {SMALLEST_RADIUS_RATIO} to 1; for Rx > Ry "
+            "the contact is wider along rolling, which is outside the model's range"
+        )
+
+
+def _checked(keys: Mapping[str, Any], place: str) -> dict[str, float]:
+    known = list(dict.fromkeys((*DIMENSIONAL_KEYS, *MOES_KEYS, *SCALE_KEYS)))
+    known += ["pressure_viscosity_per_pa", "slip_parameter"]
+    values: dict[str, float] = {}
+    for key, value in keys.items():
+        if key not in known:
+            raise SurfaceError(f"{place}: unknown key {key}; known are {', '.join(known)}")
+        try:
+            number = float(value)
+        except (TypeError, ValueError):
+            raise SurfaceError(f"{place}: {key} = {value!r} is not a number") from None
+        lowest_is_zero = key == "slip_parameter"
+        if not math.isfinite(number) or number < 0 or (number == 0 and not lowest_is_zero):
+            raise SurfaceError(f"{place}: {key} = {value} must be above 0")
+        values[key] = number
+    if values.get("slip_parameter", 1.0) > 2:
+        raise SurfaceError(f"{place}: slip_parameter = {keys['slip_parameter']} must lie in 0 to 2")
+    return values

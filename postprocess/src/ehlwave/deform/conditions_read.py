@@ -1,0 +1,53 @@
+"""Operating conditions from the command line or from an input file of ``ehlwave-case``."""
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import f90nml
+
+from ehlwave.deform.conditions import Conditions, conditions_from_keys
+from ehlwave.errors import SurfaceError
+
+
+def read_conditions(words: Sequence[str]) -> Conditions:
+    """Return conditions from words as given to ``--conditions``.
+
+    Parameters
+    ----------
+    words : sequence of str
+        Each is ``KEY=VALUE`` or the name of an input file of ``ehlwave-case``, whose groups
+        ``&conditions`` and ``&lubricant`` are used. Later words override earlier ones.
+
+    Raises
+    ------
+    SurfaceError
+        If a file cannot be read or a key is unknown, missing or meaningless.
+    """
+    keys: dict[str, Any] = {}
+    for word in words:
+        name, separator, value = word.partition("=")
+        if separator and not Path(word).exists():
+            keys[name.strip()] = value.strip()
+        else:
+            keys |= _from_file(Path(word))
+    return conditions_from_keys(keys, place=f"conditions {' '.join(words)}")
+
+
+def _from_file(path: Path) -> dict[str, Any]:
+    if not path.is_file():
+        raise SurfaceError(
+            f"conditions {path}: no such file; give an input file of ehlwave-case or KEY=VALUE"
+        )
+    try:
+        # f90nml's parser reports bad syntax by whatever exception it stumbles into.
+        groups = f90nml.read(path)
+    except Exception as error:
+        raise SurfaceError(f"conditions {path}: not a namelist file ({error})") from error
+    if "conditions" not in groups:
+        raise SurfaceError(f"conditions {path}: has no group &conditions")
+    keys = dict(groups["conditions"])
+    alpha = groups.get("lubricant", {}).get("pressure_viscosity_per_pa")
+    if alpha is not None:
+        keys["pressure_viscosity_per_pa"] = alpha
+    return keys

@@ -1,0 +1,131 @@
+"""Figures of a prediction: heights before and after, and their spectra."""
+
+from typing import Any
+
+import numpy as np
+from matplotlib import rc_context
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from ehlwave.deform.predict import Deformed
+from ehlwave.deform.prepare import judged_part
+
+UM = 1e6
+BEFORE, AFTER = "0.55", "#0072B2"
+MOST_PIXELS = 1024
+_STYLE: dict[Any, Any] = {"font.size": 8.5, "axes.labelsize": 9, "legend.fontsize": 8}
+
+
+def deformed_figure(result: Deformed) -> Figure:
+    """Draw a trace, or a map with its centre line, before and after; the contact to scale.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Lengths and heights in um.
+    """
+    with rc_context(_STYLE):
+        if result.surface.is_trace:
+            figure = Figure(figsize=(6.4, 4.6), layout="constrained")
+            whole, detail = figure.subplots(2, 1)
+            _draw_line(whole, result, None)
+            _draw_line(detail, result, 1.0)
+            whole.legend(loc="lower right", bbox_to_anchor=(1, 1), frameon=False, ncols=2)
+            return figure
+        figure = Figure(figsize=(6.4, 5.0), layout="constrained")
+        axes = figure.subplot_mosaic([["before", "after"], ["line", "line"]], height_ratios=[1, 1])
+        _draw_map(figure, axes["before"], axes["after"], result)
+        _draw_line(axes["line"], result, 2.0)
+        axes["line"].legend(loc="lower right", bbox_to_anchor=(1, 1), frameon=False, ncols=2)
+    return figure
+
+
+def spectrum_figure(result: Deformed) -> Figure:
+    """Draw the mean square of the components before and after against their wavelength.
+
+    Neighbouring waves are collected in 24 bands per decade. Shaded: longer than the contact in this
+    direction; components that are so in both directions cannot be judged.
+    """
+    spectra, conditions = result.spectra, result.conditions
+    panels = [
+        (letter, text, spectra[letter], semi_axis)
+        for letter, text, semi_axis in (
+            ("x", "along rolling", conditions.semi_axis_a_m),
+            ("y", "across rolling", conditions.semi_axis_b_m),
+        )
+        if spectra[letter].waves.size > 1
+    ]
+    with rc_context(_STYLE):
+        figure = Figure(figsize=(3.4 * len(panels) + 0.4, 3.2), layout="constrained")
+        all_axes = figure.subplots(1, len(panels), squeeze=False, sharey=True)[0]
+        for axes, (letter, text, spectrum, semi_axis) in zip(all_axes, panels, strict=True):
+            parts = (spectrum.waves[1:], spectrum.before[1:], spectrum.after[1:])
+            wavelength, squares = _bands(*parts)
+            axes.loglog(wavelength * UM, squares[0] * UM**2, ".-", color=BEFORE, label="before")
+            axes.loglog(wavelength * UM, squares[1] * UM**2, ".-", color=AFTER, label="after")
+            limit = 2 * semi_axis * UM
+            if wavelength.max() * UM > limit:
+                axes.axvspan(limit, axes.get_xlim()[1], color="0.9", zorder=0)
+            axes.set_xlabel(rf"$\lambda_{letter}$ [$\mu$m], {text}")
+        all_axes[0].set_ylabel(r"mean square per band [$\mu$m$^2$]")
+        all_axes[0].legend(frameon=False)
+        # Eight decades at most: what rounding leaves of absent components says nothing.
+        low, high = all_axes[0].get_ylim()
+        all_axes[0].set_ylim(max(low, high * 1e-8), high)
+    return figure
+
+
+def _draw_line(axes: Axes, result: Deformed, half_width: float | None) -> None:
+    """Draw a trace, or the line y = middle of a map; ``half_width`` semi-axes about the middle."""
+    surface = result.surface
+    along_x = not surface.is_trace or surface.trace_axis == "x"
+    c = result.conditions
+    semi_axis = c.semi_axis_a_m if along_x else c.semi_axis_b_m
+    step = surface.step_x_m if along_x else surface.step_y_m
+    pick = (slice(None), surface.height.shape[1] // 2) if along_x else (0, slice(None))
+    before, after = surface.height[pick] * UM, result.height[pick] * UM
+    position = np.arange(before.size) * step
+    middle = position[-1] / 2
+    shown = slice(None)
+    if half_width is not None:
+        low, high = np.searchsorted(position, middle + half_width * semi_axis * np.array([-1, 1]))
+        shown = slice(low, high)
+    axes.plot(position[shown] * UM, before[shown], color=BEFORE, linewidth=1, label="before")
+    axes.plot(position[shown] * UM, after[shown], color=AFTER, linewidth=1, label="in the contact")
+    inside = middle + semi_axis * np.array([-1, 1])
+    if inside[0] >= position[0] and inside[1] <= position[-1]:
+        axes.axvspan(*(inside * UM), color="0.95", zorder=0)
+    axes.margins(x=0)
+    letter, axis = ("x", "2a") if along_x else ("y", "2b")
+    axes.set_xlabel(rf"${letter}$ [$\mu$m] (shaded: ${axis}$)")
+    axes.set_ylabel(r"height [$\mu$m]")
+
+
+def _draw_map(figure: Figure, before: Axes, after: Axes, result: Deformed) -> None:
+    surface = result.surface
+    stride = tuple(max(1, count // MOST_PIXELS) for count in surface.height.shape)
+    pick = (slice(None, None, stride[0]), slice(None, None, stride[1]))
+    nx, ny = surface.height.shape
+    extent = (0.0, nx * surface.step_x_m * UM, 0.0, ny * surface.step_y_m * UM)
+    part = judged_part((nx, ny), result.window)
+    low, high = np.percentile(surface.height[part][pick], [0.1, 99.9]) * UM
+    for axes, height, title in (
+        (before, surface.height, "before"),
+        (after, result.height, "in the contact"),
+    ):
+        image = axes.imshow(
+            height[pick].T * UM, origin="lower", extent=extent, vmin=low, vmax=high, cmap="viridis"
+        )
+        axes.set_title(title, fontsize=9)
+        axes.set_xlabel(r"$x$, rolling [$\mu$m]")
+    before.set_ylabel(r"$y$ [$\mu$m]")
+    figure.colorbar(image, ax=[before, after], label=r"height [$\mu$m]")
+
+
+def _bands(waves: np.ndarray, *squares: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return wavelengths, m, and the sums of squares in bands of equal width on a log scale."""
+    band = np.floor(24 * np.log10(waves)).astype(int)
+    names, index = np.unique(band, return_inverse=True)
+    wavelength = 10 ** (-(names + 0.5) / 24)
+    sums = [np.bincount(index, weights=square) for square in squares]
+    return wavelength, np.array(sums)

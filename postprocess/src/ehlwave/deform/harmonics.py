@@ -1,0 +1,59 @@
+"""Harmonic tables from sweeps, to be read by :func:`ehlwave.deform.table_read.read_table`."""
+
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+from numpy.typing import NDArray
+
+from ehlwave.deform.conditions import ellipticity
+
+
+def harmonic_table(points: xr.Dataset) -> pd.DataFrame:
+    """Return a harmonic table of the points of a sweep.
+
+    Parameters
+    ----------
+    points : xarray.Dataset
+        From :func:`ehlwave.points.select_points`. The transfer is ``harmonic_real`` and
+        ``harmonic_imaginary`` (linear response) where a file has them; else Ad/Ai with the phase
+        ``phase_fit``; else Ad/Ai without a phase.
+
+    Returns
+    -------
+    pandas.DataFrame
+        Columns as :func:`ehlwave.deform.table_read.read_table` takes them, sorted; a
+        wavelength of 0 stands for no variation.
+    """
+    d = points["radius_ratio_d"].values
+    kappa = np.array([ellipticity(float(value)) for value in d])
+    transfer = _transfer(points)
+    columns = {
+        "M": points["load_parameter_m"].values,
+        "L": points["lubricant_parameter_l"].values,
+        "D": d,
+        "slip_parameter": points["slip_parameter"].values,
+        "lambda_x_over_a": points["wavelength_x_over_a"].values,
+        "lambda_y_over_b": points["wavelength_y_over_a"].values * kappa,
+        "transfer_real": transfer.real,
+        "transfer_imag": transfer.imag,
+    }
+    return pd.DataFrame(columns).sort_values(list(columns)[:-2], ignore_index=True)
+
+
+def _transfer(points: xr.Dataset) -> NDArray[np.complex128]:
+    ratio = points["deformed_ratio"].values.astype(complex)
+    if "phase_fit" in points:
+        ratio *= np.exp(1j * np.nan_to_num(points["phase_fit"].values))
+    if "harmonic_real" not in points or "harmonic_imaginary" not in points:
+        return ratio
+    linear = points["harmonic_real"].values + 1j * points["harmonic_imaginary"].values
+    return np.where(np.isfinite(linear), linear, ratio)
+
+
+def write_harmonic_table(path: Path, points: xr.Dataset) -> int:
+    """Write :func:`harmonic_table` as CSV; return the number of waves."""
+    table = harmonic_table(points)
+    table.to_csv(path, index=False, float_format="%.10g")
+    return len(table)

@@ -1,0 +1,204 @@
+"""The deformed surface inside the contact, component by component (section 3.4 of the paper)."""
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import fft
+
+from ehlwave.deform.conditions import Conditions
+from ehlwave.deform.prepare import Form, Window, extended, judged_part, remove_form
+from ehlwave.deform.spectrum import Coverage, Spectrum, Unjudged, empty_spectrum
+from ehlwave.deform.statistics import FilmStatistics, film_statistics, warnings_of
+from ehlwave.deform.surface import Heights, Surface, checked_surface
+from ehlwave.deform.transfer import FormulaTransfer, Transfer
+from ehlwave.errors import SurfaceError
+
+SINGLE_PRECISION_POINTS = 2**22
+"""Maps with more points than this are transformed in single precision (relative error 1e-6)."""
+
+WORKERS = 2
+
+
+@dataclass(frozen=True)
+class Deformed:
+    """A surface before and after it enters the contact.
+
+    Attributes
+    ----------
+    surface : Surface
+        What was predicted from: the form removed, nothing else changed. m.
+    height : ndarray, shape (nx, ny)
+        Deformed heights, m, positive out of the material: the film at the contact centre when the
+        point (x, y) of the surface passes it is ``conditions.central_film_m`` less this.
+    conditions, transfer_name, form, window
+        What it was made with.
+    spectra : dict of Spectrum
+        Mean square of the components before and after, along ``"x"`` and along ``"y"``.
+    statistics : FilmStatistics
+        Roughness and film thickness.
+    unjudged : list of Unjudged
+        Components outside what the formula or table was made for, by reason.
+    warnings : list of str
+        What makes the prediction doubtful.
+    """
+
+    surface: Surface
+    height: Heights
+    conditions: Conditions
+    transfer_name: str
+    form: Form
+    window: Window
+    spectra: dict[str, Spectrum]
+    statistics: FilmStatistics
+    unjudged: list[Unjudged] = field(default_factory=list)
+    warnings: list[str] = field(default_factory=list)
+
+
+def deform_surface(
+    surface: Surface,
+    conditions: Conditions,
+    transfer: Transfer | None = None,
+    form: Form = "plane",
+    window: Window = "mirror",
+) -> Deformed:
+    """Predict the shape of a surface inside the contact, without a simulation.
+
+    The surface is decomposed into its Fourier components, each is multiplied by its transfer, and
+    the sum is taken again. Linear: meant for amplitudes that are small against the film.
+
+    Parameters
+    ----------
+    surface : Surface
+        A trace or a map.
+    conditions : Conditions
+        Of the contact.
+    transfer : Transfer, optional
+        Formula (18) with the paper's coefficients if absent.
+    form : {"none", "mean", "plane", "quadratic"}
+        Polynomial to remove first, see :func:`ehlwave.deform.prepare.remove_form`.
+    window : {"mirror", "taper", "none"}
+        What is done about the ends, see :mod:`ehlwave.deform.prepare`.
+
+    Returns
+    -------
+    Deformed
+        Result, statistics, spectra and warnings.
+
+    Raises
+    ------
+    SurfaceError
+        If the surface cannot be used, or its step is too coarse for the contact.
+    """
+    chosen = transfer or FormulaTransfer(conditions)
+    checked_surface(surface)
+    _check_scale(surface, conditions)
+    flat = remove_form(surface, form)
+    working = flat.height
+    if working.size > SINGLE_PRECISION_POINTS:
+        working = working.astype(np.float32, copy=False)
+    shape = flat.height.shape
+    height, spectra, cover = _filtered(extended(working, window), flat, conditions, chosen)
+    height = np.ascontiguousarray(height[: shape[0], : shape[1]])
+    part = judged_part((shape[0], shape[1]), window)
+    statistics = film_statistics(flat.height[part], height[part], conditions.central_film_m)
+    return Deformed(
+        surface=flat,
+        height=height,
+        conditions=conditions,
+        transfer_name=chosen.name,
+        form=form,
+        window=window,
+        spectra=spectra,
+        statistics=statistics,
+        unjudged=cover.unjudged(),
+        warnings=warnings_of(statistics, conditions),
+    )
+
+
+def _filtered(
+    height: Heights, surface: Surface, conditions: Conditions, transfer: Transfer
+) -> tuple[Heights, dict[str, Spectrum], Coverage]:
+    """Return the sum of the components times their transfer, and the spectra on the way."""
+    nx, ny = height.shape
+    # The half spectrum is along y but for traces along x.
+    half = 0 if ny == 1 else 1
+    spectrum = fft.rfftn(height, axes=(1 - half, half), workers=WORKERS)
+    del height
+    qx = _frequencies(nx, surface.step_x_m, half == 0)
+    qy = _frequencies(ny, surface.step_y_m, half == 1)
+    spectra = {"x": empty_spectrum(qx), "y": empty_spectrum(qy)}
+    cover = Coverage(conditions, transfer)
+    rows = max(1, 2**18 // spectrum.shape[1])
+    for first in range(0, spectrum.shape[0], rows):
+        block = slice(first, min(first + rows, spectrum.shape[0]))
+        part = spectrum[block]
+        along, across = qx[block, None], qy[None, :]
+        # The transfer is even in qy and depends on the sign of qx.
+        ratio = transfer.ratio(along, across)
+        power = part.real.astype(np.float64) ** 2 + part.imag.astype(np.float64) ** 2
+        before = power * (_multiplicity(block, nx, ny, half) / (nx * ny) ** 2)
+        after = before * np.abs(ratio) ** 2
+        spectra["x"].add(block, before.sum(axis=1), after.sum(axis=1))
+        spectra["y"].add(slice(None), before.sum(axis=0), after.sum(axis=0))
+        cover.add(along, across, before, after)
+        part *= _real_at_nyquist(ratio, block, nx).astype(part.dtype)
+    sizes = (nx, ny) if half == 1 else (ny, nx)
+    deformed = fft.irfftn(
+        spectrum, s=sizes, axes=(1 - half, half), workers=WORKERS, overwrite_x=True
+    )
+    return deformed, spectra, cover
+
+
+def _real_at_nyquist(ratio: NDArray[Any], block: slice, nx: int) -> NDArray[Any]:
+    """Return the ratio, real for the shortest wave along x: it is its own conjugate."""
+    if np.iscomplexobj(ratio) and nx % 2 == 0 and block.start <= nx // 2 < block.stop:
+        ratio[nx // 2 - block.start].imag = 0
+    return ratio
+
+
+def _multiplicity(block: slice, nx: int, ny: int, half: int) -> NDArray[np.float64]:
+    """Return how often each term of a block of the half spectrum stands in the whole one.
+
+    Of two conjugate terms that both are in the half spectrum (no variation, or the shortest wave,
+    along the halved direction) one is given both, the other none.
+    """
+    full, halved = (ny, nx) if half == 0 else (nx, ny)
+    index = np.arange(full)
+    is_own = (index == 0) | (2 * index == full)
+    first_of_two = np.where(is_own, 1.0, np.where(2 * index < full, 2.0, 0.0))
+    halved_index = np.arange(halved // 2 + 1)
+    is_shared = (halved_index == 0) | (2 * halved_index == halved)
+    if half == 0:
+        return np.where(is_shared[block, None], first_of_two[None, :], 2.0)
+    return np.where(is_shared[None, :], first_of_two[block, None], 2.0)
+
+
+def _frequencies(count: int, step_m: float, is_half: bool) -> NDArray[np.float64]:
+    if count == 1:
+        return np.zeros(1)
+    return np.asarray(fft.rfftfreq(count, step_m) if is_half else fft.fftfreq(count, step_m))
+
+
+def _check_scale(surface: Surface, conditions: Conditions) -> None:
+    """Refuse surfaces whose lengths cannot belong to the contact."""
+    lengths = (
+        ("x", surface.height.shape[0], surface.step_x_m, conditions.semi_axis_a_m, "a"),
+        ("y", surface.height.shape[1], surface.step_y_m, conditions.semi_axis_b_m, "b"),
+    )
+    for letter, count, step, axis, name in lengths:
+        if count == 1:
+            continue
+        if step > axis:
+            raise SurfaceError(
+                f"{surface.name}: the step along {letter} is {step * 1e6:.4g} um, more than the "
+                f"contact's semi-axis {name} = {axis * 1e6:.4g} um: no component inside the "
+                "contact is resolved. Is --length-unit right?"
+            )
+        if count * step < 0.1 * axis:
+            raise SurfaceError(
+                f"{surface.name}: the surface is {count * step * 1e6:.4g} um long along {letter}, "
+                f"less than a tenth of the contact's semi-axis {name} = {axis * 1e6:.4g} um. "
+                "Is --length-unit right?"
+            )

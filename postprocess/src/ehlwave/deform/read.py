@@ -1,0 +1,255 @@
+"""Read measured surfaces: CSV, NumPy, HDF5, and the formats of instruments."""
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import h5py
+import numpy as np
+
+from ehlwave.deform.surface import (
+    Axis,
+    Surface,
+    filled,
+    map_surface,
+    trace_surface,
+    uniform_step,
+)
+from ehlwave.deform.text_table import read_text_table
+from ehlwave.deform.units import metres
+from ehlwave.errors import SurfaceError
+
+_TEXT = {".csv", ".txt", ".dat", ".prf"}
+_HDF5 = {".h5", ".hdf5", ".nc"}
+
+
+@dataclass(frozen=True)
+class ReadOptions:
+    """What a file does not say.
+
+    Attributes
+    ----------
+    length_unit, height_unit : str or None
+        Units of positions and steps, and of heights; override the file's.
+    step, step_across : float or None
+        Sampling steps along the first and second axis of the file, in ``length_unit``, for files
+        without positions; ``step_across`` is ``step`` if absent.
+    rolling_axis : "x" or "y"
+        Of the surface in the file. The rows of a map in a file are lines of constant y: ``x`` runs
+        along a row. A trace along rolling is ``x``, one across it ``y``.
+    fill_missing : bool
+        Replace missing heights by their nearest neighbours, instead of refusing the file.
+    """
+
+    length_unit: str | None = None
+    height_unit: str | None = None
+    step: float | None = None
+    step_across: float | None = None
+    rolling_axis: Axis = "x"
+    fill_missing: bool = False
+
+
+@dataclass
+class RawSurface:
+    """Heights as in a file, with what the file says about them.
+
+    ``height`` has one dimension (a trace), or two (rows of constant y).
+    """
+
+    height: np.ndarray
+    x: np.ndarray | None = None
+    y: np.ndarray | None = None
+    length_unit: str | None = None
+    height_unit: str | None = None
+    step: float | None = None
+    step_across: float | None = None
+    is_across: bool = False
+    """Whether a trace is known to run along y of its file."""
+
+
+def read_surface(path: str | Path, options: ReadOptions | None = None) -> Surface:
+    """Read a trace or a map.
+
+    Parameters
+    ----------
+    path : path
+        ``.csv``, ``.txt``: numbers separated by commas, semicolons, tabs or blanks; two columns
+        (position, height), one column of heights, or a matrix of heights. ``.npy``: one or two
+        dimensions; ``.npz`` and HDF5: ``height`` and, if there, positions ``x`` and ``y``, in HDF5
+        with an attribute ``units``. Anything else (SDF, SUR, PLU, X3P, ...) is read by the package
+        SurfaceTopography when that is installed.
+    options : ReadOptions, optional
+        What the file does not say.
+
+    Returns
+    -------
+    Surface
+        In metres, rolling direction first.
+
+    Raises
+    ------
+    SurfaceError
+        If the file cannot be read, a unit or step is missing, steps are not uniform, or heights
+        are missing.
+    """
+    file, chosen = Path(path), options or ReadOptions()
+    if not file.is_file():
+        raise SurfaceError(f"{file}: no such file")
+    raw = _without_single_line(_read_raw(file))
+    if raw.height.ndim not in (1, 2):
+        raise SurfaceError(f"{file}: heights have {raw.height.ndim} dimensions, not one or two")
+    height_metres = _unit(file, chosen.height_unit or raw.height_unit, "heights", "--height-unit")
+    # One copy, and none of a large single-precision map's size in double precision.
+    kind = raw.height.dtype if raw.height.dtype == np.float32 else np.float64
+    height = np.array(raw.height, dtype=kind)
+    height *= height_metres
+    if chosen.fill_missing:
+        try:
+            height = filled(height)
+        except SurfaceError as error:
+            raise SurfaceError(f"{file}: {error}") from None
+    along, across = _steps(file, raw, chosen)
+    if height.ndim == 1:
+        axis = "y" if raw.is_across else chosen.rolling_axis
+        return trace_surface(height, along, axis, file.name)
+    if chosen.rolling_axis == "x":
+        return map_surface(height.T, along, across, file.name)
+    return map_surface(height, across, along, file.name)
+
+
+def _without_single_line(raw: RawSurface) -> RawSurface:
+    """Return a map of one row or one column as the trace it is."""
+    if raw.height.ndim != 2 or 1 not in raw.height.shape:
+        return raw
+    if raw.height.shape[0] == 1:
+        return replace(raw, height=raw.height.ravel(), y=None)
+    return replace(
+        raw, height=raw.height.ravel(), x=raw.y, y=None, step=raw.step_across, is_across=True
+    )
+
+
+def _read_raw(file: Path) -> RawSurface:
+    suffix = file.suffix.lower()
+    try:
+        if suffix in _TEXT:
+            return _from_text(file)
+        if suffix == ".npy":
+            return RawSurface(_numbers(file, np.load(file)))
+        if suffix == ".npz":
+            with np.load(file) as archive:
+                return _from_arrays(file, dict(archive), {})
+        if suffix in _HDF5:
+            with h5py.File(file, "r") as opened:
+                return _from_hdf5(file, opened)
+    except SurfaceError:
+        raise
+    except (OSError, ValueError, KeyError, EOFError) as error:
+        raise SurfaceError(f"{file}: cannot be read as {suffix[1:]} ({error})") from error
+    return _from_instrument(file)
+
+
+def _from_text(file: Path) -> RawSurface:
+    table, units = read_text_table(file)
+    if table.shape[1] == 1:
+        return RawSurface(table[:, 0], height_unit=units[0])
+    if table.shape[1] == 2:
+        return RawSurface(table[:, 1], x=table[:, 0], length_unit=units[0], height_unit=units[1])
+    return RawSurface(table)
+
+
+def _from_arrays(file: Path, arrays: dict[str, Any], units: dict[str, str]) -> RawSurface:
+    if "height" not in arrays:
+        there = ", ".join(sorted(arrays)) or "nothing"
+        raise SurfaceError(f"{file}: has no array named height (there is: {there})")
+    length = units.get("x") or units.get("y")
+    return RawSurface(
+        _numbers(file, arrays["height"]),
+        arrays.get("x"),
+        arrays.get("y"),
+        length,
+        units.get("height"),
+    )
+
+
+def _from_hdf5(file: Path, opened: h5py.File) -> RawSurface:
+    arrays, units = {}, {}
+    for name in ("height", "x", "y"):
+        if name in opened:
+            arrays[name] = opened[name][()]
+            unit = opened[name].attrs.get("units", "")
+            units[name] = unit.decode() if isinstance(unit, bytes) else str(unit)
+    if not arrays:
+        arrays = {name: None for name in opened if name != "height"}
+    raw = _from_arrays(file, arrays, {name: unit for name, unit in units.items() if unit})
+    # Files of `ehlwave deform` hold (x, y): dimension scales say which is which.
+    if raw.height.ndim == 2 and "x" in opened["height"].dims[0].keys():  # noqa: SIM118
+        raw.height = raw.height.T
+    return raw
+
+
+def _from_instrument(file: Path) -> RawSurface:
+    try:
+        import SurfaceTopography  # optional, and slow to import
+    except ImportError as error:
+        raise SurfaceError(
+            f"{file}: this format is read by SurfaceTopography, which is not installed: "
+            "pip install 'ehlwave[surfaces]' (CSV, NumPy and HDF5 need nothing)"
+        ) from error
+    try:
+        # Its readers raise whatever a damaged file makes them stumble into.
+        topography = SurfaceTopography.open_topography(str(file)).topography()
+        if not topography.is_uniform:
+            raise SurfaceError(f"{file}: points are not equidistant: resample to equal steps")
+        unit = topography.unit
+        height = np.ma.filled(np.ma.asarray(topography.heights(), dtype=np.float64), np.nan)
+        steps = topography.pixel_size
+    except SurfaceError:
+        raise
+    except Exception as error:
+        raise SurfaceError(
+            f"{file}: SurfaceTopography cannot read it ({type(error).__name__}: {error})"
+        ) from error
+    across = float(steps[1]) if len(steps) > 1 else None
+    # It holds heights as (x, y); files here are rows of constant y.
+    return RawSurface(
+        height.T, length_unit=unit, height_unit=unit, step=float(steps[0]), step_across=across
+    )
+
+
+def _steps(file: Path, raw: RawSurface, options: ReadOptions) -> tuple[float, float]:
+    """Return the steps along x and y of the file, m."""
+    length = _unit(file, options.length_unit or raw.length_unit, "lengths", "--length-unit")
+    step, across = options.step, options.step_across
+    if raw.x is not None and step is None:
+        step = uniform_step(_positions(file, raw.x, raw.height.shape[-1], "x"), f"{file}: x")
+    if raw.y is not None and across is None and raw.height.ndim == 2:
+        across = uniform_step(_positions(file, raw.y, raw.height.shape[0], "y"), f"{file}: y")
+    step = raw.step if step is None else step
+    across = raw.step_across if across is None else across
+    if step is None:
+        raise SurfaceError(f"{file}: has no positions: give the sampling step by --step")
+    return step * length, (step if across is None else across) * length
+
+
+def _positions(file: Path, positions: np.ndarray, count: int, name: str) -> np.ndarray:
+    values = _numbers(file, positions).astype(np.float64)
+    if values.shape != (count,):
+        raise SurfaceError(
+            f"{file}: {values.size} positions along {name} for {count} heights; they must match"
+        )
+    return values
+
+
+def _numbers(file: Path, values: Any) -> np.ndarray:  # noqa: ANN401
+    array = np.asarray(values)
+    if array.dtype.kind not in "fiu":
+        raise SurfaceError(f"{file}: holds {array.dtype} where real numbers are expected")
+    return array
+
+
+def _unit(file: Path, unit: str | None, what: str, option: str) -> float:
+    if unit is None:
+        raise SurfaceError(
+            f"{file}: does not say in which unit its {what} are: set {option} (m, mm, um, nm)"
+        )
+    return metres(unit, str(file))

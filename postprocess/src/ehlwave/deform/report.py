@@ -1,0 +1,177 @@
+"""Predictions as text, JSON, CSV and HDF5."""
+
+import json
+import math
+from collections.abc import Sequence
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+
+from ehlwave.deform.predict import Deformed
+from ehlwave.deform.spectrum import Component
+
+FORMAT_NAME = "ehlwave-deformed"
+UM = 1e6
+CSV_FORMAT: Any = {"index": False, "float_format": "%.9g", "lineterminator": "\r\n"}
+
+
+def report_text(result: Deformed) -> str:
+    """Return what a user reads: conditions, statistics, what cannot be judged, warnings."""
+    c, s = result.conditions, result.statistics
+    lines = [
+        f"Surface      {result.surface.name}: {_size_text(result)}; form removed: {result.form}; "
+        f"ends: {result.window}",
+        f"Conditions   M = {c.m:.6g}, L = {c.l:.6g}, D = {c.d:.6g}, S = {c.slip_parameter:g}; "
+        f"a = {c.semi_axis_a_m * 1e3:.5g} mm, b = {c.semi_axis_b_m * 1e3:.5g} mm",
+        f"Reduced by   {result.transfer_name}",
+        f"Roughness    Rq {s.rq_before_m * UM:.4g} um before, {s.rq_after_m * UM:.4g} um after "
+        f"(ratio {_ratio(s.rq_after_m, s.rq_before_m):.4g}); from lowest to highest "
+        f"{s.rz_before_m * UM:.4g} and {s.rz_after_m * UM:.4g} um",
+    ]
+    if s.mean_film_m is not None and s.minimum_film_m is not None:
+        lines += [
+            f"Film         mean {s.mean_film_m * UM:.4g} um ({c.film_source}), minimum "
+            f"{s.minimum_film_m * UM:.4g} um",
+            f"             lambda ratio {s.lambda_ratio_before:.4g} with the undeformed roughness, "
+            f"{s.lambda_ratio_after:.4g} with the deformed one (of this surface alone)",
+        ]
+    for group in result.unjudged:
+        lines.append(
+            f"Not judged   {group.components} component(s) {group.reason}: "
+            f"{100 * group.share_before:.3g} % of the mean square before, "
+            f"{100 * group.share_after:.3g} % after"
+        )
+        # What is below a hundredth of Rq is counted, not named.
+        least = 0.01 * s.rq_before_m
+        named = [one for one in group.largest if one.amplitude_before_m > least]
+        lines += [f"             {_component_text(component)}" for component in named]
+    lines += [f"Warning      {warning}" for warning in result.warnings]
+    return "\n".join(lines)
+
+
+def report_json(result: Deformed) -> str:
+    """Return the same as a JSON document; infinite and unknown numbers become null."""
+    document = {
+        "format": FORMAT_NAME,
+        "surface": result.surface.name,
+        "points": list(result.height.shape),
+        "steps_m": [result.surface.step_x_m, result.surface.step_y_m],
+        "form_removed": result.form,
+        "ends": result.window,
+        "transfer": result.transfer_name,
+        "conditions": asdict(result.conditions),
+        "statistics": asdict(result.statistics),
+        "not_judged": [asdict(group) for group in result.unjudged],
+        "warnings": result.warnings,
+    }
+    return json.dumps(_plain(document), indent=2, allow_nan=False)
+
+
+def to_dataset(result: Deformed) -> xr.Dataset:
+    """Return heights before and after over x and y, m, with the report as attributes."""
+    nx, ny = result.height.shape
+    surface, film = result.surface, result.conditions.central_film_m
+
+    def in_metres(dims: Sequence[str], values: Any, name: str) -> xr.Variable:  # noqa: ANN401
+        return xr.Variable(dims, values, {"units": "m", "long_name": name})
+
+    variables = {
+        "height": in_metres(("x", "y"), surface.height, "before, peaks positive"),
+        "deformed": in_metres(("x", "y"), result.height, "inside the contact"),
+    }
+    coordinates = {
+        "x": in_metres(("x",), np.arange(nx) * surface.step_x_m, "along rolling"),
+        "y": in_metres(("y",), np.arange(ny) * surface.step_y_m, "across"),
+    }
+    attributes: dict[str, Any] = {"format": FORMAT_NAME, "report": report_json(result)}
+    if film is not None:
+        attributes["central_film_m"] = film
+    return xr.Dataset(variables, coords=coordinates, attrs=attributes)
+
+
+def write_results(result: Deformed, directory: Path) -> list[Path]:
+    """Write ``deformed.h5``, ``spectrum.csv``, ``deformed.json``, for a trace ``deformed.csv`` too.
+
+    Returns the paths.
+    """
+    directory.mkdir(parents=True, exist_ok=True)
+    names = ["deformed.h5", "spectrum.csv", "deformed.json"]
+    paths = [directory / name for name in names]
+    to_dataset(result).to_netcdf(paths[0], engine="h5netcdf")
+    _write_spectrum(result, paths[1])
+    paths[2].write_text(report_json(result) + "\n", encoding="utf-8")
+    if result.surface.is_trace:
+        paths.append(directory / "deformed.csv")
+        _write_trace(result, paths[-1])
+    return paths
+
+
+def _write_trace(result: Deformed, path: Path) -> None:
+    step = max(result.surface.step_x_m, result.surface.step_y_m)
+    before, after = result.surface.height.ravel(), result.height.ravel()
+    film = result.conditions.central_film_m
+    table = pd.DataFrame(
+        {
+            f"{result.surface.trace_axis}_um": np.arange(before.size) * step * UM,
+            "height_um": before * UM,
+            "deformed_um": after * UM,
+        }
+    )
+    if film is not None:
+        table["film_um"] = (film - after) * UM
+    table.to_csv(path, **CSV_FORMAT)
+
+
+def _write_spectrum(result: Deformed, path: Path) -> None:
+    parts = []
+    for name, spectrum in result.spectra.items():
+        if spectrum.waves.size == 1:
+            continue
+        with np.errstate(divide="ignore"):
+            columns = {
+                "direction": name,
+                "wavelength_um": UM / spectrum.waves,
+                "mean_square_before_um2": spectrum.before * UM**2,
+                "mean_square_after_um2": spectrum.after * UM**2,
+            }
+        parts.append(pd.DataFrame(columns))
+    pd.concat(parts).to_csv(path, **CSV_FORMAT)
+
+
+def _size_text(result: Deformed) -> str:
+    nx, ny = result.height.shape
+    lengths = (nx * result.surface.step_x_m * UM, ny * result.surface.step_y_m * UM)
+    if result.surface.is_trace:
+        where = "along rolling" if result.surface.trace_axis == "x" else "across rolling"
+        return f"trace {where}, {max(nx, ny)} points, {max(lengths):.5g} um"
+    return f"map, {nx} x {ny} points, {lengths[0]:.5g} um along rolling x {lengths[1]:.5g} um"
+
+
+def _component_text(component: Component) -> str:
+    return (
+        f"lambda_x = {_length(component.wavelength_x_m)}, lambda_y = "
+        f"{_length(component.wavelength_y_m)}, amplitude {component.amplitude_before_m * UM:.3g} um"
+        f" before, {component.amplitude_after_m * UM:.3g} um after"
+    )
+
+
+def _length(value: float) -> str:
+    return f"{value * UM:.4g} um" if math.isfinite(value) else "infinite"
+
+
+def _ratio(part: float, whole: float) -> float:
+    return part / whole if whole > 0 else math.nan
+
+
+def _plain(value: Any) -> Any:  # noqa: ANN401
+    if isinstance(value, dict):
+        return {key: _plain(item) for key, item in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_plain(item) for item in value]
+    if isinstance(value, (float, np.floating)):
+        return float(value) if math.isfinite(value) else None
+    return value

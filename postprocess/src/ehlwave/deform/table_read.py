@@ -1,0 +1,92 @@
+"""Read harmonic tables.
+
+A table has one row per wave: the operating condition ``M``, ``L``, ``D``, and ``slip_parameter``
+(1 if absent); the wave by ``lambda_x_over_a`` and ``lambda_y_over_b``, 0 standing for infinite,
+or by ``lambda_over_a`` (the smaller, both in units of a) and ``r`` = lambda_x/lambda_y; and the
+transfer by ``transfer_real`` and ``transfer_imag``, or by ``amplitude_ratio``, which has no phase.
+CSV, or HDF5 with one dataset per column.
+
+The transfer is the ratio of the film's component at the contact centre to the surface's, both
+written as exp(i qx x) with x counted on the surface along its motion.
+"""
+
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pandas as pd
+
+from ehlwave.deform.conditions import ellipticity
+from ehlwave.errors import SurfaceError
+from ehlwave.formula import f_of_r
+
+CONDITION_COLUMNS = ("M", "L", "D")
+
+
+def read_table(path: str | Path) -> pd.DataFrame:
+    """Read a harmonic table.
+
+    Returns
+    -------
+    pandas.DataFrame
+        Columns ``M``, ``L``, ``D``, ``slip_parameter``, ``angle`` = arctan(lambda_x/lambda_y),
+        ``log_wave`` = log(f(r) min(lambda)/a), ``transfer_real``, ``transfer_imag``. Rows without
+        a finite transfer are left out.
+
+    Raises
+    ------
+    SurfaceError
+        If the file cannot be read or a column is missing.
+    """
+    file = Path(path)
+    if not file.is_file():
+        raise SurfaceError(f"{file}: no such file")
+    try:
+        if file.suffix.lower() == ".csv":
+            raw = pd.read_csv(file, comment="#", skipinitialspace=True)
+        else:
+            with h5py.File(file, "r") as opened:
+                raw = pd.DataFrame(
+                    {key: opened[key][()] for key in opened if opened[key].ndim == 1}
+                )
+    except (OSError, ValueError, AttributeError, pd.errors.ParserError) as error:
+        raise SurfaceError(f"{file}: not a harmonic table ({error})") from error
+    return table_rows(raw, str(file))
+
+
+def table_rows(raw: pd.DataFrame, place: str) -> pd.DataFrame:
+    """Return the rows of a table with the columns of :func:`read_table`, whatever it is given by.
+
+    Raises
+    ------
+    SurfaceError
+        If a column is missing or not numeric.
+    """
+    needed = [*CONDITION_COLUMNS]
+    needed += ["lambda_over_a", "r"] if "r" in raw else ["lambda_x_over_a", "lambda_y_over_b"]
+    needed += ["transfer_real", "transfer_imag"] if "transfer_real" in raw else ["amplitude_ratio"]
+    for column in needed:
+        if column not in raw:
+            raise SurfaceError(f"{place}: a harmonic table needs the column {column}")
+        if raw[column].dtype.kind not in "fiu":
+            raise SurfaceError(f"{place}: column {column} does not hold numbers")
+    rows = raw[[*CONDITION_COLUMNS]].astype(float)
+    rows["slip_parameter"] = raw.get("slip_parameter", 1.0)
+    if "r" in raw:
+        ratio, wave = raw["r"].to_numpy(float), raw["lambda_over_a"].to_numpy(float)
+    else:
+        kappa = raw["D"].map({d: ellipticity(d) for d in raw["D"].unique()}).to_numpy(float)
+        wave_x = raw["lambda_x_over_a"].to_numpy(float)
+        wave_y = raw["lambda_y_over_b"].to_numpy(float) / kappa
+        with np.errstate(divide="ignore", invalid="ignore"):
+            qx, qy = np.where(wave_x > 0, 1 / wave_x, 0.0), np.where(wave_y > 0, 1 / wave_y, 0.0)
+            ratio, wave = np.where(qx > 0, qy / qx, np.inf), 1 / np.maximum(qx, qy)
+    rows["angle"] = np.arctan(ratio)
+    with np.errstate(divide="ignore"):
+        rows["log_wave"] = np.log(f_of_r(ratio) * wave)
+    if "transfer_real" in raw:
+        rows["transfer_real"], rows["transfer_imag"] = raw["transfer_real"], raw["transfer_imag"]
+    else:
+        rows["transfer_real"], rows["transfer_imag"] = raw["amplitude_ratio"], 0.0
+    finite = np.isfinite(rows.drop(columns="slip_parameter")).all(axis=1)
+    return rows[finite]

@@ -1,0 +1,209 @@
+"""Fit the coefficients of the amplitude reduction formula, eq. (18)."""
+
+import warnings
+from dataclasses import dataclass
+
+import lmfit
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy.optimize import leastsq
+
+from ehlwave.formula import PAPER_C1, PAPER_C2, amplitude_ratio_formula
+
+Floats = NDArray[np.float64]
+Interval = tuple[float, float]
+
+MINIMUM_POINTS = 4
+MINIMUM_CONDITIONS = 3
+NO_INTERVAL: Interval = (float("nan"), float("nan"))
+_TOLERANCE = 1e-12
+
+
+class FitError(Exception):
+    """The points do not determine the coefficients; the message says why."""
+
+
+@dataclass(frozen=True)
+class FormulaFit:
+    """Coefficients of Ad/Ai = 1 / (1 + c1 x + c2 x^2), eq. (18), all dimensionless.
+
+    ``c1_interval`` and ``c2_interval`` come from the profile of the sum of squares (lmfit), which
+    takes the errors of all points as independent; NaN where it is not defined. ``rms`` is the root
+    of the mean squared residual.
+    """
+
+    c1: float
+    c2: float
+    c1_interval: Interval
+    c2_interval: Interval
+    rms: float
+
+
+def fit_formula(
+    x: ArrayLike, ratio: ArrayLike, confidence: float = 0.95, weight: ArrayLike | None = None
+) -> FormulaFit:
+    """Fit c1 and c2 of eq. (18) by least squares.
+
+    Parameters
+    ----------
+    x : array_like, shape (n,)
+        f(r) V or f(r) V2.
+    ratio : array_like, shape (n,)
+        Ad/Ai.
+    confidence : float
+        Probability content of the intervals.
+    weight : array_like, shape (n,), optional
+        Of each residual, see :func:`point_weights`; 1 by default.
+
+    Raises
+    ------
+    FitError
+        With fewer than four points or three different x, or if the best curve has a pole among the
+        points.
+    """
+    abscissa, measured = np.asarray(x, dtype=float), np.asarray(ratio, dtype=float)
+    weights = np.ones(abscissa.size) if weight is None else np.asarray(weight, dtype=float)
+    if abscissa.size < MINIMUM_POINTS or np.unique(abscissa).size < MINIMUM_POINTS - 1:
+        raise FitError(f"too few points ({abscissa.size}; at least {MINIMUM_POINTS} needed)")
+
+    def residual(parameters: lmfit.Parameters) -> Floats:
+        values = parameters.valuesdict()
+        curve = amplitude_ratio_formula(abscissa, values["c1"], values["c2"])
+        return weights * (curve - measured)
+
+    parameters = lmfit.create_params(c1=PAPER_C1, c2=PAPER_C2)
+    minimizer = lmfit.Minimizer(residual, parameters)
+    result = minimizer.leastsq(xtol=_TOLERANCE, ftol=_TOLERANCE)
+    c1, c2 = (float(result.params[name].value) for name in ("c1", "c2"))
+    if not (np.isfinite([c1, c2]).all() and _has_no_pole(abscissa, c1, c2)):
+        raise FitError("the fit did not converge to a curve without poles")
+    intervals = _profile_intervals(minimizer, result, confidence)
+    return FormulaFit(c1, c2, *intervals, rms=rms_residual(abscissa, measured, c1, c2))
+
+
+def point_weights(x: ArrayLike, ratio: ArrayLike, error: ArrayLike) -> Floats:
+    """Return weights of residuals, 1 for a point without error: s / sqrt(s^2 + error^2).
+
+    s, the scatter of the points about one curve, is the rms residual of the unweighted fit: points
+    follow eq. (18) no better than that, however small their own errors are.
+
+    Parameters
+    ----------
+    x, ratio : array_like, shape (n,)
+        As for :func:`fit_formula`.
+    error : array_like, shape (n,)
+        Error of each ratio; NaN, not known, counts as 0.
+
+    Raises
+    ------
+    FitError
+        As :func:`fit_formula`.
+    """
+    errors = np.nan_to_num(np.asarray(error, dtype=float), nan=0.0)
+    scatter = fit_formula(x, ratio).rms
+    total = np.hypot(scatter, errors)
+    return np.divide(scatter, total, out=np.ones_like(errors), where=(errors > 0) & (scatter > 0))
+
+
+def rms_residual(
+    x: ArrayLike, ratio: ArrayLike, c1: float = PAPER_C1, c2: float = PAPER_C2
+) -> float:
+    """Return the root mean square of eq. (18) minus ``ratio``; NaN without points."""
+    residual = amplitude_ratio_formula(x, c1, c2) - np.asarray(ratio, dtype=float)
+    return float(np.sqrt(np.mean(residual**2))) if residual.size else float("nan")
+
+
+def bootstrap_coefficients(
+    x: ArrayLike,
+    ratio: ArrayLike,
+    condition: ArrayLike,
+    replicates: int,
+    seed: int,
+    weight: ArrayLike | None = None,
+) -> Floats:
+    """Refit samples of whole operating conditions, drawn with replacement.
+
+    Points at one operating condition share that condition's errors (grid, film thickness), so the
+    conditions, not the points, are what is drawn.
+
+    Parameters
+    ----------
+    x, ratio, weight : array_like, shape (n,)
+        As for :func:`fit_formula`.
+    condition : array_like of int, shape (n,)
+        Number of the operating condition of each point.
+    replicates : int
+        Number of samples.
+    seed : int
+        Seed of the random numbers: equal seeds give equal answers.
+
+    Returns
+    -------
+    ndarray, shape (m, 2)
+        c1 and c2 of the m <= replicates samples that determine them.
+
+    Raises
+    ------
+    FitError
+        With fewer than three operating conditions.
+    """
+    abscissa, measured = np.asarray(x, dtype=float), np.asarray(ratio, dtype=float)
+    weights = np.ones(abscissa.size) if weight is None else np.asarray(weight, dtype=float)
+    members = [np.flatnonzero(condition == label) for label in np.unique(condition)]
+    if len(members) < MINIMUM_CONDITIONS:
+        raise FitError(
+            f"no bootstrap ({len(members)} operating condition(s); {MINIMUM_CONDITIONS} needed)"
+        )
+    random = np.random.default_rng(seed)
+    coefficients = []
+    for _ in range(replicates):
+        labels = random.integers(len(members), size=len(members))
+        drawn = np.concatenate([members[label] for label in labels])
+        solution = _solve(abscissa[drawn], measured[drawn], weights[drawn])
+        if solution is not None:
+            coefficients.append(solution)
+    return np.array(coefficients, dtype=float).reshape(-1, 2)
+
+
+def percentile_intervals(coefficients: Floats, confidence: float = 0.95) -> tuple[Interval, ...]:
+    """Return the central interval of each column of bootstrap coefficients; NaN without rows."""
+    if not len(coefficients):
+        return (NO_INTERVAL,) * coefficients.shape[1]
+    tail = (1 - confidence) / 2
+    low, high = np.quantile(coefficients, [tail, 1 - tail], axis=0)
+    return tuple((float(a), float(b)) for a, b in zip(low, high, strict=True))
+
+
+def _solve(x: Floats, ratio: Floats, weight: Floats) -> Floats | None:
+    """Return the least-squares c1 and c2, or None where the points do not determine them."""
+    if np.unique(x).size < MINIMUM_POINTS - 1:
+        return None
+
+    def residual(c: Floats) -> Floats:
+        return weight * (amplitude_ratio_formula(x, c[0], c[1]) - ratio)
+
+    def jacobian(c: Floats) -> Floats:
+        slope = -weight * amplitude_ratio_formula(x, c[0], c[1]) ** 2
+        return np.stack([slope * x, slope * x**2])
+
+    solution, ierr = leastsq(residual, (PAPER_C1, PAPER_C2), Dfun=jacobian, col_deriv=True)
+    good = ierr in (1, 2, 3, 4) and np.isfinite(solution).all() and _has_no_pole(x, *solution)
+    return solution if good else None
+
+
+def _has_no_pole(x: Floats, c1: float, c2: float) -> bool:
+    return bool(np.all(1 + x * (c1 + x * c2) > 0))
+
+
+def _profile_intervals(
+    minimizer: lmfit.Minimizer, result: lmfit.minimizer.MinimizerResult, confidence: float
+) -> tuple[Interval, Interval]:
+    """Return lmfit's confidence intervals of c1 and c2; NaN where lmfit finds none."""
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            found = lmfit.conf_interval(minimizer, result, sigmas=[confidence])
+    except (lmfit.MinimizerException, ValueError, ArithmeticError, Warning):
+        return NO_INTERVAL, NO_INTERVAL
+    c1, c2 = ((found[name][0][1], found[name][-1][1]) for name in ("c1", "c2"))
+    return (float(c1[0]), float(c1[1])), (float(c2[0]), float(c2[1]))

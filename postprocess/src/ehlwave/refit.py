@@ -1,0 +1,125 @@
+"""Refit eq. (18) over all points and per orientation, on V and on V2."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+import xarray as xr
+
+from ehlwave.fit import (
+    NO_INTERVAL,
+    FitError,
+    Interval,
+    bootstrap_coefficients,
+    fit_formula,
+    percentile_intervals,
+    point_weights,
+    rms_residual,
+)
+from ehlwave.points import VARIABLES, Variable, condition_index, of_orientation
+from ehlwave.schema import DIMENSION, ORIENTATIONS
+
+NAN = float("nan")
+
+
+@dataclass(frozen=True)
+class RefitSettings:
+    """How intervals are made: bootstrap samples, their seed, and the probability content."""
+
+    replicates: int = 1000
+    seed: int = 20000
+    confidence: float = 0.95
+
+
+@dataclass(frozen=True)
+class RefitRow:
+    """The fit of one group of points on one variable; NaN where something is not defined.
+
+    ``tightness`` is rms(V2)/rms(V) after the refit, the same in the two rows of a group: above 1
+    the points lie closer to one curve on V than on V2. ``samples`` is the number of bootstrap
+    samples that determined both coefficients. ``note`` says what is missing and why.
+    """
+
+    group: str
+    variable: Variable
+    points: int
+    conditions: int
+    rms_paper: float
+    rms_refit: float = NAN
+    c1: float = NAN
+    c2: float = NAN
+    c1_bootstrap: Interval = NO_INTERVAL
+    c2_bootstrap: Interval = NO_INTERVAL
+    c1_profile: Interval = NO_INTERVAL
+    c2_profile: Interval = NO_INTERVAL
+    samples: int = 0
+    tightness: float = NAN
+    note: str = ""
+
+
+def refit_groups(points: xr.Dataset, settings: RefitSettings | None = None) -> list[RefitRow]:
+    """Fit eq. (18) for every group of points, on f(r) V and on f(r) V2.
+
+    Points with an error estimate are weighted by it, see :func:`ehlwave.fit.point_weights`.
+
+    Parameters
+    ----------
+    points : xarray.Dataset
+        Resolved points from :func:`ehlwave.points.select_points`.
+    settings : RefitSettings, optional
+        Of the intervals.
+
+    Returns
+    -------
+    list of RefitRow
+        Two rows (V, V2) for ``all`` points, for each orientation of the paper, and for any other
+        orientation that occurs. Groups without enough points have a note instead of coefficients.
+    """
+    chosen = settings or RefitSettings()
+    others = sorted(set(points["orientation"].values.tolist()) - set(ORIENTATIONS))
+    groups = {"all": points}
+    groups |= {name: of_orientation(points, name) for name in (*ORIENTATIONS, *others)}
+    rows: list[RefitRow] = []
+    for name, members in groups.items():
+        pair = {variable: _fit_row(name, variable, members, chosen) for variable in VARIABLES}
+        tightness = _quotient(pair["f_v2"].rms_refit, pair["f_v"].rms_refit)
+        rows += [replace(row, tightness=tightness) for row in pair.values()]
+    return rows
+
+
+def _fit_row(
+    group: str, variable: Variable, points: xr.Dataset, settings: RefitSettings
+) -> RefitRow:
+    x, ratio = points[variable].values, points["deformed_ratio"].values
+    condition = condition_index(points)
+    row = RefitRow(
+        group=group,
+        variable=variable,
+        points=points.sizes[DIMENSION],
+        conditions=np.unique(condition).size,
+        rms_paper=rms_residual(x, ratio),
+    )
+    try:
+        weight = point_weights(x, ratio, points["deformed_error"].values)
+        fit = fit_formula(x, ratio, settings.confidence, weight)
+    except FitError as error:
+        return replace(row, note=str(error))
+    row = replace(
+        row,
+        rms_refit=fit.rms,
+        c1=fit.c1,
+        c2=fit.c2,
+        c1_profile=fit.c1_interval,
+        c2_profile=fit.c2_interval,
+    )
+    try:
+        samples = bootstrap_coefficients(
+            x, ratio, condition, settings.replicates, settings.seed, weight
+        )
+    except FitError as error:
+        return replace(row, note=str(error))
+    c1_bootstrap, c2_bootstrap = percentile_intervals(samples, settings.confidence)
+    return replace(row, c1_bootstrap=c1_bootstrap, c2_bootstrap=c2_bootstrap, samples=len(samples))
+
+
+def _quotient(numerator: float, denominator: float) -> float:
+    return numerator / denominator if denominator > 0 else NAN
