@@ -14,3 +14,10 @@ class SurfaceError(ResultsError):
 
     The message names the file or key, its value, and what to change.
     """
+
+
+class RangeError(ResultsError, ValueError):
+    """What is asked for lies outside what was computed; nothing is extrapolated.
+
+    The message names the quantity, its value and the range.
+    """
