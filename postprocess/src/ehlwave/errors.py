@@ -21,3 +21,7 @@ class RangeError(ResultsError, ValueError):
 
     The message names the quantity, its value and the range.
     """
+
+
+class ProgramError(ResultsError):
+    """A program is not there, or refused its input; the message has what it said."""
