@@ -51,6 +51,9 @@ class Medium:
         rho H^3/(eta lambdabar) times the tangent factor along X and along Y.
     k : float
         Complete elliptic integral K.
+    thinning : float
+        Shear stress that slip makes of the viscosity at ambient pressure in a film of this
+        thickness, over the Eyring stress: B with eta = 1. 0 of a Newtonian oil.
     """
 
     rho: float
@@ -59,6 +62,7 @@ class Medium:
     eps_x: float
     eps_y: float
     k: float
+    thinning: float = 0.0
 
     def deflection(self, kx: ArrayLike, ky: ArrayLike) -> Complex:
         """Return W = 2/(K |k|): the deflection under a pressure wave of amplitude 1."""
@@ -124,9 +128,10 @@ def hertz_medium(
     rho = (DENSITY_PA + DENSITY_LIMIT * hertz_pa) / (DENSITY_PA + hertz_pa)
     drho = hertz_pa * (DENSITY_LIMIT - 1) * DENSITY_PA / (DENSITY_PA + hertz_pa) ** 2
     eps = rho * film**3 / (viscosity * lambdabar)
-    along, across = 1.0, 1.0
+    along, across, thinning = 1.0, 1.0, 0.0
     if oil.stress_modulus_pa2 is not None and slip != 1:
         stress = k * hertz_pa**2 / oil.stress_modulus_pa2
-        b = lambdabar * stress / 3 * abs(slip - 1) * viscosity / film
+        thinning = lambdabar * stress / 3 * abs(slip - 1) / film
+        b = thinning * viscosity
         along, across = np.hypot(1, b), b / np.arcsinh(b)
-    return Medium(rho, drho, film, eps * along, eps * across, k)
+    return Medium(rho, drho, film, eps * along, eps * across, k, thinning)

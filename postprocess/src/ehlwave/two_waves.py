@@ -9,12 +9,14 @@ with the oil (Greenwood and Morales-Espejel 1994; Hooke 2006). a and psi follow 
 the contact centre in closed form (:mod:`ehlwave.medium`). What the inlet launches is what it lets
 through in pure rolling, R, less what the attenuated wave takes of it:
 
-    c = (R S^(p cos^2(theta) (1 - |a|^2) + i q) - a) exp(i m - i u - u^2/6)
+    c = (R T S^(p cos^2(theta) (1 - |a|^2) + i q) - a) exp(i m - i u - u^2/6)
+    T = (1 + 100 B0)^(-r cos^2(theta) (1 - |R|^2))
     m = psi - kx - |a|^4 (psi_1 - kx),    u = Re(m) d,    d = d0 (L/(gamma M))^(d1/2) (10/alphabar)^d2
 
 Launched between X = -1 and -1 + 2d, it arrives at the centre with the phase and the loss of its
 way; u^2/6 is what a launch spread over 2d averages out. psi_1 is psi in pure rolling, whose loss R
-has in it already. p, q and d are fitted (``studies.two_waves``); S -> 1 gives a + c = R, the pure
+has in it already. T is what thinning in the inlet costs, B0 the B of the viscosity at ambient
+pressure (:class:`ehlwave.medium.Medium`). p, q, r and d are fitted (``studies.two_waves``); S -> 1 gives a + c = R, the pure
 rolling law of :mod:`ehlwave.rolling`.
 """
 
@@ -31,10 +33,10 @@ from ehlwave.rolling import rolling_transfer
 Complex = NDArray[np.complex128]
 Floats = NDArray[np.float64]
 
-SLIP_POWERS = (0.241, 0.502)
-"""p and q."""
+SLIP_POWERS = (0.223, 0.492, 0.075)
+"""p, q and r."""
 
-LAUNCH_LENGTH = (0.302, 0.555, 1.149)
+LAUNCH_LENGTH = (0.296, 0.55, 1.16)
 """d0, d1 and d2."""
 
 SLIPS = (0.3, 1.8)
@@ -67,7 +69,8 @@ def launched(
     slip: ArrayLike,
     along: ArrayLike,
     length: ArrayLike,
-    powers: tuple[float, float] = SLIP_POWERS,
+    thinning: ArrayLike,
+    powers: tuple[float, float, float] = SLIP_POWERS,
 ) -> Complex:
     """Return c, the complementary wave at the contact centre over Ai.
 
@@ -79,14 +82,16 @@ def launched(
         a.
     mismatch : ndarray of complex
         m of :func:`mismatch`, 1/a.
-    slip, along, length : array_like
-        S, above 0; cos^2 of the angle between wave vector and X; d of :func:`launch_length`.
-    powers : pair of float
-        p and q.
+    slip, along, length, thinning : array_like
+        S, above 0; cos^2 of the angle between wave vector and X; d of :func:`launch_length`; B0.
+    powers : three floats
+        p, q and r.
     """
-    left = 1 - np.abs(attenuated) ** 2
-    power = powers[0] * np.asarray(along) * left + 1j * powers[1]
-    entering = rolling * np.exp(power * np.log(slip)) - attenuated
+    cosine2 = np.asarray(along)
+    power = powers[0] * cosine2 * (1 - np.abs(attenuated) ** 2) + 1j * powers[1]
+    thinned = -powers[2] * cosine2 * np.maximum(1 - np.abs(rolling) ** 2, 0)
+    change = power * np.log(slip) + thinned * np.log1p(100 * np.asarray(thinning))
+    entering = rolling * np.exp(change) - attenuated
     u = mismatch.real * np.asarray(length)
     return np.asarray(entering * np.exp(1j * (mismatch - u) - u**2 / 6))
 
@@ -172,5 +177,6 @@ def two_waves(
         slip,
         wave_and_direction(wave_x, wave_y)[1],
         launch_length(contact.gamma * contact.m, contact.l, contact.alphabar),
+        medium.thinning,
     )
     return TwoWaves(attenuated, complementary, kx, psi)

@@ -44,7 +44,7 @@ SHORTEST, LONGEST = 0.15, 3.0
 LARGEST_ANGLE = math.radians(80)
 """Between wave vector and X; longitudinal ridges do not move."""
 
-CASE_FILES = {"two_waves": (20000, 160), "two_waves_fresh": (7, 24)}
+CASE_FILES = {"two_waves": (20000, 160), "two_waves_fresh": (11, 30)}
 """Seed and number of conditions of each; the fresh ones share none with the others."""
 
 

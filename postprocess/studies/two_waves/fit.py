@@ -42,11 +42,12 @@ PACKAGED = Law(np.array(AMPLITUDE), np.array(PHASE), np.array([*SLIP_POWERS, *LA
 
 
 def complementary(launch: Floats, pairs: Pairs, rolling: Complex) -> Complex:
-    """Return c of the law with these coefficients: p, q, and the three of the length."""
+    """Return c of the law with these coefficients: p, q, r, and the three of the length."""
     t = pairs.table
-    length = launch_length(t["load"], t["l"], t["alphabar"], tuple(launch[2:]))
+    length = launch_length(t["load"], t["l"], t["alphabar"], tuple(launch[3:]))
     waves = (rolling, pairs.attenuated, pairs.mismatch)
-    return launched(*waves, t["slip"], t["along"], length, tuple(launch[:2]))
+    place = (t["slip"], t["along"], length, t["thinning"])
+    return launched(*waves, *place, tuple(launch[:3]))
 
 
 def fitted_rolling(points: Rolling) -> tuple[Floats, Floats]:

@@ -6,10 +6,14 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
+from scipy.special import ellipk
 
 from ehlwave.formula import wave_and_direction
 from ehlwave.read import read_results
 from ehlwave.two_waves import mismatch
+from studies.two_waves.cases import REDUCED_MODULUS_PA
+
+Floats = NDArray[np.float64]
 
 CONDITION = (
     "load_parameter_m",
@@ -122,7 +126,21 @@ def _with_names(table: pd.DataFrame) -> pd.DataFrame:
         load=table["gamma"] * table["load_parameter_m"],
         wave_n=wave,
         along=along,
+        thinning=_thinning(table),
     )
+
+
+def _thinning(table: pd.DataFrame) -> Floats:
+    """Return B0, see :class:`ehlwave.medium.Medium`."""
+    is_thinned = (table["flow_law"] == "eyring").to_numpy()
+    if not is_thinned.any():
+        return np.zeros(len(table))
+    hertz_pa = table["alphabar"] / table["pressure_viscosity_per_pa"]
+    stress = ellipk(1 - table["kappa"] ** 2) * hertz_pa**2
+    stress /= table["eyring_stress_pa"].where(is_thinned) * REDUCED_MODULUS_PA
+    slip = (table["slip_parameter"] - 1).abs()
+    b0 = table["lambdabar"] * stress / 3 * slip / table["central_film"]
+    return b0.fillna(0.0).to_numpy()
 
 
 def _film(table: pd.DataFrame) -> NDArray[np.complex128]:
