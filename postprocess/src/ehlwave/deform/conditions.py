@@ -18,6 +18,9 @@ from ehlwave.formula import v
 DEFAULT_PRESSURE_VISCOSITY = 2.2e-8
 """alpha, 1/Pa, when none is given, as in ``ehlwave-case``."""
 
+DEFAULT_ROELANDS_INDEX = 0.68
+"""z, when none is given, as in ``ehlwave-case``."""
+
 SMALLEST_RADIUS_RATIO = 0.005
 
 MOES_KEYS = ("load_parameter_m", "lubricant_parameter_l", "radius_ratio_d")
@@ -31,6 +34,8 @@ DIMENSIONAL_KEYS = (
 )
 SCALE_KEYS = ("semi_axis_a_m", "radius_x_m", "central_film_m")
 """Lengths that M, L and D leave open."""
+
+OIL_KEYS = ("pressure_viscosity_per_pa", "roelands_index")
 
 _FIT_TEXT = "the film thickness fit of Nijenbanning, Venner and Moes (1994)"
 
@@ -58,6 +63,10 @@ class Conditions:
         Hertz approach c, m: the unit of H in results.
     film_source : str
         Where the film thickness comes from.
+    pressure_viscosity_per_pa, roelands_index : float
+        alpha, 1/Pa, and z of the oil.
+    metres_per_moes : float or None
+        Film in m for one of 1 in the Moes scale.
     """
 
     m: float
@@ -70,6 +79,9 @@ class Conditions:
     hertz_approach_c_m: float | None
     central_film_m: float | None
     film_source: str
+    pressure_viscosity_per_pa: float = DEFAULT_PRESSURE_VISCOSITY
+    roelands_index: float = DEFAULT_ROELANDS_INDEX
+    metres_per_moes: float | None = None
 
     @property
     def semi_axis_b_m(self) -> float:
@@ -81,8 +93,20 @@ class Conditions:
         """V = (lambda/a)(gamma M/L)^(1/2) for a wavelength of one metre, eq. (17), 1/m."""
         return float(v(1 / self.semi_axis_a_m, self.m, self.l, self.gamma))
 
+    def atlas_keys(self) -> dict[str, float]:
+        """Return the coordinates of the contact in the atlas, by their keys."""
+        return {
+            "load_parameter_m": self.m,
+            "lubricant_parameter_l": self.l,
+            "radius_ratio_d": self.d,
+            "pressure_viscosity_per_pa": self.pressure_viscosity_per_pa,
+            "roelands_index": self.roelands_index,
+        }
 
-def conditions_from_keys(keys: Mapping[str, Any], place: str = "conditions") -> Conditions:
+
+def conditions_from_keys(
+    keys: Mapping[str, Any], place: str = "conditions", *, needs_lengths: bool = True
+) -> Conditions:
     """Return the conditions given by keys of ``ehlwave-case``.
 
     Parameters
@@ -90,13 +114,16 @@ def conditions_from_keys(keys: Mapping[str, Any], place: str = "conditions") -> 
     keys : mapping
         Either all of ``radius_x_m``, ``radius_y_m``, ``reduced_modulus_pa``, ``load_n``,
         ``mean_speed_m_per_s``, ``viscosity_pa_s`` (reduced radii and E' with
-        2/E' = (1-nu1^2)/E1 + (1-nu2^2)/E2), and ``pressure_viscosity_per_pa`` (2.2e-8 if absent);
+        2/E' = (1-nu1^2)/E1 + (1-nu2^2)/E2), and ``pressure_viscosity_per_pa`` (2.2e-8 if absent)
+        and ``roelands_index`` (0.68 if absent);
         or ``load_parameter_m``, ``lubricant_parameter_l``, ``radius_ratio_d`` with
         ``semi_axis_a_m`` and, for the film thickness, ``radius_x_m``. In both cases
         ``slip_parameter`` (1 if absent) and ``central_film_m``, which replaces the film thickness
         formula where it is better known.
     place : str
         Begins every message.
+    needs_lengths : bool
+        Whether M, L and D must come with ``semi_axis_a_m``; NaN stands for it otherwise.
 
     Raises
     ------
@@ -111,7 +138,7 @@ def conditions_from_keys(keys: Mapping[str, Any], place: str = "conditions") -> 
             f"{place}: gives both {MOES_KEYS[0]}, ... and {extra[0]}: give the Moes parameters or "
             "dimensional data"
         )
-    needed = (*MOES_KEYS, "semi_axis_a_m") if has_moes else DIMENSIONAL_KEYS
+    needed = (*MOES_KEYS, *(("semi_axis_a_m",) * needs_lengths)) if has_moes else DIMENSIONAL_KEYS
     advice = (
         f"M, L and D need all of {', '.join(MOES_KEYS)}, and semi_axis_a_m (the Hertz semi-axis "
         "along rolling) to relate metres to the contact"
@@ -122,7 +149,9 @@ def conditions_from_keys(keys: Mapping[str, Any], place: str = "conditions") -> 
     missing = [key for key in needed if key not in values]
     if missing:
         raise SurfaceError(f"{place}: {missing[0]} is missing: {advice}")
-    if not has_moes:
+    if has_moes:
+        values.setdefault("semi_axis_a_m", math.nan)
+    else:
         if "semi_axis_a_m" in values:
             raise SurfaceError(
                 f"{place}: semi_axis_a_m follows from the dimensional data: remove it"
@@ -229,13 +258,14 @@ def _complete(values: Mapping[str, float], place: str) -> Conditions:
     kappa = ellipticity(d)
     k, e = float(ellipk(1 - kappa**2)), float(ellipe(1 - kappa**2))
     b = _integral_combinations(kappa)[1]
-    approach = None
+    approach, metres_per_moes = None, None
     source = "given (central_film_m)"
-    if "radius_x_m" in values:
+    if "radius_x_m" in values and math.isfinite(semi_axis_a_m):
         approach = semi_axis_a_m**2 * (1 + d) / (2 * values["radius_x_m"]) * k / e
+        per_unit_h = k / 2 * b ** (-1 / 3) * (6 * m * kappa / math.pi) ** (2 / 3)
+        metres_per_moes = approach / per_unit_h
         if film_m is None:
-            per_unit_h = k / 2 * b ** (-1 / 3) * (6 * m * kappa / math.pi) ** (2 / 3)
-            film_m = approach * moes_film(m, l, d) / per_unit_h
+            film_m = moes_film(m, l, d) * metres_per_moes
             source = _FIT_TEXT
     if film_m is None:
         source = "unknown: give central_film_m or radius_x_m"
@@ -250,6 +280,11 @@ def _complete(values: Mapping[str, float], place: str) -> Conditions:
         hertz_approach_c_m=approach,
         central_film_m=film_m,
         film_source=source,
+        pressure_viscosity_per_pa=values.get(
+            "pressure_viscosity_per_pa", DEFAULT_PRESSURE_VISCOSITY
+        ),
+        roelands_index=values.get("roelands_index", DEFAULT_ROELANDS_INDEX),
+        metres_per_moes=metres_per_moes,
     )
 
 
@@ -263,7 +298,7 @@ def _check_ratio(d: float, place: str) -> None:
 
 def _checked(keys: Mapping[str, Any], place: str) -> dict[str, float]:
     known = list(dict.fromkeys((*DIMENSIONAL_KEYS, *MOES_KEYS, *SCALE_KEYS)))
-    known += ["pressure_viscosity_per_pa", "slip_parameter"]
+    known += [*OIL_KEYS, "slip_parameter"]
     values: dict[str, float] = {}
     for key, value in keys.items():
         if key not in known:
