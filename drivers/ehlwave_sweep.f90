@@ -70,10 +70,13 @@ program ehlwave_sweep
    call read_options()
 
    if (.not. arguments%has('--plan')) call catch_signals()
-   if (rank == 0) call read_sweep(trim(arguments%files(1)), sweep, error)
+   if (rank == 0 .and. arguments%has('--output')) then
+      call read_sweep(trim(arguments%files(1)), sweep, error, arguments%value('--output'), options%overwrite)
+   else if (rank == 0) then
+      call read_sweep(trim(arguments%files(1)), sweep, error, begins_anew=options%overwrite)
+   end if
    call refuse_together()
    if (rank == 0) write (output_unit, '(a)', advance='no') sweep%notice
-   if (arguments%has('--output')) sweep%output = arguments%value('--output')
    if (arguments%has('--plan')) then
       if (rank == 0) call print_sweep_plan(output_unit, sweep)
       call finish(exit_done)

@@ -3,14 +3,18 @@ module ehlwave_store_folder
    use ehlwave_errors, only: error_t, raise
    use ehlwave_posix, only: list_folder, lock_absent, lock_file, lock_refused, lock_taken, make_folder, reason_text, &
       remove_file, replace_file
-   use ehlwave_text, only: next_line
+   use ehlwave_text, only: next_line, to_text
    use ehlwave_text_file, only: read_whole_file
    implicit none (type, external)
    private
-   public :: check_store, discard_store, log_name, store_path, take_folder
+   public :: check_store, defaults_of_store, discard_store, log_name, store_path, take_folder
 
    character(len=*), parameter :: format_name = 'ehlwave-store', format_version = '1'
    character(len=*), parameter, public :: cases_name = 'cases', lock_name = 'lock', records_name = 'records'
+   character(len=*), parameter :: defaults_name = 'defaults'
+
+   !> Of the defaults of keys, raised by one when a default changes. Stores without a file of that name are of generation 0.
+   integer, parameter, public :: newest_defaults = 1
    character(len=*), parameter :: folders(3) = [character(len=11) :: records_name, 'checkpoints', 'fields']
 
 contains
@@ -68,6 +72,21 @@ contains
          ' '//format_version//"': use the program that made it, or name another results file")
    end subroutine check_store
 
+   !> Generation of the defaults that a store was begun with: its cases go on with them. A store that is still to be made will have
+   !> the newest.
+   integer function defaults_of_store(folder) result(generation)
+      character(len=*), intent(in) :: folder
+      character(len=:), allocatable :: text
+      integer :: io
+
+      generation = newest_defaults
+      call read_whole_file(folder//'/store', text)
+      if (.not. allocated(text)) return
+      generation = 0
+      call read_whole_file(folder//'/'//defaults_name, text)
+      if (allocated(text)) read (text, *, iostat=io) generation
+   end function defaults_of_store
+
    !> Whether a folder holds nothing but what a store has besides its first line.
    logical function has_known_names(names)
       character(len=*), intent(in) :: names   !! one a line
@@ -76,7 +95,8 @@ contains
       last = -1
       do while (next_line(names, first, last))
          associate (name => names(first:last))
-            has_known_names = has_known_names .and. (any(folders == name) .or. name == lock_name .or. name == 'store.part')
+            has_known_names = has_known_names .and. (any(folders == name) .or. name == lock_name .or. name == defaults_name &
+                            .or. name == defaults_name//'.part' .or. name == 'store.part')
          end associate
       end do
    end function has_known_names
@@ -112,7 +132,9 @@ contains
          if (status /= 0) call raise(error, 'cannot write '//folder//'/'//trim(folders(i))//': '//reason_text(status))
       end do
       inquire (file=folder//'/store', exist=is_there)
-      if (.not. is_there) call replace_file(folder//'/store', format_name//' '//format_version//new_line('a'), status)
+      if (.not. is_there) call replace_file(folder//'/'//defaults_name, to_text(newest_defaults)//new_line('a'), status)
+      if (.not. is_there .and. status == 0) &
+         call replace_file(folder//'/store', format_name//' '//format_version//new_line('a'), status)
       if (status /= 0 .and. .not. allocated(error)) &
          call raise(error, 'cannot write '//folder//'/store: '//reason_text(status))
    end subroutine take_folder

@@ -7,7 +7,7 @@ module ehlwave_results_file
    use ehlwave_case_keys, only: case_key_list
    use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_record, only: case_record
-   use ehlwave_case_text, only: effective_input, text_identity
+   use ehlwave_case_text, only: effective_input, input_identity
    use ehlwave_errors, only: error_t, raise
    use ehlwave_field_file, only: write_provenance
    use ehlwave_hdf5_file, only: hdf5_file_t
@@ -53,7 +53,7 @@ contains
       do i = 1, n
          place(i) = contents%index%find(sweep%identity(i))
          if (place(i) == 0) cycle
-         if (text_identity(contents%input(place(i))) == sweep%identity(i)) cycle
+         if (input_identity(contents%input(place(i))) == sweep%identity(i)) cycle
          call raise(error, 'the store has a record of case '//sweep%identity(i)//' with the input of '// &
                     'another case: keep the store for inspection and name another results file')
          return
