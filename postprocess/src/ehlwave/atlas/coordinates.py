@@ -17,11 +17,17 @@ LINEAR = ("roelands_index",)
 """Coordinates of a contact that are not logarithms."""
 
 
-def contact_coordinates(keys: Mapping[str, ArrayLike], names: tuple[str, ...] = tuple(CONTACT_RANGES)) -> Floats:
+def contact_coordinates(
+    keys: Mapping[str, ArrayLike], names: tuple[str, ...] = tuple(CONTACT_RANGES)
+) -> Floats:
     """Return the coordinates of contacts, shape (c, k), by columns named as the input keys."""
     columns = [np.atleast_1d(np.asarray(keys[name], dtype=float)) for name in names]
     return np.stack(
-        [column if name in LINEAR else np.log(column) for name, column in zip(names, columns, strict=True)], axis=1
+        [
+            column if name in LINEAR else np.log(column)
+            for name, column in zip(names, columns, strict=True)
+        ],
+        axis=1,
     )
 
 
@@ -38,9 +44,10 @@ def wave_components(wavelength: ArrayLike, angle_deg: ArrayLike) -> tuple[Floats
 class Shape:
     """What turns responses of contacts into numbers that hardly change, and back.
 
-    A film response T is divided by the recommended formula F(x) for its modulus; a pressure response
-    P is taken as W P - (T - 1), 0 for plane waves in a contact without end: the film is the pattern
-    and the deflection under the pressure, T = 1 + W P, W = 2/(K (kx^2 + kappa^2 ky^2)^(1/2)).
+    A film response T is divided by the recommended formula F(x) for its modulus; a pressure
+    response P is taken as W P - (T - 1), 0 for plane waves in a contact without end: the film is
+    the pattern and the deflection under the pressure, T = 1 + W P, W = 2/(K (kx^2 +
+    kappa^2 ky^2)^(1/2)).
 
     Takes M, L and D as arrays of one shape.
     """
@@ -55,7 +62,9 @@ class Shape:
     def __getitem__(self, index: NDArray[np.intp]) -> "Shape":
         """Return the same of a choice of contacts."""
         part = Shape.__new__(Shape)
-        part.m, part.l, part.gamma, part._k = (values[index] for values in (self.m, self.l, self.gamma, self._k))
+        part.m, part.l, part.gamma, part._k = (
+            values[index] for values in (self.m, self.l, self.gamma, self._k)
+        )
         return part
 
     def wave_coordinates(self, wavelength: ArrayLike, angle_deg: ArrayLike) -> Floats:
@@ -64,13 +73,17 @@ class Shape:
         log_x = np.log(recommended_parameter(self.m, self.l, self.gamma, *waves))
         return np.stack(np.broadcast_arrays(log_x, np.radians(angle_deg)), axis=-1)
 
-    def reduced(self, wavelength: ArrayLike, angle_deg: ArrayLike, film: Complex, pressure: Complex) -> Floats:
+    def reduced(
+        self, wavelength: ArrayLike, angle_deg: ArrayLike, film: Complex, pressure: Complex
+    ) -> Floats:
         """Return the four numbers of responses, shape (n, 4)."""
         ratio = film / self.formula(wavelength, angle_deg) - 1
         left = self.compliance(wavelength) * pressure - (film - 1)
         return np.stack([ratio.real, ratio.imag, left.real, left.imag], axis=-1)
 
-    def responses(self, wavelength: ArrayLike, angle_deg: ArrayLike, numbers: Floats) -> tuple[Complex, Complex]:
+    def responses(
+        self, wavelength: ArrayLike, angle_deg: ArrayLike, numbers: Floats
+    ) -> tuple[Complex, Complex]:
         """Return film and pressure responses, the inverse of :meth:`reduced`."""
         film = (1 + numbers[..., 0] + 1j * numbers[..., 1]) * self.formula(wavelength, angle_deg)
         pressure = (film - 1 + numbers[..., 2] + 1j * numbers[..., 3]) / self.compliance(wavelength)
@@ -78,7 +91,9 @@ class Shape:
 
     def formula(self, wavelength: ArrayLike, angle_deg: ArrayLike) -> Floats:
         """Return Ad/Ai of the recommended formula."""
-        return recommended_ratio(self.m, self.l, self.gamma, *wave_components(wavelength, angle_deg))
+        return recommended_ratio(
+            self.m, self.l, self.gamma, *wave_components(wavelength, angle_deg)
+        )
 
     def compliance(self, wavelength: ArrayLike) -> Floats:
         """Return W = (lambda/a)/(pi K), in units of c/ph."""

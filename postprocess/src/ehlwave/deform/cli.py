@@ -1,11 +1,13 @@
 """``ehlwave deform`` and ``ehlwave harmonics``."""
 
 import argparse
+import contextlib
 import sys
 from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
+from ehlwave.deform.atlas_transfer import AtlasTransfer, with_atlas_film
 from ehlwave.deform.coefficients import read_coefficients
 from ehlwave.deform.conditions import Conditions
 from ehlwave.deform.conditions_read import read_conditions
@@ -19,13 +21,18 @@ from ehlwave.deform.simulation import simulation_surface, write_simulation_surfa
 from ehlwave.deform.table import TableTransfer
 from ehlwave.deform.table_read import read_table
 from ehlwave.deform.transfer import FormulaTransfer, RecommendedTransfer, Transfer
-from ehlwave.errors import SurfaceError
+from ehlwave.errors import RangeError, SurfaceError
 from ehlwave.figures import write_figure
+
+MOST_COMPARED = 2**20
+"""Points of a surface that is judged by formulas besides, for comparison."""
 
 DESCRIPTION = """\
 Predict the shape of a surface inside the contact, without a simulation: decompose it into
-harmonics, reduce each by Ad/Ai = 1/(1 + 0.15 f V + 0.015 (f V)^2) of Venner, Kaneta and Lubrecht
-(2000), by the recommended formula, or by a harmonic table, and add them up again."""
+harmonics, take each with amplitude and phase from the atlas of computed responses, and add them up
+again. In place of the atlas: a harmonic table of your own, the recommended formula, or
+Ad/Ai = 1/(1 + 0.15 f V + 0.015 (f V)^2) of Venner, Kaneta and Lubrecht (2000). The report says
+which it was, how far it can be trusted, and what the others say."""
 
 EPILOG = """\
 Conditions are an input file of ehlwave-case, or KEY=VALUE with its keys, or both:
@@ -35,7 +42,8 @@ Conditions are an input file of ehlwave-case, or KEY=VALUE with its keys, or bot
                mean_speed_m_per_s=0.024 viscosity_pa_s=1.22 pressure_viscosity_per_pa=2.25e-8
   --conditions load_parameter_m=100 lubricant_parameter_l=10 radius_ratio_d=1
                semi_axis_a_m=0.2e-3 radius_x_m=12.5e-3
-The film thickness is that of a formula for smooth contacts; central_film_m=... replaces it.
+The film thickness is that of the atlas, outside it that of a formula for smooth contacts (up to
+20 % too thick); central_film_m=... replaces it.
 
 Form removal: the radii are in the conditions, so they must not be in the roughness as well. 'plane'
 removes the tilt of the specimen; 'quadratic' also the curvature of a ball or roller.
@@ -87,8 +95,7 @@ def add_commands(commands: Any) -> None:  # noqa: ANN401 - argparse does not nam
     source.add_argument(
         "--formula",
         choices=("paper", "recommended"),
-        default="paper",
-        help="(18) as printed, or the formula with a quarter of its error, see the README",
+        help="in place of the atlas: (18) as printed, or the formula with a quarter of its error",
     )
     source.add_argument(
         "--table", type=Path, metavar="FILE", help="harmonic table to use in place of the formula"
@@ -167,11 +174,17 @@ def read_options(options: argparse.Namespace) -> ReadOptions:
 
 
 def _deform(options: argparse.Namespace) -> None:
-    conditions = read_conditions(options.conditions)
+    conditions = _with_film(read_conditions(options.conditions))
     transfer = _transfer(options, conditions)
     surface = read_surface(options.surface, read_options(options))
     result = deform_surface(surface, conditions, transfer, options.form, options.ends)
-    print(report_json(result) if options.json else report_text(result))
+    others = []
+    if result.height.size <= MOST_COMPARED:
+        others = [
+            deform_surface(surface, conditions, other, options.form, options.ends)
+            for other in _others(transfer, conditions)
+        ]
+    print(report_json(result) if options.json else report_text(result, others))
     if options.output is not None:
         written = write_results(result, options.output)
         written += write_figure(deformed_figure(result), options.output, "deformed")
@@ -205,4 +218,29 @@ def _transfer(options: argparse.Namespace, conditions: Conditions) -> Transfer:
         return FormulaTransfer(conditions, c1, c2, name)
     if options.formula == "recommended":
         return RecommendedTransfer(conditions)
-    return FormulaTransfer(conditions)
+    if options.formula == "paper":
+        return FormulaTransfer(conditions)
+    try:
+        return AtlasTransfer(conditions)
+    except RangeError as error:
+        raise SurfaceError(
+            f"{error}. A formula is used when named: --formula recommended"
+        ) from error
+
+
+def _others(transfer: Transfer, conditions: Conditions) -> list[Transfer]:
+    """Return what else can judge the components, for comparison."""
+    if conditions.slip_parameter != 1:
+        return []
+    all_of_them: list[Transfer] = [RecommendedTransfer(conditions), FormulaTransfer(conditions)]
+    with contextlib.suppress(RangeError):
+        all_of_them.insert(0, AtlasTransfer(conditions))
+    return [other for other in all_of_them if other.name != transfer.name]
+
+
+def _with_film(conditions: Conditions) -> Conditions:
+    """Return conditions with the film of the atlas, or with that of the formula outside it."""
+    try:
+        return with_atlas_film(conditions)
+    except RangeError:
+        return conditions
