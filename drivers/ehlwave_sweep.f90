@@ -76,10 +76,13 @@ program ehlwave_sweep
    if (size(arguments%files) /= 1) call refuse('give one sweep file; see ehlwave-sweep --help')
    call read_options()
 
-   if (rank == 0) call read_sweep(trim(arguments%files(1)), sweep, error)
+   if (rank == 0 .and. arguments%has('--output')) then
+      call read_sweep(trim(arguments%files(1)), sweep, error, arguments%value('--output'), options%overwrite)
+   else if (rank == 0) then
+      call read_sweep(trim(arguments%files(1)), sweep, error, begins_anew=options%overwrite)
+   end if
    call refuse_together()
    if (rank == 0) write (output_unit, '(a)', advance='no') sweep%notice
-   if (arguments%has('--output')) sweep%output = arguments%value('--output')
    if (arguments%has('--plan')) then
       if (rank == 0) call print_sweep_plan(output_unit, sweep)
       call conclude(exit_done)

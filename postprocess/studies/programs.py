@@ -54,6 +54,14 @@ def namelist(groups: Groups) -> str:
     return "\n".join(lines) + "\n"
 
 
+def paper_edges(groups: Groups) -> Groups:
+    """Return the groups with P = 0 at the edges of the domain unless they say which edges.
+
+    The paper, the reference values of the tests and the records of the studies have it so.
+    """
+    return {**groups, "grid": {"edges": "truncated", **groups.get("grid", {})}}
+
+
 def run(
     name: str,
     *arguments: object,
@@ -86,10 +94,10 @@ def run(
 
 
 def run_case(groups: Groups, *options: str) -> Outcome:
-    """Run ``case`` with an input file of these groups."""
+    """Run ``case`` with an input file of these groups, see `paper_edges`."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder, "case.nml")
-        path.write_text(namelist(groups), encoding="utf-8")
+        path.write_text(namelist(paper_edges(groups)), encoding="utf-8")
         return run("case", path, *options)
 
 
@@ -99,7 +107,7 @@ def last_line(outcome: Outcome) -> Any:  # noqa: ANN401 - an object as JSON has 
 
 
 def solve(**groups: Any) -> dict[str, Any]:  # noqa: ANN401 - groups, or one of m, l, d
-    """Return the result of one case that has to converge.
+    """Return the result of one case that has to converge, see `paper_edges`.
 
     ``m``, ``l`` (12.05 if absent) and ``d`` may stand for the keys of ``conditions``.
 

@@ -8,7 +8,11 @@ module ehlwave_case_text
    use ehlwave_key_list, only: key_list_t
    implicit none (type, external)
    private
-   public :: case_identity, effective_input, input_text, text_identity
+   public :: case_identity, effective_input, input_identity, input_text
+
+   ! Lines of keys that were added after stores were made, with what cases were before, which is not the default: always written,
+   ! no part of the identity.
+   character(len=*), parameter :: former(1) = ["  edges = 'truncated'"//new_line('a')]
 
 contains
 
@@ -53,12 +57,28 @@ contains
       text = text//'/'//line_end
    end function input_text
 
-   !> Identity of a case: 16 hexadecimal digits, the 64-bit FNV-1a hash of its effective input.
+   !> Identity of a case: that of its effective input.
    function case_identity(case, defaults) result(identity)
       type(case_t), intent(in) :: case
       type(key_list_t), intent(in), optional :: defaults
       character(len=16) :: identity
-      identity = text_identity(effective_input(case, defaults))
+      identity = input_identity(effective_input(case, defaults))
    end function case_identity
+
+   !> Identity of an effective input: 16 hexadecimal digits, the 64-bit FNV-1a hash of it, without lines that say what went without
+   !> saying when the first stores were made.
+   function input_identity(input) result(identity)
+      character(len=*), intent(in) :: input
+      character(len=16) :: identity
+      character(len=:), allocatable :: text
+      integer :: first, k
+
+      text = input
+      do k = 1, size(former)
+         first = index(text, former(k))
+         if (first > 0) text = text(:first - 1)//text(first + len(former):)
+      end do
+      identity = text_identity(text)
+   end function input_identity
 
 end module ehlwave_case_text

@@ -195,8 +195,12 @@ contains
       call list%add('harmonic_phase', 'phase of the linear response of H(0,0)', harmonic%phase, unit='rad')
       call list%add('harmonic_real', 'transfer function pattern to H(0,0), real part', harmonic%real_part)
       call list%add('harmonic_imaginary', 'transfer function pattern to H(0,0), imaginary part', harmonic%imaginary_part)
+      call add_complex(list, 'harmonic_pressure', 'transfer function pattern (in c) to P(0,0)', harmonic%pressure)
       call list%add('harmonic_approach', 'amplitude of the approach over Ai', harmonic%approach_ratio)
       call list%add('harmonic_extrapolated', 'harmonic_ratio at mesh size 0', harmonic%extrapolated)
+      call add_complex(list, 'harmonic_extrapolated', 'transfer function pattern to H(0,0) at mesh size 0', harmonic%film_limit)
+      call add_complex(list, 'harmonic_pressure_extrapolated', 'transfer function pattern (in c) to P(0,0) at mesh size 0', &
+                       harmonic%pressure_limit)
       call list%add('harmonic_error', 'estimated relative error of harmonic_ratio', harmonic%error)
       call list%add('mean_film_rise', 'mean film less smooth film over Ai, second order, linear response', harmonic%mean_rise)
       call list%add('smallest_film', 'smallest film with waves of Ai anywhere at any time, second order', &

@@ -1,6 +1,7 @@
 !> The store of a sweep: a folder with everything that is known for sure, written so that nothing can spoil it.
 !>
 !>     store                     one line: format and its version
+!>     defaults                  generation of the defaults of keys that its cases have; not there: 0
 !>     lock                      locked by the job at work
 !>     cases                     identity and expected cost of each case of the sweep
 !>     records/RUN-RANK.log      what each rank of each run (of the program) has done; see ehlwave_record_file

@@ -2,7 +2,7 @@
 module ehlwave_store_contents
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_errors, only: error_t, raise
-   use ehlwave_identity_index, only: identity_index_t, identity_length, text_identity
+   use ehlwave_identity_index, only: identity_index_t, identity_length
    use ehlwave_json_reader, only: json_number, json_string, split_list
    use ehlwave_kinds, only: dp, i8
    use ehlwave_layout, only: layout_t, new_layout, values_t
@@ -55,11 +55,22 @@ module ehlwave_store_contents
       procedure :: deaths
    end type contents_t
 
+   abstract interface
+      !> Identity of a case from its effective input.
+      function identity_of_input(input) result(identity)
+         import :: identity_length
+         implicit none (type, external)
+         character(len=*), intent(in) :: input
+         character(len=identity_length) :: identity
+      end function identity_of_input
+   end interface
+
 contains
 
    !> Read a store; one that is not there is empty. Fails when it is something else, and when something in it cannot be read.
-   subroutine read_store(folder, contents, error, ranks_of_last_run)
+   subroutine read_store(folder, identify, contents, error, ranks_of_last_run)
       character(len=*), intent(in) :: folder
+      procedure(identity_of_input) :: identify
       type(contents_t), intent(out) :: contents
       type(error_t), allocatable, intent(inout) :: error
       integer, intent(in), optional :: ranks_of_last_run   !! look for these logs by name, too: on network file
@@ -81,19 +92,20 @@ contains
       allocate (contents%layouts(0), contents%cases(64), contents%logs(count_lines(names) + rank))
       last = -1
       do while (next_line(names, first, last))
-         call read_log(folder, names(first:last), contents, error)
+         call read_log(folder, names(first:last), identify, contents, error)
       end do
       do rank = 0, rank - 1
          if (index(names, log_name(contents%runs, rank)) > 0) cycle
-         if (file_kind(path//'/'//log_name(contents%runs, rank)) /= kind_none) &
-            call read_log(folder, log_name(contents%runs, rank), contents, error)
+         kind = file_kind(path//'/'//log_name(contents%runs, rank))
+         if (kind /= kind_none) call read_log(folder, log_name(contents%runs, rank), identify, contents, error)
       end do
       contents%logs = contents%logs(:contents%log_count)
    end subroutine read_store
 
    !> Take what a log holds; files with names of another kind are passed over. Fails when it cannot be read.
-   subroutine read_log(folder, name, contents, error)
+   subroutine read_log(folder, name, identify, contents, error)
       character(len=*), intent(in) :: folder, name
+      procedure(identity_of_input) :: identify
       type(contents_t), intent(inout) :: contents
       type(error_t), allocatable, intent(inout) :: error
       type(log_t) :: log
@@ -112,15 +124,16 @@ contains
       do
          call reader%next(begins, ends, contents%bad_lines, error)
          if (ends == 0) exit
-         call take_record(reader%text(begins:ends), log, layout, contents)
+         call take_record(reader%text(begins:ends), identify, log, layout, contents)
       end do
       call reader%close()
       contents%logs(contents%log_count) = log
    end subroutine read_log
 
    !> Take one record of a log.
-   subroutine take_record(record, log, layout, contents)
+   subroutine take_record(record, identify, log, layout, contents)
       character(len=*), intent(in) :: record
+      procedure(identity_of_input) :: identify
       type(log_t), intent(inout) :: log
       integer, intent(inout) :: layout                 !! number of the columns that were told last, 0: none yet
       type(contents_t), intent(inout) :: contents
@@ -148,15 +161,16 @@ contains
             call add_layout(value, contents, layout)
          case ('case')
             log%in_flight = ''
-            call take_case(value, log, layout, contents)
+            call take_case(value, identify, log, layout, contents)
          end select
       end associate
    end subroutine take_record
 
    !> Keep the record of a case unless there is one of a later run. One without its columns, or whose identity is not that of
    !> its input, counts as damaged.
-   subroutine take_case(text, log, layout, contents)
+   subroutine take_case(text, identify, log, layout, contents)
       character(len=*), intent(in) :: text
+      procedure(identity_of_input) :: identify
       type(log_t), intent(in) :: log
       integer, intent(in) :: layout                    !! of records that do not say it
       type(contents_t), intent(inout) :: contents
@@ -174,7 +188,7 @@ contains
          record%run = log%run
          record%log = contents%log_count
          record%identity = json_string(contents%layouts(record%layout)%element(record, 'case_id'))
-         fits = text_identity(input_of(record, log, contents)) == record%identity
+         fits = identify(input_of(record, log, contents)) == record%identity
       end if
       if (.not. fits) then
          contents%bad_lines = contents%bad_lines + 1

@@ -1,17 +1,21 @@
 !> The folder of a store: where it is, whether it is one, the lock that keeps other jobs away.
 module ehlwave_store_folder
    use ehlwave_errors, only: error_t, raise
-   use ehlwave_posix, only: clear_temporaries, file_kind, kind_none, list_folder, lock_absent, lock_file, &
+   use ehlwave_posix, only: checksum, clear_temporaries, file_kind, kind_none, list_folder, lock_absent, lock_file, &
       lock_refused, lock_taken, make_folder, reason_text, remove_file, replace_file
-   use ehlwave_text, only: next_line, shown
+   use ehlwave_text, only: next_line, shown, to_text
    use ehlwave_text_file, only: read_whole_file
    implicit none (type, external)
    private
-   public :: check_store, discard_store, log_name, read_log_name, store_path, take_folder
+   public :: check_store, defaults_of_store, discard_store, log_name, read_log_name, store_path, take_folder
 
    character(len=*), parameter :: format_name = 'ehlwave-store', format_version = '1'
    character(len=*), parameter, public :: cases_name = 'cases', lock_name = 'lock', records_name = 'records'
+   character(len=*), parameter :: defaults_name = 'defaults'
    integer, parameter :: most_digits = 9   !! of a run or a rank
+
+   !> Of the defaults of keys, raised by one when a default changes. Stores without a file of that name are of generation 0.
+   integer, parameter, public :: newest_defaults = 1
    character(len=*), parameter :: folders(3) = [character(len=11) :: records_name, 'checkpoints', 'fields']
 
 contains
@@ -90,7 +94,39 @@ contains
             "', this program reads and writes '"//format_name//' '//format_version// &
             "': use the program that made it, or name another results file")
       end if
+      if (allocated(error) .or. file_kind(folder//'/'//defaults_name) == kind_none) return
+      call read_whole_file(folder//'/'//defaults_name, text)
+      if (.not. allocated(text)) text = ''
+      if (text /= defaults_text(defaults_of_store(folder)) .and. text /= '1'//new_line('a')) &
+         call raise(error, folder//'/'//defaults_name//' is damaged: name another results file, or, if this version has begun '// &
+                    "the store, write '"//to_text(newest_defaults)//' '//checksum(to_text(newest_defaults))//"' into it")
    end subroutine check_store
+
+   !> Generation of the defaults that a store was begun with: its cases go on with them. A store that is still to be made will have
+   !> the newest.
+   integer function defaults_of_store(folder) result(generation)
+      character(len=*), intent(in) :: folder
+      character(len=:), allocatable :: text
+      integer :: io
+
+      call read_whole_file(folder//'/'//defaults_name, text)
+      if (allocated(text)) then
+         read (text, *, iostat=io) generation
+         if (io == 0) return
+      end if
+      generation = newest_defaults
+      if (file_kind(folder//'/store') /= kind_none) generation = 0
+      call list_folder(folder//'/'//records_name, text)   ! the line `store` can have been lost
+      if (.not. allocated(text)) return
+      if (len(text) > 0) generation = 0
+   end function defaults_of_store
+
+   !> What the file with the generation of the defaults holds: the number and its checksum.
+   function defaults_text(generation) result(text)
+      integer, intent(in) :: generation
+      character(len=:), allocatable :: text
+      text = to_text(generation)//' '//checksum(to_text(generation))//new_line('a')
+   end function defaults_text
 
    !> Whether a folder holds nothing but what a store has.
    logical function has_known_names(names)
@@ -101,7 +137,7 @@ contains
       do while (next_line(names, first, last))
          associate (name => names(first:last))
             has_known_names = has_known_names .and. (any(folders == name) .or. name == lock_name .or. name == cases_name .or. &
-                                                     name == 'store' .or. index(name, '.part') > 0)
+                                                     name == defaults_name .or. name == 'store' .or. index(name, '.part') > 0)
          end associate
       end do
    end function has_known_names
@@ -115,11 +151,12 @@ contains
       type(error_t), allocatable, intent(inout) :: error
       character(len=:), allocatable :: text
       logical :: is_there
-      integer :: i, status
+      integer :: generation, i, status
 
       if (allocated(error)) return
       call check_store(folder, is_there, error)
       if (allocated(error)) return
+      generation = defaults_of_store(folder)
       call make_folder(folder, status)
       if (status == 0) call lock_file(folder//'/'//lock_name, status)
       select case (status)
@@ -142,7 +179,9 @@ contains
       if (allocated(error)) return
       call read_whole_file(folder//'/store', text)
       if (.not. allocated(text)) text = ''
-      if (text == '') call replace_file(folder//'/store', format_name//' '//format_version//new_line('a'), status)
+      if (text == '' .and. generation > 0) call replace_file(folder//'/'//defaults_name, defaults_text(generation), status)
+      if (text == '' .and. status == 0) &
+         call replace_file(folder//'/store', format_name//' '//format_version//new_line('a'), status)
       if (status /= 0 .and. .not. allocated(error)) &
          call raise(error, 'cannot write '//folder//'/store: '//reason_text(status))
    end subroutine take_folder

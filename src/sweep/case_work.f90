@@ -4,7 +4,7 @@ module ehlwave_case_work
    use ehlwave_case_plan, only: case_plan_t, run_march
    use ehlwave_case_record, only: store_result
    use ehlwave_case_result, only: case_result_t
-   use ehlwave_case_text, only: text_identity
+   use ehlwave_case_text, only: input_identity
    use ehlwave_checkpoint_file, only: checkpoint_t
    use ehlwave_clock, only: time_stamp, wall_seconds
    use ehlwave_errors, only: error_t
@@ -67,7 +67,7 @@ contains
       character(len=24) :: started
       character(len=16) :: identity
 
-      identity = text_identity(input)
+      identity = input_identity(input)
       started = time_stamp()
       watch%request = go_on
       watch%case_start_s = wall_seconds()

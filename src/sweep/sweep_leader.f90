@@ -3,6 +3,7 @@
 module ehlwave_sweep_leader
    use, intrinsic :: iso_fortran_env, only: output_unit
    use ehlwave_case_list, only: case_list_t
+   use ehlwave_case_text, only: input_identity
    use ehlwave_outcome, only: outcome_t
    use ehlwave_clock, only: time_stamp, wall_seconds
    use ehlwave_cost_model, only: cost_features, feature_count
@@ -80,7 +81,7 @@ contains
       if (has_results .and. .not. (has_store .or. options%overwrite .or. allocated(error))) call raise(error, 'results file '// &
          sweep%output//' exists but not its store '//folder//': move it away, name another with --output, or give --overwrite')
       call prepare_store(folder, store, warning, error)
-      call read_store(folder, contents, error)
+      call read_store(folder, input_identity, contents, error)
       if (.not. allocated(error)) call read_text(sweep_path, self%writer%sweep_text, error)
       if (allocated(error)) return
 

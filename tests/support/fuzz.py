@@ -128,13 +128,13 @@ class Target:
         corpus = [path.read_bytes() for path in sorted((old/"records").iterdir())]
         return "store s.store", "s.store/records/000001-000000.log", corpus
 
-    def prepare_surface(self):
+    def prepare_surface(self, rows=3, columns=5):
         import h5py
         corpus = []
         for options in [{}, {"chunks": (2, 3), "compression": "gzip"}, {"dtype": "f4"}, {"dtype": "i2"}]:
             with h5py.File(self.folder/"s.h5", "w") as file:
-                file.create_dataset("height", data=[[1, 2, 3, 4, 5]]*3, **options)
-                file["x"], file["y"] = [0.0, 1, 2, 3, 4], [0.0, 2, 4]
+                file.create_dataset("height", data=[[i % 3 for i in range(columns)]]*rows, **options)
+                file["x"], file["y"] = [1.0*i for i in range(columns)], [2.0*i for i in range(rows)]
             corpus.append((self.folder/"s.h5").read_bytes())
         return "surface", "s.h5", corpus
 
@@ -206,14 +206,16 @@ class Traces(Target):
         import io
 
         import numpy
-        corpus = [b"# x [um]; z [nm]\n0,1\n1,2\n2,3.5\n", b"1 2 3\n4 5 6\n7 8 9\n", b"x;z\n0,5;1\n1,5;2\n2,5;3\n", b"1\n2\n3\n"]
-        heights = numpy.arange(15.0).reshape(3, 5)
-        for save in [lambda file: numpy.save(file, heights), lambda file: numpy.savez(file, height=heights, x=numpy.arange(5.0)),
-                     lambda file: numpy.savez_compressed(file, height=heights, y=numpy.arange(3.0))]:
+        heights = numpy.sin(numpy.arange(90.0)).reshape(9, 10)
+        corpus = [b"x_um,z_nm\n" + b"".join(b"%d,%d\n" % (i, i % 3) for i in range(12)),
+                  b"# a comment\n" + b"".join(b"%d,5;%.2f\n" % (i, i/7) for i in range(12)).replace(b".", b","),
+                  b"".join(b" ".join(b"%.3f" % one for one in row) + b"\n" for row in heights), b"1\n2\n3.5\n4e0\n"*4]
+        for save in [lambda file: numpy.save(file, heights), lambda file: numpy.savez(file, height=heights, x=numpy.arange(10.0)),
+                     lambda file: numpy.savez_compressed(file, height=heights, y=numpy.arange(9.0))]:
             file = io.BytesIO()
             save(file)
             corpus.append(file.getvalue())
-        _, _, surfaces = self.prepare_surface()
+        _, _, surfaces = self.prepare_surface(9, 10)
         return "trace", "", corpus + surfaces
 
     def make(self):

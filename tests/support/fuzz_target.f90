@@ -9,6 +9,7 @@ program fuzz_target
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_file, only: read_case
    use ehlwave_case_plan, only: case_plan_t, make_plan
+   use ehlwave_case_text, only: input_identity
    use ehlwave_case_table, only: read_sweep
    use ehlwave_errors, only: error_t
    use ehlwave_json_reader, only: json_number, split_list
@@ -80,7 +81,7 @@ contains
       real(dp) :: number
       integer :: i, k, values
 
-      call read_store(path, contents, error)
+      call read_store(path, input_identity, contents, error)
       if (allocated(error)) return
       values = 0
       do i = 1, contents%count

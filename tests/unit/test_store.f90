@@ -43,7 +43,7 @@ contains
    subroutine check_nothing()
       type(contents_t) :: contents
       type(error_t), allocatable :: error
-      call read_store(folder, contents, error)
+      call read_store(folder, text_identity, contents, error)
       call test%check_no_error(error, 'no store')
       call test%check_equal(contents%count + size(contents%logs) + contents%runs, 0, 'nothing in no store')
    end subroutine check_nothing
@@ -83,7 +83,7 @@ contains
    function contents_now() result(contents)
       type(contents_t) :: contents
       type(error_t), allocatable :: error
-      call read_store(folder, contents, error)
+      call read_store(folder, text_identity, contents, error)
       call test%check_no_error(error, 'read the store')
    end function contents_now
 
@@ -218,7 +218,7 @@ contains
          open (newunit=unit, file=intact//'/records/000001-000000.log', access='stream', form='unformatted', status='replace')
          write (unit) damaged
          close (unit)
-         call read_store(intact, contents, error)
+         call read_store(intact, text_identity, contents, error)
          call test%check_no_error(error, 'damaged byte '//to_text(i))
          lost = max(lost, 2 - contents%count)
          place = contents%index%find(second)
@@ -236,13 +236,13 @@ contains
       type(contents_t) :: contents
       type(error_t), allocatable :: error
       call execute_command_line('mkdir '//path_of(999999))
-      call read_store(folder, contents, error)
+      call read_store(folder, text_identity, contents, error)
       call test%check_error(error, path_of(999999), 'a folder in place of a log')
       call execute_command_line('rmdir '//path_of(999999)//' && mkfifo '//path_of(999999))
-      call read_store(folder, contents, error)
+      call read_store(folder, text_identity, contents, error)
       call test%check_error(error, path_of(999999), 'a pipe in place of a log')
       call execute_command_line('rm '//path_of(999999)//' && ln -s nowhere '//path_of(999999))
-      call read_store(folder, contents, error)
+      call read_store(folder, text_identity, contents, error)
       call test%check_error(error, path_of(999999), 'a link to nothing in place of a log')
       call execute_command_line('rm '//path_of(999999))
    end subroutine check_unreadable_log

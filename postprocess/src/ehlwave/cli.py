@@ -16,6 +16,7 @@ from ehlwave.errors import ResultsError
 from ehlwave.points import RATIO_COLUMNS, VARIABLES, remarks, resolved_only, select_points
 from ehlwave.read import read_results
 from ehlwave.refit import RefitSettings, refit_groups
+from ehlwave.schema import EDGES
 
 COLLAPSE_COLUMNS = (
     "case_id",
@@ -25,6 +26,7 @@ COLLAPSE_COLUMNS = (
     "lubricant_parameter_l",
     "radius_ratio_d",
     "slip_parameter",
+    "edges",
     "wavelength_over_a",
     "wavelength_x_over_a",
     "wavelength_y_over_a",
@@ -61,7 +63,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _collapse(options: argparse.Namespace) -> None:
     results = read_results(options.results)
-    points = select_points(results, options.ratio, include_unresolved=options.include_unresolved)
+    points = select_points(
+        results,
+        options.ratio,
+        include_unresolved=options.include_unresolved,
+        edges=options.edges,
+    )
     _print_remarks(points)
     options.output.mkdir(parents=True, exist_ok=True)
     table = options.output / "collapse.csv"
@@ -79,7 +86,7 @@ def _collapse(options: argparse.Namespace) -> None:
 
 
 def _refit(options: argparse.Namespace) -> None:
-    points = select_points(read_results(options.results), options.ratio)
+    points = select_points(read_results(options.results), options.ratio, edges=options.edges)
     _print_remarks(points)
     settings = RefitSettings(replicates=options.replicates, seed=options.seed)
     rows = refit_groups(points, settings)
@@ -108,7 +115,7 @@ def _contact(options: argparse.Namespace) -> None:
 
 
 def _harmonics(options: argparse.Namespace) -> None:
-    points = select_points(read_results(options.results))
+    points = select_points(read_results(options.results), edges=options.edges)
     count = write_harmonic_table(options.csv, points)
     print(f"{options.csv}: {count} waves")
 
@@ -134,8 +141,13 @@ def _parser() -> argparse.ArgumentParser:
     def add_csv(added: argparse.ArgumentParser) -> None:
         added.add_argument("--csv", type=Path, required=True, metavar="FILE", help="file to write")
 
+    def add_edges(added: argparse.ArgumentParser) -> None:
+        text = "only cases with these edges of the domain"
+        added.add_argument("--edges", choices=EDGES, help=text)
+
     def add_common(added: argparse.ArgumentParser) -> None:
         add_output(added)
+        add_edges(added)
         added.add_argument(
             "--ratio",
             choices=tuple(RATIO_COLUMNS),
@@ -161,7 +173,9 @@ def _parser() -> argparse.ArgumentParser:
     command("table", _table, "count cases by status and list the failed ones")
     add_csv(command("export", _export, "write all columns to a CSV file"))
     text = "write a harmonic table for deform --table from resolved cases"
-    add_csv(command("harmonics", _harmonics, text))
+    harmonics = command("harmonics", _harmonics, text)
+    add_csv(harmonics)
+    add_edges(harmonics)
     text = "draw film and pressure of one case"
     contact = commands.add_parser("contact", help=text, description=text)
     contact.add_argument(

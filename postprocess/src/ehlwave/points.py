@@ -11,6 +11,7 @@ from ehlwave.errors import ResultsError
 from ehlwave.schema import (
     CONVERGED,
     DIMENSION,
+    EDGES,
     ORIENTATIONS,
     SMOOTH,
     STATUSES,
@@ -30,7 +31,11 @@ CONDITION = ("load_parameter_m", "lubricant_parameter_l", "radius_ratio_d")
 
 
 def select_points(
-    results: xr.Dataset, ratio: Ratio = "fit", *, include_unresolved: bool = False
+    results: xr.Dataset,
+    ratio: Ratio = "fit",
+    *,
+    include_unresolved: bool = False,
+    edges: str | None = None,
 ) -> xr.Dataset:
     """Return the wavy cases with a usable amplitude, with the quantities of Figures 1 and 2.
 
@@ -45,6 +50,8 @@ def select_points(
         is taken. Cases without a transient have their linear response in place of the fit.
     include_unresolved : bool
         Keep also cases that converged on a grid too coarse for them.
+    edges : {"flooded", "truncated"}, optional
+        Only cases with these edges of the domain; films differ by some per cent between the two.
 
     Returns
     -------
@@ -58,7 +65,7 @@ def select_points(
     Raises
     ------
     ResultsError
-        If nothing is left; the message counts what there was.
+        If nothing is left; the message counts what there was. If both edges are left.
     """
     deformed, error = _chosen_ratio(results, ratio)
     status = results["status"]
@@ -74,9 +81,22 @@ def select_points(
     for name in VARIABLES:
         usable &= np.isfinite(candidates[name]) & (candidates[name] > 0)
     usable &= status.isin((CONVERGED, UNRESOLVED)) if include_unresolved else resolved
+    if edges is not None:
+        usable &= results["edges"] == edges
     if not usable.any():
         raise ResultsError(_nothing_usable(results, ratio, include_unresolved))
+    _refuse_mixed_edges(results["edges"].values[usable.values])
     return candidates.isel({DIMENSION: np.flatnonzero(usable)})
+
+
+def _refuse_mixed_edges(edges: NDArray[np.str_]) -> None:
+    counts = {name: int(np.sum(edges == name)) for name in EDGES}
+    if all(counts.values()):
+        found = " and ".join(f"{count} cases with {name} edges" for name, count in counts.items())
+        raise ResultsError(
+            f"{found} of the domain, which differ by some per cent: choose one of them (edges, or "
+            "--edges)"
+        )
 
 
 def _chosen_ratio(results: xr.Dataset, ratio: Ratio) -> tuple[xr.DataArray, xr.DataArray]:

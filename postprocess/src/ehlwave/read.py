@@ -11,6 +11,7 @@ import xarray as xr
 from ehlwave.errors import ResultsError
 from ehlwave.schema import (
     DIMENSION,
+    EDGES_BEFORE,
     FORMAT_NAME,
     FORMAT_VERSION,
     PROVENANCE_ATTRIBUTES,
@@ -124,6 +125,8 @@ def _labelled(path: Path, opened: xr.Dataset) -> xr.Dataset:
         values = np.broadcast_to(_decoded(variable.values), (size,)).copy()
         attributes = {key: _plain(value) for key, value in variable.attrs.items()}
         columns[name] = ((DIMENSION,), values, attributes)
+    if "edges" not in columns:
+        columns["edges"] = ((DIMENSION,), np.full(size, EDGES_BEFORE), {})
     origin = {key: _text(opened.attrs.get(key, "")) for key in PROVENANCE_ATTRIBUTES}
     origin["source_file"] = str(path)
     coordinates = {key: ((DIMENSION,), np.full(size, text)) for key, text in origin.items()}

@@ -33,6 +33,12 @@ name, else the root attribute."""
 ORIENTATIONS = ("transverse", "isotropic", "longitudinal")
 """The orientations of the paper, in the order of the panels of its Figures 1 and 2."""
 
+EDGES = ("flooded", "truncated")
+"""Pressures at the edges of the domain, the column ``edges``."""
+
+EDGES_BEFORE = "truncated"
+"""What cases had before there was such a column."""
+
 SMOOTH = "none"
 """The ``orientation`` of a case without waviness."""
 

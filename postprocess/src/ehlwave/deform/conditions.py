@@ -156,6 +156,11 @@ def ellipticity(d: float) -> float:
     return float(brentq(excess, 1e-3, 1.0, xtol=1e-15, rtol=1e-14))
 
 
+def pressure_factor(kappa: float) -> float:
+    """Return gamma, by which M counts in V: 1 for a circular contact, eq. (3)."""
+    return math.pi**2 * kappa / (16 * _integral_combinations(kappa)[1] ** 2)
+
+
 def moes_film(m: float, l: float, d: float) -> float:  # noqa: E741
     """Return the central film of a smooth contact in the Moes scale, (h/Rx)(2U)^(-1/2).
 
@@ -239,7 +244,7 @@ def _complete(values: Mapping[str, float], place: str) -> Conditions:
         l=l,
         d=d,
         kappa=kappa,
-        gamma=math.pi**2 * kappa / (16 * b**2),
+        gamma=pressure_factor(kappa),
         slip_parameter=values.get("slip_parameter", 1.0),
         semi_axis_a_m=semi_axis_a_m,
         hertz_approach_c_m=approach,

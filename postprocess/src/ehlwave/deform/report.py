@@ -33,8 +33,11 @@ def report_text(result: Deformed) -> str:
         f"{s.rz_before_m * UM:.4g} and {s.rz_after_m * UM:.4g} um",
     ]
     if s.mean_film_m is not None and s.minimum_film_m is not None:
+        rise = "its rise by the roughness is not known"
+        if s.mean_rise_m is not None:
+            rise = f"{s.mean_rise_m * UM:.3g} um of it by the roughness, to second order"
         lines += [
-            f"Film         mean {s.mean_film_m * UM:.4g} um ({c.film_source}), minimum "
+            f"Film         mean {s.mean_film_m * UM:.4g} um ({c.film_source}; {rise}), minimum "
             f"{s.minimum_film_m * UM:.4g} um",
             f"             lambda ratio {s.lambda_ratio_before:.4g} with the undeformed roughness, "
             f"{s.lambda_ratio_after:.4g} with the deformed one (of this surface alone)",
@@ -74,7 +77,11 @@ def report_json(result: Deformed) -> str:
 def to_dataset(result: Deformed) -> xr.Dataset:
     """Return heights before and after over x and y, m, with the report as attributes."""
     nx, ny = result.height.shape
-    surface, film = result.surface, result.conditions.central_film_m
+    surface = result.surface
+    films = {
+        "central_film_m": result.conditions.central_film_m,
+        "mean_film_m": result.statistics.mean_film_m,
+    }
 
     def in_metres(dims: Sequence[str], values: Any, name: str) -> xr.Variable:  # noqa: ANN401
         return xr.Variable(dims, values, {"units": "m", "long_name": name})
@@ -88,8 +95,7 @@ def to_dataset(result: Deformed) -> xr.Dataset:
         "y": in_metres(("y",), np.arange(ny) * surface.step_y_m, "across"),
     }
     attributes: dict[str, Any] = {"format": FORMAT_NAME, "report": report_json(result)}
-    if film is not None:
-        attributes["central_film_m"] = film
+    attributes |= {name: film for name, film in films.items() if film is not None}
     return xr.Dataset(variables, coords=coordinates, attrs=attributes)
 
 
@@ -113,7 +119,7 @@ def write_results(result: Deformed, directory: Path) -> list[Path]:
 def _write_trace(result: Deformed, path: Path) -> None:
     step = max(result.surface.step_x_m, result.surface.step_y_m)
     before, after = result.surface.height.ravel(), result.height.ravel()
-    film = result.conditions.central_film_m
+    film = result.statistics.mean_film_m
     table = pd.DataFrame(
         {
             f"{result.surface.trace_axis}_um": np.arange(before.size) * step * UM,
