@@ -7,8 +7,8 @@ module ehlwave_results_file
    use ehlwave_case_keys, only: case_key_list
    use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_record, only: case_record
-   use ehlwave_case_text, only: effective_input, input_identity
-   use ehlwave_errors, only: error_t, raise
+   use ehlwave_case_text, only: effective_input
+   use ehlwave_errors, only: error_t
    use ehlwave_field_file, only: write_provenance
    use ehlwave_hdf5_file, only: hdf5_file_t
    use ehlwave_key_list, only: key_list_t
@@ -34,7 +34,7 @@ module ehlwave_results_file
 contains
 
    !> Write all rows. The file appears under its name only when it is complete.
-   !> Fails when it cannot be written, or when a record does not belong to the case whose identity it has.
+   !> Fails when it cannot be written.
    subroutine write_results(path, sweep_text, sweep, contents, error)
       character(len=*), intent(in) :: path
       character(len=*), intent(in) :: sweep_text       !! the sweep file as it was
@@ -52,11 +52,6 @@ contains
       call add_layout(json_columns(table), contents, layout)
       do i = 1, n
          place(i) = contents%index%find(sweep%identity(i))
-         if (place(i) == 0) cycle
-         if (input_identity(contents%input(place(i))) == sweep%identity(i)) cycle
-         call raise(error, 'the store has a record of case '//sweep%identity(i)//' with the input of '// &
-                    'another case: keep the store for inspection and name another results file')
-         return
       end do
       call file%create(path, error)
       if (allocated(error)) return

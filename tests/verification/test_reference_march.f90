@@ -48,7 +48,7 @@ contains
    real(dp) function number(column, row)
       integer, intent(in) :: column, row
       integer :: status
-      read (table%cells(column, row), *, iostat=status) number
+      read (table%cell(column, row), *, iostat=status) number
       call test%check_equal(status, 0, 'number')
    end function number
 
@@ -68,7 +68,7 @@ contains
       associate (conditions => make_conditions(number(column_m, row), number(column_d, row)))
          call make_multigrid(multigrid, conditions%m, conditions%d, cells, .true.)
          wave = new_waviness(wavelength, 0.0_dp, .false., -2.5_dp, 1.0_dp)
-         if (table%cells(column_orientation, row) == 'isotropic') &
+         if (table%cell(column_orientation, row) == 'isotropic') &
             wave = new_waviness(wavelength, conditions%elliptic%kappa*wavelength, .false., -2.5_dp, 1.0_dp)
       end associate
       call multigrid%solve(solve_limits_t(tolerance=1e-9_dp), 1e-3_dp)
