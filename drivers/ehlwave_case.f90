@@ -14,7 +14,7 @@ program ehlwave_case
    use ehlwave_log, only: log_monitor_t
    use ehlwave_output_path, only: check_output_path
    use ehlwave_petsc_library, only: finish_petsc
-   use ehlwave_posix, only: ignore_broken_pipes
+   use ehlwave_posix, only: end_program, ignore_broken_pipes
    use ehlwave_provenance, only: git_revision, program_version
    use ehlwave_provenance_list, only: print_version
    use ehlwave_quantities, only: add_plan, add_result
@@ -63,10 +63,10 @@ program ehlwave_case
       call finish(trim(usage(size(usage))), 0)
    else if (arguments%has('--keys')) then
       write (output_unit, '(a)', advance='no') case_key_reference(is_markdown=.false.)
-      stop 0, quiet=.true.
+      call end_program(0)
    else if (arguments%has('--version')) then
       call print_version(output_unit, arguments%has('--verbose'))
-      stop 0, quiet=.true.
+      call end_program(0)
    end if
    if (size(arguments%files) /= 1) call fail('give one input file; see ehlwave-case --help', 2)
 
@@ -115,14 +115,14 @@ contains
       integer, intent(in) :: code
       call print_last(line, is_written)
       if (.not. is_written) call fail('standard output could not be written', 3)
-      stop code, quiet=.true.
+      call end_program(code)
    end subroutine finish
 
    subroutine fail(message, code)
       character(len=*), intent(in) :: message
       integer, intent(in) :: code
       call complain('ehlwave-case', message)
-      stop code, quiet=.true.
+      call end_program(code)
    end subroutine fail
 
 end program ehlwave_case
