@@ -8,7 +8,6 @@ program ehlwave_case
    use ehlwave_case_report, only: print_plan, print_result
    use ehlwave_case_result, only: case_result_t
    use ehlwave_errors, only: error_t
-   use ehlwave_estimated_case, only: run_estimated_case
    use ehlwave_field_file, only: write_case_file
    use ehlwave_key_reference, only: case_key_reference
    use ehlwave_log, only: log_monitor_t
@@ -20,6 +19,7 @@ program ehlwave_case
    use ehlwave_quantities, only: add_plan, add_result
    use ehlwave_quantity, only: quantity_list_t
    use ehlwave_quantity_output, only: json_object
+   use ehlwave_refined_case, only: run_refined_case
    use ehlwave_status, only: is_success
    use ehlwave_terminal, only: complain, print_last
    implicit none (type, external)
@@ -37,7 +37,7 @@ program ehlwave_case
       '  --version        version of the program; --verbose: with build, libraries, processor', &
       '  --help           this text', &
       '', &
-      'Exit status: 0 converged (or unresolved, flagged in the result); 1 not converged;', &
+      'Exit status: 0 converged (or unresolved, flagged in the result); 1 not converged, or inaccurate;', &
       '             2 bad input or usage; 3 output could not be written', &
       '', &
       'A minimal input:   &conditions load_parameter_m = 100, lubricant_parameter_l = 12.05,', &
@@ -87,7 +87,7 @@ program ehlwave_case
 
    monitor%is_quiet = arguments%has('--quiet')
    flush (output_unit)
-   call run_estimated_case(case, plan, monitor, result)
+   call run_refined_case(case, plan, monitor, result)
    call finish_petsc()
    call print_result(output_unit, case, plan, result)
    if (arguments%has('--output')) then
