@@ -9,7 +9,20 @@ from numpy.typing import ArrayLike, NDArray
 
 from ehlwave.formula import Floats, wave_and_direction
 
-AMPLITUDE = (0.308, 0.4877, 0.3459, 0.2181, -0.1106, 2.231, 0.565, 1.589, 0.4387, -0.5849, 0.976, 0.3947)
+AMPLITUDE = (
+    0.308,
+    0.4877,
+    0.3459,
+    0.2181,
+    -0.1106,
+    2.231,
+    0.565,
+    1.589,
+    0.4387,
+    -0.5849,
+    0.976,
+    0.3947,
+)
 """Scale, powers of gamma M and L (transverse, longitudinal), direction; n0 to n4; m0, m1."""
 
 PHASE = (0.6944, -0.1981, 0.4979, -0.0853, 0.0459, 1.084, -0.17, 1.609, 5.671, 2.889)
@@ -68,7 +81,9 @@ def _phase(p: ArrayLike, x: Floats, along: Floats, load: Floats, lubricant: Floa
     p, s = np.asarray(p), 1 - along
     size = p[0] * (lubricant / 10) ** p[3] * (load / 100) ** p[4]
     size = size * np.where(along > 0, along, 1) ** (p[1] + p[2] * s) * (along > 0)
-    return np.asarray(size * (1 - _falling(p[5] * x * np.exp(p[6] * s), p[7] + p[8] / lubricant, p[9])))
+    return np.asarray(
+        size * (1 - _falling(p[5] * x * np.exp(p[6] * s), p[7] + p[8] / lubricant, p[9]))
+    )
 
 
 def _falling(x: Floats, sharpness: Floats, slope: Floats) -> Floats:

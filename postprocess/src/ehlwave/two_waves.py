@@ -39,8 +39,8 @@ SLIP_POWERS = (0.223, 0.492, 0.075)
 LAUNCH_LENGTH = (0.296, 0.55, 1.16)
 """d0, d1 and d2."""
 
-SLIPS = (0.3, 1.8)
-"""Slip parameters that the law was fitted to, smallest and largest."""
+FITTED_RANGES = {"M": (20.0, 1000.0), "L": (2.5, 20.0), "D": (0.1, 1.0), "S": (0.3, 1.8)}
+"""Conditions that the law was fitted to, smallest and largest."""
 
 
 @dataclass(frozen=True)
