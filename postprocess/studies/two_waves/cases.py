@@ -1,7 +1,8 @@
 """The cases of the study of two waves: space-filling over conditions, slip, oil and waves.
 
-Every operating condition (M, L, D, alpha) is computed in pure rolling with a Newtonian oil and under
-slip with an oil of its own, with the same waves: what slip changes can be read off pair by pair.
+Every operating condition (M, L, D, alpha) is computed in pure rolling with a Newtonian oil and
+under slip with an oil of its own, with the same waves: what slip changes can be read off pair by
+pair.
 """
 
 import math

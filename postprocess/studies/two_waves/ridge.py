@@ -4,6 +4,7 @@ The surface is low, 5 per cent of the film, so that a march in time is linear. P
 law, which needs no simulation, and both waves of a sweep of linear responses at these conditions.
 """
 
+import sys
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -45,6 +46,8 @@ SHARE = 0.05
 
 WAVELENGTHS = tuple(float(x) for x in np.geomspace(0.2, 8.0, 24).round(4))
 WAVES, MARCHES, SMOOTH = "sliding_waves", "sliding_ridges", "sliding_smooth"
+ALONG = "sliding_along"
+"""Names of the sweeps."""
 
 HALF_WIDTH = 0.25
 """Of the ridge, in units of a: height exp(-(x/0.25 a)^2)."""
@@ -100,7 +103,24 @@ def write_cases(folder: Path, cells: int = 128) -> list[str]:
     march = {**shared, "solver": {"error_estimate": "model"}, "output": {"fields": True}}
     sweeps.write_sweep(folder, MARCHES, rows, march)
     sweeps.write_sweep(folder, SMOOTH, [{"slip_parameter": slip} for slip in SLIPS], march)
-    return [WAVES, MARCHES, SMOOTH]
+    _write_along(folder, cells)
+    return [WAVES, MARCHES, SMOOTH, ALONG]
+
+
+def _write_along(folder: Path, cells: int) -> None:
+    """Write the two cases of which the film along the contact is drawn: both oils."""
+    groups = {
+        "conditions": {**CONTACT, "slip_parameter": SLIPS[0]},
+        "waviness": {"orientation": "transverse", "response": "harmonic"},
+        "grid": {"cells_x": cells, "cells_y": cells, "edges": "flooded"},
+        "output": {"fields": True},
+    }
+    oils: list[sweeps.Row] = [
+        {"flow_law": "newtonian"},
+        {"flow_law": "eyring", "eyring_stress_pa": STRESS_PA},
+    ]
+    rows = [{"wavelength_over_a": 0.7, **oil} for oil in oils]
+    sweeps.write_sweep(folder, ALONG, rows, groups)
 
 
 def end_time(slip: float) -> float:
@@ -219,3 +239,7 @@ def _line(path: Path) -> tuple[Floats, Floats]:
     fields = read_contact(path)
     middle = int(np.argmin(np.abs(fields["y"].values)))
     return fields["x"].values, fields["film"].values[middle]
+
+
+if __name__ == "__main__":
+    print(" ".join(write_cases(Path(sys.argv[1]))))

@@ -168,7 +168,7 @@ class Mover:
 def film_profile(
     movers: Sequence[Mover], place_m: ArrayLike, rolled_m: float, line_m: float = 0.0
 ) -> Floats:
-    """Return the film, m, along the contact at one time: smooth film and both waves of each surface.
+    """Return the film, m, along the contact at one time: the smooth one and the waves of surfaces.
 
     Parameters
     ----------

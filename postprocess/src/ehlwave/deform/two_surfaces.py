@@ -34,7 +34,8 @@ class FilmOfTwo:
         """Return what a user reads."""
         mean, least = float(np.mean(self.film_m)), float(np.min(self.film_m))
         return (
-            f"Both         film at the centre, mean {mean * UM:.4g} um, Rq {self.rq_m * UM:.4g} um, "
+            f"Both         film at the centre, mean {mean * UM:.4g} um, "
+            f"Rq {self.rq_m * UM:.4g} um, "
             f"smallest {least * UM:.4g} um, over {self.rolled_m[-1] * UM:.4g} um of rolling"
         )
 
