@@ -176,7 +176,7 @@ class Chart:
         wave, angle = np.broadcast_arrays(
             np.asarray(wavelength_over_a, float), np.asarray(angle_deg, float)
         )
-        places = self._shape.wave_coordinates(wave, angle).reshape(-1, 2)
+        places = self._shape.wave_coordinates(wave, angle).reshape(-1, 4)
         numbers = atlas._waves.at_waves(self._weights, places).reshape(*wave.shape, 4)
         film, pressure = self._shape.responses(wave, angle, numbers)
         points = atlas._waves.points

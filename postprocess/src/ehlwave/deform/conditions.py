@@ -190,6 +190,12 @@ def pressure_factor(kappa: float) -> float:
     return math.pi**2 * kappa / (16 * _integral_combinations(kappa)[1] ** 2)
 
 
+def moes_per_hertz(m: float, kappa: float) -> float:
+    """Return the film in the Moes scale for a film of c, the unit of H: eq. (6)."""
+    k, b = float(ellipk(1 - kappa**2)), _integral_combinations(kappa)[1]
+    return k / 2 * b ** (-1 / 3) * (6 * m * kappa / math.pi) ** (2 / 3)
+
+
 def moes_film(m: float, l: float, d: float) -> float:  # noqa: E741
     """Return the central film of a smooth contact in the Moes scale, (h/Rx)(2U)^(-1/2).
 
@@ -257,12 +263,11 @@ def _complete(values: Mapping[str, float], place: str) -> Conditions:
     _check_ratio(d, place)
     kappa = ellipticity(d)
     k, e = float(ellipk(1 - kappa**2)), float(ellipe(1 - kappa**2))
-    b = _integral_combinations(kappa)[1]
     approach, metres_per_moes = None, None
     source = "given (central_film_m)"
     if "radius_x_m" in values and math.isfinite(semi_axis_a_m):
         approach = semi_axis_a_m**2 * (1 + d) / (2 * values["radius_x_m"]) * k / e
-        per_unit_h = k / 2 * b ** (-1 / 3) * (6 * m * kappa / math.pi) ** (2 / 3)
+        per_unit_h = moes_per_hertz(m, kappa)
         metres_per_moes = approach / per_unit_h
         if film_m is None:
             film_m = moes_film(m, l, d) * metres_per_moes
