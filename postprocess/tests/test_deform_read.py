@@ -141,7 +141,8 @@ def comma(text: str) -> str:
     [
         (
             "stylus.txt",
-            "Roughness tester  No. 12\nDate\t2026-11-22\nCutoff\t0,8 mm\n\nPosition\tProfile\n[mm]\t[um]\n"
+            "Roughness tester  No. 12\nDate\t2026-11-22\nCutoff\t0,8 mm\n\n"
+            "Position\tProfile\n[mm]\t[um]\n"
             + comma(rows(POSITIONS, HEIGHTS, separator="\t")),
         ),
         (

@@ -16,7 +16,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from ehlwave_program import MPI_ARGUMENTS, MPI_ENVIRONMENT, namelist
+from ehlwave_program import MPI_ENVIRONMENT, mpi_command, namelist
 from hdf5_reading import read
 from store_reading import finished
 
@@ -62,7 +62,7 @@ class Torture:
 
     def start(self, output, *options, log="run.log"):
         """Start a run in the background."""
-        command = [os.environ.get("EHLWAVE_MPIEXEC") or "mpiexec", "-n", str(self.ranks), *MPI_ARGUMENTS,
+        command = [*mpi_command(self.ranks),
                    os.environ["EHLWAVE_SWEEP"], "sweep.nml", "--output", output, *options]
         with (self.folder/log).open("a") as file:
             return subprocess.Popen(command, cwd=self.folder, env={**os.environ, **MPI_ENVIRONMENT},

@@ -6,7 +6,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from ehlwave_program import MPI_ARGUMENTS, MPI_ENVIRONMENT, report, run
+from ehlwave_program import MPI_ENVIRONMENT, mpi_command, report, run
 from hdf5_reading import read
 
 CASES = 3000
@@ -40,7 +40,7 @@ class SweepScale(unittest.TestCase):
             self.assertEqual(set(data["rank"]), set(range(10)))   # rank 0 computes, too
 
     def synthetic(self, folder, cases, seconds, ranks):
-        command = [os.environ.get("EHLWAVE_MPIEXEC") or "mpiexec", "-n", str(ranks), *MPI_ARGUMENTS,
+        command = [*mpi_command(ranks),
                    os.environ["EHLWAVE_SYNTHETIC"], str(cases), str(seconds), "results.h5"]
         outcome = subprocess.run(command, cwd=folder, env={**os.environ, **MPI_ENVIRONMENT}, capture_output=True,
                                  text=True, check=False)

@@ -8,6 +8,7 @@ import xarray as xr
 from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.layout_engine import ConstrainedLayoutEngine
 from numpy.typing import NDArray
 
 from ehlwave.figures import COLOURS
@@ -51,7 +52,7 @@ def units_of(case: xr.Dataset) -> Units:
 
 
 def case_figure(case: xr.Dataset) -> Figure:
-    """Draw film and pressure over the contact, along its midplanes, and the film at the centre in time.
+    """Draw film and pressure over the contact and along its midplanes, the central film in time.
 
     Parameters
     ----------
@@ -69,15 +70,15 @@ def case_figure(case: xr.Dataset) -> Figure:
     has_time = case["time"].size > 1 if "time" in case else False
     with rc_context(_STYLE):
         if is_line:
-            figure = Figure(figsize=(7.4, 3.0), layout="constrained")
+            figure = Figure(figsize=(7.6, 3.0), layout=ConstrainedLayoutEngine(w_pad=0.15))
             lengthwise, history = figure.subplots(1, 2)
         else:
-            figure = Figure(figsize=(10.2, 5.4), layout="constrained")
+            figure = Figure(figsize=(10.6, 5.6), layout=ConstrainedLayoutEngine(w_pad=0.15))
             panels = figure.subplots(2, 3)
             (film_map, pressure_map, history), (lengthwise, crosswise, spare) = panels
             central = float(case["central_film"])
             _draw_map(film_map, case["film"].clip(max=FILM_SHOWN * central), units, units.film)
-            film_map.set_title(f"film, {units.names[2]}, up to {FILM_SHOWN:g} of the central one")
+            film_map.set_title(f"film, {units.names[2]}")
             _draw_map(pressure_map, case["pressure"], units, units.pressure, "magma")
             pressure_map.set_title(f"pressure, {units.names[3]}")
             _draw_midplane(crosswise, case, units, "y")
@@ -118,10 +119,10 @@ def _draw_contours(axes: Axes, case: xr.Dataset, units: Units) -> None:
     central = float(case["central_film"])
     film = case["film"] / central
     x, y = case["x"] * units.x, case["y"] * units.y
-    lines = axes.contour(x, y, film, np.arange(0.4, 2.01, 0.1), cmap="viridis", linewidths=0.8)
-    axes.clabel(lines, lines.levels[::3], fontsize=7)
+    lines = axes.contour(x, y, film, np.arange(0.2, 2.01, 0.2), cmap="viridis", linewidths=0.8)
+    axes.clabel(lines, lines.levels[::2], fontsize=7)
     _frame(axes, case["film"], units)
-    axes.set_title("film over that of the smooth centre")
+    axes.set_title("film over smooth central film")
 
 
 def _draw_midplane(axes: Axes, case: xr.Dataset, units: Units, along: str) -> None:
@@ -155,19 +156,20 @@ def _draw_history(axes: Axes, case: xr.Dataset, units: Units) -> None:
         )
         low, high = min(low, rigid.min()), max(high, rigid.max())
     axes.axhline(central, color="black", linewidth=0.6, linestyle=":", label="smooth")
-    axes.set_ylim(low - 0.08 * (high - low), high + 0.45 * (high - low))
+    axes.set_ylim(low - 0.08 * (high - low), high + 0.55 * (high - low))
     axes.set(xlabel=units.names[4], ylabel=units.names[2], title="film at the centre in time")
     axes.margins(x=0)
-    axes.legend(loc="upper right", frameon=False, ncols=3, columnspacing=1)
+    axes.legend(loc="upper left", frameon=False, fontsize=7)
 
 
 def undeformed_history(case: xr.Dataset) -> Floats | None:
     """Return the film at the centre that rigid waves would leave, in units of c.
 
-    Theory eq. (12) and (13): waves start at the inlet boundary behind a smooth front and move with S.
-    None for smooth cases, standing waves and measured surfaces.
+    Theory eq. (12) and (13): waves start at the inlet boundary behind a smooth front and move with
+    S. None for smooth cases, standing waves and measured surfaces.
     """
-    given = re.search(r"amplitude_over_film = (\S+)", str(case.attrs.get("effective_input", "")))
+    effective_input = str(case.attrs.get("effective_input", ""))
+    given = re.search(r"amplitude_over_film = (\S+)", effective_input)
     wave = float(case["wavelength_x_over_a"]) if "wavelength_x_over_a" in case else 0.0
     if given is None or not wave > 0 or case.attrs.get("orientation") == "none":
         return None

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.special import ellipk
 
-from ehlwave.deform.conditions import ellipticity, moes_film, moes_per_hertz
+from ehlwave.deform.conditions import ellipticity, moes_film, moes_per_film
 from ehlwave.formula import power_ratio, recommended_sharpness, wave_and_direction
 
 Floats = NDArray[np.float64]
@@ -16,8 +16,7 @@ CONTACT_COORDINATES = ("ln H", "ln L", "ln D", "ln alpha", "z")
 WAVE_COORDINATES = ("ln x", "angle, rad", "ln(lambda/b)", "ln(lambda/a)")
 
 INLET_SCALE = 0.18
-"""(lambda/a) H^(-2/3) over V of heavily loaded contacts, which it is proportional to: 1/exp(0.377)
-times the 0.263 of the recommended formula."""
+"""0.263 of the recommended formula, less by V over (lambda/a) H^(-2/3) of heavily loaded contacts."""
 
 
 def contact_coordinates(keys: Mapping[str, ArrayLike]) -> Floats:
@@ -26,7 +25,7 @@ def contact_coordinates(keys: Mapping[str, ArrayLike]) -> Floats:
     H, the central film of Moes' formula over the Hertz approach c, stands for M: the inlet is as long
     as H^(2/3) a, in contacts of any load.
     """
-    m, l, d, alpha, z = (
+    m, l, d, alpha, z = (  # noqa: E741
         np.atleast_1d(np.asarray(keys[name], dtype=float))
         for name in (
             "load_parameter_m",
@@ -43,7 +42,7 @@ def hertz_film(m: ArrayLike, l: ArrayLike, d: ArrayLike) -> Floats:  # noqa: E74
     """Return the central film of Moes' formula over the Hertz approach c."""
 
     def film(m: float, l: float, d: float) -> float:  # noqa: E741
-        return moes_film(m, l, d) / moes_per_hertz(m, ellipticity(d))
+        return moes_film(m, l, d) / moes_per_film(m, ellipticity(d))
 
     return np.asarray(np.vectorize(film, otypes=[float])(m, l, d))
 

@@ -47,5 +47,5 @@ def _from_file(path: Path) -> dict[str, Any]:
     if "conditions" not in groups:
         raise SurfaceError(f"conditions {path}: has no group &conditions")
     keys = dict(groups["conditions"])
-    oil = groups.get("lubricant", {})
-    return keys | {key: oil[key] for key in OIL_KEYS if key in oil}
+    lubricant = groups.get("lubricant", {})
+    return keys | {key: lubricant[key] for key in OIL_KEYS if key in lubricant}

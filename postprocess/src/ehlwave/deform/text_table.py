@@ -21,7 +21,7 @@ _HEIGHT = re.compile(r"(z|height|profil|amplitude|level|h(oe|\u00f6)he|roughness
 _QUANTITY = r"\s*[:=;,\t ]\s*([-+\d.,eE]+)[;,\t ]*[\[(]?([a-zA-Z\u00b5\u03bc]*)"
 _UNIT = r"[ _-]*units?\s*[:=;,\t ]+[\[(]?([a-zA-Z\u00b5\u03bc]+)"
 _STEP = re.compile(
-    r"^\W*(?:x[ _-]?)?(?:step|spacing|pitch|increment|sampling (?:interval|step|distance)|dx|delta ?x)"
+    r"^\W*(?:x[ _-]?)?(?:step|spacing|pitch|increment|sampling (?:interval|step|distance)|dx)"
     r"(?: size)?(?: in)?" + _QUANTITY,
     re.IGNORECASE | re.MULTILINE,
 )
@@ -64,8 +64,8 @@ def read_text_table(file: Path) -> TextTable:
     """Return a table of numbers, and the units and steps that the file states.
 
     Lines that begin with ``#`` and empty lines are skipped. Numbers begin with the first of three
-    lines that have as many of them; above them may stand anything, the last lines of it headings, from
-    which units are taken (``x [um]``, ``height (nm)``, ``x/mm``, ``x_m``), or a row of units. Numbers
+    lines that have as many of them; above them may stand anything, the last lines of it headings,
+    from which units are taken (``x [um]``, ``height (nm)``, ``x/mm``, ``x_m``), or a row of units. Numbers
     may have decimal commas.
 
     Raises
@@ -86,8 +86,8 @@ def read_text_table(file: Path) -> TextTable:
         _is_number(cell) for line in content for cell in re.split(r"[;,\t ]+", line.strip())
     ):
         raise SurfaceError(
-            f"{file}: holds no numbers; write positions and heights as two columns with headings such "
-            "as x_um;z_um"
+            f"{file}: holds no numbers; write positions and heights as two columns with headings "
+            "such as x_um;z_um"
         )
     start, separator = _first_numbers(content)
     above, body = content[:start], content[start:]
@@ -169,7 +169,7 @@ def _stated(said: str) -> dict[str, Any]:
 
 
 def position_and_height(table: TextTable) -> tuple[int, int] | None:
-    """Return which columns are positions and heights by their headings, None where they do not say."""
+    """Return which columns are positions and heights by their headings, None if they do not say."""
     position = [k for k, name in enumerate(table.names) if _POSITION.match(name)]
     height = [k for k, name in enumerate(table.names) if _HEIGHT.match(name)]
     if not position or not height:
