@@ -66,7 +66,7 @@ def cases(seed: int, count: int) -> Iterator[Row]:
 
 def _condition(unit: NDArray[np.float64]) -> tuple[Row, Row, Row] | None:
     """Return M, L, D and alpha; what rolls and what slides; nothing where no bearing is."""
-    m, l, d, alpha, stress = (  # noqa: E741
+    m, l, d, alpha, stress = (
         _between(bounds, share)
         for bounds, share in zip((LOADS, LUBRICANTS, RATIOS, ALPHAS_PER_PA, STRESSES_PA), unit, strict=False)
     )
