@@ -117,6 +117,11 @@ class Atlas:
             f"({data.attrs['program']}, {data.attrs['checksum'][:8]})"
         )
 
+    @property
+    def contact_scales(self) -> Floats:
+        """Lengths over which responses change with the coordinates of the contact."""
+        return self._waves.scales.contacts
+
     def at(self, keys: Mapping[str, float]) -> "Chart":
         """Return the chart of one contact.
 
@@ -194,7 +199,7 @@ def responses_of(data: xr.Dataset) -> Scattered:
     chosen = data["of_contact"].values.astype(np.intp)
     shape = Shape(*(data[name].values for name in list(CONTACT_RANGES)[:3]))[chosen]
     waves = data["wavelength_over_a"].values, data["angle_deg"].values
-    noise = np.hypot(NOISE, data["discretisation"].values / shape.formula(*waves) / SPREAD)
+    noise = np.hypot(NOISE, data["discretisation"].values / np.abs(shape.formula(*waves)) / SPREAD)
     return Scattered(contact_coordinates(data), chosen, shape.wave_coordinates(*waves), noise)
 
 

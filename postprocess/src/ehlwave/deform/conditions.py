@@ -111,7 +111,6 @@ class Conditions:
             film = (self.central_film_m or math.nan) / self.hertz_approach_c_m
         return hertz_medium(self.oil, self.kappa, self.alphabar, self.lambdabar, film, slip)
 
-
     def atlas_keys(self) -> dict[str, float]:
         """Return the coordinates of the contact in the atlas, by their keys."""
         return {
@@ -298,7 +297,6 @@ def _complete(values: Mapping[str, float], place: str) -> Conditions:
     _check_ratio(d, place)
     kappa = ellipticity(d)
     k, e = float(ellipk(1 - kappa**2)), float(ellipe(1 - kappa**2))
-    b = _integral_combinations(kappa)[1]
     approach, metres_per_moes = None, None
     source = "given (central_film_m)"
     if "radius_x_m" in values and math.isfinite(semi_axis_a_m):

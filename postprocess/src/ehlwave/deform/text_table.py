@@ -65,8 +65,8 @@ def read_text_table(file: Path) -> TextTable:
 
     Lines that begin with ``#`` and empty lines are skipped. Numbers begin with the first of three
     lines that have as many of them; above them may stand anything, the last lines of it headings,
-    from which units are taken (``x [um]``, ``height (nm)``, ``x/mm``, ``x_m``), or a row of units. Numbers
-    may have decimal commas.
+    from which units are taken (``x [um]``, ``height (nm)``, ``x/mm``, ``x_m``), or a row of units.
+    Numbers may have decimal commas.
 
     Raises
     ------
