@@ -239,7 +239,7 @@ def corrected_film(m: float, l: float, d: float) -> float:  # noqa: E741
     formula alone 11 per cent.
     """
     kappa = ellipticity(d)
-    load = math.pi**2 * kappa / (16 * _integral_combinations(kappa)[1] ** 2) * m
+    load = pressure_factor(kappa) * m
     share = 0.913 * (10 / l) ** 0.118 * (100 / load) ** 0.039 * d**0.021
     return share * moes_film(m, l, d) / moes_per_film(m, kappa)
 
