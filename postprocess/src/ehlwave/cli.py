@@ -9,6 +9,7 @@ from pathlib import Path
 import xarray as xr
 
 from ehlwave import figures, tables
+from ehlwave.case_figures import case_figure
 from ehlwave.contact import contact_figure, read_contact
 from ehlwave.deform.cli import add_commands
 from ehlwave.deform.harmonics import write_harmonic_table
@@ -120,6 +121,13 @@ def _contact(options: argparse.Namespace) -> None:
     print("\n".join(str(path) for path in written))
 
 
+def _plot(options: argparse.Namespace) -> None:
+    figure = case_figure(read_contact(options.case))
+    options.output.mkdir(parents=True, exist_ok=True)
+    written = figures.write_figure(figure, options.output, f"{options.case.stem}-case")
+    print("\n".join(str(path) for path in written))
+
+
 def _harmonics(options: argparse.Namespace) -> None:
     points = select_points(read_results(options.results), edges=options.edges)
     count = write_harmonic_table(options.csv, points)
@@ -194,6 +202,11 @@ def _parser() -> argparse.ArgumentParser:
     )
     add_output(contact)
     contact.set_defaults(run=_contact)
+    text = "draw one case in um, GPa and us: maps, midplanes, film at the centre in time"
+    plot = commands.add_parser("plot", help=text, description=text)
+    plot.add_argument("case", type=Path, metavar="FILE", help="HDF5 file of ehlwave-case --output")
+    add_output(plot)
+    plot.set_defaults(run=_plot)
     add_commands(commands)
     return parser
 

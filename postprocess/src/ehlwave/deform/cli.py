@@ -104,7 +104,7 @@ def add_commands(commands: Any) -> None:  # noqa: ANN401 - argparse does not nam
         "--formula",
         choices=("paper", "recommended", "two-waves"),
         help="in place of the atlas: (18) as printed; the formula with a quarter of its error; the "
-        "law of the two waves, with phase, which surfaces that slide take when nothing is named",
+        "law of the two waves, with phase, which is what slip is judged by anyway",
     )
     source.add_argument(
         "--table", type=Path, metavar="FILE", help="harmonic table to use in place of the formula"
@@ -194,11 +194,11 @@ def _deform(options: argparse.Namespace) -> None:
     both = None
     if options.second is not None:
         results.append(_predicted(options, options.second, second_conditions(conditions)))
-        both = film_of_two(*(result for result, _ in results))
-    print(_json_text(results, both) if options.json else _text(results, both))
+        both = film_of_two(*results)
+    print(_json_text(results, both) if options.json else _text(results, both, options))
     if options.output is not None:
         written = [] if both is None else [options.output / "film.csv"]
-        for (result, _), folder in zip(results, ("", "second"), strict=False):
+        for result, folder in zip(results, ("", "second"), strict=False):
             written += _write(result, options.output / folder)
         if both is not None:
             both.write(written[0])
@@ -206,30 +206,21 @@ def _deform(options: argparse.Namespace) -> None:
         print("\n".join(str(path) for path in written), file=listing)
 
 
-def _predicted(
-    options: argparse.Namespace, path: Path, conditions: Conditions
-) -> tuple[Deformed, list[Deformed]]:
-    """Return the prediction, and those by other transfers for comparison."""
+def _predicted(options: argparse.Namespace, path: Path, conditions: Conditions) -> Deformed:
     transfer = _transfer(options, conditions)
     surface = read_surface(path, read_options(options))
-
-    def by(one: Transfer) -> Deformed:
-        return deform_surface(surface, conditions, one, options.form, options.ends)
-
-    result = by(transfer)
-    is_compared = result.height.size <= MOST_COMPARED
-    return result, [by(other) for other in _others(transfer, conditions) if is_compared]
+    return deform_surface(surface, conditions, transfer, options.form, options.ends)
 
 
-def _text(results: list[tuple[Deformed, list[Deformed]]], both: FilmOfTwo | None) -> str:
-    texts = [report_text(result, others) for result, others in results]
-    return "\n".join([*texts, *([] if both is None else [both.text()])])
+def _text(results: list[Deformed], both: FilmOfTwo | None, options: argparse.Namespace) -> str:
+    reports = [report_text(result, _others(result, options)) for result in results]
+    return "\n".join([*reports, *([] if both is None else [both.text()])])
 
 
-def _json_text(results: list[tuple[Deformed, list[Deformed]]], both: FilmOfTwo | None) -> str:
+def _json_text(results: list[Deformed], both: FilmOfTwo | None) -> str:
     if both is None:
-        return report_json(results[0][0])
-    first, second = (json.loads(report_json(result)) for result, _ in results)
+        return report_json(results[0])
+    first, second = (json.loads(report_json(result)) for result in results)
     return json.dumps({"first": first, "second": second, "film": both.summary()}, indent=2)
 
 
@@ -276,14 +267,19 @@ def _transfer(options: argparse.Namespace, conditions: Conditions) -> Transfer:
         ) from error
 
 
-def _others(transfer: Transfer, conditions: Conditions) -> list[Transfer]:
+def _others(result: Deformed, options: argparse.Namespace) -> list[Deformed]:
     """Return what else can judge the components, for comparison."""
-    if conditions.slip_parameter != 1:
+    conditions = result.conditions
+    if result.height.size > MOST_COMPARED or conditions.slip_parameter != 1:
         return []
-    all_of_them: list[Transfer] = [RecommendedTransfer(conditions), FormulaTransfer(conditions)]
+    every: list[Transfer] = [RecommendedTransfer(conditions), FormulaTransfer(conditions)]
     with contextlib.suppress(RangeError):
-        all_of_them.insert(0, AtlasTransfer(conditions))
-    return [other for other in all_of_them if other.name != transfer.name]
+        every.insert(0, AtlasTransfer(conditions))
+    return [
+        deform_surface(result.surface, conditions, other, "none", options.ends)
+        for other in every
+        if other.name != result.transfer_name
+    ]
 
 
 def _with_film(conditions: Conditions) -> Conditions:

@@ -241,10 +241,10 @@ def corrected_film(m: float, l: float, d: float) -> float:  # noqa: E741
     kappa = ellipticity(d)
     load = pressure_factor(kappa) * m
     share = 0.913 * (10 / l) ** 0.118 * (100 / load) ** 0.039 * d**0.021
-    return share * moes_film(m, l, d) / _moes_per_film(m, kappa)
+    return share * moes_film(m, l, d) / moes_per_film(m, kappa)
 
 
-def _moes_per_film(m: float, kappa: float) -> float:
+def moes_per_film(m: float, kappa: float) -> float:
     """Return the film in the Moes scale per unit of H, eq. (6)."""
     b = _integral_combinations(kappa)[1]
     k = float(ellipk(1 - kappa**2))
@@ -301,7 +301,7 @@ def _complete(values: Mapping[str, float], place: str) -> Conditions:
     source = "given (central_film_m)"
     if "radius_x_m" in values and math.isfinite(semi_axis_a_m):
         approach = semi_axis_a_m**2 * (1 + d) / (2 * values["radius_x_m"]) * k / e
-        metres_per_moes = approach / _moes_per_film(m, kappa)
+        metres_per_moes = approach / moes_per_film(m, kappa)
         if film_m is None:
             film_m = moes_film(m, l, d) * metres_per_moes
             source = _FIT_TEXT
