@@ -47,8 +47,10 @@ contains
 
    real(dp) function number(column, row)
       integer, intent(in) :: column, row
+      character(len=:), allocatable :: cell
       integer :: status
-      read (table%cell(column, row), *, iostat=status) number
+      cell = table%cell(column, row)
+      read (cell, *, iostat=status) number
       call test%check_equal(status, 0, 'number')
    end function number
 
