@@ -4,6 +4,7 @@
 release build and ``mpiexec``.
 """
 
+import functools
 import json
 import os
 import subprocess
@@ -14,13 +15,13 @@ from typing import Any
 
 ROOT = Path(__file__).resolve().parents[2]
 
-# Open MPI as root in a container: no vader copies, loopback only.
+# Open MPI as root in a container: no vader copies, loopback only. Other MPIs do not look at them.
 MPI_ENVIRONMENT = {
     "OMPI_ALLOW_RUN_AS_ROOT": "1",
     "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
     "OMPI_MCA_btl_vader_single_copy_mechanism": "none",
 }
-MPI_ARGUMENTS = (
+_OPEN_MPI_ARGUMENTS = (
     *("--oversubscribe", "--mca", "oob_tcp_if_include", "lo"),
     *("--mca", "btl_tcp_if_include", "lo"),
 )
@@ -34,6 +35,20 @@ def program(name: str) -> Path:
     """Return where ``case`` or ``sweep`` is."""
     built = ROOT / "build" / "release" / "drivers" / f"ehlwave-{name}"
     return Path(os.environ.get(f"EHLWAVE_{name.upper()}") or built)
+
+
+def mpi_command(ranks: int) -> list[str]:
+    """Return what starts that many ranks on this machine, more than it has cores if need be."""
+    mpiexec = os.environ.get("EHLWAVE_MPIEXEC") or "mpiexec"
+    return [mpiexec, "-n", str(ranks), *(_OPEN_MPI_ARGUMENTS if is_open_mpi() else ())]
+
+
+@functools.cache
+def is_open_mpi() -> bool:
+    """Return whether ``mpiexec`` is Open MPI's."""
+    mpiexec = os.environ.get("EHLWAVE_MPIEXEC") or "mpiexec"
+    said = subprocess.run([mpiexec, "--version"], capture_output=True, text=True, check=False)
+    return "Open MPI" in said.stdout or "OpenRTE" in said.stdout
 
 
 def namelist(groups: Groups) -> str:
@@ -80,8 +95,7 @@ def run(
     """
     command = [str(program(name)), *map(str, arguments)]
     if ranks:
-        mpiexec = os.environ.get("EHLWAVE_MPIEXEC") or "mpiexec"
-        command = [mpiexec, "-n", str(ranks), *MPI_ARGUMENTS, *command]
+        command = [*mpi_command(ranks), *command]
     return subprocess.run(
         command,
         cwd=folder,

@@ -1,18 +1,20 @@
 """The one call: a contact, its film, its responses to waves, surfaces inside it."""
 
+import math
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from ehlwave.atlas.atlas import Atlas, load_atlas
-from ehlwave.atlas.ranges import ROLLING, SLIPS, WAVE_RANGE
-from ehlwave.deform.atlas_transfer import AtlasTransfer
+from ehlwave.atlas.ranges import WAVE_RANGE
+from ehlwave.deform.atlas_transfer import AtlasTransfer, with_atlas_film
 from ehlwave.deform.conditions import Conditions, conditions_from_keys, moes_film
 from ehlwave.deform.predict import Deformed, deform_surface
+from ehlwave.deform.prepare import Form, Window
 from ehlwave.deform.read import ReadOptions, read_surface
 from ehlwave.deform.surface import Surface
 from ehlwave.deform.transfer import FormulaTransfer, RecommendedTransfer, Transfer
-from ehlwave.errors import RangeError
+from ehlwave.errors import RangeError, SurfaceError
 
 
 @dataclass(frozen=True)
@@ -75,10 +77,11 @@ class Contact:
     atlas : path, optional
         Another atlas file than that of the package.
     **keys
-        Keys of the input files of ``ehlwave-case``: dimensional data (``radius_x_m``, ``radius_y_m``,
-        ``reduced_modulus_pa``, ``load_n``, ``mean_speed_m_per_s``, ``viscosity_pa_s``), or
-        ``load_parameter_m``, ``lubricant_parameter_l`` and ``radius_ratio_d``, then with
-        ``semi_axis_a_m`` (Hertz semi-axis along rolling) and ``radius_x_m`` where metres are asked for;
+        Keys of the input files of ``ehlwave-case``: dimensional data (``radius_x_m``,
+        ``radius_y_m``, ``reduced_modulus_pa``, ``load_n``, ``mean_speed_m_per_s``,
+        ``viscosity_pa_s``), or ``load_parameter_m``, ``lubricant_parameter_l`` and
+        ``radius_ratio_d``, then with ``semi_axis_a_m`` (Hertz semi-axis along rolling) and
+        ``radius_x_m`` where metres are asked for;
         ``pressure_viscosity_per_pa`` (2.2e-8) and ``roelands_index`` (0.68) of the oil;
         ``slip_parameter`` (1) of the rough surface.
 
@@ -130,7 +133,9 @@ class Contact:
             source=atlas.name,
         )
 
-    def response(self, wavelength_over_a: float, angle_deg: float = 0.0, slip_parameter: float = 1.0) -> Response:
+    def response(
+        self, wavelength_over_a: float, angle_deg: float = 0.0, slip_parameter: float = 1.0
+    ) -> Response:
         """Return the response at the contact centre to small waves, from the atlas.
 
         Parameters
@@ -138,7 +143,7 @@ class Contact:
         wavelength_over_a : float
             Wavelength along the wave vector over the Hertz semi-axis a, 0.1 to 4.
         angle_deg : float
-            Between wave vector and rolling direction, in metres: 0 transverse, 90 longitudinal ridges.
+            Between wave vector and rolling direction, in metres: 0 transverse, 90 longitudinal.
         slip_parameter : float
             S of the surface that carries the waves.
 
@@ -150,11 +155,92 @@ class Contact:
         """
         low, high = WAVE_RANGE
         if not low * (1 - 1e-9) <= wavelength_over_a <= high * (1 + 1e-9):
-            raise RangeError(f"wavelength_over_a = {wavelength_over_a:.5g} lies outside the atlas, which holds {low:g} to {high:g}")
+            raise RangeError(
+                f"wavelength_over_a = {wavelength_over_a:.5g} lies outside the atlas, which holds "
+                f"{low:g} to {high:g}"
+            )
         if not -1e-9 <= angle_deg <= 90 + 1e-9:
-            raise RangeError(f"angle_deg = {angle_deg:.5g} lies outside 0 to 90 (waves at -angle are the same)")
+            raise RangeError(
+                f"angle_deg = {angle_deg:.5g} lies outside 0 to 90 (waves at -angle are the same)"
+            )
         if slip_parameter != 1:
-            raise RangeError(f"slip_parameter = {slip_parameter:g}: the atlas holds pure rolling, slip_parameter = 1")
+            raise RangeError(
+                f"slip_parameter = {slip_parameter:g}: the atlas holds pure rolling, "
+                "slip_parameter = 1"
+            )
         atlas = self.atlas()
         found = atlas.at(self.conditions.atlas_keys()).responses(wavelength_over_a, angle_deg)
-        return Response(complex(found.film), complex(found.pressure), float(found.error), atlas.name)
+        return Response(
+            complex(found.film), complex(found.pressure), float(found.error), atlas.name
+        )
+
+    def transfer(self, by: str = "atlas") -> Transfer:
+        """Return what judges components: ``"atlas"``, or a formula: ``"recommended"``, ``"paper"``.
+
+        Raises
+        ------
+        RangeError
+            A ValueError: the contact lies outside the atlas, or there is slip.
+        """
+        if by == "atlas":
+            return AtlasTransfer(self.conditions, self.atlas())
+        if by == "recommended":
+            return RecommendedTransfer(self.conditions)
+        if by == "paper":
+            return FormulaTransfer(self.conditions)
+        raise RangeError(f"by = {by!r}: one of 'atlas', 'recommended', 'paper'")
+
+    def deform(
+        self,
+        surface: Surface | str | Path,
+        by: str = "atlas",
+        form: Form = "plane",
+        ends: Window = "mirror",
+        **reading: Any,  # noqa: ANN401
+    ) -> Deformed:
+        """Predict the shape of a measured surface inside the contact, and the film over it.
+
+        Parameters
+        ----------
+        surface : Surface or path
+            As :func:`ehlwave.read_surface` reads it.
+        by : {"atlas", "recommended", "paper"}
+            What components are judged by. The film is the atlas' where the contact lies in it.
+        form, ends
+            See :func:`ehlwave.deform_surface`.
+        **reading
+            Of :class:`ehlwave.deform.ReadOptions`, for what the file does not say.
+
+        Raises
+        ------
+        RangeError
+            A ValueError: the contact lies outside the atlas and `by` is ``"atlas"``.
+        SurfaceError
+            If the surface cannot be used, or the contact was given without lengths.
+        """
+        if not math.isfinite(self.conditions.semi_axis_a_m):
+            raise SurfaceError(
+                "Contact: a surface in metres needs semi_axis_a_m and radius_x_m besides M, L and D"
+            )
+        measured = (
+            surface
+            if isinstance(surface, Surface)
+            else read_surface(surface, ReadOptions(**reading))
+        )
+        transfer = self.transfer(by)
+        conditions = self.conditions
+        try:
+            conditions = with_atlas_film(conditions, self.atlas())
+        except RangeError:
+            if by == "atlas":
+                raise
+        return deform_surface(measured, conditions, transfer, form, ends)
+
+    def lambda_ratio(self, surface: Surface | str | Path, **options: Any) -> float:  # noqa: ANN401
+        """Return the mean film over Rq of the deformed surface; options as of :meth:`deform`."""
+        ratio = self.deform(surface, **options).statistics.lambda_ratio_after
+        if ratio is None:
+            raise SurfaceError(
+                "Contact: the film in metres needs radius_x_m besides semi_axis_a_m, M, L and D"
+            )
+        return ratio

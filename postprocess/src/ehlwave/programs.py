@@ -35,13 +35,16 @@ def find_program(name: str) -> Path:
     if found := shutil.which(name):
         return Path(found)
     here = Path(__file__).resolve()
-    built = [here.parents[3] / "build" / preset / "drivers" / name for preset in ("native", "release")]
+    built = [
+        here.parents[3] / "build" / preset / "drivers" / name for preset in ("native", "release")
+    ]
     wheel = here.parents[1] / "ehlwave_programs" / "bin" / name
     for path in (*built, wheel):
         if os.access(path, os.X_OK):
             return path
     raise ProgramError(
-        f"no program {name}: build it (scripts/build), put its folder on PATH, or name that folder in EHLWAVE_PROGRAMS"
+        f"no program {name}: build it (scripts/build), put its folder on PATH, or name that folder "
+        "in EHLWAVE_PROGRAMS"
     )
 
 

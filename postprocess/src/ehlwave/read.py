@@ -26,12 +26,12 @@ _OPEN_OPTIONS: dict[str, Any] = {
 }
 
 
-def read_results(paths: Sequence[str | Path]) -> xr.Dataset:
+def read_results(paths: str | Path | Sequence[str | Path]) -> xr.Dataset:
     """Read results files and join their cases.
 
     Parameters
     ----------
-    paths : sequence of path
+    paths : path, or sequence of path
         HDF5 files written by ``ehlwave-sweep``.
 
     Returns
@@ -50,6 +50,8 @@ def read_results(paths: Sequence[str | Path]) -> xr.Dataset:
         If a file is missing, given twice, unreadable, not a results file, of a newer format, or
         lacks a dataset that is needed.
     """
+    if isinstance(paths, (str, Path)):
+        paths = [paths]
     if not paths:
         raise ResultsError("no results file given")
     files = [Path(path) for path in paths]

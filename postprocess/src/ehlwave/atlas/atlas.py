@@ -1,11 +1,11 @@
 """The atlas file, and its answers for a contact."""
 
+import hashlib
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from ehlwave.atlas.coordinates import Complex, Floats, Shape, contact_coordinates
 from ehlwave.atlas.process import Process, Scales, Scattered, correlation
-from ehlwave.atlas.ranges import CONTACT_RANGES, WAVE_RANGE
+from ehlwave.atlas.ranges import CONTACT_RANGES
 from ehlwave.errors import RangeError, ResultsError
 
 FORMAT_NAME = "ehlwave-atlas"
@@ -21,6 +21,12 @@ SHIPPED = Path(__file__).with_name("rolling.nc")
 
 NEIGHBOURHOOD = 0.5
 """Of the length scales: how far around a wave errors of neighbours count for its own."""
+
+SPREAD = 0.2
+"""Of the numbers interpolated; noise counts relative to it."""
+
+NOISE = 3e-3
+"""Of all points: what keeps the equations of the weights well conditioned."""
 
 FILM_NUMBERS = ("film_ratio", "minimum_ratio")
 """Of contacts: ln of central over Moes' film, ln of smallest over central film."""
@@ -83,15 +89,24 @@ class Atlas:
         scales = json.loads(data.attrs["length_scales"])
         contacts = contact_coordinates(data)
         points = responses_of(data)
-        self._waves = Process(points, reduced_of(data), Scales(np.array(scales["contact"]), np.array(scales["wave"])))
+        self._waves = Process(
+            points, reduced_of(data), Scales(np.array(scales["contact"]), np.array(scales["wave"]))
+        )
         films = np.stack([data[name].values for name in FILM_NUMBERS], axis=1)
         self._film_means = films.mean(axis=0)
         of_films = Scattered(
-            contacts, np.arange(len(contacts)), np.empty((len(contacts), 0)), np.full(len(contacts), scales["film_noise"])
+            contacts,
+            np.arange(len(contacts)),
+            np.empty((len(contacts), 0)),
+            np.full(len(contacts), scales["film_noise"]),
         )
-        self._films = Process(of_films, films - self._film_means, Scales(np.array(scales["film"]), np.empty(0)))
+        self._films = Process(
+            of_films, films - self._film_means, Scales(np.array(scales["film"]), np.empty(0))
+        )
         self._misfit = data["error"].values.astype(float) ** 2
-        self._film_misfit = np.stack([data[f"{name}_error"].values for name in FILM_NUMBERS], axis=1) ** 2
+        self._film_misfit = (
+            np.stack([data[f"{name}_error"].values for name in FILM_NUMBERS], axis=1) ** 2
+        )
 
     @property
     def name(self) -> str:
@@ -101,6 +116,11 @@ class Atlas:
             f"atlas of {data.sizes['point']} responses of {data.sizes['contact']} contacts "
             f"({data.attrs['program']}, {data.attrs['checksum'][:8]})"
         )
+
+    @property
+    def contact_scales(self) -> Floats:
+        """Lengths over which responses change with the coordinates of the contact."""
+        return self._waves.scales.contacts
 
     def at(self, keys: Mapping[str, float]) -> "Chart":
         """Return the chart of one contact.
@@ -118,8 +138,8 @@ class Atlas:
         for key, (low, high) in CONTACT_RANGES.items():
             if not low * (1 - 1e-9) <= keys[key] <= high * (1 + 1e-9):
                 raise RangeError(
-                    f"{key} = {keys[key]:.5g} lies outside the atlas, which holds {low:g} to {high:g}: use a "
-                    "formula (formula='recommended'), or compute it (ehlwave.Case, or a harmonic table)"
+                    f"{key} = {keys[key]:.5g} lies outside the atlas, which holds {low:g} to "
+                    f"{high:g}: name a formula, or compute it (ehlwave.Case, a harmonic table)"
                 )
         return Chart(self, keys)
 
@@ -143,7 +163,9 @@ class Chart:
         squares = self._near @ atlas._film_misfit / self._near.sum()
         central = moes * float(np.exp(numbers[0]))
         errors = np.sqrt(squares) * atlas.data.attrs["film_error_factor"]
-        return SmoothFilm(central, central * float(np.exp(numbers[1])), float(errors[0]), float(errors.sum()))
+        return SmoothFilm(
+            central, central * float(np.exp(numbers[1])), float(errors[0]), float(errors.sum())
+        )
 
     def responses(self, wavelength_over_a: ArrayLike, angle_deg: ArrayLike) -> Responses:
         """Return responses to waves of these lengths along their wave vectors and directions.
@@ -156,8 +178,10 @@ class Chart:
             Between wave vector and rolling direction, in metres, 0 to 90; shape of the wavelengths.
         """
         atlas = self._atlas
-        wave, angle = np.broadcast_arrays(np.asarray(wavelength_over_a, float), np.asarray(angle_deg, float))
-        places = self._shape.wave_coordinates(wave, angle).reshape(-1, 2)
+        wave, angle = np.broadcast_arrays(
+            np.asarray(wavelength_over_a, float), np.asarray(angle_deg, float)
+        )
+        places = self._shape.wave_coordinates(wave, angle).reshape(-1, 4)
         numbers = atlas._waves.at_waves(self._weights, places).reshape(*wave.shape, 4)
         film, pressure = self._shape.responses(wave, angle, numbers)
         points = atlas._waves.points
@@ -165,20 +189,25 @@ class Chart:
         near *= self._near[points.of_contact]
         squares = near @ atlas._misfit / np.maximum(near.sum(axis=1), 1e-300)
         factor = atlas.data.attrs["error_factor"]
-        return Responses(film, pressure, np.sqrt(factor**2 * squares.reshape(wave.shape) + PRECISION**2))
+        return Responses(
+            film, pressure, np.sqrt(factor**2 * squares.reshape(wave.shape) + PRECISION**2)
+        )
 
 
 def responses_of(data: xr.Dataset) -> Scattered:
     """Return where an atlas has responses."""
     chosen = data["of_contact"].values.astype(np.intp)
-    keys = [data[name].values for name in list(CONTACT_RANGES)[:3]]
-    waves = Shape(*keys)[chosen].wave_coordinates(data["wavelength_over_a"].values, data["angle_deg"].values)
-    return Scattered(contact_coordinates(data), chosen, waves, data["noise"].values.astype(float))
+    shape = Shape(*(data[name].values for name in list(CONTACT_RANGES)[:3]))[chosen]
+    waves = data["wavelength_over_a"].values, data["angle_deg"].values
+    noise = np.hypot(NOISE, data["discretisation"].values / np.abs(shape.formula(*waves)) / SPREAD)
+    return Scattered(contact_coordinates(data), chosen, shape.wave_coordinates(*waves), noise)
 
 
 def reduced_of(data: xr.Dataset) -> Floats:
     """Return the numbers that are interpolated, shape (points, 4)."""
-    shape = Shape(*(data[name].values for name in list(CONTACT_RANGES)[:3]))[data["of_contact"].values.astype(np.intp)]
+    shape = Shape(*(data[name].values for name in list(CONTACT_RANGES)[:3]))[
+        data["of_contact"].values.astype(np.intp)
+    ]
     film = data["film_real"].values + 1j * data["film_imaginary"].values
     pressure = data["pressure_real"].values + 1j * data["pressure_imaginary"].values
     return shape.reduced(data["wavelength_over_a"].values, data["angle_deg"].values, film, pressure)
@@ -194,7 +223,7 @@ def load_atlas(path: str | Path = SHIPPED) -> Atlas:
         If it cannot be read, is none, or its checksum is not that of its data.
     """
     try:
-        with xr.open_dataset(path, engine="h5netcdf") as opened:
+        with xr.open_dataset(path) as opened:
             data = opened.load()
     except (OSError, ValueError) as error:
         raise ResultsError(f"{path}: cannot be read as an atlas ({error})") from error
@@ -205,8 +234,6 @@ def load_atlas(path: str | Path = SHIPPED) -> Atlas:
 
 def checksum(data: xr.Dataset) -> str:
     """Return the SHA-256 digest of all values, variables in alphabetical order."""
-    import hashlib
-
     digest = hashlib.sha256()
     for name in sorted(str(name) for name in data.variables):
         digest.update(name.encode() + np.ascontiguousarray(data[name].values).tobytes())

@@ -2,7 +2,8 @@
 
 Of a contact the coordinates are fixed while waves change, so the kernel is the product of one of
 contacts and one of waves: with the first evaluated once, a wave costs one row of the second.
-Rasmussen and Williams, *Gaussian Processes for Machine Learning* (2006), (2.25) and (5.8); Matern 5/2, (4.17).
+Rasmussen and Williams, *Gaussian Processes for Machine Learning* (2006), (2.25) and (5.8); Matern
+5/2, (4.17).
 """
 
 from dataclasses import dataclass
@@ -73,11 +74,13 @@ class Process:
     def __init__(self, points: Scattered, values: Floats, scales: Scales) -> None:
         """Take values, shape (n, outputs), of mean 0 far from all points."""
         self.points, self.scales = points, scales
-        factor = cho_factor(covariance(points, scales), lower=True, overwrite_a=True, check_finite=False)
+        factor = cho_factor(
+            covariance(points, scales), lower=True, overwrite_a=True, check_finite=False
+        )
         self.weights = cho_solve(factor, values, check_finite=False)
 
     def at_contact(self, contact: Floats) -> Floats:
-        """Return the weights of all points for a contact, coordinates of shape (k,): (n, outputs)."""
+        """Return the weights of all points, (n, outputs), for a contact of coordinates (k,)."""
         near = correlation(contact[None, :], self.points.contacts, self.scales.contacts)[0]
         return near[self.points.of_contact, None] * self.weights
 

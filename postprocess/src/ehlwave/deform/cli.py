@@ -1,12 +1,14 @@
 """``ehlwave deform`` and ``ehlwave harmonics``."""
 
 import argparse
+import contextlib
 import json
 import sys
 from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
+from ehlwave.deform.atlas_transfer import AtlasTransfer, with_atlas_film
 from ehlwave.deform.coefficients import read_coefficients
 from ehlwave.deform.conditions import Conditions
 from ehlwave.deform.conditions_read import read_conditions
@@ -22,13 +24,18 @@ from ehlwave.deform.table import TableTransfer
 from ehlwave.deform.table_read import read_table
 from ehlwave.deform.transfer import FormulaTransfer, RecommendedTransfer, Transfer
 from ehlwave.deform.two_surfaces import FilmOfTwo, film_of_two
-from ehlwave.errors import SurfaceError
+from ehlwave.errors import RangeError, SurfaceError
 from ehlwave.figures import write_figure
+
+MOST_COMPARED = 2**20
+"""Points of a surface that is judged by formulas besides, for comparison."""
 
 DESCRIPTION = """\
 Predict the shape of a surface inside the contact, without a simulation: decompose it into
-harmonics, reduce each by Ad/Ai = 1/(1 + 0.15 f V + 0.015 (f V)^2) of Venner, Kaneta and Lubrecht
-(2000), by the recommended formula, or by a harmonic table, and add them up again."""
+harmonics, take each with amplitude and phase from the atlas of computed responses, and add them up
+again. In place of the atlas: a harmonic table of your own, the recommended formula, or
+Ad/Ai = 1/(1 + 0.15 f V + 0.015 (f V)^2) of Venner, Kaneta and Lubrecht (2000). The report says
+which it was, how far it can be trusted, and what the others say."""
 
 EPILOG = """\
 Conditions are an input file of ehlwave-case, or KEY=VALUE with its keys, or both:
@@ -38,7 +45,8 @@ Conditions are an input file of ehlwave-case, or KEY=VALUE with its keys, or bot
                mean_speed_m_per_s=0.024 viscosity_pa_s=1.22 pressure_viscosity_per_pa=2.25e-8
   --conditions load_parameter_m=100 lubricant_parameter_l=10 radius_ratio_d=1
                semi_axis_a_m=0.2e-3 radius_x_m=12.5e-3
-The film thickness is that of a formula for smooth contacts; central_film_m=... replaces it.
+The film thickness is that of the atlas, outside it that of a formula for smooth contacts (up to
+20 % too thick); central_film_m=... replaces it.
 
 Form removal: the radii are in the conditions, so they must not be in the roughness as well. 'plane'
 removes the tilt of the specimen; 'quadratic' also the curvature of a ball or roller.
@@ -95,9 +103,8 @@ def add_commands(commands: Any) -> None:  # noqa: ANN401 - argparse does not nam
     source.add_argument(
         "--formula",
         choices=("paper", "recommended", "two-waves"),
-        default="paper",
-        help="(18) as printed; the formula with a quarter of its error; the law of the two waves, "
-        "with phase and under slip; see the README",
+        help="in place of the atlas: (18) as printed; the formula with a quarter of its error; the "
+        "law of the two waves, with phase, which is what slip is judged by anyway",
     )
     source.add_argument(
         "--table", type=Path, metavar="FILE", help="harmonic table to use in place of the formula"
@@ -182,13 +189,13 @@ def read_options(options: argparse.Namespace) -> ReadOptions:
 
 
 def _deform(options: argparse.Namespace) -> None:
-    conditions = read_conditions(options.conditions)
+    conditions = _with_film(read_conditions(options.conditions))
     results = [_predicted(options, options.surface, conditions)]
     both = None
     if options.second is not None:
         results.append(_predicted(options, options.second, second_conditions(conditions)))
         both = film_of_two(*results)
-    print(_json_text(results, both) if options.json else _text(results, both))
+    print(_json_text(results, both) if options.json else _text(results, both, options))
     if options.output is not None:
         written = [] if both is None else [options.output / "film.csv"]
         for result, folder in zip(results, ("", "second"), strict=False):
@@ -205,8 +212,9 @@ def _predicted(options: argparse.Namespace, path: Path, conditions: Conditions) 
     return deform_surface(surface, conditions, transfer, options.form, options.ends)
 
 
-def _text(results: list[Deformed], both: FilmOfTwo | None) -> str:
-    return "\n".join([*map(report_text, results), *([] if both is None else [both.text()])])
+def _text(results: list[Deformed], both: FilmOfTwo | None, options: argparse.Namespace) -> str:
+    reports = [report_text(result, _others(result, options)) for result in results]
+    return "\n".join([*reports, *([] if both is None else [both.text()])])
 
 
 def _json_text(results: list[Deformed], both: FilmOfTwo | None) -> str:
@@ -247,6 +255,36 @@ def _transfer(options: argparse.Namespace, conditions: Conditions) -> Transfer:
         return FormulaTransfer(conditions, c1, c2, name)
     if options.formula == "recommended":
         return RecommendedTransfer(conditions)
-    if options.formula == "two-waves":
+    if options.formula == "paper":
+        return FormulaTransfer(conditions)
+    if options.formula == "two-waves" or conditions.slip_parameter != 1:
         return TwoWaveTransfer(conditions)
-    return FormulaTransfer(conditions)
+    try:
+        return AtlasTransfer(conditions)
+    except RangeError as error:
+        raise SurfaceError(
+            f"{error}. A formula is used when named: --formula recommended"
+        ) from error
+
+
+def _others(result: Deformed, options: argparse.Namespace) -> list[Deformed]:
+    """Return what else can judge the components, for comparison."""
+    conditions = result.conditions
+    if result.height.size > MOST_COMPARED or conditions.slip_parameter != 1:
+        return []
+    every: list[Transfer] = [RecommendedTransfer(conditions), FormulaTransfer(conditions)]
+    with contextlib.suppress(RangeError):
+        every.insert(0, AtlasTransfer(conditions))
+    return [
+        deform_surface(result.surface, conditions, other, "none", options.ends)
+        for other in every
+        if other.name != result.transfer_name
+    ]
+
+
+def _with_film(conditions: Conditions) -> Conditions:
+    """Return conditions with the film of the atlas, or with that of the formula outside it."""
+    try:
+        return with_atlas_film(conditions)
+    except RangeError:
+        return conditions

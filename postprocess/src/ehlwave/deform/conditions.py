@@ -16,9 +16,6 @@ from ehlwave.errors import SurfaceError
 from ehlwave.formula import v
 from ehlwave.medium import Medium, Oil, hertz_medium
 
-DEFAULT_PRESSURE_VISCOSITY = 2.2e-8
-"""alpha, 1/Pa, when none is given, as in ``ehlwave-case``."""
-
 SMALLEST_RADIUS_RATIO = 0.005
 
 MOES_KEYS = ("load_parameter_m", "lubricant_parameter_l", "radius_ratio_d")
@@ -63,6 +60,8 @@ class Conditions:
         Where the film thickness comes from.
     oil : Oil
         What waves under slip depend on besides.
+    metres_per_moes : float or None
+        Film in m for one of 1 in the Moes scale.
     """
 
     m: float
@@ -76,6 +75,7 @@ class Conditions:
     central_film_m: float | None
     film_source: str
     oil: Oil = field(default_factory=Oil)
+    metres_per_moes: float | None = None
 
     @property
     def semi_axis_b_m(self) -> float:
@@ -111,8 +111,20 @@ class Conditions:
             film = (self.central_film_m or math.nan) / self.hertz_approach_c_m
         return hertz_medium(self.oil, self.kappa, self.alphabar, self.lambdabar, film, slip)
 
+    def atlas_keys(self) -> dict[str, float]:
+        """Return the coordinates of the contact in the atlas, by their keys."""
+        return {
+            "load_parameter_m": self.m,
+            "lubricant_parameter_l": self.l,
+            "radius_ratio_d": self.d,
+            "pressure_viscosity_per_pa": self.oil.pressure_viscosity_per_pa,
+            "roelands_index": self.oil.roelands_index,
+        }
 
-def conditions_from_keys(keys: Mapping[str, Any], place: str = "conditions") -> Conditions:
+
+def conditions_from_keys(
+    keys: Mapping[str, Any], place: str = "conditions", *, needs_lengths: bool = True
+) -> Conditions:
     """Return the conditions given by keys of ``ehlwave-case``.
 
     Parameters
@@ -120,7 +132,8 @@ def conditions_from_keys(keys: Mapping[str, Any], place: str = "conditions") -> 
     keys : mapping
         Either all of ``radius_x_m``, ``radius_y_m``, ``reduced_modulus_pa``, ``load_n``,
         ``mean_speed_m_per_s``, ``viscosity_pa_s`` (reduced radii and E' with
-        2/E' = (1-nu1^2)/E1 + (1-nu2^2)/E2), and ``pressure_viscosity_per_pa`` (2.2e-8 if absent);
+        2/E' = (1-nu1^2)/E1 + (1-nu2^2)/E2), and ``pressure_viscosity_per_pa`` (2.2e-8 if absent)
+        and ``roelands_index`` (0.68 if absent);
         or ``load_parameter_m``, ``lubricant_parameter_l``, ``radius_ratio_d`` with
         ``semi_axis_a_m`` and, for the film thickness, ``radius_x_m``. In both cases
         ``slip_parameter`` (1 if absent) and ``central_film_m``, which replaces the film thickness
@@ -128,6 +141,8 @@ def conditions_from_keys(keys: Mapping[str, Any], place: str = "conditions") -> 
         also ``reduced_modulus_pa``), of which and of ``roelands_index`` waves under slip depend.
     place : str
         Begins every message.
+    needs_lengths : bool
+        Whether M, L and D must come with ``semi_axis_a_m``; NaN stands for it otherwise.
 
     Raises
     ------
@@ -143,7 +158,7 @@ def conditions_from_keys(keys: Mapping[str, Any], place: str = "conditions") -> 
             f"{place}: gives both {MOES_KEYS[0]}, ... and {extra[0]}: give the Moes parameters or "
             "dimensional data"
         )
-    needed = (*MOES_KEYS, "semi_axis_a_m") if has_moes else DIMENSIONAL_KEYS
+    needed = (*MOES_KEYS, *(("semi_axis_a_m",) * needs_lengths)) if has_moes else DIMENSIONAL_KEYS
     advice = (
         f"M, L and D need all of {', '.join(MOES_KEYS)}, and semi_axis_a_m (the Hertz semi-axis "
         "along rolling) to relate metres to the contact"
@@ -154,7 +169,9 @@ def conditions_from_keys(keys: Mapping[str, Any], place: str = "conditions") -> 
     missing = [key for key in needed if key not in values]
     if missing:
         raise SurfaceError(f"{place}: {missing[0]} is missing: {advice}")
-    if not has_moes:
+    if has_moes:
+        values.setdefault("semi_axis_a_m", math.nan)
+    else:
         if "semi_axis_a_m" in values:
             raise SurfaceError(
                 f"{place}: semi_axis_a_m follows from the dimensional data: remove it"
@@ -224,10 +241,10 @@ def corrected_film(m: float, l: float, d: float) -> float:  # noqa: E741
     kappa = ellipticity(d)
     load = pressure_factor(kappa) * m
     share = 0.913 * (10 / l) ** 0.118 * (100 / load) ** 0.039 * d**0.021
-    return share * moes_film(m, l, d) / _moes_per_film(m, kappa)
+    return share * moes_film(m, l, d) / moes_per_film(m, kappa)
 
 
-def _moes_per_film(m: float, kappa: float) -> float:
+def moes_per_film(m: float, kappa: float) -> float:
     """Return the film in the Moes scale per unit of H, eq. (6)."""
     b = _integral_combinations(kappa)[1]
     k = float(ellipk(1 - kappa**2))
@@ -257,7 +274,7 @@ def _integral_combinations(kappa: float) -> tuple[float, float]:
 def _moes_values(values: Mapping[str, float], place: str) -> dict[str, float]:
     """Return M, L, D and the semi-axis a, m, that dimensional data give, eq. (1) and (2)."""
     radius_x, radius_y, modulus, load, speed, viscosity = (values[key] for key in DIMENSIONAL_KEYS)
-    alpha = values.get("pressure_viscosity_per_pa", DEFAULT_PRESSURE_VISCOSITY)
+    alpha = values.get("pressure_viscosity_per_pa", Oil.pressure_viscosity_per_pa)
     speed_2u = viscosity * 2 * speed / (modulus * radius_x)
     load_w = load / (modulus * radius_x**2)
     d = radius_x / radius_y
@@ -280,12 +297,13 @@ def _complete(values: Mapping[str, float], place: str) -> Conditions:
     _check_ratio(d, place)
     kappa = ellipticity(d)
     k, e = float(ellipk(1 - kappa**2)), float(ellipe(1 - kappa**2))
-    approach = None
+    approach, metres_per_moes = None, None
     source = "given (central_film_m)"
-    if "radius_x_m" in values:
+    if "radius_x_m" in values and math.isfinite(semi_axis_a_m):
         approach = semi_axis_a_m**2 * (1 + d) / (2 * values["radius_x_m"]) * k / e
+        metres_per_moes = approach / moes_per_film(m, kappa)
         if film_m is None:
-            film_m = approach * moes_film(m, l, d) / _moes_per_film(m, kappa)
+            film_m = moes_film(m, l, d) * metres_per_moes
             source = _FIT_TEXT
     if film_m is None:
         source = "unknown: give central_film_m or radius_x_m"
@@ -301,11 +319,12 @@ def _complete(values: Mapping[str, float], place: str) -> Conditions:
         central_film_m=film_m,
         film_source=source,
         oil=_oil(values, place),
+        metres_per_moes=metres_per_moes,
     )
 
 
 def _oil(values: Mapping[str, float], place: str) -> Oil:
-    alpha = values.get("pressure_viscosity_per_pa", DEFAULT_PRESSURE_VISCOSITY)
+    alpha = values.get("pressure_viscosity_per_pa", Oil.pressure_viscosity_per_pa)
     index = values.get("roelands_index", Oil.roelands_index)
     stress = values.get("eyring_stress_pa")
     if stress is None:

@@ -43,6 +43,9 @@ class Deformed:
         Components outside what the formula or table was made for, by reason.
     warnings : list of str
         What makes the prediction doubtful.
+    error_m : float or None
+        Root mean square error of the deformed heights by the errors of the responses, m; None: the
+        transfer has none.
     """
 
     surface: Surface
@@ -55,6 +58,7 @@ class Deformed:
     statistics: FilmStatistics
     unjudged: list[Unjudged] = field(default_factory=list)
     warnings: list[str] = field(default_factory=list)
+    error_m: float | None = None
 
 
 def deform_surface(
@@ -116,6 +120,7 @@ def deform_surface(
         statistics=statistics,
         unjudged=cover.unjudged(),
         warnings=warnings_of(statistics, conditions),
+        error_m=cover.error_m(),
     )
 
 

@@ -19,8 +19,11 @@ UM = 1e6
 CSV_FORMAT: Any = {"index": False, "float_format": "%.9g", "lineterminator": "\r\n"}
 
 
-def report_text(result: Deformed) -> str:
-    """Return what a user reads: conditions, statistics, what cannot be judged, warnings."""
+def report_text(result: Deformed, others: Sequence[Deformed] = ()) -> str:
+    """Return what a user reads: conditions, statistics, what cannot be judged, warnings.
+
+    `others`: the same surface by other transfers, for comparison.
+    """
     c, s = result.conditions, result.statistics
     lines = [
         f"Surface      {result.surface.name}: {_size_text(result)}; form removed: {result.form}; "
@@ -32,6 +35,12 @@ def report_text(result: Deformed) -> str:
         f"(ratio {_ratio(s.rq_after_m, s.rq_before_m):.4g}); from lowest to highest "
         f"{s.rz_before_m * UM:.4g} and {s.rz_after_m * UM:.4g} um",
     ]
+    if result.error_m is not None:
+        share = _ratio(result.error_m, s.rq_before_m)
+        lines.append(
+            f"Error        {result.error_m * UM:.2g} um rms of the deformed heights, "
+            f"{100 * share:.2g} % of Rq before: by the error bars of the responses"
+        )
     if s.mean_film_m is not None and s.minimum_film_m is not None:
         rise = "its rise by the roughness is not known"
         if s.mean_rise_m is not None:
@@ -42,6 +51,10 @@ def report_text(result: Deformed) -> str:
             f"             lambda ratio {s.lambda_ratio_before:.4g} with the undeformed roughness, "
             f"{s.lambda_ratio_after:.4g} with the deformed one (of this surface alone)",
         ]
+    for other in others:
+        t = other.statistics
+        ratio = "" if t.lambda_ratio_after is None else f", lambda ratio {t.lambda_ratio_after:.4g}"
+        lines.append(f"Others       {t.rq_after_m * UM:.4g} um Rq{ratio} by {other.transfer_name}")
     for group in result.unjudged:
         lines.append(
             f"Not judged   {group.components} component(s) {group.reason}: "
@@ -68,6 +81,7 @@ def report_json(result: Deformed) -> str:
         "transfer": result.transfer_name,
         "conditions": asdict(result.conditions),
         "statistics": asdict(result.statistics),
+        "error_m": result.error_m,
         "not_judged": [asdict(group) for group in result.unjudged],
         "warnings": result.warnings,
     }

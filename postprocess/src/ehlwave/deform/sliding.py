@@ -72,6 +72,9 @@ class TwoWaveTransfer:
     def rise(self, per_length_x: Waves, per_length_y: Waves) -> None:
         """Return None: the law is linear."""
 
+    def error(self, per_length_x: Waves, per_length_y: Waves) -> None:
+        """Return None: what the law is off by depends on the contact."""
+
     @property
     def covers_all(self) -> bool:
         """Return whether the conditions are those of the fit."""

@@ -151,6 +151,9 @@ class TableTransfer:
             return None
         return self._weighted(self._rises, per_length_x, per_length_y).real
 
+    def error(self, per_length_x: Waves, per_length_y: Waves) -> Waves | None:
+        """Return None: tables come without errors."""
+
     def is_covered(self, per_length_x: Waves, per_length_y: Waves) -> NDArray[np.bool_]:
         """Return whether a wave lies within the wavelengths and orientations of the table."""
         angle, log_v, shape = self._polar(per_length_x, per_length_y)

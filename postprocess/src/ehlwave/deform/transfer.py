@@ -50,6 +50,9 @@ class Transfer(Protocol):
         For each wave q in (mean film less smooth film)/film = q (A/film)^2, A its amplitude.
         """
 
+    def error(self, per_length_x: Waves, per_length_y: Waves) -> Waves | None:
+        """Return the absolute error of the transfer; None if that is not known."""
+
     def is_covered(self, per_length_x: Waves, per_length_y: Waves) -> NDArray[np.bool_]:
         """Return whether the transfer is known there rather than continued."""
 
@@ -76,6 +79,9 @@ class FormulaBasis:
         """Return why the conditions are not those of the formula; slip is one of them."""
         slip = self.conditions.slip_parameter
         return [] if slip == 1 else [f"slip (S = {slip:g}): the formula is for pure rolling"]
+
+    def error(self, per_length_x: Waves, per_length_y: Waves) -> Waves | None:
+        """Return None: what a formula is off by depends on the contact."""
 
     @property
     def covers_all(self) -> bool:
