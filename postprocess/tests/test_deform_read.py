@@ -142,8 +142,7 @@ def comma(text: str) -> str:
         (
             "stylus.txt",
             "Roughness tester  No. 12\nDate\t2026-11-22\nCutoff\t0,8 mm\n\n"
-            "Position\tProfile\n[mm]\t[um]\n"
-            + comma(rows(POSITIONS, HEIGHTS, separator="\t")),
+            "Position\tProfile\n[mm]\t[um]\n" + comma(rows(POSITIONS, HEIGHTS, separator="\t")),
         ),
         (
             "tester.csv",
@@ -258,6 +257,40 @@ def test_bad_arrays_get_clear_messages(tmp_path: Path) -> None:
         read_surface(tmp_path / "m.npy", ReadOptions("um", "um", -2.0))
     with pytest.raises(SurfaceError, match="no such file"):
         read_surface(tmp_path / "absent.csv")
+
+
+@pytest.mark.parametrize("compressed", [False, True])
+def test_damaged_archives_are_refused(tmp_path: Path, compressed: bool) -> None:
+    """Whatever byte is damaged or lost: an array, or a message in one line."""
+    file = tmp_path / "m.npz"
+    (np.savez_compressed if compressed else np.savez)(file, height=MAP[:10, :10])
+    good = file.read_bytes()
+    read_surface(file, UM)
+    damaged = [good[:n] for n in range(0, len(good), 97)]
+    for place in range(0, len(good), 7):
+        damaged.append(good[:place] + bytes([good[place] ^ 0x55]) + good[place + 1 :])
+    messages = []
+    for data in damaged:
+        file.write_bytes(data)
+        try:
+            read_surface(file, UM)
+        except SurfaceError as error:
+            messages.append(str(error))
+    assert len(messages) > len(damaged) // 4
+    assert max(map(len, messages)) < 600
+    assert not any("\n" in message for message in messages)
+
+
+def test_files_that_claim_too_much_are_refused(tmp_path: Path) -> None:
+    with h5py.File(tmp_path / "m.h5", "w") as file:
+        file.create_dataset("height", shape=(200_000, 200_000), dtype="f8", chunks=(64, 64))
+    with pytest.raises(SurfaceError, match="claims 40000000000 numbers"):
+        read_surface(tmp_path / "m.h5", UM)
+    np.save(tmp_path / "m.npy", MAP)
+    data = (tmp_path / "m.npy").read_bytes()
+    (tmp_path / "m.npy").write_bytes(data.replace(b"(40, 25), ", b"(4e9999,9)"[:10]))
+    with pytest.raises(SurfaceError, match="cannot be read as npy"):
+        read_surface(tmp_path / "m.npy", UM)
 
 
 def test_traces_and_maps_of_wrong_shape_are_refused() -> None:

@@ -8,9 +8,10 @@ module ehlwave_case_table
    use ehlwave_errors, only: error_t, raise
    use ehlwave_key_bounds, only: is_none
    use ehlwave_key_list, only: find_key, key_list_t
+   use ehlwave_kinds, only: dp
    use ehlwave_namelist, only: namelist_t
    use ehlwave_store_folder, only: defaults_of_store, store_path
-   use ehlwave_sweep_cases, only: sweep_t
+   use ehlwave_sweep_cases, only: refuse_too_many, sweep_t
    use ehlwave_sweep_keys, only: sweep_group, sweep_settings_t, visit_sweep_keys
    use ehlwave_sweep_lists, only: read_lists, sweep_lists_t
    use ehlwave_text, only: to_text
@@ -59,6 +60,7 @@ contains
       sweep%limits = settings%limits
       if (settings%case_file /= '') then
          call read_csv(trim(settings%case_file), rows, error)
+         if (.not. allocated(error)) call refuse_too_many(rows%path//': has ', real(size(rows%line), dp), ' rows', error)
          call find_columns(rows, table, columns, error)
          if (allocated(error)) return
          call sweep%begin(size(rows%line), settings%unresolved == 'skip')

@@ -21,7 +21,7 @@ class CaseFile(unittest.TestCase):
         Path(self.folder, "case.nml").write_text(text)
         outcome = run("case", "case.nml", "--json", "--quiet", "--output", output, folder=self.folder)
         self.assertEqual(outcome.returncode, 0, outcome.stderr)
-        self.assertEqual(list(self.folder.glob("*.part")), [])
+        self.assertEqual(list(self.folder.glob("*.part*")), [])
         return last_line(outcome), *read(self.folder / output)
 
     def test_smooth_fields(self):

@@ -64,7 +64,7 @@ class StoreFormat(unittest.TestCase):
         """What it was begun with holds until it is dropped or the sweep file says otherwise."""
         sweep = self.folder/"sweep.nml"
         self.assertIn("0 to run", self.run_sweep("sweep.nml"))
-        sweep.write_text(sweep.read_text() + "&grid edges = 'flooded' /\n")
+        sweep.write_text(sweep.read_text().replace("&grid ", "&grid edges = 'flooded', "))
         self.assertIn("2 to run", self.run_sweep("sweep.nml"))
         self.assertEqual({row["edges"] for row in self.rows().values()}, {"flooded"})
         shutil.copy(OLD/"sweep.nml", sweep)

@@ -68,6 +68,7 @@ def _collapse(options: argparse.Namespace) -> None:
         results,
         options.ratio,
         include_unresolved=options.include_unresolved,
+        include_inaccurate=options.include_inaccurate,
         edges=options.edges,
     )
     _print_remarks(points)
@@ -87,7 +88,12 @@ def _collapse(options: argparse.Namespace) -> None:
 
 
 def _refit(options: argparse.Namespace) -> None:
-    points = select_points(read_results(options.results), options.ratio, edges=options.edges)
+    points = select_points(
+        read_results(options.results),
+        options.ratio,
+        include_inaccurate=options.include_inaccurate,
+        edges=options.edges,
+    )
     _print_remarks(points)
     settings = RefitSettings(replicates=options.replicates, seed=options.seed)
     rows = refit_groups(points, settings)
@@ -161,6 +167,11 @@ def _parser() -> argparse.ArgumentParser:
             choices=tuple(RATIO_COLUMNS),
             default="fit",
             help="Ad/Ai from the harmonic fit (default), extreme samples, or linear response",
+        )
+        added.add_argument(
+            "--include-inaccurate",
+            action="store_true",
+            help="take points whose error is above the accuracy asked for, too",
         )
 
     collapse = command("collapse", _collapse, "draw Ad/Ai against f(r) V2 and f(r) V")

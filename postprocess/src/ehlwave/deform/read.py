@@ -22,6 +22,9 @@ from ehlwave.errors import SurfaceError
 _TEXT = {".csv", ".txt", ".dat", ".prf", ".asc", ".tsv"}
 _HDF5 = {".h5", ".hdf5", ".nc"}
 
+_MOST_POINTS = 100_000_000
+"""In a file; what claims more is refused before memory is asked for."""
+
 
 @dataclass(frozen=True)
 class ReadOptions:
@@ -134,18 +137,26 @@ def _read_raw(file: Path) -> RawSurface:
         if suffix in _TEXT:
             return _from_text(file)
         if suffix == ".npy":
-            return RawSurface(_numbers(file, np.load(file)))
+            return RawSurface(_numbers(file, np.load(file, mmap_mode="r")))
         if suffix == ".npz":
             with np.load(file) as archive:
+                _refuse_large(file, sum(entry.file_size for entry in archive.zip.infolist()) // 8)
                 return _from_arrays(file, dict(archive), {})
         if suffix in _HDF5:
             with h5py.File(file, "r") as opened:
                 return _from_hdf5(file, opened)
     except SurfaceError:
         raise
-    except (OSError, ValueError, KeyError, EOFError) as error:
-        raise SurfaceError(f"{file}: cannot be read as {suffix[1:]} ({error})") from error
+    except Exception as error:
+        # The readers raise whatever a damaged file makes them stumble into.
+        reason = " ".join(f"{type(error).__name__}: {error}".split())[:200]
+        raise SurfaceError(f"{file}: cannot be read as {suffix[1:]} ({reason})") from error
     return _from_instrument(file)
+
+
+def _refuse_large(file: Path, points: int) -> None:
+    if points > _MOST_POINTS:
+        raise SurfaceError(f"{file}: claims {points} numbers, more than {_MOST_POINTS}")
 
 
 def _from_text(file: Path) -> RawSurface:
@@ -204,6 +215,7 @@ def _from_hdf5(file: Path, opened: h5py.File) -> RawSurface:
     arrays, units = {}, {}
     for name in ("height", "x", "y"):
         if name in opened:
+            _refuse_large(file, opened[name].size)
             arrays[name] = opened[name][()]
             unit = opened[name].attrs.get("units", "")
             units[name] = unit.decode() if isinstance(unit, bytes) else str(unit)
