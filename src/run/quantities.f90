@@ -223,8 +223,8 @@ contains
 
       call list%add('harmonic_ratio', 'Ad/Ai of small waves, linear response', harmonic%ratio)
       call list%add('harmonic_phase', 'phase of the linear response of H(0,0)', harmonic%phase, unit='rad')
-      call list%add('harmonic_real', 'transfer function pattern to H(0,0), real part', harmonic%real_part)
-      call list%add('harmonic_imaginary', 'transfer function pattern to H(0,0), imaginary part', harmonic%imaginary_part)
+      call add_complex(list, 'harmonic', 'transfer function pattern to H(0,0)', &
+                       cmplx(harmonic%real_part, harmonic%imaginary_part, dp))
       call add_complex(list, 'harmonic_pressure', 'transfer function pattern (in c) to P(0,0)', harmonic%pressure)
       call list%add('harmonic_approach', 'amplitude of the approach over Ai', harmonic%approach_ratio)
       call list%add('harmonic_extrapolated', 'harmonic_ratio at mesh size 0', harmonic%extrapolated)
