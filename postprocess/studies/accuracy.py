@@ -117,6 +117,7 @@ def finer(found: Row) -> Row:
     row = {key: found[key] for key in keys if key in found}
     if row["orientation"] == "custom":
         del row["wavelength_over_a"]
+        row["oblique"] = bool(row["oblique"])
     else:
         for key in ("wavelength_x_over_a", "wavelength_y_over_a", "oblique"):
             row.pop(key, None)
