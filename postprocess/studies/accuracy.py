@@ -84,13 +84,11 @@ def draw_planned(count: int, wavy: bool, march: bool, cells: int, seed: int) -> 
     rng = np.random.default_rng(seed)
     while count > 0:
         row = draw(rng, wavy, march)
-        outcome = programs.run_case(groups_of(row), "--plan", "--json")
+        outcome = programs.run_case(groups_of({**row, "largest_cells": cells}), "--plan", "--json")
         if outcome.returncode != 0:
             raise SystemExit(f"{row}: {outcome.stdout}{outcome.stderr}")
         plan = programs.last_line(outcome)
-        largest = max(plan["cells_x"], plan["cells_y"])
-        wanted = plan["expected_error"] + plan["domain_error"]
-        if largest <= cells and plan["is_resolved"] and wanted <= ACCURACY:
+        if plan["is_resolved"] and plan["expected_error"] + plan["domain_error"] <= ACCURACY:
             count -= 1
             yield row
 
@@ -119,6 +117,7 @@ def finer(found: Row) -> Row:
     row = {key: found[key] for key in keys if key in found}
     if row["orientation"] == "custom":
         del row["wavelength_over_a"]
+        row["oblique"] = bool(row["oblique"])
     else:
         for key in ("wavelength_x_over_a", "wavelength_y_over_a", "oblique"):
             row.pop(key, None)

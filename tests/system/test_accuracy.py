@@ -10,7 +10,10 @@ from ehlwave_program import TestCase, last_line, namelist, run
 MODELS = Path(__file__).resolve().parents[2] / "postprocess" / "record" / "error-vs-time" / "models.csv"
 CONDITIONS = {"load_parameter_m": 100, "lubricant_parameter_l": 12.05, "radius_ratio_d": 1}
 SMOOTH = {"conditions": CONDITIONS}
+PARTS = ["mesh", "domain", "time", "amplitude", "settling", "algebraic"]
 WAVY = {"conditions": CONDITIONS, "waviness": {"orientation": "transverse", "wavelength_over_a": 0.5}}
+REFINED = {"conditions": {"load_parameter_m": 52.63, "lubricant_parameter_l": 17.67, "radius_ratio_d": 0.408},
+           "waviness": {"orientation": "transverse", "wavelength_over_a": 0.39, "response": "harmonic"}, "solver": {"accuracy": 0.01}}
 # (groups to change, key that the message names)
 CONTRADICTIONS = [
     ({"grid": {"cells_x": 64}}, "cells_x"),
@@ -96,6 +99,23 @@ class Accuracy(TestCase):
                 self.assertEqual(outcome.returncode, 2)
                 self.assertIn(key, outcome.stderr)
                 self.assertIn("accuracy", outcome.stderr)
+
+    def test_what_stays_above_is_inaccurate(self):
+        """Refined as far as allowed, told by status, message and exit status, and the parts add up."""
+        outcome = self.call(changed(SMOOTH, {"solver": {"accuracy": 0.002}, "grid": {"largest_cells": 128}}))
+        result = last_line(outcome)
+        self.assertEqual((outcome.returncode, result["status"]), (1, "inaccurate"))
+        self.assertIn("above the accuracy of 0.002", result["message"])
+        parts = [result[f"film_error_{part}"] for part in PARTS]
+        self.check_close(sum(parts), result["error_estimate"], 1e-12, "sum of the parts")
+        self.assertGreater(result["error_estimate"], 0.002)
+
+    def test_a_case_is_refined(self):
+        """The first grid misses the accuracy, which the model does not expect, the second does not."""
+        result = last_line(self.call(REFINED))
+        self.assertEqual(result["status"], "converged")
+        self.assertGreaterEqual(result["refinements"], 1)
+        self.assertLessEqual(result["error_estimate"], 0.01)
 
     def test_unreachable_is_said(self):
         plan, text = self.plan(changed(WAVY, {"solver": {"accuracy": 0.001}, "grid": {"largest_cells": 128}}))
