@@ -8,8 +8,8 @@ import pandas as pd
 from numpy.typing import NDArray
 from scipy.special import ellipk
 
-from ehlwave.deform.conditions import DEFAULT_PRESSURE_VISCOSITY
 from ehlwave.formula import wave_and_direction
+from ehlwave.medium import Oil
 from ehlwave.read import read_results
 from ehlwave.two_waves import mismatch
 from studies.two_waves.cases import REDUCED_MODULUS_PA
@@ -24,7 +24,7 @@ CONDITION = (
 )
 WAVE = ("wavelength_x_over_a", "wavelength_y_over_a")
 
-DEFAULTS = {"pressure_viscosity_per_pa": DEFAULT_PRESSURE_VISCOSITY, "flow_law": "newtonian"}
+DEFAULTS = {"pressure_viscosity_per_pa": Oil().pressure_viscosity_per_pa, "flow_law": "newtonian"}
 
 LARGEST_ERROR = 0.03
 """Of Ad/Ai from two grids, absolute: points beyond it say more about the grid than about waves."""

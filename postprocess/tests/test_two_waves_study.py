@@ -1,0 +1,89 @@
+"""The study of two waves: its cases, its fit on points that follow the law, the recorded ridges."""
+
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import pytest
+
+from ehlwave.deform import Mover, TwoWaveTransfer, conditions_from_keys, film_profile
+from ehlwave.rolling import rolling_transfer
+from studies.two_waves.cases import cases
+from studies.two_waves.fit import PACKAGED, amplitude_error, fitted_launch, fitted_rolling
+from studies.two_waves.points import Pairs, Rolling
+from studies.two_waves.ridge import LENGTH, PLACE, SHARE, WINDOW, conditions_at, shape
+
+RECORD = Path(__file__).parents[1] / "record" / "two_waves"
+
+
+def synthetic(count: int) -> tuple[Rolling, Pairs]:
+    """Points that follow the installed law, at conditions of the study."""
+    rows = pd.DataFrame(list(cases(5, count)))
+    sliding = rows[rows["slip_parameter"] != 1].reset_index(drop=True)
+    moes = ["load_parameter_m", "lubricant_parameter_l", "radius_ratio_d"]
+    contacts = [
+        conditions_from_keys({**row, "semi_axis_a_m": 1.0})
+        for row in sliding[moes].to_dict("records")
+    ]
+    random = np.random.default_rng(4)
+    size = len(sliding)
+    table = sliding.assign(
+        m=sliding["load_parameter_m"],
+        l=sliding["lubricant_parameter_l"],
+        slip=sliding["slip_parameter"],
+        gamma=[one.gamma for one in contacts],
+        alphabar=[one.alphabar for one in contacts],
+        along=random.uniform(0.1, 1, size),
+        thinning=random.uniform(0, 0.2, size),
+        condition=sliding[moes].astype(str).agg("|".join, axis=1),
+    )
+    table["load"] = table["gamma"] * table["m"]
+    waves = (table["wavelength_x_over_a"].to_numpy(), table["wavelength_y_over_a"].to_numpy())
+    moes_values = (table[name].to_numpy() for name in ("m", "l", "gamma"))
+    rolled = rolling_transfer(*moes_values, *waves)
+    attenuated = random.uniform(0, 1, size) * np.exp(1j * random.uniform(-1, 1, size))
+    mismatch = random.uniform(-4, 4, size) + 1j * random.uniform(0, 1, size)
+    none = np.zeros(size)
+    pairs = Pairs(table, none.astype(complex), rolled, attenuated, mismatch, none)
+    film = PACKAGED.film(pairs)
+    return Rolling(table, rolled, none), Pairs(table, film, rolled, attenuated, mismatch, none)
+
+
+def test_each_wave_rolls_and_slides() -> None:
+    rows = list(cases(5, 3))
+    assert len(rows) == 60
+    wave = ("load_parameter_m", "wavelength_x_over_a", "wavelength_y_over_a")
+    for rolled, slid in zip(rows[::2], rows[1::2], strict=True):
+        assert rolled["slip_parameter"] == 1
+        assert 0.03 <= abs(slid["slip_parameter"] - 1) <= 0.8
+        assert all(rolled[key] == slid[key] for key in wave)
+
+
+def test_fits_find_the_law_that_made_the_points() -> None:
+    rolling, pairs = synthetic(12)
+    np.testing.assert_allclose(fitted_launch(pairs), PACKAGED.launch, rtol=1e-3)
+    changed = pairs.film * 1.1
+    assert amplitude_error(PACKAGED.film(pairs), changed) > 0.02
+    amplitude, _ = fitted_rolling(rolling)
+    np.testing.assert_allclose(amplitude, PACKAGED.amplitude, rtol=0.02, atol=0.005)
+
+
+@pytest.mark.parametrize("slip", [1.3, 0.7])
+@pytest.mark.parametrize("name", ["ridge", "groove"])
+def test_recorded_ridges(name: str, slip: float) -> None:
+    """Both computed waves come within 5 per cent of Rq of the simulation, the law within 9."""
+    rows = pd.read_csv(RECORD / "ridge_profiles.csv")
+    rows = rows[(rows["shape"] == name) & (rows["slip"] == slip) & (rows["x"].abs() <= WINDOW)]
+    rq = float(np.std(rows["surface"]))
+    assert np.sqrt(np.mean((rows["computed waves"] - rows["simulated"]) ** 2)) < 0.05 * rq
+    contact = conditions_at(slip)
+    film = contact.central_film_m
+    assert film is not None
+    mover = Mover(
+        shape(name, float(conditions_at(1.0).central_film_m or 0)),
+        TwoWaveTransfer(contact),
+        (LENGTH / 2 - PLACE) * contact.semi_axis_a_m,
+    )
+    profile = film_profile([mover], rows["x"].to_numpy() * contact.semi_axis_a_m, 0.0) - film
+    left = profile / (SHARE * film) - rows["simulated"].to_numpy()
+    assert np.sqrt(np.mean(left**2)) < 0.09 * rq
