@@ -26,7 +26,7 @@ module ehlwave_case_runner
    use ehlwave_surface_plan, only: surface_positions
    use ehlwave_text, only: to_text
    use ehlwave_time_march, only: march_result_t, march_settings_t, march_t, steps_per_stretch
-   use ehlwave_work_unit, only: work_unit_seconds
+   use ehlwave_work_unit, only: work_unit_operations, work_unit_seconds
    implicit none (type, external)
    private
    public :: run_case
@@ -69,6 +69,7 @@ contains
       result = blank_result(case, plan)
       call steady%prepare(case, plan)
       rescue = steady%rescue
+      result%work = steady%work
       associate (level => steady%multigrid%levels(size(steady%multigrid%levels)))
          call take_report(level%report, 'steady state of smooth surfaces', result)
          call monitor%step_done('steady state', 1, 1)
@@ -112,6 +113,7 @@ contains
       result%seconds = wall_seconds() - start
       if (present(keeper)) result%seconds = result%seconds + keeper%seconds_before
       result%work_units = result%seconds/work_unit_seconds(plan%cells_x, plan%cells_y)
+      result%counted_work_units = result%work/work_unit_operations(plan%cells_x, plan%cells_y)
       result%peak_memory_mib = peak_memory_mib()
    end subroutine run_about
 
@@ -193,6 +195,7 @@ contains
          if (monitor%request /= go_on) exit
       end do
       history = march%result
+      result%work = result%work + history%work
       rescue = march%rescue
       result%status = history%status
       if (history%status == status_converged .and. history%steps < plan%steps) &
@@ -239,7 +242,7 @@ contains
       type(case_result_t), intent(inout) :: result
       type(state_t) :: smooth
       type(given_t) :: given_smooth
-      real(dp) :: amplitude, film(plan%phases), turn(plan%phases)
+      real(dp) :: amplitude, film(plan%phases), turn(plan%phases), work_before
       integer :: finest, n
 
       finest = size(multigrid%levels)
@@ -252,7 +255,9 @@ contains
             call problem%set_rough(amplitude*plan%waviness%shape_fixed(problem%grid%x, problem%grid%y, 2*pi*turn(n)))
          end associate
          multigrid%levels(finest)%state = smooth
+         work_before = multigrid%work()
          call rescue%solve_step(multigrid, smooth, given_smooth, limits_of(case))
+         result%work = result%work + multigrid%work() - work_before
          call take_report(multigrid%levels(finest)%report, &
                           'steady state '//to_text(n)//' of '//to_text(plan%phases)//' of the pattern', result)
          if (result%status /= status_converged) return

@@ -154,6 +154,7 @@ contains
       integer :: i, j
 
       associate (grid => problem%grid, linear => self%linear, level => self%linear%levels(self%linear%finest))
+         call linear%count_evaluation()
          call level%equations%evaluate(problem, state)
          call linear%weigh(linear%finest)
          b(0:grid%nx, 0:grid%ny) => self%rhs(:linear%n - 1)
