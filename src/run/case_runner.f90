@@ -16,6 +16,7 @@ module ehlwave_case_runner
    use ehlwave_march_keeper, only: march_keeper_t
    use ehlwave_monitor, only: go_on, monitor_t
    use ehlwave_resolution, only: touching_reason
+   use ehlwave_periodic_case, only: find_periodic_state
    use ehlwave_rescue, only: rescue_t, rung_name
    use ehlwave_sensitivity_case, only: find_film_sensitivities
    use ehlwave_shared_steady, only: limits_of, shared_steady_t
@@ -62,6 +63,7 @@ contains
       type(case_result_t), intent(out) :: result
       class(march_keeper_t), intent(inout), optional :: keeper
       type(rescue_t) :: rescue
+      logical :: is_found
       character(len=:), allocatable :: unresolved
       real(dp) :: start
 
@@ -82,7 +84,10 @@ contains
          if (result%status == status_converged) then
             select case (plan%kind)
             case (run_march)
-               call run_moving(case, plan, steady%multigrid, rescue, monitor, result, keeper)
+               is_found = .false.
+               if (plan%is_periodic) call find_periodic_state(case, plan, steady, step_limits(case, case%amplitude_over_film), &
+                                                              result, is_found)
+               if (.not. is_found) call run_moving(case, plan, steady%multigrid, rescue, monitor, result, keeper)
             case (run_standing)
                call run_standing_pattern(case, plan, steady%multigrid, rescue, monitor, result)
             end select
@@ -182,9 +187,7 @@ contains
       settings = march_settings_t(waviness=plan%waviness, amplitude=amplitude, steps=plan%steps, &
                                   cells_per_step=plan%cells_per_step, steps_per_cell=plan%steps_per_cell, &
                                   natural_frequency=case%natural_frequency, force=case%load_factor)
-      ! the tolerance is relative to the film; for small waves it has to follow their amplitude
-      limits = solve_limits_t(tolerance=case%step_tolerance*min(1.0_dp, amplitude_over_film/usual_amplitude), &
-                              largest_steps=case%largest_steps)
+      limits = step_limits(case, amplitude_over_film)
       call march%begin(multigrid%levels(finest), settings, rescue)
       if (present(keeper)) call keeper%load(march)
       if (march%result%steps > 0) call march%restore(multigrid%levels(finest))
@@ -231,6 +234,15 @@ contains
          end associate
       end if
    end subroutine run_moving
+
+   !> What a time step is asked for. The tolerance is relative to the film; for small waves it has to follow their amplitude.
+   pure function step_limits(case, amplitude_over_film) result(limits)
+      type(case_t), intent(in) :: case
+      real(dp), intent(in) :: amplitude_over_film
+      type(solve_limits_t) :: limits
+      limits = solve_limits_t(tolerance=case%step_tolerance*min(1.0_dp, amplitude_over_film/usual_amplitude), &
+                              largest_steps=case%largest_steps)
+   end function step_limits
 
    !> Pattern that stands still: one steady state for each phase, no time stepping.
    subroutine run_standing_pattern(case, plan, multigrid, rescue, monitor, result)

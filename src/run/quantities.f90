@@ -76,7 +76,8 @@ contains
 
       keys = case_key_list(case)
       call add_case(list, case, plan)
-      call list%add('run', 'what is computed: smooth, standing, march or harmonic', trim(kinds(plan%kind)))
+      call list%add('run', 'what is computed: smooth, standing, march, harmonic or periodic', &
+                    trim(merge('periodic', kinds(plan%kind), plan%is_periodic)))
       call list%add('time_steps', 'time steps to be done', plan%steps)
       call list%add('time_step', 'dT', plan%dt)
       call list%add('steady_states', 'steady states to be solved', 1 + plan%phases)
