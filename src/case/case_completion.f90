@@ -136,9 +136,9 @@ contains
          call raise(error, '&solver time_step_over_cell = '//to_text(case%time_step_over_cell, 6)// &
                     " is above 1: response = '"//trim(case%response)//"' linearises steps of at most one cell; use 1, 0.5, "// &
                     "0.25, ... or response = 'transient'")
-      else if (case%response == 'harmonic' .and. case%end_time > 0) then
-         call raise(error, "&dynamics end_time is given but response = 'harmonic' takes no time steps: remove end_time or "// &
-                    "set response to 'both' or 'transient'")
+      else if ((case%response == 'harmonic' .or. case%response == 'periodic') .and. case%end_time > 0) then
+         call raise(error, "&dynamics end_time is given but response = '"//trim(case%response)//"' takes no time steps: "// &
+                    "remove end_time or set response to 'both' or 'transient'")
       end if
    end subroutine check_response
 

@@ -36,6 +36,7 @@ module ehlwave_case_plan
       character(len=identity_length) :: surface_digest = ''   !! of the content of a measured surface
       integer :: kind = run_smooth
       logical :: responds = .false.                  !! the linear response is computed
+      logical :: is_periodic = .false.               !! the periodic state is sought first; the march is what else there is
       logical :: is_half = .true.                    !! only Y >= 0 is computed
       real(dp) :: x_min = 0, x_max = 0, y_max = 0    !! domain; the pattern starts at the x_min of the case whatever it is
       real(dp) :: domain_scale = 1                   !! over the domain of the case
@@ -68,6 +69,7 @@ module ehlwave_case_plan
    real(dp), parameter :: fewest_long_steps = 32     !! time steps per wave that steps longer than hX must leave
    real(dp), parameter :: cost_of_estimate = 1.15_dp !! of a case with its coarser grids over that without
    real(dp), parameter :: response_work_units = 120  !! of a linear response on half a domain; measured: 75 to 120
+   real(dp), parameter :: periodic_work_units = 1200 !! of a periodic state; measured: 800 to 1400, 64 to 128 cells, Ai = 20 %
    real(dp), parameter :: outlet_end = 1             !! X of the outlet end of the Hertzian contact
 
 contains
@@ -107,7 +109,8 @@ contains
       if (.not. plan%conditions%is_line()) plan%hy = 2*plan%y_max/plan%cells_y
       plan%deformation = chosen_deformation(case%deformation, plan%cells_x, plan%cells_y, plan%is_half, kappa)
 
-      plan%responds = plan%waviness%is_present .and. case%response /= 'transient'
+      plan%is_periodic = plan%waviness%moves() .and. case%response == 'periodic'
+      plan%responds = plan%waviness%is_present .and. (case%response == 'harmonic' .or. case%response == 'both')
       if (plan%responds .and. case%response == 'harmonic') then
          plan%kind = run_harmonic
          if (case%time_step_over_cell > 0) plan%steps_per_cell = nint(1/min(1.0_dp, case%time_step_over_cell))
@@ -138,7 +141,7 @@ contains
       real(dp) :: steps   ! per wave with dT = 2 hX
 
       chosen_step = 1
-      if (.not. plan%waviness%moves() .or. plan%responds .or. case%load_balance /= 'force_balance') return
+      if (.not. plan%waviness%moves() .or. plan%responds .or. plan%is_periodic .or. case%load_balance /= 'force_balance') return
       steps = plan%waviness%period()/(2*plan%hx)
       if (steps < fewest_long_steps) return
       if (expected_long_step_error(2, steps) <= share_of_steps*case%accuracy) chosen_step = 2
@@ -170,7 +173,8 @@ contains
       plan%expected_work_units = no_value
       if (plan%conditions%is_line()) return
       plan%expected_work_units = (1 + 0.5_dp*plan%phases)*steady_work_units(plan%conditions, plan%cells_x) &
-                                 + plan%steps*step_work_units(plan%conditions, plan%cells_x)
+                                 + merge(periodic_work_units, plan%steps*step_work_units(plan%conditions, plan%cells_x), &
+                                         plan%is_periodic)
       if (plan%responds) plan%expected_work_units = plan%expected_work_units + response_work_units
       if (.not. plan%is_half) plan%expected_work_units = 2*plan%expected_work_units
       if (plan%waviness%is_present .and. plan%kind /= run_harmonic .and. case%error_estimate == 'coarse_grid') &
@@ -187,13 +191,15 @@ contains
    !> computed. Measured on 64 to 384 cells along each side: within a tenth.
    pure real(dp) function expected_memory_mib(self)
       class(case_plan_t), intent(in) :: self
-      real(dp), parameter :: program_mib = 13, bytes_smooth = 720, bytes_wavy = 850, bytes_response = 1690, bytes_line = 2600
+      real(dp), parameter :: program_mib = 13, bytes_smooth = 720, bytes_wavy = 850, bytes_response = 1690, bytes_line = 2600, &
+                             bytes_periodic = 6600
       real(dp) :: bytes, cells
       cells = real(self%cells_x, dp)*self%cells_y
       if (self%is_half) cells = cells/2
       bytes = bytes_wavy
       if (self%kind == run_smooth) bytes = bytes_smooth
       if (self%responds) bytes = bytes_response
+      if (self%is_periodic) bytes = bytes_periodic
       if (self%conditions%is_line()) then
          bytes = bytes_line
          cells = self%cells_x

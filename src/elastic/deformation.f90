@@ -6,6 +6,7 @@ module ehlwave_deformation
    private
 
    type, abstract, public :: deformation_t
+      real(dp) :: work = 0   !! operations done on this grid so far, see `ehlwave_work_unit`: its own, and what its users add
    contains
       procedure(init_deformation), deferred :: init
       procedure(apply_deformation), deferred :: apply

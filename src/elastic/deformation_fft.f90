@@ -6,6 +6,7 @@ module ehlwave_deformation_fft
    use ehlwave_grid, only: grid_t
    use ehlwave_kernel, only: cell_influence
    use ehlwave_kinds, only: dp
+   use ehlwave_work_unit, only: transform_operations
    implicit none (type, external)
    private
    public :: fast_length
@@ -125,6 +126,8 @@ contains
       real(dp), intent(out) :: d(0:, 0:)   !! deformation, (0:nx, 0:ny)
       integer :: j
 
+      self%work = self%work + 2*(self%ny + 1)*transform_operations(real(self%px, dp)) &
+                  + 4*self%modes*transform_operations(real(self%py, dp))
       do j = 0, self%ny
          self%rows(1:self%nx + 1, j) = p(:, j)
          self%rows(self%nx + 2:, j) = 0

@@ -7,6 +7,7 @@ module ehlwave_deformation_line
    use ehlwave_grid, only: grid_t
    use ehlwave_kernel, only: cell_influence
    use ehlwave_kinds, only: dp
+   use ehlwave_work_unit, only: transform_operations
    implicit none (type, external)
    private
 
@@ -57,6 +58,7 @@ contains
       real(dp), intent(in) :: p(0:, 0:)    !! pressure at the nodes, (0:nx, 0:0)
       real(dp), intent(out) :: d(0:, 0:)   !! deformation, (0:nx, 0:0)
 
+      self%work = self%work + 2*transform_operations(real(size(self%row), dp))
       self%row(1:self%nx + 1) = p(:, 0)
       self%row(self%nx + 2:) = 0
       call fftw_execute_dft_r2c(self%forward, self%row, self%modes)

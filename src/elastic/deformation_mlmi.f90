@@ -18,6 +18,7 @@ module ehlwave_deformation_mlmi
    use ehlwave_mlmi_correction, only: along_x, along_y, sampled_kernel_t
    use ehlwave_mlmi_level, only: mlmi_level_t
    use ehlwave_mlmi_transfer, only: anterpolate, interpolate_and_correct, sum_directly
+   use ehlwave_work_unit, only: mlmi_operations
    implicit none (type, external)
    private
 
@@ -89,6 +90,7 @@ contains
       real(dp), intent(out) :: d(0:, 0:)   !! deformation, (0:nx, 0:ny)
       integer :: j, l, n
 
+      self%work = self%work + mlmi_operations*product(self%level(1)%last + 1)
       n = size(self%level)
       do j = 0, self%level(1)%last(2)
          call self%level(1)%put_row(j, 0, p(:, j))

@@ -6,13 +6,42 @@ module ehlwave_work_unit
    use ehlwave_kinds, only: dp
    implicit none (type, external)
    private
-   public :: work_unit_seconds
+   public :: transform_operations, work_unit_operations, work_unit_seconds
 
    include 'fftw3.f03'
 
    integer, parameter :: repeats = 3
 
+   !> What is counted besides transforms, which count with their usual number of operations (`transform_operations`), in operations that
+   !> take as long: for each node or each entry of a node's row. From `perf record` of a march and of a linear response (M = 100, D = 1,
+   !> transverse, 0.5 a, 257 x 257 nodes), whose transforms took 30 and 33 % of the time.
+   integer, parameter, public :: evaluation_operations = 450    !! a node: flow, residual and its right side
+   integer, parameter, public :: relaxation_operations = 1000   !! a node: one sweep over lines and what follows
+   integer, parameter, public :: mlmi_operations = 450          !! a node: about that of FFT on 257 x 257 nodes
+
+   type, public :: work_weights_t
+      integer :: solve      !! an entry: with the factors
+      integer :: factor     !! an entry: making them, the matrix included
+      integer :: product    !! a node: change of the residuals
+      integer :: cycle      !! a node: transfers of a cycle, and its share of the orthogonalisation
+   end type work_weights_t
+
+   type(work_weights_t), parameter, public :: real_weights = work_weights_t(solve=14, factor=74, product=58, cycle=180)
+   type(work_weights_t), parameter, public :: complex_weights = work_weights_t(solve=18, factor=146, product=150, cycle=400)
+
 contains
+
+   !> Operations of one work unit: the same for everybody, whatever the machine does meanwhile.
+   pure real(dp) function work_unit_operations(cells_x, cells_y)
+      integer, intent(in) :: cells_x, cells_y   !! cells over the whole domain
+      work_unit_operations = 2*transform_operations(4.0_dp*cells_x*cells_y)
+   end function work_unit_operations
+
+   !> Operations of a real transform of n values, by the usual count (a complex one takes twice as many): a whole number.
+   elemental real(dp) function transform_operations(n)
+      real(dp), intent(in) :: n
+      transform_operations = anint(2.5_dp*n*log(n)/log(2.0_dp))
+   end function transform_operations
 
    !> Seconds of one work unit (WU) here and now: the plain deformation convolution of a grid, that is
    !> a zero-padded real transform of 2 cells_x by 2 cells_y points, a product, and the inverse transform.

@@ -20,6 +20,7 @@ module ehlwave_transport
       integer :: steps_per_cell = 1                  !! one of the two is 1
    contains
       procedure :: carry
+      procedure :: carry_row
       procedure :: history_length
    end type transport_t
 
@@ -152,27 +153,37 @@ contains
       class(transport_t), intent(inout) :: self
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: history(0:, 0:, :)   !! (0:nx, 0:ny, n): f at T - n dT
+      integer :: j
+      do j = 0, grid%ny
+         call self%carry_row(grid, j, history(:, j, :))
+      end do
+   end subroutine carry
+
+   !> The same on one row.
+   pure subroutine carry_row(self, grid, j, history)
+      class(transport_t), intent(inout) :: self
+      type(grid_t), intent(in) :: grid
+      integer, intent(in) :: j                     !! row
+      real(dp), intent(in) :: history(0:, :)       !! (0:nx, n): f there at T - n dT
       real(dp) :: dt
-      integer :: i, j, m, s
+      integer :: i, m, s
 
       m = self%cells_per_step
       s = self%steps_per_cell
       dt = grid%hx*m/s
-      do j = 0, grid%ny
-         if (self%is_local) then
-            self%carried(1, j) = -history(0, j, s)/grid%hx
-            do i = 2, grid%nx
-               self%carried(i, j) = (-2*history(i - 1, j, s) + 0.5_dp*history(i - 2, j, 2*s))/grid%hx
-            end do
-         else
-            do i = 1, min(2*m - 1, grid%nx)
-               self%carried(i, j) = (-2*history(i, j, 1) + 0.5_dp*history(i, j, 2))/dt
-            end do
-            do i = 2*m, grid%nx
-               self%carried(i, j) = (-2*history(i - m, j, 1) + 0.5_dp*history(i - 2*m, j, 2))/dt
-            end do
-         end if
-      end do
-   end subroutine carry
+      if (self%is_local) then
+         self%carried(1, j) = -history(0, s)/grid%hx
+         do i = 2, grid%nx
+            self%carried(i, j) = (-2*history(i - 1, s) + 0.5_dp*history(i - 2, 2*s))/grid%hx
+         end do
+      else
+         do i = 1, min(2*m - 1, grid%nx)
+            self%carried(i, j) = (-2*history(i, 1) + 0.5_dp*history(i, 2))/dt
+         end do
+         do i = 2*m, grid%nx
+            self%carried(i, j) = (-2*history(i - m, 1) + 0.5_dp*history(i - 2*m, 2))/dt
+         end do
+      end if
+   end subroutine carry_row
 
 end module ehlwave_transport

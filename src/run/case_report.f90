@@ -134,7 +134,9 @@ contains
          text = 'steady state of smooth surfaces, then '//to_text(plan%phases)// &
                 ' steady states of the pattern (it stands still: no time stepping)'
       case default
-         text = 'steady state of smooth surfaces, then '//to_text(plan%steps)//' time steps of dT = '//to_text(plan%dt, 5)
+         text = 'steady state of smooth surfaces, then '
+         if (plan%is_periodic) text = text//'the periodic state; where it is not found '
+         text = text//to_text(plan%steps)//' time steps of dT = '//to_text(plan%dt, 5)
          if (allocated(plan%waviness%surface)) then
             text = text//', surface at the contact centre from step '//to_text(plan%first_sample)
          else if (plan%waviness%moves() .and. plan%measures) then

@@ -60,6 +60,8 @@ module ehlwave_case_result
       integer :: rescued_solutions = 0               !! solutions that took more than the direct solve
       real(dp) :: seconds = 0                        !! wall time of the case
       real(dp) :: work_units = 0                     !! the same in plain FFT convolutions of the whole grid
+      real(dp) :: work = 0                           !! operations counted, without error estimates and sensitivities,
+      real(dp) :: counted_work_units = no_value      !! and the same in those of a convolution
       real(dp) :: peak_memory_mib = 0                !! of the process so far
       real(dp), allocatable :: residual_history(:)   !! of the solution that failed: before each step and at the end
       ! history of the contact centre: times T, or phases over 2 pi for standing patterns

@@ -16,6 +16,7 @@ module ehlwave_case_runner
    use ehlwave_march_keeper, only: march_keeper_t
    use ehlwave_monitor, only: go_on, monitor_t
    use ehlwave_resolution, only: touching_reason
+   use ehlwave_periodic_case, only: find_periodic_state
    use ehlwave_rescue, only: rescue_t, rung_name
    use ehlwave_sensitivity_case, only: find_film_sensitivities
    use ehlwave_shared_steady, only: limits_of, shared_steady_t
@@ -26,7 +27,7 @@ module ehlwave_case_runner
    use ehlwave_surface_plan, only: surface_positions
    use ehlwave_text, only: to_text
    use ehlwave_time_march, only: march_result_t, march_settings_t, march_t, steps_per_stretch
-   use ehlwave_work_unit, only: work_unit_seconds
+   use ehlwave_work_unit, only: work_unit_operations, work_unit_seconds
    implicit none (type, external)
    private
    public :: run_case
@@ -63,6 +64,7 @@ contains
       type(case_result_t), intent(out) :: result
       class(march_keeper_t), intent(inout), optional :: keeper
       type(rescue_t) :: rescue
+      logical :: is_found
       character(len=:), allocatable :: unresolved
       real(dp) :: start
 
@@ -70,6 +72,7 @@ contains
       result = blank_result(case, plan)
       call steady%prepare(case, plan)
       rescue = steady%rescue
+      result%work = steady%work
       associate (level => steady%multigrid%levels(size(steady%multigrid%levels)))
          call take_report(level%report, 'steady state of smooth surfaces', result)
          call monitor%step_done('steady state', 1, 1)
@@ -82,7 +85,10 @@ contains
          if (result%status == status_converged) then
             select case (plan%kind)
             case (run_march)
-               call run_moving(case, plan, steady%multigrid, rescue, monitor, result, keeper)
+               is_found = .false.
+               if (plan%is_periodic) call find_periodic_state(case, plan, steady, step_limits(case, case%amplitude_over_film), &
+                                                              result, is_found)
+               if (.not. is_found) call run_moving(case, plan, steady%multigrid, rescue, monitor, result, keeper)
             case (run_standing)
                call run_standing_pattern(case, plan, steady%multigrid, rescue, monitor, result)
             end select
@@ -113,6 +119,7 @@ contains
       result%seconds = wall_seconds() - start
       if (present(keeper)) result%seconds = result%seconds + keeper%seconds_before
       result%work_units = result%seconds/work_unit_seconds(plan%cells_x, plan%cells_y)
+      result%counted_work_units = result%work/work_unit_operations(plan%cells_x, plan%cells_y)
       result%peak_memory_mib = peak_memory_mib()
    end subroutine run_about
 
@@ -181,9 +188,7 @@ contains
       settings = march_settings_t(waviness=plan%waviness, amplitude=amplitude, steps=plan%steps, &
                                   cells_per_step=plan%cells_per_step, steps_per_cell=plan%steps_per_cell, &
                                   natural_frequency=case%natural_frequency, force=case%load_factor)
-      ! the tolerance is relative to the film; for small waves it has to follow their amplitude
-      limits = solve_limits_t(tolerance=case%step_tolerance*min(1.0_dp, amplitude_over_film/usual_amplitude), &
-                              largest_steps=case%largest_steps)
+      limits = step_limits(case, amplitude_over_film)
       call march%begin(multigrid%levels(finest), settings, rescue)
       if (present(keeper)) call keeper%load(march)
       if (march%result%steps > 0) call march%restore(multigrid%levels(finest))
@@ -194,6 +199,7 @@ contains
          if (monitor%request /= go_on) exit
       end do
       history = march%result
+      result%work = result%work + history%work
       rescue = march%rescue
       result%status = history%status
       if (history%status == status_converged .and. history%steps < plan%steps) &
@@ -249,6 +255,15 @@ contains
       end associate
    end function change_in_a_period
 
+   !> What a time step is asked for. The tolerance is relative to the film; for small waves it has to follow their amplitude.
+   pure function step_limits(case, amplitude_over_film) result(limits)
+      type(case_t), intent(in) :: case
+      real(dp), intent(in) :: amplitude_over_film
+      type(solve_limits_t) :: limits
+      limits = solve_limits_t(tolerance=case%step_tolerance*min(1.0_dp, amplitude_over_film/usual_amplitude), &
+                              largest_steps=case%largest_steps)
+   end function step_limits
+
    !> Pattern that stands still: one steady state for each phase, no time stepping.
    subroutine run_standing_pattern(case, plan, multigrid, rescue, monitor, result)
       type(case_t), intent(in) :: case
@@ -259,7 +274,7 @@ contains
       type(case_result_t), intent(inout) :: result
       type(state_t) :: smooth
       type(given_t) :: given_smooth
-      real(dp) :: amplitude, film(plan%phases), turn(plan%phases)
+      real(dp) :: amplitude, film(plan%phases), turn(plan%phases), work_before
       integer :: finest, n
 
       finest = size(multigrid%levels)
@@ -272,7 +287,9 @@ contains
             call problem%set_rough(amplitude*plan%waviness%shape_fixed(problem%grid%x, problem%grid%y, 2*pi*turn(n)))
          end associate
          multigrid%levels(finest)%state = smooth
+         work_before = multigrid%work()
          call rescue%solve_step(multigrid, smooth, given_smooth, limits_of(case))
+         result%work = result%work + multigrid%work() - work_before
          call take_report(multigrid%levels(finest)%report, &
                           'steady state '//to_text(n)//' of '//to_text(plan%phases)//' of the pattern', result)
          if (result%status /= status_converged) return

@@ -101,7 +101,7 @@ contains
       coarse_case%sensitivities = .false.
       coarse_case%domain_scale = plan%domain_scale
       coarse_case%accuracy = 0                    ! is that of the case itself
-      coarse_case%response = 'transient'          ! has its own estimate
+      if (case%response /= 'periodic') coarse_case%response = 'transient'   ! others have their own estimate
       coarse_case%time_step_over_cell = real(plan%cells_per_step, dp)/plan%steps_per_cell
       cells = [plan%cells_x, plan%cells_y]
       if (plan%conditions%is_line()) cells(2) = cells(1)

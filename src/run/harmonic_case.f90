@@ -11,7 +11,7 @@ module ehlwave_harmonic_case
    use ehlwave_status, only: status_converged, status_name
    use ehlwave_text, only: to_text
    use ehlwave_two_wave_result, only: new_two_wave_result
-   use ehlwave_work_unit, only: work_unit_seconds
+   use ehlwave_work_unit, only: work_unit_operations, work_unit_seconds
    implicit none (type, external)
    private
    public :: run_response
@@ -26,16 +26,19 @@ contains
       type(shared_steady_t), intent(inout) :: steady
       type(case_result_t), intent(inout) :: result
       type(harmonic_response_t) :: response, coarse
-      real(dp) :: finish, start
+      real(dp) :: finish, start, work_before
       integer :: n
 
       n = size(steady%multigrid%levels)
       call steady%linearise(case, plan)
+      work_before = steady%multigrid%work()
       call cpu_time(start)             ! steadier than the wall clock on a busy machine
       call steady%response%respond(steady%multigrid%levels, plan%waviness, case%natural_frequency, plan%steps_per_cell, &
                                    response)
       call cpu_time(finish)
       result%harmonic%work_units = (finish - start)/work_unit_seconds(plan%cells_x, plan%cells_y)
+      result%harmonic%counted_work_units = (steady%multigrid%work() - work_before)/ &
+                                           work_unit_operations(plan%cells_x, plan%cells_y)
       result%harmonic%linear_steps = response%linear_steps
       result%status = response%status
       if (response%status /= status_converged) then
@@ -45,6 +48,7 @@ contains
       end if
       call result%harmonic%take(response%film, response%pressure, response%approach)
       call find_mean(case, plan, steady, response, result)
+      result%work = result%work + steady%multigrid%work() - work_before
       if (case%sensitivities) call find_response_sensitivities(steady, response, result)
       associate (level => steady%multigrid%levels(n))
          if (plan%waviness%moves()) &

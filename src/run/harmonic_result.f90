@@ -21,6 +21,7 @@ module ehlwave_harmonic_result
       real(dp) :: error = no_value           !! estimated discretisation error of `ratio` and bound for `extrapolated`, relative
       integer :: linear_steps = 0            !! GMRES steps on the grid of the case
       real(dp) :: work_units = no_value      !! of the response on the grid of the case, without the steady state
+      real(dp) :: counted_work_units = no_value   !! the same, counted
       real(dp) :: mean_rise = no_value       !! change of the mean of H(0,0) over Ai, second order, for the Ai of the case
       real(dp) :: smallest_film = no_value   !! smallest H with waves of that Ai, to second order
       real(dp) :: smallest_film_x = no_value, smallest_film_y = no_value   !! where it is

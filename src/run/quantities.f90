@@ -85,7 +85,8 @@ contains
 
       keys = case_key_list(case)
       call add_case(list, case, plan)
-      call list%add('run', 'what is computed: smooth, standing, march or harmonic', trim(kinds(plan%kind)))
+      call list%add('run', 'what is computed: smooth, standing, march, harmonic or periodic', &
+                    trim(merge('periodic', kinds(plan%kind), plan%is_periodic)))
       call list%add('time_steps', 'time steps to be done', plan%steps)
       call list%add('time_step', 'dT', plan%dt)
       call list%add('steady_states', 'steady states to be solved', 1 + plan%phases)
@@ -241,6 +242,7 @@ contains
       call list%add('harmonic_linear_steps', 'GMRES steps of the linear response', harmonic%linear_steps)
       call list%add('harmonic_work_units', 'processor time of the linear response in plain FFT convolutions of the grid', &
                     harmonic%work_units)
+      call list%add('harmonic_counted_work_units', 'the same counted', harmonic%counted_work_units)
    end subroutine add_response
 
    !> Derivatives by the oil, where they were asked for.
@@ -297,6 +299,7 @@ contains
       call list%add('rescued_solutions', 'solutions that took more than the direct solve', result%rescued_solutions)
       call list%add('seconds', 'wall time of the case', result%seconds, unit='s')
       call list%add('work_units', 'wall time in plain FFT convolutions of the grid', result%work_units)
+      call list%add('counted_work_units', 'the same counted, without error estimates and sensitivities', result%counted_work_units)
       call list%add('peak_memory_mib', 'peak memory of the process so far', result%peak_memory_mib, unit='MiB')
       call list%add_list('residual_history', 'mass residual of the solution that failed, before each step and at the end', &
                          result%residual_history)

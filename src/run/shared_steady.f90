@@ -27,6 +27,7 @@ module ehlwave_shared_steady
       type(tangent_change_t) :: by_oil(2)            !! of its state, by ln(alpha) and by ln(stress), see `differentiate`
       type(harmonic_solver_t) :: coarse_response     !! about the next coarser one, if `has_coarse`
       logical :: has_coarse = .false.
+      real(dp) :: work = 0                           !! operations that the steady state took
       logical, private :: is_linearised = .false., has_tangent = .false., is_differentiated = .false.
       character(len=:), allocatable, private :: key  ! of the steady state held, if it may be used again
    contains
@@ -85,6 +86,7 @@ contains
                           method_t(case%method, case%cycle, case%deformation))
       self%rescue = rescue_t(is_ready=climbs(plan), steps_left=plan%largest_total_steps)
       call self%rescue%solve_steady(self%multigrid, limits_of(case), coarse_tolerance)
+      self%work = self%multigrid%work()
    end subroutine prepare
 
    !> Whether a steady state may be rescued: where the grid does not resolve the case the result is not worth the effort.

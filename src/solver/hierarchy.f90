@@ -30,6 +30,7 @@ module ehlwave_hierarchy
    contains
       procedure :: build
       procedure :: start_level
+      procedure :: work
    end type hierarchy_t
 
    integer, parameter :: fewest_cells = 24   !! along X or over the whole width, on the coarsest grid
@@ -66,6 +67,16 @@ contains
          if (l > 1) grid = grid%coarser()
       end do
    end subroutine build
+
+   !> Operations done so far on all of its grids, see `ehlwave_work_unit`.
+   pure real(dp) function work(self)
+      class(hierarchy_t), intent(in) :: self
+      integer :: l
+      work = 0
+      do l = 1, size(self%levels)
+         work = work + self%levels(l)%problem%deformation%work
+      end do
+   end function work
 
    !> First guess of a level: the solution of the next coarser one, on the coarsest that of Hertz.
    subroutine start_level(self, l)

@@ -14,6 +14,7 @@ module ehlwave_line_relaxation
    use ehlwave_real_near_rows, only: link_i, link_j, links, node_links
    use ehlwave_state, only: new_state, state_t
    use ehlwave_step_limit, only: step_limit_t
+   use ehlwave_work_unit, only: relaxation_operations
    implicit none (type, external)
    private
 
@@ -102,6 +103,7 @@ contains
       integer :: i, image, j, jm, n
 
       associate (grid => problem%grid, change => self%change)
+         problem%deformation%work = problem%deformation%work + relaxation_operations*size(change)
          self%before = state
          change = 0
          do j = grid%first_row, grid%last_row

@@ -1,6 +1,7 @@
 !> Newton's method with an active set for the cavitated nodes, GMRES inside.
 module ehlwave_newton
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+   use ehlwave_bent_step, only: bend
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_cycle_settings, only: diagonal_shift, newton_cycle
    use ehlwave_given, only: given_t
@@ -9,7 +10,6 @@ module ehlwave_newton
    use ehlwave_level_solver, only: level_solver_t
    use ehlwave_real_gmres, only: gmres_t
    use ehlwave_real_linearised_contact, only: linearised_contact_t, set_wedge
-   use ehlwave_reynolds, only: intake
    use ehlwave_solve_report, only: solve_limits_t, solve_report_t
    use ehlwave_state, only: state_t
    use ehlwave_status, only: status_converged, status_diverged, status_stalled
@@ -166,6 +166,7 @@ contains
       integer :: i, j
 
       associate (grid => problem%grid, linear => self%linear, level => self%linear%levels(self%linear%finest))
+         call linear%count_evaluation()
          call level%equations%evaluate(problem, state)
          call linear%weigh(linear%finest)
          b(0:grid%nx, 0:grid%ny) => self%rhs(:linear%n - 1)
@@ -256,7 +257,7 @@ contains
          has_moved = ieee_is_finite(maxval(abs(dp_))) .and. ieee_is_finite(self%change(n))
          if (.not. has_moved) return
          step = longest*self%limit%of_pressure(dp_)
-         call bend(self, step, dp_)
+         call bend(self%linear%levels(self%linear%finest)%equations, step, dp_)
          dp_ = max(dp_, lowest_pressure - state%p)
          self%change(n) = step*self%change(n)
          call problem%deformation%apply(dp_, self%film_change)
@@ -268,43 +269,5 @@ contains
          state%h = state%h + shorter*self%film_change      ! the film is linear in P and Delta
       end associate
    end function take_step
-
-   !> Bend a pressure change at nodes whose residual is an exponential of their own pressure.
-   !>
-   !> Where a node takes in oil from neighbours at higher pressure, R behaves like A exp(-s P) - c and
-   !> Newton's method gains one factor e a step. In u = exp(-s P) it is linear: with Newton's change d
-   !>
-   !>     P <- P - ln(1 - s d)/s,     s = phi d ln(eta)/dP,
-   !>
-   !> phi: share of that exponential in the diagonal of the Jacobian. The difference from P + d is of second
-   !> order, so the final convergence stays quadratic.
-   pure subroutine bend(self, step, dp_)
-      class(newton_t), intent(in) :: self
-      real(dp), intent(in) :: step              !! step length
-      real(dp), intent(inout) :: dp_(0:, 0:)    !! Newton's change, then the change to make
-      real(dp) :: gain, s
-      integer :: i, j
-
-      associate (equations => self%linear%levels(self%linear%finest)%equations, &
-                 mesh => self%linear%levels(self%linear%finest)%equations%mesh, &
-                 flow => self%linear%levels(self%linear%finest)%equations%flow)
-         do j = mesh%grid%first_row, mesh%grid%last_row
-            do i = 1, mesh%grid%nx - 1
-               dp_(i, j) = step*dp_(i, j)
-               s = -flow%eps_p(i, j)/flow%eps(i, j)
-               if (s*abs(dp_(i, j)) < 0.05_dp .or. equations%is_cavitated(i, j)) cycle
-               gain = intake(mesh, flow, i, j)
-               if (gain <= 0) cycle
-               s = s*gain/(gain + 1/equations%scale(i, j))
-               if (s*abs(dp_(i, j)) > 1e-3_dp) dp_(i, j) = -log(max(1 - s*dp_(i, j), 0.1_dp))/s
-            end do
-         end do
-         do i = 1, equations%edges%count()
-            associate (p => dp_(equations%edges%i(i), equations%edges%j(i)))
-               p = step*p
-            end associate
-         end do
-      end associate
-   end subroutine bend
 
 end module ehlwave_newton

@@ -12,7 +12,7 @@ module ehlwave_checkpoint_file
    implicit none (type, external)
    private
 
-   character(len=*), parameter :: format_line = 'ehlwave-checkpoint 3 '//program_version//' '//git_revision//' '// &
+   character(len=*), parameter :: format_line = 'ehlwave-checkpoint 4 '//program_version//' '//git_revision//' '// &
       compiler//' '//compiler_flags
 
    integer, parameter :: bytes_of_real = storage_size(1.0_dp)/8
@@ -123,6 +123,7 @@ contains
          call bytes%numbers(past%earliest%delta)
          call bytes%numbers(r%worst_residual)
          call bytes%numbers(r%worst_load_error)
+         call bytes%numbers(r%work)
          call bytes%numbers(given%load%carried)
          call bytes%numbers(given%load%force)
          call bytes%numbers(rescue%thinnest)

@@ -14,6 +14,7 @@ module ehlwave_mean_film
    use ehlwave_status, only: status_stalled
    use ehlwave_steady_tangent, only: steady_tangent_t, tangent_change_t
    use ehlwave_waviness, only: waviness_t
+   use ehlwave_work_unit, only: evaluation_operations
    implicit none (type, external)
    private
    public :: find_mean_change, has_mean
@@ -29,6 +30,7 @@ module ehlwave_mean_film
    type, public :: mean_change_t
       integer :: status = status_stalled   !! converged, stalled or not finite
       integer :: linear_steps = 0          !! GMRES steps
+      type(state_t) :: state               !! of P, H and Delta
       real(dp) :: film = 0                 !! of H(0,0)
       real(dp) :: smallest_film = 0        !! smallest H over all nodes and phases, to second order
       real(dp) :: smallest_at(2) = 0       !! its X and Y
@@ -62,6 +64,7 @@ contains
          call tangent%solve(levels, b, tolerance, second)
          change%status = second%status
          change%linear_steps = second%linear_steps
+         change%state = second%state
          change%film = grid%value_at_centre(second%state%h)
          h = tangent%state%h + second%state%h - amplitude*abs(response%h)
          change%smallest_film = minval(h)
@@ -75,7 +78,7 @@ contains
    !> the load row and at flooded edges, whose pressure is small and changes by (h/H)^2 of it.
    subroutine mean_residual(tangent, level, response, phases, amplitude, b)
       type(steady_tangent_t), intent(inout) :: tangent
-      type(level_t), intent(in) :: level           !! the finest
+      type(level_t), intent(inout) :: level        !! the finest
       type(harmonic_response_t), intent(in) :: response
       integer, intent(in) :: phases
       real(dp), intent(in) :: amplitude
@@ -94,6 +97,7 @@ contains
             state%p = tangent%state%p + real(factor*response%p, dp)
             state%h = tangent%state%h + real(factor*response%h, dp)
             call finest%equations%evaluate(level%problem, state)
+            level%problem%deformation%work = level%problem%deformation%work + real(evaluation_operations, dp)*size(r)
             r = r - finest%equations%residual/phases
          end do
          call tangent%stand(level)

@@ -43,6 +43,7 @@ module ehlwave_time_march
       real(dp) :: worst_residual = 0           !! largest over the steps
       real(dp) :: worst_load_error = 0
       integer :: nonlinear_steps = 0, linear_steps = 0, factorisations = 0
+      real(dp) :: work = 0                     !! operations, see `ehlwave_work_unit`
    end type march_result_t
 
    !> Solutions that the first guess is made from.
@@ -124,7 +125,7 @@ contains
       type(full_multigrid_t), intent(inout) :: multigrid
       type(solve_limits_t), intent(in) :: limits
       class(monitor_t), intent(inout) :: monitor
-      real(dp) :: start_s, t
+      real(dp) :: start_s, t, work_before
       integer :: first, k, last
 
       start_s = wall_seconds()
@@ -135,7 +136,9 @@ contains
             t = k*time_step(self, level)
             call pose_step(self, level%problem, t)
             if (settings%steps_per_cell == 1) call extrapolate(settings%cells_per_step, self%share, self%past, level%state)
+            work_before = multigrid%work()
             call solve_step(self, multigrid, limits)
+            self%result%work = self%result%work + multigrid%work() - work_before
             if (self%result%status /= status_converged) exit
 
             call keep_step(self, level, k, t)

@@ -101,13 +101,13 @@ contains
                           [b%status, b%nonlinear_steps, b%linear_steps, b%rescued_solutions, b%harmonic%linear_steps]) &
                       .and. a%rung == b%rung .and. a%message == b%message, what//': outcome and effort')
       call test%check(all(same([a%central_film, a%minimum_film, a%central_film_error, a%minimum_film_error, a%film_order, &
-                                a%residual, a%load_error], &
+                                a%residual, a%load_error, a%counted_work_units], &
                                [b%central_film, b%minimum_film, b%central_film_error, b%minimum_film_error, b%film_order, &
-                                b%residual, b%load_error])), what//': smooth contact')
+                                b%residual, b%load_error, b%counted_work_units])), what//': smooth contact')
       call test%check(all(same([a%harmonic%real_part, a%harmonic%imaginary_part, a%harmonic%approach_ratio, &
-                                a%harmonic%extrapolated, a%harmonic%error], &
+                                a%harmonic%extrapolated, a%harmonic%error, a%harmonic%counted_work_units], &
                                [b%harmonic%real_part, b%harmonic%imaginary_part, b%harmonic%approach_ratio, &
-                                b%harmonic%extrapolated, b%harmonic%error])), what//': response')
+                                b%harmonic%extrapolated, b%harmonic%error, b%harmonic%counted_work_units])), what//': response')
    end subroutine compare
 
    !> Equal bits; NaN equals NaN.
