@@ -52,10 +52,11 @@ contains
       integer :: k
 
       given = case_key_list(case)
-      defaults = case_values()
       do k = 1, given%count
          associate (key => given%keys(k), value => given%values(k))
-            if (key%group /= group .or. .not. key%applies .or. is_allowed(key, value)) cycle
+            if (key%group /= group .or. .not. key%applies) cycle
+            if (is_allowed(key, value)) cycle
+            defaults = case_values()
             if (is_none(value, defaults%values(k))) then
                call raise(error, '&'//trim(key%group)//' '//trim(key%name)//' is missing: '//trim(key%when)//' needs it')
             else

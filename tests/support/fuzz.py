@@ -114,8 +114,8 @@ class Target:
         return "case", "case.nml", corpus
 
     def prepare_sweep(self):
-        corpus = [SWEEP] + [path.read_bytes() for path in sorted((ROOT/"inputs").glob("*.nml")) if b"&sweep" in path.read_bytes()]
-        return "sweep", "sweep.nml", corpus
+        few = SWEEP.replace(b"0.5, 1\n", b"2\n").replace(b"M", b"m")
+        return "sweep", "sweep.nml", [SWEEP, few, SWEEP.replace(b"\n", b"\r\n")]
 
     def prepare_table(self):
         (self.folder/"table.nml").write_text(TABLE_SWEEP)

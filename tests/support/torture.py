@@ -236,8 +236,9 @@ def inject(faults, seed, folder=None, say=print):
         for _ in range(faults):
             fault, status = run.disturb()
             say(f"  {fault}: exit status {status}")
-        for message in run.messages:
-            say(f"  {message}")
+            for message in run.messages:
+                say(f"  {message}")
+            run.messages.clear()
     return run.counts
 
 

@@ -59,7 +59,10 @@ def amplitude_figure(pairs: Pairs) -> Figure:
                 rasterized=True,
             )
             axis.set(xscale="log", ylim=(0, 1.2), title=f"{oil}: $|{name}|$")
+    ticks = (0.2, 0.5, 1.0, 2.0, 5.0)
     for axis in axes[1]:
+        axis.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
+        axis.set_xticks([], minor=True)
         axis.set_xlabel(r"$x=0.263\,(\lambda_n/a)(\gamma M)^{1/2}L^{-\cos^2\theta/3}$")
     figure.colorbar(points, ax=axes, label="$S$", shrink=0.7)
     return figure
@@ -86,7 +89,7 @@ def eyring_figure(number: Floats, found: Complex, closed: Complex, rigid: Comple
     right.scatter(number, np.abs(closed / rigid), s=6, color=COLOURS[0], label="amplitude")
     turn = np.abs(np.angle(closed / rigid))
     right.scatter(number, turn, s=6, color=COLOURS[2], label="phase, rad")
-    right.set(ylabel="compressible over incompressible")
+    right.set(ylabel="compressible over incompressible", ylim=(0, 2.5))
     right.legend(frameon=False, fontsize=8)
     for axis in (left, right):
         axis.set(xscale="log", xlabel=r"$(\tau_0/E')(\lambda/h)^2$", xlim=(1e-2, 1e2))
@@ -149,7 +152,7 @@ def ridge_figure(passed: list[Passing]) -> Figure:
             axis.plot(one.x, one.lines[name], label=name, **style)
         axis.axvspan(-WINDOW, WINDOW, color="0.95", zorder=-1)
         errors = ", ".join(f"{name} {100 * one.error(name):.1f} %" for name in list(styles)[1:])
-        axis.set_title(f"S = {one.slip:g}; error over Rq: {errors}", fontsize=8)
+        axis.set_title(f"S = {one.slip:g}; error over Rq:\n{errors}", fontsize=8)
         axis.set_xlabel("$X$")
     axes[0].set_ylabel("film less smooth film over height")
     axes[0].legend(frameon=False, fontsize=7.5)
