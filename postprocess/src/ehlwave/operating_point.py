@@ -163,7 +163,8 @@ class Contact:
         slip_parameter : float
             S of the surface that carries the waves, 0.5 to 1.5. Other than 1 it is not in the
             atlas: the law of the two waves answers, for a Ree-Eyring oil where
-            ``eyring_stress_pa`` was given, else for a Newtonian one, with an error to match and without pressure (NaN).
+            ``eyring_stress_pa`` was given, else for a Newtonian one, with an error to match and
+            without pressure (NaN).
             Longitudinal waves stand still whatever the slip.
 
         Raises
