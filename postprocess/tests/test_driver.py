@@ -49,6 +49,13 @@ def test_the_page_of_the_engineer_runs() -> None:
 
 
 @needs_programs
+def test_the_page_of_the_academic_runs() -> None:
+    command = [sys.executable, str(EXAMPLES / "academic.py")]
+    said = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+    assert said.count("converged") == 3
+
+
+@needs_programs
 def test_a_case_is_planned_run_and_drawn() -> None:
     case = ehlwave.Case(**MOES, **COARSE, orientation="transverse", wavelength_over_a=1.5)
     assert case.plan()["cells_x"] == 32

@@ -2,19 +2,30 @@
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
-from ehlwave.atlas.atlas import Atlas, load_atlas
+from ehlwave.atlas.atlas import Atlas, Chart, load_atlas
+from ehlwave.atlas.coordinates import wave_components
 from ehlwave.atlas.ranges import WAVE_RANGE
 from ehlwave.deform.atlas_transfer import AtlasTransfer, with_atlas_film
 from ehlwave.deform.conditions import Conditions, conditions_from_keys, moes_film
 from ehlwave.deform.predict import Deformed, deform_surface
 from ehlwave.deform.prepare import Form, Window
 from ehlwave.deform.read import ReadOptions, read_surface
+from ehlwave.deform.sliding import TwoWaveTransfer
 from ehlwave.deform.surface import Surface
 from ehlwave.deform.transfer import FormulaTransfer, RecommendedTransfer, Transfer
 from ehlwave.errors import RangeError, SurfaceError
+from ehlwave.two_waves import two_waves
+
+SLIPS = (0.5, 1.5)
+"""Slip parameters that :meth:`Contact.response` answers for."""
+
+SLIP_ERRORS = {True: 0.11, False: 0.165}
+"""Of the law of the two waves, units of Ai, by whether the oil is Ree-Eyring: twice the rms error
+in conditions held out of its fit (``record/two_waves/errors.csv``)."""
 
 
 @dataclass(frozen=True)
@@ -111,6 +122,11 @@ class Contact:
         """Return the atlas that answers are from."""
         return load_atlas() if self._atlas is None else load_atlas(self._atlas)
 
+    @cached_property
+    def _chart(self) -> Chart:
+        """The responses of the contact."""
+        return self.atlas().at(self.conditions.atlas_keys())
+
     def film(self) -> Film:
         """Return central and smallest film of the smooth contact, from the atlas.
 
@@ -120,7 +136,7 @@ class Contact:
             A ValueError: the contact lies outside the atlas.
         """
         c, atlas = self.conditions, self.atlas()
-        film = atlas.at(c.atlas_keys()).film(moes_film(c.m, c.l, c.d))
+        film = self._chart.film(moes_film(c.m, c.l, c.d))
         scale = c.metres_per_moes
         return Film(
             central_m=None if scale is None else film.central_moes * scale,
@@ -145,7 +161,11 @@ class Contact:
         angle_deg : float
             Between wave vector and rolling direction, in metres: 0 transverse, 90 longitudinal.
         slip_parameter : float
-            S of the surface that carries the waves.
+            S of the surface that carries the waves, 0.5 to 1.5. Other than 1 it is not in the
+            atlas: the law of the two waves answers, for a Ree-Eyring oil where
+            ``eyring_stress_pa`` was given, else for a Newtonian one, with an error to match and
+            without pressure (NaN).
+            Longitudinal waves stand still whatever the slip.
 
         Raises
         ------
@@ -163,32 +183,53 @@ class Contact:
             raise RangeError(
                 f"angle_deg = {angle_deg:.5g} lies outside 0 to 90 (waves at -angle are the same)"
             )
-        if slip_parameter != 1:
-            raise RangeError(
-                f"slip_parameter = {slip_parameter:g}: the atlas holds pure rolling, "
-                "slip_parameter = 1"
-            )
+        if slip_parameter != 1 and angle_deg < 90:
+            return self._response_under_slip(wavelength_over_a, angle_deg, slip_parameter)
         atlas = self.atlas()
-        found = atlas.at(self.conditions.atlas_keys()).responses(wavelength_over_a, angle_deg)
+        found = self._chart.responses(wavelength_over_a, angle_deg)
         return Response(
             complex(found.film), complex(found.pressure), float(found.error), atlas.name
         )
 
+    def _response_under_slip(self, wave: float, angle_deg: float, slip: float) -> Response:
+        """Return the response by the law of the two waves, with the film of the atlas."""
+        low, high = SLIPS
+        if not low <= slip <= high:
+            raise RangeError(
+                f"slip_parameter = {slip:g} lies outside {low:g} to {high:g}, where the law of the "
+                "two waves is known to hold"
+            )
+        conditions = with_atlas_film(self.conditions, self.atlas())
+        components = wave_components(wave, angle_deg)
+        film = two_waves(conditions, slip, *components).at(0.0)
+        is_eyring = conditions.oil.stress_modulus_pa2 is not None
+        oil = "Ree-Eyring" if is_eyring else "Newtonian"
+        return Response(
+            film=complex(film),
+            pressure=complex(math.nan, math.nan),
+            error=SLIP_ERRORS[is_eyring],
+            source=f"law of the two waves, {oil} oil",
+        )
+
     def transfer(self, by: str = "atlas") -> Transfer:
-        """Return what judges components: ``"atlas"``, or a formula: ``"recommended"``, ``"paper"``.
+        """Return what judges components: ``"atlas"``, or a law: ``"recommended"``, ``"paper"``.
+
+        Under slip that of the two waves stands for the atlas.
 
         Raises
         ------
         RangeError
-            A ValueError: the contact lies outside the atlas, or there is slip.
+            A ValueError: the contact lies outside the atlas.
         """
-        if by == "atlas":
+        if by == "atlas" and self.conditions.slip_parameter == 1:
             return AtlasTransfer(self.conditions, self.atlas())
+        if by in ("atlas", "two-waves"):
+            return TwoWaveTransfer(self.conditions)
         if by == "recommended":
             return RecommendedTransfer(self.conditions)
         if by == "paper":
             return FormulaTransfer(self.conditions)
-        raise RangeError(f"by = {by!r}: one of 'atlas', 'recommended', 'paper'")
+        raise RangeError(f"by = {by!r}: one of 'atlas', 'two-waves', 'recommended', 'paper'")
 
     def deform(
         self,
@@ -204,7 +245,7 @@ class Contact:
         ----------
         surface : Surface or path
             As :func:`ehlwave.read_surface` reads it.
-        by : {"atlas", "recommended", "paper"}
+        by : {"atlas", "two-waves", "recommended", "paper"}
             What components are judged by. The film is the atlas' where the contact lies in it.
         form, ends
             See :func:`ehlwave.deform_surface`.

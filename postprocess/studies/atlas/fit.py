@@ -22,9 +22,9 @@ from ehlwave.atlas.ranges import CONTACT_RANGES
 
 Floats = NDArray[np.float64]
 
-FIRST_SCALES = Scales(np.array([1.4, 1.8, 4.0, 8.0, 3.0]), np.array([1.8, 1.0, 3.5, 1.4]))
+FIRST_SCALES = Scales(np.array([1.0, 1.4, 4.5, 5.0, 2.5]), np.array([3.5, 1.0, 3.5, 1.0]))
 FIRST_FILM_SCALES = np.array([3.0, 4.0, 4.0, 4.0, 5.0])
-MOST_TRAINED = 400
+MOST_TRAINED = 800
 """Points of which the length scales are fitted; more change them little and cost the cube."""
 
 FOLDS = 8

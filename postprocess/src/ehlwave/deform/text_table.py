@@ -82,9 +82,8 @@ def read_text_table(file: Path) -> TextTable:
     content = [line for line in lines if line.strip() and not line.lstrip().startswith("#")]
     if not content:
         raise SurfaceError(f"{file}: is empty")
-    if not any(
-        _is_number(cell) for line in content for cell in re.split(r"[;,\t ]+", line.strip())
-    ):
+    cells = (cell for line in content for cell in re.split(r"[;,\t ]+", line.strip()))
+    if not any(map(_NUMBER.match, cells)):
         raise SurfaceError(
             f"{file}: holds no numbers; write positions and heights as two columns with headings "
             "such as x_um;z_um"
