@@ -144,7 +144,8 @@ class SweepKeys(unittest.TestCase):
                 ({"cells_x": [32, 33]}, "cells_x = 33"),
                 ({"load_n": [10, 20]}, "&conditions gives both"),
                 ({"f_v": 1, "wavelength_over_a": 1}, "give one of the two"),
-                ({"step_tolerance": [1e-4]*2000, "tolerance": [1e-6]*2000}, "have 4000000 combinations, more than 1000000")]:
+                ({"step_tolerance": [1e-4 + 1e-8*k for k in range(2000)], "tolerance": [1e-6 + 1e-10*k for k in range(2000)]},
+                 "have 4000000 combinations")]:
             with self.subTest(sweep=list(sweep)):
                 self.assertIn(needle, self.refused({**SHARED, "sweep": sweep}))
         groups = {**SHARED, "sweep": {"slip_parameter": [1, 1.5]}, "solver": {"cycle": "v"}}
