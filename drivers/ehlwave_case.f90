@@ -1,6 +1,6 @@
 !> ehlwave-case: solve one contact.
 program ehlwave_case
-   use, intrinsic :: iso_fortran_env, only: error_unit, output_unit
+   use, intrinsic :: iso_fortran_env, only: output_unit
    use ehlwave_arguments, only: arguments_t, read_arguments
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_file, only: read_case
@@ -8,16 +8,20 @@ program ehlwave_case
    use ehlwave_case_report, only: print_plan, print_result
    use ehlwave_case_result, only: case_result_t
    use ehlwave_errors, only: error_t
-   use ehlwave_estimated_case, only: run_estimated_case
-   use ehlwave_field_file, only: check_writable, write_case_file
+   use ehlwave_field_file, only: write_case_file
    use ehlwave_key_reference, only: case_key_reference
    use ehlwave_log, only: log_monitor_t
+   use ehlwave_output_path, only: check_output_path
    use ehlwave_petsc_library, only: finish_petsc
+   use ehlwave_posix, only: end_program, ignore_broken_pipes
+   use ehlwave_provenance, only: git_revision, program_version
    use ehlwave_provenance_list, only: print_version
    use ehlwave_quantities, only: add_plan, add_result
    use ehlwave_quantity, only: quantity_list_t
    use ehlwave_quantity_output, only: json_object
+   use ehlwave_refined_case, only: run_refined_case
    use ehlwave_status, only: is_success
+   use ehlwave_terminal, only: complain, print_last
    implicit none (type, external)
 
    character(len=*), parameter :: usage(18) = [character(len=96) :: &
@@ -33,8 +37,8 @@ program ehlwave_case
       '  --version        version of the program; --verbose: with build, libraries, processor', &
       '  --help           this text', &
       '', &
-      'Exit status: 0 converged (or unresolved, flagged in the result); 1 not converged;', &
-      '             2 bad input or usage; 3 output file could not be written', &
+      'Exit status: 0 converged (or unresolved, flagged in the result); 1 not converged, or inaccurate;', &
+      '             2 bad input or usage; 3 output could not be written', &
       '', &
       'A minimal input:   &conditions load_parameter_m = 100, lubricant_parameter_l = 12.05,', &
       '                   radius_ratio_d = 1 /', &
@@ -48,19 +52,21 @@ program ehlwave_case
    type(log_monitor_t) :: monitor
    type(quantity_list_t) :: quantities
    integer :: i
+   logical :: is_written
 
+   call ignore_broken_pipes()
    call read_arguments(['--plan   ', '--json   ', '--quiet  ', '--keys   ', '--help   ', '--version', '--verbose'], &
                        ['--output'], arguments, error)
    if (allocated(error)) call fail(error%message//'; see ehlwave-case --help', 2)
    if (arguments%has('--help')) then
-      write (output_unit, '(a)') (trim(usage(i)), i=1, size(usage))
-      stop 0, quiet=.true.
+      write (output_unit, '(a)') (trim(usage(i)), i=1, size(usage) - 1)
+      call finish(trim(usage(size(usage))), 0)
    else if (arguments%has('--keys')) then
       write (output_unit, '(a)', advance='no') case_key_reference(is_markdown=.false.)
-      stop 0, quiet=.true.
+      call end_program(0)
    else if (arguments%has('--version')) then
       call print_version(output_unit, arguments%has('--verbose'))
-      stop 0, quiet=.true.
+      call end_program(0)
    end if
    if (size(arguments%files) /= 1) call fail('give one input file; see ehlwave-case --help', 2)
 
@@ -69,44 +75,54 @@ program ehlwave_case
    if (allocated(error)) call fail(error%message, 2)
    if (arguments%has('--output')) then
       case%fields = .true.
-      call check_writable(arguments%value('--output'), error)
+      call check_output_path(arguments%value('--output'), error)
       if (allocated(error)) call fail(error%message, 2)
    end if
 
    call print_plan(output_unit, case, plan)
    if (arguments%has('--plan')) then
-      if (arguments%has('--json')) then
-         call add_plan(quantities, case, plan)
-         write (output_unit, '(a)') json_object(quantities)
-      end if
-      stop 0, quiet=.true.
+      call add_plan(quantities, case, plan)
+      call conclude(0)
    end if
 
    monitor%is_quiet = arguments%has('--quiet')
    flush (output_unit)
-   call run_estimated_case(case, plan, monitor, result)
+   call run_refined_case(case, plan, monitor, result)
    call finish_petsc()
    call print_result(output_unit, case, plan, result)
    if (arguments%has('--output')) then
       call write_case_file(arguments%value('--output'), case, plan, result, error)
-      if (allocated(error)) write (error_unit, '(a)') 'ehlwave-case: '//error%message
+      if (allocated(error)) call complain('ehlwave-case', error%message)
    end if
-   if (arguments%has('--json')) then
-      call add_result(quantities, case, plan, result)
-      write (output_unit, '(a)') json_object(quantities)
-   end if
-   flush (output_unit)
-   if (allocated(error)) stop 3, quiet=.true.
-   if (.not. is_success(result%status)) stop 1, quiet=.true.
-   stop 0, quiet=.true.
+   call add_result(quantities, case, plan, result)
+   call conclude(merge(3, merge(0, 1, is_success(result%status)), allocated(error)))
 
 contains
+
+   !> The last line: the quantities as JSON where they are asked for, else what computed them.
+   subroutine conclude(code)
+      integer, intent(in) :: code
+      if (arguments%has('--json')) then
+         call finish(json_object(quantities), code)
+      else
+         call finish('Program      ehlwave '//program_version//' '//git_revision, code)
+      end if
+   end subroutine conclude
+
+   !> Print the last line and end, with status 3 if what was printed could not be written.
+   subroutine finish(line, code)
+      character(len=*), intent(in) :: line
+      integer, intent(in) :: code
+      call print_last(line, is_written)
+      if (.not. is_written) call fail('standard output could not be written', 3)
+      call end_program(code)
+   end subroutine finish
 
    subroutine fail(message, code)
       character(len=*), intent(in) :: message
       integer, intent(in) :: code
-      write (error_unit, '(a)') 'ehlwave-case: '//message
-      stop code, quiet=.true.
+      call complain('ehlwave-case', message)
+      call end_program(code)
    end subroutine fail
 
 end program ehlwave_case

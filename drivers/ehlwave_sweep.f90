@@ -1,19 +1,21 @@
 !> ehlwave-sweep: many contacts, distributed over MPI ranks.
 program ehlwave_sweep
-   use, intrinsic :: iso_fortran_env, only: error_unit, output_unit
+   use, intrinsic :: iso_fortran_env, only: output_unit
    use ehlwave_arguments, only: arguments_t, read_arguments
-   use ehlwave_estimated_case, only: run_estimated_case
    use ehlwave_case_table, only: read_output_name, read_sweep
    use ehlwave_errors, only: error_t
    use ehlwave_petsc_library, only: finish_petsc
-   use ehlwave_posix, only: catch_signals
+   use ehlwave_posix, only: catch_signals, end_program, ignore_broken_pipes
+   use ehlwave_provenance, only: git_revision, program_version
    use ehlwave_provenance_list, only: print_version
+   use ehlwave_refined_case, only: run_refined_case
    use ehlwave_sweep_cases, only: sweep_t
    use ehlwave_sweep_job, only: mpi_library, run_job
    use ehlwave_sweep_keys, only: sweep_key_reference
-   use ehlwave_sweep_leader, only: exit_bad_input, exit_done, exit_failed, exit_unfinished, job_options_t
+   use ehlwave_sweep_leader, only: exit_bad_input, exit_done, exit_failed, exit_not_written, exit_unfinished, job_options_t
    use ehlwave_sweep_report, only: print_sweep_plan
    use ehlwave_sweep_status, only: print_status
+   use ehlwave_terminal, only: complain, print_last
    use ehlwave_time_text, only: read_time
    use mpi_f08, only: mpi_bcast, mpi_comm_rank, mpi_comm_world, mpi_finalize, mpi_init, mpi_logical
    implicit none (type, external)
@@ -46,7 +48,7 @@ program ehlwave_sweep
       'sweep again when a rank died.', &
       '', &
       'Exit status: 0 all cases converged (or are flagged unresolved); 1 all cases ran, some did not converge;', &
-      '             2 bad input or usage; 3 results could not be written;', &
+      '             2 bad input or usage; 3 results or output could not be written;', &
       '             85 stopped before the end: the same command goes on (--status: cases are left)', &
       '', &
       'A minimal sweep:   &sweep load_parameter_m = 100, 200, lubricant_parameter_l = 12.05,', &
@@ -61,7 +63,12 @@ program ehlwave_sweep
 
    call read_arguments(['--plan     ', '--overwrite', '--keys     ', '--markdown ', '--help     ', '--version  ', &
                         '--verbose  '], ['--output    ', '--time-limit', '--retry     ', '--status    '], arguments, error)
-   if (.not. allocated(error)) call answer()
+   call ignore_broken_pipes()
+   if (.not. allocated(error)) then
+      call answer()
+      ! as early as can be: MPI takes a while to start
+      if (.not. (arguments%has('--plan') .or. arguments%has('--status'))) call catch_signals()
+   end if
    call mpi_init()
    call mpi_comm_rank(mpi_comm_world, rank)
    if (allocated(error)) call refuse(error%message//'; see ehlwave-sweep --help')
@@ -69,16 +76,18 @@ program ehlwave_sweep
    if (size(arguments%files) /= 1) call refuse('give one sweep file; see ehlwave-sweep --help')
    call read_options()
 
-   if (.not. arguments%has('--plan')) call catch_signals()
-   if (rank == 0) call read_sweep(trim(arguments%files(1)), sweep, error)
+   if (rank == 0 .and. arguments%has('--output')) then
+      call read_sweep(trim(arguments%files(1)), sweep, error, arguments%value('--output'), options%overwrite)
+   else if (rank == 0) then
+      call read_sweep(trim(arguments%files(1)), sweep, error, begins_anew=options%overwrite)
+   end if
    call refuse_together()
    if (rank == 0) write (output_unit, '(a)', advance='no') sweep%notice
-   if (arguments%has('--output')) sweep%output = arguments%value('--output')
    if (arguments%has('--plan')) then
       if (rank == 0) call print_sweep_plan(output_unit, sweep)
-      call finish(exit_done)
+      call conclude(exit_done)
    end if
-   call run_job(mpi_comm_world, run_estimated_case, trim(arguments%files(1)), sweep, options, code)
+   call run_job(mpi_comm_world, run_refined_case, trim(arguments%files(1)), sweep, options, code)
    call finish(code)
 
 contains
@@ -104,7 +113,7 @@ contains
       else if (is_first) then
          write (output_unit, '(a)', advance='no') sweep_key_reference(arguments%has('--markdown'))
       end if
-      stop exit_done, quiet=.true.
+      call end_program(exit_done)
    end subroutine answer
 
    subroutine show_status()
@@ -121,8 +130,18 @@ contains
                                                      is_finished)
       end if
       call refuse_together()
-      call finish(status)
+      call conclude(status)
    end subroutine show_status
+
+   !> End with what told a plan or a status as the last line; all ranks alike.
+   subroutine conclude(status)
+      integer, intent(in) :: status
+      logical :: is_written
+      is_written = .true.
+      if (rank == 0) call print_last('Program      ehlwave '//program_version//' '//git_revision, is_written)
+      if (.not. is_written) call complain('ehlwave-sweep', 'standard output could not be written')
+      call finish(merge(status, exit_not_written, is_written))
+   end subroutine conclude
 
    subroutine read_options()
       options%overwrite = arguments%has('--overwrite')
@@ -139,7 +158,7 @@ contains
    !> Refuse the run; called by all ranks alike.
    subroutine refuse(message)
       character(len=*), intent(in) :: message
-      if (rank == 0) write (error_unit, '(a)') 'ehlwave-sweep: '//message
+      if (rank == 0) call complain('ehlwave-sweep', message)
       call finish(exit_bad_input)
    end subroutine refuse
 
@@ -149,7 +168,7 @@ contains
       has_failed = allocated(error)
       call mpi_bcast(has_failed, 1, mpi_logical, 0, mpi_comm_world)
       if (.not. has_failed) return
-      if (rank == 0) write (error_unit, '(a)') 'ehlwave-sweep: '//error%message
+      if (rank == 0) call complain('ehlwave-sweep', error%message)
       call finish(exit_bad_input)
    end subroutine refuse_together
 
@@ -158,7 +177,7 @@ contains
       flush (output_unit)
       call finish_petsc()
       call mpi_finalize()
-      stop status, quiet=.true.
+      call end_program(status)
    end subroutine finish
 
 end program ehlwave_sweep

@@ -12,7 +12,7 @@ from typing import Any
 from ehlwave.deform import Surface, simulation_surface, write_simulation_surface
 from ehlwave.errors import ResultsError
 from ehlwave.read import read_results
-from studies.programs import Groups, namelist
+from studies.programs import Groups, namelist, paper_edges
 
 Row = dict[str, Any]
 
@@ -21,6 +21,8 @@ def write_sweep(
     folder: Path, name: str, rows: Iterable[Mapping[str, object]], groups: Groups
 ) -> Path:
     """Write ``name``.nml and the CSV file of its cases; return the path of the former.
+
+    The edges of the domain are those of the paper unless the groups say which.
 
     Parameters
     ----------
@@ -41,7 +43,7 @@ def write_sweep(
         "output": f"{folder.resolve()}/{name}.h5",
     }
     path = folder / f"{name}.nml"
-    text = namelist({**groups, "sweep": {**files, **groups.get("sweep", {})}})
+    text = namelist({**paper_edges(groups), "sweep": {**files, **groups.get("sweep", {})}})
     path.write_text(text, encoding="utf-8")
     return path
 

@@ -9,6 +9,7 @@ import pytest
 from contact import EXPERIMENT, experiment
 
 from ehlwave.cli import main
+from ehlwave.deform.atlas_transfer import with_atlas_film
 from ehlwave.formula import amplitude_ratio_formula, recommended_ratio
 
 Capture = pytest.CaptureFixture[str]
@@ -31,6 +32,8 @@ def test_deform_writes_profile_spectrum_report_and_figures(tmp_path: Path, capsy
         "none",
         "--ends",
         "none",
+        "--formula",
+        "paper",
     ]
     output = tmp_path / "new" / "folder"
     assert main([*arguments, "--output", str(output)]) == 0
@@ -45,7 +48,7 @@ def test_deform_writes_profile_spectrum_report_and_figures(tmp_path: Path, capsy
     table = np.genfromtxt(output / "deformed.csv", delimiter=",", names=True)
     ratio = amplitude_ratio_formula(60e-6 * experiment().v_per_wavelength)
     np.testing.assert_allclose(table["deformed_um"], ratio * table["height_um"], atol=1e-9)
-    film = experiment().central_film_m * 1e6
+    film = with_atlas_film(experiment()).central_film_m * 1e6
     np.testing.assert_allclose(table["film_um"], film - table["deformed_um"], atol=1e-8)
     spectrum = np.genfromtxt(
         output / "spectrum.csv", delimiter=",", names=True, dtype=None, encoding=None
@@ -120,7 +123,10 @@ def test_the_formula_can_be_chosen(tmp_path: Path, capsys: Capture) -> None:
         assert main(["deform", surface, *CONDITIONS, *ends, "--formula", name]) == 0
         after[name] = json.loads(capsys.readouterr().out)
     assert main(["deform", surface, *CONDITIONS, *ends]) == 0
-    assert json.loads(capsys.readouterr().out) == after["paper"]
+    by_default = json.loads(capsys.readouterr().out)
+    assert by_default["transfer"].startswith("atlas")
+    assert by_default["error_m"] < 0.05 * by_default["statistics"]["rq_before_m"]
+    assert after["paper"]["error_m"] is None
     contact = experiment()
     wave = 60e-6 / contact.semi_axis_a_m
     expected = recommended_ratio(contact.m, contact.l, contact.gamma, wave, 0)

@@ -1,4 +1,5 @@
 import itertools
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -19,6 +20,7 @@ from ehlwave.deform import (
     read_table,
     trace_surface,
 )
+from ehlwave.deform.report import report_text
 from ehlwave.errors import SurfaceError
 from ehlwave.formula import amplitude_ratio_formula, f_of_r
 from ehlwave.points import select_points
@@ -115,6 +117,48 @@ def test_maps_stay_real_and_keep_parseval_with_phases(
     turned = map_surface(heights[:, ::-1], 8e-6, 9e-6)
     again = deform_surface(turned, CONTACT, transfer, form="mean", window="none")
     np.testing.assert_allclose(again.height[:, ::-1], result.height, rtol=0, atol=1e-20)
+
+
+def test_waves_raise_the_mean_film_by_their_squares(tmp_path: Path) -> None:
+    # a rise linear in log(wave) is interpolated without error
+    rows = table()
+    wave = np.where(rows["lambda_x_over_a"] > 0, rows["lambda_x_over_a"], 1.0)
+    rows["mean_rise"] = 0.2 - 0.05 * np.log(wave)
+    film, a = CONTACT.central_film_m, CONTACT.semi_axis_a_m
+    transfer = TableTransfer(CONTACT, read(tmp_path, rows))
+    points, period = 512, 4 * a
+    x = np.arange(points) * period / points
+    heights = 3e-8 * np.cos(16 * np.pi * x / period) + 2e-8 * np.sin(32 * np.pi * x / period)
+    surface = trace_surface(heights + 7e-9, period / points)
+    expected = sum(
+        (0.2 - 0.05 * np.log(period / a / waves)) * amplitude**2 / film
+        for waves, amplitude in ((8, 3e-8), (16, 2e-8))
+    )
+    for form, window in (("none", "none"), ("mean", "mirror")):
+        result = deform_surface(surface, CONTACT, transfer, form, window)
+        found = result.statistics
+        assert found.mean_rise_m == pytest.approx(expected, rel=5e-3)
+        assert found.mean_film_m == pytest.approx(film + expected, rel=1e-4)
+        assert found.minimum_film_m == pytest.approx(found.mean_film_m - result.height.max())
+        assert f"{1e6 * found.mean_rise_m:.3g} um of it by the roughness" in report_text(result)
+    # twice the roughness, four times the rise; long waves raise nothing, as they leave nothing
+    again = deform_surface(replace(surface, height=2 * surface.height), CONTACT, transfer, "none")
+    once = deform_surface(surface, CONTACT, transfer, "none")
+    assert again.statistics.mean_rise_m == pytest.approx(4 * once.statistics.mean_rise_m)
+    assert transfer.rise(np.zeros(1), np.zeros(1)) == [0]
+    assert 0 < transfer.rise(np.array([0.01 / a]), np.zeros(1))[0] < 1e-3
+
+
+def test_the_rise_is_unknown_where_a_wave_has_none(tmp_path: Path) -> None:
+    rows = table().assign(mean_rise=0.1)
+    rows.loc[3, "mean_rise"] = np.nan
+    for source in (rows, table()):
+        transfer = TableTransfer(CONTACT, read(tmp_path, source))
+        surface = trace_surface(3e-8 * np.cos(np.arange(512) / 8), 4e-6)
+        found = deform_surface(surface, CONTACT, transfer, "none", "none")
+        assert found.statistics.mean_rise_m is None
+        assert found.statistics.mean_film_m == CONTACT.central_film_m
+        assert "its rise by the roughness is not known" in report_text(found)
 
 
 def test_what_lies_outside_is_continued_and_named(tmp_path: Path) -> None:
@@ -228,6 +272,19 @@ def test_linear_responses_and_phases_of_a_sweep_are_used(results_file: Path) -> 
     low = linear["M"] == linear["M"].min()
     np.testing.assert_allclose(linear["transfer_real"][low], plain["transfer_real"][low])
     np.testing.assert_allclose(linear["transfer_imag"][~low], 0.1 * plain["transfer_real"][~low])
+
+
+def test_only_single_waves_have_a_rise(results_file: Path) -> None:
+    points = select_points(read_results([results_file]))
+    rise = 0.02 + 0 * points["deformed_ratio"]
+    plain = harmonic_table(points.assign(mean_film_rise=rise))
+    is_product = (plain["lambda_x_over_a"] > 0) & (plain["lambda_y_over_b"] > 0)
+    assert is_product.any()
+    assert plain["mean_rise"][is_product].isna().all()
+    # 0.02 Ai at Ai = 0.2 of the film
+    np.testing.assert_allclose(plain["mean_rise"][~is_product], 0.1)
+    oblique = harmonic_table(points.assign(mean_film_rise=rise, oblique=1 + 0 * rise))
+    np.testing.assert_allclose(oblique["mean_rise"], 0.1)
 
 
 def test_coefficients_are_read_from_what_refit_writes(tmp_path: Path, results_file: Path) -> None:

@@ -119,3 +119,28 @@ def test_remarks(tmp_path: Path) -> None:
     columns["orientation"][2] = "custom"
     found = remarks(select_points(_read(tmp_path, concatenated(columns, make_columns()))))
     assert [text.split(" point")[0] for text in found] == ["1", "2", "57"]
+
+
+def test_edges_are_not_mixed(tmp_path: Path) -> None:
+    columns = make_columns()
+    columns["edges"] = np.where(np.arange(columns["v"].size) < 20, "flooded", "truncated")
+    results = _read(tmp_path, columns)
+    with pytest.raises(ResultsError, match="20 cases with flooded edges and 40"):
+        select_points(results)
+    assert select_points(results, edges="flooded")["case"].values.tolist() == list(range(20))
+
+
+def test_results_of_before_have_truncated_edges(tmp_path: Path) -> None:
+    new = write_results(tmp_path / "new.h5", {**make_columns(), "edges": np.full(60, "flooded")})
+    results = read_results([new, write_results(tmp_path / "old.h5", make_columns())])
+    assert results["edges"].values.tolist() == ["flooded"] * 60 + ["truncated"] * 60
+    assert select_points(results, edges="truncated").sizes["case"] == 60
+
+
+def test_inaccurate_points_on_demand(tmp_path: Path) -> None:
+    columns = make_columns()
+    columns["status"] = columns["status"].astype("U12")
+    columns["status"][:3] = "inaccurate"
+    results = _read(tmp_path, columns)
+    assert select_points(results)["case"].values.tolist() == list(range(3, 60))
+    assert select_points(results, include_inaccurate=True).sizes["case"] == 60

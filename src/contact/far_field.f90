@@ -104,6 +104,7 @@ contains
       r = abs(x)
       if (abs(y) > 0) r = sqrt(x**2 + (y/self%conditions%elliptic%kappa)**2)
       place = intervals*log(max(r, 1.0_dp))/log(farthest)
+      if (.not. place <= intervals) place = intervals   ! farther out than squares of numbers go
       k = min(int(place), intervals - 1)
       place = min(place - k, 1.0_dp)
       strength = rigid_strength(self%conditions, x)*((1 - place)*self%ratio(k) + place*self%ratio(k + 1))

@@ -1,6 +1,7 @@
 /* What is needed of POSIX and Fortran cannot say: appending durably, locks, folders, signals, libraries.
    Functions return 0 or an errno value unless they say otherwise. The interfaces are in posix.f90. */
 #define _DEFAULT_SOURCE
+#define _FILE_OFFSET_BITS 64
 #include <dirent.h>
 #include <dlfcn.h>
 #include <errno.h>
@@ -10,10 +11,24 @@
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 #ifdef __GLIBC__
 #include <gnu/libc-version.h>
 #endif
+
+enum { NOT_REGULAR = 10000 };   /* beside the system's error numbers: a folder, a pipe or a device where a file should be */
+
+/* Place of the first or last byte of a kind in a text, counted from 1; 0: there is none. */
+long ehlwave_find(const char *text, long length, int byte, int backward)
+{
+   long place = 0;
+   for (const char *found = text; place < length && (found = memchr(text + place, byte, (size_t)(length - place)));) {
+      place = found - text + 1;
+      if (!backward) break;
+   }
+   return place;
+}
 
 /* CRC-32 of ISO 3309 (that of zlib and PNG). */
 uint32_t ehlwave_crc32(const unsigned char *text, long length)
@@ -72,18 +87,112 @@ int ehlwave_sync(int file) { return fsync(file) == 0 ? 0 : errno; }
 
 int ehlwave_close(int file) { return close(file) == 0 ? 0 : errno; }
 
-/* Replace `path` by a text: complete under another name first, then renamed. */
-int ehlwave_replace(const char *path, const char *temporary, const char *text, long length)
+/* What stands under a name, links not followed: 0 nothing, 1 a regular file, 2 a folder, 3 a link, 4 anything else;
+   an errno value with a minus if that cannot be found out. */
+int ehlwave_kind(const char *path)
 {
-   int file = open(temporary, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666), status;
-   if (file < 0) return errno;
+   struct stat there;
+   if (lstat(path, &there) != 0) return errno == ENOENT ? 0 : -errno;
+   return S_ISREG(there.st_mode) ? 1 : S_ISDIR(there.st_mode) ? 2 : S_ISLNK(there.st_mode) ? 3 : 4;
+}
+
+/* A regular file for reading, and its length; or an errno value with a minus, NOT_REGULAR if it is anything else. */
+int ehlwave_open(const char *path, long *bytes)
+{
+   struct stat there;
+   int file = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
+   if (file < 0) return -errno;
+   int status = fstat(file, &there) != 0 ? errno : S_ISREG(there.st_mode) ? 0 : S_ISDIR(there.st_mode) ? EISDIR : NOT_REGULAR;
+   *bytes = status == 0 ? (long)there.st_size : 0;
+   if (status == 0) return file;
+   close(file);
+   return -status;
+}
+
+/* Read until a buffer is full or the file ends. Returns the number of bytes, or an errno value with a minus. */
+long ehlwave_read(int file, char *buffer, long size)
+{
+   long length = 0;
+   while (length < size) {
+      ssize_t n = read(file, buffer + length, (size_t)(size - length));
+      if (n < 0 && errno == EINTR) continue;
+      if (n < 0) return -errno;
+      if (n == 0) break;
+      length += n;
+   }
+   return length;
+}
+
+static const char temporary_mark[] = ".part-";
+enum { RANDOM_LETTERS = 8 };
+
+/* A new file beside `path`, under a name that nothing had, locked as long as this process is at work on it. Its name is
+   put into `name`. Returns the file, or an errno value with a minus. */
+static int make_temporary(const char *path, char *name, size_t size)
+{
+   static unsigned long long state = 0;
+   struct timespec now;
+   clock_gettime(CLOCK_REALTIME, &now);
+   state ^= ((unsigned long long)now.tv_nsec << 24) ^ ((unsigned long long)now.tv_sec << 4) ^ (unsigned long long)getpid();
+   for (int attempt = 0; attempt < 100; attempt++) {
+      int length = snprintf(name, size, "%s%s", path, temporary_mark);
+      if (length < 0 || (size_t)length + RANDOM_LETTERS >= size) return -ENAMETOOLONG;
+      for (int i = 0; i < RANDOM_LETTERS; i++) {
+         state = state*6364136223846793005ULL + 1442695040888963407ULL;
+         name[length++] = "abcdefghijklmnopqrstuvwxyz012345"[state >> 59];
+      }
+      name[length] = 0;
+      int file = open(name, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+      if (file >= 0) return lockf(file, F_TLOCK, 0) == 0 || errno != EBADF ? file : -EBADF;   /* not all systems have locks */
+      if (errno != EEXIST) return -errno;
+   }
+   return -EEXIST;
+}
+
+/* Replace `path` by a text: complete under another name first, then renamed. */
+int ehlwave_replace(const char *path, const char *text, long length)
+{
+   char temporary[4096];
+   int file = make_temporary(path, temporary, sizeof temporary), status;
+   if (file < 0) return -file;
    status = ehlwave_append(file, text, length);
    if (status == 0) status = ehlwave_sync(file);
-   if (close(file) != 0 && status == 0) status = errno;
    if (status == 0 && rename(temporary, path) != 0) status = errno;
    if (status != 0) unlink(temporary);
-   else sync_folder_of(path);
+   if (close(file) != 0 && status == 0) status = errno;
+   if (status == 0) sync_folder_of(path);
    return status;
+}
+
+/* Whether a file could be put under a name: 0, or the reason why not. */
+int ehlwave_try(const char *path)
+{
+   char temporary[4096];
+   int file = make_temporary(path, temporary, sizeof temporary), status = 0;
+   if (file < 0) return -file;
+   if (unlink(temporary) != 0) status = errno;
+   close(file);
+   return status;
+}
+
+/* Remove what processes that died have left in a folder of `ehlwave_replace`, for files whose names begin with `prefix`. */
+void ehlwave_clear(const char *path, const char *prefix)
+{
+   const size_t mark = sizeof temporary_mark - 1;
+   DIR *folder = opendir(path);
+   if (!folder) return;
+   for (struct dirent *entry; (entry = readdir(folder));) {
+      const char *name = entry->d_name;
+      size_t n = strlen(name);
+      if (n <= mark + RANDOM_LETTERS || strncmp(name, prefix, strlen(prefix)) != 0
+          || strncmp(name + n - RANDOM_LETTERS - mark, temporary_mark, mark) != 0) continue;
+      struct stat there;
+      int file = openat(dirfd(folder), name, O_WRONLY | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC | O_NOCTTY);
+      if (file < 0) continue;
+      if (fstat(file, &there) == 0 && S_ISREG(there.st_mode) && lockf(file, F_TLOCK, 0) == 0) unlinkat(dirfd(folder), name, 0);
+      close(file);
+   }
+   closedir(folder);
 }
 
 int ehlwave_make_folder(const char *path)
@@ -99,21 +208,23 @@ int ehlwave_remove(const char *path)
    return remove(path) == 0 || errno == ENOENT ? 0 : errno;
 }
 
-/* Names in a folder, a line each, into a buffer that may be too short. Returns the length of all, -1: no folder. */
+/* Names in a folder, a line each, into a buffer that may be too short. Returns the length of all, or an errno value with
+   a minus. Names that begin with a dot or hold an end of line are none of ours. */
 long ehlwave_list(const char *path, char *buffer, long size)
 {
    DIR *folder = opendir(path);
    long length = 0;
-   if (!folder) return -1;
-   for (struct dirent *entry; (entry = readdir(folder));) {
+   if (!folder) return -errno;
+   for (struct dirent *entry; errno = 0, (entry = readdir(folder));) {
       long n = (long)strlen(entry->d_name);
-      if (entry->d_name[0] == '.') continue;
+      if (entry->d_name[0] == '.' || strchr(entry->d_name, '\n')) continue;
       if (length + n + 1 <= size) {
          memcpy(buffer + length, entry->d_name, (size_t)n);
          buffer[length + n] = '\n';
       }
       length += n + 1;
    }
+   if (errno != 0) length = -errno;
    closedir(folder);
    return length;
 }
@@ -122,7 +233,7 @@ long ehlwave_list(const char *path, char *buffer, long size)
    back when the process ends, however it ends. 0: locked, 1: another has it, 2: cannot be locked, -1: no file. */
 int ehlwave_lock(const char *path)
 {
-   int file = open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+   int file = open(path, O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
    if (file < 0) return -1;
    if (lockf(file, F_TLOCK, 0) == 0) return 0;
    return errno == EACCES || errno == EAGAIN ? 1 : 2;
@@ -131,7 +242,7 @@ int ehlwave_lock(const char *path)
 /* Whether another process has locked a file: 1, else 0. */
 int ehlwave_is_locked(const char *path)
 {
-   int file = open(path, O_RDONLY | O_CLOEXEC), status;
+   int file = open(path, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC), status;
    if (file < 0) return 0;
    status = lockf(file, F_TEST, 0) != 0 && (errno == EACCES || errno == EAGAIN);
    close(file);
@@ -166,6 +277,9 @@ void ehlwave_catch_signals(void)
    action.sa_flags = SA_RESTART | SA_RESETHAND;
    sigaction(SIGINT, &action, NULL);
 }
+
+/* From now on it is an error of writing, and not the end of the process, that nobody reads its output any more. */
+void ehlwave_ignore_broken_pipes(void) { signal(SIGPIPE, SIG_IGN); }
 
 int ehlwave_signal_caught(void) { return caught; }
 
@@ -203,7 +317,7 @@ void (*ehlwave_find_procedure(const char *library, const char *name, int loads, 
 /* The system's words for an error number, cut to `size` and ended by a zero. */
 void ehlwave_reason(int number, char *text, long size)
 {
-   snprintf(text, (size_t)size, "%s", strerror(number));
+   snprintf(text, (size_t)size, "%s", number == NOT_REGULAR ? "Is not a regular file" : strerror(number));
 }
 
 /* The text in an array of characters that a library has for all, such as fftw_version of FFTW, cut to `size` and ended by a

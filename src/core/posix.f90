@@ -6,11 +6,13 @@ module ehlwave_posix
    use, intrinsic :: iso_c_binding, only: c_char, c_funptr, c_int, c_int32_t, c_long, c_null_char
    implicit none (type, external)
    private
-   public :: append_text, catch_signals, checksum, close_file, create_file, find_procedure, is_locked, &
-      library_text, lock_file, list_folder, make_folder, process_id, remove_file, replace_file, reason_text, set_note, &
-      signal_caught, sync_file, watchdog
+   public :: append_text, catch_signals, checksum, clear_temporaries, close_file, create_file, end_program, file_kind, &
+      find_character, find_procedure, ignore_broken_pipes, is_locked, library_text, list_folder, lock_file, &
+      make_folder, open_file, process_id, read_bytes, reason_text, remove_file, replace_file, set_note, signal_caught, &
+      sync_file, try_file, watchdog
 
    integer, parameter, public :: lock_taken = 0, lock_refused = 1, lock_absent = 2, lock_unwritable = -1
+   integer, parameter, public :: kind_none = 0, kind_file = 1, kind_folder = 2, kind_link = 3, kind_other = 4   !! of a name
 
    abstract interface
       integer(c_int) function of_process() bind(c)
@@ -42,6 +44,8 @@ module ehlwave_posix
    procedure(of_file), bind(c, name='ehlwave_sync') :: sync_file
    procedure(of_file), bind(c, name='ehlwave_close') :: close_file                !! 0, or the system's error number
    procedure(of_path), bind(c, name='ehlwave_create') :: c_create
+   procedure(of_path), bind(c, name='ehlwave_kind') :: c_kind
+   procedure(of_path), bind(c, name='ehlwave_try') :: c_try
    procedure(of_path), bind(c, name='ehlwave_make_folder') :: c_make_folder
    procedure(of_path), bind(c, name='ehlwave_remove') :: c_remove
    procedure(of_path), bind(c, name='ehlwave_lock') :: c_lock
@@ -56,10 +60,35 @@ module ehlwave_posix
          character(kind=c_char), intent(in) :: text(*)
          integer(c_long), value :: length
       end function c_crc32
-      integer(c_int) function c_replace(path, temporary, text, length) bind(c, name='ehlwave_replace')
+      integer(c_long) function c_find(text, length, byte, backward) bind(c, name='ehlwave_find')
          import :: c_char, c_int, c_long
          implicit none (type, external)
-         character(kind=c_char), intent(in) :: path(*), temporary(*), text(*)
+         character(kind=c_char), intent(in) :: text(*)
+         integer(c_long), value :: length
+         integer(c_int), value :: byte, backward   ! a character by value does not arrive (gfortran 12)
+      end function c_find
+      integer(c_int) function c_open(path, bytes) bind(c, name='ehlwave_open')
+         import :: c_char, c_int, c_long
+         implicit none (type, external)
+         character(kind=c_char), intent(in) :: path(*)
+         integer(c_long), intent(out) :: bytes
+      end function c_open
+      integer(c_long) function c_read(file, buffer, size) bind(c, name='ehlwave_read')
+         import :: c_char, c_int, c_long
+         implicit none (type, external)
+         integer(c_int), value :: file
+         character(kind=c_char), intent(inout) :: buffer(*)
+         integer(c_long), value :: size
+      end function c_read
+      subroutine c_clear(path, prefix) bind(c, name='ehlwave_clear')
+         import :: c_char
+         implicit none (type, external)
+         character(kind=c_char), intent(in) :: path(*), prefix(*)
+      end subroutine c_clear
+      integer(c_int) function c_replace(path, text, length) bind(c, name='ehlwave_replace')
+         import :: c_char, c_int, c_long
+         implicit none (type, external)
+         character(kind=c_char), intent(in) :: path(*), text(*)
          integer(c_long), value :: length
       end function c_replace
       integer(c_long) function c_list(path, buffer, size) bind(c, name='ehlwave_list')
@@ -73,6 +102,16 @@ module ehlwave_posix
       subroutine catch_signals() bind(c, name='ehlwave_catch_signals')
          implicit none (type, external)
       end subroutine catch_signals
+      !> End the program with an exit status and without a word, as `stop status, quiet=.true.` does, which gfortran knows from 12 on.
+      subroutine end_program(status) bind(c, name='exit')
+         import :: c_int
+         implicit none (type, external)
+         integer(c_int), value :: status
+      end subroutine end_program
+      !> From now on it is an error of writing, and not the end of the process, that nobody reads its output any more.
+      subroutine ignore_broken_pipes() bind(c, name='ehlwave_ignore_broken_pipes')
+         implicit none (type, external)
+      end subroutine ignore_broken_pipes
       !> End this process by SIGALRM unless called again within some seconds; 0: never.
       subroutine watchdog(seconds) bind(c, name='ehlwave_watchdog')
          import :: c_int
@@ -112,12 +151,20 @@ contains
       character(len=*), parameter :: hex = '0123456789abcdef'
       integer(c_int32_t) :: value
       integer :: i, place
-      value = c_crc32(text, int(len(text), c_long))
+      value = c_crc32(text, len(text, c_long))
       do i = 1, 8
          place = ibits(value, 32 - 4*i, 4) + 1
          digits(i:i) = hex(place:place)
       end do
    end function checksum
+
+   !> Place of the first or last character of a kind in a text of any length, 0: none. Ten times as fast as `index`.
+   integer(c_long) function find_character(text, character, back)
+      character(len=*), intent(in) :: text
+      character(len=1), intent(in) :: character
+      logical, intent(in) :: back              !! the last one
+      find_character = c_find(text, len(text, c_long), iachar(character, c_int), merge(1_c_int, 0_c_int, back))
+   end function find_character
 
    !> Create a file for appending. `status` is 0 or the system's error number, also when the file exists.
    subroutine create_file(path, file, status)
@@ -132,15 +179,57 @@ contains
       integer, intent(in) :: file
       character(len=*), intent(in) :: text
       integer, intent(out) :: status
-      status = c_append(file, text, int(len(text), c_long))
+      status = c_append(file, text, len(text, c_long))
    end subroutine append_text
 
    !> Give a file a new text, all of it or nothing. `status` is 0 or the system's error number.
    subroutine replace_file(path, text, status)
       character(len=*), intent(in) :: path, text
       integer, intent(out) :: status
-      status = c_replace(path//c_null_char, path//'.part'//c_null_char, text, int(len(text), c_long))
+      status = c_replace(path//c_null_char, text, len(text, c_long))
    end subroutine replace_file
+
+   !> Whether `replace_file` could make a file: `status` is 0 or the system's error number. What is there stays.
+   subroutine try_file(path, status)
+      character(len=*), intent(in) :: path
+      integer, intent(out) :: status
+      status = c_try(path//c_null_char)
+   end subroutine try_file
+
+   !> Remove what `replace_file` has left in a folder where its process died; what another process writes at the moment stays.
+   subroutine clear_temporaries(folder, prefix)
+      character(len=*), intent(in) :: folder
+      character(len=*), intent(in) :: prefix   !! with which the names of the files begin, without their folder
+      call c_clear(folder//c_null_char, prefix//c_null_char)
+   end subroutine clear_temporaries
+
+   !> What has a name, links not followed: one of the kinds above. What cannot be looked at is `kind_other`.
+   integer function file_kind(path)
+      character(len=*), intent(in) :: path
+      file_kind = c_kind(path//c_null_char)
+      if (file_kind < 0) file_kind = kind_other
+   end function file_kind
+
+   !> Open a regular file for reading, with its length. `status` is 0 or an error number for `reason_text`, also of folders,
+   !> pipes and devices: none of them is waited for.
+   subroutine open_file(path, file, bytes, status)
+      character(len=*), intent(in) :: path
+      integer, intent(out) :: file
+      integer(c_long), intent(out) :: bytes
+      integer, intent(out) :: status
+      file = c_open(path//c_null_char, bytes)
+      status = max(0, -file)
+   end subroutine open_file
+
+   !> Read until a buffer is full or the file ends. `status` is 0 or the system's error number.
+   subroutine read_bytes(file, buffer, length, status)
+      integer, intent(in) :: file
+      character(len=*), intent(inout) :: buffer
+      integer(c_long), intent(out) :: length   !! bytes read
+      integer, intent(out) :: status
+      length = c_read(file, buffer, len(buffer, c_long))
+      status = int(max(0_c_long, -length))
+   end subroutine read_bytes
 
    !> Make a folder unless it is there. `status` is 0 or the system's error number.
    subroutine make_folder(path, status)
@@ -156,22 +245,23 @@ contains
       status = c_remove(path//c_null_char)
    end subroutine remove_file
 
-   !> Names in a folder but for those that begin with a dot, one a line; not allocated when there is no folder.
-   subroutine list_folder(path, names)
+   !> Names in a folder but for those that begin with a dot, one a line; not allocated when it cannot be read.
+   subroutine list_folder(path, names, status)
       character(len=*), intent(in) :: path
       character(len=:), allocatable, intent(out) :: names
+      integer, intent(out), optional :: status   !! 0 or the system's error number
       character(len=:), allocatable :: buffer
       integer(c_long) :: length, room
       room = 65536
       do
          allocate (character(len=room) :: buffer)
          length = c_list(path//c_null_char, buffer, room)
-         if (length < 0) return
          if (length <= room) exit
          room = 2*length
          deallocate (buffer)
       end do
-      names = buffer(:length)
+      if (present(status)) status = int(max(0_c_long, -length))
+      if (length >= 0) names = buffer(:length)
    end subroutine list_folder
 
    !> Lock a file until this process ends. `status` is one of lock_taken, lock_refused (another process has it),
@@ -193,7 +283,7 @@ contains
       integer, intent(in) :: file
       character(len=*), intent(in) :: text
       integer :: status
-      status = c_set_note(file, text, int(len(text), c_long))
+      status = c_set_note(file, text, len(text, c_long))
    end subroutine set_note
 
    !> A C function of a shared library, not associated if there is none. `may_load`: load the library if it has not been.

@@ -114,15 +114,20 @@ contains
    end function lower_case
 
    !> A text from outside as a message may repeat it: short, and without bytes that a terminal would obey.
-   pure function shown(text) result(clean)
+   pure function shown(text, most) result(clean)
       character(len=*), intent(in) :: text
+      integer, intent(in), optional :: most   !! characters, in place of the usual number
       character(len=:), allocatable :: clean
-      integer :: i
-      clean = text(:min(len(text), most_shown))
+      integer :: code, i, n
+      n = most_shown
+      if (present(most)) n = most
+      clean = text(:min(len(text), n))
       do i = 1, len(clean)
-         if (iachar(clean(i:i)) < 32 .or. iachar(clean(i:i)) == 127) clean(i:i) = '?'
+         code = iachar(clean(i:i))
+         if (code == 194) code = iachar(clean(min(i + 1, len(clean)):min(i + 1, len(clean)))) - 128   ! of UTF-8 above 127
+         if ((code >= 0 .and. code < 32) .or. code == 127) clean(i:i) = '?'
       end do
-      if (len(text) > most_shown) clean = clean//'...'
+      if (len(text) > n) clean = clean//'...'
    end function shown
 
 end module ehlwave_text

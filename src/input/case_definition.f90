@@ -47,7 +47,7 @@ module ehlwave_case_definition
       integer :: cells_x = 256, cells_y = 256            !! 0: chosen by the plan; cells_y of a line contact: completed to 1
       integer :: largest_cells = 0                       !! limit of what the plan chooses, completed
       character(len=name_length) :: domain = 'auto'
-      character(len=name_length) :: edges = 'truncated'
+      character(len=name_length) :: edges = 'flooded'
       real(dp) :: domain_scale = 0                       !! no key: of the domain over that of the keys; 0: chosen by the plan
       ! &solver
       real(dp) :: tolerance = 1e-6_dp

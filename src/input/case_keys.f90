@@ -2,8 +2,8 @@
 !>
 !> A new key is a component of case_t and its statement here; reading, sweeping, effective input, identity, messages
 !> and the printed reference follow. What keys in a row have in common is said once before them (`common`). Give a key
-!> that is added `is_late=.true.`: then cases that do not use it keep their identity, and stores their results. What
-!> contradicts what stands in `case_completion`.
+!> that is added `is_late=.true.`: then cases that do not use it keep their identity, and stores their results. Where its
+!> default is not what cases were before, see `case_text`. What contradicts what stands in `case_completion`.
 module ehlwave_case_keys
    use ehlwave_case_definition, only: case_t, is_special_law, path_length
    use ehlwave_case_key, only: key_t
@@ -224,7 +224,7 @@ contains
          'always all of it', choices='auto whole', applies=is_elliptical, when=elliptical))
       call list%see(case%edges, key_t('edges', "pressure at the edges of the domain; 'flooded': that of the oil farther out; "// &
          "with accuracy a domain of the usual size is enlarged where that takes more; 'truncated': 0, which starves the "// &
-         "contact a little", choices='flooded truncated', is_late=.true.))
+         "contact a little", choices='flooded truncated'))
    end subroutine visit_grid
 
    subroutine visit_solver(case, list)

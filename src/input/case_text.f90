@@ -8,28 +8,36 @@ module ehlwave_case_text
    use ehlwave_key_list, only: key_list_t
    implicit none (type, external)
    private
-   public :: case_identity, effective_input, input_text, text_identity
+   public :: case_identity, effective_input, input_identity, input_text
+
+   ! Lines of keys that were added after stores were made, with what cases were before, which is not the default: always written,
+   ! no part of the identity.
+   character(len=*), parameter :: former(1) = ["  edges = 'truncated'"//new_line('a')]
 
 contains
 
    !> A case file with every key that applies and the value in use: running it gives the same result.
-   function effective_input(case) result(text)
+   function effective_input(case, defaults) result(text)
       type(case_t), intent(in) :: case   !! completed
+      type(key_list_t), intent(in), optional :: defaults   !! the keys with their defaults, where they are at hand
       character(len=:), allocatable :: text
-      text = input_text(case_key_list(case))
+      if (present(defaults)) then
+         text = input_text(case_key_list(case), defaults)
+      else
+         text = input_text(case_key_list(case), case_values())
+      end if
    end function effective_input
 
    !> The keys that make a case, group by group: all but those that do not apply, say that there is none (a value outside
    !> the bounds, an empty text), or were added later and are not used.
-   function input_text(list) result(text)
+   function input_text(list, defaults) result(text)
       type(key_list_t), intent(in) :: list
+      type(key_list_t), intent(in) :: defaults     !! the same keys with their defaults
       character(len=:), allocatable :: text
       character(len=*), parameter :: line_end = new_line('a')
       character(len=:), allocatable :: group       ! that the text is in
-      type(key_list_t) :: defaults
       integer :: k
 
-      defaults = case_values()
       text = ''
       group = ''
       do k = 1, list%count
@@ -49,11 +57,28 @@ contains
       text = text//'/'//line_end
    end function input_text
 
-   !> Identity of a case: 16 hexadecimal digits, the 64-bit FNV-1a hash of its effective input.
-   function case_identity(case) result(identity)
+   !> Identity of a case: that of its effective input.
+   function case_identity(case, defaults) result(identity)
       type(case_t), intent(in) :: case
+      type(key_list_t), intent(in), optional :: defaults
       character(len=16) :: identity
-      identity = text_identity(effective_input(case))
+      identity = input_identity(effective_input(case, defaults))
    end function case_identity
+
+   !> Identity of an effective input: 16 hexadecimal digits, the 64-bit FNV-1a hash of it, without lines that say what went without
+   !> saying when the first stores were made.
+   function input_identity(input) result(identity)
+      character(len=*), intent(in) :: input
+      character(len=16) :: identity
+      character(len=:), allocatable :: text
+      integer :: first, k
+
+      text = input
+      do k = 1, size(former)
+         first = index(text, former(k))
+         if (first > 0) text = text(:first - 1)//text(first + len(former):)
+      end do
+      identity = text_identity(text)
+   end function input_identity
 
 end module ehlwave_case_text

@@ -18,10 +18,19 @@ contains
    subroutine check_applicability(input, error)
       type(case_input_t), intent(inout) :: input
       type(error_t), allocatable, intent(inout) :: error
-      type(key_list_t) :: defaults, given
+      type(key_list_t) :: given
+      given = case_key_list(input%case)
+      if (any(input%is_given(:given%count) .and. .not. given%keys(:given%count)%applies)) call drop_idle(input, given, error)
+   end subroutine check_applicability
+
+   !> The same where there is such a key.
+   subroutine drop_idle(input, given, error)
+      type(case_input_t), intent(inout) :: input
+      type(key_list_t), intent(in) :: given        !! of the case
+      type(error_t), allocatable, intent(inout) :: error
+      type(key_list_t) :: defaults
       integer :: k
 
-      given = case_key_list(input%case)
       defaults = case_values()
       do k = 1, given%count
          if (given%keys(k)%applies .or. .not. input%is_given(k)) cycle
@@ -32,7 +41,7 @@ contains
          call input%set([k], [defaults%values(k)])
          input%is_given(k) = .false.
       end do
-   end subroutine check_applicability
+   end subroutine drop_idle
 
    !> Refuse a case where a key of a group applies and has no value that it may have.
    subroutine check_needed(case, group, error)
@@ -43,10 +52,11 @@ contains
       integer :: k
 
       given = case_key_list(case)
-      defaults = case_values()
       do k = 1, given%count
          associate (key => given%keys(k), value => given%values(k))
-            if (key%group /= group .or. .not. key%applies .or. is_allowed(key, value)) cycle
+            if (key%group /= group .or. .not. key%applies) cycle
+            if (is_allowed(key, value)) cycle
+            defaults = case_values()
             if (is_none(value, defaults%values(k))) then
                call raise(error, '&'//trim(key%group)//' '//trim(key%name)//' is missing: '//trim(key%when)//' needs it')
             else

@@ -1,6 +1,7 @@
 !> Command line arguments: switches, options with a value, files.
 module ehlwave_arguments
    use ehlwave_errors, only: error_t, raise
+   use ehlwave_text, only: shown, to_text
    implicit none (type, external)
    private
    public :: read_arguments
@@ -24,13 +25,17 @@ contains
       type(arguments_t), intent(out) :: arguments
       type(error_t), allocatable, intent(out) :: error
       character(len=longest) :: argument, name, value
-      integer :: equal, i
+      integer :: equal, i, length
 
       allocate (arguments%files(0), arguments%names(0), arguments%values(0))
       i = 0
       do while (i < command_argument_count())
          i = i + 1
-         call get_command_argument(i, argument)
+         call get_command_argument(i, argument, length)
+         if (length > longest) then
+            call raise(error, 'argument '//to_text(i)//' has '//to_text(length)//' characters: give at most '//to_text(longest))
+            return
+         end if
          if (argument(1:1) /= '-' .or. argument == '-') then
             arguments%files = [character(len=longest) :: arguments%files, argument]
             cycle
@@ -42,11 +47,12 @@ contains
          if (any(options == name)) then
             if (equal > longest) then
                i = i + 1
-               call get_command_argument(i, value)      ! blank after the last one
+               call get_command_argument(i, value, length)      ! blank after the last one
+               if (length > longest) value = ''
             end if
-            if (value == '') call raise(error, trim(name)//' needs a value')
+            if (value == '') call raise(error, trim(name)//' needs a value, of at most '//to_text(longest)//' characters')
          else if (.not. any(switches == name) .or. equal <= longest) then
-            call raise(error, 'unknown option '//trim(argument))
+            call raise(error, 'unknown option '//shown(trim(argument)))
          end if
          if (arguments%has(trim(name)) .and. .not. allocated(error)) call raise(error, trim(name)//' is given twice')
          if (allocated(error)) return

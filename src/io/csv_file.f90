@@ -2,22 +2,28 @@
 module ehlwave_csv
    use ehlwave_errors, only: error_t, raise
    use ehlwave_identity_index, only: identity_index_t, text_identity
-   use ehlwave_text, only: count_lines, lower_case, next_line, shown, to_text
+   use ehlwave_text, only: lower_case, next_line, shown, to_text
    use ehlwave_text_file, only: read_text
    implicit none (type, external)
    private
-   public :: read_csv
+   public :: parse_csv, read_csv
 
    integer, parameter, public :: cell_length = 64
    character(len=*), parameter :: byte_order_mark = char(239)//char(187)//char(191)   ! as spreadsheets write it
 
+   !> Column k of row i is the part k + (i - 1)*columns of the text.
    type, public :: csv_t
       character(len=:), allocatable :: path
       character(len=cell_length), allocatable :: names(:)      !! (columns), lower case
-      character(len=cell_length), allocatable :: cells(:, :)   !! (columns, rows)
       integer, allocatable :: line(:)                          !! (rows) line number in the file
+      character(len=:), allocatable, private :: text
+      integer, allocatable, private :: first(:), last(:)       ! of each cell in the text, at least as many as there are
+      integer, private :: count = 0                            ! of cells
    contains
+      procedure :: cell
       procedure :: place
+      procedure, private :: split
+      procedure, private :: take
    end type csv_t
 
 contains
@@ -29,96 +35,123 @@ contains
       character(len=*), intent(in) :: path
       type(csv_t), intent(out) :: table
       type(error_t), allocatable, intent(inout) :: error
-      character(len=:), allocatable :: text, line
-      character(len=cell_length), allocatable :: values(:)
-      integer :: first, last, number, rows
+      character(len=:), allocatable :: text
 
       if (allocated(error)) return
       call read_text(path, text, error)
-      if (allocated(error)) return
-      table%path = path
-      allocate (table%line(count_lines(text)))
-      rows = 0
-      number = 0
-      last = -1
-      if (index(text, byte_order_mark) == 1) last = 2
-      do while (next_line(text, first, last))
-         line = without_return(text(first:last))
-         number = number + 1
-         if (len_trim(line) == 0) cycle
-         if (line(1:1) == '#') cycle
-         call split(line, values, error)
-         if (allocated(error)) then
-            error%message = path//':'//to_text(number)//': '//error%message
-            return
-         end if
-         if (.not. allocated(table%names)) then
-            table%names = lower_case(values)
-            allocate (table%cells(size(values), size(table%line)))
-            call refuse_doubled_names(table, number, error)
-            if (allocated(error)) return
-         else if (size(values) /= size(table%names)) then
-            call raise(error, path//':'//to_text(number)//': '//to_text(size(values))//' values where the header has '// &
-                       to_text(size(table%names))//' columns')
-            return
-         else
-            rows = rows + 1
-            table%cells(:, rows) = values
-            table%line(rows) = number
-         end if
-      end do
-      table%line = table%line(:rows)
-      if (allocated(table%cells)) table%cells = table%cells(:, :rows)
-      if (rows == 0) call raise(error, path//': no rows: give a line of column names and at least one row')
+      if (.not. allocated(error)) call parse_csv(path, text, table, error)
    end subroutine read_csv
 
-   subroutine refuse_doubled_names(table, number, error)
-      type(csv_t), intent(in) :: table
+   !> The same from a text that is at hand already.
+   subroutine parse_csv(path, text, table, error)
+      character(len=*), intent(in) :: path   !! where the text is from, for messages
+      character(len=*), intent(in) :: text
+      type(csv_t), intent(out) :: table
+      type(error_t), allocatable, intent(inout) :: error
+      integer :: begin, cells, first, i, last, number
+
+      table%path = path
+      table%text = text
+      do i = 1, len(table%text)
+         if (table%text(i:i) == achar(13) .or. table%text(i:i) == achar(9)) table%text(i:i) = ' '
+      end do
+      allocate (table%line(0), table%first(64), table%last(64))
+      number = 0
+      last = -1
+      if (index(table%text, byte_order_mark) == 1) table%text(:len(byte_order_mark)) = ''
+      do while (next_line(table%text, first, last))
+         number = number + 1
+         begin = first + verify(table%text(first:last), ' ') - 1
+         if (begin < first) cycle
+         if (table%text(begin:begin) == '#') cycle
+         cells = table%count
+         call table%split(first, last, error)
+         if (allocated(error)) then
+            error%message = path//':'//to_text(number)//': '//error%message
+         else if (.not. allocated(table%names)) then
+            call take_names(table, number, error)
+         else if (table%count - cells /= size(table%names)) then
+            call raise(error, path//':'//to_text(number)//': '//to_text(table%count - cells)//' values where the header has '// &
+                       to_text(size(table%names))//' columns')
+         else
+            if (table%count > size(table%names)*size(table%line)) table%line = [table%line, table%line, number]
+            table%line(table%count/size(table%names)) = number
+         end if
+         if (allocated(error)) return
+      end do
+      if (table%count > 0) table%line = table%line(:table%count/size(table%names))
+      if (size(table%line) == 0) call raise(error, path//': no rows: give a line of column names and at least one row')
+   end subroutine parse_csv
+
+   !> The cells so far are the names of the columns.
+   subroutine take_names(table, number, error)
+      type(csv_t), intent(inout) :: table
       integer, intent(in) :: number   !! line of the header
       type(error_t), allocatable, intent(inout) :: error
       type(identity_index_t) :: known
       integer :: i, place
+      allocate (table%names(table%count))
       do i = 1, size(table%names)
+         table%names(i) = lower_case(table%text(table%first(i):table%last(i)))
          call known%add(text_identity(trim(table%names(i))), place)
          if (place == i) cycle
          call raise(error, table%path//':'//to_text(number)//": column '"//shown(trim(table%names(i)))//"' is given twice")
          return
       end do
-   end subroutine refuse_doubled_names
+      table%count = 0
+   end subroutine take_names
 
-   pure function without_return(line) result(clean)
-      character(len=*), intent(in) :: line
-      character(len=:), allocatable :: clean
-      integer :: i
-      clean = line
-      do i = 1, len(clean)
-         if (clean(i:i) == achar(13) .or. clean(i:i) == achar(9)) clean(i:i) = ' '
-      end do
-      clean = trim(adjustl(clean))
-   end function without_return
-
-   subroutine split(line, values, error)
-      character(len=*), intent(in) :: line
-      character(len=cell_length), allocatable, intent(out) :: values(:)
+   !> Take the cells of the line text(first:last).
+   subroutine split(self, first, last, error)
+      class(csv_t), intent(inout) :: self
+      integer, intent(in) :: first, last
       type(error_t), allocatable, intent(inout) :: error
-      character(len=:), allocatable :: value
-      integer :: comma, first, i
-      allocate (values(1 + count([(line(i:i) == ',', i=1, len(line))])))
-      first = 1
-      do i = 1, size(values)
-         comma = index(line(first:), ',')
-         if (comma == 0) comma = len(line) - first + 2
-         value = trim(adjustl(line(first:first + comma - 2)))
-         if (len(value) >= 2) then
-            if ((value(1:1) == '"' .or. value(1:1) == "'") .and. value(len(value):) == value(1:1)) &
-               value = value(2:len(value) - 1)
+      integer :: at, i
+      at = first
+      do i = first, last + 1
+         if (i <= last) then
+            if (self%text(i:i) /= ',') cycle
          end if
-         if (len(value) > cell_length) call raise(error, 'value longer than '//to_text(cell_length)//' characters')
+         call self%take(at, i - 1, error)
          if (allocated(error)) return
-         values(i) = value
-         first = first + comma
+         at = i + 1
       end do
    end subroutine split
+
+   !> Take the cell text(first:last), without blanks and quotes around it.
+   subroutine take(self, first, last, error)
+      class(csv_t), intent(inout) :: self
+      integer, intent(in) :: first, last
+      type(error_t), allocatable, intent(inout) :: error
+      integer :: a, b
+
+      b = first + len_trim(self%text(first:last)) - 1
+      a = first + max(1, verify(self%text(first:b), ' ')) - 1
+      if (b > a) then
+         if (scan(self%text(a:a), '"''') == 1 .and. self%text(a:a) == self%text(b:b)) then
+            a = a + 1
+            b = b - 1
+         end if
+      end if
+      if (b - a + 1 > cell_length) call raise(error, 'value longer than '//to_text(cell_length)//' characters')
+      if (self%count == size(self%first)) then
+         self%first = [self%first, self%first]   ! room for as many again
+         self%last = [self%last, self%last]
+      end if
+      self%count = self%count + 1
+      self%first(self%count) = a
+      self%last(self%count) = b
+   end subroutine take
+
+   !> Value as written, without blanks and quotes around it.
+   function cell(self, column, row)
+      class(csv_t), intent(in) :: self
+      integer, intent(in) :: column, row
+      character(len=:), allocatable :: cell
+      integer :: i
+      i = column + (row - 1)*size(self%names)
+      cell = trim(self%text(self%first(i):self%last(i)))
+   end function cell
 
    !> `FILE:LINE: column NAME: ` for messages.
    function place(self, column, row)

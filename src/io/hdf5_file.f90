@@ -247,15 +247,16 @@ contains
                         long_name, scale)
    end subroutine write_integers
 
-   !> Texts over one dimension, in a fixed length, padded with nulls in the file.
+   !> Texts over one dimension, in a fixed length, padded with nulls in the file. The attribute _Encoding is what xarray
+   !> knows text from bytes by.
    subroutine write_texts(self, name, values, units, long_name, scale)
       class(hdf5_file_t), intent(inout) :: self
       character(len=*), intent(in) :: name, units, long_name
       character(len=*), intent(in), target, contiguous :: values(:)
       character(len=*), intent(in) :: scale
-      integer(hid_t) :: in_memory, in_file
+      integer(hid_t) :: id, in_memory, in_file
       type(c_ptr) :: address   ! as an argument, c_loc of text shifts the lengths of the texts after it (gfortran 12)
-      integer :: status(7)
+      integer :: status(9)
       call h5tcopy_f(h5t_fortran_s1, in_memory, status(1))
       call h5tset_size_f(in_memory, len(values, size_t), status(2))
       call h5tcopy_f(h5t_c_s1, in_file, status(3))
@@ -263,8 +264,11 @@ contains
       call h5tset_strpad_f(in_file, h5t_str_nullpad_f, status(5))
       address = c_loc(values)
       call write_values(self, name, in_memory, in_file, shape(values, hsize_t), address, units, long_name, scale)
-      call h5tclose_f(in_memory, status(6))
-      call h5tclose_f(in_file, status(7))
+      call h5dopen_f(self%id, name, id, status(6))
+      call write_attribute(self, id, '_Encoding', 'utf-8')
+      call h5dclose_f(id, status(7))
+      call h5tclose_f(in_memory, status(8))
+      call h5tclose_f(in_file, status(9))
       call self%note(status)
    end subroutine write_texts
 

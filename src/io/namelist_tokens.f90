@@ -105,26 +105,29 @@ contains
    subroutine take_quoted(self, text)
       class(cursor_t), intent(inout) :: self
       character(len=:), allocatable, intent(out) :: text
+      character(len=:), allocatable :: line
       character(len=1) :: mark
-      integer :: first
+      integer :: length
 
       mark = self%next()
       call self%advance()
       text = ''
-      first = self%at
-      do
+      line = repeat(' ', 64)
+      length = 0
+      do while (scan(self%next(), end_of_text//lf//cr) == 0)
          if (self%next() == mark) then
-            text = text//self%text(first:self%at - 1)
             call self%advance()
-            if (self%next() /= mark) return
-            first = self%at                        ! of two quotes the second is kept
-         else if (scan(self%next(), end_of_text//lf//cr) > 0) then
-            call self%fail(self%line, 'quote without its partner: close the text with '//mark// &
-                           ' on the line where it begins')
-            return
+            if (self%next() /= mark) then
+               text = line(:length)
+               return
+            end if                                 ! of two quotes one is kept
          end if
+         if (length == len(line)) line = line//line   ! room for as many again
+         length = length + 1
+         line(length:length) = self%next()
          call self%advance()
       end do
+      call self%fail(self%line, 'quote without its partner: close the text with '//mark//' on the line where it begins')
    end subroutine take_quoted
 
    !> Pass blanks, line ends and comments.

@@ -1,12 +1,18 @@
 !> Surfaces written by `ehlwave surface`: HDF5 with heights over x and y in metres.
 module ehlwave_surface_file
+   use, intrinsic :: iso_c_binding, only: c_long
    use ehlwave_errors, only: error_t, raise
    use ehlwave_kinds, only: dp
+   use ehlwave_posix, only: close_file, open_file, reason_text
+   use ehlwave_text, only: to_text
    use h5lt, only: h5ltget_dataset_info_f, h5ltget_dataset_ndims_f, h5ltread_dataset_double_f
-   use hdf5, only: h5close_f, h5eset_auto_f, h5f_acc_rdonly_f, h5fclose_f, h5fopen_f, h5open_f, hid_t, hsize_t, size_t
+   use hdf5, only: h5close_f, h5dclose_f, h5dget_storage_size_f, h5dopen_f, h5eset_auto_f, h5f_acc_rdonly_f, h5fclose_f, &
+      h5fopen_f, h5open_f, h5t_float_f, h5t_integer_f, hid_t, hsize_t, size_t
    implicit none (type, external)
    private
    public :: read_surface_file
+
+   real(dp), parameter :: most_points = 5e7_dp   !! of height: 400 MB
 
 contains
 
@@ -22,27 +28,30 @@ contains
       real(dp), allocatable :: x(:), y(:), flat(:)
       integer(hsize_t), allocatable :: extent(:), extent_x(:), extent_y(:)
       integer(hid_t) :: file
-      integer :: status
-      logical :: exists
+      integer(c_long) :: bytes
+      integer :: status, unit
 
       step_x = 0
       step_y = 0
-      inquire (file=path, exist=exists)
-      if (.not. exists) then
-         call raise(error, '&surface file = '''//path//''': no such file; ehlwave surface writes one')
+      call open_file(path, unit, bytes, status)
+      if (status /= 0) then
+         call raise(error, '&surface file = '''//path//''': cannot be read ('//reason_text(status)//'); ehlwave surface writes one')
          return
       end if
+      status = close_file(unit)
       call h5open_f(status)
       call h5eset_auto_f(0, status)
       call h5fopen_f(path, h5f_acc_rdonly_f, file, status)
       if (status < 0) then
          call raise(error, '&surface file = '''//path//''': is not an HDF5 file; ehlwave surface writes one')
       else
-         call read_numbers(file, 'height', flat, extent)
-         call read_numbers(file, 'x', x, extent_x)
-         call read_numbers(file, 'y', y, extent_y)
+         call read_numbers(path, file, 'height', flat, extent, error)
+         call read_numbers(path, file, 'x', x, extent_x, error)
+         call read_numbers(path, file, 'y', y, extent_y, error)
          call h5fclose_f(file, status)
-         if (size(extent) /= 2 .or. size(extent_x) /= 1 .or. size(extent_y) /= 1) then
+         if (allocated(error)) then
+            continue
+         else if (size(extent) /= 2 .or. size(extent_x) /= 1 .or. size(extent_y) /= 1) then
             call raise(error, '&surface file = '''//path//''': needs height over (y, x), and x and y, in metres; '// &
                        'ehlwave surface writes them')
          else if (any(extent /= [extent_x, extent_y])) then
@@ -56,24 +65,44 @@ contains
       if (size(y) > 1) call uniform_step(path, 'y', y, step_y, error)
    end subroutine read_surface_file
 
-   !> Numbers of a dataset in Fortran order; extent has no element when there is no such dataset.
-   subroutine read_numbers(file, name, values, extent)
+   !> Numbers of a dataset in Fortran order; extent has no element when there is no such dataset. Fails, before it asks for
+   !> memory, on more numbers than a surface may have and on some that the file claims and does not hold.
+   subroutine read_numbers(path, file, name, values, extent, error)
+      character(len=*), intent(in) :: path
       integer(hid_t), intent(in) :: file
       character(len=*), intent(in) :: name
       real(dp), allocatable, intent(out) :: values(:)
       integer(hsize_t), allocatable, intent(out) :: extent(:)
+      type(error_t), allocatable, intent(inout) :: error
+      integer(hid_t) :: id
+      integer(hsize_t) :: stored
       integer(size_t) :: bytes
-      integer :: kind, rank, status
+      real(dp) :: points
+      integer :: ignored, kind, rank, status
 
       allocate (extent(0), values(0))
       call h5ltget_dataset_ndims_f(file, name, rank, status)
-      if (status < 0 .or. rank < 1) return
-      deallocate (extent, values)
+      if (status < 0 .or. rank < 1 .or. allocated(error)) return
+      deallocate (extent)
       allocate (extent(rank))
       call h5ltget_dataset_info_f(file, name, extent, kind, bytes, status)
-      allocate (values(product(extent)))
-      call h5ltread_dataset_double_f(file, name, values, extent, status)
-      if (status < 0) extent = [integer(hsize_t) ::]
+      points = product(real(extent, dp))
+      if (status < 0 .or. (kind /= h5t_float_f .and. kind /= h5t_integer_f)) then
+         extent = [integer(hsize_t) ::]
+      else if (points > most_points) then
+         call raise(error, '&surface file = '''//path//''': '//name//' has '//to_text(points, 3)//' points, more than '// &
+                    to_text(most_points, 3)//': cut or resample it')
+      else
+         stored = 0
+         call h5dopen_f(file, name, id, status)
+         if (status >= 0) call h5dget_storage_size_f(id, stored, status)
+         if (status >= 0) call h5dclose_f(id, status)
+         deallocate (values)
+         allocate (values(product(extent)), stat=ignored)
+         if (stored > 0 .and. ignored == 0) call h5ltread_dataset_double_f(file, name, values, extent, status)
+         if (stored == 0 .or. ignored /= 0 .or. status < 0) call raise(error, '&surface file = '''//path//''': the numbers of '// &
+            name//' cannot be read: the file is damaged or was not written to its end')
+      end if
    end subroutine read_numbers
 
    !> Step of equidistant positions.

@@ -1,6 +1,8 @@
 !> Whole text files as they are.
 module ehlwave_text_file
+   use, intrinsic :: iso_c_binding, only: c_long
    use ehlwave_errors, only: error_t, raise
+   use ehlwave_posix, only: close_file, file_kind, kind_none, open_file, read_bytes, reason_text
    implicit none (type, external)
    private
    public :: read_text, read_whole_file
@@ -14,22 +16,21 @@ contains
       character(len=*), intent(in) :: path
       character(len=:), allocatable, intent(out) :: text   !! all bytes, line ends included
       type(error_t), allocatable, intent(out) :: error
-      character(len=256) :: reason
-      integer :: bytes
-      logical :: is_there
+      character(len=:), allocatable :: reason
 
-      inquire (file=path, exist=is_there, size=bytes)
       if (path == '') then
          call raise(error, 'no input file is named: give its path')
-      else if (.not. is_there) then
-         call raise(error, trim(path)//': no such file: check the path')
-      else if (bytes > max_bytes) then
-         call raise(error, trim(path)//': is larger than 16 MiB: give the path of an input file')
+         return
       end if
-      if (allocated(error)) return
-      call read_whole_file(path, text, reason)
+      call read_whole_file(trim(path), text, reason, max_bytes + 1_c_long)
       if (.not. allocated(text)) then
-         call raise(error, trim(path)//': cannot be read ('//trim(reason)//'): give the path of a text file')
+         if (file_kind(trim(path)) == kind_none) then
+            call raise(error, trim(path)//': no such file: check the path')
+         else
+            call raise(error, trim(path)//': cannot be read ('//reason//'): give the path of a text file')
+         end if
+      else if (len(text) > max_bytes) then
+         call raise(error, trim(path)//': is larger than 16 MiB: give the path of an input file')
       else if (len(text) == 0) then
          call raise(error, trim(path)//': is empty: check the path, or write the file')
       else if (index(text, achar(0)) > 0) then
@@ -37,24 +38,35 @@ contains
       end if
    end subroutine read_text
 
-   !> All bytes of a file; not allocated when it cannot be read.
-   subroutine read_whole_file(path, text, reason)
+   !> All bytes of a regular file; not allocated when it cannot be read.
+   subroutine read_whole_file(path, text, reason, most)
       character(len=*), intent(in) :: path
       character(len=:), allocatable, intent(out) :: text
-      character(len=256), intent(out), optional :: reason   !! why it cannot be read
-      character(len=256) :: words
-      integer :: io, length, unit
+      character(len=:), allocatable, intent(out), optional :: reason   !! why it cannot be read, else empty
+      integer(c_long), intent(in), optional :: most                    !! bytes to read: the rest is left out
+      integer(c_long) :: bytes, length
+      integer :: file, status, ignored
+      logical :: fits
 
-      words = ''
-      open (newunit=unit, file=path, access='stream', form='unformatted', status='old', action='read', iostat=io, iomsg=words)
-      if (io == 0) then
-         inquire (unit=unit, size=length)
-         allocate (character(len=max(0, length)) :: text)
-         if (length > 0) read (unit, iostat=io, iomsg=words) text
-         close (unit)
-         if (io /= 0) deallocate (text)
+      call open_file(path, file, bytes, status)
+      if (present(most)) bytes = min(bytes, most)
+      fits = .true.
+      if (status == 0) then
+         allocate (character(len=bytes) :: text, stat=ignored)
+         fits = ignored == 0
+         if (fits) call read_bytes(file, text, length, status)
+         ignored = close_file(file)
       end if
-      if (present(reason)) reason = words
+      if (allocated(text)) then
+         if (status /= 0) deallocate (text)
+      end if
+      if (allocated(text)) then
+         if (length < bytes) text = text(:length)
+      end if
+      if (.not. present(reason)) return
+      reason = ''
+      if (status /= 0) reason = reason_text(status)
+      if (.not. fits) reason = 'it does not fit into memory'
    end subroutine read_whole_file
 
 end module ehlwave_text_file

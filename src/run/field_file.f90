@@ -5,7 +5,7 @@ module ehlwave_field_file
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_text, only: effective_input
    use ehlwave_clock, only: time_stamp
-   use ehlwave_errors, only: error_t, raise
+   use ehlwave_errors, only: error_t
    use ehlwave_hdf5_file, only: hdf5_file_t
    use ehlwave_kinds, only: dp
    use ehlwave_provenance_list, only: add_provenance
@@ -14,30 +14,9 @@ module ehlwave_field_file
    use ehlwave_quantity_output, only: write_quantities
    implicit none (type, external)
    private
-   public :: check_writable, write_case_file, write_provenance
+   public :: write_case_file, write_provenance
 
 contains
-
-   !> Fail early when a file cannot be written: before the computation, not after it.
-   subroutine check_writable(path, error)
-      character(len=*), intent(in) :: path
-      type(error_t), allocatable, intent(out) :: error
-      integer :: unit, io
-      logical :: is_folder, was_there
-
-      inquire (file=path//'/.', exist=is_folder)
-      if (is_folder) then
-         call raise(error, 'cannot write '//path//': it is a folder; give the name of a file')
-         return
-      end if
-      inquire (file=path//'.part', exist=was_there)
-      open (newunit=unit, file=path//'.part', action='write', position='append', iostat=io)
-      if (io == 0) then
-         close (unit, status=merge('keep  ', 'delete', was_there), iostat=io)
-      else
-         call raise(error, 'cannot write '//path//': does its folder exist and is it writable?')
-      end if
-   end subroutine check_writable
 
    !> Write one case. Fails when the file cannot be written completely.
    subroutine write_case_file(path, case, plan, result, error)

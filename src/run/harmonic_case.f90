@@ -46,7 +46,7 @@ contains
                           ' GMRES steps, residual reduced to '//to_text(response%reduction, 3)
          return
       end if
-      call result%harmonic%take(response%film, response%approach)
+      call result%harmonic%take(response%film, response%pressure, response%approach)
       call find_mean(case, plan, steady, response, result)
       result%work = result%work + steady%multigrid%work() - work_before
       if (case%sensitivities) call find_response_sensitivities(steady, response, result)
@@ -61,7 +61,7 @@ contains
       if (.not. steady%has_coarse) return
       call steady%coarse_response%respond(steady%multigrid%levels(:n - 1), plan%waviness, case%natural_frequency, &
                                           plan%steps_per_cell, coarse)
-      if (coarse%status == status_converged) call result%harmonic%extrapolate(coarse%film)
+      if (coarse%status == status_converged) call result%harmonic%extrapolate(coarse%film, coarse%pressure)
    end subroutine run_response
 
    !> What waves of the amplitude of the case change in the mean, where they have a mean.

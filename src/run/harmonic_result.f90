@@ -7,7 +7,7 @@ module ehlwave_harmonic_result
    implicit none (type, external)
    private
 
-   !> All numbers are NaN without a response; `extrapolated` and `error` also without a second grid.
+   !> All numbers are NaN without a response; those at mesh size 0 and `error` also without a second grid.
    type, public :: harmonic_result_t
       real(dp) :: ratio = no_value           !! |H(0,0)| over Ai on the grid of the case: Ad/Ai for small waves
       real(dp) :: phase = no_value           !! radian by which the film at the centre follows the pattern there
@@ -15,6 +15,9 @@ module ehlwave_harmonic_result
       real(dp) :: imaginary_part = no_value
       real(dp) :: approach_ratio = no_value  !! amplitude of the mutual approach over Ai
       real(dp) :: extrapolated = no_value    !! ratio extrapolated to mesh size 0
+      complex(dp) :: pressure = (no_value, no_value)   !! transfer function from the pattern to P(0,0)
+      complex(dp) :: film_limit = (no_value, no_value), &   !! transfer functions at mesh size 0
+                     pressure_limit = (no_value, no_value)
       real(dp) :: error = no_value           !! estimated discretisation error of `ratio` and bound for `extrapolated`, relative
       integer :: linear_steps = 0            !! GMRES steps on the grid of the case
       real(dp) :: work_units = no_value      !! of the response on the grid of the case, without the steady state
@@ -34,14 +37,15 @@ module ehlwave_harmonic_result
 
 contains
 
-   !> Take the transfer functions of film and approach on the grid of the case.
-   pure subroutine take(self, film, approach)
+   !> Take the transfer functions of film, pressure and approach on the grid of the case.
+   pure subroutine take(self, film, pressure, approach)
       class(harmonic_result_t), intent(inout) :: self
-      complex(dp), intent(in) :: film, approach
+      complex(dp), intent(in) :: film, pressure, approach
       self%ratio = abs(film)
       self%phase = atan2(aimag(film), real(film, dp))
       self%real_part = real(film, dp)
       self%imaginary_part = aimag(film)
+      self%pressure = pressure
       self%approach_ratio = abs(approach)
    end subroutine take
 
@@ -56,16 +60,18 @@ contains
       self%smallest_film_y = change%smallest_at(2)
    end subroutine take_mean
 
-   !> Richardson extrapolation of the complex transfer function from the grid of the case and one with twice the mesh
+   !> Richardson extrapolation of the complex transfer functions from the grid of the case and one with twice the mesh
    !> size: T + (T - T_coarse)/3. The size of the correction is the error estimate.
-   pure subroutine extrapolate(self, coarse_film)
+   pure subroutine extrapolate(self, coarse_film, coarse_pressure)
       class(harmonic_result_t), intent(inout) :: self
-      complex(dp), intent(in) :: coarse_film
+      complex(dp), intent(in) :: coarse_film, coarse_pressure
       complex(dp) :: correction, film
       film = cmplx(self%real_part, self%imaginary_part, dp)
       if (.not. ieee_is_finite(abs(coarse_film))) return
       correction = (film - coarse_film)/(error_ratio - 1)
-      self%extrapolated = abs(film + correction)
+      self%film_limit = film + correction
+      self%pressure_limit = self%pressure + (self%pressure - coarse_pressure)/(error_ratio - 1)
+      self%extrapolated = abs(self%film_limit)
       self%error = abs(correction)/abs(film)
    end subroutine extrapolate
 

@@ -11,6 +11,8 @@ module ehlwave_quantities
    use ehlwave_case_result, only: case_result_t, oil_sensitivity_t
    use ehlwave_case_text, only: case_identity
    use ehlwave_key_list, only: find_key, key_list_t
+   use ehlwave_error_account, only: validity_text
+   use ehlwave_error_parts, only: error_parts_t
    use ehlwave_harmonic_result, only: harmonic_result_t
    use ehlwave_kinds, only: dp
    use ehlwave_quantity, only: quantity_list_t
@@ -55,7 +57,14 @@ contains
       call list%add('expected_error', 'relative error expected by the plan', plan%expected_error)
       call add_key(list, keys, 'edges')
       call list%add('domain_error', 'relative error expected by the edges of the domain, besides expected_error', plan%domain_error)
+      call list%add('expected_mesh_error', 'part of it by the mesh', plan%expected%mesh)
+      call list%add('expected_time_error', 'part of it by steps longer than hX', plan%expected%time)
+      call list%add('expected_algebraic_error', 'part of it by the tolerances', plan%expected%algebraic)
+      call list%add('expected_amplitude_error', 'expected difference from small waves, besides expected_error', &
+                    plan%expected%amplitude)
       call list%add('domain_x_min', 'X of the inlet boundary in use', plan%x_min)
+      call list%add('domain_x_max', 'X of the outlet boundary in use', plan%x_max)
+      call list%add('domain_y_max', 'Y of the side boundary in use', plan%y_max)
       call list%add('expected_work_units', 'work expected by the plan, in plain FFT convolutions of the grid', &
                     plan%expected_work_units)
       call list%add('cells_x', 'cells along X', plan%cells_x)
@@ -84,6 +93,7 @@ contains
       call list%add('is_half_domain', '1 when only Y >= 0 is computed', plan%is_half)
       call list%add('is_resolved', '1 when the grid resolves the case', plan%resolution%is_resolved)
       call list%add('message', 'why the grid does not resolve the case', plan%resolution%reason)
+      call list%add('validity', 'what the result will hold for: edges, linear range', validity_text(case, plan))
       call add_key(list, keys, 'accuracy')
       call list%add('expected_seconds', 'time expected by the plan', plan%expected_seconds(), unit='s')
       call list%add('expected_memory_mib', 'peak memory expected by the plan', plan%expected_memory_mib(), unit='MiB')
@@ -134,6 +144,13 @@ contains
       call list%add('amplitude_ratio_error', 'estimated relative error of Ad/Ai', result%amplitude_ratio_error)
       call list%add('amplitude_error_basis', 'what amplitude_ratio_error is from', &
                     trim(result%amplitude_error_basis))
+      call add_parts(list, 'film', 'H(0,0)', result%film_errors)
+      call add_parts(list, 'ratio', 'Ad/Ai', result%ratio_errors)
+      call list%add('error_estimate', 'sum of the parts of the error of Ad/Ai, of smooth contacts of H(0,0): what '// &
+                    'accuracy is about', result%error_estimate)
+      call list%add('refinements', 'runs on finer grids than the first, for an accuracy', result%refinements)
+      call list%add('validity', 'what the result holds for: edges, linear range, warnings', &
+                    validity_text(case, plan, result%warning))
       call add_response(list, result%harmonic)
       call add_sensitivities(list, case, result%by_oil)
       call list%add('v', 'V of theory eq. (17)', result%v)
@@ -142,6 +159,19 @@ contains
       call list%add('formula_ratio', 'Ad/Ai by theory eq. (18)', result%formula_ratio)
       call add_effort(list, result)
    end subroutine add_result
+
+   !> The parts of an error.
+   subroutine add_parts(list, of, what, parts)
+      type(quantity_list_t), intent(inout) :: list
+      character(len=*), intent(in) :: of, what
+      type(error_parts_t), intent(in) :: parts
+      call list%add(of//'_error_mesh', 'relative error of '//what//' by the mesh', parts%mesh)
+      call list%add(of//'_error_domain', 'the same by the edges of the domain', parts%domain)
+      call list%add(of//'_error_time', 'the same by steps longer than hX', parts%time)
+      call list%add(of//'_error_amplitude', 'the same by the size of the waves, which respond unlike small ones', parts%amplitude)
+      call list%add(of//'_error_settling', 'the same by what still changes from period to period', parts%settling)
+      call list%add(of//'_error_algebraic', 'the same by the tolerances', parts%algebraic)
+   end subroutine add_parts
 
    subroutine add_smooth_film(list, plan, result)
       type(quantity_list_t), intent(inout) :: list
@@ -196,8 +226,12 @@ contains
       call list%add('harmonic_phase', 'phase of the linear response of H(0,0)', harmonic%phase, unit='rad')
       call list%add('harmonic_real', 'transfer function pattern to H(0,0), real part', harmonic%real_part)
       call list%add('harmonic_imaginary', 'transfer function pattern to H(0,0), imaginary part', harmonic%imaginary_part)
+      call add_complex(list, 'harmonic_pressure', 'transfer function pattern (in c) to P(0,0)', harmonic%pressure)
       call list%add('harmonic_approach', 'amplitude of the approach over Ai', harmonic%approach_ratio)
       call list%add('harmonic_extrapolated', 'harmonic_ratio at mesh size 0', harmonic%extrapolated)
+      call add_complex(list, 'harmonic_extrapolated', 'transfer function pattern to H(0,0) at mesh size 0', harmonic%film_limit)
+      call add_complex(list, 'harmonic_pressure_extrapolated', 'transfer function pattern (in c) to P(0,0) at mesh size 0', &
+                       harmonic%pressure_limit)
       call list%add('harmonic_error', 'estimated relative error of harmonic_ratio', harmonic%error)
       call list%add('mean_film_rise', 'mean film less smooth film over Ai, second order, linear response', harmonic%mean_rise)
       call list%add('smallest_film', 'smallest film with waves of Ai anywhere at any time, second order', &

@@ -1,4 +1,4 @@
-!> Paths from a problem that has been solved to one that has not, and the one in M and L.
+!> Paths from a problem that has been solved to one that has not, and those in M and L and in the stress of the flow law.
 module ehlwave_continuation
    use ehlwave_conditions, only: conditions_from_moes, conditions_t
    use ehlwave_errors, only: error_t
@@ -10,6 +10,7 @@ module ehlwave_continuation
 
    real(dp), parameter :: load_ratio = 4       !! M of a case over M of its neighbour at distance 1
    real(dp), parameter :: viscous_ratio = 2    !! the same of L, from distance 2 on
+   real(dp), parameter :: stress_ratio = 100   !! stress of the flow law of the neighbour at distance 0 over that of a case
    real(dp), parameter :: smallest_step = 0.02_dp
 
    !> Place on a path from 0 (solved) to 1 (wanted), with steps that grow and shrink.
@@ -23,11 +24,12 @@ module ehlwave_continuation
       procedure :: can_retry
    end type adaptive_path_t
 
-   !> A contact with smaller M, and smaller L if it is farther away, with the same D.
+   !> A contact with smaller M, and smaller L if it is farther away, with the same D; or the same contact with an oil that is
+   !> more nearly Newtonian.
    type, public :: neighbour_t
       type(conditions_t), private :: goal
       type(rheology_t), private :: goal_rheology
-      real(dp), private :: m = 0, l = 0
+      real(dp), private :: m = 0, l = 0, stress = 1   ! stress of the flow law over that of the case
    contains
       procedure :: choose
       procedure :: impose
@@ -60,21 +62,22 @@ contains
       can_retry = self%place > self%solved .and. 0.5_dp*min(self%step, 1 - self%solved) >= smallest_step
    end function can_retry
 
-   !> Neighbour of the contact of a hierarchy: M/4, (M/16, L/2), (M/64, L/4), ...
+   !> Neighbour of the contact of a hierarchy: M/4, (M/16, L/2), (M/64, L/4), ... At distance 0 that with the other oil.
    subroutine choose(self, hierarchy, distance)
       class(neighbour_t), intent(inout) :: self
       type(hierarchy_t), intent(in) :: hierarchy
-      integer, intent(in) :: distance   !! 1, 2, ...
+      integer, intent(in) :: distance   !! 1, 2, ..., of oils that are not Newtonian 0, too
       associate (problem => hierarchy%levels(1)%problem)
          self%goal = problem%conditions
          self%goal_rheology = problem%rheology
       end associate
       self%m = self%goal%m/load_ratio**distance
-      self%l = self%goal%l/viscous_ratio**(distance - 1)
+      self%l = self%goal%l/viscous_ratio**max(0, distance - 1)
+      self%stress = merge(stress_ratio, 1.0_dp, distance == 0)
    end subroutine choose
 
    !> Give all levels the contact at a place between the neighbour (0) and the case itself (1, to the last digit):
-   !> M geometrically, L linearly in between. Grids and kernels stay, since they depend on D only.
+   !> M and the stress geometrically, L linearly in between. Grids and kernels stay, since they depend on D only.
    subroutine impose(self, hierarchy, place)
       class(neighbour_t), intent(in) :: self
       type(hierarchy_t), intent(inout) :: hierarchy
@@ -91,6 +94,7 @@ contains
                                    self%goal%d, self%goal%alpha_per_pa, conditions, error)
          if (allocated(error)) return   ! cannot be: M and L lie within those of accepted contacts
          rheology = self%goal_rheology%at_pressure(conditions%alphabar, conditions%hertz_pressure_pa)
+         rheology = rheology%with_stress(self%stress**(1 - place))
       end if
       do n = 1, size(hierarchy%levels)
          call hierarchy%levels(n)%problem%set_conditions(conditions, rheology)

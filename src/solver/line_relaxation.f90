@@ -25,6 +25,10 @@ module ehlwave_line_relaxation
    !> It grows with the square of their aspect: single changes in long cells deform many of their neighbours.
    real(dp), parameter :: switch_of_squares = 3
 
+   !> The same of an oil that is not Newtonian. The ratio counts the flow along X and across; where sliding makes that along X
+   !> several times easier, less of it couples one line to the next, and single changes spread at ratios that would do otherwise.
+   real(dp), parameter :: switch_of_easy_flow = 6
+
    type, public :: line_relaxation_t
       integer, private :: reach = 3                     ! bands of the line system on either side
       real(dp), private :: switch = 0                   ! `switch_of_squares` for the cells of this grid
@@ -53,7 +57,7 @@ contains
 
       associate (grid => problem%grid, kappa => problem%conditions%elliptic%kappa, k => problem%conditions%elliptic%k)
          aspect = grid%hy/(kappa*grid%hx)
-         self%switch = switch_of_squares*max(aspect, 1/aspect)**2
+         self%switch = merge(switch_of_easy_flow, switch_of_squares, allocated(problem%film_flow))*max(aspect, 1/aspect)**2
          self%reach = max(3, min(5, nint(aspect)))
          self%share_x = 0.5_dp*max(0.5_dp, aspect**2/(1 + aspect**2))
          self%share_y = 0.5_dp - self%share_x

@@ -19,8 +19,11 @@ module ehlwave_newton
 
    real(dp), parameter :: lowest_pressure = -0.02_dp   !! of an iterate; solutions are clipped at 0
    real(dp), parameter :: last_step_share = 0.2_dp   !! of the tolerance, left by the linear solver in the last step
-   real(dp), parameter :: much_worse = 10        !! growth of the right side that a step may bring an oil that is not Newtonian,
-   integer, parameter :: most_halvings = 10      !! before it is taken back by halves
+   ! Of oils that are not Newtonian:
+   real(dp), parameter :: much_worse = 2         !! right side over the smallest so far above which a step is taken back by halves
+   integer, parameter :: most_halvings = 10
+   real(dp), parameter :: progress = 0.9_dp      !! of the smallest right side, or less, to be reached in so many steps
+   integer, parameter :: patience = 15
 
    !> It owns the contact linearised on every level, of which the coarser ones precondition the finer.
    type, extends(level_solver_t), public :: newton_t
@@ -73,8 +76,8 @@ contains
       type(solve_limits_t), intent(in) :: limits
       type(solve_report_t), intent(out) :: report
       type(state_t) :: before
-      real(dp) :: forcing, worth, worth_before, step
-      integer :: k
+      real(dp) :: best, forcing, worth, worth_before, step
+      integer :: k, last_gain
 
       call pose(self, levels, given)
       allocate (report%history(0))
@@ -84,10 +87,19 @@ contains
          call problem%film_of_guess(given, state)
          do k = 0, limits%largest_steps
             call assemble(self, problem, state, worth)
-            if (k > 0 .and. allocated(problem%film_flow)) call go_back(self, problem, before, worth_before, state, worth)
+            if (k == 0) then
+               best = worth
+               last_gain = 0
+            end if
+            if (allocated(problem%film_flow)) then
+               if (k > 0) call go_back(self, problem, before, best, state, worth)
+               if (worth < progress*best) last_gain = k
+               best = min(best, worth)
+            end if
             call report%judge(equations, state, limits%tolerance)
             report%history = [report%history, report%residual]
             if (report%status /= status_stalled .or. k == limits%largest_steps) exit
+            if (allocated(problem%film_flow) .and. k > last_gain + patience) exit
 
             if (k > 0) forcing = next_forcing(self, forcing, worth/worth_before)
             forcing = min(self%loosest, max(forcing, last_step_share*limits%tolerance/report%residual))
@@ -175,20 +187,20 @@ contains
       end associate
    end subroutine assemble
 
-   !> Go half of the way back to the state before, again and again, while that makes the right side much smaller. The flow of oils that
-   !> are not Newtonian can grow exponentially with the pressure gradient: a step that makes the steep end steeper would be paid
-   !> back by one factor e a step (line contact, M = 300, L = 12, tau0 = 0.5 MPa: from 0.2 to 1e7 in one step).
-   subroutine go_back(self, problem, before, worth_before, state, worth)
+   !> Go half of the way back to the state before, again and again, while the right side is much larger than the smallest so far.
+   !> The flow of oils that are not Newtonian can grow exponentially with the pressure gradient: a step that makes the steep end
+   !> steeper would be paid back by one factor e a step (line contact, M = 300, L = 12, tau0 = 0.5 MPa: from 0.2 to 1e7 in one step).
+   subroutine go_back(self, problem, before, best, state, worth)
       class(newton_t), intent(inout) :: self
       type(contact_problem_t), intent(in) :: problem
       type(state_t), intent(in) :: before
-      real(dp), intent(in) :: worth_before       !! norm of the right side there
+      real(dp), intent(in) :: best               !! smallest norm of the right side so far
       type(state_t), intent(inout) :: state
-      real(dp), intent(inout) :: worth           !! the same here
+      real(dp), intent(inout) :: worth           !! norm of the right side here
       integer :: n
 
       do n = 1, most_halvings
-         if (worth <= much_worse*worth_before) return
+         if (worth <= much_worse*best) return
          state%p = 0.5_dp*(before%p + state%p)
          state%h = 0.5_dp*(before%h + state%h)
          state%delta = 0.5_dp*(before%delta + state%delta)

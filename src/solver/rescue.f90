@@ -141,7 +141,8 @@ contains
       end associate
    end subroutine climb
 
-   !> Continuation in M and L: solve an easier neighbour from scratch, then approach the case from it.
+   !> Continuation in M and L, before that in the stress of the flow law: solve an easier neighbour from scratch, then approach
+   !> the case from it.
    subroutine continue_conditions(self, multigrid, limits, coarse_tolerance)
       type(rescue_t), intent(inout) :: self
       type(full_multigrid_t), intent(inout) :: multigrid
@@ -156,7 +157,7 @@ contains
       loose = limits
       loose%tolerance = max(limits%tolerance, coarse_tolerance)
       associate (level => multigrid%levels(size(multigrid%levels)))
-         do distance = 1, 3
+         do distance = merge(1, 0, level%problem%rheology%is_newtonian()), 3
             call neighbour%choose(multigrid%hierarchy_t, distance)
             call neighbour%impose(multigrid%hierarchy_t, 0.0_dp)
             call self%attempt_from_coarsest(multigrid, loose, coarse_tolerance)

@@ -1,6 +1,7 @@
 !> Records of a store as lists of values: a layout tells their names and kinds.
 module ehlwave_layout
    use ehlwave_json_reader, only: json_string, split_list
+   use ehlwave_posix, only: checksum
    implicit none (type, external)
    private
    public :: new_layout
@@ -10,6 +11,7 @@ module ehlwave_layout
    !> Names and kinds of the values of a record.
    type, public :: layout_t
       character(len=:), allocatable :: text            !! as stored: [[name, kind],...]
+      character(len=8) :: tag = ''                     !! its checksum, by which records say that they have this layout
       character(len=name_length), allocatable :: names(:), kinds(:)
    contains
       procedure :: element
@@ -32,6 +34,7 @@ contains
       integer, allocatable :: first(:), last(:), a(:), b(:)
       integer :: k
       layout%text = text
+      layout%tag = checksum(text)
       call split_list(text, first, last)
       allocate (layout%names(size(first)), layout%kinds(size(first)))
       do k = 1, size(first)

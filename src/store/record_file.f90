@@ -1,8 +1,7 @@
 !> Append-only files of records that survive a writer killed at any moment.
 !>
 !> A record is a line:  CHECKSUM LENGTH TEXT, the CRC-32 of the text in 8 hexadecimal digits and its length in
-!> bytes. One call to the system appends it. A reader believes only lines whose checksum and length are right;
-!> what a kill or a full disk leaves behind is passed over, and nothing that was written is ever changed.
+!> bytes. One call to the system appends it, and nothing that was written is ever changed. Read by `ehlwave_record_reader`.
 module ehlwave_record_file
    use ehlwave_clock, only: wall_seconds
    use ehlwave_errors, only: error_t, raise
@@ -11,7 +10,6 @@ module ehlwave_record_file
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
-   public :: next_record
 
    real(dp), parameter :: sync_share = 0.02_dp   !! of the time goes into waiting for the disk, at most
 
@@ -116,38 +114,5 @@ contains
       character(len=:), allocatable :: line
       line = checksum(text)//' '//to_text(len(text))//' '//text//new_line('a')
    end function record_line
-
-   !> The next good record from `position` on is text(first:last); no more: last = 0.
-   subroutine next_record(text, position, first, last, bad_lines)
-      character(len=*), intent(in) :: text       !! a whole file
-      integer, intent(inout) :: position         !! begin with 1
-      integer, intent(out) :: first, last
-      integer, intent(inout) :: bad_lines        !! lines passed over so far
-      integer :: blank, io, length, line_end, start
-
-      do while (position <= len(text))
-         start = position
-         line_end = index(text(start:), new_line('a'))
-         if (line_end == 0) then                 ! cut off
-            position = len(text) + 1
-            bad_lines = bad_lines + 1
-            exit
-         end if
-         position = start + line_end
-         last = start + line_end - 2
-         if (last < start) cycle                 ! the end put after a torn line
-         blank = index(text(min(start + 9, last):last), ' ')
-         first = start + 9 + blank
-         if (blank > 1 .and. first <= last + 1 .and. text(min(start + 8, last):min(start + 8, last)) == ' ') then
-            read (text(start + 9:first - 2), *, iostat=io) length
-            if (io == 0 .and. length == last - first + 1) then
-               if (checksum(text(first:last)) == text(start:start + 7)) return
-            end if
-         end if
-         bad_lines = bad_lines + 1
-      end do
-      first = 1
-      last = 0
-   end subroutine next_record
 
 end module ehlwave_record_file

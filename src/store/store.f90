@@ -1,6 +1,7 @@
 !> The store of a sweep: a folder with everything that is known for sure, written so that nothing can spoil it.
 !>
 !>     store                     one line: format and its version
+!>     defaults                  generation of the defaults of keys that its cases have; not there: 0
 !>     lock                      locked by the job at work
 !>     cases                     identity and expected cost of each case of the sweep
 !>     records/RUN-RANK.log      what each rank of each run (of the program) has done; see ehlwave_record_file
@@ -14,17 +15,20 @@
 !>     start IDENTITY            a case begins
 !>     stop IDENTITY             it was stopped from outside
 !>     columns [[name, kind],...]  of the cases that follow, again whenever they change
-!>     case [values]             it is done, whatever its status
+!>     case [values] CHECKSUM    it is done, whatever its status; the checksum is that of the text of its columns
+!>
+!> What many records depend on (run, input, columns) stands a second time after the first case: no damaged line takes more
+!> than one case with it.
 module ehlwave_store
    use ehlwave_clock, only: time_stamp
-   use ehlwave_errors, only: error_t
+   use ehlwave_errors, only: error_t, raise
    use ehlwave_json, only: string_json
-   use ehlwave_posix, only: list_folder, process_id
+   use ehlwave_posix, only: checksum, list_folder, process_id, reason_text
    use ehlwave_provenance_list, only: add_provenance
    use ehlwave_quantity, only: quantity_list_t
    use ehlwave_quantity_output, only: json_columns, json_values
    use ehlwave_record_file, only: record_writer_t
-   use ehlwave_store_folder, only: log_name, records_name, take_folder
+   use ehlwave_store_folder, only: log_name, read_log_name, records_name, take_folder
    use ehlwave_text, only: next_line
    use ehlwave_text_difference, only: text_difference
    implicit none (type, external)
@@ -49,46 +53,55 @@ module ehlwave_store
       procedure :: close => close_store
       procedure :: checkpoint_path
       procedure :: fields_path
-      procedure, private :: open_log
+      procedure :: open_log
+      procedure, private :: write_header
    end type store_t
 
 contains
 
-   !> Make or take over a store for this job and give the run the next free number; the log of rank 0 stands for it.
-   !> Called on rank 0 only. Fails as `take_folder`.
+   !> Make or take over a store for this job and give the run the next free number; the log of rank 0, once it is open,
+   !> stands for it. Called on rank 0 only. Fails as `take_folder`.
    subroutine prepare_store(folder, store, warning, error)
       character(len=*), intent(in) :: folder
       type(store_t), intent(inout) :: store              !! rank, host, job and MPI library are set
       character(len=:), allocatable, intent(out) :: warning   !! allocated: what the user should know
       type(error_t), allocatable, intent(inout) :: error
       character(len=:), allocatable :: names
-      integer :: first, io, last, number
+      integer :: first, last, number, rank, status
 
       call take_folder(folder, warning, error)
       if (allocated(error)) return
       store%folder = folder
-      call list_folder(folder//'/'//records_name, names)
+      call list_folder(folder//'/'//records_name, names, status)
+      if (status /= 0) call raise(error, 'cannot read '//folder//'/'//records_name//': '//reason_text(status))
+      if (allocated(error)) return
       store%run = 1
       last = -1
       do while (next_line(names, first, last))
-         read (names(first:first + index(names(first:last), '-') - 2), *, iostat=io) number
-         if (io == 0) store%run = max(store%run, number + 1)
+         call read_log_name(names(first:last), number, rank)
+         store%run = max(store%run, number + 1)
       end do
-      call store%open_log(error)
    end subroutine prepare_store
 
+   !> Begin the log of this rank, unless it has been begun.
    subroutine open_log(self, error)
       class(store_t), intent(inout) :: self
       type(error_t), allocatable, intent(inout) :: error
-      type(quantity_list_t) :: header
 
       if (self%is_open .or. allocated(error)) return
       call self%log%create(self%folder//'/'//records_name//'/'//log_name(self%run, self%rank), error)
-      header = self%header()
-      call self%log%append('run ['//json_columns(header)//','//json_values(header)//']', error)
+      call self%write_header(error)
       self%is_open = .not. allocated(error)
       self%columns = ''
    end subroutine open_log
+
+   subroutine write_header(self, error)
+      class(store_t), intent(inout) :: self
+      type(error_t), allocatable, intent(inout) :: error
+      type(quantity_list_t) :: header
+      header = self%header()
+      call self%log%append('run ['//json_columns(header)//','//json_values(header)//']', error)
+   end subroutine write_header
 
    !> Who writes: what the log of a rank begins with.
    function header(self) result(list)
@@ -130,20 +143,24 @@ contains
       character(len=*), intent(in) :: input      !! effective input
       type(error_t), allocatable, intent(inout) :: error
       character(len=:), allocatable :: columns
+      logical :: is_first
 
       call self%open_log(error)
       if (allocated(error)) return
-      if (.not. allocated(self%base_input)) then
-         call self%log%append('input ['//string_json(input)//']', error)
-         if (.not. allocated(error)) self%base_input = input
-      end if
+      is_first = .not. allocated(self%base_input)
+      if (is_first) call self%log%append('input ['//string_json(input)//']', error)
       if (allocated(error)) return
+      if (is_first) self%base_input = input
       call record%add('effective_input', 'how the effective input differs', text_difference(self%base_input, input))
       columns = json_columns(record)
       if (columns /= self%columns) call self%log%append('columns '//columns, error)
       if (.not. allocated(error)) self%columns = columns
-      call self%log%append('case '//json_values(record), error)
+      call self%log%append('case '//json_values(record)//' '//checksum(columns), error)
       call self%log%announce('')
+      if (.not. is_first) return
+      if (.not. allocated(error)) call self%write_header(error)
+      call self%log%append('input ['//string_json(input)//']', error)
+      call self%log%append('columns '//columns, error)
    end subroutine keep
 
    !> Wait for the disk if it is time to.

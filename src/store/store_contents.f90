@@ -1,19 +1,18 @@
 !> What a store holds: every record that can be believed, read from the logs of all ranks of all runs.
 module ehlwave_store_contents
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-   use ehlwave_errors, only: error_t
+   use ehlwave_errors, only: error_t, raise
    use ehlwave_identity_index, only: identity_index_t, identity_length
    use ehlwave_json_reader, only: json_number, json_string, split_list
-   use ehlwave_kinds, only: dp
+   use ehlwave_kinds, only: dp, i8
    use ehlwave_layout, only: layout_t, new_layout, values_t
-   use ehlwave_posix, only: list_folder
+   use ehlwave_posix, only: file_kind, kind_none, list_folder, reason_text
    use ehlwave_provenance, only: git_revision, program_version
-   use ehlwave_record_file, only: next_record
+   use ehlwave_record_reader, only: record_reader_t
    use ehlwave_status, only: status_of_name, status_pending
-   use ehlwave_store_folder, only: check_store, log_name, records_name
+   use ehlwave_store_folder, only: check_store, log_name, read_log_name, records_name
    use ehlwave_text, only: count_lines, next_line
    use ehlwave_text_difference, only: text_from_difference
-   use ehlwave_text_file, only: read_whole_file
    implicit none (type, external)
    private
    public :: add_layout, read_store
@@ -30,7 +29,7 @@ module ehlwave_store_contents
 
    !> One log: who wrote it and what it was at.
    type, public :: log_t
-      integer :: run = 0, rank = 0                     !! run 0: it does not tell who wrote it, and is not believed
+      integer :: run = 0, rank = 0
       type(values_t) :: header
       type(layout_t) :: columns                        !! of the header
       character(len=:), allocatable :: base_input      !! effective input that those of its cases differ from
@@ -56,105 +55,147 @@ module ehlwave_store_contents
       procedure :: deaths
    end type contents_t
 
+   abstract interface
+      !> Identity of a case from its effective input.
+      function identity_of_input(input) result(identity)
+         import :: identity_length
+         implicit none (type, external)
+         character(len=*), intent(in) :: input
+         character(len=identity_length) :: identity
+      end function identity_of_input
+   end interface
+
 contains
 
-   !> Read a store; one that is not there is empty. Fails when it is something else.
-   subroutine read_store(folder, contents, error, ranks_of_last_run)
+   !> Read a store; one that is not there is empty. Fails when it is something else, and when something in it cannot be read.
+   subroutine read_store(folder, identify, contents, error, ranks_of_last_run)
       character(len=*), intent(in) :: folder
+      procedure(identity_of_input) :: identify
       type(contents_t), intent(out) :: contents
       type(error_t), allocatable, intent(inout) :: error
       integer, intent(in), optional :: ranks_of_last_run   !! look for these logs by name, too: on network file
                                                            !! systems a new file may be late in the listing
-      character(len=:), allocatable :: names
+      character(len=:), allocatable :: names, path
       logical :: is_there
-      integer :: first, last, rank
+      integer :: first, kind, last, rank, status
 
       if (.not. allocated(error)) call check_store(folder, is_there, error)
-      if (.not. allocated(error)) call list_folder(folder//'/'//records_name, names)
-      if (.not. allocated(names)) names = ''
+      path = folder//'/'//records_name
+      if (.not. allocated(error)) call list_folder(path, names, status)
+      if (.not. allocated(names)) then
+         names = ''
+         kind = file_kind(path)
+         if (kind /= kind_none .and. .not. allocated(error)) call raise(error, 'cannot read '//path//': '//reason_text(status))
+      end if
       rank = 0
       if (present(ranks_of_last_run)) rank = ranks_of_last_run
       allocate (contents%layouts(0), contents%cases(64), contents%logs(count_lines(names) + rank))
       last = -1
       do while (next_line(names, first, last))
-         call read_log(folder, names(first:last), contents)
+         call read_log(folder, names(first:last), identify, contents, error)
       end do
       do rank = 0, rank - 1
-         if (index(names, log_name(contents%runs, rank)) == 0) call read_log(folder, log_name(contents%runs, rank), contents)
+         if (index(names, log_name(contents%runs, rank)) > 0) cycle
+         kind = file_kind(path//'/'//log_name(contents%runs, rank))
+         if (kind /= kind_none) call read_log(folder, log_name(contents%runs, rank), identify, contents, error)
       end do
       contents%logs = contents%logs(:contents%log_count)
    end subroutine read_store
 
-   !> Take what a log holds; one that cannot be read holds nothing.
-   subroutine read_log(folder, name, contents)
+   !> Take what a log holds; files with names of another kind are passed over. Fails when it cannot be read.
+   subroutine read_log(folder, name, identify, contents, error)
       character(len=*), intent(in) :: folder, name
+      procedure(identity_of_input) :: identify
       type(contents_t), intent(inout) :: contents
+      type(error_t), allocatable, intent(inout) :: error
       type(log_t) :: log
-      character(len=:), allocatable :: text
-      integer, allocatable :: first(:), last(:)
-      integer :: begins, blank, ends, layout, position
-      logical :: fits
+      type(record_reader_t) :: reader
+      integer(i8) :: begins, ends
+      integer :: layout
 
-      call read_whole_file(folder//'/'//records_name//'/'//name, text)
-      if (.not. allocated(text)) return
-      position = 1
+      call read_log_name(name, log%run, log%rank)
+      if (log%run < 0) return
+      call reader%open(folder//'/'//records_name//'/'//name, error)
+      if (allocated(error)) return
+      contents%runs = max(contents%runs, log%run)
+      contents%log_count = contents%log_count + 1
+      log%columns = new_layout('[]')
       layout = 0
       do
-         call next_record(text, position, begins, ends, contents%bad_lines)
+         call reader%next(begins, ends, contents%bad_lines, error)
          if (ends == 0) exit
-         blank = begins + index(text(begins:ends), ' ') - 1
-         associate (value => text(blank + 1:ends))
-            select case (text(begins:max(begins, blank - 1)))
-            case ('run')
-               call split_list(value, first, last)
-               if (size(first) /= 2) exit
-               log%columns = new_layout(value(first(1):last(1)))
-               call log%header%split(value(first(2):last(2)), log%columns, fits)
-               if (.not. fits) exit
-               log%run = nint(json_number(log%element('run')))
-               log%rank = nint(json_number(log%element('rank')))
-               log%is_by_this_build = log%build() == this_build
-            case ('input')
-               log%base_input = json_string(value(2:len(value) - 1))
-            case ('start')
-               log%in_flight = value
-            case ('stop')
-               log%in_flight = ''
-            case ('columns')
-               call add_layout(value, contents, layout)
-            case ('case')
-               log%in_flight = ''
-               if (layout > 0 .and. log%run > 0) call take_case(value, layout, log%run, contents)
-            end select
-         end associate
+         call take_record(reader%text(begins:ends), identify, log, layout, contents)
       end do
-      contents%runs = max(contents%runs, log%run)
-      if (log%run == 0) return
-      contents%log_count = contents%log_count + 1
+      call reader%close()
       contents%logs(contents%log_count) = log
    end subroutine read_log
 
-   !> Keep the record of a case unless there is one of a later run.
-   subroutine take_case(text, layout, run, contents)
+   !> Take one record of a log.
+   subroutine take_record(record, identify, log, layout, contents)
+      character(len=*), intent(in) :: record
+      procedure(identity_of_input) :: identify
+      type(log_t), intent(inout) :: log
+      integer, intent(inout) :: layout                 !! number of the columns that were told last, 0: none yet
+      type(contents_t), intent(inout) :: contents
+      integer, allocatable :: first(:), last(:)
+      integer :: blank
+      logical :: fits
+
+      blank = index(record, ' ')
+      associate (value => record(blank + 1:))
+         select case (record(:max(0, blank - 1)))
+         case ('run')
+            call split_list(value, first, last)
+            if (size(first) /= 2) return
+            log%columns = new_layout(value(first(1):last(1)))
+            call log%header%split(value(first(2):last(2)), log%columns, fits)
+            if (.not. fits) log%columns = new_layout('[]')
+            log%is_by_this_build = log%build() == this_build
+         case ('input')
+            if (len(value) > 2) log%base_input = json_string(value(2:len(value) - 1))
+         case ('start')
+            log%in_flight = value
+         case ('stop')
+            log%in_flight = ''
+         case ('columns')
+            call add_layout(value, contents, layout)
+         case ('case')
+            log%in_flight = ''
+            call take_case(value, identify, log, layout, contents)
+         end select
+      end associate
+   end subroutine take_record
+
+   !> Keep the record of a case unless there is one of a later run. One without its columns, or whose identity is not that of
+   !> its input, counts as damaged.
+   subroutine take_case(text, identify, log, layout, contents)
       character(len=*), intent(in) :: text
-      integer, intent(in) :: layout, run
+      procedure(identity_of_input) :: identify
+      type(log_t), intent(in) :: log
+      integer, intent(in) :: layout                    !! of records that do not say it
       type(contents_t), intent(inout) :: contents
       type(stored_case_t) :: record
       type(stored_case_t), allocatable :: more(:)
-      integer :: before, place
+      integer :: before, list_end, place
       logical :: fits
 
-      call record%split(text, contents%layouts(layout), fits)
+      list_end = index(text, ']', back=.true.)
+      record%layout = layout
+      if (list_end + 1 < len(text)) record%layout = findloc(contents%layouts%tag == text(list_end + 2:), .true., 1)
+      fits = record%layout > 0
+      if (fits) call record%split(text(:list_end), contents%layouts(record%layout), fits)
+      if (fits) then
+         record%run = log%run
+         record%log = contents%log_count
+         record%identity = json_string(contents%layouts(record%layout)%element(record, 'case_id'))
+         fits = identify(input_of(record, log, contents)) == record%identity
+      end if
       if (.not. fits) then
          contents%bad_lines = contents%bad_lines + 1
          return
       end if
-      record%layout = layout
-      record%run = run
-      record%log = contents%log_count + 1
-      record%identity = json_string(contents%layouts(layout)%element(record, 'case_id'))
-      record%status = status_of_name(json_string(contents%layouts(layout)%element(record, 'status')))
-      record%seconds = json_number(contents%layouts(layout)%element(record, 'seconds'))
+      record%status = status_of_name(json_string(contents%layouts(record%layout)%element(record, 'status')))
+      record%seconds = json_number(contents%layouts(record%layout)%element(record, 'seconds'))
       if (.not. ieee_is_finite(record%seconds)) record%seconds = 0
 
       before = contents%index%count
@@ -166,7 +207,7 @@ contains
       end if
       contents%count = contents%index%count
       if (place <= before) then
-         if (contents%cases(place)%run > run) return
+         if (contents%cases(place)%run > log%run) return
       end if
       contents%cases(place) = record
    end subroutine take_case
@@ -196,12 +237,20 @@ contains
       class(contents_t), intent(in) :: self
       integer, intent(in) :: place             !! in `cases`
       character(len=:), allocatable :: text
-      text = ''
-      associate (log => self%logs(self%cases(place)%log))
-         if (allocated(log%base_input)) &
-            text = text_from_difference(log%base_input, json_string(self%value(place, 'effective_input')))
-      end associate
+      text = input_of(self%cases(place), self%logs(self%cases(place)%log), self)
    end function input
+
+   !> Effective input of a record, empty where it cannot be told.
+   function input_of(record, log, contents) result(text)
+      class(stored_case_t), intent(in) :: record
+      type(log_t), intent(in) :: log
+      class(contents_t), intent(in) :: contents
+      character(len=:), allocatable :: difference, text
+      text = ''
+      difference = contents%layouts(record%layout)%element(record, 'effective_input')
+      if (difference /= '' .and. allocated(log%base_input)) &
+         text = text_from_difference(log%base_input, json_string(difference))
+   end function input_of
 
    !> Value of the header as JSON; empty when it has no such value.
    pure function header_element(self, name) result(text)

@@ -3,7 +3,7 @@ module ehlwave_case_record
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_result, only: case_result_t
-   use ehlwave_case_text, only: text_identity
+   use ehlwave_case_text, only: input_identity
    use ehlwave_clock, only: time_stamp
    use ehlwave_errors, only: error_t
    use ehlwave_field_file, only: write_case_file
@@ -42,7 +42,7 @@ contains
       type(error_t), allocatable, intent(inout) :: error
       type(quantity_list_t) :: record
 
-      if (case%fields) call write_case_file(store%fields_path(text_identity(input)), case, plan, result, error)
+      if (case%fields) call write_case_file(store%fields_path(input_identity(input)), case, plan, result, error)
       record = case_record(case, plan, result, store, started, time_stamp())
       call store%keep(record, input, error)
    end subroutine store_result

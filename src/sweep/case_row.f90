@@ -64,7 +64,7 @@ contains
       is_none = .false.
       do i = 1, size(columns)
          if (allocated(error)) return
-         item%text = trim(table%cells(i, row))
+         item%text = table%cell(i, row)
          if (item%text == '') cycle
          if (columns(i) == 0) then
             call read_cell(table, row, i, f_v_key, item, key_value_t(kind=number_kind), f_v, is_none(i), error)

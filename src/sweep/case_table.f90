@@ -8,8 +8,10 @@ module ehlwave_case_table
    use ehlwave_errors, only: error_t, raise
    use ehlwave_key_bounds, only: is_none
    use ehlwave_key_list, only: find_key, key_list_t
+   use ehlwave_kinds, only: dp
    use ehlwave_namelist, only: namelist_t
-   use ehlwave_sweep_cases, only: sweep_t
+   use ehlwave_store_folder, only: defaults_of_store, store_path
+   use ehlwave_sweep_cases, only: refuse_too_many, sweep_t
    use ehlwave_sweep_keys, only: sweep_group, sweep_settings_t, visit_sweep_keys
    use ehlwave_sweep_lists, only: read_lists, sweep_lists_t
    use ehlwave_text, only: to_text
@@ -17,13 +19,18 @@ module ehlwave_case_table
    private
    public :: read_output_name, read_sweep
 
+   character(len=*), parameter :: edges_of_old_stores = 'truncated'   !! the default of the key before the first generation
+
 contains
 
-   !> Read a sweep file. Fails when it, its CSV file or any of its cases is not right.
-   subroutine read_sweep(path, sweep, error)
+   !> Read a sweep file. Its cases have the defaults that its store was begun with. Fails when it, its CSV file or any of its
+   !> cases is not right.
+   subroutine read_sweep(path, sweep, error, output, begins_anew)
       character(len=*), intent(in) :: path
       type(sweep_t), intent(out) :: sweep
       type(error_t), allocatable, intent(out) :: error
+      character(len=*), intent(in), optional :: output   !! results file, in place of that of the sweep file
+      logical, intent(in), optional :: begins_anew       !! the store, if there is one, will be dropped
       type(namelist_t) :: file
       type(sweep_settings_t) :: settings
       type(case_input_t) :: base
@@ -31,10 +38,16 @@ contains
       type(sweep_lists_t) :: lists
       type(csv_t) :: rows
       integer, allocatable :: columns(:)
+      logical :: is_old
 
       call file%load(path, error)
-      call base%read(file, error)
       call read_settings(file, settings, error)
+      sweep%output = trim(settings%output)
+      if (present(output)) sweep%output = output
+      is_old = defaults_of_store(store_path(sweep%output)) == 0
+      if (present(begins_anew)) is_old = is_old .and. .not. begins_anew
+      if (is_old) base%case%edges = edges_of_old_stores
+      call base%read(file, error)
       table = case_key_list()
       call read_lists(file, table, lists, error)
       call file%check_all_used(error)
@@ -44,10 +57,10 @@ contains
          return
       end if
       base%may_idle = base%is_given
-      sweep%output = trim(settings%output)
       sweep%limits = settings%limits
       if (settings%case_file /= '') then
          call read_csv(trim(settings%case_file), rows, error)
+         if (.not. allocated(error)) call refuse_too_many(rows%path//': has ', real(size(rows%line), dp), ' rows', error)
          call find_columns(rows, table, columns, error)
          if (allocated(error)) return
          call sweep%begin(size(rows%line), settings%unresolved == 'skip')
@@ -58,9 +71,23 @@ contains
       end if
       if (allocated(error)) return
       call sweep%finish()
+      if (is_old .and. any(sweep%cases%edges == edges_of_old_stores) .and. .not. says(base, table, sweep, 'edges')) &
+         sweep%notice = sweep%notice//"NOTICE: the store of "//sweep%output//" was begun when edges were '"// &
+         edges_of_old_stores//"' by default: its cases go on so; &grid edges in the sweep file says otherwise"//new_line('a')
       if (size(sweep%cases) == 0) call raise(error, path//': no cases are left to run'// &
          merge(' (all are unresolved)', '                     ', sweep%skipped > 0))
    end subroutine read_sweep
+
+   !> Whether a sweep file gives a key, by a group, a list or a column.
+   pure logical function says(base, table, sweep, name)
+      type(case_input_t), intent(in) :: base
+      type(key_list_t), intent(in) :: table
+      type(sweep_t), intent(in) :: sweep
+      character(len=*), intent(in) :: name
+      integer :: key
+      key = find_key(table%keys, name)
+      says = base%is_given(key) .or. sweep%varies(key)
+   end function says
 
    !> The results file that a sweep file names.
    subroutine read_output_name(path, output, error)

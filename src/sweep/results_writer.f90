@@ -1,6 +1,7 @@
 !> Keeps the results file of a sweep up to date with its store.
 module ehlwave_results_writer
    use, intrinsic :: iso_fortran_env, only: output_unit
+   use ehlwave_case_text, only: input_identity
    use ehlwave_clock, only: time_stamp, wall_seconds
    use ehlwave_errors, only: error_t
    use ehlwave_kinds, only: dp
@@ -51,7 +52,7 @@ contains
       real(dp) :: start
 
       start = wall_seconds()
-      call read_store(self%folder, contents, error, ranks_of_last_run=self%ranks)
+      call read_store(self%folder, input_identity, contents, error, ranks_of_last_run=self%ranks)
       if (.not. allocated(error)) call write_results(self%sweep%output, self%sweep_text, self%sweep, contents, error)
       self%last_s = wall_seconds()
       self%interval_s = max(shortest_interval_s, intervals_per_write*(self%last_s - start))

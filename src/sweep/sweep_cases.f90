@@ -6,13 +6,17 @@ module ehlwave_sweep_cases
    use ehlwave_case_keys, only: case_key_list
    use ehlwave_case_plan, only: case_plan_t, make_plan
    use ehlwave_case_text, only: case_identity
-   use ehlwave_errors, only: error_t
+   use ehlwave_errors, only: error_t, raise
    use ehlwave_identity_index, only: identity_index_t, identity_length
    use ehlwave_input_completion, only: complete_input
    use ehlwave_key_list, only: find_key, key_list_t
    use ehlwave_kinds, only: dp
+   use ehlwave_text, only: to_text
    implicit none (type, external)
    private
+   public :: refuse_too_many
+
+   real(dp), parameter :: most_cases = 250000, kilobytes_per_case = 3   !! of rank 0, measured
 
    character(len=key_length), parameter :: shown_anyway(5) = [character(len=key_length) :: 'load_parameter_m', &
       'lubricant_parameter_l', 'radius_ratio_d', 'orientation', 'wavelength_over_a']
@@ -45,6 +49,17 @@ module ehlwave_sweep_cases
    end type sweep_t
 
 contains
+
+   !> Refuse more cases than one sweep may have; counted before any of them is made.
+   subroutine refuse_too_many(start, cases, what, error)
+      character(len=*), intent(in) :: start        !! of the message, up to the number
+      real(dp), intent(in) :: cases
+      character(len=*), intent(in) :: what         !! is counted, behind the number
+      type(error_t), allocatable, intent(inout) :: error
+      if (allocated(error) .or. cases <= most_cases) return
+      call raise(error, start//to_text(cases, 15)//what//', which take about '//to_text(1e-6_dp*kilobytes_per_case*cases, 2)// &
+                 ' GB; one sweep can have '//to_text(nint(most_cases))//': shorten it, or run parts with results of their own')
+   end subroutine refuse_too_many
 
    !> An empty list, to which cases are to be added.
    subroutine begin(self, most, skips_unresolved)
@@ -113,7 +128,7 @@ contains
    subroutine add(self, input, table, place, error)
       class(sweep_t), intent(inout) :: self
       type(case_input_t), intent(inout) :: input
-      type(key_list_t), intent(in) :: table        !! of all keys
+      type(key_list_t), intent(in) :: table        !! of all keys, with their defaults
       character(len=*), intent(in) :: place        !! begins every message
       type(error_t), allocatable, intent(inout) :: error
       type(case_plan_t) :: plan
@@ -131,7 +146,7 @@ contains
          self%skipped = self%skipped + 1
          return
       end if
-      identity = case_identity(input%case)
+      identity = case_identity(input%case, table)
       before = self%index%count
       call self%index%add(identity, i)
       if (i <= before) return

@@ -1,6 +1,5 @@
 !> One run of a sweep from its store to its results file, on all ranks.
 module ehlwave_sweep_job
-   use, intrinsic :: iso_fortran_env, only: error_unit
    use ehlwave_case_work, only: case_procedure, case_watch_t
    use ehlwave_clock, only: wall_seconds
    use ehlwave_errors, only: error_t
@@ -9,6 +8,7 @@ module ehlwave_sweep_job
    use ehlwave_store, only: store_t
    use ehlwave_sweep_cases, only: case_limits_t, sweep_t
    use ehlwave_sweep_leader, only: exit_bad_input, exit_done, job_options_t, job_t
+   use ehlwave_terminal, only: complain
    use mpi_f08, only: mpi_allreduce, mpi_bcast, mpi_byte, mpi_character, mpi_comm, mpi_comm_rank, mpi_comm_size, &
       mpi_get_library_version, mpi_get_processor_name, mpi_integer, mpi_logical, mpi_lor, &
       mpi_max_library_version_string, mpi_max_processor_name
@@ -39,7 +39,7 @@ contains
       call describe_process(rank, store)
       if (rank == 0) call job%prepare(sweep_path, sweep, options, ranks, store, error)
       if (is_anywhere(comm, allocated(error))) then
-         if (rank == 0) write (error_unit, '(a)') 'ehlwave-sweep: '//error%message
+         if (rank == 0) call complain('ehlwave-sweep', error%message)
          code = exit_bad_input
          return
       end if

@@ -1,14 +1,15 @@
 !> What rank 0 does in a run of a sweep besides scheduling: it takes over the store, keeps the user and the results file up to
 !> date, and says at the end what became of it all.
 module ehlwave_sweep_leader
-   use, intrinsic :: iso_fortran_env, only: error_unit, output_unit
+   use, intrinsic :: iso_fortran_env, only: output_unit
    use ehlwave_case_list, only: case_list_t
+   use ehlwave_case_text, only: input_identity
    use ehlwave_outcome, only: outcome_t
    use ehlwave_clock, only: time_stamp, wall_seconds
    use ehlwave_cost_model, only: cost_features, feature_count
    use ehlwave_errors, only: error_t, raise
-   use ehlwave_field_file, only: check_writable
    use ehlwave_kinds, only: dp
+   use ehlwave_output_path, only: check_output_path
    use ehlwave_provenance, only: program_version
    use ehlwave_results_writer, only: results_writer_t
    use ehlwave_scheduler, only: leader_t
@@ -23,7 +24,8 @@ module ehlwave_sweep_leader
    use ehlwave_sweep_queue, only: new_queue
    use ehlwave_sweep_report, only: print_sweep_result
    use ehlwave_sweep_start, only: choose_cases, refuse_changed_surfaces, set_aside_crashed
-   use ehlwave_text, only: to_text
+   use ehlwave_terminal, only: complain, print_last
+   use ehlwave_text, only: shown, to_text
    use ehlwave_text_file, only: read_text
    implicit none (type, external)
    private
@@ -70,14 +72,16 @@ contains
 
       folder = store_path(sweep%output)
       has_store = .false.   ! results without a store were not made by this sweep: they are not replaced unasked
-      call check_writable(sweep%output, error)
+      if (folder == sweep%output) call raise(error, "results file '"//shown(folder)//"' has the name of a store: give one "// &
+                                             "that ends in .h5")
+      call check_output_path(sweep%output, error)
       if (options%overwrite) call discard_store(folder, error)
       if (.not. (allocated(error) .or. options%overwrite)) call check_store(folder, has_store, error)
       inquire (file=sweep%output, exist=has_results)
       if (has_results .and. .not. (has_store .or. options%overwrite .or. allocated(error))) call raise(error, 'results file '// &
          sweep%output//' exists but not its store '//folder//': move it away, name another with --output, or give --overwrite')
       call prepare_store(folder, store, warning, error)
-      call read_store(folder, contents, error)
+      call read_store(folder, input_identity, contents, error)
       if (.not. allocated(error)) call read_text(sweep_path, self%writer%sweep_text, error)
       if (allocated(error)) return
 
@@ -88,6 +92,7 @@ contains
       allocate (to_run(size(sweep%cases)), status(size(sweep%cases)), seconds(size(sweep%cases)))
       call choose_cases(sweep, store, contents, options%retry, to_run, status, seconds)
       call refuse_changed_surfaces(sweep, contents, to_run, error)
+      call store%open_log(error)
       if (allocated(error)) return
       call print_notices(sweep, contents, to_run, options%retry)
       call list_cases(sweep, folder, error)
@@ -143,6 +148,7 @@ contains
       type(contents_t) :: contents
       type(error_t), allocatable :: error
       integer :: i, place, stored(0:last_status), lost
+      logical :: is_written
 
       call self%writer%write(contents, error)
       stored = 0
@@ -163,9 +169,12 @@ contains
             '; the same command goes on with the rest'
       end if
       if (self%is_store_broken .or. allocated(error)) code = exit_not_written
-      flush (output_unit)
-      if (self%is_store_broken) write (error_unit, '(a)') 'ehlwave-sweep: '//trim(self%reason)
-      if (allocated(error)) write (error_unit, '(a)') 'ehlwave-sweep: '//error%message
+      call print_last(time_stamp()//' the end, exit status '//to_text(code), is_written)
+      if (.not. is_written) call complain('ehlwave-sweep', 'standard output could not be written; the results are in '// &
+                                          self%writer%folder)
+      if (.not. is_written .and. code /= exit_unfinished) code = exit_not_written
+      if (self%is_store_broken) call complain('ehlwave-sweep', trim(self%reason))
+      if (allocated(error)) call complain('ehlwave-sweep', error%message)
    end subroutine conclude
 
 end module ehlwave_sweep_leader

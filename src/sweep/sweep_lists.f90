@@ -1,20 +1,19 @@
 !> Lists of the &sweep group and all their combinations.
 module ehlwave_sweep_lists
    use ehlwave_case_input, only: case_input_t
-   use ehlwave_case_key, only: key_length, key_t, key_value_t
+   use ehlwave_case_key, only: key_length, key_t, key_value_t, value_text
    use ehlwave_errors, only: error_t, raise
+   use ehlwave_identity_index, only: identity_index_t, text_identity
    use ehlwave_kinds, only: dp
    use ehlwave_key_bounds, only: read_key
    use ehlwave_key_list, only: find_key, key_list_t
    use ehlwave_namelist, only: namelist_t
    use ehlwave_namelist_scanner, only: value_t
+   use ehlwave_sweep_cases, only: refuse_too_many
    use ehlwave_sweep_keys, only: f_v_key, sweep_group
-   use ehlwave_text, only: to_text
    implicit none (type, external)
    private
    public :: read_lists
-
-   real(dp), parameter :: most_cases = 1e6_dp
 
    !> Values of one key.
    type :: list_t
@@ -41,7 +40,7 @@ module ehlwave_sweep_lists
 contains
 
    !> Read the lists of all keys of a table, and f_v. Fails on values that a key refuses, on keys that cannot vary, and on
-   !> more than a million combinations.
+   !> more combinations than one sweep may have.
    subroutine read_lists(file, table, self, error)
       type(namelist_t), intent(inout) :: file
       type(key_list_t), intent(in) :: table          !! with the defaults
@@ -63,11 +62,10 @@ contains
          call raise(error, file%place(sweep_group, 'f_v')//'&sweep gives wavelength_over_a and f_v: give one of the two')
          return
       end if
-      if (self%combinations() > most_cases) call raise(error, file%place(sweep_group, '')//'the lists of &sweep have '// &
-         to_text(self%combinations(), 15)//' combinations, more than '//to_text(most_cases, 15)//': shorten them, or run parts')
+      call refuse_too_many(file%place(sweep_group, '')//'the lists of &sweep have ', self%combinations(), ' combinations', error)
    end subroutine read_lists
 
-   !> Append the list of one key, if the file has one.
+   !> Append the list of one key, if the file has one. What is in it twice counts once.
    subroutine read_list(file, key, number, lists, error)
       type(namelist_t), intent(inout) :: file
       type(key_t), intent(in) :: key
@@ -77,7 +75,9 @@ contains
       type(value_t), allocatable :: items(:)
       type(list_t) :: list
       character(len=:), allocatable :: problem
-      integer :: i
+      type(identity_index_t) :: known
+      type(key_value_t) :: value
+      integer :: i, place
 
       call file%values_of(sweep_group, key%name, items, error)
       if (.not. allocated(items)) return
@@ -87,9 +87,13 @@ contains
       allocate (list%values(size(items)))
       do i = 1, size(items)
          if (allocated(error)) return
-         call read_key(key, items(i), list%values(i), problem)
+         call read_key(key, items(i), value, problem)
          call file%refuse(sweep_group, key%name, problem, error, items(i)%line)
+         if (allocated(error)) return
+         call known%add(text_identity(value_text(value)), place)
+         list%values(place) = value
       end do
+      list%values = list%values(:known%count)
       lists = [lists, list]
    end subroutine read_list
 

@@ -2,9 +2,8 @@
 module ehlwave_sweep_queue
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t, run_harmonic
-   use ehlwave_case_text, only: text_identity
    use ehlwave_cost_model, only: cost_features, cost_model_t, feature_count, fit_cost_model
-   use ehlwave_identity_index, only: identity_index_t
+   use ehlwave_identity_index, only: identity_index_t, text_identity
    use ehlwave_kinds, only: dp
    use ehlwave_shared_steady, only: steady_key
    implicit none (type, external)

@@ -2,6 +2,7 @@
 module ehlwave_sweep_status
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_case_list, only: case_list_t
+   use ehlwave_case_text, only: input_identity
    use ehlwave_cost_model, only: cost_model_t, fit_cost_model
    use ehlwave_errors, only: error_t, raise
    use ehlwave_json_reader, only: json_number, json_string
@@ -44,7 +45,7 @@ contains
          call raise(error, 'there is no store '//folder//': give the results file of a sweep, or its store')
       if (allocated(error)) return
       is_working = is_locked(folder//'/'//lock_name)
-      call read_store(folder, contents, error)
+      call read_store(folder, input_identity, contents, error)
       call list%read(folder, error)
       if (allocated(error)) return
 

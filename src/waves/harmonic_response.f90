@@ -28,6 +28,7 @@ module ehlwave_harmonic_response
    type, public :: harmonic_response_t
       integer :: status = status_stalled             !! converged, stalled or not finite
       complex(dp) :: film = 0                        !! amplitude of H(0,0) over A; its modulus is Ad/Ai
+      complex(dp) :: pressure = 0                    !! amplitude of P(0,0) over A
       complex(dp) :: approach = 0                    !! amplitude of Delta over A
       integer :: linear_steps = 0                    !! GMRES steps
       real(dp) :: reduction = 0                      !! of the linear residual
@@ -144,6 +145,7 @@ contains
          end if
          q(0:grid%nx, 0:grid%ny) => x(:linear%n - 1)
          response%p = q
+         response%pressure = at_centre(grid, response%p)
          response%approach = x(linear%n)
          call linear%film_change(response%p, response%approach, response%h)
          call linear%release()

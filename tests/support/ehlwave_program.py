@@ -3,9 +3,9 @@
 import math
 import unittest
 
-from studies.programs import MPI_ARGUMENTS, MPI_ENVIRONMENT, last_line, namelist, run, solve
+from studies.programs import MPI_ENVIRONMENT, is_open_mpi, last_line, mpi_command, namelist, paper_edges, run, solve
 
-__all__ = ["MPI_ARGUMENTS", "MPI_ENVIRONMENT", "SKIPPED", "TestCase", "last_line", "namelist", "report", "run", "solve"]
+__all__ = ["MPI_ENVIRONMENT", "SKIPPED", "TestCase", "is_open_mpi", "last_line", "mpi_command", "namelist", "paper_edges", "report", "run", "solve"]
 
 SKIPPED = 77
 

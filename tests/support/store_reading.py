@@ -26,7 +26,7 @@ def finished(store):
             if word == "columns":
                 columns = [name for name, _ in json.loads(rest)]
             elif word == "case" and columns:
-                row = dict(zip(columns, json.loads(rest), strict=True))
+                row = dict(zip(columns, json.JSONDecoder().raw_decode(rest)[0], strict=True))
                 cases[row["case_id"]] = row
     return cases
 

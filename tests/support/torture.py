@@ -1,12 +1,14 @@
 """Disturb a sweep at random moments, see that nothing is lost, that the end is the same bit for bit.
 
-    python3 torture.py [--disturbances N] [--ranks N] [--seed N] [--folder DIR]
+    python3 torture.py [--disturbances N] [--faults N] [--ranks N] [--seed N] [--folder DIR]
 
-Needs EHLWAVE_SWEEP (the program) and EHLWAVE_MPIEXEC. A disturbance is kill -9 of a random rank or of mpirun, SIGTERM or
-SIGUSR1 to one of them, or a full disk. After each, the store must be readable and hold at least what it held before.
+Needs EHLWAVE_SWEEP (the program) and EHLWAVE_MPIEXEC; for faults EHLWAVE_FAULTS, see faults.py. A disturbance is kill -9 of a
+random rank or of mpirun, SIGTERM or SIGUSR1 to one of them, or a full disk. After each, the store must be readable and hold at
+least what it held before. A sweep that is over begins anew until there were as many as asked for.
 """
 
 import argparse
+import functools
 import os
 import random
 import signal
@@ -16,7 +18,8 @@ import tempfile
 import time
 from pathlib import Path
 
-from ehlwave_program import MPI_ARGUMENTS, MPI_ENVIRONMENT, namelist
+from ehlwave_program import MPI_ENVIRONMENT, mpi_command, namelist
+from faults import Faults
 from hdf5_reading import read
 from store_reading import finished
 
@@ -62,7 +65,7 @@ class Torture:
 
     def start(self, output, *options, log="run.log"):
         """Start a run in the background."""
-        command = [os.environ.get("EHLWAVE_MPIEXEC") or "mpiexec", "-n", str(self.ranks), *MPI_ARGUMENTS,
+        command = [*mpi_command(self.ranks),
                    os.environ["EHLWAVE_SWEEP"], "sweep.nml", "--output", output, *options]
         with (self.folder/log).open("a") as file:
             return subprocess.Popen(command, cwd=self.folder, env={**os.environ, **MPI_ENVIRONMENT},
@@ -226,14 +229,36 @@ def torture(cases, disturbances, ranks, seed, folder=None, say=print):
     return done
 
 
+def inject(faults, seed, folder=None, say=print):
+    """Runs of a sweep in each of which a call of the system goes wrong. Returns the counts of `Faults`."""
+    with tempfile.TemporaryDirectory(dir=folder) as place:
+        run = Faults(place, seed, CIRCUMSTANCES)
+        for _ in range(faults):
+            fault, status = run.disturb()
+            say(f"  {fault}: exit status {status}")
+            for message in run.messages:
+                say(f"  {message}")
+            run.messages.clear()
+    return run.counts
+
+
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--cases", type=int, default=2500)
     parser.add_argument("--disturbances", type=int, default=60)
+    parser.add_argument("--faults", type=int, default=60)
     parser.add_argument("--ranks", type=int, default=4)
     parser.add_argument("--seed", type=int, default=int(time.time()))
     parser.add_argument("--folder", help="where the sweep runs; default: the temporary folder of the system")
     options = parser.parse_args()
-    print(f"torture: seed {options.seed}")
-    count = torture(options.cases, options.disturbances, options.ranks, options.seed, options.folder)
-    sys.exit(0 if count >= options.disturbances else f"only {count} disturbances: the sweep was over; give more --cases")
+    print(f"torture: seed {options.seed}", flush=True)
+    tell = functools.partial(print, flush=True)
+    signals, seed = 0, options.seed
+    while signals < options.disturbances:   # anything lost, doubled or different ends this with an error
+        signals += torture(options.cases, options.disturbances - signals, options.ranks, seed, options.folder, tell)
+        seed += 1
+    counts = inject(options.faults, options.seed, options.folder, tell) if options.faults else {}
+    bad = {name: counts.get(name, 0) for name in ("lost", "doubled", "different", "hung", "crashed")}
+    print(f"{signals} signals and full disks, {counts.get('faults', 0)} faults ({counts.get('reached', 0)} of them stopped a run): "
+          + ", ".join(f"{number} {name}" for name, number in bad.items()))
+    sys.exit(1 if any(bad.values()) else 0)

@@ -43,7 +43,7 @@ class Accuracy(TestCase):
         for base in [SMOOTH, WAVY]:
             cells = []
             for accuracy in [0.1, 0.03, 0.01, 0.003]:
-                plan, text = self.plan(changed(base, {"solver": {"accuracy": accuracy}}))
+                plan, text = self.plan(changed(base, {"solver": {"accuracy": accuracy}, "grid": {"edges": "truncated"}}))
                 self.assertLessEqual(plan["expected_error"], accuracy)
                 self.assertTrue(plan["is_resolved"])
                 self.assertGreater(plan["expected_seconds"], 0)

@@ -21,7 +21,7 @@ class CaseFile(unittest.TestCase):
         Path(self.folder, "case.nml").write_text(text)
         outcome = run("case", "case.nml", "--json", "--quiet", "--output", output, folder=self.folder)
         self.assertEqual(outcome.returncode, 0, outcome.stderr)
-        self.assertEqual(list(self.folder.glob("*.part")), [])
+        self.assertEqual(list(self.folder.glob("*.part*")), [])
         return last_line(outcome), *read(self.folder / output)
 
     def test_smooth_fields(self):
@@ -36,7 +36,8 @@ class CaseFile(unittest.TestCase):
             self.assertEqual(data["film"][y.index(0), x.index(0)], result["central_film"])
             self.assertEqual(data["film"].min(), result["minimum_film"])
             self.assertEqual(data["pressure"].max(), result["max_pressure"])
-            self.assertEqual(abs(data["pressure"][:, [0, -1]]).max(), 0)
+            self.assertEqual(abs(data["pressure"][:, -1]).max(), 0)
+            self.assertGreater(data["pressure"][y.index(0), 0], 0)    # the edges are flooded
             self.assertEqual(float(data["central_film"]), result["central_film"])
             for name in ["central_film_error", "minimum_film_error"]:
                 self.assertTrue(0 < result[name] < 0.5, result[name])
@@ -91,7 +92,7 @@ class CaseFile(unittest.TestCase):
         rows = (data["mean_shear_stress_pa"]*bears).sum(axis=1)
         force = cell*(rows[0] + 2*rows[1:].sum())           # half of the domain is kept
         self.assertAlmostEqual(3/(2*math.pi)*force/result["hertz_pressure_pa"], result["friction_coefficient"], delta=1e-12)
-        self.assertAlmostEqual(result["friction_coefficient"], 0.0394, delta=2e-4)
+        self.assertAlmostEqual(result["friction_coefficient"], 0.0370, delta=2e-4)
         self.assertGreater(result["largest_b"], result["tangent_factor_x"])
         self.assertGreater(result["tangent_factor_x"], result["tangent_factor_y"])
         self.assertEqual(result["warning"], "")

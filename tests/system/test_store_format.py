@@ -38,6 +38,7 @@ class StoreFormat(unittest.TestCase):
         said = self.run_sweep("sweep.nml")
         self.assertIn("2 of 2 cases are in the store already, 0 to run", said)
         self.assertIn("--retry version", said)
+        self.assertIn("edges were 'truncated' by default", said)
         rows = self.rows()
         self.assertEqual(set(rows), set(self.old))
         for case, old in self.old.items():
@@ -45,6 +46,7 @@ class StoreFormat(unittest.TestCase):
             for name, value in old.items():
                 if name != "effective_input" and value is not None:   # texts end without blanks in the file
                     self.assertEqual(rows[case][name], value.rstrip() if isinstance(value, str) else value, name)
+            self.assertEqual(rows[case]["edges"], "truncated")
             # What the old version did not know is empty, not made up.
             self.assertEqual((rows[case]["build_type"], rows[case]["processor"]), ("", ""))
 
@@ -56,6 +58,20 @@ class StoreFormat(unittest.TestCase):
         (self.folder/"sweep.nml").write_text(sweep.replace("1, 0.5", "1, 0.5, 0.25"))
         self.assertIn("1 to run", self.run_sweep("sweep.nml"))
         self.assertEqual(len({row["git_revision"] for row in self.rows().values()}), 2)
+        self.assertEqual({row["edges"] for row in self.rows().values()}, {"truncated"})
+
+    def test_its_default_goes_with_it(self):
+        """What it was begun with holds until it is dropped or the sweep file says otherwise."""
+        sweep = self.folder/"sweep.nml"
+        self.assertIn("0 to run", self.run_sweep("sweep.nml"))
+        sweep.write_text(sweep.read_text().replace("&grid ", "&grid edges = 'flooded', "))
+        self.assertIn("2 to run", self.run_sweep("sweep.nml"))
+        self.assertEqual({row["edges"] for row in self.rows().values()}, {"flooded"})
+        shutil.copy(OLD/"sweep.nml", sweep)
+        said = self.run_sweep("sweep.nml", "--overwrite")
+        self.assertNotIn("by default", said)
+        self.assertEqual({row["edges"] for row in self.rows().values()}, {"flooded"})
+        self.assertIn("0 to run", self.run_sweep("sweep.nml"))
 
     def test_it_can_be_computed_anew(self):
         self.run_sweep("sweep.nml", "--retry", "version")

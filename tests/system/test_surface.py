@@ -93,7 +93,7 @@ class Surfaces(unittest.TestCase):
         self.assertIn(message, outcome.stderr)
 
     def test_bad_surfaces_are_refused(self):
-        self.assert_refused("no such file")
+        self.assert_refused("No such file")
         (self.folder/"s.h5").write_text("nonsense")
         self.assert_refused("is not an HDF5 file")
         self.write([ridge()], x=None)

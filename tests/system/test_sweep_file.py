@@ -25,7 +25,7 @@ class SweepFile(unittest.TestCase):
         Path(self.folder, "sweep.nml").write_text(namelist(groups))
         outcome = run("sweep", "sweep.nml", "--overwrite", ranks=ranks, folder=self.folder)
         self.assertEqual(outcome.returncode, status, outcome.stderr + outcome.stdout)
-        self.assertEqual(list(self.folder.glob("*.part")), [])
+        self.assertEqual(list(self.folder.glob("*.part*")), [])
         return read(self.folder / "results.h5")
 
     def test_ranks_do_not_matter(self):

@@ -8,7 +8,7 @@ import time
 import unittest
 from pathlib import Path
 
-from ehlwave_program import MPI_ARGUMENTS, MPI_ENVIRONMENT, namelist, run
+from ehlwave_program import MPI_ENVIRONMENT, is_open_mpi, mpi_command, namelist, run
 from hdf5_reading import h5py, read
 from store_reading import count_records, finished
 from torture import CIRCUMSTANCES
@@ -44,7 +44,7 @@ class SweepResume(unittest.TestCase):
         """Start a sweep in the background."""
         command = [os.environ["EHLWAVE_SWEEP"], "sweep.nml", *arguments]
         if ranks:
-            command = [os.environ.get("EHLWAVE_MPIEXEC") or "mpiexec", "-n", str(ranks), *MPI_ARGUMENTS, *command]
+            command = [*mpi_command(ranks), *command]
         process = subprocess.Popen(command, cwd=self.folder, env={**os.environ, **MPI_ENVIRONMENT},
                                    stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         self.addCleanup(process.kill)
@@ -218,7 +218,8 @@ class SweepResume(unittest.TestCase):
             self.wait_for(lambda: count_records(self.folder/(output + ".store"), "start") == 1)
             process.send_signal(number)
             text = process.communicate(timeout=60)[0]
-            self.assertEqual(process.returncode, UNFINISHED, text)
+            # MPICH's mpiexec ends with 0 after SIGUSR1 whatever its ranks say; scripts/run-sweep asks the store.
+            self.assertIn(process.returncode, [UNFINISHED, 0] if ranks and not is_open_mpi() else [UNFINISHED], text)
             self.assertIn("a signal asked for it", text)
             _, data = read(self.folder/(output + ".h5"))
             self.assertEqual(data["status"], ["pending"])

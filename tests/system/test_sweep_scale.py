@@ -1,15 +1,18 @@
-"""Many cases that take no time: size of the store, all of them there once, more ranks than cores."""
+"""Many cases that take no time: size of the store, all of them there once, more ranks than cores, memory and handles."""
 
 import os
 import subprocess
 import tempfile
+import time
 import unittest
 from pathlib import Path
 
-from ehlwave_program import MPI_ARGUMENTS, MPI_ENVIRONMENT, report, run
+from ehlwave_program import MPI_ENVIRONMENT, mpi_command, report, run
 from hdf5_reading import read
 
 CASES = 3000
+MANY_CASES = int(os.environ.get("EHLWAVE_MANY_CASES", "8000"))
+LARGEST_GROWTH_KIB = 1024
 LARGEST_CASE = 2048   # bytes in store and results file, without fields
 
 
@@ -39,13 +42,44 @@ class SweepScale(unittest.TestCase):
             self.assertEqual(set(data["status"]), {"converged"})
             self.assertEqual(set(data["rank"]), set(range(10)))   # rank 0 computes, too
 
+    def test_nothing_grows(self):
+        """Memory and open files of a rank, from 10 % of its cases on."""
+        with tempfile.TemporaryDirectory() as folder:
+            process = subprocess.Popen(self.command(MANY_CASES, 0, ranks=2), cwd=folder, env={**os.environ, **MPI_ENVIRONMENT},
+                                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            self.addCleanup(process.kill)
+            log = Path(folder, "results.store", "records", "000001-000001.log")
+            samples = []
+            while process.poll() is None:
+                time.sleep(0.05)
+                try:
+                    pid = int(log.read_bytes()[:4096].split(b"]],[")[1].split(b",")[4])
+                    samples.append((log.stat().st_size, *resident(pid)))
+                except (OSError, IndexError, StopIteration):   # it has not begun, or has ended
+                    pass
+            self.assertEqual(process.returncode, 0)
+            late = [sample for sample in samples if sample[0] > 0.1*samples[-1][0]]
+            self.assertGreater(len(late), 5)
+            growth = max(kib for _, kib, _ in late) - late[0][1]
+            report(f"{MANY_CASES} cases: {late[0][1]} KiB resident after 10 %, at most {growth} KiB more later, {late[-1][2]} files open")
+            self.assertLess(growth, LARGEST_GROWTH_KIB)
+            self.assertLessEqual(late[-1][2], late[0][2])
+
+    def command(self, cases, seconds, ranks):
+        return [*mpi_command(ranks),
+                os.environ["EHLWAVE_SYNTHETIC"], str(cases), str(seconds), "results.h5"]
+
     def synthetic(self, folder, cases, seconds, ranks):
-        command = [os.environ.get("EHLWAVE_MPIEXEC") or "mpiexec", "-n", str(ranks), *MPI_ARGUMENTS,
-                   os.environ["EHLWAVE_SYNTHETIC"], str(cases), str(seconds), "results.h5"]
-        outcome = subprocess.run(command, cwd=folder, env={**os.environ, **MPI_ENVIRONMENT}, capture_output=True,
-                                 text=True, check=False)
+        outcome = subprocess.run(self.command(cases, seconds, ranks), cwd=folder, env={**os.environ, **MPI_ENVIRONMENT},
+                                 capture_output=True, text=True, check=False)
         self.assertEqual(outcome.returncode, 0, outcome.stdout + outcome.stderr)
         return outcome
+
+
+def resident(pid):
+    """Resident memory of a process, KiB, and the number of its open files."""
+    lines = Path(f"/proc/{pid}/status").read_text().splitlines()
+    return int(next(line for line in lines if line.startswith("VmRSS:")).split()[1]), len(list(Path(f"/proc/{pid}/fd").iterdir()))
 
 
 if __name__ == "__main__":

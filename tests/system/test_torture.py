@@ -1,14 +1,17 @@
-"""A sweep that is killed, stopped and starved of disk at random moments; scripts/torture is the long form."""
+"""A sweep that is killed, stopped and starved of disk at random moments, and one whose system fails; scripts/torture is the
+long form."""
 
+import os
 import sys
 import unittest
 
 from hdf5_reading import read   # noqa: F401 - leaves as skipped without h5py
-from torture import torture
+from torture import inject, torture
 
 CASES = (160, 640, 2560)   # as many as it takes for the sweep not to be over before it is disturbed
 DISTURBANCES = 7
 FEWEST = 4
+FAULTS = 24
 
 
 class Torture(unittest.TestCase):
@@ -18,6 +21,15 @@ class Torture(unittest.TestCase):
             if done >= FEWEST:
                 break
         self.assertGreaterEqual(done, FEWEST)
+
+    @unittest.skipUnless(os.environ.get("EHLWAVE_FAULTS"), "no library to preload")
+    def test_failing_system(self):
+        messages = []
+        counts = inject(FAULTS, seed=20, say=lambda text: (messages.append(text), print(text, file=sys.stderr)))
+        self.assertEqual(counts["faults"], FAULTS)
+        self.assertGreater(counts["reached"], 0)
+        for name in ("lost", "doubled", "different", "hung", "crashed"):
+            self.assertEqual(counts[name], 0, "\n".join(messages))
 
 
 if __name__ == "__main__":

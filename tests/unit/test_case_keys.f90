@@ -7,7 +7,7 @@ program test_case_keys
       word_kind, words_of
    use ehlwave_case_keys, only: case_key_list
    use ehlwave_case_row, only: find_columns, set_row
-   use ehlwave_csv, only: cell_length, csv_t
+   use ehlwave_csv, only: cell_length, csv_t, parse_csv
    use ehlwave_errors, only: error_t
    use ehlwave_key_bounds, only: is_allowed
    use ehlwave_key_list, only: find_key, key_list_t
@@ -185,13 +185,17 @@ contains
       type(case_input_t), intent(inout) :: input
       type(error_t), allocatable, intent(out) :: error
       type(csv_t) :: rows
+      character(len=:), allocatable :: header, row
       integer, allocatable :: columns(:)
+      integer :: i
 
-      rows%path = 'T'
-      allocate (rows%names(size(names)), rows%cells(size(cells), 1))
-      rows%names = names
-      rows%cells(:, 1) = cells
-      rows%line = [2]
+      header = ''
+      row = ''
+      do i = 1, size(names)
+         header = header//','//trim(names(i))
+         row = row//',"'//trim(cells(i))//'"'
+      end do
+      call parse_csv('T', header(2:)//new_line('a')//row(2:), rows, error)
       call find_columns(rows, table, columns, error)
       if (.not. allocated(error)) call set_row(rows, 1, table, columns, input, error)
    end subroutine put_row
@@ -272,9 +276,26 @@ contains
       call test%check_equal(order(:54), 'sfDmw sfDmW sfDMw sfDMW sfdmw sfdmW sfdMw sfdMW sFDmw ', 'order of the combinations')
       call test%check_equal(len(order), 32*6, 'all combinations')
       call file%load_text('F', '&sweep'//new_line('a')//' wavelength_over_a = 100*1 slip_parameter = 100*1'// &
-                          ' load_parameter_m = 1000*10 /', error)
+                          ' load_parameter_m = 1000*10, 20 /', error)
       call read_lists(file, table, lists, error)
-      call test%check_error(error, 'F:1: the lists of &sweep have 10000000 combinations, more than 1000000', 'too many')
+      call test%check_no_error(error, 'repeated values')
+      call test%check_close(lists%combinations(), 2.0_dp, 'what is given twice counts once', relative=0.0_dp)
+      call file%load_text('F', '&sweep'//new_line('a')//' wavelength_over_a ='//numbers(200)//' slip_parameter = 1, 2'// &
+                          ' load_parameter_m ='//numbers(1000)//'/', error)
+      call read_lists(file, table, lists, error)
+      call test%check_error(error, 'F:1: the lists of &sweep have 400000 combinations, which take about 1.2 GB', 'too many')
    end subroutine check_count
+
+   !> 1 2 3 ...
+   function numbers(n) result(text)
+      integer, intent(in) :: n
+      character(len=:), allocatable :: text
+      integer :: i
+      text = ''
+      do i = 1, n
+         text = text//' '//to_text(i)
+      end do
+      text = text//' '
+   end function numbers
 
 end program test_case_keys

@@ -3,10 +3,11 @@ program test_case_text
    use ehlwave_case_completion, only: complete_case
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_file, only: read_case
-   use ehlwave_case_keys, only: case_key_list
+   use ehlwave_case_keys, only: case_key_list, case_values
    use ehlwave_case_plan, only: case_plan_t, make_plan
-   use ehlwave_case_text, only: case_identity, effective_input, input_text
+   use ehlwave_case_text, only: case_identity, effective_input, input_identity, input_text
    use ehlwave_errors, only: error_t
+   use ehlwave_identity_index, only: text_identity
    use ehlwave_key_list, only: find_key, key_list_t
    use ehlwave_kinds, only: dp
    use testing, only: test_t
@@ -24,6 +25,7 @@ program test_case_text
    call check_differences()
    call check_identities()
    call check_late_key()
+   call check_former_default()
    call test%finish()
 
 contains
@@ -92,7 +94,8 @@ contains
       case%cells_x = 0
    end function line
 
-   !> Stores hold cases by these identities: they are those of the first version of the program, and must never change.
+   !> Stores hold cases by these identities: they are those of the first version of the program, whose edges were all truncated,
+   !> and must never change.
    subroutine check_identities()
       call check_identity(smooth(), '13A8A1479AFEA8E4', 'smooth')
       call check_identity(wavy(), 'C212255D6EEA3CC6', 'wavy')
@@ -109,11 +112,12 @@ contains
       type(case_t) :: case
       type(error_t), allocatable :: error
       case = given
+      case%edges = 'truncated'
       call complete_case(case, '', error)
       call test%check_equal(case_identity(case), identity, 'identity: '//what)
    end subroutine check_identity
 
-   !> The whole text of a case with what is chosen by an accuracy, as the first version of the program wrote it.
+   !> The whole text of a case with what is chosen by an accuracy, as the first version of the program wrote it but for the edges.
    subroutine check_file()
       character(len=*), parameter :: lf = new_line('a')
       character(len=*), parameter :: expected = '&conditions'//lf//'  load_parameter_m = 100'//lf// &
@@ -123,7 +127,8 @@ contains
          "  density_law = 'dowson_higginson'"//lf//'/'//lf//'&waviness'//lf//"  orientation = 'longitudinal'"//lf// &
          '  wavelength_over_a = 1'//lf//'  amplitude_over_film = 0.20000000000000001'//lf//"  response = 'transient'"//lf// &
          '/'//lf//'&grid'//lf//'  x_min = -2.5'//lf//'  x_max = 1.5'//lf//'  y_max = 2'//lf//'  cells_x = 0'//lf// &
-         '  cells_y = 0'//lf//'  largest_cells = 1024'//lf//"  domain = 'auto'"//lf//'/'//lf//'&solver'//lf// &
+         '  cells_y = 0'//lf//'  largest_cells = 1024'//lf//"  domain = 'auto'"//lf//"  edges = 'truncated'"//lf//'/'//lf// &
+         '&solver'//lf// &
          '  tolerance = 9.9999999999999995e-7'//lf//'  step_tolerance = 0.0001'//lf//'  largest_steps = 60'//lf// &
          '  settling_periods = 1'//lf//'  largest_total_steps = 900'//lf//"  method = 'fas'"//lf//"  cycle = 'f'"//lf// &
          "  deformation = 'auto'"//lf//"  error_estimate = 'coarse_grid'"//lf//'  accuracy = 0.01'//lf//'/'//lf// &
@@ -135,7 +140,7 @@ contains
       open (newunit=unit, file=path, status='replace')
       write (unit, '(a)') '&conditions load_parameter_m = 100, lubricant_parameter_l = 12.05, radius_ratio_d = 0.35 /', &
          "&waviness orientation = 'Longitudinal', wavelength_over_a = 1 /", &
-         "&solver method = 'fas', accuracy = 0.01, largest_total_steps = 900 /"
+         "&solver method = 'fas', accuracy = 0.01, largest_total_steps = 900 / &grid edges = 'truncated' /"
       close (unit)
       call read_case(path, case, error)
       call test%check_no_error(error, 'case file')
@@ -152,11 +157,31 @@ contains
       slip = find_key(list%keys, 'slip_parameter')
       list%keys(slip)%is_late = .true.
       list%keys%is_written = list%keys%name == 'slip_parameter'
-      call test%check_equal(input_text(list), '/'//new_line('a'), 'the default of a late key')
+      call test%check_equal(input_text(list, case_values()), '/'//new_line('a'), 'the default of a late key')
       list%values(slip)%number = 0.5_dp
-      call test%check_equal(input_text(list), '&conditions'//new_line('a')//'  slip_parameter = 0.5'//new_line('a')//'/'// &
-                            new_line('a'), 'another value of a late key')
+      call test%check_equal(input_text(list, case_values()), '&conditions'//new_line('a')//'  slip_parameter = 0.5'// &
+                            new_line('a')//'/'//new_line('a'), 'another value of a late key')
    end subroutine check_late_key
+
+   !> What went without saying before a key existed is written and no part of the identity; the default of today is.
+   subroutine check_former_default()
+      type(case_t) :: case
+      type(error_t), allocatable :: error
+      character(len=:), allocatable :: flooded, truncated
+      character(len=16) :: identity
+
+      case = smooth()
+      call complete_case(case, '', error)
+      flooded = effective_input(case)
+      identity = case_identity(case)
+      case%edges = 'truncated'
+      truncated = effective_input(case)
+      call test%check(index(flooded, "  edges = 'flooded'"//new_line('a')) > 0, 'the default of today is written')
+      call test%check(index(truncated, "  edges = 'truncated'"//new_line('a')) > 0, 'that of before, too')
+      call test%check(case_identity(case) /= identity, 'they are two cases')
+      call test%check_equal(input_identity(flooded), text_identity(flooded), 'the default of today counts')
+      call test%check_equal(input_identity(truncated), case_identity(case), 'identity of an effective input')
+   end subroutine check_former_default
 
    !> From Python, with `text` what effective_input gives:
    !>     h = 14695981039346656037
@@ -172,7 +197,7 @@ contains
 
       case = smooth()
       call complete_case(case, '', error)
-      whole = effective_input(case)
+      whole = effective_input(case)     ! nothing of it goes without saying
       call test%check_equal(whole(:len(text)), text, 'effective input begins')
       call test%check_equal(identity_by_digits(effective_input(case)), case_identity(case), 'FNV-1a, digit by digit')
    end subroutine check_hash

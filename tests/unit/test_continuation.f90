@@ -2,11 +2,13 @@
 program test_continuation
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_continuation, only: adaptive_path_t, neighbour_t
+   use ehlwave_eyring_law, only: eyring_law_t
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_given, only: given_t
    use ehlwave_kinds, only: dp
    use ehlwave_load_balance, only: force_balance
    use ehlwave_rescue, only: rung_continuation, rung_damped, rung_direct, rung_name, rung_newton, rung_petsc, rung_restart
+   use ehlwave_rheology, only: rheology_t
    use sample_contact, only: make_conditions, make_contact, make_multigrid
    use testing, only: test_t
    implicit none (type, external)
@@ -15,6 +17,7 @@ program test_continuation
    call check_path()
    call check_names()
    call check_neighbour()
+   call check_other_oil()
    call check_blend()
    call test%finish()
 
@@ -79,6 +82,29 @@ contains
          end associate
       end associate
    end subroutine check_neighbour
+
+   !> The way from an oil that is more nearly Newtonian: its stress falls geometrically, M and L stay.
+   subroutine check_other_oil()
+      type(full_multigrid_t) :: multigrid
+      type(neighbour_t) :: neighbour
+      type(rheology_t) :: oil
+      real(dp) :: n0
+      integer :: k
+
+      call make_multigrid(multigrid, 100.0_dp, 0.35_dp, 48, .true.)
+      associate (problem => multigrid%levels(1)%problem)
+         oil = problem%rheology
+         call oil%use_flow(eyring_law_t(), 226e9_dp*1e6_dp, 1.5_dp)
+         call problem%set_conditions(problem%conditions, oil)
+         n0 = problem%film_flow%n0
+         call neighbour%choose(multigrid%hierarchy_t, 0)
+         do k = 0, 2
+            call neighbour%impose(multigrid%hierarchy_t, 0.5_dp*k)
+            call test%check_close([problem%film_flow%n0/n0, problem%conditions%m, problem%conditions%l], &
+                                  [0.1_dp**(2 - k), 100.0_dp, 12.05_dp], 'other oil', relative=1e-12_dp)
+         end do
+      end associate
+   end subroutine check_other_oil
 
    pure real(dp) function density_at(p_pa)
       real(dp), intent(in) :: p_pa

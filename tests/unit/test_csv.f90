@@ -36,9 +36,9 @@ contains
       call test%check_no_error(error, 'good file')
       if (allocated(error)) return
       call test%check_equal(trim(table%names(1))//'|'//trim(table%names(2)), 'load|name', 'names')
-      call test%check_equal(trim(table%cells(2, 1))//trim(table%cells(2, 2)), 'xy', 'text cells, no line end at the end')
+      call test%check_equal(table%cell(2, 1)//table%cell(2, 2), 'xy', 'text cells, no line end at the end')
       call test%check(all(table%line == [4, 5]), 'line numbers')
-      call test%check_equal(trim(table%cells(1, 1))//trim(table%cells(1, 2)), '1.5e2-3', 'numbers as written')
+      call test%check_equal(table%cell(1, 1)//table%cell(1, 2), '1.5e2-3', 'numbers as written')
    end subroutine check_good
 
    subroutine check_bad(text, needle, what)
@@ -65,7 +65,7 @@ contains
       call read_csv(path, table, error)
       call test%check_no_error(error, 'wide file')
       call test%check_equal(trim(table%names(1))//trim(table%names(n)), 'c000001c050000', 'names behind a byte order mark')
-      call test%check_equal(trim(table%cells(n - 1, 1))//trim(table%cells(n, 1)), '78', 'last cells')
+      call test%check_equal(trim(table%cell(n - 1, 1))//trim(table%cell(n, 1)), '78', 'last cells')
       call write_file(header//'c000077'//lf//repeat('7,', n)//'8'//lf)
       call read_csv(path, table, error)
       call test%check_error(error, path//":1: column 'c000077' is given twice", 'doubled name')

@@ -7,14 +7,13 @@ program test_field_file
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_text, only: case_identity, effective_input
    use ehlwave_errors, only: error_t
-   use ehlwave_field_file, only: check_writable, write_case_file
+   use ehlwave_field_file, only: write_case_file
    use ehlwave_kinds, only: dp
-   use ehlwave_posix, only: make_folder
    use hdf5_readback, only: attribute_of, numbers_of
    use testing, only: test_t
    implicit none (type, external)
 
-   character(len=*), parameter :: path = 'test_field_file.h5', folder = 'test_field_file.tmp'
+   character(len=*), parameter :: path = 'test_field_file.h5'
    type(test_t) :: test
    type(case_t) :: case
    type(case_plan_t) :: plan
@@ -76,17 +75,6 @@ contains
    end subroutine check_arrays
 
    subroutine check_unwritable()
-      integer :: status
-      logical :: is_there
-      call check_writable(path, error)
-      call test%check_no_error(error, 'a file that can be written')
-      inquire (file=path//'.part', exist=is_there)
-      call test%check(.not. is_there, 'nothing is left of the attempt')
-      call check_writable('no-such-folder/file.h5', error)
-      call test%check_error(error, 'cannot write', 'no folder')
-      call make_folder(folder, status)
-      call check_writable(folder, error)
-      call test%check_error(error, 'it is a folder', 'a folder')
       call write_case_file('no-such-folder/file.h5', case, plan, result, error)
       call test%check_error(error, 'no-such-folder', 'not written')
    end subroutine check_unwritable

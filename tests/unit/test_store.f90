@@ -2,6 +2,8 @@
 program test_store
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use ehlwave_errors, only: error_t
+   use ehlwave_identity_index, only: text_identity
+   use ehlwave_json, only: string_json
    use ehlwave_json_reader, only: json_number, json_string
    use ehlwave_kinds, only: dp, i8, no_value
    use ehlwave_posix, only: replace_file
@@ -16,11 +18,14 @@ program test_store
    implicit none (type, external)
 
    character(len=*), parameter :: folder = 'test_store.store', lf = new_line('a')
-   character(len=*), parameter :: first = '00000000000000A1', second = '00000000000000B2', third = '00000000000000C3'
    character(len=*), parameter :: input_1 = '&conditions'//lf//'  m = 1'//lf//'/'//lf, &
-      input_2 = '&conditions'//lf//'  m = 2'//lf//'/'//lf
+      input_2 = '&conditions'//lf//'  m = 2'//lf//'/'//lf, input_3 = '&conditions'//lf//'  m = 3'//lf//'/'//lf
    type(test_t) :: test
+   character(len=16) :: first, second, third
 
+   first = text_identity(input_1)
+   second = text_identity(input_2)
+   third = text_identity(input_3)
    call execute_command_line('rm -rf '//folder)
    call check_nothing()
    call check_first_run()
@@ -28,6 +33,8 @@ program test_store
    call check_deaths()
    call check_cut_log()
    call check_damaged_log()
+   call check_every_damaged_byte()
+   call check_unreadable_log()
    call check_short_record()
    call test%finish()
 
@@ -36,7 +43,7 @@ contains
    subroutine check_nothing()
       type(contents_t) :: contents
       type(error_t), allocatable :: error
-      call read_store(folder, contents, error)
+      call read_store(folder, text_identity, contents, error)
       call test%check_no_error(error, 'no store')
       call test%check_equal(contents%count + size(contents%logs) + contents%runs, 0, 'nothing in no store')
    end subroutine check_nothing
@@ -76,7 +83,7 @@ contains
    function contents_now() result(contents)
       type(contents_t) :: contents
       type(error_t), allocatable :: error
-      call read_store(folder, contents, error)
+      call read_store(folder, text_identity, contents, error)
       call test%check_no_error(error, 'read the store')
    end function contents_now
 
@@ -146,7 +153,7 @@ contains
       contents = contents_now()
       call test%check_equal(contents%deaths(third), 1, 'a case that was stopped has not died')
       call open_run(store, 5)
-      call keep(store, third, 'converged', 1.0_dp, input_1)
+      call keep(store, third, 'converged', 1.0_dp, input_3)
       call store%close(error)
       contents = contents_now()
       call test%check_equal(contents%deaths(third), 0, 'deaths before it was done do not count')
@@ -192,24 +199,77 @@ contains
       call replace_file(path_of(2), text, status)
    end subroutine check_damaged_log
 
-   !> A good line whose record has fewer values than its columns, or no columns at all.
+   !> Whatever byte of the log of two cases is damaged, at most one of them is lost, and what is there is right.
+   subroutine check_every_damaged_byte()
+      character(len=*), parameter :: intact = 'test_store_intact.store'
+      type(contents_t) :: contents
+      type(error_t), allocatable :: error
+      character(len=:), allocatable :: damaged, text, value
+      logical :: is_right
+      integer :: i, lost, place, unit
+      contents = contents_now()
+      value = contents%value(contents%index%find(second), 'third')
+      call execute_command_line('rm -rf '//intact//' && mkdir -p '//intact//'/records')
+      call read_whole_file(path_of(1), text)
+      lost = 0
+      do i = 1, len(text)
+         damaged = text
+         damaged(i:i) = achar(ieor(iachar(text(i:i)), 1))
+         open (newunit=unit, file=intact//'/records/000001-000000.log', access='stream', form='unformatted', status='replace')
+         write (unit) damaged
+         close (unit)
+         call read_store(intact, text_identity, contents, error)
+         call test%check_no_error(error, 'damaged byte '//to_text(i))
+         lost = max(lost, 2 - contents%count)
+         place = contents%index%find(second)
+         if (contents%count == 0 .or. contents%runs /= 1) call test%check(.false., 'cases of damaged byte '//to_text(i))
+         if (place == 0) cycle
+         is_right = contents%value(place, 'third') == value
+         if (is_right) is_right = contents%input(place) == input_2
+         if (.not. is_right) call test%check(.false., 'values of damaged byte '//to_text(i))
+      end do
+      call test%check_equal(lost, 1, 'a damaged byte takes one case at most')
+   end subroutine check_every_damaged_byte
+
+   !> A log that is there and cannot be read is an error, not an empty log.
+   subroutine check_unreadable_log()
+      type(contents_t) :: contents
+      type(error_t), allocatable :: error
+      call execute_command_line('mkdir '//path_of(999999))
+      call read_store(folder, text_identity, contents, error)
+      call test%check_error(error, path_of(999999), 'a folder in place of a log')
+      call execute_command_line('rmdir '//path_of(999999)//' && mkfifo '//path_of(999999))
+      call read_store(folder, text_identity, contents, error)
+      call test%check_error(error, path_of(999999), 'a pipe in place of a log')
+      call execute_command_line('rm '//path_of(999999)//' && ln -s nowhere '//path_of(999999))
+      call read_store(folder, text_identity, contents, error)
+      call test%check_error(error, path_of(999999), 'a link to nothing in place of a log')
+      call execute_command_line('rm '//path_of(999999))
+   end subroutine check_unreadable_log
+
+   !> A good line whose record has fewer values than its columns, no columns at all, or the input of another case.
    subroutine check_short_record()
       use ehlwave_record_file, only: record_writer_t
       type(record_writer_t) :: writer
       type(contents_t) :: contents
       type(error_t), allocatable :: error
+      character(len=*), parameter :: input_4 = '&conditions'//lf//'  m = 4'//lf//'/'//lf, &
+         input_5 = '&conditions'//lf//'  m = 5'//lf//'/'//lf
       call writer%create(path_of(6), error)
       call writer%append('run [[["run","integer"],["rank","integer"]],[6,0]]', error)
-      call writer%append('case ["00000000000000D4","converged",1]', error)
-      call writer%append('columns [["case_id","text"],["status","text"],["seconds","real"]]', error)
-      call writer%append('case ["00000000000000D4","converged"]', error)
-      call writer%append('case ["00000000000000D5","converged",0.5]', error)
+      call writer%append('input ['//string_json(input_4)//']', error)
+      call writer%append('case ["'//text_identity(input_4)//'","converged",1,""]', error)
+      call writer%append('columns [["case_id","text"],["status","text"],["seconds","real"],["effective_input","text"]]', error)
+      call writer%append('case ["'//text_identity(input_4)//'","converged",""]', error)
+      call writer%append('case ["00000000000000D4","converged",1,""]', error)
+      call writer%append('case ["'//text_identity(input_5)//'","converged",0.5,'//string_json('2:  m = 5'//lf)//']', error)
       call writer%close(error)
       call test%check_no_error(error, 'a log by hand')
       contents = contents_now()
-      call test%check_equal(contents%index%find('00000000000000D4'), 0, 'records without columns, or too short')
-      call test%check_equal(contents%bad_lines, 1, 'too short is bad')
-      call test%check(contents%index%find('00000000000000D5') > 0, 'the next one is good')
+      call test%check_equal(contents%index%find(text_identity(input_4)), 0, 'records without columns, or too short')
+      call test%check_equal(contents%index%find('00000000000000D4'), 0, 'an identity that is not that of the input')
+      call test%check_equal(contents%bad_lines, 3, 'count as damaged')
+      call test%check(contents%index%find(text_identity(input_5)) > 0, 'the next one is good')
       call test%check_equal(contents%runs, 6, 'number of the last run')
    end subroutine check_short_record
 

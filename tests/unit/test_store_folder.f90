@@ -2,7 +2,8 @@
 program test_store_folder
    use ehlwave_errors, only: error_t
    use ehlwave_posix, only: make_folder, replace_file
-   use ehlwave_store_folder, only: check_store, discard_store, log_name, store_path, take_folder
+   use ehlwave_store_folder, only: check_store, defaults_of_store, discard_store, log_name, newest_defaults, store_path, &
+      take_folder
    use testing, only: test_t
    implicit none (type, external)
 
@@ -64,10 +65,14 @@ contains
       call test%check_no_error(error, 'a new store')
       call check_store(folder, is_there, error)
       call test%check(is_there .and. .not. allocated(error), 'a store')
+      call test%check_equal(defaults_of_store(folder), newest_defaults, 'it has the defaults of today')
+      call execute_command_line('rm '//folder//'/defaults')
+      call test%check_equal(defaults_of_store(folder), 0, 'those of stores that do not say')
       call discard_store(folder, error)
       call test%check_no_error(error, 'discard')
       call check_store(folder, is_there, error)
       call test%check(.not. is_there, 'nothing again')
+      call test%check_equal(defaults_of_store(folder), newest_defaults, 'of a store to be made')
       call take_folder('no-such-folder/a.store', warning, error)
       call test%check_error(error, 'cannot write', 'in a folder that is not there')
    end subroutine check_life

@@ -7,7 +7,7 @@ program test_sweep_results
    use ehlwave_case_keys, only: case_key_list
    use ehlwave_case_record, only: store_result
    use ehlwave_case_result, only: case_result_t
-   use ehlwave_case_text, only: effective_input
+   use ehlwave_case_text, only: effective_input, input_identity
    use ehlwave_errors, only: error_t
    use ehlwave_hdf5_file, only: hdf5_file_t
    use ehlwave_json, only: string_json
@@ -97,7 +97,7 @@ contains
    subroutine write_file()
       type(contents_t) :: contents
       type(error_t), allocatable :: error
-      call read_store(folder, contents, error)
+      call read_store(folder, input_identity, contents, error)
       call write_results(path, '&sweep /'//lf, sweep, contents, error)
       call test%check_no_error(error, 'results file')
    end subroutine write_file
@@ -204,7 +204,7 @@ contains
       end associate
    end subroutine check_older_store
 
-   !> A record whose input is that of another case.
+   !> A record whose input is that of another case is not believed; the case counts as not run.
    subroutine check_foreign_record()
       type(record_writer_t) :: writer
       type(contents_t) :: contents
@@ -215,9 +215,11 @@ contains
       call writer%append('columns [["case_id","text"],["status","text"],["effective_input","text"]]', error)
       call writer%append('case ["'//sweep%identity(1)//'","converged",""]', error)
       call writer%close(error)
-      call read_store(folder, contents, error)
+      call read_store(folder, input_identity, contents, error)
       call write_results(path, '&sweep /'//lf, sweep, contents, error)
-      call test%check_error(error, sweep%identity(1), 'a record with the input of another case')
+      call test%check_no_error(error, 'a record with the input of another case')
+      call test%check_equal(contents%index%find(sweep%identity(1)), 0, 'it is not believed')
+      call test%check_equal(text_of(path, 'status', 1), 'pending', 'the case has not run')
    end subroutine check_foreign_record
 
 end program test_sweep_results

@@ -33,7 +33,7 @@ contains
    !> Stands for run_case: converges at once; with M = 500 it works until the monitor has had enough.
    subroutine run_planned(case, plan, monitor, result, shared, keeper)
       type(case_t), intent(in) :: case
-      type(case_plan_t), intent(in) :: plan
+      type(case_plan_t), intent(inout) :: plan
       class(monitor_t), intent(inout) :: monitor
       type(case_result_t), intent(out) :: result
       type(shared_steady_t), intent(inout), target, optional :: shared
@@ -75,6 +75,7 @@ program test_sweep_scheduler
    use ehlwave_case_input, only: case_input_t
    use ehlwave_case_key, only: most_keys
    use ehlwave_case_keys, only: case_key_list
+   use ehlwave_case_text, only: input_identity
    use ehlwave_errors, only: error_t
    use ehlwave_json_reader, only: json_number
    use ehlwave_kinds, only: dp
@@ -159,7 +160,7 @@ contains
       if (size(leader%done) == 4) call test%check(all(cells(leader%done) == [128, 96, 64, 32]), 'the longest first')
       call test%check(leader%looks >= 4, 'rank 0 looks after the rest')
       call test%check(.not. leader%is_stopping .and. .not. leader%is_store_broken, 'nothing stopped it')
-      call read_store(folder, contents, error)
+      call read_store(folder, input_identity, contents, error)
       call test%check_equal(contents%count, 4, 'stored cases')
       do i = 1, 4
          place = contents%index%find(sweep%identity(i))
@@ -197,7 +198,7 @@ contains
       call test%check(leader%is_stopping, 'it stopped')
       call test%check_equal(trim(leader%reason), 'the time limit is reached', 'reason')
       call test%check_equal(size(leader%done), 2, 'cases before the one without end')
-      call read_store(folder, contents, error)
+      call read_store(folder, input_identity, contents, error)
       call test%check_equal(contents%deaths(sweep%identity(3)), 0, 'a stopped case has not died')
    end subroutine check_stop
 
@@ -212,6 +213,7 @@ contains
       type(store_t), target :: store
       type(error_t), allocatable :: error
       call make_leader(leader, sweep, store, with_endless=.false.)
+      call store%open_log(error)
       call store%close(error)                 ! the next log cannot be made: it is there
       call run_sweep(mpi_comm_self, run_planned, leader)
       call test%check(leader%is_store_broken .and. leader%is_stopping, 'nothing more is run')

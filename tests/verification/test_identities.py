@@ -22,7 +22,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from ehlwave_program import SKIPPED, TestCase, last_line, namelist, report, run
+from ehlwave_program import SKIPPED, TestCase, last_line, namelist, paper_edges, report, run
 
 try:
     import h5py
@@ -41,7 +41,7 @@ TIGHT = {"tolerance": 1e-10, "largest_steps": 100}
 def fields(**groups):
     """Result of a case, and its X, Y, P, H."""
     with tempfile.TemporaryDirectory() as folder:
-        Path(folder, "case.nml").write_text(namelist({"solver": TIGHT, **groups}))
+        Path(folder, "case.nml").write_text(namelist(paper_edges({"solver": TIGHT, **groups})))
         result = last_line(run("case", "case.nml", "--json", "--output", "case.h5", folder=folder))
         with h5py.File(Path(folder, "case.h5")) as file:
             x, y, p, h = (file[name][...] for name in ("x", "y", "pressure", "film"))

@@ -47,8 +47,10 @@ contains
 
    real(dp) function number(column, row)
       integer, intent(in) :: column, row
+      character(len=:), allocatable :: text
       integer :: status
-      read (table%cells(column, row), *, iostat=status) number
+      text = table%cell(column, row)
+      read (text, *, iostat=status) number
       call test%check_equal(status, 0, 'number')
    end function number
 
@@ -68,7 +70,7 @@ contains
       associate (conditions => make_conditions(number(column_m, row), number(column_d, row)))
          call make_multigrid(multigrid, conditions%m, conditions%d, cells, .true.)
          wave = new_waviness(wavelength, 0.0_dp, .false., -2.5_dp, 1.0_dp)
-         if (table%cells(column_orientation, row) == 'isotropic') &
+         if (table%cell(column_orientation, row) == 'isotropic') &
             wave = new_waviness(wavelength, conditions%elliptic%kappa*wavelength, .false., -2.5_dp, 1.0_dp)
       end associate
       call multigrid%solve(solve_limits_t(tolerance=1e-9_dp), 1e-3_dp)

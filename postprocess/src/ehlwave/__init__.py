@@ -1,35 +1,85 @@
-"""Post-processing of results of ``ehlwave-sweep``: read, select, fit, draw, tabulate."""
+"""Wavy and rough surfaces in elastohydrodynamic contacts.
 
-from ehlwave.errors import ResultsError
-from ehlwave.figures import collapse_figure, write_figure
-from ehlwave.fit import (
-    FitError,
-    FormulaFit,
-    bootstrap_coefficients,
-    fit_formula,
-    percentile_intervals,
-    point_weights,
-    rms_residual,
-)
-from ehlwave.formula import amplitude_ratio_formula, f_of_r, v, v2, wavelength_ratio
-from ehlwave.points import select_points
-from ehlwave.read import read_results
-from ehlwave.refit import RefitRow, RefitSettings, refit_groups
+Answers in one call: :class:`Contact`. The programs from Python: :class:`Case`, :class:`Study`.
+Their results: :func:`read_results`, :func:`read_case`, and what draws, fits and tabulates them.
+Measured surfaces: :mod:`ehlwave.deform`. What is asked for is imported when it is.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from ehlwave.atlas import Atlas, load_atlas
+    from ehlwave.contact import read_contact as read_case
+    from ehlwave.deform import deform_surface, read_surface
+    from ehlwave.driver import Case, Study
+    from ehlwave.errors import ProgramError, RangeError, ResultsError, SurfaceError
+    from ehlwave.figures import collapse_figure, write_figure
+    from ehlwave.fit import (
+        FitError,
+        FormulaFit,
+        bootstrap_coefficients,
+        fit_formula,
+        percentile_intervals,
+        point_weights,
+        rms_residual,
+    )
+    from ehlwave.formula import amplitude_ratio_formula, f_of_r, v, v2, wavelength_ratio
+    from ehlwave.operating_point import Contact, Film, Response
+    from ehlwave.points import select_points
+    from ehlwave.read import read_results
+    from ehlwave.refit import RefitRow, RefitSettings, refit_groups
+
+_HOMES = {
+    "atlas": ("Atlas", "load_atlas"),
+    "deform": ("deform_surface", "read_surface"),
+    "driver": ("Case", "Study"),
+    "errors": ("ProgramError", "RangeError", "ResultsError", "SurfaceError"),
+    "figures": ("collapse_figure", "write_figure"),
+    "fit": (
+        "FitError",
+        "FormulaFit",
+        "bootstrap_coefficients",
+        "fit_formula",
+        "percentile_intervals",
+        "point_weights",
+        "rms_residual",
+    ),
+    "formula": ("amplitude_ratio_formula", "f_of_r", "v", "v2", "wavelength_ratio"),
+    "operating_point": ("Contact", "Film", "Response"),
+    "points": ("select_points",),
+    "read": ("read_results",),
+    "refit": ("RefitRow", "RefitSettings", "refit_groups"),
+}
+_HOME = {name: home for home, names in _HOMES.items() for name in names}
 
 __all__ = [
+    "Atlas",
+    "Case",
+    "Contact",
+    "Film",
     "FitError",
     "FormulaFit",
+    "ProgramError",
+    "RangeError",
     "RefitRow",
     "RefitSettings",
+    "Response",
     "ResultsError",
+    "Study",
+    "SurfaceError",
     "amplitude_ratio_formula",
     "bootstrap_coefficients",
     "collapse_figure",
+    "deform_surface",
     "f_of_r",
     "fit_formula",
+    "load_atlas",
     "percentile_intervals",
     "point_weights",
+    "read_case",
     "read_results",
+    "read_surface",
     "refit_groups",
     "rms_residual",
     "select_points",
@@ -38,3 +88,17 @@ __all__ = [
     "wavelength_ratio",
     "write_figure",
 ]
+
+
+def __getattr__(name: str) -> Any:  # noqa: ANN401
+    """Import what is asked for."""
+    if name == "read_case":
+        return import_module("ehlwave.contact").read_contact
+    if name in _HOME:
+        return getattr(import_module(f"ehlwave.{_HOME[name]}"), name)
+    raise AttributeError(f"module 'ehlwave' has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    """Return the names that can be asked for."""
+    return __all__

@@ -9,6 +9,7 @@ from pathlib import Path
 import xarray as xr
 
 from ehlwave import figures, tables
+from ehlwave.case_figures import case_figure
 from ehlwave.contact import contact_figure, read_contact
 from ehlwave.deform.cli import add_commands
 from ehlwave.deform.harmonics import write_harmonic_table
@@ -16,6 +17,7 @@ from ehlwave.errors import ResultsError
 from ehlwave.points import RATIO_COLUMNS, VARIABLES, remarks, resolved_only, select_points
 from ehlwave.read import read_results
 from ehlwave.refit import RefitSettings, refit_groups
+from ehlwave.schema import EDGES
 
 COLLAPSE_COLUMNS = (
     "case_id",
@@ -25,6 +27,7 @@ COLLAPSE_COLUMNS = (
     "lubricant_parameter_l",
     "radius_ratio_d",
     "slip_parameter",
+    "edges",
     "wavelength_over_a",
     "wavelength_x_over_a",
     "wavelength_y_over_a",
@@ -61,7 +64,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _collapse(options: argparse.Namespace) -> None:
     results = read_results(options.results)
-    points = select_points(results, options.ratio, include_unresolved=options.include_unresolved)
+    points = select_points(
+        results,
+        options.ratio,
+        include_unresolved=options.include_unresolved,
+        include_inaccurate=options.include_inaccurate,
+        edges=options.edges,
+    )
     _print_remarks(points)
     options.output.mkdir(parents=True, exist_ok=True)
     table = options.output / "collapse.csv"
@@ -79,7 +88,12 @@ def _collapse(options: argparse.Namespace) -> None:
 
 
 def _refit(options: argparse.Namespace) -> None:
-    points = select_points(read_results(options.results), options.ratio)
+    points = select_points(
+        read_results(options.results),
+        options.ratio,
+        include_inaccurate=options.include_inaccurate,
+        edges=options.edges,
+    )
     _print_remarks(points)
     settings = RefitSettings(replicates=options.replicates, seed=options.seed)
     rows = refit_groups(points, settings)
@@ -107,8 +121,15 @@ def _contact(options: argparse.Namespace) -> None:
     print("\n".join(str(path) for path in written))
 
 
+def _plot(options: argparse.Namespace) -> None:
+    figure = case_figure(read_contact(options.case))
+    options.output.mkdir(parents=True, exist_ok=True)
+    written = figures.write_figure(figure, options.output, f"{options.case.stem}-case")
+    print("\n".join(str(path) for path in written))
+
+
 def _harmonics(options: argparse.Namespace) -> None:
-    points = select_points(read_results(options.results))
+    points = select_points(read_results(options.results), edges=options.edges)
     count = write_harmonic_table(options.csv, points)
     print(f"{options.csv}: {count} waves")
 
@@ -134,13 +155,23 @@ def _parser() -> argparse.ArgumentParser:
     def add_csv(added: argparse.ArgumentParser) -> None:
         added.add_argument("--csv", type=Path, required=True, metavar="FILE", help="file to write")
 
+    def add_edges(added: argparse.ArgumentParser) -> None:
+        text = "only cases with these edges of the domain"
+        added.add_argument("--edges", choices=EDGES, help=text)
+
     def add_common(added: argparse.ArgumentParser) -> None:
         add_output(added)
+        add_edges(added)
         added.add_argument(
             "--ratio",
             choices=tuple(RATIO_COLUMNS),
             default="fit",
             help="Ad/Ai from the harmonic fit (default), extreme samples, or linear response",
+        )
+        added.add_argument(
+            "--include-inaccurate",
+            action="store_true",
+            help="take points whose error is above the accuracy asked for, too",
         )
 
     collapse = command("collapse", _collapse, "draw Ad/Ai against f(r) V2 and f(r) V")
@@ -161,7 +192,9 @@ def _parser() -> argparse.ArgumentParser:
     command("table", _table, "count cases by status and list the failed ones")
     add_csv(command("export", _export, "write all columns to a CSV file"))
     text = "write a harmonic table for deform --table from resolved cases"
-    add_csv(command("harmonics", _harmonics, text))
+    harmonics = command("harmonics", _harmonics, text)
+    add_csv(harmonics)
+    add_edges(harmonics)
     text = "draw film and pressure of one case"
     contact = commands.add_parser("contact", help=text, description=text)
     contact.add_argument(
@@ -169,6 +202,11 @@ def _parser() -> argparse.ArgumentParser:
     )
     add_output(contact)
     contact.set_defaults(run=_contact)
+    text = "draw one case in um, GPa and us: maps, midplanes, film at the centre in time"
+    plot = commands.add_parser("plot", help=text, description=text)
+    plot.add_argument("case", type=Path, metavar="FILE", help="HDF5 file of ehlwave-case --output")
+    add_output(plot)
+    plot.set_defaults(run=_plot)
     add_commands(commands)
     return parser
 

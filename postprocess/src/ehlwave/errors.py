@@ -14,3 +14,14 @@ class SurfaceError(ResultsError):
 
     The message names the file or key, its value, and what to change.
     """
+
+
+class RangeError(ResultsError, ValueError):
+    """What is asked for lies outside what was computed; nothing is extrapolated.
+
+    The message names the quantity, its value and the range.
+    """
+
+
+class ProgramError(ResultsError):
+    """A program is not there, or refused its input; the message has what it said."""

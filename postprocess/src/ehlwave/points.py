@@ -11,6 +11,8 @@ from ehlwave.errors import ResultsError
 from ehlwave.schema import (
     CONVERGED,
     DIMENSION,
+    EDGES,
+    INACCURATE,
     ORIENTATIONS,
     SMOOTH,
     STATUSES,
@@ -30,7 +32,12 @@ CONDITION = ("load_parameter_m", "lubricant_parameter_l", "radius_ratio_d")
 
 
 def select_points(
-    results: xr.Dataset, ratio: Ratio = "fit", *, include_unresolved: bool = False
+    results: xr.Dataset,
+    ratio: Ratio = "fit",
+    *,
+    include_unresolved: bool = False,
+    include_inaccurate: bool = False,
+    edges: str | None = None,
 ) -> xr.Dataset:
     """Return the wavy cases with a usable amplitude, with the quantities of Figures 1 and 2.
 
@@ -45,6 +52,10 @@ def select_points(
         is taken. Cases without a transient have their linear response in place of the fit.
     include_unresolved : bool
         Keep also cases that converged on a grid too coarse for them.
+    include_inaccurate : bool
+        Keep also cases whose estimated error is above the accuracy that was asked for.
+    edges : {"flooded", "truncated"}, optional
+        Only cases with these edges of the domain; films differ by some per cent between the two.
 
     Returns
     -------
@@ -58,11 +69,12 @@ def select_points(
     Raises
     ------
     ResultsError
-        If nothing is left; the message counts what there was.
+        If nothing is left; the message counts what there was. If both edges are left.
     """
     deformed, error = _chosen_ratio(results, ratio)
     status = results["status"]
-    resolved = (status == CONVERGED) & (results["is_resolved"] != 0)
+    solved = (CONVERGED, INACCURATE) if include_inaccurate else (CONVERGED,)
+    resolved = status.isin(solved) & (results["is_resolved"] != 0)
     candidates = results.assign(
         f_v=_column(results["f_r"] * results["v"], "f(r) V"),
         f_v2=_column(results["f_r"] * results["v2"], "f(r) V2"),
@@ -73,10 +85,23 @@ def select_points(
     usable = (results["orientation"] != SMOOTH) & np.isfinite(deformed)
     for name in VARIABLES:
         usable &= np.isfinite(candidates[name]) & (candidates[name] > 0)
-    usable &= status.isin((CONVERGED, UNRESOLVED)) if include_unresolved else resolved
+    usable &= status.isin((*solved, UNRESOLVED)) if include_unresolved else resolved
+    if edges is not None:
+        usable &= results["edges"] == edges
     if not usable.any():
         raise ResultsError(_nothing_usable(results, ratio, include_unresolved))
+    _refuse_mixed_edges(results["edges"].values[usable.values])
     return candidates.isel({DIMENSION: np.flatnonzero(usable)})
+
+
+def _refuse_mixed_edges(edges: NDArray[np.str_]) -> None:
+    counts = {name: int(np.sum(edges == name)) for name in EDGES}
+    if all(counts.values()):
+        found = " and ".join(f"{count} cases with {name} edges" for name, count in counts.items())
+        raise ResultsError(
+            f"{found} of the domain, which differ by some per cent: choose one of them (edges, or "
+            "--edges)"
+        )
 
 
 def _chosen_ratio(results: xr.Dataset, ratio: Ratio) -> tuple[xr.DataArray, xr.DataArray]:

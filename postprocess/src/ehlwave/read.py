@@ -11,6 +11,7 @@ import xarray as xr
 from ehlwave.errors import ResultsError
 from ehlwave.schema import (
     DIMENSION,
+    EDGES_BEFORE,
     FORMAT_NAME,
     FORMAT_VERSION,
     PROVENANCE_ATTRIBUTES,
@@ -25,12 +26,12 @@ _OPEN_OPTIONS: dict[str, Any] = {
 }
 
 
-def read_results(paths: Sequence[str | Path]) -> xr.Dataset:
+def read_results(paths: str | Path | Sequence[str | Path]) -> xr.Dataset:
     """Read results files and join their cases.
 
     Parameters
     ----------
-    paths : sequence of path
+    paths : path, or sequence of path
         HDF5 files written by ``ehlwave-sweep``.
 
     Returns
@@ -49,6 +50,8 @@ def read_results(paths: Sequence[str | Path]) -> xr.Dataset:
         If a file is missing, given twice, unreadable, not a results file, of a newer format, or
         lacks a dataset that is needed.
     """
+    if isinstance(paths, (str, Path)):
+        paths = [paths]
     if not paths:
         raise ResultsError("no results file given")
     files = [Path(path) for path in paths]
@@ -124,6 +127,8 @@ def _labelled(path: Path, opened: xr.Dataset) -> xr.Dataset:
         values = np.broadcast_to(_decoded(variable.values), (size,)).copy()
         attributes = {key: _plain(value) for key, value in variable.attrs.items()}
         columns[name] = ((DIMENSION,), values, attributes)
+    if "edges" not in columns:
+        columns["edges"] = ((DIMENSION,), np.full(size, EDGES_BEFORE), {})
     origin = {key: _text(opened.attrs.get(key, "")) for key in PROVENANCE_ATTRIBUTES}
     origin["source_file"] = str(path)
     coordinates = {key: ((DIMENSION,), np.full(size, text)) for key, text in origin.items()}

@@ -33,11 +33,20 @@ name, else the root attribute."""
 ORIENTATIONS = ("transverse", "isotropic", "longitudinal")
 """The orientations of the paper, in the order of the panels of its Figures 1 and 2."""
 
+EDGES = ("flooded", "truncated")
+"""Pressures at the edges of the domain, the column ``edges``."""
+
+EDGES_BEFORE = "truncated"
+"""What cases had before there was such a column."""
+
 SMOOTH = "none"
 """The ``orientation`` of a case without waviness."""
 
 CONVERGED = "converged"
 UNRESOLVED = "unresolved"
+INACCURATE = "inaccurate"
+"""Solved, but with an estimated error above the accuracy that was asked for."""
+
 PENDING = "pending"
 FAILED = ("stalled", "diverged", "not_finite", "over_budget", "crashed")
-STATUSES = (CONVERGED, UNRESOLVED, *FAILED, PENDING)
+STATUSES = (CONVERGED, UNRESOLVED, INACCURATE, *FAILED, PENDING)

@@ -30,7 +30,8 @@ class Comparison:
     """One surface at one condition: positions in units of a, heights in m by what they are of.
 
     These are ``undeformed``, ``simulated`` and predicted by ``formula``, by ``amplitudes`` (a table
-    without its phases) and by ``table``.
+    without its phases), by the ``linear`` part of a table and by ``table``, the rise of the mean
+    film included. They count from the smooth film down.
     """
 
     surface: str
@@ -50,12 +51,9 @@ class Comparison:
         left = self.heights[name] - self.heights["simulated"]
         return float(np.sqrt(np.mean(left**2)) / self.rq("undeformed"))
 
-    def mean_shift(self) -> float:
-        """Return how much thicker the mean film is than the linear prediction, part of the error.
-
-        Over the undeformed Rq.
-        """
-        left = self.heights["table"] - self.heights["simulated"]
+    def mean_shift(self, name: str) -> float:
+        """Return how much thicker the mean film is than predicted, over the undeformed Rq."""
+        left = self.heights[name] - self.heights["simulated"]
         return float(np.mean(left) / self.rq("undeformed"))
 
 
@@ -108,12 +106,16 @@ def _compare(
         "undeformed": moved.height,
         "formula": by_formula.height,
         "amplitudes": by_amplitudes.height,
-        "table": by_table.height,
+        "linear": by_table.height,
     }
     lines = {
         name: np.interp(at_centre, positions, heights[:, heights.shape[1] // 2])
         for name, heights in surfaces.items()
     }
+    # The ends of the surface are faded: the waves inside are higher than in the mean of all.
+    statistics = by_table.statistics
+    share = np.std(lines["undeformed"]) / statistics.rq_before_m
+    lines["table"] = lines["linear"] - (statistics.mean_rise_m or 0.0) * share**2
     return Comparison(
         moved.name,
         speed,

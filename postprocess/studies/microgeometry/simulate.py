@@ -27,7 +27,6 @@ TABLE = "waves"
 """Of the files of the sweep of single waves."""
 TABLE_WAVES = (0.25, 0.35, 0.5, 0.7, 1.0, 1.5, 2.2, 3.2)  # min(lambda)/a
 TABLE_RATIOS = (0.0, 0.5, 1.0, 2.0, np.inf)  # lambda_x/lambda_y
-TABLE_AMPLITUDE = 0.05  # of the film
 
 
 def conditions_at(speed: float) -> Conditions:
@@ -44,13 +43,19 @@ def write_waves(
     ratios: Sequence[float] = TABLE_RATIOS,
     waves: Sequence[float] = TABLE_WAVES,
 ) -> Path:
-    """Write the sweep of single waves; return the path of its file."""
+    """Write the sweep of linear responses to single waves; return the path of its file."""
+    # Single plane waves, also oblique ones: only these have a mean film of their own.
     rows = (
-        {"mean_speed_m_per_s": speed, "wavelength_x_over_a": x, "wavelength_y_over_a": y}
+        {
+            "mean_speed_m_per_s": speed,
+            "wavelength_x_over_a": x,
+            "wavelength_y_over_a": y,
+            "oblique": x > 0 and y > 0,
+        }
         for speed in speeds
         for x, y in _wavelengths(ratios, waves)
     )
-    waviness = {"orientation": "custom", "amplitude_over_film": TABLE_AMPLITUDE}
+    waviness = {"orientation": "custom", "response": "harmonic"}
     return sweeps.write_sweep(folder, TABLE, rows, {**_shared(cells), "waviness": waviness})
 
 

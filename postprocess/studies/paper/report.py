@@ -16,9 +16,11 @@ from studies.paper import (
     refitted,
 )
 from studies.section import COMPARISON, Parts, Section, Table, make_sections
+from studies.two_waves import section as two_waves
 
 TITLE = "Waviness in elliptical EHL contacts: the study of Venner, Kaneta and Lubrecht (2000) again"
 SWEEPS = ["paper_grid", "resolved", "companion", "dense", "fresh", *refitted.RHEOLOGIES, "line"]
+SWEEPS += ["two_waves", "two_waves_fresh"]
 
 PARTS: Parts = (
     ("Figures 1 and 2", paper_points.section),
@@ -27,6 +29,7 @@ PARTS: Parts = (
     ("better formula", better_formula.section),
     ("line contact", line_contact.section),
     ("experiment", experiment.section),
+    ("two waves", two_waves.section),
     ("provenance", lambda folder: provenance.section(folder, SWEEPS)),
 )
 

@@ -8,14 +8,15 @@ by changes with it, by a few per cent over a factor of two in G.
 import math
 from collections.abc import Callable
 
-from ehlwave.deform.conditions import DEFAULT_PRESSURE_VISCOSITY, moes_film
+from ehlwave.deform.conditions import moes_film
+from ehlwave.medium import Oil
 
 Formula = Callable[[float, float, float], float]
 
 STEEL_PA = 226e9
 """E' of steel on steel, Pa."""
 
-G = DEFAULT_PRESSURE_VISCOSITY * STEEL_PA
+G = Oil.pressure_viscosity_per_pa * STEEL_PA
 """alpha E' of steel and the default oil."""
 
 

@@ -1,31 +1,41 @@
 """``ehlwave deform`` and ``ehlwave harmonics``."""
 
 import argparse
+import contextlib
+import json
 import sys
 from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
+from ehlwave.deform.atlas_transfer import AtlasTransfer, with_atlas_film
 from ehlwave.deform.coefficients import read_coefficients
 from ehlwave.deform.conditions import Conditions
 from ehlwave.deform.conditions_read import read_conditions
 from ehlwave.deform.figures import deformed_figure, spectrum_figure
 from ehlwave.deform.period import cut_period
-from ehlwave.deform.predict import deform_surface
+from ehlwave.deform.predict import Deformed, deform_surface
 from ehlwave.deform.prepare import FORMS, WINDOWS, remove_form
 from ehlwave.deform.read import ReadOptions, read_surface
 from ehlwave.deform.report import report_json, report_text, write_results
 from ehlwave.deform.simulation import simulation_surface, write_simulation_surface
+from ehlwave.deform.sliding import TwoWaveTransfer, second_conditions
 from ehlwave.deform.table import TableTransfer
 from ehlwave.deform.table_read import read_table
 from ehlwave.deform.transfer import FormulaTransfer, RecommendedTransfer, Transfer
-from ehlwave.errors import SurfaceError
+from ehlwave.deform.two_surfaces import FilmOfTwo, film_of_two
+from ehlwave.errors import RangeError, SurfaceError
 from ehlwave.figures import write_figure
+
+MOST_COMPARED = 2**20
+"""Points of a surface that is judged by formulas besides, for comparison."""
 
 DESCRIPTION = """\
 Predict the shape of a surface inside the contact, without a simulation: decompose it into
-harmonics, reduce each by Ad/Ai = 1/(1 + 0.15 f V + 0.015 (f V)^2) of Venner, Kaneta and Lubrecht
-(2000), by the recommended formula, or by a harmonic table, and add them up again."""
+harmonics, take each with amplitude and phase from the atlas of computed responses, and add them up
+again. In place of the atlas: a harmonic table of your own, the recommended formula, or
+Ad/Ai = 1/(1 + 0.15 f V + 0.015 (f V)^2) of Venner, Kaneta and Lubrecht (2000). The report says
+which it was, how far it can be trusted, and what the others say."""
 
 EPILOG = """\
 Conditions are an input file of ehlwave-case, or KEY=VALUE with its keys, or both:
@@ -35,7 +45,8 @@ Conditions are an input file of ehlwave-case, or KEY=VALUE with its keys, or bot
                mean_speed_m_per_s=0.024 viscosity_pa_s=1.22 pressure_viscosity_per_pa=2.25e-8
   --conditions load_parameter_m=100 lubricant_parameter_l=10 radius_ratio_d=1
                semi_axis_a_m=0.2e-3 radius_x_m=12.5e-3
-The film thickness is that of a formula for smooth contacts; central_film_m=... replaces it.
+The film thickness is that of the atlas, outside it that of a formula for smooth contacts (up to
+20 % too thick); central_film_m=... replaces it.
 
 Form removal: the radii are in the conditions, so they must not be in the roughness as well. 'plane'
 removes the tilt of the specimen; 'quadratic' also the curvature of a ball or roller.
@@ -47,7 +58,12 @@ ones.
 
 Examples:
   ehlwave deform trace.csv --conditions contact.nml --length-unit mm --height-unit um
-  ehlwave deform map.sdf --conditions contact.nml --rolling-axis y --form quadratic"""
+  ehlwave deform map.sdf --conditions contact.nml --rolling-axis y --form quadratic
+  ehlwave deform ball.csv --second disc.csv --conditions sliding.nml --formula two-waves
+      --length-unit mm --height-unit um
+
+Under slip (slip_parameter, and eyring_stress_pa of a Ree-Eyring oil in the conditions) the law of
+the two waves is the formula that holds; a harmonic table of this slip is better."""
 
 
 SURFACE_DESCRIPTION = """\
@@ -86,12 +102,18 @@ def add_commands(commands: Any) -> None:  # noqa: ANN401 - argparse does not nam
     )
     source.add_argument(
         "--formula",
-        choices=("paper", "recommended"),
-        default="paper",
-        help="(18) as printed, or the formula with a quarter of its error, see the README",
+        choices=("paper", "recommended", "two-waves"),
+        help="in place of the atlas: (18) as printed; the formula with a quarter of its error; the "
+        "law of the two waves, with phase, which is what slip is judged by anyway",
     )
     source.add_argument(
         "--table", type=Path, metavar="FILE", help="harmonic table to use in place of the formula"
+    )
+    deform.add_argument(
+        "--second",
+        type=Path,
+        metavar="PROFILE",
+        help="the other surface, read alike, which moves with 2 - S",
     )
     deform.add_argument("--output", type=Path, metavar="DIR", help="write files and figures there")
     deform.add_argument("--json", action="store_true", help="print JSON instead of text")
@@ -167,17 +189,45 @@ def read_options(options: argparse.Namespace) -> ReadOptions:
 
 
 def _deform(options: argparse.Namespace) -> None:
-    conditions = read_conditions(options.conditions)
-    transfer = _transfer(options, conditions)
-    surface = read_surface(options.surface, read_options(options))
-    result = deform_surface(surface, conditions, transfer, options.form, options.ends)
-    print(report_json(result) if options.json else report_text(result))
+    conditions = _with_film(read_conditions(options.conditions))
+    results = [_predicted(options, options.surface, conditions)]
+    both = None
+    if options.second is not None:
+        results.append(_predicted(options, options.second, second_conditions(conditions)))
+        both = film_of_two(*results)
+    print(_json_text(results, both) if options.json else _text(results, both, options))
     if options.output is not None:
-        written = write_results(result, options.output)
-        written += write_figure(deformed_figure(result), options.output, "deformed")
-        written += write_figure(spectrum_figure(result), options.output, "spectrum")
+        written = [] if both is None else [options.output / "film.csv"]
+        for result, folder in zip(results, ("", "second"), strict=False):
+            written += _write(result, options.output / folder)
+        if both is not None:
+            both.write(written[0])
         listing = sys.stderr if options.json else sys.stdout
         print("\n".join(str(path) for path in written), file=listing)
+
+
+def _predicted(options: argparse.Namespace, path: Path, conditions: Conditions) -> Deformed:
+    transfer = _transfer(options, conditions)
+    surface = read_surface(path, read_options(options))
+    return deform_surface(surface, conditions, transfer, options.form, options.ends)
+
+
+def _text(results: list[Deformed], both: FilmOfTwo | None, options: argparse.Namespace) -> str:
+    reports = [report_text(result, _others(result, options)) for result in results]
+    return "\n".join([*reports, *([] if both is None else [both.text()])])
+
+
+def _json_text(results: list[Deformed], both: FilmOfTwo | None) -> str:
+    if both is None:
+        return report_json(results[0])
+    first, second = (json.loads(report_json(result)) for result in results)
+    return json.dumps({"first": first, "second": second, "film": both.summary()}, indent=2)
+
+
+def _write(result: Deformed, folder: Path) -> list[Path]:
+    written = write_results(result, folder)
+    written += write_figure(deformed_figure(result), folder, "deformed")
+    return written + write_figure(spectrum_figure(result), folder, "spectrum")
 
 
 def _surface(options: argparse.Namespace) -> None:
@@ -205,4 +255,36 @@ def _transfer(options: argparse.Namespace, conditions: Conditions) -> Transfer:
         return FormulaTransfer(conditions, c1, c2, name)
     if options.formula == "recommended":
         return RecommendedTransfer(conditions)
-    return FormulaTransfer(conditions)
+    if options.formula == "paper":
+        return FormulaTransfer(conditions)
+    if options.formula == "two-waves" or conditions.slip_parameter != 1:
+        return TwoWaveTransfer(conditions)
+    try:
+        return AtlasTransfer(conditions)
+    except RangeError as error:
+        raise SurfaceError(
+            f"{error}. A formula is used when named: --formula recommended"
+        ) from error
+
+
+def _others(result: Deformed, options: argparse.Namespace) -> list[Deformed]:
+    """Return what else can judge the components, for comparison."""
+    conditions = result.conditions
+    if result.height.size > MOST_COMPARED or conditions.slip_parameter != 1:
+        return []
+    every: list[Transfer] = [RecommendedTransfer(conditions), FormulaTransfer(conditions)]
+    with contextlib.suppress(RangeError):
+        every.insert(0, AtlasTransfer(conditions))
+    return [
+        deform_surface(result.surface, conditions, other, "none", options.ends)
+        for other in every
+        if other.name != result.transfer_name
+    ]
+
+
+def _with_film(conditions: Conditions) -> Conditions:
+    """Return conditions with the film of the atlas, or with that of the formula outside it."""
+    try:
+        return with_atlas_film(conditions)
+    except RangeError:
+        return conditions

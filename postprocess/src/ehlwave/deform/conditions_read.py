@@ -6,7 +6,7 @@ from typing import Any
 
 import f90nml
 
-from ehlwave.deform.conditions import Conditions, conditions_from_keys
+from ehlwave.deform.conditions import OIL_KEYS, Conditions, conditions_from_keys
 from ehlwave.errors import SurfaceError
 
 
@@ -47,7 +47,5 @@ def _from_file(path: Path) -> dict[str, Any]:
     if "conditions" not in groups:
         raise SurfaceError(f"conditions {path}: has no group &conditions")
     keys = dict(groups["conditions"])
-    alpha = groups.get("lubricant", {}).get("pressure_viscosity_per_pa")
-    if alpha is not None:
-        keys["pressure_viscosity_per_pa"] = alpha
-    return keys
+    lubricant = groups.get("lubricant", {})
+    return keys | {key: lubricant[key] for key in OIL_KEYS if key in lubricant}

@@ -24,22 +24,23 @@ def harmonic_table(points: xr.Dataset) -> pd.DataFrame:
     -------
     pandas.DataFrame
         Columns as :func:`ehlwave.deform.table_read.read_table` takes them, sorted; a
-        wavelength of 0 stands for no variation.
+        wavelength of 0 stands for no variation. ``mean_rise`` where linear responses have it.
     """
     d = points["radius_ratio_d"].values
     kappa = np.array([ellipticity(float(value)) for value in d])
     transfer = _transfer(points)
-    columns = {
+    keys = {
         "M": points["load_parameter_m"].values,
         "L": points["lubricant_parameter_l"].values,
         "D": d,
         "slip_parameter": points["slip_parameter"].values,
         "lambda_x_over_a": points["wavelength_x_over_a"].values,
         "lambda_y_over_b": points["wavelength_y_over_a"].values * kappa,
-        "transfer_real": transfer.real,
-        "transfer_imag": transfer.imag,
     }
-    return pd.DataFrame(columns).sort_values(list(columns)[:-2], ignore_index=True)
+    columns = keys | {"transfer_real": transfer.real, "transfer_imag": transfer.imag}
+    if "mean_film_rise" in points:
+        columns["mean_rise"] = _mean_rise(points)
+    return pd.DataFrame(columns).sort_values(list(keys), ignore_index=True)
 
 
 def _transfer(points: xr.Dataset) -> NDArray[np.complex128]:
@@ -50,6 +51,19 @@ def _transfer(points: xr.Dataset) -> NDArray[np.complex128]:
         return ratio
     linear = points["harmonic_real"].values + 1j * points["harmonic_imaginary"].values
     return np.where(np.isfinite(linear), linear, ratio)
+
+
+def _mean_rise(points: xr.Dataset) -> NDArray[np.float64]:
+    """Return what one wave adds to the mean film, over the film, per square of amplitude over film.
+
+    A product of cosines is two waves that interfere along its crests, where the response is taken:
+    what they do to the mean of a whole surface is not known from there, and stays NaN.
+    """
+    rise = (points["mean_film_rise"] / points["amplitude_over_film"]).values
+    is_product = (points["wavelength_x_over_a"] > 0) & (points["wavelength_y_over_a"] > 0)
+    if "oblique" in points:
+        is_product &= points["oblique"] == 0
+    return np.where(is_product.values, np.nan, rise)
 
 
 def write_harmonic_table(path: Path, points: xr.Dataset) -> int:

@@ -1,5 +1,6 @@
 """The deformed surface inside the contact, component by component (section 3.4 of the paper)."""
 
+import math
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -31,7 +32,7 @@ class Deformed:
         What was predicted from: the form removed, nothing else changed. m.
     height : ndarray, shape (nx, ny)
         Deformed heights, m, positive out of the material: the film at the contact centre when the
-        point (x, y) of the surface passes it is ``conditions.central_film_m`` less this.
+        point (x, y) of the surface passes it is ``statistics.mean_film_m`` less this.
     conditions, transfer_name, form, window
         What it was made with.
     spectra : dict of Spectrum
@@ -42,6 +43,9 @@ class Deformed:
         Components outside what the formula or table was made for, by reason.
     warnings : list of str
         What makes the prediction doubtful.
+    error_m : float or None
+        Root mean square error of the deformed heights by the errors of the responses, m; None: the
+        transfer has none.
     """
 
     surface: Surface
@@ -54,6 +58,7 @@ class Deformed:
     statistics: FilmStatistics
     unjudged: list[Unjudged] = field(default_factory=list)
     warnings: list[str] = field(default_factory=list)
+    error_m: float | None = None
 
 
 def deform_surface(
@@ -66,7 +71,8 @@ def deform_surface(
     """Predict the shape of a surface inside the contact, without a simulation.
 
     The surface is decomposed into its Fourier components, each is multiplied by its transfer, and
-    the sum is taken again. Linear: meant for amplitudes that are small against the film.
+    the sum is taken again. Linear: meant for amplitudes that are small against the film. The mean
+    film is to second order where the transfer has rises: what each component adds to it.
 
     Parameters
     ----------
@@ -99,10 +105,10 @@ def deform_surface(
     if working.size > SINGLE_PRECISION_POINTS:
         working = working.astype(np.float32, copy=False)
     shape = flat.height.shape
-    height, spectra, cover = _filtered(extended(working, window), flat, conditions, chosen)
+    height, spectra, cover, rise = _filtered(extended(working, window), flat, conditions, chosen)
     height = np.ascontiguousarray(height[: shape[0], : shape[1]])
     part = judged_part((shape[0], shape[1]), window)
-    statistics = film_statistics(flat.height[part], height[part], conditions.central_film_m)
+    statistics = film_statistics(flat.height[part], height[part], conditions.central_film_m, rise)
     return Deformed(
         surface=flat,
         height=height,
@@ -114,13 +120,17 @@ def deform_surface(
         statistics=statistics,
         unjudged=cover.unjudged(),
         warnings=warnings_of(statistics, conditions),
+        error_m=cover.error_m(),
     )
 
 
 def _filtered(
     height: Heights, surface: Surface, conditions: Conditions, transfer: Transfer
-) -> tuple[Heights, dict[str, Spectrum], Coverage]:
-    """Return the sum of the components times their transfer, and the spectra on the way."""
+) -> tuple[Heights, dict[str, Spectrum], Coverage, float | None]:
+    """Return the sum of the components times their transfer, and the spectra on the way.
+
+    Besides the rise of the mean film over the smooth one, for Rq equal to that, if it is known.
+    """
     nx, ny = height.shape
     # The half spectrum is along y but for traces along x.
     half = 0 if ny == 1 else 1
@@ -130,6 +140,7 @@ def _filtered(
     qy = _frequencies(ny, surface.step_y_m, half == 1)
     spectra = {"x": empty_spectrum(qx), "y": empty_spectrum(qy)}
     cover = Coverage(conditions, transfer)
+    mean_square, rise = 0.0, 0.0
     rows = max(1, 2**18 // spectrum.shape[1])
     for first in range(0, spectrum.shape[0], rows):
         block = slice(first, min(first + rows, spectrum.shape[0]))
@@ -143,12 +154,19 @@ def _filtered(
         spectra["x"].add(block, before.sum(axis=1), after.sum(axis=1))
         spectra["y"].add(slice(None), before.sum(axis=0), after.sum(axis=0))
         cover.add(along, across, before, after)
+        if first == 0:
+            before[0, 0] = 0  # the mean
+        mean_square += before.sum()
+        of_wave = transfer.rise(along, across)
+        # A wave of amplitude A has a mean square of A^2/2.
+        rise += math.nan if of_wave is None else 2 * (of_wave * before).sum()
         part *= _real_at_nyquist(ratio, block, nx).astype(part.dtype)
     sizes = (nx, ny) if half == 1 else (ny, nx)
     deformed = fft.irfftn(
         spectrum, s=sizes, axes=(1 - half, half), workers=WORKERS, overwrite_x=True
     )
-    return deformed, spectra, cover
+    known = rise / mean_square if mean_square > 0 else 0.0
+    return deformed, spectra, cover, None if math.isnan(rise) else known
 
 
 def _real_at_nyquist(ratio: NDArray[Any], block: slice, nx: int) -> NDArray[Any]:

@@ -15,12 +15,15 @@ from ehlwave.deform.surface import (
     trace_surface,
     uniform_step,
 )
-from ehlwave.deform.text_table import read_text_table
-from ehlwave.deform.units import metres
+from ehlwave.deform.text_table import TextTable, position_and_height, read_text_table
+from ehlwave.deform.units import METRES, metres
 from ehlwave.errors import SurfaceError
 
-_TEXT = {".csv", ".txt", ".dat", ".prf"}
+_TEXT = {".csv", ".txt", ".dat", ".prf", ".asc", ".tsv"}
 _HDF5 = {".h5", ".hdf5", ".nc"}
+
+_MOST_POINTS = 100_000_000
+"""In a file; what claims more is refused before memory is asked for."""
 
 
 @dataclass(frozen=True)
@@ -134,27 +137,64 @@ def _read_raw(file: Path) -> RawSurface:
         if suffix in _TEXT:
             return _from_text(file)
         if suffix == ".npy":
-            return RawSurface(_numbers(file, np.load(file)))
+            return RawSurface(_numbers(file, np.load(file, mmap_mode="r")))
         if suffix == ".npz":
             with np.load(file) as archive:
+                _refuse_large(file, sum(entry.file_size for entry in archive.zip.infolist()) // 8)
                 return _from_arrays(file, dict(archive), {})
         if suffix in _HDF5:
             with h5py.File(file, "r") as opened:
                 return _from_hdf5(file, opened)
     except SurfaceError:
         raise
-    except (OSError, ValueError, KeyError, EOFError) as error:
-        raise SurfaceError(f"{file}: cannot be read as {suffix[1:]} ({error})") from error
+    except Exception as error:
+        # The readers raise whatever a damaged file makes them stumble into.
+        reason = " ".join(f"{type(error).__name__}: {error}".split())[:200]
+        raise SurfaceError(f"{file}: cannot be read as {suffix[1:]} ({reason})") from error
     return _from_instrument(file)
 
 
+def _refuse_large(file: Path, points: int) -> None:
+    if points > _MOST_POINTS:
+        raise SurfaceError(f"{file}: claims {points} numbers, more than {_MOST_POINTS}")
+
+
 def _from_text(file: Path) -> RawSurface:
-    table, units = read_text_table(file)
-    if table.shape[1] == 1:
-        return RawSurface(table[:, 0], height_unit=units[0])
-    if table.shape[1] == 2:
-        return RawSurface(table[:, 1], x=table[:, 0], length_unit=units[0], height_unit=units[1])
-    return RawSurface(table)
+    table = read_text_table(file)
+    numbers, units = table.numbers, table.units
+    stated = {"length_unit": table.length_unit, "height_unit": table.height_unit}
+    if numbers.shape[1] == 1:
+        height_unit = units[0] or table.height_unit
+        return RawSurface(
+            numbers[:, 0],
+            length_unit=table.length_unit,
+            height_unit=height_unit,
+            step=table.step,
+        )
+    chosen = position_and_height(table)
+    if chosen is None and numbers.shape[1] == 2:
+        chosen = 0, 1
+    if chosen is not None:
+        x, z = chosen
+        return RawSurface(
+            numbers[:, z],
+            x=numbers[:, x],
+            length_unit=units[x] or stated["length_unit"],
+            height_unit=units[z] or stated["height_unit"],
+        )
+    return _stated_map(table)
+
+
+def _stated_map(table: TextTable) -> RawSurface:
+    """Return a matrix of heights with the steps that its preamble states."""
+    raw = RawSurface(table.numbers, height_unit=table.height_unit, length_unit=table.length_unit)
+    raw.step = table.step
+    if set(table.extent) == {"width", "height"}:
+        rows, columns = table.numbers.shape
+        (width, unit), (across, unit_across) = table.extent["width"], table.extent["height"]
+        raw.step, raw.length_unit = width / columns, unit
+        raw.step_across = across / rows * METRES[unit_across] / METRES[unit]
+    return raw
 
 
 def _from_arrays(file: Path, arrays: dict[str, Any], units: dict[str, str]) -> RawSurface:
@@ -175,6 +215,7 @@ def _from_hdf5(file: Path, opened: h5py.File) -> RawSurface:
     arrays, units = {}, {}
     for name in ("height", "x", "y"):
         if name in opened:
+            _refuse_large(file, opened[name].size)
             arrays[name] = opened[name][()]
             unit = opened[name].attrs.get("units", "")
             units[name] = unit.decode() if isinstance(unit, bytes) else str(unit)

@@ -19,8 +19,11 @@ UM = 1e6
 CSV_FORMAT: Any = {"index": False, "float_format": "%.9g", "lineterminator": "\r\n"}
 
 
-def report_text(result: Deformed) -> str:
-    """Return what a user reads: conditions, statistics, what cannot be judged, warnings."""
+def report_text(result: Deformed, others: Sequence[Deformed] = ()) -> str:
+    """Return what a user reads: conditions, statistics, what cannot be judged, warnings.
+
+    `others`: the same surface by other transfers, for comparison.
+    """
     c, s = result.conditions, result.statistics
     lines = [
         f"Surface      {result.surface.name}: {_size_text(result)}; form removed: {result.form}; "
@@ -32,13 +35,26 @@ def report_text(result: Deformed) -> str:
         f"(ratio {_ratio(s.rq_after_m, s.rq_before_m):.4g}); from lowest to highest "
         f"{s.rz_before_m * UM:.4g} and {s.rz_after_m * UM:.4g} um",
     ]
+    if result.error_m is not None:
+        share = _ratio(result.error_m, s.rq_before_m)
+        lines.append(
+            f"Error        {result.error_m * UM:.2g} um rms of the deformed heights, "
+            f"{100 * share:.2g} % of Rq before: by the error bars of the responses"
+        )
     if s.mean_film_m is not None and s.minimum_film_m is not None:
+        rise = "its rise by the roughness is not known"
+        if s.mean_rise_m is not None:
+            rise = f"{s.mean_rise_m * UM:.3g} um of it by the roughness, to second order"
         lines += [
-            f"Film         mean {s.mean_film_m * UM:.4g} um ({c.film_source}), minimum "
+            f"Film         mean {s.mean_film_m * UM:.4g} um ({c.film_source}; {rise}), minimum "
             f"{s.minimum_film_m * UM:.4g} um",
             f"             lambda ratio {s.lambda_ratio_before:.4g} with the undeformed roughness, "
             f"{s.lambda_ratio_after:.4g} with the deformed one (of this surface alone)",
         ]
+    for other in others:
+        t = other.statistics
+        ratio = "" if t.lambda_ratio_after is None else f", lambda ratio {t.lambda_ratio_after:.4g}"
+        lines.append(f"Others       {t.rq_after_m * UM:.4g} um Rq{ratio} by {other.transfer_name}")
     for group in result.unjudged:
         lines.append(
             f"Not judged   {group.components} component(s) {group.reason}: "
@@ -65,6 +81,7 @@ def report_json(result: Deformed) -> str:
         "transfer": result.transfer_name,
         "conditions": asdict(result.conditions),
         "statistics": asdict(result.statistics),
+        "error_m": result.error_m,
         "not_judged": [asdict(group) for group in result.unjudged],
         "warnings": result.warnings,
     }
@@ -74,7 +91,11 @@ def report_json(result: Deformed) -> str:
 def to_dataset(result: Deformed) -> xr.Dataset:
     """Return heights before and after over x and y, m, with the report as attributes."""
     nx, ny = result.height.shape
-    surface, film = result.surface, result.conditions.central_film_m
+    surface = result.surface
+    films = {
+        "central_film_m": result.conditions.central_film_m,
+        "mean_film_m": result.statistics.mean_film_m,
+    }
 
     def in_metres(dims: Sequence[str], values: Any, name: str) -> xr.Variable:  # noqa: ANN401
         return xr.Variable(dims, values, {"units": "m", "long_name": name})
@@ -88,8 +109,7 @@ def to_dataset(result: Deformed) -> xr.Dataset:
         "y": in_metres(("y",), np.arange(ny) * surface.step_y_m, "across"),
     }
     attributes: dict[str, Any] = {"format": FORMAT_NAME, "report": report_json(result)}
-    if film is not None:
-        attributes["central_film_m"] = film
+    attributes |= {name: film for name, film in films.items() if film is not None}
     return xr.Dataset(variables, coords=coordinates, attrs=attributes)
 
 
@@ -113,7 +133,7 @@ def write_results(result: Deformed, directory: Path) -> list[Path]:
 def _write_trace(result: Deformed, path: Path) -> None:
     step = max(result.surface.step_x_m, result.surface.step_y_m)
     before, after = result.surface.height.ravel(), result.height.ravel()
-    film = result.conditions.central_film_m
+    film = result.statistics.mean_film_m
     table = pd.DataFrame(
         {
             f"{result.surface.trace_axis}_um": np.arange(before.size) * step * UM,

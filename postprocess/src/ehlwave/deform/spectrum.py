@@ -1,6 +1,7 @@
 """Spectra before and after, and the components that lie outside what a transfer knows."""
 
 import heapq
+import math
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -122,17 +123,24 @@ class Coverage:
         self.total = Tally()
         self.long = Tally()
         self.outside = Tally()
+        self._error_square = 0.0
 
     def add(self, qx: Floats, qy: Floats, before: Floats, after: Floats) -> None:
         """Add a block: waves per metre along x (rows) and y (columns), mean squares, m^2."""
         self.total.before += float(before.sum())
         self.total.after += float(after.sum())
+        error = self._transfer.error(qx, qy)
+        self._error_square += math.nan if error is None else float((before * error**2).sum())
         is_term = (before > 0) & ((qx != 0) | (qy != 0))
         fits = shorter_than_contact(self._conditions, qx, qy)
         self.long.add(is_term & ~fits, qx, qy, before, after)
         if not self._transfer.covers_all:
             covered = self._transfer.is_covered(qx, qy)
             self.outside.add(is_term & fits & ~covered, qx, qy, before, after)
+
+    def error_m(self) -> float | None:
+        """Return the rms error of the deformed heights by that of the transfer, m, if known."""
+        return None if math.isnan(self._error_square) else math.sqrt(self._error_square)
 
     def unjudged(self) -> list[Unjudged]:
         """Return the classes that are not empty."""

@@ -23,13 +23,15 @@ class FilmStatistics:
     rz_before_m, rz_after_m : float
         From the lowest to the highest point.
     mean_film_m : float or None
-        Of the rough contact's centre: the smooth central film, to first order in the roughness.
+        Of the rough contact's centre: the smooth central film and `mean_rise_m`, where it is known.
+    mean_rise_m : float or None
+        What the roughness adds to the mean film, to second order. None: the transfer has no rises.
     minimum_film_m : float or None
         Mean film less the highest deformed point. Negative: the surfaces would touch.
     lambda_ratio_before, lambda_ratio_after : float or None
         Mean film over Rq before (the usual ratio) and after (what is there in the contact).
     amplitude_over_film : float or None
-        sqrt(2) Rq before over the mean film: the amplitude of a cosine of the same Rq.
+        sqrt(2) Rq before over the smooth film: the amplitude of a cosine of the same Rq.
     """
 
     rq_before_m: float
@@ -37,29 +39,38 @@ class FilmStatistics:
     rz_before_m: float
     rz_after_m: float
     mean_film_m: float | None
+    mean_rise_m: float | None = None
     minimum_film_m: float | None = None
     lambda_ratio_before: float | None = None
     lambda_ratio_after: float | None = None
     amplitude_over_film: float | None = None
 
 
-def film_statistics(before: Heights, after: Heights, film_m: float | None) -> FilmStatistics:
-    """Return the statistics of a surface before and after, for a smooth central film in m."""
+def film_statistics(
+    before: Heights, after: Heights, film_m: float | None, rise: float | None
+) -> FilmStatistics:
+    """Return the statistics of a surface before and after, for a smooth central film in m.
+
+    `rise`: of the mean film over the smooth one, for Rq before equal to that.
+    """
     rq_before, rq_after = _rms(before), _rms(after)
-    of_film = {}
+    mean_film, of_film = film_m, {}
     if film_m is not None:
-        of_film = {
-            "minimum_film_m": film_m - float(after.max()),
-            "lambda_ratio_before": _quotient(film_m, rq_before),
-            "lambda_ratio_after": _quotient(film_m, rq_after),
-            "amplitude_over_film": math.sqrt(2) * rq_before / film_m,
+        of_film["amplitude_over_film"] = math.sqrt(2) * rq_before / film_m
+        if rise is not None:
+            of_film["mean_rise_m"] = rise * rq_before**2 / film_m
+        mean_film = film_m + of_film.get("mean_rise_m", 0.0)
+        of_film |= {
+            "minimum_film_m": mean_film - float(after.max()),
+            "lambda_ratio_before": _quotient(mean_film, rq_before),
+            "lambda_ratio_after": _quotient(mean_film, rq_after),
         }
     return FilmStatistics(
         rq_before_m=rq_before,
         rq_after_m=rq_after,
         rz_before_m=float(before.max() - before.min()),
         rz_after_m=float(after.max() - after.min()),
-        mean_film_m=film_m,
+        mean_film_m=mean_film,
         **of_film,
     )
 

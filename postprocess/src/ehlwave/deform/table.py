@@ -35,19 +35,32 @@ class _Curve:
         proportion to the wavelength as in formula (18); towards long waves in proportion to the
         formula, so that the mean has 0.
         """
-        value = np.interp(log_v, self._fine, self._values)
+        value = self._continued(log_v, 1)
         short = log_v < self.log_v[0]
         if np.any(short):
             value[short] = 1 - (1 - self._values[0]) * np.exp(log_v[short] - self.log_v[0])
-        long = log_v > self.log_v[-1]
-        if np.any(long):
-            end = amplitude_ratio_formula(np.exp(self.log_v[-1]))
-            value[long] *= amplitude_ratio_formula(np.exp(log_v[long])) / end
-        return np.asarray(value)
+        return value
 
     def holds(self, log_v: Waves) -> NDArray[np.bool_]:
         """Return whether waves lie within the curve."""
         return np.asarray((log_v >= self.log_v[0] - 1e-9) & (log_v <= self.log_v[-1] + 1e-9))
+
+    def _continued(self, log_v: Waves, power: int) -> Complex:
+        """Return values, of shorter waves the first, of longer ones with a power of the formula."""
+        value = np.interp(log_v, self._fine, self._values)
+        long = log_v > self.log_v[-1]
+        if np.any(long):
+            end = amplitude_ratio_formula(np.exp(self.log_v[-1]))
+            value[long] *= (amplitude_ratio_formula(np.exp(log_v[long])) / end) ** power
+        return np.asarray(value)
+
+
+class _RiseCurve(_Curve):
+    """Rise of the mean film in place of the transfer: real."""
+
+    def at(self, log_v: Waves) -> Complex:
+        """Return the rise; beyond the ends constant, or falling with the square of the formula."""
+        return self._continued(log_v, 2)
 
 
 class _Chart:
@@ -105,6 +118,8 @@ class TableTransfer:
         self._v_per_wavelength = conditions.v_per_wavelength
         chosen = weighted_conditions(rows, conditions, name)
         self._charts = [(weight, _Chart(_curves(part, name))) for weight, part in chosen]
+        rises = [(weight, _rise_curves(part, name)) for weight, part in chosen]
+        self._rises = [(weight, _Chart(curves)) for weight, curves in rises if curves]
 
     @property
     def name(self) -> str:
@@ -126,13 +141,18 @@ class TableTransfer:
 
     def ratio(self, per_length_x: Waves, per_length_y: Waves) -> Complex:
         """Return the transfer for waves per metre along x (any sign) and y."""
-        angle, log_v, shape = self._polar(per_length_x, per_length_y)
-        value = np.zeros(angle.shape, dtype=np.complex128)
-        for weight, chart in self._charts:
-            value += weight * chart.at(angle, log_v)
-        value = value.reshape(shape)
-        value.imag *= np.sign(np.broadcast_to(per_length_x, shape))
+        value = self._weighted(self._charts, per_length_x, per_length_y)
+        value.imag *= np.sign(np.broadcast_to(per_length_x, value.shape))
         return value
+
+    def rise(self, per_length_x: Waves, per_length_y: Waves) -> Waves | None:
+        """Return ``mean_rise`` of waves; None if a wave of the contact's conditions has none."""
+        if len(self._rises) < len(self._charts):
+            return None
+        return self._weighted(self._rises, per_length_x, per_length_y).real
+
+    def error(self, per_length_x: Waves, per_length_y: Waves) -> Waves | None:
+        """Return None: tables come without errors."""
 
     def is_covered(self, per_length_x: Waves, per_length_y: Waves) -> NDArray[np.bool_]:
         """Return whether a wave lies within the wavelengths and orientations of the table."""
@@ -141,6 +161,16 @@ class TableTransfer:
         for _, chart in self._charts:
             inside &= chart.holds(angle, log_v)
         return inside.reshape(shape)
+
+    def _weighted(
+        self, charts: list[tuple[float, _Chart]], per_length_x: Waves, per_length_y: Waves
+    ) -> Complex:
+        """Return the values of charts by their weights."""
+        angle, log_v, shape = self._polar(per_length_x, per_length_y)
+        value = np.zeros(angle.shape, dtype=np.complex128)
+        for weight, chart in charts:
+            value += weight * chart.at(angle, log_v)
+        return value.reshape(shape)
 
     def _polar(
         self, per_length_x: Waves, per_length_y: Waves
@@ -153,21 +183,39 @@ class TableTransfer:
 
 
 def _curves(rows: pd.DataFrame, name: str) -> list[_Curve]:
+    curves = []
+    for angle, log_v, of_wave in _orientations(rows, name):
+        transfer = of_wave["transfer_real"].to_numpy() + 1j * of_wave["transfer_imag"].to_numpy()
+        if angle > np.pi / 2 - 1e-5:
+            transfer.imag = 0  # standing ridges: nothing moves, no phase
+        curves.append(_Curve(angle, log_v, transfer))
+    if not curves:
+        raise SurfaceError(f"{name}: no orientation has two or more wavelengths to interpolate in")
+    return curves
+
+
+def _rise_curves(rows: pd.DataFrame, name: str) -> list[_Curve]:
+    """Return curves of the rise of the mean, none if a wave has none."""
+    groups = _orientations(rows, name)
+    if not all(np.isfinite(of_wave["mean_rise"]).all() for _, _, of_wave in groups):
+        return []
+    return [
+        _RiseCurve(angle, log_v, of_wave["mean_rise"].to_numpy(dtype=complex))
+        for angle, log_v, of_wave in groups
+    ]
+
+
+def _orientations(rows: pd.DataFrame, name: str) -> list[tuple[float, Waves, pd.DataFrame]]:
+    """Return angle, log(f(r) V) and means of the waves of each orientation with two or more."""
     m, l, d = (float(rows[key].iloc[0]) for key in ("M", "L", "D"))  # noqa: E741
     moes = {"load_parameter_m": m, "lubricant_parameter_l": l, "radius_ratio_d": d}
     # With a = 1 a wavelength in units of a is one in metres.
     v_per_wave = conditions_from_keys(moes | {"semi_axis_a_m": 1.0}, name).v_per_wavelength
-    curves = []
+    groups = []
     for angle, members in rows.groupby(rows["angle"].round(6)):
         of_wave = members.groupby(members["log_wave"].round(9)).mean()
-        if len(of_wave) < 2:
-            continue
-        transfer = of_wave["transfer_real"].to_numpy() + 1j * of_wave["transfer_imag"].to_numpy()
-        if float(angle) > np.pi / 2 - 1e-5:
-            transfer.imag = 0  # standing ridges: nothing moves, no phase
-        curves.append(
-            _Curve(float(angle), of_wave["log_wave"].to_numpy() + np.log(v_per_wave), transfer)
-        )
-    if not curves:
-        raise SurfaceError(f"{name}: no orientation has two or more wavelengths to interpolate in")
-    return curves
+        if len(of_wave) >= 2:
+            groups.append(
+                (float(angle), of_wave["log_wave"].to_numpy() + np.log(v_per_wave), of_wave)
+            )
+    return groups

@@ -8,6 +8,9 @@ CSV, or HDF5 with one dataset per column.
 
 The transfer is the ratio of the film's component at the contact centre to the surface's, both
 written as exp(i qx x) with x counted on the surface along its motion.
+
+``mean_rise``, which may be absent, is what one such wave of amplitude A adds to the mean film at
+the contact centre, to second order: (mean film less smooth film)/film = ``mean_rise`` (A/film)^2.
 """
 
 from pathlib import Path
@@ -30,8 +33,8 @@ def read_table(path: str | Path) -> pd.DataFrame:
     -------
     pandas.DataFrame
         Columns ``M``, ``L``, ``D``, ``slip_parameter``, ``angle`` = arctan(lambda_x/lambda_y),
-        ``log_wave`` = log(f(r) min(lambda)/a), ``transfer_real``, ``transfer_imag``. Rows without
-        a finite transfer are left out.
+        ``log_wave`` = log(f(r) min(lambda)/a), ``transfer_real``, ``transfer_imag``, ``mean_rise``
+        (NaN where it is not known). Rows without a finite transfer are left out.
 
     Raises
     ------
@@ -89,4 +92,5 @@ def table_rows(raw: pd.DataFrame, place: str) -> pd.DataFrame:
     else:
         rows["transfer_real"], rows["transfer_imag"] = raw["amplitude_ratio"], 0.0
     finite = np.isfinite(rows.drop(columns="slip_parameter")).all(axis=1)
+    rows["mean_rise"] = raw.get("mean_rise", np.nan)
     return rows[finite]

@@ -44,6 +44,15 @@ class Transfer(Protocol):
     def ratio(self, per_length_x: Waves, per_length_y: Waves) -> NDArray[Any]:
         """Return the transfer for waves per metre along x (any sign) and y (not negative)."""
 
+    def rise(self, per_length_x: Waves, per_length_y: Waves) -> Waves | None:
+        """Return what waves add to the mean film, to second order; None if that is not known.
+
+        For each wave q in (mean film less smooth film)/film = q (A/film)^2, A its amplitude.
+        """
+
+    def error(self, per_length_x: Waves, per_length_y: Waves) -> Waves | None:
+        """Return the absolute error of the transfer; None if that is not known."""
+
     def is_covered(self, per_length_x: Waves, per_length_y: Waves) -> NDArray[np.bool_]:
         """Return whether the transfer is known there rather than continued."""
 
@@ -62,7 +71,7 @@ def orientation_and_wave(per_length_x: Waves, per_length_y: Waves) -> tuple[Wave
 
 
 class FormulaBasis:
-    """What formulas share: all components are covered, or none, for reasons."""
+    """What formulas share: all components are covered, or none, for reasons; linear."""
 
     conditions: Conditions
 
@@ -70,6 +79,9 @@ class FormulaBasis:
         """Return why the conditions are not those of the formula; slip is one of them."""
         slip = self.conditions.slip_parameter
         return [] if slip == 1 else [f"slip (S = {slip:g}): the formula is for pure rolling"]
+
+    def error(self, per_length_x: Waves, per_length_y: Waves) -> Waves | None:
+        """Return None: what a formula is off by depends on the contact."""
 
     @property
     def covers_all(self) -> bool:
@@ -80,6 +92,9 @@ class FormulaBasis:
     def outside_reason(self) -> str:
         """Return why components are not covered."""
         return "; ".join(self.reasons())
+
+    def rise(self, per_length_x: Waves, per_length_y: Waves) -> None:
+        """Return None: no formula has it."""
 
     def is_covered(self, per_length_x: Waves, per_length_y: Waves) -> NDArray[np.bool_]:
         """Return whether the conditions are those of the formula."""

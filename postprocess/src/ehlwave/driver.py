@@ -1,0 +1,233 @@
+"""Cases and studies by the built programs, their results as :class:`xarray.Dataset`."""
+
+import json
+import re
+import subprocess
+import tempfile
+from collections.abc import Iterable, Mapping, Sequence
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import pandas as pd
+import xarray as xr
+
+from ehlwave.errors import ProgramError
+from ehlwave.programs import find_program, namelist
+from ehlwave.read import read_results
+
+OPTIONS = ("case_file", "output", "unresolved", "largest_case_seconds", "checkpoint_seconds")
+"""Keys of ``&sweep`` that are not lists of values."""
+
+
+class Case:
+    """One case for ``ehlwave-case``.
+
+    Parameters
+    ----------
+    **keys
+        Keys of its input file (``inputs/README.md``, ``ehlwave-case --keys``), whatever their
+        group: numbers, text, bool.
+
+    Raises
+    ------
+    ProgramError
+        If there is no program, or no such key.
+
+    Examples
+    --------
+    >>> case = Case(load_parameter_m=100, lubricant_parameter_l=10, radius_ratio_d=1,
+    ...             orientation="transverse", wavelength_over_a=0.5, response="harmonic")
+    >>> case.plan()["cells_x"], float(case.run()["harmonic_ratio"])   # doctest: +SKIP
+    """
+
+    def __init__(self, **keys: Any) -> None:  # noqa: ANN401
+        """Sort the keys into the groups of an input file."""
+        self.groups = grouped(keys)
+
+    def __repr__(self) -> str:
+        """Return the input file."""
+        return namelist(self.groups)
+
+    def plan(self) -> dict[str, Any]:
+        """Return what would be computed, and on which grid, by the names of ``--plan --json``."""
+        return self._json("--plan")
+
+    def run(self, seconds: float | None = None) -> xr.Dataset:
+        """Compute the case.
+
+        Parameters
+        ----------
+        seconds : float, optional
+            Wall time after which it is stopped.
+
+        Returns
+        -------
+        xarray.Dataset
+            All quantities of the result (0-dimensional, with units and long names), fields over
+            ``y`` and ``x``, histories over ``time``; text, ``status`` among it, as attributes. A
+            case that did not converge has its status there and no fields.
+
+        Raises
+        ------
+        ProgramError
+            If the program refuses the input.
+        subprocess.TimeoutExpired
+            If it takes longer than `seconds`.
+        """
+        with tempfile.TemporaryDirectory() as folder:
+            output = Path(folder, "case.h5")
+            self._json("--output", str(output), seconds=seconds)
+            with xr.open_dataset(output, engine="h5netcdf", decode_times=False) as opened:
+                return opened.load()
+
+    def _json(self, *options: str, seconds: float | None = None) -> dict[str, Any]:
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder, "case.nml")
+            path.write_text(namelist(self.groups), encoding="utf-8")
+            done = _run("ehlwave-case", str(path), "--json", "--quiet", *options, seconds=seconds)
+        lines = done.stdout.rstrip().splitlines()
+        return dict(json.loads(lines[-1]))
+
+
+class Study:
+    """Many cases for ``ehlwave-sweep``.
+
+    Parameters
+    ----------
+    grid : mapping or table
+        A mapping of keys: every combination of those that are given as lists is a case, the others
+        are shared. Or a :class:`pandas.DataFrame`, or a list of mappings: one case a row.
+    **shared
+        Keys that all cases share, besides.
+
+    Raises
+    ------
+    ProgramError
+        If there is no program, or no such key.
+
+    Examples
+    --------
+    >>> grid = {"load_parameter_m": [100, 200], "wavelength_over_a": [0.5, 1, 2]}
+    >>> study = Study(grid, lubricant_parameter_l=10, radius_ratio_d=1, orientation="transverse",
+    ...               response="harmonic")
+    >>> results = study.run()                                          # doctest: +SKIP
+    """
+
+    def __init__(
+        self,
+        grid: Mapping[str, Any] | pd.DataFrame | Sequence[Mapping[str, Any]],
+        **shared: Any,  # noqa: ANN401
+    ) -> None:
+        """Take the grid or the rows."""
+        if isinstance(grid, Mapping):
+            lists = {key: list(value) for key, value in grid.items() if _is_list(value)}
+            self.rows: pd.DataFrame | None = None
+            shared = {key: value for key, value in grid.items() if key not in lists} | shared
+            grouped(lists)  # for its check
+        else:
+            lists, self.rows = {}, pd.DataFrame(grid)
+            grouped(dict.fromkeys(map(str, self.rows.columns), 0))
+        self.lists = lists
+        self.groups = grouped({key: value for key, value in shared.items() if key not in OPTIONS})
+        self.options = {key: value for key, value in shared.items() if key in OPTIONS}
+
+    def run(
+        self, output: str | Path | None = None, ranks: int = 1, seconds: float | None = None
+    ) -> xr.Dataset:
+        """Compute all cases that are not in the store of `output`, and read all.
+
+        Parameters
+        ----------
+        output : path, optional
+            Results file, kept; the store of finished cases is beside it, so that the same call goes
+            on where it was stopped. A temporary one if absent.
+        ranks : int
+            MPI ranks; 1 runs the program without MPI's launcher.
+        seconds : float, optional
+            Wall time after which it is stopped in good order; cases left are ``pending``.
+
+        Returns
+        -------
+        xarray.Dataset
+            As of :func:`ehlwave.read_results`: every column over ``case``, text as text.
+
+        Raises
+        ------
+        ProgramError
+            If the program refuses the input.
+        """
+        with tempfile.TemporaryDirectory() as folder:
+            results = Path(folder, "results.h5") if output is None else Path(output).resolve()
+            path = Path(folder, "study.nml")
+            path.write_text(self._text(Path(folder), results), encoding="utf-8")
+            limit = [] if seconds is None else ["--time-limit", f"{seconds:g}"]
+            _run("ehlwave-sweep", str(path), *limit, ranks=ranks, fine=(0, 1, 85))
+            return read_results(results)
+
+    def plan(self) -> str:
+        """Return the list of cases with grids, steps and resolution; nothing is computed."""
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder, "study.nml")
+            path.write_text(self._text(Path(folder), Path(folder, "results.h5")), encoding="utf-8")
+            return _run("ehlwave-sweep", str(path), "--plan").stdout
+
+    def _text(self, folder: Path, results: Path) -> str:
+        sweep = {**self.lists, **self.options, "output": str(results)}
+        if self.rows is not None:
+            table = folder / "cases.csv"
+            self.rows.to_csv(table, index=False)
+            sweep["case_file"] = str(table)
+        return namelist({**self.groups, "sweep": sweep})
+
+
+def grouped(keys: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
+    """Return keys by the group that they belong to in an input file.
+
+    Raises
+    ------
+    ProgramError
+        If a key is not known to the program.
+    """
+    known, groups = key_groups(), {}
+    for key, value in keys.items():
+        if key not in known:
+            near = [name for name in known if key.split("_")[0] in name]
+            hint = f"; do you mean {', '.join(near[:4])}?" if near else ""
+            raise ProgramError(f"unknown key {key}{hint} All keys: ehlwave-case --keys")
+        groups.setdefault(known[key], {})[key] = value
+    return groups
+
+
+@cache
+def key_groups() -> dict[str, str]:
+    """Return the group of each key, as the program lists them."""
+    found, group = {}, ""
+    for line in _run("ehlwave-case", "--keys").stdout.splitlines():
+        if match := re.match(r"&(\w+)", line):
+            group = match[1]
+        elif match := re.match(r"  (\w+) \(default", line):
+            found[match[1]] = group
+    return found
+
+
+def _is_list(value: object) -> bool:
+    return isinstance(value, Iterable) and not isinstance(value, (str, Mapping))
+
+
+def _run(
+    name: str,
+    *arguments: str,
+    ranks: int = 1,
+    seconds: float | None = None,
+    fine: Sequence[int] = (0, 1),
+) -> subprocess.CompletedProcess[str]:
+    """Run a program; ProgramError with what it said unless its exit status is one of `fine`."""
+    command = [str(find_program(name)), *arguments]
+    if ranks > 1:
+        command = ["mpirun", "-n", str(ranks), *command]
+    done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=seconds)
+    if done.returncode not in fine:
+        said = (done.stderr or done.stdout).strip()
+        raise ProgramError(f"{' '.join(command)}: exit status {done.returncode}\n{said}")
+    return done

@@ -1,0 +1,137 @@
+"""The state of the contact centre that a small wave meets, and what it makes of waves.
+
+The closed forms of ``src/contact/two_waves.f90``, with the same letters and signs: waves are
+exp(i (kx X + ky Y - w T)), X and Y in units of a here, w = kx S.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy.special import ellipk
+
+Complex = NDArray[np.complex128]
+
+ROELANDS_PA = 1.96e8
+DENSITY_PA, DENSITY_LIMIT = 5.9e8, 1.34
+"""Of Dowson and Higginson's density, (5.9e8 + 1.34 p)/(5.9e8 + p)."""
+
+STEPS_TO_PSI, NEWTON_STEPS = 24, 4
+
+
+@dataclass(frozen=True)
+class Oil:
+    """What of the oil waves under slip depend on: Roelands' viscosity, Newtonian or Ree-Eyring.
+
+    Attributes
+    ----------
+    pressure_viscosity_per_pa : float
+        alpha, 1/Pa.
+    roelands_index : float
+        z.
+    stress_modulus_pa2 : float or None
+        Eyring stress times reduced modulus, E' tau0, Pa^2, on which films depend; None of a
+        Newtonian oil.
+    """
+
+    pressure_viscosity_per_pa: float = 2.2e-8
+    roelands_index: float = 0.68
+    stress_modulus_pa2: float | None = None
+
+
+@dataclass(frozen=True)
+class Medium:
+    """Density, its derivative, film and flow at one place, dimensionless.
+
+    Attributes
+    ----------
+    rho, drho, h : float
+        rho/rho0, d rho/dP and H.
+    eps_x, eps_y : float
+        rho H^3/(eta lambdabar) times the tangent factor along X and along Y.
+    k : float
+        Complete elliptic integral K.
+    thinning : float
+        Shear stress that slip makes of the viscosity at ambient pressure in a film of this
+        thickness, over the Eyring stress: B with eta = 1. 0 of a Newtonian oil.
+    """
+
+    rho: float
+    drho: float
+    h: float
+    eps_x: float
+    eps_y: float
+    k: float
+    thinning: float = 0.0
+
+    def deflection(self, kx: ArrayLike, ky: ArrayLike) -> Complex:
+        """Return W = 2/(K |k|): the deflection under a pressure wave of amplitude 1."""
+        along, across = np.asarray(kx, dtype=complex), np.asarray(ky, dtype=complex)
+        return np.asarray(2 / (self.k * np.sqrt(along**2 + across**2)))
+
+    def attenuated(self, kx: ArrayLike, ky: ArrayLike, slip: float) -> Complex:
+        """Return the amplitude over Ai of the wave that moves with the surface.
+
+        a = 1/(1 + i (1 - S) kx rho W/(eps_x kx^2 + eps_y ky^2 + i (1 - S) kx rho' H))
+        """
+        along, across = np.asarray(kx, dtype=complex), np.asarray(ky, dtype=complex)
+        rate = 1j * (1 - slip) * along
+        flow = self.eps_x * along**2 + self.eps_y * across**2 + rate * self.drho * self.h
+        return np.asarray(1 / (1 + rate * self.rho * self.deflection(along, across) / flow))
+
+    def complementary_number(self, frequency: ArrayLike, ky: ArrayLike) -> Complex:
+        """Return the wave number psi along X, 1/a, of the wave that moves with the oil.
+
+        The root that is w where nothing flows by pressure, of
+        eps_x psi^2 + eps_y ky^2 + i (psi - w)(rho W(psi) + rho' H) = 0, followed while the flow
+        grows from 0 to what it is.
+        """
+        w, across = np.asarray(frequency, dtype=complex), np.asarray(ky, dtype=complex)
+        psi = w + 0 * across
+        for step in range(1, STEPS_TO_PSI + 1):
+            share = (step / STEPS_TO_PSI) ** 2
+            for _ in range(NEWTON_STEPS):
+                deflection = self.rho * self.deflection(psi, across)
+                carried = deflection + self.drho * self.h
+                squeezed = share * (self.eps_x * psi**2 + self.eps_y * across**2)
+                slope = share * 2 * self.eps_x * psi + 1j * carried
+                slope -= 1j * (psi - w) * deflection * psi / (psi**2 + across**2)
+                psi = psi - (squeezed + 1j * (psi - w) * carried) / slope
+        return np.asarray(psi)
+
+
+def hertz_medium(
+    oil: Oil, kappa: float, alphabar: float, lambdabar: float, film: float, slip: float
+) -> Medium:
+    """Return the state of the centre of a contact under the maximum Hertz pressure.
+
+    With a Ree-Eyring oil and no pressure gradient the tangent factors are (1 + B^2)^(1/2) along X
+    and B/asinh(B) along Y, B = (lambdabar N0/6) 2 (S - 1) eta/H, N0 = K ph^2/(E' tau0) (Ehret,
+    Dowson and Taylor 1998).
+
+    Parameters
+    ----------
+    oil : Oil
+        Of the contact.
+    kappa, alphabar, lambdabar : float
+        Ellipticity, alpha ph, and the speed parameter, eq. (1), (3), (4).
+    film : float
+        H at the centre.
+    slip : float
+        S.
+    """
+    k = float(ellipk(1 - kappa**2))
+    alpha, index = oil.pressure_viscosity_per_pa, oil.roelands_index
+    hertz_pa = alphabar / alpha
+    relative = (1 + hertz_pa / ROELANDS_PA) ** index - 1
+    viscosity = np.exp(alpha * ROELANDS_PA / index * relative)
+    rho = (DENSITY_PA + DENSITY_LIMIT * hertz_pa) / (DENSITY_PA + hertz_pa)
+    drho = hertz_pa * (DENSITY_LIMIT - 1) * DENSITY_PA / (DENSITY_PA + hertz_pa) ** 2
+    eps = rho * film**3 / (viscosity * lambdabar)
+    along, across, thinning = 1.0, 1.0, 0.0
+    if oil.stress_modulus_pa2 is not None and slip != 1:
+        stress = k * hertz_pa**2 / oil.stress_modulus_pa2
+        thinning = lambdabar * stress / 3 * abs(slip - 1) / film
+        b = thinning * viscosity
+        along, across = np.hypot(1, b), b / np.arcsinh(b)
+    return Medium(rho, drho, film, eps * along, eps * across, k, thinning)

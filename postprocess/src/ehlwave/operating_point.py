@@ -1,0 +1,246 @@
+"""The one call: a contact, its film, its responses to waves, surfaces inside it."""
+
+import math
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from ehlwave.atlas.atlas import Atlas, load_atlas
+from ehlwave.atlas.ranges import WAVE_RANGE
+from ehlwave.deform.atlas_transfer import AtlasTransfer, with_atlas_film
+from ehlwave.deform.conditions import Conditions, conditions_from_keys, moes_film
+from ehlwave.deform.predict import Deformed, deform_surface
+from ehlwave.deform.prepare import Form, Window
+from ehlwave.deform.read import ReadOptions, read_surface
+from ehlwave.deform.surface import Surface
+from ehlwave.deform.transfer import FormulaTransfer, RecommendedTransfer, Transfer
+from ehlwave.errors import RangeError, SurfaceError
+
+
+@dataclass(frozen=True)
+class Film:
+    """Films of a smooth contact.
+
+    Attributes
+    ----------
+    central_m, minimum_m : float or None
+        Film at the contact centre and smallest film, m; None when M, L and D came without a radius.
+    central_moes, minimum_moes : float
+        The same in the Moes scale, (h/Rx)(2U)^(-1/2).
+    central_error, minimum_error : float
+        Relative: 95 % of films computed anew lie within.
+    friction : float or None
+        Friction coefficient; None: the oil has no law for it (newtonian, or pure rolling).
+    source : str
+        What it was taken from.
+    """
+
+    central_m: float | None
+    minimum_m: float | None
+    central_moes: float
+    minimum_moes: float
+    central_error: float
+    minimum_error: float
+    friction: float | None
+    source: str
+
+
+@dataclass(frozen=True)
+class Response:
+    """Response of film and pressure at the contact centre to small waves of the rough surface.
+
+    The surface is A exp(i(kx X - w T)), positive where it widens the gap.
+
+    Attributes
+    ----------
+    film : complex
+        Film over Ai; a positive imaginary part means that it lags behind the surface.
+    pressure : complex
+        Amplitude of P over Ai, in units of ph/c, c the Hertz approach.
+    error : float
+        Of ``film``, absolute, in units of Ai: 95 % of responses computed anew lie within.
+    source : str
+        What it was taken from.
+    """
+
+    film: complex
+    pressure: complex
+    error: float
+    source: str
+
+
+class Contact:
+    """A lubricated contact of smooth bodies, one of which is rough or wavy.
+
+    Parameters
+    ----------
+    atlas : path, optional
+        Another atlas file than that of the package.
+    **keys
+        Keys of the input files of ``ehlwave-case``: dimensional data (``radius_x_m``,
+        ``radius_y_m``, ``reduced_modulus_pa``, ``load_n``, ``mean_speed_m_per_s``,
+        ``viscosity_pa_s``), or ``load_parameter_m``, ``lubricant_parameter_l`` and
+        ``radius_ratio_d``, then with ``semi_axis_a_m`` (Hertz semi-axis along rolling) and
+        ``radius_x_m`` where metres are asked for;
+        ``pressure_viscosity_per_pa`` (2.2e-8) and ``roelands_index`` (0.68) of the oil;
+        ``slip_parameter`` (1) of the rough surface.
+
+    Raises
+    ------
+    SurfaceError
+        If a key is unknown, missing or makes no sense.
+
+    Examples
+    --------
+    >>> contact = Contact(load_parameter_m=100, lubricant_parameter_l=10, radius_ratio_d=1)
+    >>> response = contact.response(wavelength_over_a=0.5)
+    >>> abs(response.film), response.error        # doctest: +SKIP
+    """
+
+    def __init__(self, *, atlas: str | Path | None = None, **keys: Any) -> None:  # noqa: ANN401
+        """Check the keys and find M, L and D."""
+        self.conditions: Conditions = conditions_from_keys(keys, "Contact", needs_lengths=False)
+        self._atlas = None if atlas is None else Path(atlas)
+
+    def __repr__(self) -> str:
+        """Return M, L, D and S."""
+        c = self.conditions
+        return f"Contact(M={c.m:.5g}, L={c.l:.5g}, D={c.d:.5g}, S={c.slip_parameter:g})"
+
+    def atlas(self) -> Atlas:
+        """Return the atlas that answers are from."""
+        return load_atlas() if self._atlas is None else load_atlas(self._atlas)
+
+    def film(self) -> Film:
+        """Return central and smallest film of the smooth contact, from the atlas.
+
+        Raises
+        ------
+        RangeError
+            A ValueError: the contact lies outside the atlas.
+        """
+        c, atlas = self.conditions, self.atlas()
+        film = atlas.at(c.atlas_keys()).film(moes_film(c.m, c.l, c.d))
+        scale = c.metres_per_moes
+        return Film(
+            central_m=None if scale is None else film.central_moes * scale,
+            minimum_m=None if scale is None else film.minimum_moes * scale,
+            central_moes=film.central_moes,
+            minimum_moes=film.minimum_moes,
+            central_error=film.central_error,
+            minimum_error=film.minimum_error,
+            friction=None,
+            source=atlas.name,
+        )
+
+    def response(
+        self, wavelength_over_a: float, angle_deg: float = 0.0, slip_parameter: float = 1.0
+    ) -> Response:
+        """Return the response at the contact centre to small waves, from the atlas.
+
+        Parameters
+        ----------
+        wavelength_over_a : float
+            Wavelength along the wave vector over the Hertz semi-axis a, 0.1 to 4.
+        angle_deg : float
+            Between wave vector and rolling direction, in metres: 0 transverse, 90 longitudinal.
+        slip_parameter : float
+            S of the surface that carries the waves.
+
+        Raises
+        ------
+        RangeError
+            A ValueError: the contact, the wave or the slip lies outside the atlas; nothing is
+            extrapolated.
+        """
+        low, high = WAVE_RANGE
+        if not low * (1 - 1e-9) <= wavelength_over_a <= high * (1 + 1e-9):
+            raise RangeError(
+                f"wavelength_over_a = {wavelength_over_a:.5g} lies outside the atlas, which holds "
+                f"{low:g} to {high:g}"
+            )
+        if not -1e-9 <= angle_deg <= 90 + 1e-9:
+            raise RangeError(
+                f"angle_deg = {angle_deg:.5g} lies outside 0 to 90 (waves at -angle are the same)"
+            )
+        if slip_parameter != 1:
+            raise RangeError(
+                f"slip_parameter = {slip_parameter:g}: the atlas holds pure rolling, "
+                "slip_parameter = 1"
+            )
+        atlas = self.atlas()
+        found = atlas.at(self.conditions.atlas_keys()).responses(wavelength_over_a, angle_deg)
+        return Response(
+            complex(found.film), complex(found.pressure), float(found.error), atlas.name
+        )
+
+    def transfer(self, by: str = "atlas") -> Transfer:
+        """Return what judges components: ``"atlas"``, or a formula: ``"recommended"``, ``"paper"``.
+
+        Raises
+        ------
+        RangeError
+            A ValueError: the contact lies outside the atlas, or there is slip.
+        """
+        if by == "atlas":
+            return AtlasTransfer(self.conditions, self.atlas())
+        if by == "recommended":
+            return RecommendedTransfer(self.conditions)
+        if by == "paper":
+            return FormulaTransfer(self.conditions)
+        raise RangeError(f"by = {by!r}: one of 'atlas', 'recommended', 'paper'")
+
+    def deform(
+        self,
+        surface: Surface | str | Path,
+        by: str = "atlas",
+        form: Form = "plane",
+        ends: Window = "mirror",
+        **reading: Any,  # noqa: ANN401
+    ) -> Deformed:
+        """Predict the shape of a measured surface inside the contact, and the film over it.
+
+        Parameters
+        ----------
+        surface : Surface or path
+            As :func:`ehlwave.read_surface` reads it.
+        by : {"atlas", "recommended", "paper"}
+            What components are judged by. The film is the atlas' where the contact lies in it.
+        form, ends
+            See :func:`ehlwave.deform_surface`.
+        **reading
+            Of :class:`ehlwave.deform.ReadOptions`, for what the file does not say.
+
+        Raises
+        ------
+        RangeError
+            A ValueError: the contact lies outside the atlas and `by` is ``"atlas"``.
+        SurfaceError
+            If the surface cannot be used, or the contact was given without lengths.
+        """
+        if not math.isfinite(self.conditions.semi_axis_a_m):
+            raise SurfaceError(
+                "Contact: a surface in metres needs semi_axis_a_m and radius_x_m besides M, L and D"
+            )
+        measured = (
+            surface
+            if isinstance(surface, Surface)
+            else read_surface(surface, ReadOptions(**reading))
+        )
+        transfer = self.transfer(by)
+        conditions = self.conditions
+        try:
+            conditions = with_atlas_film(conditions, self.atlas())
+        except RangeError:
+            if by == "atlas":
+                raise
+        return deform_surface(measured, conditions, transfer, form, ends)
+
+    def lambda_ratio(self, surface: Surface | str | Path, **options: Any) -> float:  # noqa: ANN401
+        """Return the mean film over Rq of the deformed surface; options as of :meth:`deform`."""
+        ratio = self.deform(surface, **options).statistics.lambda_ratio_after
+        if ratio is None:
+            raise SurfaceError(
+                "Contact: the film in metres needs radius_x_m besides semi_axis_a_m, M, L and D"
+            )
+        return ratio

@@ -1,0 +1,1 @@
+"""The atlas of computed responses that the package ships: ``scripts/atlas``."""

@@ -1,0 +1,167 @@
+"""Where the atlas is computed: contacts, the patterns of each, and its grid."""
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.stats import qmc
+
+from ehlwave.atlas import Atlas
+from ehlwave.atlas.coordinates import contact_coordinates
+from ehlwave.atlas.process import correlation
+from ehlwave.atlas.ranges import CONTACT_RANGES, WAVE_RANGE
+from ehlwave.deform.conditions import ellipticity
+from studies import sweeps
+from studies.programs import Groups
+
+Floats = NDArray[np.float64]
+
+CONTACTS = 32
+"""Of one batch."""
+
+CANDIDATES = 512
+"""Contacts of which a batch is chosen by the errors of the atlas so far."""
+
+DIRECTIONS = ((0.0, 3), (90.0, 2), (None, 4))
+"""Angles, degrees, and how many patterns of a contact have them; None: any in between."""
+
+MARGIN = 1.15
+"""By which wavelengths go beyond the range, so that its ends are not ends of the data."""
+
+FEWEST_POINTS = 12
+"""Mesh sizes in a wave."""
+
+SIZES = (128, 192, 256, 384, 512, 768, 1024)
+MOST_CELLS = SIZES[-1]
+"""In one direction, of waves that the atlas is judged by."""
+
+GROUPS: Groups = {
+    "waviness": {"orientation": "custom", "response": "harmonic"},
+    "grid": {"edges": "flooded"},
+}
+
+
+def contacts(batch: int, count: int = CONTACTS, seed: int = 2000) -> list[dict[str, float]]:
+    """Return the contacts of a batch: a piece of a Sobol sequence over the ranges of the atlas."""
+    sequence = qmc.Sobol(len(CONTACT_RANGES), seed=seed)
+    return [contact_at(shares) for shares in sequence.random((batch + 1) * count)[-count:]]
+
+
+def worst_contacts(atlas: Atlas, seed: int, count: int = CONTACTS) -> list[dict[str, float]]:
+    """Return contacts where the atlas knows least: of many, those with the largest error bars.
+
+    One that was taken makes its neighbours less wanted, by its correlation with them.
+    """
+    sequence = qmc.Sobol(len(CONTACT_RANGES), seed=seed)
+    candidates = [contact_at(shares.tolist()) for shares in sequence.random(CANDIDATES)]
+    waves, angles = np.meshgrid([0.15, 0.4, 1.0, 2.5], [0.0, 40.0, 90.0])
+    errors = [np.mean(atlas.at(one).responses(waves, angles).error ** 2) for one in candidates]
+    table = {key: np.array([one[key] for one in candidates]) for key in CONTACT_RANGES}
+    places = contact_coordinates(table)
+    wanted, chosen = np.array(errors), []
+    for _ in range(count):
+        best = int(np.argmax(wanted))
+        chosen.append(candidates[best])
+        wanted *= 1 - correlation(places, places[[best]], atlas.contact_scales)[:, 0]
+    return chosen
+
+
+def contact_at(shares: Sequence[float]) -> dict[str, float]:
+    """Return a contact by its place in the ranges, 0 to 1 in each of them."""
+    found = {}
+    for (key, (low, high)), share in zip(CONTACT_RANGES.items(), shares, strict=True):
+        found[key] = float(f"{low * (high / low) ** share:.6g}")
+    return found
+
+
+def grid(contact: dict[str, float]) -> tuple[int, int]:
+    """Return cells along X and Y of a contact.
+
+    The inlet asks for them: its pressure grows over a length that shrinks as M grows and L falls.
+    """
+    m, l, d = (contact[key] for key in list(CONTACT_RANGES)[:3])
+    kappa = ellipticity(d)
+    inlet = 0.0141 * (m * kappa) ** 0.44 * l**-0.365  # of 256 cells, as the plan has it
+    steps = ((0.02, 128), (0.035, 192), (0.09, 256), (0.15, 384))
+    along = next((cells for limit, cells in steps if inlet < limit), 512)
+    return along, min(512, along * (1 if kappa > 0.5 else 2))
+
+
+def patterns(contact: dict[str, float], random: np.random.Generator) -> Iterator[dict[str, float]]:
+    """Yield wavelengths of the patterns of a contact that its grid resolves."""
+    cells_x, cells_y = grid(contact)
+    shortest = FEWEST_POINTS * np.array(
+        [4 / cells_x, 4 / ellipticity(contact["radius_ratio_d"]) / cells_y]
+    )
+    for angle, count in DIRECTIONS:
+        order = random.permutation(count)
+        for place in order:
+            theta = np.radians(random.uniform(0, 90) if angle is None else angle)
+            # What neither direction's mesh resolves is not asked for.
+            low = max(WAVE_RANGE[0] / MARGIN, *(shortest * np.abs([np.cos(theta), np.sin(theta)])))
+            high = WAVE_RANGE[1] * MARGIN
+            wave = low * (high / low) ** ((place + random.random()) / count)
+            yield pattern(wave, np.degrees(theta))
+
+
+def pattern(wavelength_over_a: float, angle_deg: float) -> dict[str, float]:
+    """Return the keys of a pattern by its wavelength along the wave vector and its direction."""
+    theta = np.radians(angle_deg)
+    along, across = np.cos(theta), np.sin(theta)
+    return {
+        "wavelength_x_over_a": 0.0 if along < 1e-9 else float(f"{wavelength_over_a / along:.7g}"),
+        "wavelength_y_over_a": 0.0 if across < 1e-9 else float(f"{wavelength_over_a / across:.7g}"),
+    }
+
+
+def write_batch(folder: Path, batch: int, atlas: Atlas | None = None) -> Path:
+    """Write the sweep of a batch, of the contacts that an atlas wants most; return its path."""
+    random = np.random.default_rng([batch, 2000])
+    chosen = contacts(batch) if atlas is None else worst_contacts(atlas, 3000 + batch)
+    return sweeps.write_sweep(folder, f"rolling-{batch:02d}", rows(chosen, random), GROUPS)
+
+
+def write_validation(folder: Path, count: int = 100, each: int = 2) -> Path:
+    """Write the sweep that the atlas is judged by: random contacts and waves."""
+    random = np.random.default_rng(1997)
+    found = []
+    for _ in range(count):
+        contact = contact_at(random.random(len(CONTACT_RANGES)).tolist())
+        for _ in range(each):
+            found.append({**contact, **random_wave(contact, random)})
+    return sweeps.write_sweep(folder, "rolling-validation", found, GROUPS)
+
+
+def random_wave(contact: dict[str, float], random: np.random.Generator) -> dict[str, float]:
+    """Return a pattern of any length and direction in the range, and a grid that resolves it.
+
+    A quarter are transverse. What 1024 cells do not resolve is drawn again.
+    """
+    cells_x, cells_y = grid(contact)
+    extent = 4.0, 4 / ellipticity(contact["radius_ratio_d"])
+    while True:
+        wave = WAVE_RANGE[0] * (WAVE_RANGE[1] / WAVE_RANGE[0]) ** random.random()
+        angle = 0.0 if random.random() < 0.25 else random.uniform(0, 90)
+        needed = [
+            FEWEST_POINTS * length / wave * share
+            for length, share in zip(
+                extent, (np.cos(np.radians(angle)), np.sin(np.radians(angle))), strict=True
+            )
+        ]
+        if max(needed) <= MOST_CELLS:
+            along, across = (
+                next(n for n in (cells, *SIZES) if n >= max(cells, need))
+                for cells, need in zip((cells_x, cells_y), needed, strict=True)
+            )
+            return {**pattern(wave, angle), "cells_x": along, "cells_y": across}
+
+
+def rows(
+    chosen: Sequence[dict[str, float]], random: np.random.Generator
+) -> Iterator[dict[str, float]]:
+    """Yield the cases of some contacts."""
+    for contact in chosen:
+        cells_x, cells_y = grid(contact)
+        for waves in patterns(contact, random):
+            yield {**contact, **waves, "cells_x": cells_x, "cells_y": cells_y}

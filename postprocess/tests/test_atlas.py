@@ -1,0 +1,143 @@
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray as xr
+
+import ehlwave
+from ehlwave.atlas.atlas import SHIPPED, Atlas, checksum, load_atlas
+from ehlwave.atlas.coordinates import Shape
+from ehlwave.atlas.process import Process, Scales, Scattered
+from ehlwave.deform import trace_surface
+from ehlwave.deform.atlas_transfer import AtlasTransfer, with_atlas_film
+
+MOES = {"load_parameter_m": 100, "lubricant_parameter_l": 12.05, "radius_ratio_d": 1}
+LENGTHS = {"semi_axis_a_m": 0.2e-3, "radius_x_m": 12.5e-3}
+
+
+def test_a_process_returns_what_it_was_given_and_falls_to_zero_far_away() -> None:
+    random = np.random.default_rng(3)
+    contacts, waves = random.random((6, 2)), random.random((40, 1))
+    points = Scattered(contacts, np.arange(40) % 6, waves, np.full(40, 1e-4))
+    values = np.sin(3 * waves) + contacts[points.of_contact].sum(axis=1)[:, None]
+    process = Process(points, values, Scales(np.full(2, 1.0), np.full(1, 0.5)))
+    own = np.flatnonzero(points.of_contact == 2)
+    found = process.at_waves(process.at_contact(contacts[2]), waves[own])
+    np.testing.assert_allclose(found, values[own], atol=1e-3)
+    assert np.abs(process.at_waves(process.at_contact(contacts[2] + 50), waves)).max() < 1e-6
+
+
+def test_numbers_that_are_interpolated_give_the_responses_back() -> None:
+    shape = Shape([50.0, 900.0], [4.0, 15.0], [1.0, 0.1])
+    wave, angle = np.array([0.3, 2.0]), np.array([30.0, 90.0])
+    film, pressure = np.array([0.8 + 0.3j, 0.2 + 0j]), np.array([-1 + 2j, -3 + 0j])
+    numbers = shape.reduced(wave, angle, film, pressure)
+    for found, given in zip(shape.responses(wave, angle, numbers), (film, pressure), strict=True):
+        np.testing.assert_allclose(found, given, rtol=1e-12)
+
+
+def test_a_response_is_that_of_the_program() -> None:
+    # ehlwave-case, 128 x 128 cells, flooded edges, extrapolated to mesh size 0
+    contact = ehlwave.Contact(**MOES)
+    angle = float(np.degrees(np.arctan(0.7)))
+    wave = 1 / np.hypot(1 / 0.7, 1)
+    found = contact.response(wavelength_over_a=wave, angle_deg=angle)
+    assert abs(found.film - (0.74479 + 0.25376j)) < min(found.error, 0.03)
+    assert abs(found.pressure - (-2.2806 + 2.3225j)) < 0.3
+    assert 0 < found.error < 0.1
+
+
+def test_film_of_the_paper_experiment_is_that_computed() -> None:
+    ball = ehlwave.Contact(
+        radius_x_m=12.52e-3,
+        radius_y_m=12.52e-3,
+        reduced_modulus_pa=1.17e11,
+        load_n=39.2,
+        viscosity_pa_s=1.22,
+        mean_speed_m_per_s=0.024,
+        pressure_viscosity_per_pa=2.25e-8,
+        roelands_index=0.484,
+    )
+    film = ball.film()
+    assert film.central_m == pytest.approx(0.237e-6, rel=0.01)
+    assert film.minimum_m is not None
+    assert film.minimum_m < film.central_m
+    assert film.central_error < 0.05
+
+
+@pytest.mark.parametrize(
+    ("keys", "asked", "said"),
+    [
+        (MOES, {"wavelength_over_a": 5}, "0.1 to 4"),
+        (MOES, {"wavelength_over_a": 0.05}, "0.1 to 4"),
+        (MOES, {"wavelength_over_a": 1, "angle_deg": 100}, "0 to 90"),
+        (MOES, {"wavelength_over_a": 1, "slip_parameter": 1.5}, "slip_parameter = 1"),
+        ({**MOES, "load_parameter_m": 9}, {"wavelength_over_a": 1}, "load_parameter_m = 9"),
+        ({**MOES, "roelands_index": 0.1}, {"wavelength_over_a": 1}, "roelands_index = 0.1"),
+    ],
+)
+def test_nothing_is_extrapolated(keys: dict, asked: dict, said: str) -> None:
+    with pytest.raises(ValueError, match=said):
+        ehlwave.Contact(**keys).response(**asked)
+
+
+def test_a_surface_is_deformed_by_its_responses() -> None:
+    contact = ehlwave.Contact(**MOES, **LENGTHS)
+    wave = 0.5 * LENGTHS["semi_axis_a_m"]
+    x = np.arange(200) * wave / 20
+    surface = trace_surface(1e-8 * np.cos(2 * np.pi * x / wave), wave / 20, "x", "cosine")
+    found = contact.deform(surface, form="none", ends="none")
+    response = contact.response(0.5)
+    expected = 1e-8 * np.real(response.film * np.exp(2j * np.pi * x / wave))
+    np.testing.assert_allclose(found.height[:, 0], expected, atol=2e-11)
+    assert found.error_m == pytest.approx(response.error * 1e-8 / 2**0.5, rel=0.05)
+    film = contact.film().central_m
+    assert film is not None
+    ratio = contact.lambda_ratio(surface, form="none", ends="none")
+    assert ratio == pytest.approx(film / (abs(response.film) * 1e-8 / 2**0.5), rel=2e-3)
+    by_formula = contact.lambda_ratio(surface, by="paper")
+    assert by_formula != pytest.approx(ratio, rel=0.01)
+
+
+def test_waves_outside_are_continued_and_counted_in_the_error() -> None:
+    conditions = ehlwave.Contact(**MOES, **LENGTHS).conditions
+    transfer = AtlasTransfer(conditions)
+    a = conditions.semi_axis_a_m
+    waves = 1 / (a * np.array([0.01, 0.0999, 0.1001, 3.999, 4.001, 40.0]))
+    zero = np.zeros(1)
+    ratio, error = transfer.ratio(waves, zero), transfer.error(waves, zero)
+    assert abs(ratio[0] - 1) < 0.05 * abs(ratio[2] - 1)
+    assert abs(ratio[1] - ratio[2]) < 1e-3
+    assert abs(ratio[3] - ratio[4]) < 1e-3
+    assert abs(ratio[5]) < 0.15 * abs(ratio[4])
+    assert np.all(error[[0, 5]] >= np.array([abs(1 - ratio[0]), abs(ratio[5])]))
+    np.testing.assert_array_equal(transfer.is_covered(waves, zero), [0, 0, 1, 1, 0, 0])
+    assert transfer.ratio(zero, zero)[0] == 0
+    # conjugate against the motion, even across
+    one = transfer.ratio(waves[2:3], waves[2:3])
+    assert transfer.ratio(-waves[2:3], waves[2:3])[0] == pytest.approx(np.conj(one[0]))
+
+
+def test_the_film_of_the_atlas_takes_the_place_of_the_formula_but_not_of_a_given_one() -> None:
+    conditions = ehlwave.Contact(**MOES, **LENGTHS).conditions
+    atlas = with_atlas_film(conditions)
+    assert atlas.film_source.startswith("atlas")
+    assert atlas.central_film_m != conditions.central_film_m
+    given = ehlwave.Contact(**MOES, **LENGTHS, central_film_m=1e-7).conditions
+    assert with_atlas_film(given).central_film_m == 1e-7
+
+
+def test_the_file_has_units_provenance_and_a_checksum(tmp_path: Path) -> None:
+    assert SHIPPED.stat().st_size < 200_000
+    with xr.open_dataset(SHIPPED) as opened:
+        data = opened.load()
+    assert data.attrs["checksum"] == checksum(data)
+    assert "revision" in data.attrs["program"]
+    assert all("long_name" in data[name].attrs for name in data.variables)
+    assert data["pressure_viscosity_per_pa"].attrs["units"] == "1/Pa"
+    data["film_real"][3] += 0.1
+    data.to_netcdf(tmp_path / "damaged.nc", engine="scipy")
+    with pytest.raises(ehlwave.ResultsError, match="damaged"):
+        load_atlas(tmp_path / "damaged.nc")
+    with pytest.raises(ehlwave.ResultsError, match="not a file"):
+        Atlas(data.assign_attrs(format="else"))

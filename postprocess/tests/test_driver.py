@@ -1,0 +1,93 @@
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+import xarray as xr
+
+import ehlwave
+from ehlwave.case_figures import case_figure, undeformed_history, units_of
+from ehlwave.programs import find_program, namelist
+
+EXAMPLES = Path(__file__).parents[1] / "examples"
+MOES = {"load_parameter_m": 60, "lubricant_parameter_l": 6, "radius_ratio_d": 1}
+COARSE = {"cells_x": 32, "cells_y": 32}
+
+
+def has_programs() -> bool:
+    try:
+        return bool(find_program("ehlwave-case")) and bool(find_program("ehlwave-sweep"))
+    except ehlwave.ProgramError:
+        return False
+
+
+needs_programs = pytest.mark.skipif(not has_programs(), reason="the programs are not built")
+
+
+def test_a_program_that_is_not_there_is_named(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("EHLWAVE_PROGRAMS", str(tmp_path))
+    with pytest.raises(ehlwave.ProgramError, match="has no program ehlwave-case"):
+        find_program("ehlwave-case")
+    program = tmp_path / "ehlwave-case"
+    program.write_text("#!/bin/sh\n")
+    program.chmod(0o755)
+    assert find_program("ehlwave-case") == program
+
+
+def test_input_files_have_fortran_values() -> None:
+    text = namelist({"a": {"word": "x", "truth": True, "many": [1, 2.5]}})
+    assert text == "&a\n  word = 'x'\n  truth = .true.\n  many = 1, 2.5\n/\n"
+
+
+def test_the_page_of_the_engineer_runs() -> None:
+    command = [sys.executable, str(EXAMPLES / "engineer.py")]
+    said = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+    assert "lambda ratio" in said
+    assert "Reduced by   atlas" in said
+
+
+@needs_programs
+def test_a_case_is_planned_run_and_drawn() -> None:
+    case = ehlwave.Case(**MOES, **COARSE, orientation="transverse", wavelength_over_a=1.5)
+    assert case.plan()["cells_x"] == 32
+    assert "&waviness" in repr(case)
+    result = case.run()
+    assert result.attrs["status"] in ("converged", "unresolved")
+    assert {"x", "y"} == set(result["film"].dims)
+    assert result["central_film"].attrs["units"] == "1"
+    assert units_of(result).names[0] == "$x/a$"
+    rigid = undeformed_history(result)
+    assert rigid is not None
+    central = float(result["central_film"])
+    assert rigid.max() == pytest.approx(1.2 * central, rel=0.02)
+    assert len(case_figure(result).axes) >= 6
+
+
+@needs_programs
+def test_unknown_keys_are_refused_with_a_hint() -> None:
+    with pytest.raises(ehlwave.ProgramError, match="load_parameter_m"):
+        ehlwave.Case(load_parameter=100)
+    with pytest.raises(ehlwave.ProgramError, match="exit status 2"):
+        ehlwave.Case(**MOES, cells_x=-5).plan()
+
+
+@needs_programs
+def test_a_study_returns_text_as_text_and_goes_on(tmp_path: Path) -> None:
+    output = tmp_path / "results.h5"
+    shared = {**MOES, **COARSE, "orientation": "transverse", "response": "harmonic"}
+    study = ehlwave.Study({"wavelength_over_a": [1.0, 2.0], **shared})
+    results = study.run(output)
+    assert results.sizes["case"] == 2
+    assert set(results["status"].values) <= {"converged", "unresolved"}
+    with xr.open_dataset(output) as opened:
+        assert opened["status"].values[0] in ("converged", "unresolved")
+        assert opened["orientation"].values[0] == "transverse"
+    rows = [{"wavelength_over_a": wave} for wave in (1.0, 2.0, 3.0)]
+    again = ehlwave.Study(rows, **shared).run(output)
+    assert again.sizes["case"] == 3
+    kept = dict(zip(results["case_id"].values, results["seconds"].values, strict=True))
+    found = dict(zip(again["case_id"].values, again["seconds"].values, strict=True))
+    assert all(found[name] == seconds for name, seconds in kept.items())
+    assert "32 x 32" in study.plan()

@@ -1,0 +1,95 @@
+"""The closed forms and the law of the two waves, against numbers of ``ehlwave-case``."""
+
+import numpy as np
+import pytest
+
+from ehlwave.deform.conditions import Conditions, conditions_from_keys, corrected_film
+from ehlwave.medium import Oil, hertz_medium
+from ehlwave.rolling import rolling_transfer
+from ehlwave.two_waves import two_waves
+
+KEYS = {
+    "load_parameter_m": 100,
+    "lubricant_parameter_l": 12.05,
+    "radius_ratio_d": 1,
+    "reduced_modulus_pa": 226e9,
+    "semi_axis_a_m": 1e-4,
+}
+EYRING = {"eyring_stress_pa": 5e6}
+
+# M = 100, L = 12.05, D = 1, flooded, 128 x 128 cells; the film response over Ai.
+COMPUTED = (
+    # S, eyring, lambda_x/a, lambda_y/a, response
+    (1.2, True, 0.5, 1.0, 0.606137 + 0.436863j),
+)
+
+
+def conditions(slip: float = 1.0, *, eyring: bool = True) -> Conditions:
+    return conditions_from_keys(KEYS | (EYRING if eyring else {}) | {"slip_parameter": slip})
+
+
+def film(slip: float, wave_x: float, wave_y: float = 0.0, *, eyring: bool = True) -> complex:
+    return complex(two_waves(conditions(slip, eyring=eyring), slip, wave_x, wave_y).at(0.0))
+
+
+def test_scales_are_those_of_the_program() -> None:
+    contact = conditions()
+    assert contact.alphabar == pytest.approx(20.379847374576993, rel=1e-12)
+    assert contact.lambdabar == pytest.approx(0.023650815000767617, rel=1e-12)
+    # The program's film is off by 1.7 per cent on this grid.
+    assert corrected_film(100, 12.05, 1) == pytest.approx(0.1496 / 1.017, rel=0.03)
+
+
+def test_closed_forms_are_those_of_the_program() -> None:
+    """The program takes the pressure of the computed centre, 1.005 ph, in place of ph."""
+    contact = conditions(1.2)
+    medium = hertz_medium(contact.oil, 1.0, contact.alphabar, contact.lambdabar, 0.149646, 1.2)
+    kx, ky = 2 * np.pi / 0.5, 2 * np.pi
+    assert abs(medium.attenuated(kx, ky, 1.2) - (0.607468 + 0.447229j)) < 0.005
+    assert abs(medium.complementary_number(1.2 * kx, ky) - (13.186058 + 2.881245j)) < 0.05
+
+
+@pytest.mark.parametrize("case", COMPUTED)
+def test_film_response(case: tuple[float, bool, float, float, complex]) -> None:
+    slip, eyring, wave_x, wave_y, computed = case
+    assert abs(film(slip, wave_x, wave_y, eyring=eyring) - computed) < 0.06
+
+
+def test_without_slip_the_waves_add_up_to_pure_rolling() -> None:
+    waves = np.array([0.25, 0.5, 1.0, 2.0])
+    rolled = rolling_transfer(100, 12.05, 1.0, waves)
+    near = [film(1 + 1e-6, wave) for wave in waves]
+    np.testing.assert_allclose(near, rolled, atol=1e-4)
+    at_one = [film(1.0, wave) for wave in waves]
+    np.testing.assert_allclose(at_one, rolled, atol=1e-12)
+
+
+def test_newtonian_flow_is_the_limit_of_a_large_stress() -> None:
+    newtonian = conditions(1.3, eyring=False)
+    large = hertz_medium(
+        Oil(stress_modulus_pa2=1e40), 1.0, newtonian.alphabar, newtonian.lambdabar, 0.15, 1.3
+    )
+    plain = hertz_medium(Oil(), 1.0, newtonian.alphabar, newtonian.lambdabar, 0.15, 1.3)
+    assert large.eps_x == pytest.approx(plain.eps_x, rel=1e-9)
+    assert large.eps_y == pytest.approx(plain.eps_y, rel=1e-9)
+
+
+def test_deep_in_the_eyring_regime_one_number_decides() -> None:
+    """Incompressible, transverse: a = 1/(1 - i (6/pi^2) (tau0/E') (lambda/h)^2) for S > 1."""
+    contact = conditions(1.3)
+    medium = contact.medium(1.3)
+    rigid = type(medium)(1.0, 0.0, medium.h, medium.eps_x / medium.rho, 0.0, medium.k)
+    # h = H c and c = 2 K ph a/E'.
+    hertz_pa = contact.alphabar / contact.oil.pressure_viscosity_per_pa
+    film_over_a = medium.h * 2 * medium.k * hertz_pa / 226e9
+    for wave in (0.25, 0.5, 1.0):
+        number = 5e6 / 226e9 * (wave / film_over_a) ** 2
+        expected = 1 / (1 - 6j / np.pi**2 * number)
+        assert abs(rigid.attenuated(2 * np.pi / wave, 0.0, 1.3) - expected) < 1e-3
+
+
+def test_what_does_not_move_is_refused() -> None:
+    with pytest.raises(ValueError, match="do not move"):
+        film(0.0, 0.5)
+    with pytest.raises(ValueError, match="do not move"):
+        film(1.2, 0.0, 0.5)

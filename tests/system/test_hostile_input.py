@@ -1,0 +1,99 @@
+"""Inputs that are long, large, damaged or meant to harm: refused in a line, in linear time, in little memory."""
+
+import tempfile
+import unittest
+from pathlib import Path
+
+from attack import REFUSED, attack
+from ehlwave_program import namelist
+
+MOES = "&conditions load_parameter_m = 100, lubricant_parameter_l = 12.05, radius_ratio_d = 1 /\n"
+GRID = {"cells_x": 32, "cells_y": 32}
+DIMENSIONAL = {"radius_x_m": 12.52e-3, "radius_y_m": 12.52e-3, "reduced_modulus_pa": 1.17e11, "load_n": 39.2,
+               "mean_speed_m_per_s": 0.024, "viscosity_pa_s": 1.22}
+
+
+class HostileInput(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def write(self, name, text):
+        data = text if isinstance(text, bytes) else text.encode()
+        (self.folder/name).write_bytes(data)
+
+    def judge(self, what, needle, program, *arguments, status=REFUSED):
+        """The program must end as expected, say `needle`, and behave."""
+        with self.subTest(what=what):
+            outcome = attack(program, *arguments, folder=self.folder)
+            self.assertEqual(outcome.faults(), [], outcome.stderr[:500])
+            self.assertEqual(outcome.status, status, outcome.stderr[:500])
+            self.assertIn(needle, outcome.stdout + outcome.stderr)
+
+    def test_namelists(self):
+        for what, text, needle in [
+                ("100,000 keys", "&conditions\n" + "".join(f" k{i} = 1\n" for i in range(100000)) + "/\n", "unknown key 'k0'"),
+                ("100,000 groups", "".join(f"&g{i} a = 1 /\n" for i in range(100000)), "unknown group &g0"),
+                ("key given 100,000 times", "&grid\n" + " cells_x = 32\n"*100000 + "/\n", "given twice"),
+                ("value of 1 MB", MOES + f"&solver method = '{'n'*10**6}' /\n", "not one of the choices"),
+                ("number of 1 MB", MOES.replace("100,", "1"*10**6 + ","), "too large"),
+                ("key of 1 MB", f"&conditions {'k'*10**6} = 1 /\n", "not the name of a key"),
+                ("1 MB of quotes", MOES + f"&solver method = '{chr(39)*10**6} /\n", "quote without its partner"),
+                ("100,000 values", MOES + f"&grid cells_x = {'1, '*99999}1 /\n", "100000 values"),
+                ("repeat count", MOES + "&grid cells_x = 99999999*1 /\n", "repeat count"),
+                ("escape bytes", MOES + "&solver method = '\x1b[2J\x1b]0;x\x07' /\n", "not one of the choices"),
+                ("other control bytes", MOES + "&solver method = '\u009b2J' /\n", "not one of the choices"),
+                ("escape byte as key", MOES + "&solver \x1bmethod = 'fas' /\n", "not plain ASCII"),
+                ("a megabyte of blanks", " "*10**6, "no group")]:
+            self.write("case.nml", text)
+            self.judge(what, needle, "case", "case.nml", "--plan")
+        self.judge("name with escape bytes", "o such file", "case", "\x1b[2J.nml")
+        self.judge("option with escape bytes", "unknown option", "case", "--\x1b[2J")
+        self.judge("argument of 100,000 bytes", "characters", "case", "x"*100000)
+
+    def test_lists(self):
+        lists = {"load_parameter_m": list(range(1, 2001)), "lubricant_parameter_l": list(range(1, 2001)), "radius_ratio_d": 1}
+        self.write("sweep.nml", namelist({"sweep": lists, "grid": GRID}))
+        self.judge("4 million combinations", "4000000 combinations", "sweep", "sweep.nml", "--plan")
+        self.write("sweep.nml", "&sweep load_parameter_m = 50000*20, lubricant_parameter_l = 5, radius_ratio_d = 1 /\n")
+        self.judge("50000 times the same", "1 cases,", "sweep", "sweep.nml", "--plan", status=0)
+
+    def test_tables(self):
+        self.write("sweep.nml", namelist({"sweep": {"case_file": "cases.csv"}, "grid": GRID}))
+        header = "load_parameter_m,lubricant_parameter_l,radius_ratio_d"
+        for what, text, needle in [
+                ("100,000 columns", ",".join(f"c{i}" for i in range(100000)) + "\n" + "1,"*99999 + "1\n", "'c0'"),
+                ("2,000 columns, a million blank lines", ",".join(f"c{i}" for i in range(2000)) + "\n"*10**6 + "1,"*1999 + "1\n",
+                 "'c0'"),
+                ("a million short rows", header + "\n" + "1\n"*10**6, "cases.csv:2: 1 values"),
+                ("a million rows", "load_parameter_m\n" + "1\n"*10**6, "1000000 rows"),
+                ("a cell of 1 MB", header + "\n" + "1"*10**6 + ",1,1\n", "longer than 64"),
+                ("escape bytes", header + ",\x1b[2J\n1,1,1,1\n", "unknown"),
+                ("only commas", ","*10**6 + "\n", "given twice"),
+                ("17 MiB", "# \n"*6*10**6, "larger than 16 MiB")]:
+            self.write("cases.csv", text)
+            self.judge(what, needle, "sweep", "sweep.nml", "--plan")
+        self.write("cases.csv", b"\xef\xbb\xbf" + f"{header}\r\n100,5,1\r\n".encode())
+        self.judge("a table of a spreadsheet", "1 cases,", "sweep", "sweep.nml", "--plan", status=0)
+
+    def test_surfaces(self):
+        try:
+            import h5py
+        except ImportError:
+            self.skipTest("h5py is missing")
+        self.write("case.nml", namelist({"conditions": DIMENSIONAL, "surface": {"file": "s.h5"}, "grid": GRID}))
+        for what, shape, needle in [("298 GiB", (200000, 200000), "4e10 points"), ("2^31 points", (2, 2**30), "points"),
+                                    ("numbers that are not there", (5, 7), "cannot be read"), ("one dimension", (35,), "cannot be read")]:
+            with h5py.File(self.folder/"s.h5", "w") as file:
+                file.create_dataset("height", shape=shape, dtype="f8", chunks=tuple(min(n, 64) for n in shape))
+                file["x"] = [8e-6*i for i in range(7)]
+                file["y"] = [8e-6*i for i in range(5)]
+            self.judge(what, needle, "case", "case.nml", "--plan")
+        whole = (self.folder/"s.h5").read_bytes()
+        self.write("s.h5", whole[:len(whole)//2])
+        self.judge("half a file", "s.h5", "case", "case.nml", "--plan")
+
+
+if __name__ == "__main__":
+    unittest.main()
