@@ -237,6 +237,15 @@ contains
       end if
    end subroutine run_moving
 
+   !> What a time step is asked for. The tolerance is relative to the film; for small waves it has to follow their amplitude.
+   pure function step_limits(case, amplitude_over_film) result(limits)
+      type(case_t), intent(in) :: case
+      real(dp), intent(in) :: amplitude_over_film
+      type(solve_limits_t) :: limits
+      limits = solve_limits_t(tolerance=case%step_tolerance*min(1.0_dp, amplitude_over_film/usual_amplitude), &
+                              largest_steps=case%largest_steps)
+   end function step_limits
+
    !> Relative error of the amplitude in the last period, by what it has changed since the period before; 0 where that one still
    !> has what came in before the waves. Measured from rest: 0.02 to 0.8 of the change is still to come, most where it is small.
    real(dp) function change_in_a_period(case, plan, history, amplitude) result(change)
@@ -254,15 +263,6 @@ contains
          change = settling_share*abs(abs(fitted_harmonic(time, film, plan%waviness%period()))/amplitude - 1)
       end associate
    end function change_in_a_period
-
-   !> What a time step is asked for. The tolerance is relative to the film; for small waves it has to follow their amplitude.
-   pure function step_limits(case, amplitude_over_film) result(limits)
-      type(case_t), intent(in) :: case
-      real(dp), intent(in) :: amplitude_over_film
-      type(solve_limits_t) :: limits
-      limits = solve_limits_t(tolerance=case%step_tolerance*min(1.0_dp, amplitude_over_film/usual_amplitude), &
-                              largest_steps=case%largest_steps)
-   end function step_limits
 
    !> Pattern that stands still: one steady state for each phase, no time stepping.
    subroutine run_standing_pattern(case, plan, multigrid, rescue, monitor, result)
