@@ -8,18 +8,18 @@ program ehlwave_case
    use ehlwave_case_report, only: print_plan, print_result
    use ehlwave_case_result, only: case_result_t
    use ehlwave_errors, only: error_t
-   use ehlwave_estimated_case, only: run_estimated_case
    use ehlwave_field_file, only: write_case_file
    use ehlwave_key_reference, only: case_key_reference
    use ehlwave_log, only: log_monitor_t
    use ehlwave_output_path, only: check_output_path
    use ehlwave_petsc_library, only: finish_petsc
-   use ehlwave_posix, only: ignore_broken_pipes
+   use ehlwave_posix, only: end_program, ignore_broken_pipes
    use ehlwave_provenance, only: git_revision, program_version
    use ehlwave_provenance_list, only: print_version
    use ehlwave_quantities, only: add_plan, add_result
    use ehlwave_quantity, only: quantity_list_t
    use ehlwave_quantity_output, only: json_object
+   use ehlwave_refined_case, only: run_refined_case
    use ehlwave_status, only: is_success
    use ehlwave_terminal, only: complain, print_last
    implicit none (type, external)
@@ -37,7 +37,7 @@ program ehlwave_case
       '  --version        version of the program; --verbose: with build, libraries, processor', &
       '  --help           this text', &
       '', &
-      'Exit status: 0 converged (or unresolved, flagged in the result); 1 not converged;', &
+      'Exit status: 0 converged (or unresolved, flagged in the result); 1 not converged, or inaccurate;', &
       '             2 bad input or usage; 3 output could not be written', &
       '', &
       'A minimal input:   &conditions load_parameter_m = 100, lubricant_parameter_l = 12.05,', &
@@ -63,10 +63,10 @@ program ehlwave_case
       call finish(trim(usage(size(usage))), 0)
    else if (arguments%has('--keys')) then
       write (output_unit, '(a)', advance='no') case_key_reference(is_markdown=.false.)
-      stop 0, quiet=.true.
+      call end_program(0)
    else if (arguments%has('--version')) then
       call print_version(output_unit, arguments%has('--verbose'))
-      stop 0, quiet=.true.
+      call end_program(0)
    end if
    if (size(arguments%files) /= 1) call fail('give one input file; see ehlwave-case --help', 2)
 
@@ -87,7 +87,7 @@ program ehlwave_case
 
    monitor%is_quiet = arguments%has('--quiet')
    flush (output_unit)
-   call run_estimated_case(case, plan, monitor, result)
+   call run_refined_case(case, plan, monitor, result)
    call finish_petsc()
    call print_result(output_unit, case, plan, result)
    if (arguments%has('--output')) then
@@ -115,14 +115,14 @@ contains
       integer, intent(in) :: code
       call print_last(line, is_written)
       if (.not. is_written) call fail('standard output could not be written', 3)
-      stop code, quiet=.true.
+      call end_program(code)
    end subroutine finish
 
    subroutine fail(message, code)
       character(len=*), intent(in) :: message
       integer, intent(in) :: code
       call complain('ehlwave-case', message)
-      stop code, quiet=.true.
+      call end_program(code)
    end subroutine fail
 
 end program ehlwave_case

@@ -2,13 +2,13 @@
 program ehlwave_sweep
    use, intrinsic :: iso_fortran_env, only: output_unit
    use ehlwave_arguments, only: arguments_t, read_arguments
-   use ehlwave_estimated_case, only: run_estimated_case
    use ehlwave_case_table, only: read_output_name, read_sweep
    use ehlwave_errors, only: error_t
    use ehlwave_petsc_library, only: finish_petsc
-   use ehlwave_posix, only: catch_signals, ignore_broken_pipes
+   use ehlwave_posix, only: catch_signals, end_program, ignore_broken_pipes
    use ehlwave_provenance, only: git_revision, program_version
    use ehlwave_provenance_list, only: print_version
+   use ehlwave_refined_case, only: run_refined_case
    use ehlwave_sweep_cases, only: sweep_t
    use ehlwave_sweep_job, only: mpi_library, run_job
    use ehlwave_sweep_keys, only: sweep_key_reference
@@ -87,7 +87,7 @@ program ehlwave_sweep
       if (rank == 0) call print_sweep_plan(output_unit, sweep)
       call conclude(exit_done)
    end if
-   call run_job(mpi_comm_world, run_estimated_case, trim(arguments%files(1)), sweep, options, code)
+   call run_job(mpi_comm_world, run_refined_case, trim(arguments%files(1)), sweep, options, code)
    call finish(code)
 
 contains
@@ -113,7 +113,7 @@ contains
       else if (is_first) then
          write (output_unit, '(a)', advance='no') sweep_key_reference(arguments%has('--markdown'))
       end if
-      stop exit_done, quiet=.true.
+      call end_program(exit_done)
    end subroutine answer
 
    subroutine show_status()
@@ -177,7 +177,7 @@ contains
       flush (output_unit)
       call finish_petsc()
       call mpi_finalize()
-      stop status, quiet=.true.
+      call end_program(status)
    end subroutine finish
 
 end program ehlwave_sweep

@@ -129,6 +129,57 @@ def test_instrument_formats_by_surfacetopography(tmp_path: Path) -> None:
         read_surface(write(tmp_path / "bad.x3p", "not a zip archive"))
 
 
+POSITIONS = 2e-3 * np.arange(40)
+
+
+def comma(text: str) -> str:
+    return text.replace(".", ",")
+
+
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [
+        (
+            "stylus.txt",
+            "Roughness tester  No. 12\nDate\t2026-11-22\nCutoff\t0,8 mm\n\n"
+            "Position\tProfile\n[mm]\t[um]\n" + comma(rows(POSITIONS, HEIGHTS, separator="\t")),
+        ),
+        (
+            "tester.csv",
+            "Instrument;Model 5\nSpacing;2,0;um\nZ-Unit;nm\nPoints;40\nData\n"
+            + comma(rows(1e3 * HEIGHTS))
+            + "END\n",
+        ),
+        (
+            "columns.csv",
+            "# exported\nNo.,X (mm),Y (mm),Z (um),Intensity\n"
+            + rows(np.arange(40), POSITIONS, 0 * POSITIONS, HEIGHTS, 100 + HEIGHTS),
+        ),
+        (
+            "blanks.asc",
+            "Trace 1, load 5 mN\nDistance [mm]   Height [um]\n"
+            + comma(rows(POSITIONS, HEIGHTS, separator="   ")),
+        ),
+    ],
+)
+def test_preambles_of_instruments(tmp_path: Path, name: str, text: str) -> None:
+    surface = read_surface(write(tmp_path / name, text))
+    np.testing.assert_allclose(surface.height[:, 0], HEIGHTS * 1e-6, rtol=1e-9)
+    assert surface.step_x_m == pytest.approx(2e-6)
+
+
+def test_a_map_with_its_extent_in_the_preamble(tmp_path: Path) -> None:
+    text = "# Channel: Height\n# Width: 50.0 \u00b5m\n# Height: 0.12 mm\n# Value units: nm\n"
+    surface = read_surface(write(tmp_path / "map.txt", text + rows(1e3 * MAP, separator="\t")))
+    assert (surface.step_x_m, surface.step_y_m) == pytest.approx((2e-6, 3e-6))
+    np.testing.assert_allclose(surface.height, MAP.T * 1e-6, rtol=1e-9)
+
+
+def test_text_without_numbers_is_refused_with_what_to_write(tmp_path: Path) -> None:
+    with pytest.raises(SurfaceError, match="no numbers"):
+        read_surface(write(tmp_path / "note.txt", "Dear all,\nplease find attached\nthe profile\n"))
+
+
 def test_missing_heights_are_refused_or_filled(tmp_path: Path) -> None:
     broken = MAP.copy()
     broken[3, 4] = broken[7, 7] = np.nan
@@ -226,7 +277,8 @@ def test_damaged_archives_are_refused(tmp_path: Path, compressed: bool) -> None:
         except SurfaceError as error:
             messages.append(str(error))
     assert len(messages) > len(damaged) // 4
-    assert all(len(message) < 600 and "\n" not in message for message in messages)
+    assert max(map(len, messages)) < 600
+    assert not any("\n" in message for message in messages)
 
 
 def test_files_that_claim_too_much_are_refused(tmp_path: Path) -> None:

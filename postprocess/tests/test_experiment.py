@@ -39,6 +39,7 @@ from studies.experiment.measure import (
     time_amplitude_um,
     time_mean_um,
 )
+from studies.experiment.trace import AMPLITUDE_UM
 from studies.section import COMPARISON
 
 INPUTS = Path(__file__).parents[2] / "inputs" / "full"
@@ -67,6 +68,7 @@ def write_runs(
             "status": "converged",
             "central_film": level / C_UM,
             "central_film_um": level,
+            "mean_film_rise": 0.01 / AMPLITUDE_UM,
             "load_parameter_m": moes.m,
             "lubricant_parameter_l": moes.l,
             "alphabar": 12.36,
@@ -150,6 +152,8 @@ def test_section_compares_every_number_and_says_what_misses(study: Path) -> None
     assert films["rise of the mean film by the waves at 0.024 m/s"][3] == pytest.approx(
         0.01, abs=2e-4
     )
+    # these fields' level is a "smooth" film of the cosine: 0.01 um are added to it
+    assert films["mean film, second order at 0.048 m/s"][3] == pytest.approx(0.40)
     assert films["Ad/Ai, cosine at 0.048 m/s"][3] == pytest.approx(0.13 / 0.14, rel=1e-3)
     assert printed["V at 0.048 m/s"][3] == pytest.approx(1.035, abs=0.01)
     assert printed["W"][3] == pytest.approx(2.1374e-6, rel=1e-4)

@@ -135,3 +135,12 @@ def test_results_of_before_have_truncated_edges(tmp_path: Path) -> None:
     results = read_results([new, write_results(tmp_path / "old.h5", make_columns())])
     assert results["edges"].values.tolist() == ["flooded"] * 60 + ["truncated"] * 60
     assert select_points(results, edges="truncated").sizes["case"] == 60
+
+
+def test_inaccurate_points_on_demand(tmp_path: Path) -> None:
+    columns = make_columns()
+    columns["status"] = columns["status"].astype("U12")
+    columns["status"][:3] = "inaccurate"
+    results = _read(tmp_path, columns)
+    assert select_points(results)["case"].values.tolist() == list(range(3, 60))
+    assert select_points(results, include_inaccurate=True).sizes["case"] == 60

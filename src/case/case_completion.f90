@@ -37,8 +37,7 @@ contains
 
    !> What a line contact, D = 0, has not: anything that varies along Y or is about its width; an approach whose change
    !> in time is known (that under a line load on a half-space is determined but for a constant times the load, so there
-   !> is no equation of motion); models of error and cost, which are fitted to elliptical contacts; FAS and MLMI, which
-   !> are not written for it.
+   !> is no equation of motion); FAS and MLMI, which are not written for it.
    subroutine complete_line(case, error)
       type(case_t), intent(inout) :: case
       type(error_t), allocatable, intent(inout) :: error
@@ -56,11 +55,6 @@ contains
          call raise(error, "&solver method = 'fas'"//line//"is solved by 'newton' or 'petsc'")
       else if (case%deformation == 'mlmi') then
          call raise(error, "&solver deformation = 'mlmi'"//line//"has its deformation by 'fft'")
-      else if (case%accuracy > 0) then
-         call raise(error, '&solver accuracy = '//to_text(case%accuracy, 3)//line//'has no model of its error yet: give '// &
-                    'cells_x, and see the errors that the result states')
-      else if (case%error_estimate == 'model') then
-         call raise(error, "&solver error_estimate = 'model'"//line//"has no model of its error yet: use 'coarse_grid'")
       else if (case%load_balance == 'equation_of_motion') then
          call raise(error, "&dynamics load_balance = 'equation_of_motion'"//line//'has no mutual approach of its own (that of '// &
                     "a line load on a half-space is infinite): use 'force_balance'")

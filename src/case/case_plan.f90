@@ -1,17 +1,19 @@
 !> The plan of one case, made before it runs: what is computed, on which grid, in how many steps, and why.
 module ehlwave_case_plan
-   use ehlwave_accuracy_model, only: expected_film_error, expected_long_step_error, expected_ratio_error, &
+   use ehlwave_accuracy_model, only: expected_film_error, expected_long_step_error, expected_ratio_error, expected_step_error, &
       steady_work_units, step_work_units
    use ehlwave_case_completion, only: case_conditions
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_lubricant, only: case_lubricant
    use ehlwave_conditions, only: conditions_t
    use ehlwave_deformation_choice, only: chosen_deformation
-   use ehlwave_domain_choice, only: choose_domain, expected_domain_error
+   use ehlwave_domain_choice, only: choose_domain, expected_domain_errors
+   use ehlwave_error_parts, only: error_parts_t
    use ehlwave_errors, only: error_t, raise
    use ehlwave_grid_choice, only: choose_grid, formula_ratio
    use ehlwave_identity_index, only: identity_length
    use ehlwave_kinds, only: dp, no_value
+   use ehlwave_linear_range, only: expected_nonlinearity
    use ehlwave_resolution, only: judge_resolution, resolution_t
    use ehlwave_rheology, only: rheology_t
    use ehlwave_surface_plan, only: read_case_surface, surface_times
@@ -37,7 +39,8 @@ module ehlwave_case_plan
       logical :: is_half = .true.                    !! only Y >= 0 is computed
       real(dp) :: x_min = 0, x_max = 0, y_max = 0    !! domain; the pattern starts at the x_min of the case whatever it is
       real(dp) :: domain_scale = 1                   !! over the domain of the case
-      real(dp) :: domain_error = 0                   !! relative, expected by the edges, of what expected_error is of
+      real(dp) :: domain_error = 0                   !! relative, expected by the edges, of what expected_error is of,
+      real(dp) :: film_domain_error = 0              !! and of H(0,0)
       integer :: cells_x = 0, cells_y = 0            !! of the whole domain; cells_y = 1 of a line contact
       character(len=:), allocatable :: grid_reason
       real(dp) :: hx = 0, hy = 0                     !! hy = 0 of a line contact
@@ -50,8 +53,9 @@ module ehlwave_case_plan
       integer :: largest_total_steps = 0             !! cap on the nonlinear steps of the finest grid
       integer :: phases = 0                          !! steady solutions of a standing pattern
       type(resolution_t) :: resolution
-      real(dp) :: expected_error = 0                 !! relative, of Ad/Ai, of smooth contacts of H(0,0); from a model
-      real(dp) :: expected_work_units = 0            !! from a model; both NaN of line contacts, for which there is none
+      type(error_parts_t) :: expected                !! relative errors of Ad/Ai, of smooth contacts of H(0,0); from models
+      real(dp) :: expected_error = 0                 !! of mesh, time and tolerances among them
+      real(dp) :: expected_work_units = 0            !! from a model; NaN of line contacts, for which there is none
       real(dp) :: cost = 0                           !! expected effort, node updates of the finest grid
    contains
       procedure :: expected_seconds
@@ -74,7 +78,7 @@ contains
       type(case_plan_t), intent(out) :: plan
       type(error_t), allocatable, intent(inout) :: error
       type(case_t) :: copy
-      real(dp) :: kappa
+      real(dp) :: errors(2), kappa
 
       copy = case
       call case_conditions(copy, plan%conditions, error)
@@ -84,7 +88,9 @@ contains
       plan%x_min = copy%x_min
       plan%x_max = copy%x_max
       plan%y_max = copy%y_max
-      plan%domain_error = expected_domain_error(case, plan%conditions, plan%domain_scale)
+      errors = expected_domain_errors(case, plan%conditions, plan%domain_scale)
+      plan%film_domain_error = errors(1)
+      plan%domain_error = errors(2)
       if (case%edges == 'flooded') copy%accuracy = case%accuracy - min(0.5_dp*case%accuracy, plan%domain_error)
       kappa = plan%conditions%elliptic%kappa
       plan%rheology = case_lubricant(case, plan%conditions)
@@ -139,27 +145,30 @@ contains
    end function chosen_step
 
    !> Error and cost to expect of a plan that is complete but for them. Whole domains cost twice as much as half ones.
-   !> The models are those of elliptical contacts; of a line contact nothing is said.
+   !> The model of the cost is that of elliptical contacts.
    subroutine expect(case, plan)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(inout) :: plan
       real(dp) :: samples, step_tolerance
 
-      if (plan%conditions%is_line()) then
-         plan%expected_error = no_value
-         plan%expected_work_units = plan%expected_error
-         return
-      end if
       samples = plan%resolution%samples
       step_tolerance = case%step_tolerance
       if (plan%kind == run_harmonic) then     ! has the frequency of steps dT = hX, and no tolerance of its own
          if (plan%waviness%moves()) samples = plan%waviness%period()/plan%hx
          step_tolerance = 0
       end if
-      plan%expected_error = expected_film_error(plan%conditions, plan%hx)
-      if (plan%waviness%is_present .and. .not. allocated(plan%waviness%surface)) plan%expected_error = &
-         expected_ratio_error(plan%conditions, formula_ratio(case, plan%conditions), plan%hx, plan%resolution%points_y, &
-                              plan%cells_per_step, samples, step_tolerance)
+      plan%expected%domain = plan%domain_error
+      plan%expected%mesh = expected_film_error(plan%conditions, plan%hx)
+      if (plan%waviness%is_present .and. .not. allocated(plan%waviness%surface)) then
+         plan%expected%mesh = expected_ratio_error(plan%conditions, formula_ratio(case, plan%conditions), plan%hx, &
+                                                   plan%resolution%points_y, 1, samples, 0.0_dp)
+         if (samples > 0) plan%expected%time = expected_long_step_error(plan%cells_per_step, samples)
+         if (samples > 0) plan%expected%algebraic = expected_step_error(step_tolerance)
+         if (plan%kind == run_march .or. plan%kind == run_standing) plan%expected%amplitude = expected_nonlinearity(case)
+      end if
+      plan%expected_error = plan%expected%mesh + plan%expected%time + plan%expected%algebraic
+      plan%expected_work_units = no_value
+      if (plan%conditions%is_line()) return
       plan%expected_work_units = (1 + 0.5_dp*plan%phases)*steady_work_units(plan%conditions, plan%cells_x) &
                                  + plan%steps*step_work_units(plan%conditions, plan%cells_x)
       if (plan%responds) plan%expected_work_units = plan%expected_work_units + response_work_units

@@ -7,7 +7,7 @@ module ehlwave_domain_choice
    use ehlwave_kinds, only: dp
    implicit none (type, external)
    private
-   public :: choose_domain, expected_domain_error
+   public :: choose_domain, expected_domain_errors, may_enlarge
 
    ! Measured, domains of (-2.5, 1.5, 2) to (-40, 8, 24): P = 0 at the edges leaves 0.55 to 0.75 of the thickening alpha q of the
    ! inlet edge for M = 20 to 500, and the load outside in the power by which the film of the formula falls with the load (M = 4.2,
@@ -26,48 +26,59 @@ contains
       type(case_t), intent(inout) :: case
       type(conditions_t), intent(in) :: conditions
       real(dp), intent(out) :: scale
-      type(case_t) :: usual
+      real(dp) :: errors(2)
 
       scale = case%domain_scale
       if (.not. scale > 0) then
          scale = 1
-         if (case%accuracy > 0 .and. case%edges == 'flooded' .and. len_trim(case%surface_file) == 0 .and. &
-             maxval(abs([case%x_min - usual%x_min, case%x_max - usual%x_max, case%y_max - usual%y_max])) <= 0) then
-            do while (scale < largest_scale)
-               if (expected_domain_error(case, conditions, scale) <= share_of_accuracy*case%accuracy) exit
-               scale = 2*scale
-            end do
-         end if
+         do while (may_enlarge(case, scale))
+            errors = expected_domain_errors(case, conditions, scale)
+            if (errors(2) <= share_of_accuracy*case%accuracy) exit
+            scale = 2*scale
+         end do
       end if
       case%x_min = scale*case%x_min
       case%x_max = sqrt(scale)*case%x_max
       case%y_max = scale*case%y_max
    end subroutine choose_domain
 
-   !> Relative error by the edges of a domain `scale` times that of a case: of H(0,0), of a case with waves of Ad/Ai.
-   pure real(dp) function expected_domain_error(case, conditions, scale) result(error)
+   !> Whether the plan may take a larger domain than `scale` times that of a case.
+   pure logical function may_enlarge(case, scale)
+      type(case_t), intent(in) :: case
+      real(dp), intent(in) :: scale
+      type(case_t) :: usual
+      may_enlarge = case%accuracy > 0 .and. case%edges == 'flooded' .and. len_trim(case%surface_file) == 0 .and. &
+         .not. case%domain_scale > 0 .and. scale < largest_scale .and. &
+         maxval(abs([case%x_min - usual%x_min, case%x_max - usual%x_max, case%y_max - usual%y_max])) <= 0
+   end function may_enlarge
+
+   !> Relative errors by the edges of a domain `scale` times that of a case: of H(0,0), and of Ad/Ai, without waves both of H(0,0).
+   pure function expected_domain_errors(case, conditions, scale) result(errors)
       type(case_t), intent(in) :: case
       type(conditions_t), intent(in) :: conditions
       real(dp), intent(in) :: scale
+      real(dp) :: errors(2)
       type(conditions_t) :: heavier
       type(far_field_t) :: far
       real(dp), parameter :: step = 0.01_dp
-      real(dp) :: by_load, by_pressure, inlet, side, slope
+      real(dp) :: by_load, by_pressure, inlet, side, slope, thickening   ! d ln(eta)/dP at P = 0
 
-      far = new_far_field(conditions, conditions%alphabar)
+      thickening = conditions%alphabar
+      if (case%viscosity_law == 'isoviscous') thickening = 0
+      far = new_far_field(conditions, thickening)
       heavier = conditions
       heavier%m = (1 + step)*conditions%m
       slope = -log(moes_film_formula(heavier)/moes_film_formula(conditions))/log(1 + step)
       inlet = scale*case%x_min
       side = merge(4/3.0_dp, scale*case%y_max, conditions%is_line())   ! the width of a line's strip
-      by_pressure = pressure_factor*conditions%alphabar*far%strength(inlet, 0.0_dp)/far%film_at(inlet, 0.0_dp)**2
+      by_pressure = pressure_factor*thickening*far%strength(inlet, 0.0_dp)/far%film_at(inlet, 0.0_dp)**2
       by_load = max(0.0_dp, slope)*far%load_outside(inlet, side)
       if (case%edges == 'flooded') then
          by_pressure = flooded_pressure_share*by_pressure
          by_load = flooded_load_share*by_load
       end if
-      error = 1 - exp(-by_pressure - by_load)
-      if (case%orientation /= 'none' .and. case%edges /= 'flooded') error = ratio_share*error
-   end function expected_domain_error
+      errors = 1 - exp(-by_pressure - by_load)
+      if (case%orientation /= 'none' .and. case%edges /= 'flooded') errors(2) = ratio_share*errors(2)
+   end function expected_domain_errors
 
 end module ehlwave_domain_choice

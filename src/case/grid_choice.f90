@@ -11,7 +11,7 @@ module ehlwave_grid_choice
    use ehlwave_waviness, only: waviness_t
    implicit none (type, external)
    private
-   public :: choose_grid, formula_ratio
+   public :: choose_grid, formula_ratio, smallest_size
 
    integer, parameter :: sizes(15) = [64, 96, 128, 192, 256, 384, 512, 768, 1024, 1536, 2048, 3072, 4096, 6144, 8192]
    ! Shares of the accuracy: mesh in X, waves along Y.
@@ -50,7 +50,7 @@ contains
          if (cells_x > 0) return
          length = case%x_max - case%x_min
          inlet = merge(coarsest_inlet, wanted_inlet, case%accuracy > 0)
-         if (conditions%is_line()) inlet = wanted_line_inlet
+         if (conditions%is_line() .and. .not. case%accuracy > 0) inlet = wanted_line_inlet
          wanted = length/(inlet*inlet_length(conditions))
          why_x = 'for hX over the inlet length <= '//to_text(inlet, 2)
          if (waviness%wavelength_x > 0) then
@@ -94,6 +94,7 @@ contains
 
    end subroutine choose_grid
 
+   !> The smallest of the usual numbers of cells that is enough, the largest allowed if none is.
    pure integer function smallest_size(wanted, largest)
       real(dp), intent(in) :: wanted
       integer, intent(in) :: largest

@@ -96,6 +96,8 @@ contains
          if (is_free('cells_x')) case%cells_x = 0
          if (is_free('cells_y')) case%cells_y = 0
          if (is_free('time_step_over_cell')) case%time_step_over_cell = 0
+         ! with truncated edges cases are what they were before errors had parts
+         if (is_free('settling_periods') .and. case%edges == 'flooded') case%settling_periods = 2
          if (is_free('step_tolerance')) case%step_tolerance = min(usual%step_tolerance, 0.1_dp*case%accuracy)
          if (is_free('tolerance')) case%tolerance = min(usual%tolerance, 1e-3_dp*case%accuracy)
       end associate

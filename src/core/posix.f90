@@ -6,9 +6,10 @@ module ehlwave_posix
    use, intrinsic :: iso_c_binding, only: c_char, c_funptr, c_int, c_int32_t, c_long, c_null_char
    implicit none (type, external)
    private
-   public :: append_text, catch_signals, checksum, clear_temporaries, close_file, create_file, file_kind, find_character, &
-      find_procedure, ignore_broken_pipes, is_locked, library_text, lock_file, list_folder, make_folder, open_file, &
-      process_id, read_bytes, remove_file, replace_file, reason_text, set_note, signal_caught, sync_file, try_file, watchdog
+   public :: append_text, catch_signals, checksum, clear_temporaries, close_file, create_file, end_program, file_kind, &
+      find_character, find_procedure, ignore_broken_pipes, is_locked, library_text, list_folder, lock_file, &
+      make_folder, open_file, process_id, read_bytes, reason_text, remove_file, replace_file, set_note, signal_caught, &
+      sync_file, try_file, watchdog
 
    integer, parameter, public :: lock_taken = 0, lock_refused = 1, lock_absent = 2, lock_unwritable = -1
    integer, parameter, public :: kind_none = 0, kind_file = 1, kind_folder = 2, kind_link = 3, kind_other = 4   !! of a name
@@ -101,6 +102,12 @@ module ehlwave_posix
       subroutine catch_signals() bind(c, name='ehlwave_catch_signals')
          implicit none (type, external)
       end subroutine catch_signals
+      !> End the program with an exit status and without a word, as `stop status, quiet=.true.` does, which gfortran knows from 12 on.
+      subroutine end_program(status) bind(c, name='exit')
+         import :: c_int
+         implicit none (type, external)
+         integer(c_int), value :: status
+      end subroutine end_program
       !> From now on it is an error of writing, and not the end of the process, that nobody reads its output any more.
       subroutine ignore_broken_pipes() bind(c, name='ehlwave_ignore_broken_pipes')
          implicit none (type, external)

@@ -2,7 +2,7 @@
 module ehlwave_status
    implicit none (type, external)
    private
-   public :: status_name, status_of_name, is_success
+   public :: status_name, status_of_name, is_solved, is_success
 
    integer, parameter, public :: status_converged = 0   !! criterion met, grid resolves the case
    integer, parameter, public :: status_unresolved = 1  !! criterion met, grid too coarse for the case
@@ -13,11 +13,12 @@ module ehlwave_status
    integer, parameter, public :: status_over_budget = 6 !! took longer than one case may
    integer, parameter, public :: status_crashed = 7     !! its process died in two runs, so it is not tried again
    integer, parameter, public :: status_interrupted = 8 !! stopped from outside, to be continued
-   integer, parameter, public :: last_status = 8
+   integer, parameter, public :: status_inaccurate = 9  !! solved, but its error is above the accuracy asked for, within all limits
+   integer, parameter, public :: last_status = 9
 
    !> As written to results.
    character(len=*), parameter :: names(0:last_status) = [character(len=11) :: 'converged', 'unresolved', 'stalled', &
-      'diverged', 'not_finite', 'pending', 'over_budget', 'crashed', 'interrupted']
+      'diverged', 'not_finite', 'pending', 'over_budget', 'crashed', 'interrupted', 'inaccurate']
 
 contains
 
@@ -36,10 +37,16 @@ contains
       if (status_of_name < 0) status_of_name = status_pending
    end function status_of_name
 
-   !> Whether the equations were solved to the asked tolerance.
+   !> Whether the equations were solved, and as well as was asked for where an accuracy was.
    elemental logical function is_success(status)
       integer, intent(in) :: status
       is_success = status == status_converged .or. status == status_unresolved
    end function is_success
+
+   !> Whether the equations were solved to the asked tolerance: there are numbers.
+   elemental logical function is_solved(status)
+      integer, intent(in) :: status
+      is_solved = is_success(status) .or. status == status_inaccurate
+   end function is_solved
 
 end module ehlwave_status

@@ -4,18 +4,16 @@ module ehlwave_case_report
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t, run_harmonic, run_march, run_smooth, run_standing
    use ehlwave_case_result, only: case_result_t
+   use ehlwave_error_account, only: errors_text, validity_text
    use ehlwave_kinds, only: dp
+   use ehlwave_linear_range, only: linear_limit
    use ehlwave_resolution, only: flooded_inlet_gap
-   use ehlwave_status, only: is_success, status_name
+   use ehlwave_status, only: is_solved, status_name
    use ehlwave_surface_plan, only: surface_text
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
    public :: print_plan, print_result
-
-   !> Ai over the film up to which waves under slip were seen to respond as small ones do: M = 80, L = 8, D = 0.5, transverse,
-   !> 0.6 a, S = 1.5: Ad/Ai = 0.680 in the limit, 0.678, 0.651 and 0.349 at 1, 5 and 20 %.
-   real(dp), parameter :: linear_under_slip = 0.05_dp
 
 contains
 
@@ -45,10 +43,9 @@ contains
          else
             write (unit, '(a)') 'Waviness     '//waviness_text(case)
          end if
-         if (plan%kind == run_march .and. case%amplitude_over_film > linear_under_slip .and. &
-             abs(case%slip_parameter - 1) > 0) write (unit, '(a)') &
-            '             under slip waves above '//to_text(linear_under_slip*100, 2)// &
-            ' % of the film may respond unlike small ones: response = ''both'' compares'
+         if (plan%waviness%is_present .and. case%orientation /= 'none' .and. case%amplitude_over_film > linear_limit(case)) &
+            write (unit, '(a)') '             WARNING: such waves may respond unlike small ones: take amplitude_over_film '// &
+            'below '//to_text(linear_limit(case), 2)//', or compare by response = ''both'''
          write (unit, '(a)') 'Run          '//run_text(case, plan)
          write (unit, '(a)') 'Solver       '//solver_text(case)
          write (unit, '(a)') 'Domain       '//to_text(plan%x_min, 4)//' <= X <= '//to_text(plan%x_max, 4)//width_text(plan)
@@ -72,11 +69,10 @@ contains
             write (unit, '(a)') '             NOT RESOLVED: '//plan%resolution%reason//'the result will be flagged'
          end if
          if (c%is_line()) then
-            write (unit, '(a)') 'Expected     no model of error and cost for line contacts: see the errors that the result states'
+            write (unit, '(a)') 'Expected     '//expected_text(plan)//'; no model of the cost of line contacts'
          else
-            write (unit, '(a)') 'Expected     relative error of '//trim(merge('Ad/Ai ', 'H(0,0)', plan%waviness%is_present .and. &
-               .not. allocated(plan%waviness%surface)))// &
-               ' about '//to_text(plan%expected_error, 2)//' and '//to_text(plan%expected_seconds(), 2)//' s, '// &
+            write (unit, '(a)') 'Expected     '//expected_text(plan)
+            write (unit, '(a)') '             about '//to_text(plan%expected_seconds(), 2)//' s, '// &
                to_text(plan%expected_work_units, 2)//' work units (models; usually right within a factor 2), '// &
                to_text(plan%expected_memory_mib(), 2)//' MiB'
             if (case%accuracy > 0 .and. plan%expected_error > case%accuracy) write (unit, '(a)') &
@@ -85,6 +81,15 @@ contains
          end if
       end associate
    end subroutine print_plan
+
+   !> The error that a plan expects, and its parts.
+   function expected_text(plan) result(text)
+      type(case_plan_t), intent(in) :: plan
+      character(len=:), allocatable :: text
+      text = 'relative error of '// &
+         trim(merge('Ad/Ai ', 'H(0,0)', plan%waviness%is_present .and. .not. allocated(plan%waviness%surface)))// &
+         ' about '//to_text(plan%expected%total(), 2)//' ('//errors_text(plan%expected)//')'
+   end function expected_text
 
    function edges_text(case, plan) result(text)
       type(case_t), intent(in) :: case
@@ -179,21 +184,29 @@ contains
          to_text(result%rescued_solutions)//' solutions rescued'
       if (ieee_is_finite(result%central_film)) call print_smooth_film()
       call print_shear()
-      if (allocated(plan%waviness%surface) .and. is_success(result%status)) then
+      if (allocated(plan%waviness%surface) .and. is_solved(result%status)) then
          if (plan%first_sample < result%time_steps) write (unit, '(a)') 'Rough film   h(0,0) while the surface passes: mean '// &
             to_text(result%mean_film*plan%conditions%c_m*1e6_dp, 5)//', lowest '// &
             to_text(minval(result%film_history(plan%first_sample + 1:))*plan%conditions%c_m*1e6_dp, 5)//', highest '// &
             to_text(maxval(result%film_history(plan%first_sample + 1:))*plan%conditions%c_m*1e6_dp, 5)//' um'
-      else if (plan%waviness%is_present .and. is_success(result%status)) then
+      else if (plan%waviness%is_present .and. is_solved(result%status)) then
          if (ieee_is_finite(result%amplitude_ratio)) write (unit, '(a)') 'Amplitude    Ad/Ai = '// &
             to_text(result%amplitude_ratio, 5)//' (samples), '// &
-            to_text(result%amplitude_ratio_fit, 5)//' (harmonic fit); formula '//to_text(result%formula_ratio, 5)
+            to_text(result%amplitude_ratio_fit, 5)//' (harmonic fit)'//formula()
          if (plan%responds) call print_response()
          write (unit, '(a)') '             f(r) V = '//to_text(result%f_r*result%v, 5)//', f(r) V2 = '// &
             to_text(result%f_r*result%v2, 5)//', f(r) = '//to_text(result%f_r, 5)
       end if
       if (ieee_is_finite(result%central_film_error)) write (unit, '(a)') 'Estimated    relative errors of the grid: H(0,0) '// &
          to_text(result%central_film_error, 2)//', smallest H '//to_text(result%minimum_film_error, 2)//amplitude_error()
+      if (plan%waviness%is_present .and. ieee_is_finite(result%ratio_errors%mesh)) then
+         write (unit, '(a)') '             of Ad/Ai in all '//to_text(result%error_estimate, 2)//': '// &
+            errors_text(result%ratio_errors)
+      else if (ieee_is_finite(result%film_errors%mesh)) then
+         write (unit, '(a)') '             of H(0,0) in all '//to_text(result%error_estimate, 2)//': '// &
+            errors_text(result%film_errors)
+      end if
+      write (unit, '(a)') 'Validity     '//validity_text(case, plan, result%warning)
       write (unit, '(a)') 'Errors       mass residual '//to_text(result%residual, 3)//', load error '// &
          to_text(result%load_error, 3)
       write (unit, '(a)') 'Effort       '//to_text(result%seconds, 4)//' s, '//to_text(result%work_units, 4)//' work units, '// &
@@ -201,6 +214,13 @@ contains
          to_text(result%peak_memory_mib, 4)//' MiB'
 
    contains
+
+      !> Ad/Ai by the formula, which is one for pure rolling.
+      function formula() result(text)
+         character(len=:), allocatable :: text
+         text = ''
+         if (.not. abs(case%slip_parameter - 1) > 0) text = '; formula '//to_text(result%formula_ratio, 5)
+      end function formula
 
       function iterations() result(text)
          character(len=:), allocatable :: text
@@ -221,7 +241,7 @@ contains
       subroutine print_response()
          associate (r => result%harmonic)
             write (unit, '(a)') 'Response     Ad/Ai = '//to_text(r%ratio, 5)//' (small waves, no change of the mean film), '// &
-               'phase '//to_text(r%phase, 4)//' rad; formula '//to_text(result%formula_ratio, 5)
+               'phase '//to_text(r%phase, 4)//' rad'//formula()
             if (ieee_is_finite(r%extrapolated)) write (unit, '(a)') '             extrapolated to mesh size 0: '// &
                to_text(r%extrapolated, 5)//', estimated discretisation error '//to_text(100*r%error, 2)//' %'
             if (ieee_is_finite(r%waves%centre%fit%misfit)) write (unit, '(a)') '             with the surface: '// &

@@ -1,5 +1,6 @@
 !> What one case came to. What is only known once it has been computed is NaN until then.
 module ehlwave_case_result
+   use ehlwave_error_parts, only: error_parts_t
    use ehlwave_harmonic_result, only: harmonic_result_t
    use ehlwave_kinds, only: dp, no_value
    use ehlwave_shear_result, only: shear_result_t
@@ -32,6 +33,12 @@ module ehlwave_case_result
       real(dp) :: film_order = no_value              !! observed order of H(0,0) on the three finest levels
       real(dp) :: amplitude_ratio_error = no_value   !! of Ad/Ai
       character(len=12) :: amplitude_error_basis = ''   !! what that is from: 'coarse_grid', 'model', or no estimate
+      ! the same with what else they are wrong by; see run/error_account
+      type(error_parts_t) :: film_errors = error_parts_t(mesh=no_value)    !! of H(0,0)
+      type(error_parts_t) :: ratio_errors = error_parts_t(mesh=no_value)   !! of Ad/Ai
+      real(dp) :: error_estimate = no_value          !! sum of the parts of the one that the case is about
+      real(dp) :: settling = 0                       !! relative error of Ad/Ai by what it has changed since the period before
+      integer :: refinements = 0                     !! runs on finer grids than the first, for an accuracy
       ! waviness
       real(dp) :: amplitude_ratio = no_value         !! Ad/Ai by theory eq. (14)
       real(dp) :: amplitude_ratio_fit = no_value     !! Ad/Ai by harmonic fit

@@ -31,6 +31,7 @@ module ehlwave_case_runner
    private
    public :: run_case
 
+   real(dp), parameter :: settling_share = 0.5_dp      !! of the change from period to period that is still to come
    real(dp), parameter :: usual_amplitude = 0.2_dp     !! Ai over the film for which step_tolerance is meant
 
 contains
@@ -221,6 +222,7 @@ contains
             result%amplitude_ratio = sampled_amplitude(film)/amplitude
             fit = fitted_harmonic(time, film, plan%waviness%period())/amplitude
             result%amplitude_ratio_fit = abs(fit)
+            result%settling = change_in_a_period(case, plan, history, abs(fit)*amplitude)
             ! the pattern at the centre is cos(kx (-Xs - S T)): the real part of exp(-i (kx Xs + w T)) for S > 0
             fit = fit*exp(cmplx(0, 2*pi*plan%waviness%start/plan%waviness%wavelength_x, dp))
             result%phase_fit = atan2(aimag(fit), real(fit, dp))
@@ -228,6 +230,24 @@ contains
          end associate
       end if
    end subroutine run_moving
+
+   !> Relative error of the amplitude in the last period, by what it has changed since the period before; 0 where that one still
+   !> has what came in before the waves. Measured from rest: 0.02 to 0.8 of the change is still to come, most where it is small.
+   real(dp) function change_in_a_period(case, plan, history, amplitude) result(change)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      type(march_result_t), intent(in) :: history
+      real(dp), intent(in) :: amplitude          !! of the film, in the last period
+      integer :: first, last
+
+      change = 0
+      last = plan%first_sample
+      first = last - nint(plan%waviness%period()/plan%dt)
+      if (case%settling_periods < 1 .or. case%end_time > 0 .or. first < 0) return
+      associate (time => history%time(first:last), film => history%central_film(first:last))
+         change = settling_share*abs(abs(fitted_harmonic(time, film, plan%waviness%period()))/amplitude - 1)
+      end associate
+   end function change_in_a_period
 
    !> Pattern that stands still: one steady state for each phase, no time stepping.
    subroutine run_standing_pattern(case, plan, multigrid, rescue, monitor, result)

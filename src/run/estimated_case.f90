@@ -56,10 +56,8 @@ contains
       call run_case(case, plan, monitor, result, shared, keeper)
       if (.not. plan%waviness%is_present .or. .not. is_success(result%status)) return
       if (.not. ieee_is_finite(result%amplitude_ratio_fit)) return
-      if (.not. plan%conditions%is_line()) then
-         result%amplitude_ratio_error = plan%expected_error
-         result%amplitude_error_basis = 'model'
-      end if
+      result%amplitude_ratio_error = plan%expected_error
+      result%amplitude_error_basis = 'model'
       if (case%error_estimate /= 'coarse_grid') return
 
       call coarse_ratios(case, plan, monitor, ratios, seconds, status)

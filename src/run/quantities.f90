@@ -11,6 +11,8 @@ module ehlwave_quantities
    use ehlwave_case_result, only: case_result_t, oil_sensitivity_t
    use ehlwave_case_text, only: case_identity
    use ehlwave_key_list, only: find_key, key_list_t
+   use ehlwave_error_account, only: validity_text
+   use ehlwave_error_parts, only: error_parts_t
    use ehlwave_harmonic_result, only: harmonic_result_t
    use ehlwave_kinds, only: dp
    use ehlwave_quantity, only: quantity_list_t
@@ -55,7 +57,14 @@ contains
       call list%add('expected_error', 'relative error expected by the plan', plan%expected_error)
       call add_key(list, keys, 'edges')
       call list%add('domain_error', 'relative error expected by the edges of the domain, besides expected_error', plan%domain_error)
+      call list%add('expected_mesh_error', 'part of it by the mesh', plan%expected%mesh)
+      call list%add('expected_time_error', 'part of it by steps longer than hX', plan%expected%time)
+      call list%add('expected_algebraic_error', 'part of it by the tolerances', plan%expected%algebraic)
+      call list%add('expected_amplitude_error', 'expected difference from small waves, besides expected_error', &
+                    plan%expected%amplitude)
       call list%add('domain_x_min', 'X of the inlet boundary in use', plan%x_min)
+      call list%add('domain_x_max', 'X of the outlet boundary in use', plan%x_max)
+      call list%add('domain_y_max', 'Y of the side boundary in use', plan%y_max)
       call list%add('expected_work_units', 'work expected by the plan, in plain FFT convolutions of the grid', &
                     plan%expected_work_units)
       call list%add('cells_x', 'cells along X', plan%cells_x)
@@ -83,6 +92,7 @@ contains
       call list%add('is_half_domain', '1 when only Y >= 0 is computed', plan%is_half)
       call list%add('is_resolved', '1 when the grid resolves the case', plan%resolution%is_resolved)
       call list%add('message', 'why the grid does not resolve the case', plan%resolution%reason)
+      call list%add('validity', 'what the result will hold for: edges, linear range', validity_text(case, plan))
       call add_key(list, keys, 'accuracy')
       call list%add('expected_seconds', 'time expected by the plan', plan%expected_seconds(), unit='s')
       call list%add('expected_memory_mib', 'peak memory expected by the plan', plan%expected_memory_mib(), unit='MiB')
@@ -133,6 +143,13 @@ contains
       call list%add('amplitude_ratio_error', 'estimated relative error of Ad/Ai', result%amplitude_ratio_error)
       call list%add('amplitude_error_basis', 'what amplitude_ratio_error is from', &
                     trim(result%amplitude_error_basis))
+      call add_parts(list, 'film', 'H(0,0)', result%film_errors)
+      call add_parts(list, 'ratio', 'Ad/Ai', result%ratio_errors)
+      call list%add('error_estimate', 'sum of the parts of the error of Ad/Ai, of smooth contacts of H(0,0): what '// &
+                    'accuracy is about', result%error_estimate)
+      call list%add('refinements', 'runs on finer grids than the first, for an accuracy', result%refinements)
+      call list%add('validity', 'what the result holds for: edges, linear range, warnings', &
+                    validity_text(case, plan, result%warning))
       call add_response(list, result%harmonic)
       call add_sensitivities(list, case, result%by_oil)
       call list%add('v', 'V of theory eq. (17)', result%v)
@@ -141,6 +158,19 @@ contains
       call list%add('formula_ratio', 'Ad/Ai by theory eq. (18)', result%formula_ratio)
       call add_effort(list, result)
    end subroutine add_result
+
+   !> The parts of an error.
+   subroutine add_parts(list, of, what, parts)
+      type(quantity_list_t), intent(inout) :: list
+      character(len=*), intent(in) :: of, what
+      type(error_parts_t), intent(in) :: parts
+      call list%add(of//'_error_mesh', 'relative error of '//what//' by the mesh', parts%mesh)
+      call list%add(of//'_error_domain', 'the same by the edges of the domain', parts%domain)
+      call list%add(of//'_error_time', 'the same by steps longer than hX', parts%time)
+      call list%add(of//'_error_amplitude', 'the same by the size of the waves, which respond unlike small ones', parts%amplitude)
+      call list%add(of//'_error_settling', 'the same by what still changes from period to period', parts%settling)
+      call list%add(of//'_error_algebraic', 'the same by the tolerances', parts%algebraic)
+   end subroutine add_parts
 
    subroutine add_smooth_film(list, plan, result)
       type(quantity_list_t), intent(inout) :: list

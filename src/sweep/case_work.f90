@@ -37,12 +37,12 @@ module ehlwave_case_work
    end type case_watch_t
 
    abstract interface
-      !> The interface of `run_case`.
+      !> The interface of `run_refined_case`.
       subroutine case_procedure(case, plan, monitor, result, shared, keeper)
          import :: case_plan_t, case_result_t, case_t, march_keeper_t, monitor_t, shared_steady_t
          implicit none (type, external)
          type(case_t), intent(in) :: case
-         type(case_plan_t), intent(in) :: plan
+         type(case_plan_t), intent(inout) :: plan      !! on return that of the result
          class(monitor_t), intent(inout) :: monitor
          type(case_result_t), intent(out) :: result
          type(shared_steady_t), intent(inout), target, optional :: shared
@@ -62,12 +62,14 @@ contains
       type(shared_steady_t), intent(inout), target :: shared   !! of the rank, from one case to the next
       type(outcome_t), intent(out) :: outcome
       type(case_result_t) :: result
+      type(case_plan_t) :: used                  ! may become finer
       type(checkpoint_t) :: checkpoint
       type(error_t), allocatable :: error
       character(len=24) :: started
       character(len=16) :: identity
 
       identity = input_identity(input)
+      used = plan
       started = time_stamp()
       watch%request = go_on
       watch%case_start_s = wall_seconds()
@@ -79,12 +81,12 @@ contains
          checkpoint%start_s = watch%case_start_s
          ! A case that does not even notice that its time is up hangs: this process ends itself.
          if (watch%limits%largest_case_seconds > 0) call watchdog(ceiling(2*watch%limits%largest_case_seconds + 60))
-         call run(case, plan, watch, result, shared, checkpoint)
+         call run(case, used, watch, result, shared, checkpoint)
          call watchdog(0)
          if (result%status == status_interrupted) then
             call watch%store%stop(identity, error)
          else
-            call store_result(case, plan, input, result, started, watch%store, error)
+            call store_result(case, used, input, result, started, watch%store, error)
             if (.not. allocated(error) .and. plan%kind == run_march .and. plan%steps >= steps_per_stretch) &
                call checkpoint%discard()
          end if

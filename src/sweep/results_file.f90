@@ -11,6 +11,7 @@ module ehlwave_results_file
    use ehlwave_errors, only: error_t
    use ehlwave_field_file, only: write_provenance
    use ehlwave_hdf5_file, only: hdf5_file_t
+   use ehlwave_json_reader, only: json_number
    use ehlwave_key_list, only: key_list_t
    use ehlwave_quantities, only: add_case, add_key
    use ehlwave_quantity, only: quantity_list_t, quantity_t
@@ -62,16 +63,19 @@ contains
       call file%attribute('sweep_input', sweep_text)
       call file%write('case', [(i, i=1, n)], '1', 'number of the case in the sweep')
       call file%dimension('case')
-      call write_inputs(file, sweep)
+      call write_inputs(file, sweep, contents, place)
       call write_outcomes(file, sweep, contents, place, table)
       call write_runs(file, contents, place)
       call file%finish(error)
    end subroutine write_results
 
-   !> Columns that follow from the sweep file; pending cases have them, too.
-   subroutine write_inputs(file, sweep)
+   !> Columns that follow from the sweep file; pending cases have them, too. Of a case that was run on finer grids for an accuracy
+   !> the record says what was used in the end.
+   subroutine write_inputs(file, sweep, contents, place)
       type(hdf5_file_t), intent(inout) :: file
       type(sweep_t), intent(in) :: sweep
+      type(contents_t), intent(in) :: contents
+      integer, intent(in) :: place(:)
       type(column_t), allocatable :: columns(:)
       type(quantity_list_t) :: inputs
       integer :: i, k
@@ -84,6 +88,10 @@ contains
       do i = 1, size(sweep%cases)
          inputs = input_row(sweep, i)
          do k = 1, size(columns)
+            if (place(i) > 0) then
+               if (json_number(contents%value(place(i), 'refinements')) > 0) &
+                  call take_record(contents%value(place(i), trim(inputs%items(k)%name)), inputs%items(k))
+            end if
             call columns(k)%set(i, inputs%items(k))
          end do
       end do
@@ -91,6 +99,14 @@ contains
          call columns(k)%write(file)
       end do
    end subroutine write_inputs
+
+   !> The value of a record, where it has one and that is a number.
+   subroutine take_record(text, quantity)
+      character(len=*), intent(in) :: text
+      type(quantity_t), intent(inout) :: quantity
+      if (text == '' .or. index(text, '"') > 0) return
+      call take_json(text, quantity)
+   end subroutine take_record
 
    !> What a case is, as far as the sweep file and the plan tell it; the keys that vary are among it. Where the plan
    !> chooses, its choice has the name of the key.

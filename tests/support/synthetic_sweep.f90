@@ -33,7 +33,7 @@ contains
    !> Stands for run_case.
    subroutine sleep_through(case, plan, monitor, result, shared, keeper)
       type(case_t), intent(in) :: case
-      type(case_plan_t), intent(in) :: plan
+      type(case_plan_t), intent(inout) :: plan
       class(monitor_t), intent(inout) :: monitor
       type(case_result_t), intent(out) :: result
       type(shared_steady_t), intent(inout), target, optional :: shared
@@ -81,6 +81,7 @@ program synthetic_sweep
    use ehlwave_clock, only: wall_seconds
    use ehlwave_errors, only: error_t
    use ehlwave_kinds, only: dp
+   use ehlwave_posix, only: end_program
    use ehlwave_sweep_cases, only: sweep_t
    use ehlwave_sweep_job, only: run_job
    use ehlwave_sweep_leader, only: job_options_t
@@ -125,7 +126,7 @@ program synthetic_sweep
    call mpi_allreduce([in_cases, cpu_s], sums, 2, mpi_double_precision, mpi_sum, mpi_comm_world)
    if (rank == 0) call report(wall_seconds() - start, sums(1), sums(2))
    call mpi_finalize()
-   stop code, quiet=.true.
+   call end_program(code)
 
 contains
 

@@ -76,8 +76,6 @@ LINE_CHANGES = [
     ("grid", "domain", "whole", "domain"),
     ("solver", "method", "fas", "method"),
     ("solver", "deformation", "mlmi", "deformation"),
-    ("solver", "accuracy", 0.01, "accuracy"),
-    ("solver", "error_estimate", "model", "error_estimate"),
     ("dynamics", "load_balance", "equation_of_motion", "load_balance"),
 ]
 

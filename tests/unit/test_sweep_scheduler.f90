@@ -33,7 +33,7 @@ contains
    !> Stands for run_case: converges at once; with M = 500 it works until the monitor has had enough.
    subroutine run_planned(case, plan, monitor, result, shared, keeper)
       type(case_t), intent(in) :: case
-      type(case_plan_t), intent(in) :: plan
+      type(case_plan_t), intent(inout) :: plan
       class(monitor_t), intent(inout) :: monitor
       type(case_result_t), intent(out) :: result
       type(shared_steady_t), intent(inout), target, optional :: shared

@@ -2,6 +2,7 @@
 !> Skipped (77) in builds without PETSc.
 program test_petsc
    use, intrinsic :: iso_fortran_env, only: output_unit
+   use ehlwave_posix, only: end_program
    use ehlwave_errors, only: error_t
    use ehlwave_hierarchy, only: hertz_guess, hierarchy_t
    use ehlwave_kinds, only: dp, pi
@@ -24,7 +25,7 @@ program test_petsc
 
    if (.not. is_petsc_built) then
       write (output_unit, '(a)') 'skipped: built without PETSc'
-      stop 77, quiet=.true.
+      call end_program(77)
    end if
    call require_petsc(error)
    call test%check_no_error(error, 'PETSc can be used')

@@ -47,10 +47,10 @@ contains
 
    real(dp) function number(column, row)
       integer, intent(in) :: column, row
-      character(len=:), allocatable :: cell
+      character(len=:), allocatable :: text
       integer :: status
-      cell = table%cell(column, row)
-      read (cell, *, iostat=status) number
+      text = table%cell(column, row)
+      read (text, *, iostat=status) number
       call test%check_equal(status, 0, 'number')
    end function number
 

@@ -9,6 +9,7 @@ from pathlib import Path
 import xarray as xr
 
 from ehlwave import figures, tables
+from ehlwave.case_figures import case_figure
 from ehlwave.contact import contact_figure, read_contact
 from ehlwave.deform.cli import add_commands
 from ehlwave.deform.harmonics import write_harmonic_table
@@ -67,6 +68,7 @@ def _collapse(options: argparse.Namespace) -> None:
         results,
         options.ratio,
         include_unresolved=options.include_unresolved,
+        include_inaccurate=options.include_inaccurate,
         edges=options.edges,
     )
     _print_remarks(points)
@@ -86,7 +88,12 @@ def _collapse(options: argparse.Namespace) -> None:
 
 
 def _refit(options: argparse.Namespace) -> None:
-    points = select_points(read_results(options.results), options.ratio, edges=options.edges)
+    points = select_points(
+        read_results(options.results),
+        options.ratio,
+        include_inaccurate=options.include_inaccurate,
+        edges=options.edges,
+    )
     _print_remarks(points)
     settings = RefitSettings(replicates=options.replicates, seed=options.seed)
     rows = refit_groups(points, settings)
@@ -111,6 +118,13 @@ def _contact(options: argparse.Namespace) -> None:
     figure = contact_figure(read_contact(options.case))
     options.output.mkdir(parents=True, exist_ok=True)
     written = figures.write_figure(figure, options.output, options.case.stem)
+    print("\n".join(str(path) for path in written))
+
+
+def _plot(options: argparse.Namespace) -> None:
+    figure = case_figure(read_contact(options.case))
+    options.output.mkdir(parents=True, exist_ok=True)
+    written = figures.write_figure(figure, options.output, f"{options.case.stem}-case")
     print("\n".join(str(path) for path in written))
 
 
@@ -154,6 +168,11 @@ def _parser() -> argparse.ArgumentParser:
             default="fit",
             help="Ad/Ai from the harmonic fit (default), extreme samples, or linear response",
         )
+        added.add_argument(
+            "--include-inaccurate",
+            action="store_true",
+            help="take points whose error is above the accuracy asked for, too",
+        )
 
     collapse = command("collapse", _collapse, "draw Ad/Ai against f(r) V2 and f(r) V")
     add_common(collapse)
@@ -183,6 +202,11 @@ def _parser() -> argparse.ArgumentParser:
     )
     add_output(contact)
     contact.set_defaults(run=_contact)
+    text = "draw one case in um, GPa and us: maps, midplanes, film at the centre in time"
+    plot = commands.add_parser("plot", help=text, description=text)
+    plot.add_argument("case", type=Path, metavar="FILE", help="HDF5 file of ehlwave-case --output")
+    add_output(plot)
+    plot.set_defaults(run=_plot)
     add_commands(commands)
     return parser
 

@@ -181,8 +181,13 @@ def recommended_ratio(
     Parameters and errors as for :func:`recommended_parameter`.
     """
     x = recommended_parameter(load_m, lubricant_l, gamma, wavelength_x, wavelength_y)
+    return power_ratio(x, recommended_sharpness(lubricant_l))
+
+
+def recommended_sharpness(lubricant_l: ArrayLike) -> Floats:
+    """Return n = 1.5 + 10/L."""
     base, slope = RECOMMENDED_SHARPNESS
-    return power_ratio(x, base + slope / np.asarray(lubricant_l, dtype=np.float64))
+    return np.asarray(base + slope / np.asarray(lubricant_l, dtype=np.float64))
 
 
 def power_ratio(x: ArrayLike, sharpness: ArrayLike) -> Floats:

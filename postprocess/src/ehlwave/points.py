@@ -12,6 +12,7 @@ from ehlwave.schema import (
     CONVERGED,
     DIMENSION,
     EDGES,
+    INACCURATE,
     ORIENTATIONS,
     SMOOTH,
     STATUSES,
@@ -35,6 +36,7 @@ def select_points(
     ratio: Ratio = "fit",
     *,
     include_unresolved: bool = False,
+    include_inaccurate: bool = False,
     edges: str | None = None,
 ) -> xr.Dataset:
     """Return the wavy cases with a usable amplitude, with the quantities of Figures 1 and 2.
@@ -50,6 +52,8 @@ def select_points(
         is taken. Cases without a transient have their linear response in place of the fit.
     include_unresolved : bool
         Keep also cases that converged on a grid too coarse for them.
+    include_inaccurate : bool
+        Keep also cases whose estimated error is above the accuracy that was asked for.
     edges : {"flooded", "truncated"}, optional
         Only cases with these edges of the domain; films differ by some per cent between the two.
 
@@ -69,7 +73,8 @@ def select_points(
     """
     deformed, error = _chosen_ratio(results, ratio)
     status = results["status"]
-    resolved = (status == CONVERGED) & (results["is_resolved"] != 0)
+    solved = (CONVERGED, INACCURATE) if include_inaccurate else (CONVERGED,)
+    resolved = status.isin(solved) & (results["is_resolved"] != 0)
     candidates = results.assign(
         f_v=_column(results["f_r"] * results["v"], "f(r) V"),
         f_v2=_column(results["f_r"] * results["v2"], "f(r) V2"),
@@ -80,7 +85,7 @@ def select_points(
     usable = (results["orientation"] != SMOOTH) & np.isfinite(deformed)
     for name in VARIABLES:
         usable &= np.isfinite(candidates[name]) & (candidates[name] > 0)
-    usable &= status.isin((CONVERGED, UNRESOLVED)) if include_unresolved else resolved
+    usable &= status.isin((*solved, UNRESOLVED)) if include_unresolved else resolved
     if edges is not None:
         usable &= results["edges"] == edges
     if not usable.any():

@@ -1,7 +1,10 @@
 """Amplitude and phase of waves in pure rolling: the transfer from the surface to the film.
 
 Beside :func:`ehlwave.formula.recommended_ratio`, four numbers for the amplitude alone, this is the
-closer fit: half its error, right for long waves too, and with the phase.
+closer fit, with the phase. At operating conditions held out of the fit the rms error of Ad/Ai is
+0.018, of the recommended formula 0.032; below Ad/Ai = 0.1 it is 10 per cent too large in the mean,
+the other 46 per cent. 3144 linear responses, gamma M of 5 to 2000, 2.5 <= L <= 20,
+0.04 <= D <= 1 (``studies.two_waves``).
 """
 
 import numpy as np
@@ -9,10 +12,23 @@ from numpy.typing import ArrayLike, NDArray
 
 from ehlwave.formula import Floats, wave_and_direction
 
-AMPLITUDE = (0.308, 0.4877, 0.3459, 0.2181, -0.1106, 2.231, 0.565, 1.589, 0.4387, -0.5849, 0.976, 0.3947)
+AMPLITUDE = (
+    0.2706,
+    0.5017,
+    0.3282,
+    0.1949,
+    -0.1571,
+    2.2564,
+    0.4524,
+    1.6792,
+    0.4103,
+    -0.5636,
+    0.9934,
+    0.4408,
+)
 """Scale, powers of gamma M and L (transverse, longitudinal), direction; n0 to n4; m0, m1."""
 
-PHASE = (0.6944, -0.1981, 0.4979, -0.0853, 0.0459, 1.084, -0.17, 1.609, 5.671, 2.889)
+PHASE = (0.6529, -0.2441, 0.572, -0.1161, 0.0453, 0.6001, -0.1108, 1.6129, 3.3266, 7.5175)
 
 
 def rolling_transfer(
@@ -68,7 +84,9 @@ def _phase(p: ArrayLike, x: Floats, along: Floats, load: Floats, lubricant: Floa
     p, s = np.asarray(p), 1 - along
     size = p[0] * (lubricant / 10) ** p[3] * (load / 100) ** p[4]
     size = size * np.where(along > 0, along, 1) ** (p[1] + p[2] * s) * (along > 0)
-    return np.asarray(size * (1 - _falling(p[5] * x * np.exp(p[6] * s), p[7] + p[8] / lubricant, p[9])))
+    return np.asarray(
+        size * (1 - _falling(p[5] * x * np.exp(p[6] * s), p[7] + p[8] / lubricant, p[9]))
+    )
 
 
 def _falling(x: Floats, sharpness: Floats, slope: Floats) -> Floats:

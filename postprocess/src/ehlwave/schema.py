@@ -44,6 +44,9 @@ SMOOTH = "none"
 
 CONVERGED = "converged"
 UNRESOLVED = "unresolved"
+INACCURATE = "inaccurate"
+"""Solved, but with an estimated error above the accuracy that was asked for."""
+
 PENDING = "pending"
 FAILED = ("stalled", "diverged", "not_finite", "over_budget", "crashed")
-STATUSES = (CONVERGED, UNRESOLVED, *FAILED, PENDING)
+STATUSES = (CONVERGED, UNRESOLVED, INACCURATE, *FAILED, PENDING)

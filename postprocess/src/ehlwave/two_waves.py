@@ -11,13 +11,14 @@ through in pure rolling, R, less what the attenuated wave takes of it:
 
     c = (R T S^(p cos^2(theta) (1 - |a|^2) + i q) - a) exp(i m - i u - u^2/6)
     T = (1 + 100 B0)^(-r cos^2(theta) (1 - |R|^2))
-    m = psi - kx - |a|^4 (psi_1 - kx),    u = Re(m) d,    d = d0 (L/(gamma M))^(d1/2) (10/alphabar)^d2
+    m = psi - kx - |a|^4 (psi_1 - kx)
+    u = Re(m) d,    d = d0 (L/(gamma M))^(d1/2) (10/alphabar)^d2
 
 Launched between X = -1 and -1 + 2d, it arrives at the centre with the phase and the loss of its
 way; u^2/6 is what a launch spread over 2d averages out. psi_1 is psi in pure rolling, whose loss R
 has in it already. T is what thinning in the inlet costs, B0 the B of the viscosity at ambient
-pressure (:class:`ehlwave.medium.Medium`). p, q, r and d are fitted (``studies.two_waves``); S -> 1 gives a + c = R, the pure
-rolling law of :mod:`ehlwave.rolling`.
+pressure (:class:`ehlwave.medium.Medium`). p, q, r and d are fitted (``studies.two_waves``); S -> 1
+gives a + c = R, the pure rolling law of :mod:`ehlwave.rolling`.
 """
 
 from dataclasses import dataclass
@@ -39,8 +40,8 @@ SLIP_POWERS = (0.223, 0.492, 0.075)
 LAUNCH_LENGTH = (0.296, 0.55, 1.16)
 """d0, d1 and d2."""
 
-SLIPS = (0.3, 1.8)
-"""Slip parameters that the law was fitted to, smallest and largest."""
+FITTED_RANGES = {"M": (20.0, 1000.0), "L": (2.5, 20.0), "D": (0.1, 1.0), "S": (0.3, 1.8)}
+"""Conditions that the law was fitted to, smallest and largest."""
 
 
 @dataclass(frozen=True)

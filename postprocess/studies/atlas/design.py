@@ -7,6 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.stats import qmc
 
+from ehlwave.atlas import Atlas
+from ehlwave.atlas.coordinates import contact_coordinates
+from ehlwave.atlas.process import correlation
 from ehlwave.atlas.ranges import CONTACT_RANGES, WAVE_RANGE
 from ehlwave.deform.conditions import ellipticity
 from studies import sweeps
@@ -16,6 +19,9 @@ Floats = NDArray[np.float64]
 
 CONTACTS = 32
 """Of one batch."""
+
+CANDIDATES = 512
+"""Contacts of which a batch is chosen by the errors of the atlas so far."""
 
 DIRECTIONS = ((0.0, 3), (90.0, 2), (None, 4))
 """Angles, degrees, and how many patterns of a contact have them; None: any in between."""
@@ -40,6 +46,25 @@ def contacts(batch: int, count: int = CONTACTS, seed: int = 2000) -> list[dict[s
     """Return the contacts of a batch: a piece of a Sobol sequence over the ranges of the atlas."""
     sequence = qmc.Sobol(len(CONTACT_RANGES), seed=seed)
     return [contact_at(shares) for shares in sequence.random((batch + 1) * count)[-count:]]
+
+
+def worst_contacts(atlas: Atlas, seed: int, count: int = CONTACTS) -> list[dict[str, float]]:
+    """Return contacts where the atlas knows least: of many, those with the largest error bars.
+
+    One that was taken makes its neighbours less wanted, by its correlation with them.
+    """
+    sequence = qmc.Sobol(len(CONTACT_RANGES), seed=seed)
+    candidates = [contact_at(shares.tolist()) for shares in sequence.random(CANDIDATES)]
+    waves, angles = np.meshgrid([0.15, 0.4, 1.0, 2.5], [0.0, 40.0, 90.0])
+    errors = [np.mean(atlas.at(one).responses(waves, angles).error ** 2) for one in candidates]
+    table = {key: np.array([one[key] for one in candidates]) for key in CONTACT_RANGES}
+    places = contact_coordinates(table)
+    wanted, chosen = np.array(errors), []
+    for _ in range(count):
+        best = int(np.argmax(wanted))
+        chosen.append(candidates[best])
+        wanted *= 1 - correlation(places, places[[best]], atlas.contact_scales)[:, 0]
+    return chosen
 
 
 def contact_at(shares: Sequence[float]) -> dict[str, float]:
@@ -90,10 +115,11 @@ def pattern(wavelength_over_a: float, angle_deg: float) -> dict[str, float]:
     }
 
 
-def write_batch(folder: Path, batch: int) -> Path:
-    """Write the sweep of a batch; return the path of its file."""
+def write_batch(folder: Path, batch: int, atlas: Atlas | None = None) -> Path:
+    """Write the sweep of a batch, of the contacts that an atlas wants most; return its path."""
     random = np.random.default_rng([batch, 2000])
-    return sweeps.write_sweep(folder, f"rolling-{batch:02d}", rows(contacts(batch), random), GROUPS)
+    chosen = contacts(batch) if atlas is None else worst_contacts(atlas, 3000 + batch)
+    return sweeps.write_sweep(folder, f"rolling-{batch:02d}", rows(chosen, random), GROUPS)
 
 
 def write_validation(folder: Path, count: int = 100, each: int = 2) -> Path:

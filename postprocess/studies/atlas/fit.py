@@ -22,8 +22,8 @@ from ehlwave.atlas.ranges import CONTACT_RANGES
 
 Floats = NDArray[np.float64]
 
-FIRST_SCALES = Scales(np.array([3.5, 1.6, 4.0, 4.0, 2.0]), np.array([0.9, 1.05]))
-FIRST_FILM_SCALES = np.array([9.0, 4.0, 4.0, 4.0, 5.0])
+FIRST_SCALES = Scales(np.array([1.4, 1.8, 4.0, 8.0, 3.0]), np.array([1.8, 1.0, 3.5, 1.4]))
+FIRST_FILM_SCALES = np.array([3.0, 4.0, 4.0, 4.0, 5.0])
 MOST_TRAINED = 400
 """Points of which the length scales are fitted; more change them little and cost the cube."""
 

@@ -105,6 +105,7 @@ def keys_of(run: Run, base: Groups, smooth_film_m: float | None = None) -> dict[
             "orientation": "transverse",
             "wavelength_over_a": WAVELENGTH_UM * 1e-6 / semi_axis_m(base),
             "amplitude_over_film": AMPLITUDE_UM * 1e-6 / smooth_film_m,
+            "response": "both",
         }
     return keys
 

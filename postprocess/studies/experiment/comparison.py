@@ -25,6 +25,7 @@ from studies.experiment.measure import (
     line_mean_um,
     middle_um,
     read_solved,
+    second_order_mean_um,
     smooth_film_um,
     time_amplitude_um,
     time_mean_um,
@@ -53,6 +54,8 @@ class Films:
     """Mean of the smooth contact over the central region."""
     trace: dict[str, Value]
     cosine: dict[str, Value]
+    second_order_mean: Value
+    """Mean film of the cosine by its linear response."""
     formula_ratio: float
 
 
@@ -69,6 +72,7 @@ def read_films(folder: Path, speed: float) -> Films:
         extrapolated(folder, SMOOTH, speed, line_mean_um),
         trace,
         cosine,
+        extrapolated(folder, COSINE, speed, second_order_mean_um),
         formula_ratio(smooth),
     )
 
@@ -92,6 +96,8 @@ def film_rows(films: Films, wave_amplitude_um: float) -> Iterator[tuple[Cell, ..
         yield row(f"mean film in time, {whose}", theirs, trace["time_mean"], remark)
     remark = "paper: computed; cosine, three waves on the centre line"
     yield row("mean film, cosine", printed.computed_mean, cosine["line_mean"], remark)
+    remark = "paper: computed; cosine, linear response and what it adds to the mean, second order"
+    yield row("mean film, second order", printed.computed_mean, films.second_order_mean, remark)
     raised = printed.smooth_film and printed.computed_mean - printed.smooth_film
     rise = trace["line_mean"].less(films.smooth_mean)
     yield row("rise of the mean film by the waves", raised, rise, "same region of both")

@@ -13,7 +13,7 @@ from scipy.interpolate import CubicSpline
 from ehlwave.contact import read_contact
 from studies.experiment.cases import GRIDS, Run
 from studies.experiment.stage import finished
-from studies.experiment.trace import WAVELENGTH_UM
+from studies.experiment.trace import AMPLITUDE_UM, WAVELENGTH_UM
 from studies.sweeps import fields_file
 
 Floats = NDArray[np.float64]
@@ -149,6 +149,11 @@ def line_amplitude_um(solved: Solved) -> float:
 def time_mean_um(solved: Solved) -> float:
     """Return the mean film at the contact centre over the last wave to pass, um."""
     return float(_history_fit(solved)[0])
+
+
+def second_order_mean_um(solved: Solved) -> float:
+    """Return the mean film at the contact centre by the linear response, to second order, um."""
+    return smooth_film_um(solved) + solved.result["mean_film_rise"] * AMPLITUDE_UM
 
 
 def time_amplitude_um(solved: Solved) -> float:

@@ -1,7 +1,8 @@
 """The cases of the study of two waves: space-filling over conditions, slip, oil and waves.
 
-Every operating condition (M, L, D, alpha) is computed in pure rolling with a Newtonian oil and under
-slip with an oil of its own, with the same waves: what slip changes can be read off pair by pair.
+Every operating condition (M, L, D, alpha) is computed in pure rolling with a Newtonian oil and
+under slip with an oil of its own, with the same waves: what slip changes can be read off pair by
+pair.
 """
 
 import math
@@ -13,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.stats import qmc
 
-from ehlwave.deform.conditions import conditions_from_keys
+from ehlwave.deform.conditions import Conditions, conditions_from_keys
 from studies.sweeps import Row, write_rows
 
 REDUCED_MODULUS_PA = 226e9
@@ -66,14 +67,11 @@ def cases(seed: int, count: int) -> Iterator[Row]:
 
 def _condition(unit: NDArray[np.float64]) -> tuple[Row, Row, Row] | None:
     """Return M, L, D and alpha; what rolls and what slides; nothing where no bearing is."""
+    bounds = (LOADS, LUBRICANTS, RATIOS, ALPHAS_PER_PA, STRESSES_PA)
     m, l, d, alpha, stress = (
-        _between(bounds, share)
-        for bounds, share in zip((LOADS, LUBRICANTS, RATIOS, ALPHAS_PER_PA, STRESSES_PA), unit, strict=False)
+        _between(pair, share) for pair, share in zip(bounds, unit, strict=False)
     )
-    contact = conditions_from_keys(
-        {"load_parameter_m": m, "lubricant_parameter_l": l, "radius_ratio_d": d, "semi_axis_a_m": 1.0}
-    )
-    hertz_pa = l / math.pi * (1.5 * contact.gamma * m) ** (1 / 3) / alpha
+    hertz_pa = _contact(m, l, d).alphabar / alpha
     if not HERTZ_PA[0] <= hertz_pa <= HERTZ_PA[1]:
         return None
     moes = {
@@ -96,15 +94,13 @@ def _condition(unit: NDArray[np.float64]) -> tuple[Row, Row, Row] | None:
 
 def _waves(moes: Row, seed: int) -> Iterator[Row]:
     """Yield wavelengths along X and Y over a; 0 is infinite."""
-    contact = conditions_from_keys(
-        {key: moes[key] for key in ("load_parameter_m", "lubricant_parameter_l", "radius_ratio_d")}
-        | {"semi_axis_a_m": 1.0}
-    )
+    contact = _contact(*list(moes.values())[:3])
     found = 0
     for unit in _sobol(2, seed):
         oblique = max(0.0, (unit[0] - TRANSVERSE_SHARE) / (1 - TRANSVERSE_SHARE))
         angle = oblique * LARGEST_ANGLE
-        per_wave = 0.263 * math.sqrt(contact.gamma * contact.m) * contact.l ** (-math.cos(angle) ** 2 / 3)
+        per_wave = 0.263 * math.sqrt(contact.gamma * contact.m)
+        per_wave *= contact.l ** (-(math.cos(angle) ** 2) / 3)
         wave = _between(PARAMETERS, unit[1]) / per_wave
         if not SHORTEST <= wave <= LONGEST:
             continue
@@ -116,6 +112,11 @@ def _waves(moes: Row, seed: int) -> Iterator[Row]:
         found += 1
         if found == WAVES:
             return
+
+
+def _contact(m: float, l: float, d: float) -> Conditions:
+    keys = {"load_parameter_m": m, "lubricant_parameter_l": l, "radius_ratio_d": d}
+    return conditions_from_keys(keys | {"semi_axis_a_m": 1.0})
 
 
 def _between(bounds: tuple[float, float], share: float) -> float:

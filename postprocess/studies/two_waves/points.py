@@ -8,6 +8,7 @@ import pandas as pd
 from numpy.typing import NDArray
 from scipy.special import ellipk
 
+from ehlwave.deform.conditions import DEFAULT_PRESSURE_VISCOSITY
 from ehlwave.formula import wave_and_direction
 from ehlwave.read import read_results
 from ehlwave.two_waves import mismatch
@@ -23,8 +24,13 @@ CONDITION = (
 )
 WAVE = ("wavelength_x_over_a", "wavelength_y_over_a")
 
+DEFAULTS = {"pressure_viscosity_per_pa": DEFAULT_PRESSURE_VISCOSITY, "flow_law": "newtonian"}
+
 LARGEST_ERROR = 0.03
 """Of Ad/Ai from two grids, absolute: points beyond it say more about the grid than about waves."""
+
+
+LEAST_LOAD = 5.0
 
 
 @dataclass(frozen=True)
@@ -67,10 +73,13 @@ class Rolling:
 def rolling_points(*paths: Path) -> Rolling:
     """Return the resolved points in pure rolling of these sweeps, each wave once.
 
+    Below gamma M = ``LEAST_LOAD`` there is no Hertzian contact to speak of.
+
     Raises as :func:`ehlwave.read.read_results`.
     """
     table = _usable(paths)
     table = table[(table["slip_parameter"] == 1) & (table["flow_law"] == "newtonian")]
+    table = table[table["gamma"] * table["load_parameter_m"] >= LEAST_LOAD]
     table = table.drop_duplicates("wave").reset_index(drop=True)
     return Rolling(_with_names(table), _film(table), _error(table))
 
@@ -104,8 +113,10 @@ def _usable(paths: tuple[Path, ...]) -> pd.DataFrame:
     error = table["harmonic_error"] * table["harmonic_ratio"]
     fine = (table["status"] == "converged") & (table["is_resolved"] != 0)
     table = table[fine & (error <= LARGEST_ERROR)].copy()
-    if "flow_law" not in table:
-        table["flow_law"] = "newtonian"
+    # Files have columns of the keys that vary there.
+    for name, value in DEFAULTS.items():
+        given = table[name] if name in table else pd.Series(np.nan, table.index)
+        table[name] = given.replace("", np.nan).fillna(value)
     table["condition"] = _joined(table, CONDITION)
     table["wave"] = _joined(table, (*CONDITION, *WAVE))
     return table

@@ -117,6 +117,11 @@ class Atlas:
             f"({data.attrs['program']}, {data.attrs['checksum'][:8]})"
         )
 
+    @property
+    def contact_scales(self) -> Floats:
+        """Lengths over which responses change with the coordinates of the contact."""
+        return self._waves.scales.contacts
+
     def at(self, keys: Mapping[str, float]) -> "Chart":
         """Return the chart of one contact.
 
@@ -176,7 +181,7 @@ class Chart:
         wave, angle = np.broadcast_arrays(
             np.asarray(wavelength_over_a, float), np.asarray(angle_deg, float)
         )
-        places = self._shape.wave_coordinates(wave, angle).reshape(-1, 2)
+        places = self._shape.wave_coordinates(wave, angle).reshape(-1, 4)
         numbers = atlas._waves.at_waves(self._weights, places).reshape(*wave.shape, 4)
         film, pressure = self._shape.responses(wave, angle, numbers)
         points = atlas._waves.points
@@ -194,7 +199,7 @@ def responses_of(data: xr.Dataset) -> Scattered:
     chosen = data["of_contact"].values.astype(np.intp)
     shape = Shape(*(data[name].values for name in list(CONTACT_RANGES)[:3]))[chosen]
     waves = data["wavelength_over_a"].values, data["angle_deg"].values
-    noise = np.hypot(NOISE, data["discretisation"].values / shape.formula(*waves) / SPREAD)
+    noise = np.hypot(NOISE, data["discretisation"].values / np.abs(shape.formula(*waves)) / SPREAD)
     return Scattered(contact_coordinates(data), chosen, shape.wave_coordinates(*waves), noise)
 
 

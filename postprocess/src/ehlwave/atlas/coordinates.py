@@ -6,29 +6,46 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.special import ellipk
 
-from ehlwave.atlas.ranges import CONTACT_RANGES
-from ehlwave.deform.conditions import ellipticity, pressure_factor
-from ehlwave.formula import recommended_parameter, recommended_ratio
+from ehlwave.deform.conditions import ellipticity, moes_film, moes_per_film, pressure_factor
+from ehlwave.formula import wave_and_direction
+from ehlwave.rolling import rolling_transfer
 
 Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
-LINEAR = ("roelands_index",)
-"""Coordinates of a contact that are not logarithms."""
+CONTACT_COORDINATES = ("ln H", "ln L", "ln D", "ln alpha", "z")
+WAVE_COORDINATES = ("ln x", "angle, rad", "ln(lambda/b)", "ln(lambda/a)")
+
+INLET_SCALE = 0.18
+"""Where loads are high, (lambda/a) H^(-2/3) is V times 1.46 (scatter 18 %): 0.263 over that."""
 
 
-def contact_coordinates(
-    keys: Mapping[str, ArrayLike], names: tuple[str, ...] = tuple(CONTACT_RANGES)
-) -> Floats:
-    """Return the coordinates of contacts, shape (c, k), by columns named as the input keys."""
-    columns = [np.atleast_1d(np.asarray(keys[name], dtype=float)) for name in names]
-    return np.stack(
-        [
-            column if name in LINEAR else np.log(column)
-            for name, column in zip(names, columns, strict=True)
-        ],
-        axis=1,
+def contact_coordinates(keys: Mapping[str, ArrayLike]) -> Floats:
+    """Return the coordinates of contacts, shape (c, 5), by columns named as the input keys.
+
+    H, the central film of Moes' formula over the Hertz approach c, stands for M: the inlet is as
+    long as H^(2/3) a, in contacts of any load.
+    """
+    m, l, d, alpha, z = (  # noqa: E741
+        np.atleast_1d(np.asarray(keys[name], dtype=float))
+        for name in (
+            "load_parameter_m",
+            "lubricant_parameter_l",
+            "radius_ratio_d",
+            "pressure_viscosity_per_pa",
+            "roelands_index",
+        )
     )
+    return np.stack([np.log(hertz_film(m, l, d)), np.log(l), np.log(d), np.log(alpha), z], axis=1)
+
+
+def hertz_film(m: ArrayLike, l: ArrayLike, d: ArrayLike) -> Floats:  # noqa: E741
+    """Return the central film of Moes' formula over the Hertz approach c."""
+
+    def film(m: float, l: float, d: float) -> float:  # noqa: E741
+        return moes_film(m, l, d) / moes_per_film(m, ellipticity(d))
+
+    return np.asarray(np.vectorize(film, otypes=[float])(m, l, d))
 
 
 def wave_components(wavelength: ArrayLike, angle_deg: ArrayLike) -> tuple[Floats, Floats]:
@@ -44,7 +61,7 @@ def wave_components(wavelength: ArrayLike, angle_deg: ArrayLike) -> tuple[Floats
 class Shape:
     """What turns responses of contacts into numbers that hardly change, and back.
 
-    A film response T is divided by the recommended formula F(x) for its modulus; a pressure
+    A film response T is divided by the law of pure rolling, amplitude and phase; a pressure
     response P is taken as W P - (T - 1), 0 for plane waves in a contact without end: the film is
     the pattern and the deflection under the pressure, T = 1 + W P, W = 2/(K (kx^2 +
     kappa^2 ky^2)^(1/2)).
@@ -54,24 +71,33 @@ class Shape:
 
     def __init__(self, m: ArrayLike, l: ArrayLike, d: ArrayLike) -> None:  # noqa: E741
         """Find what follows from M, L and D."""
-        self.m, self.l, d = (np.asarray(value, dtype=float) for value in (m, l, d))
-        kappa = np.vectorize(ellipticity, otypes=[float])(d)
-        self.gamma = np.vectorize(pressure_factor, otypes=[float])(kappa)
-        self._k = ellipk(1 - kappa**2)
+        self.m, self.l = np.asarray(m, dtype=float), np.asarray(l, dtype=float)
+        self.film = hertz_film(m, l, d)
+        self.kappa = np.vectorize(ellipticity, otypes=[float])(np.asarray(d, dtype=float))
+        self.gamma = np.vectorize(pressure_factor, otypes=[float])(self.kappa)
+        self._k = ellipk(1 - self.kappa**2)
 
     def __getitem__(self, index: NDArray[np.intp]) -> "Shape":
         """Return the same of a choice of contacts."""
         part = Shape.__new__(Shape)
-        part.m, part.l, part.gamma, part._k = (
-            values[index] for values in (self.m, self.l, self.gamma, self._k)
-        )
+        for name, values in vars(self).items():
+            setattr(part, name, values[index])
         return part
 
+    def parameter(self, wavelength: ArrayLike, angle_deg: ArrayLike) -> Floats:
+        """Return x = 0.18 (lambda/a) H^(-2/3) L^(1/2 - cos^2(theta)/3).
+
+        That of the recommended formula where loads are high; at low ones it is smaller.
+        """
+        wave, along = wave_and_direction(*wave_components(wavelength, angle_deg))
+        return INLET_SCALE * wave * self.film ** (-2 / 3) * self.l ** (0.5 - along / 3)
+
     def wave_coordinates(self, wavelength: ArrayLike, angle_deg: ArrayLike) -> Floats:
-        """Return ln x of the recommended formula and the angle, radian: shape (n, 2)."""
-        waves = wave_components(wavelength, angle_deg)
-        log_x = np.log(recommended_parameter(self.m, self.l, self.gamma, *waves))
-        return np.stack(np.broadcast_arrays(log_x, np.radians(angle_deg)), axis=-1)
+        """Return the coordinates of waves, shape (n, 4)."""
+        wave = np.asarray(wavelength, dtype=float)
+        log_x = np.log(self.parameter(wave, angle_deg))
+        parts = log_x, np.radians(angle_deg), np.log(wave * self.kappa), np.log(wave)
+        return np.stack(np.broadcast_arrays(*parts), axis=-1)
 
     def reduced(
         self, wavelength: ArrayLike, angle_deg: ArrayLike, film: Complex, pressure: Complex
@@ -89,11 +115,10 @@ class Shape:
         pressure = (film - 1 + numbers[..., 2] + 1j * numbers[..., 3]) / self.compliance(wavelength)
         return film, pressure
 
-    def formula(self, wavelength: ArrayLike, angle_deg: ArrayLike) -> Floats:
-        """Return Ad/Ai of the recommended formula."""
-        return recommended_ratio(
-            self.m, self.l, self.gamma, *wave_components(wavelength, angle_deg)
-        )
+    def formula(self, wavelength: ArrayLike, angle_deg: ArrayLike) -> Complex:
+        """Return the law of pure rolling."""
+        waves = wave_components(wavelength, angle_deg)
+        return rolling_transfer(self.m, self.l, self.gamma, *waves)
 
     def compliance(self, wavelength: ArrayLike) -> Floats:
         """Return W = (lambda/a)/(pi K), in units of c/ph."""

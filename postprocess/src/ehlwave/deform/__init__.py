@@ -14,24 +14,31 @@ from ehlwave.deform.predict import Deformed, deform_surface
 from ehlwave.deform.read import ReadOptions, read_surface
 from ehlwave.deform.report import report_json, report_text, to_dataset, write_results
 from ehlwave.deform.simulation import simulation_surface, write_simulation_surface
+from ehlwave.deform.sliding import Mover, TwoWaveTransfer, film_profile, second_conditions
 from ehlwave.deform.surface import Surface, map_surface, trace_surface
 from ehlwave.deform.table import TableTransfer
 from ehlwave.deform.table_read import read_table
 from ehlwave.deform.transfer import FormulaTransfer, RecommendedTransfer, Transfer
+from ehlwave.deform.two_surfaces import FilmOfTwo, film_of_two
 
 __all__ = [
     "Conditions",
     "Deformed",
+    "FilmOfTwo",
     "FormulaTransfer",
+    "Mover",
     "ReadOptions",
     "RecommendedTransfer",
     "Surface",
     "TableTransfer",
     "Transfer",
+    "TwoWaveTransfer",
     "conditions_from_keys",
     "cut_period",
     "deform_surface",
     "deformed_figure",
+    "film_of_two",
+    "film_profile",
     "harmonic_table",
     "map_surface",
     "read_coefficients",
@@ -40,6 +47,7 @@ __all__ = [
     "read_table",
     "report_json",
     "report_text",
+    "second_conditions",
     "simulation_surface",
     "spectrum_figure",
     "to_dataset",

@@ -2,6 +2,7 @@
 
 import argparse
 import contextlib
+import json
 import sys
 from dataclasses import fields
 from pathlib import Path
@@ -13,14 +14,16 @@ from ehlwave.deform.conditions import Conditions
 from ehlwave.deform.conditions_read import read_conditions
 from ehlwave.deform.figures import deformed_figure, spectrum_figure
 from ehlwave.deform.period import cut_period
-from ehlwave.deform.predict import deform_surface
+from ehlwave.deform.predict import Deformed, deform_surface
 from ehlwave.deform.prepare import FORMS, WINDOWS, remove_form
 from ehlwave.deform.read import ReadOptions, read_surface
 from ehlwave.deform.report import report_json, report_text, write_results
 from ehlwave.deform.simulation import simulation_surface, write_simulation_surface
+from ehlwave.deform.sliding import TwoWaveTransfer, second_conditions
 from ehlwave.deform.table import TableTransfer
 from ehlwave.deform.table_read import read_table
 from ehlwave.deform.transfer import FormulaTransfer, RecommendedTransfer, Transfer
+from ehlwave.deform.two_surfaces import FilmOfTwo, film_of_two
 from ehlwave.errors import RangeError, SurfaceError
 from ehlwave.figures import write_figure
 
@@ -55,7 +58,12 @@ ones.
 
 Examples:
   ehlwave deform trace.csv --conditions contact.nml --length-unit mm --height-unit um
-  ehlwave deform map.sdf --conditions contact.nml --rolling-axis y --form quadratic"""
+  ehlwave deform map.sdf --conditions contact.nml --rolling-axis y --form quadratic
+  ehlwave deform ball.csv --second disc.csv --conditions sliding.nml --formula two-waves
+      --length-unit mm --height-unit um
+
+Under slip (slip_parameter, and eyring_stress_pa of a Ree-Eyring oil in the conditions) the law of
+the two waves is the formula that holds; a harmonic table of this slip is better."""
 
 
 SURFACE_DESCRIPTION = """\
@@ -94,11 +102,18 @@ def add_commands(commands: Any) -> None:  # noqa: ANN401 - argparse does not nam
     )
     source.add_argument(
         "--formula",
-        choices=("paper", "recommended"),
-        help="in place of the atlas: (18) as printed, or the formula with a quarter of its error",
+        choices=("paper", "recommended", "two-waves"),
+        help="in place of the atlas: (18) as printed; the formula with a quarter of its error; the "
+        "law of the two waves, with phase, which is what slip is judged by anyway",
     )
     source.add_argument(
         "--table", type=Path, metavar="FILE", help="harmonic table to use in place of the formula"
+    )
+    deform.add_argument(
+        "--second",
+        type=Path,
+        metavar="PROFILE",
+        help="the other surface, read alike, which moves with 2 - S",
     )
     deform.add_argument("--output", type=Path, metavar="DIR", help="write files and figures there")
     deform.add_argument("--json", action="store_true", help="print JSON instead of text")
@@ -175,22 +190,44 @@ def read_options(options: argparse.Namespace) -> ReadOptions:
 
 def _deform(options: argparse.Namespace) -> None:
     conditions = _with_film(read_conditions(options.conditions))
-    transfer = _transfer(options, conditions)
-    surface = read_surface(options.surface, read_options(options))
-    result = deform_surface(surface, conditions, transfer, options.form, options.ends)
-    others = []
-    if result.height.size <= MOST_COMPARED:
-        others = [
-            deform_surface(surface, conditions, other, options.form, options.ends)
-            for other in _others(transfer, conditions)
-        ]
-    print(report_json(result) if options.json else report_text(result, others))
+    results = [_predicted(options, options.surface, conditions)]
+    both = None
+    if options.second is not None:
+        results.append(_predicted(options, options.second, second_conditions(conditions)))
+        both = film_of_two(*results)
+    print(_json_text(results, both) if options.json else _text(results, both, options))
     if options.output is not None:
-        written = write_results(result, options.output)
-        written += write_figure(deformed_figure(result), options.output, "deformed")
-        written += write_figure(spectrum_figure(result), options.output, "spectrum")
+        written = [] if both is None else [options.output / "film.csv"]
+        for result, folder in zip(results, ("", "second"), strict=False):
+            written += _write(result, options.output / folder)
+        if both is not None:
+            both.write(written[0])
         listing = sys.stderr if options.json else sys.stdout
         print("\n".join(str(path) for path in written), file=listing)
+
+
+def _predicted(options: argparse.Namespace, path: Path, conditions: Conditions) -> Deformed:
+    transfer = _transfer(options, conditions)
+    surface = read_surface(path, read_options(options))
+    return deform_surface(surface, conditions, transfer, options.form, options.ends)
+
+
+def _text(results: list[Deformed], both: FilmOfTwo | None, options: argparse.Namespace) -> str:
+    reports = [report_text(result, _others(result, options)) for result in results]
+    return "\n".join([*reports, *([] if both is None else [both.text()])])
+
+
+def _json_text(results: list[Deformed], both: FilmOfTwo | None) -> str:
+    if both is None:
+        return report_json(results[0])
+    first, second = (json.loads(report_json(result)) for result in results)
+    return json.dumps({"first": first, "second": second, "film": both.summary()}, indent=2)
+
+
+def _write(result: Deformed, folder: Path) -> list[Path]:
+    written = write_results(result, folder)
+    written += write_figure(deformed_figure(result), folder, "deformed")
+    return written + write_figure(spectrum_figure(result), folder, "spectrum")
 
 
 def _surface(options: argparse.Namespace) -> None:
@@ -220,6 +257,8 @@ def _transfer(options: argparse.Namespace, conditions: Conditions) -> Transfer:
         return RecommendedTransfer(conditions)
     if options.formula == "paper":
         return FormulaTransfer(conditions)
+    if options.formula == "two-waves" or conditions.slip_parameter != 1:
+        return TwoWaveTransfer(conditions)
     try:
         return AtlasTransfer(conditions)
     except RangeError as error:
@@ -228,14 +267,19 @@ def _transfer(options: argparse.Namespace, conditions: Conditions) -> Transfer:
         ) from error
 
 
-def _others(transfer: Transfer, conditions: Conditions) -> list[Transfer]:
+def _others(result: Deformed, options: argparse.Namespace) -> list[Deformed]:
     """Return what else can judge the components, for comparison."""
-    if conditions.slip_parameter != 1:
+    conditions = result.conditions
+    if result.height.size > MOST_COMPARED or conditions.slip_parameter != 1:
         return []
-    all_of_them: list[Transfer] = [RecommendedTransfer(conditions), FormulaTransfer(conditions)]
+    every: list[Transfer] = [RecommendedTransfer(conditions), FormulaTransfer(conditions)]
     with contextlib.suppress(RangeError):
-        all_of_them.insert(0, AtlasTransfer(conditions))
-    return [other for other in all_of_them if other.name != transfer.name]
+        every.insert(0, AtlasTransfer(conditions))
+    return [
+        deform_surface(result.surface, conditions, other, "none", options.ends)
+        for other in every
+        if other.name != result.transfer_name
+    ]
 
 
 def _with_film(conditions: Conditions) -> Conditions:

@@ -111,7 +111,6 @@ class Conditions:
             film = (self.central_film_m or math.nan) / self.hertz_approach_c_m
         return hertz_medium(self.oil, self.kappa, self.alphabar, self.lambdabar, film, slip)
 
-
     def atlas_keys(self) -> dict[str, float]:
         """Return the coordinates of the contact in the atlas, by their keys."""
         return {
@@ -240,12 +239,12 @@ def corrected_film(m: float, l: float, d: float) -> float:  # noqa: E741
     formula alone 11 per cent.
     """
     kappa = ellipticity(d)
-    load = math.pi**2 * kappa / (16 * _integral_combinations(kappa)[1] ** 2) * m
+    load = pressure_factor(kappa) * m
     share = 0.913 * (10 / l) ** 0.118 * (100 / load) ** 0.039 * d**0.021
-    return share * moes_film(m, l, d) / _moes_per_film(m, kappa)
+    return share * moes_film(m, l, d) / moes_per_film(m, kappa)
 
 
-def _moes_per_film(m: float, kappa: float) -> float:
+def moes_per_film(m: float, kappa: float) -> float:
     """Return the film in the Moes scale per unit of H, eq. (6)."""
     b = _integral_combinations(kappa)[1]
     k = float(ellipk(1 - kappa**2))
@@ -298,12 +297,11 @@ def _complete(values: Mapping[str, float], place: str) -> Conditions:
     _check_ratio(d, place)
     kappa = ellipticity(d)
     k, e = float(ellipk(1 - kappa**2)), float(ellipe(1 - kappa**2))
-    b = _integral_combinations(kappa)[1]
     approach, metres_per_moes = None, None
     source = "given (central_film_m)"
     if "radius_x_m" in values and math.isfinite(semi_axis_a_m):
         approach = semi_axis_a_m**2 * (1 + d) / (2 * values["radius_x_m"]) * k / e
-        metres_per_moes = approach / _moes_per_film(m, kappa)
+        metres_per_moes = approach / moes_per_film(m, kappa)
         if film_m is None:
             film_m = moes_film(m, l, d) * metres_per_moes
             source = _FIT_TEXT

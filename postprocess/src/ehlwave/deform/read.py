@@ -15,11 +15,11 @@ from ehlwave.deform.surface import (
     trace_surface,
     uniform_step,
 )
-from ehlwave.deform.text_table import read_text_table
-from ehlwave.deform.units import metres
+from ehlwave.deform.text_table import TextTable, position_and_height, read_text_table
+from ehlwave.deform.units import METRES, metres
 from ehlwave.errors import SurfaceError
 
-_TEXT = {".csv", ".txt", ".dat", ".prf"}
+_TEXT = {".csv", ".txt", ".dat", ".prf", ".asc", ".tsv"}
 _HDF5 = {".h5", ".hdf5", ".nc"}
 
 _MOST_POINTS = 100_000_000
@@ -160,12 +160,41 @@ def _refuse_large(file: Path, points: int) -> None:
 
 
 def _from_text(file: Path) -> RawSurface:
-    table, units = read_text_table(file)
-    if table.shape[1] == 1:
-        return RawSurface(table[:, 0], height_unit=units[0])
-    if table.shape[1] == 2:
-        return RawSurface(table[:, 1], x=table[:, 0], length_unit=units[0], height_unit=units[1])
-    return RawSurface(table)
+    table = read_text_table(file)
+    numbers, units = table.numbers, table.units
+    stated = {"length_unit": table.length_unit, "height_unit": table.height_unit}
+    if numbers.shape[1] == 1:
+        height_unit = units[0] or table.height_unit
+        return RawSurface(
+            numbers[:, 0],
+            length_unit=table.length_unit,
+            height_unit=height_unit,
+            step=table.step,
+        )
+    chosen = position_and_height(table)
+    if chosen is None and numbers.shape[1] == 2:
+        chosen = 0, 1
+    if chosen is not None:
+        x, z = chosen
+        return RawSurface(
+            numbers[:, z],
+            x=numbers[:, x],
+            length_unit=units[x] or stated["length_unit"],
+            height_unit=units[z] or stated["height_unit"],
+        )
+    return _stated_map(table)
+
+
+def _stated_map(table: TextTable) -> RawSurface:
+    """Return a matrix of heights with the steps that its preamble states."""
+    raw = RawSurface(table.numbers, height_unit=table.height_unit, length_unit=table.length_unit)
+    raw.step = table.step
+    if set(table.extent) == {"width", "height"}:
+        rows, columns = table.numbers.shape
+        (width, unit), (across, unit_across) = table.extent["width"], table.extent["height"]
+        raw.step, raw.length_unit = width / columns, unit
+        raw.step_across = across / rows * METRES[unit_across] / METRES[unit]
+    return raw
 
 
 def _from_arrays(file: Path, arrays: dict[str, Any], units: dict[str, str]) -> RawSurface:

@@ -2,21 +2,71 @@
 
 import io
 import re
+from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
-from ehlwave.deform.units import unit_in_heading
+from ehlwave.deform.units import METRES, unit_in_heading
 from ehlwave.errors import SurfaceError
 
 _SEPARATORS = (";", "\t", ",", None)
 
 
-def read_text_table(file: Path) -> tuple[np.ndarray, list[str | None]]:
-    """Return a table of numbers and the unit of each column, None where the file has none.
+_NUMBER = re.compile(r"[-+]?(\d+([.,]\d*)?|[.,]\d+)([eE][-+]?\d+)?$|nan$", re.IGNORECASE)
+_DECIMAL_COMMA = re.compile(r"[-+]?\d*,\d+([eE][-+]?\d+)?$|[-+]?\d+$")
+_POSITION = re.compile(r"(x|pos|length|distance|traverse|lateral|path|weg)", re.IGNORECASE)
+_HEIGHT = re.compile(r"(z|height|profil|amplitude|level|h(oe|\u00f6)he|roughness)", re.IGNORECASE)
+_QUANTITY = r"\s*[:=;,\t ]\s*([-+\d.,eE]+)[;,\t ]*[\[(]?([a-zA-Z\u00b5\u03bc]*)"
+_UNIT = r"[ _-]*units?\s*[:=;,\t ]+[\[(]?([a-zA-Z\u00b5\u03bc]+)"
+_STEP = re.compile(
+    r"^\W*(?:x[ _-]?)?(?:step|spacing|pitch|increment|sampling (?:interval|step|distance)|dx)"
+    r"(?: size)?(?: in)?" + _QUANTITY,
+    re.IGNORECASE | re.MULTILINE,
+)
+_EXTENT = re.compile(rf"^\W*(width|height)\b{_QUANTITY}", re.IGNORECASE | re.MULTILINE)
+_HEIGHT_UNIT = re.compile(
+    rf"^\W*(?:z|y|height|vertical|profile|amplitude|data|value)?{_UNIT}",
+    re.IGNORECASE | re.MULTILINE,
+)
+_FEWEST_ROWS = 3
 
-    Lines that begin with ``#`` and empty lines are skipped. The first other line may hold headings,
-    from which units are taken: ``x [um]``, ``height (nm)``, ``x/mm``, ``x_m``.
+
+@dataclass
+class TextTable:
+    """Numbers of a text file and what stands above them.
+
+    Attributes
+    ----------
+    numbers : ndarray, shape (rows, columns)
+        Columns of a trace, or a map.
+    units : list of str or None
+        Of each column, where the file says so.
+    names : list of str
+        Headings, or none.
+    step, length_unit, height_unit
+        From lines such as ``Spacing: 0.5 um`` and ``Z-Unit: nm``; None if there are none.
+    extent : dict
+        Length of a map along its rows (``width``) and across (``height``) with its unit.
+    """
+
+    numbers: np.ndarray
+    units: list[str | None]
+    names: list[str]
+    step: float | None = None
+    length_unit: str | None = None
+    height_unit: str | None = None
+    extent: dict[str, tuple[float, str]] = field(default_factory=dict)
+
+
+def read_text_table(file: Path) -> TextTable:
+    """Return a table of numbers, and the units and steps that the file states.
+
+    Lines that begin with ``#`` and empty lines are skipped. Numbers begin with the first of three
+    lines that have as many of them; above them may stand anything, the last lines of it headings,
+    from which units are taken (``x [um]``, ``height (nm)``, ``x/mm``, ``x_m``), or a row of units.
+    Numbers may have decimal commas.
 
     Raises
     ------
@@ -28,25 +78,103 @@ def read_text_table(file: Path) -> tuple[np.ndarray, list[str | None]]:
         text = file.read_text(encoding="utf-8-sig")
     except UnicodeDecodeError:
         text = file.read_text(encoding="latin-1")
-    first = next((line for line in text.splitlines() if line.strip() and line[0] != "#"), None)
-    if first is None:
+    lines = text.splitlines()
+    content = [line for line in lines if line.strip() and not line.lstrip().startswith("#")]
+    if not content:
         raise SurfaceError(f"{file}: is empty")
-    separator = next(s for s in _SEPARATORS if s is None or s in first)
-    headings = [cell.strip().strip('"') for cell in first.split(separator)]
-    has_headings = not any(_is_number(cell) for cell in headings)
-    if has_headings:
-        text = text[text.index(first) + len(first) :]
-    if separator == ";" and "," in text and "." not in text:
-        text = text.replace(",", ".")  # decimal commas
-    if not text.strip():
+    if not any(
+        _is_number(cell) for line in content for cell in re.split(r"[;,\t ]+", line.strip())
+    ):
+        raise SurfaceError(
+            f"{file}: holds no numbers; write positions and heights as two columns with headings "
+            "such as x_um;z_um"
+        )
+    start, separator = _first_numbers(content)
+    above, body = content[:start], content[start:]
+    while len(body) > 1 and not any(_is_number(cell) for cell in body[-1].split(separator)):
+        body.pop()  # what stands below
+    if not body or (start == 0 and not any(_is_number(cell) for cell in body[0].split(separator))):
         raise SurfaceError(f"{file}: has headings but no numbers")
-    table = _numbers(file, text, separator)
-    if table.shape[1] > 1 and np.isnan(table[:, -1]).all():
-        table, headings = table[:, :-1], headings[: table.shape[1] - 1]  # separators end the rows
-    if has_headings and len(headings) != table.shape[1]:
-        raise SurfaceError(f"{file}: {len(headings)} headings for {table.shape[1]} columns")
-    units = [unit_in_heading(heading) for heading in headings]
-    return table, units if has_headings else [None] * table.shape[1]
+    text = "\n".join(body)
+    if "," in text and separator != "," and "." not in text:
+        text = text.replace(",", ".")  # decimal commas
+    numbers = _numbers(file, text, separator)
+    ends_rows = numbers.shape[1] > 1 and np.isnan(numbers[:, -1]).all()
+    if ends_rows:
+        numbers = numbers[:, :-1]  # separators end the rows
+    names, units = _headings(file, above, separator, numbers.shape[1])
+    said = "\n".join([*above, *(line for line in lines if line.lstrip().startswith("#"))])
+    return TextTable(numbers, units, names, **_stated(said))
+
+
+def _first_numbers(lines: list[str]) -> tuple[int, str | None]:
+    """Return the line in which the numbers begin, and what separates them."""
+    for start in range(max(1, len(lines) - _FEWEST_ROWS + 1)):
+        first = lines[start : start + _FEWEST_ROWS]
+        for separator in _SEPARATORS:
+            if separator is not None and separator not in first[0]:
+                continue
+            blank = first[0].split()
+            if separator == "," and len(blank) > 1 and all(map(_DECIMAL_COMMA.match, blank)):
+                continue
+            rows = [[cell.strip() for cell in line.strip().split(separator)] for line in first]
+            are_numbers = all(_is_number(cell) for row in rows for cell in row)
+            if are_numbers and len({len(row) for row in rows}) == 1 and any(rows[0]):
+                return start, separator
+            break
+    separator = next(s for s in _SEPARATORS if s is None or s in lines[0])
+    return int(not any(_is_number(cell) for cell in lines[0].split(separator))), separator
+
+
+def _headings(
+    file: Path, above: list[str], separator: str | None, columns: int
+) -> tuple[list[str], list[str | None]]:
+    """Return names and units of the columns from the two lines above the numbers."""
+    names, units, last = [], [None] * columns, 0
+    for line in reversed(above[-2:]):
+        cells = [cell.strip().strip('"') for cell in line.split(separator)]
+        if separator is None and len(cells) != columns:
+            cells = [cell for cell in re.split(r"\s{2,}|\t", line.strip()) if cell]
+        last = last or len(cells)
+        if len(cells) == columns + 1 and not cells[-1]:
+            cells.pop()
+        if len(cells) != columns:
+            break
+        bare = [cell.strip("[]() ") for cell in cells]
+        if any(bare) and all(not cell or cell in METRES for cell in bare) and not names:
+            units = [cell or None for cell in bare]
+            continue
+        names = cells
+        if not any(units):
+            units = [unit_in_heading(cell) for cell in cells]
+        break
+    if len(above) == 1 and last != columns and columns > 1 and separator in (above[0]):
+        raise SurfaceError(f"{file}: {last} headings for {columns} columns")
+    return names, units
+
+
+def _stated(said: str) -> dict[str, Any]:
+    """Return step, units and extent from lines of a preamble."""
+    found: dict[str, Any] = {}
+    if match := _STEP.search(said):
+        found["step"] = float(match[1].replace(",", "."))
+        found["length_unit"] = match[2] or None
+    if match := _HEIGHT_UNIT.search(said):
+        found["height_unit"] = match[1]
+    for match in _EXTENT.finditer(said):
+        if match[3] in METRES:
+            value = float(match[2].replace(",", "."))
+            found.setdefault("extent", {})[match[1].lower()] = (value, match[3])
+    return found
+
+
+def position_and_height(table: TextTable) -> tuple[int, int] | None:
+    """Return which columns are positions and heights by their headings, None if they do not say."""
+    position = [k for k, name in enumerate(table.names) if _POSITION.match(name)]
+    height = [k for k, name in enumerate(table.names) if _HEIGHT.match(name)]
+    if not position or not height:
+        return None
+    return position[0], height[0]
 
 
 def _numbers(file: Path, text: str, separator: str | None) -> np.ndarray:
@@ -68,8 +196,4 @@ def _plain(message: str) -> str:
 
 
 def _is_number(cell: str) -> bool:
-    try:
-        float(cell.replace(",", "."))
-    except ValueError:
-        return cell.strip() == ""
-    return True
+    return not cell.strip() or _NUMBER.match(cell.strip()) is not None

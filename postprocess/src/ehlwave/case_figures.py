@@ -1,0 +1,189 @@
+"""Pictures of one case: what a bearing engineer looks at, in um, GPa and us."""
+
+import re
+from dataclasses import dataclass
+
+import numpy as np
+import xarray as xr
+from matplotlib import rc_context
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.layout_engine import ConstrainedLayoutEngine
+from numpy.typing import NDArray
+
+from ehlwave.figures import COLOURS
+
+Floats = NDArray[np.float64]
+
+REACH = 1.5
+"""Largest distance from the centre that is shown, in units of a and b."""
+
+FILM_SHOWN = 2.0
+"""Thickest film that is shown, over the smooth central one."""
+
+_STYLE = {"font.size": 8.5, "axes.labelsize": 9, "axes.titlesize": 9.5, "legend.fontsize": 8}
+
+
+@dataclass(frozen=True)
+class Units:
+    """What numbers of a file are multiplied by, and their names.
+
+    In um, GPa and us where the case has dimensions; otherwise 1, in units of a, b, c, ph.
+    """
+
+    x: float
+    y: float
+    film: float
+    pressure: float
+    time: float | None
+    names: tuple[str, str, str, str, str]
+
+
+def units_of(case: xr.Dataset) -> Units:
+    """Return the units of a case read by :func:`ehlwave.read_case`."""
+    if "length_a_m" not in case:
+        return Units(1, 1, 1, 1, 1, ("$x/a$", "$y/b$", "$h/c$", "$p/p_h$", "$T$"))
+    a, c = (float(case[name]) * 1e6 for name in ("length_a_m", "length_c_m"))
+    b = float(case["length_b_m"]) * 1e6 if "length_b_m" in case else a
+    speed = re.search(r"mean_speed_m_per_s = (\S+)", str(case.attrs.get("effective_input", "")))
+    time = None if speed is None else a / float(speed[1])
+    names = (r"$x$ [$\mu$m]", r"$y$ [$\mu$m]", r"$h$ [$\mu$m]", "$p$ [GPa]", r"$t$ [$\mu$s]")
+    return Units(a, b, c, float(case["hertz_pressure_pa"]) * 1e-9, time, names)
+
+
+def case_figure(case: xr.Dataset) -> Figure:
+    """Draw film and pressure over the contact and along its midplanes, the central film in time.
+
+    Parameters
+    ----------
+    case : xarray.Dataset
+        From :func:`ehlwave.read_case`.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        In um, GPa and us where the case has dimensions. The history has the undeformed pattern
+        besides: the film that rigid waves of the same Ai would leave. A line contact has no maps.
+    """
+    units = units_of(case)
+    is_line = case["y"].size == 1
+    has_time = case["time"].size > 1 if "time" in case else False
+    with rc_context(_STYLE):
+        if is_line:
+            figure = Figure(figsize=(7.6, 3.0), layout=ConstrainedLayoutEngine(w_pad=0.15))
+            lengthwise, history = figure.subplots(1, 2)
+        else:
+            figure = Figure(figsize=(10.6, 5.6), layout=ConstrainedLayoutEngine(w_pad=0.15))
+            panels = figure.subplots(2, 3)
+            (film_map, pressure_map, history), (lengthwise, crosswise, spare) = panels
+            central = float(case["central_film"])
+            _draw_map(film_map, case["film"].clip(max=FILM_SHOWN * central), units, units.film)
+            film_map.set_title(f"film, {units.names[2]}")
+            _draw_map(pressure_map, case["pressure"], units, units.pressure, "magma")
+            pressure_map.set_title(f"pressure, {units.names[3]}")
+            _draw_midplane(crosswise, case, units, "y")
+            _draw_contours(spare, case, units)
+        _draw_midplane(lengthwise, case, units, "x")
+        if has_time:
+            _draw_history(history, case, units)
+        else:
+            history.set_axis_off()
+            history.text(0.5, 0.5, _summary(case, units), ha="center", va="center")
+    return figure
+
+
+def _draw_map(
+    axes: Axes, field: xr.DataArray, units: Units, scale: float, colours: str = "viridis"
+) -> None:
+    mesh = axes.pcolormesh(
+        field["x"] * units.x,
+        field["y"] * units.y,
+        field * scale,
+        cmap=colours,
+        vmin=0,
+        shading="gouraud",
+        rasterized=True,
+    )
+    axes.figure.colorbar(mesh, ax=axes, shrink=0.85)
+    _frame(axes, field, units)
+
+
+def _frame(axes: Axes, field: xr.DataArray, units: Units) -> None:
+    axes.set(xlabel=units.names[0], ylabel=units.names[1], aspect="equal")
+    axes.set_xlim(*(units.x * np.clip([field["x"].min(), field["x"].max()], -REACH, REACH)))
+    axes.set_ylim(*(units.y * np.clip([field["y"].min(), field["y"].max()], -REACH, REACH)))
+
+
+def _draw_contours(axes: Axes, case: xr.Dataset, units: Units) -> None:
+    """Draw films by lines of equal thickness, as an interferogram shows them."""
+    central = float(case["central_film"])
+    film = case["film"] / central
+    x, y = case["x"] * units.x, case["y"] * units.y
+    lines = axes.contour(x, y, film, np.arange(0.2, 2.01, 0.2), cmap="viridis", linewidths=0.8)
+    axes.clabel(lines, lines.levels[::2], fontsize=7)
+    _frame(axes, case["film"], units)
+    axes.set_title("film over smooth central film")
+
+
+def _draw_midplane(axes: Axes, case: xr.Dataset, units: Units, along: str) -> None:
+    """Draw film and pressure along a line through the centre, on two axes of their own colours."""
+    across, scale = ("y", units.x) if along == "x" else ("x", units.y)
+    line = case.sel({across: 0}, method="nearest")
+    place = line[along].values * scale
+    axes.plot(place, line["film"].values * units.film, color=COLOURS[0])
+    axes.set(xlabel=units.names[0 if along == "x" else 1])
+    axes.set_ylim(0, FILM_SHOWN * float(case["central_film"]) * units.film)
+    axes.set_xlim(*(scale * np.clip([line[along].min(), line[along].max()], -REACH, REACH)))
+    axes.set_ylabel(units.names[2], color=COLOURS[0])
+    right = axes.twinx()
+    right.plot(place, line["pressure"].values * units.pressure, color=COLOURS[1])
+    right.set_ylim(0, 1.15 * float(case["pressure"].max()) * units.pressure)
+    right.set_ylabel(units.names[3], color=COLOURS[1])
+    axes.set_title("along rolling, $y = 0$" if along == "x" else "across, $x = 0$")
+
+
+def _draw_history(axes: Axes, case: xr.Dataset, units: Units) -> None:
+    film = case["film_at_centre"].values * units.film
+    scale = 1 if units.time is None else units.time
+    axes.plot(case["time"].values * scale, film, color=COLOURS[0], label="in the contact")
+    central = float(case["central_film"]) * units.film
+    undeformed = undeformed_history(case)
+    low, high = film.min(), film.max()
+    if undeformed is not None:
+        rigid = undeformed * units.film
+        axes.plot(
+            case["time"].values * scale, rigid, color="0.6", linewidth=0.9, label="undeformed"
+        )
+        low, high = min(low, rigid.min()), max(high, rigid.max())
+    axes.axhline(central, color="black", linewidth=0.6, linestyle=":", label="smooth")
+    axes.set_ylim(low - 0.08 * (high - low), high + 0.55 * (high - low))
+    axes.set(xlabel=units.names[4], ylabel=units.names[2], title="film at the centre in time")
+    axes.margins(x=0)
+    axes.legend(loc="upper left", frameon=False, fontsize=7)
+
+
+def undeformed_history(case: xr.Dataset) -> Floats | None:
+    """Return the film at the centre that rigid waves would leave, in units of c.
+
+    Theory eq. (12) and (13): waves start at the inlet boundary behind a smooth front and move with
+    S. None for smooth cases, standing waves and measured surfaces.
+    """
+    effective_input = str(case.attrs.get("effective_input", ""))
+    given = re.search(r"amplitude_over_film = (\S+)", effective_input)
+    wave = float(case["wavelength_x_over_a"]) if "wavelength_x_over_a" in case else 0.0
+    if given is None or not wave > 0 or case.attrs.get("orientation") == "none":
+        return None
+    central, slip = float(case["central_film"]), float(case["slip_parameter"])
+    place = -float(case["domain_x_min"]) - slip * case["time"].values
+    front = 10.0 ** (-10 * np.minimum(np.maximum(place / wave, 0) ** 2, 30))
+    return central * (1 + float(given[1]) * front * np.cos(2 * np.pi * place / wave))
+
+
+def _summary(case: xr.Dataset, units: Units) -> str:
+    lines = [str(case.attrs.get("status", "")), f"M = {float(case['load_parameter_m']):.5g}"]
+    lines.append(f"L = {float(case['lubricant_parameter_l']):.5g}")
+    for name, text in (("central_film", "central film"), ("minimum_film", "smallest film")):
+        lines.append(f"{text}: {units.names[2]} {float(case[name]) * units.film:.4g}")
+    if "harmonic_ratio" in case and np.isfinite(case["harmonic_ratio"]):
+        lines.append(f"$A_d/A_i$ of small waves: {float(case['harmonic_ratio']):.3f}")
+    return "\n".join(lines)

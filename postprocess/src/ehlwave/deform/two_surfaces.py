@@ -1,0 +1,97 @@
+"""The film between two rough surfaces that move with S and 2 - S: the sum of what each does."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+from numpy.typing import NDArray
+
+from ehlwave.deform.predict import Deformed
+from ehlwave.errors import SurfaceError
+
+Floats = NDArray[np.float64]
+
+UM = 1e6
+
+
+@dataclass(frozen=True)
+class FilmOfTwo:
+    """Film at the contact centre, m, while two deformed surfaces pass it; see :func:`film_of_two`.
+
+    ``rolled_m`` counts the way of the mean speed, in steps of the finer surface.
+    """
+
+    rolled_m: Floats
+    film_m: Floats
+
+    @property
+    def rq_m(self) -> float:
+        """Root mean square of the film about its mean: what both surfaces leave."""
+        return float(np.std(self.film_m))
+
+    def text(self) -> str:
+        """Return what a user reads."""
+        mean, least = float(np.mean(self.film_m)), float(np.min(self.film_m))
+        return (
+            f"Both         film at the centre, mean {mean * UM:.4g} um, "
+            f"Rq {self.rq_m * UM:.4g} um, "
+            f"smallest {least * UM:.4g} um, over {self.rolled_m[-1] * UM:.4g} um of rolling"
+        )
+
+    def summary(self) -> dict[str, float]:
+        """Return the same as numbers, m."""
+        return {
+            "mean_film_m": float(np.mean(self.film_m)),
+            "film_rq_m": self.rq_m,
+            "smallest_film_m": float(np.min(self.film_m)),
+            "rolled_m": float(self.rolled_m[-1]),
+        }
+
+    def write(self, path: Path) -> Path:
+        """Write it as CSV, um."""
+        table = pd.DataFrame({"rolled_um": self.rolled_m * UM, "film_um": self.film_m * UM})
+        table.to_csv(path, index=False, float_format="%.9g", lineterminator="\r\n")
+        return path
+
+
+def film_of_two(first: Deformed, second: Deformed) -> FilmOfTwo:
+    """Return the film at the contact centre from the deformed heights of both surfaces.
+
+    Their leading ends are at the centre together; it ends with the one that has passed first. Maps
+    are taken along their middle lines. Linear: what one surface does to the other is of second
+    order. A surface at rest (S = 0) stays with its leading end at the centre.
+
+    Raises
+    ------
+    SurfaceError
+        If the film thickness is not known, or a surface has no length along rolling.
+    """
+    film = first.conditions.central_film_m
+    if film is None:
+        raise SurfaceError("the film thickness is unknown: give central_film_m or radius_x_m")
+    both = (first, second)
+    for one in both:
+        if one.height.shape[0] == 1:
+            raise SurfaceError(f"{one.surface.name}: a trace across rolling does not pass")
+    moving = [one for one in both if one.conditions.slip_parameter > 0]
+    lengths = [_length(one) / one.conditions.slip_parameter for one in moving]
+    step = min(one.surface.step_x_m / one.conditions.slip_parameter for one in moving)
+    rolled = np.arange(0.0, min(lengths) + 0.5 * step, step)
+    deformed = [_passing(one, rolled) for one in both]
+    # What the linear prediction leaves of the means belongs to the film, not to the roughness.
+    mean = film if first.statistics.mean_film_m is None else first.statistics.mean_film_m
+    if second.statistics.mean_film_m is not None:
+        mean += second.statistics.mean_film_m - film
+    return FilmOfTwo(rolled, mean - deformed[0] - deformed[1])
+
+
+def _length(one: Deformed) -> float:
+    return (one.height.shape[0] - 1) * one.surface.step_x_m
+
+
+def _passing(one: Deformed, rolled: Floats) -> Floats:
+    """Return the deformed height at the contact centre, m, after so much rolling."""
+    place = np.arange(one.height.shape[0]) * one.surface.step_x_m
+    line = one.height[:, one.height.shape[1] // 2]
+    return np.interp(_length(one) - one.conditions.slip_parameter * rolled, place, line)

@@ -1,0 +1,27 @@
+!> The parts of the relative error of a number.
+module ehlwave_error_parts
+   use ehlwave_kinds, only: dp
+   implicit none (type, external)
+   private
+
+   !> Expected by a plan, or estimated after a run. Their sum is what `accuracy` is about.
+   type, public :: error_parts_t
+      real(dp) :: mesh = 0         !! by the mesh, and of moving waves by time steps that follow it
+      real(dp) :: domain = 0       !! by the edges of the domain; those of a truncated one are asked for, and told besides
+      real(dp) :: time = 0         !! by time steps longer than hX
+      real(dp) :: amplitude = 0    !! of waves in time: by which Ad/Ai differs from that of small waves
+      real(dp) :: settling = 0     !! of waves in time: by which Ad/Ai still changes from period to period
+      real(dp) :: algebraic = 0    !! by the tolerances
+   contains
+      procedure :: total
+   end type error_parts_t
+
+contains
+
+   !> The sum of all parts, NaN where one is not known.
+   elemental real(dp) function total(self)
+      class(error_parts_t), intent(in) :: self
+      total = self%mesh + self%domain + self%time + self%amplitude + self%settling + self%algebraic
+   end function total
+
+end module ehlwave_error_parts

@@ -1,0 +1,57 @@
+!> A finer plan of a case whose error turned out larger than was asked for.
+module ehlwave_plan_refinement
+   use ehlwave_case_definition, only: case_t
+   use ehlwave_case_plan, only: case_plan_t, make_plan
+   use ehlwave_domain_choice, only: may_enlarge
+   use ehlwave_error_parts, only: error_parts_t
+   use ehlwave_errors, only: error_t
+   use ehlwave_grid_choice, only: smallest_size
+   use ehlwave_kinds, only: dp
+   use ehlwave_text, only: to_text
+   implicit none (type, external)
+   private
+   public :: refine_plan
+
+   real(dp), parameter :: aim = 0.7_dp             !! of what the accuracy leaves to the mesh: estimates scatter
+   real(dp), parameter :: largest_factor = 3       !! of the cells in one direction, at once
+   real(dp), parameter :: largest_domain_share = 0.4_dp   !! of the accuracy, from which on the domain is doubled
+
+contains
+
+   !> Cells as many as the part of the mesh asks for, and twice the domain where its part is large, within what the case leaves
+   !> free and its limits. False where nothing can be made finer, or that would not help.
+   subroutine refine_plan(case, plan, parts, finer, is_finer)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      type(error_parts_t), intent(in) :: parts       !! of the result of the plan
+      type(case_plan_t), intent(out) :: finer
+      logical, intent(out) :: is_finer
+      type(case_t) :: copy
+      type(error_t), allocatable :: error
+      real(dp) :: factor, room
+
+      is_finer = .false.
+      room = case%accuracy - (parts%total() - parts%mesh)
+      copy = case
+      copy%accuracy = 0                             ! what it chooses is chosen here
+      copy%time_step_over_cell = real(plan%cells_per_step, dp)/plan%steps_per_cell
+      copy%domain_scale = plan%domain_scale
+      if (parts%domain > largest_domain_share*case%accuracy .and. may_enlarge(case, plan%domain_scale)) then
+         copy%domain_scale = 2*plan%domain_scale
+         room = room + 0.5_dp*parts%domain
+      end if
+      if (.not. room > 0) return
+      factor = min(max(1.0_dp, sqrt(parts%mesh/(aim*room))), largest_factor)
+      copy%cells_x = plan%cells_x
+      copy%cells_y = plan%cells_y
+      factor = factor*copy%domain_scale/plan%domain_scale
+      if (case%cells_x == 0) copy%cells_x = smallest_size(factor*plan%cells_x, case%largest_cells)
+      if (case%cells_y == 0) copy%cells_y = smallest_size(factor*plan%cells_y, case%largest_cells)
+      if (copy%cells_x <= plan%cells_x .and. copy%cells_y <= plan%cells_y) return
+      call make_plan(copy, finer, error)
+      if (allocated(error)) return
+      finer%grid_reason = 'refined for an accuracy of '//to_text(case%accuracy, 3)
+      is_finer = .true.
+   end subroutine refine_plan
+
+end module ehlwave_plan_refinement

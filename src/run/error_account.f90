@@ -1,0 +1,94 @@
+!> What a result is wrong by, part by part.
+module ehlwave_error_account
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+   use ehlwave_accuracy_model, only: expected_step_error
+   use ehlwave_case_definition, only: case_t
+   use ehlwave_case_plan, only: case_plan_t
+   use ehlwave_case_result, only: case_result_t
+   use ehlwave_error_parts, only: error_parts_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_linear_range, only: linear_limit
+   use ehlwave_text, only: to_text
+   implicit none (type, external)
+   private
+   public :: errors_text, take_errors, validity_text
+
+   real(dp), parameter :: steady_share = 0.1_dp   !! of the tolerance, that a steady film is off by at most; measured
+
+contains
+
+   !> Put together the errors of film and Ad/Ai, and of the one that the case is about the sum.
+   subroutine take_errors(case, plan, result)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      type(case_result_t), intent(inout) :: result
+
+      result%film_errors = error_parts_t(mesh=result%central_film_error, domain=plan%film_domain_error, &
+                                         algebraic=steady_share*case%tolerance)
+      if (ieee_is_finite(result%amplitude_ratio_fit)) then
+         result%ratio_errors = errors_in_time(case, plan, result)
+      else if (ieee_is_finite(result%harmonic%ratio)) then
+         result%ratio_errors = error_parts_t(mesh=result%harmonic%error, domain=plan%domain_error, &
+                                             algebraic=case%response_tolerance)
+         if (.not. ieee_is_finite(result%harmonic%error)) result%ratio_errors%mesh = plan%expected%mesh
+      end if
+      result%error_estimate = asked(case, merge(result%ratio_errors, result%film_errors, case%orientation /= 'none'))
+   end subroutine take_errors
+
+   !> Errors of Ad/Ai of waves in time, or of a standing pattern.
+   function errors_in_time(case, plan, result) result(parts)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      type(case_result_t), intent(in) :: result
+      type(error_parts_t) :: parts
+
+      parts = plan%expected
+      parts%settling = result%settling
+      if (plan%steps > 0) parts%algebraic = expected_step_error(case%step_tolerance)
+      if (result%amplitude_error_basis == 'coarse_grid') &
+         parts%mesh = max(0.0_dp, result%amplitude_ratio_error - parts%algebraic - parts%time)   ! coarser grids take longer steps
+      if (ieee_is_finite(result%harmonic%ratio)) &
+         parts%amplitude = abs(result%amplitude_ratio_fit/result%harmonic%ratio - 1)
+   end function errors_in_time
+
+   !> The sum, without the domain where its edges are truncated: that is the problem as it was asked for.
+   pure real(dp) function asked(case, parts)
+      type(case_t), intent(in) :: case
+      type(error_parts_t), intent(in) :: parts
+      type(error_parts_t) :: counted
+      counted = parts
+      if (case%edges == 'truncated') counted%domain = 0
+      asked = counted%total()
+   end function asked
+
+   !> The parts for people.
+   function errors_text(parts) result(text)
+      type(error_parts_t), intent(in) :: parts
+      character(len=:), allocatable :: text
+      text = 'mesh '//to_text(parts%mesh, 2)//', domain '//to_text(parts%domain, 2)
+      if (parts%time > 0) text = text//', time steps '//to_text(parts%time, 2)
+      if (parts%amplitude > 0) text = text//', amplitude '//to_text(parts%amplitude, 2)
+      if (parts%settling > 0) text = text//', settling '//to_text(parts%settling, 2)
+      text = text//', tolerances '//to_text(parts%algebraic, 2)
+   end function errors_text
+
+   !> One line on what a result holds for: edges, linear range, warnings.
+   function validity_text(case, plan, warning) result(text)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      character(len=*), intent(in), optional :: warning   !! of the result
+      character(len=:), allocatable :: text
+
+      text = 'edges '//trim(case%edges)
+      if (case%edges == 'truncated') text = text//' (P = 0, film '//to_text(100*plan%film_domain_error, 2)//' % too thin)'
+      if (plan%waviness%is_present .and. .not. allocated(plan%waviness%surface)) then
+         text = text//'; waves respond as small ones up to Ai = '//to_text(100*linear_limit(case), 2)//' % of the film'
+         if (case%amplitude_over_film > linear_limit(case)) text = text//', asked for '// &
+            to_text(100*case%amplitude_over_film, 3)//' %'
+      end if
+      if (.not. plan%resolution%is_resolved) text = text//'; not resolved'
+      if (.not. present(warning)) return
+      if (warning /= '') text = text//'; '//warning
+   end function validity_text
+
+end module ehlwave_error_account

@@ -1,0 +1,95 @@
+!> Runs one case, and again on finer grids where its estimated error is above the accuracy asked for.
+module ehlwave_refined_case
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+   use ehlwave_case_definition, only: case_t
+   use ehlwave_case_plan, only: case_plan_t
+   use ehlwave_case_result, only: case_result_t
+   use ehlwave_error_account, only: errors_text, take_errors
+   use ehlwave_error_parts, only: error_parts_t
+   use ehlwave_estimated_case, only: run_estimated_case
+   use ehlwave_kinds, only: dp
+   use ehlwave_linear_range, only: linear_limit
+   use ehlwave_march_keeper, only: march_keeper_t
+   use ehlwave_monitor, only: go_on, monitor_t
+   use ehlwave_plan_refinement, only: refine_plan
+   use ehlwave_shared_steady, only: shared_steady_t
+   use ehlwave_status, only: is_success, status_converged, status_inaccurate, status_interrupted
+   use ehlwave_text, only: to_text
+   implicit none (type, external)
+   private
+   public :: run_refined_case
+
+   integer, parameter :: most_refinements = 2
+
+contains
+
+   !> Run a case as planned, see `run_estimated_case`. With an accuracy and flooded edges it is run again on finer grids while the
+   !> estimate is above it; `plan` is then that of the result. What stays above it is `inaccurate`. With truncated edges, which
+   !> old results have, the estimate is told and nothing follows from it.
+   !>
+   !> A case that is stopped in a finer run counts as interrupted; its finer runs start again. When its time is up there, the result
+   !> before stands.
+   subroutine run_refined_case(case, plan, monitor, result, shared, keeper)
+      type(case_t), intent(in) :: case              !! completed input
+      type(case_plan_t), intent(inout) :: plan
+      class(monitor_t), intent(inout) :: monitor
+      type(case_result_t), intent(out) :: result
+      type(shared_steady_t), intent(inout), target, optional :: shared
+      class(march_keeper_t), intent(inout), optional :: keeper
+      type(case_plan_t) :: finer
+      type(case_result_t) :: again
+      logical :: is_finer
+
+      call run_estimated_case(case, plan, monitor, result, shared, keeper)
+      call take_errors(case, plan, result)
+      if (.not. case%accuracy > 0 .or. case%edges == 'truncated' .or. result%status /= status_converged) return
+      do while (result%error_estimate > case%accuracy .and. result%refinements < most_refinements)
+         if (monitor%request /= go_on) exit
+         call refine_plan(case, plan, parts_of(case, result), finer, is_finer)
+         if (.not. is_finer) exit
+         call run_estimated_case(case, finer, monitor, again, shared)
+         if (again%status == status_interrupted) then
+            result%status = status_interrupted
+            if (present(keeper)) call keeper%save()
+            return
+         end if
+         if (.not. is_success(again%status)) exit
+         call take_errors(case, finer, again)
+         again%work_units = again%work_units*(1 + result%seconds/again%seconds)
+         again%seconds = again%seconds + result%seconds
+         again%refinements = result%refinements + 1
+         result = again
+         plan = finer
+      end do
+      if (ieee_is_finite(result%error_estimate) .and. result%error_estimate <= case%accuracy) return
+      if (result%status /= status_converged) return
+      result%status = status_inaccurate
+      result%message = 'estimated relative error '//to_text(result%error_estimate, 2)//' ('// &
+                       errors_text(parts_of(case, result))//') above the accuracy of '//to_text(case%accuracy, 2)// &
+                       advice(case, result)
+   end subroutine run_refined_case
+
+   !> Errors of what the case is about.
+   type(error_parts_t) function parts_of(case, result)
+      type(case_t), intent(in) :: case
+      type(case_result_t), intent(in) :: result
+      parts_of = merge(result%ratio_errors, result%film_errors, case%orientation /= 'none')
+   end function parts_of
+
+   !> What would help.
+   function advice(case, result) result(text)
+      type(case_t), intent(in) :: case
+      type(case_result_t), intent(in) :: result
+      character(len=:), allocatable :: text
+      type(error_parts_t) :: parts
+      real(dp) :: others
+
+      parts = parts_of(case, result)
+      others = max(parts%mesh, parts%domain, parts%time, parts%algebraic)
+      text = ': ask for less, or leave cells and domain to the plan with a larger largest_cells'
+      if (parts%amplitude > others) text = ': take amplitude_over_film below '//to_text(linear_limit(case), 2)// &
+         ", or response = 'harmonic'"
+      if (parts%settling > max(others, parts%amplitude)) text = ': take more settling_periods'
+   end function advice
+
+end module ehlwave_refined_case
