@@ -94,7 +94,8 @@ contains
             "', this program reads and writes '"//format_name//' '//format_version// &
             "': use the program that made it, or name another results file")
       end if
-      if (allocated(error) .or. file_kind(folder//'/'//defaults_name) == kind_none) return
+      if (allocated(error)) return
+      if (file_kind(folder//'/'//defaults_name) == kind_none) return
       call read_whole_file(folder//'/'//defaults_name, text)
       if (.not. allocated(text)) text = ''
       if (text /= defaults_text(defaults_of_store(folder)) .and. text /= '1'//new_line('a')) &
