@@ -94,7 +94,8 @@ contains
             "', this program reads and writes '"//format_name//' '//format_version// &
             "': use the program that made it, or name another results file")
       end if
-      if (allocated(error) .or. file_kind(folder//'/'//defaults_name) == kind_none) return
+      if (allocated(error)) return
+      if (file_kind(folder//'/'//defaults_name) == kind_none) return
       call read_whole_file(folder//'/'//defaults_name, text)
       if (.not. allocated(text)) text = ''
       if (text /= defaults_text(defaults_of_store(folder)) .and. text /= '1'//new_line('a')) &
@@ -103,16 +104,21 @@ contains
    end subroutine check_store
 
    !> Generation of the defaults that a store was begun with: its cases go on with them. A store that is still to be made will have
-   !> the newest.
-   integer function defaults_of_store(folder) result(generation)
+   !> the newest. Fails when the store says it and that cannot be read: other defaults are other results.
+   integer function defaults_of_store(folder, error) result(generation)
       character(len=*), intent(in) :: folder
-      character(len=:), allocatable :: text
+      type(error_t), allocatable, intent(inout), optional :: error
+      character(len=:), allocatable :: reason, text
       integer :: io
 
-      call read_whole_file(folder//'/'//defaults_name, text)
-      if (allocated(text)) then
-         read (text, *, iostat=io) generation
-         if (io == 0) return
+      if (file_kind(folder//'/'//defaults_name) /= kind_none) then
+         call read_whole_file(folder//'/'//defaults_name, text, reason)
+         io = 0
+         if (allocated(text)) read (text, *, iostat=io) generation
+         if (allocated(text) .and. io == 0) return
+         if (present(error)) then
+            if (.not. allocated(error)) call raise(error, 'cannot read '//folder//'/'//defaults_name//': '//reason)
+         end if
       end if
       generation = newest_defaults
       if (file_kind(folder//'/store') /= kind_none) generation = 0

@@ -44,7 +44,7 @@ contains
       call read_settings(file, settings, error)
       sweep%output = trim(settings%output)
       if (present(output)) sweep%output = output
-      is_old = defaults_of_store(store_path(sweep%output)) == 0
+      is_old = defaults_of_store(store_path(sweep%output), error) == 0
       if (present(begins_anew)) is_old = is_old .and. .not. begins_anew
       if (is_old) base%case%edges = edges_of_old_stores
       call base%read(file, error)

@@ -37,7 +37,7 @@ SWEEP = b"""&sweep
   load_parameter_m = 100, 200, 3*300
   lubricant_parameter_l = 12.05, radius_ratio_d = 1, 0.5
   orientation = 'transverse', 'isotropic', wavelength_over_a = 0.5, 1
-  output = 'x.h5', unresolved = 'skip', largest_case_seconds = 10 /
+  output = 'x.h5', unresolved = 'run', largest_case_seconds = 10 /
 &grid cells_x = 32, cells_y = 32 /
 &solver method = 'fas', cycle = 'w' /
 """
@@ -114,7 +114,7 @@ class Target:
         return "case", "case.nml", corpus
 
     def prepare_sweep(self):
-        few = SWEEP.replace(b"0.5, 1\n", b"2\n").replace(b"M", b"m")
+        few = SWEEP.replace(b"'run'", b"'skip'").replace(b"32", b"256")
         return "sweep", "sweep.nml", [SWEEP, few, SWEEP.replace(b"\n", b"\r\n")]
 
     def prepare_table(self):
