@@ -90,6 +90,12 @@ def test_a_transfer_predicts_the_film_of_that_wave() -> None:
             value = np.where(qx > 0, transfer, np.conj(transfer))
             return np.where((qx == 0) & (qy == 0), 0, value)
 
+        def error(self, qx, qy):  # noqa: ANN001, ANN202
+            return None
+
+        def rise(self, qx, qy):  # noqa: ANN001, ANN202
+            return None
+
         def is_covered(self, qx, qy):  # noqa: ANN001, ANN202
             return np.ones(np.broadcast_shapes(qx.shape, qy.shape), dtype=bool)
 

@@ -217,10 +217,12 @@ contains
       character(len=*), intent(in) :: text
       type(contents_t), intent(inout) :: contents
       integer, intent(out) :: layout
+      type(layout_t) :: new
       do layout = 1, size(contents%layouts)
          if (contents%layouts(layout)%text == text) return
       end do
-      contents%layouts = [contents%layouts, new_layout(text)]
+      new = new_layout(text)   ! in a constructor gfortran 12 would never free it
+      contents%layouts = [contents%layouts, new]
    end subroutine add_layout
 
    !> Value of the last record of a case as JSON; empty when it has no such value.

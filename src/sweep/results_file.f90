@@ -11,7 +11,6 @@ module ehlwave_results_file
    use ehlwave_errors, only: error_t
    use ehlwave_field_file, only: write_provenance
    use ehlwave_hdf5_file, only: hdf5_file_t
-   use ehlwave_json_reader, only: json_number
    use ehlwave_key_list, only: key_list_t
    use ehlwave_quantities, only: add_case, add_key
    use ehlwave_quantity, only: quantity_list_t, quantity_t
@@ -78,6 +77,7 @@ contains
       integer, intent(in) :: place(:)
       type(column_t), allocatable :: columns(:)
       type(quantity_list_t) :: inputs
+      character(len=:), allocatable :: refinements
       integer :: i, k
 
       inputs = input_row(sweep, 1)
@@ -87,11 +87,11 @@ contains
       end do
       do i = 1, size(sweep%cases)
          inputs = input_row(sweep, i)
+         refinements = ''
+         if (place(i) > 0) refinements = contents%value(place(i), 'refinements')   ! '' in records of before
          do k = 1, size(columns)
-            if (place(i) > 0) then
-               if (json_number(contents%value(place(i), 'refinements')) > 0) &
-                  call take_record(contents%value(place(i), trim(inputs%items(k)%name)), inputs%items(k))
-            end if
+            if (scan(refinements, '123456789') > 0) &
+               call take_record(contents%value(place(i), trim(inputs%items(k)%name)), inputs%items(k))
             call columns(k)%set(i, inputs%items(k))
          end do
       end do

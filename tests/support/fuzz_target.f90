@@ -5,6 +5,7 @@
 !>     store    the folder of a store
 !>     surface  a measured surface
 program fuzz_target
+   use, intrinsic :: ieee_exceptions, only: ieee_set_halting_mode, ieee_usual
    use, intrinsic :: iso_fortran_env, only: input_unit, output_unit
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_file, only: read_case
@@ -23,6 +24,7 @@ program fuzz_target
    character(len=4096) :: line
    integer :: blank, io
 
+   call ieee_set_halting_mode(ieee_usual, .false.)   ! inputs hold infinities and NaN, which debug builds are to refuse, too
    do
       read (input_unit, '(a)', iostat=io) line
       if (io /= 0) exit

@@ -1,6 +1,5 @@
 """A store that version 0.1.0 made is read, continued and computed anew; one of a later format is refused with a way out."""
 
-import json
 import os
 import shutil
 import subprocess
@@ -62,5 +61,4 @@ class StoreFormat(unittest.TestCase):
 
     def test_its_default_goes_with_it(self):
         """What it was begun with holds until it is dropped or the sweep file says otherwise."""
-        sweep = self.folder/"sweep.nml"
         self.assertIn("0 to run", self.run_sweep("sweep.nml"))

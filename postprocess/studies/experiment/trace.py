@@ -104,8 +104,8 @@ def fits_of_trace(x: Floats, height: Floats, parts: int = PARTS) -> list[tuple[s
 
 def read_trace(path: Path) -> tuple[Floats, Floats]:
     """Return positions and heights of the file of a trace, um."""
-    table, _ = read_text_table(path)
-    return table[:, 0], table[:, 1]
+    numbers = read_text_table(path).numbers
+    return numbers[:, 0], numbers[:, 1]
 
 
 def _harmonic(x: Floats, height: Floats, wavelength: float) -> Floats:
