@@ -9,9 +9,10 @@ import json
 import os
 import subprocess
 import tempfile
-from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
+
+from ehlwave.programs import Groups, namelist
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -27,8 +28,6 @@ _OPEN_MPI_ARGUMENTS = (
 )
 
 Outcome = subprocess.CompletedProcess[str]
-Groups = Mapping[str, Mapping[str, Any]]
-"""An input file: values by group and key; a sequence is a list of values."""
 
 
 def program(name: str) -> Path:
@@ -39,34 +38,18 @@ def program(name: str) -> Path:
 
 def mpi_command(ranks: int) -> list[str]:
     """Return what starts that many ranks on this machine, more than it has cores if need be."""
-    mpiexec = os.environ.get("EHLWAVE_MPIEXEC") or "mpiexec"
-    return [mpiexec, "-n", str(ranks), *(_OPEN_MPI_ARGUMENTS if is_open_mpi() else ())]
+    return [_mpiexec(), "-n", str(ranks), *(_OPEN_MPI_ARGUMENTS if is_open_mpi() else ())]
+
+
+def _mpiexec() -> str:
+    return os.environ.get("EHLWAVE_MPIEXEC") or "mpiexec"
 
 
 @functools.cache
 def is_open_mpi() -> bool:
     """Return whether ``mpiexec`` is Open MPI's."""
-    mpiexec = os.environ.get("EHLWAVE_MPIEXEC") or "mpiexec"
-    said = subprocess.run([mpiexec, "--version"], capture_output=True, text=True, check=False)
+    said = subprocess.run([_mpiexec(), "--version"], capture_output=True, text=True, check=False)
     return "Open MPI" in said.stdout or "OpenRTE" in said.stdout
-
-
-def namelist(groups: Groups) -> str:
-    """Return the text of an input file, one key a line; lists become comma-separated values."""
-
-    def written(value: object) -> str:
-        if isinstance(value, bool):
-            return ".true." if value else ".false."
-        if isinstance(value, str):
-            return f"'{value}'"
-        if isinstance(value, Sequence):
-            return ", ".join(written(one) for one in value)
-        return str(value)
-
-    lines = []
-    for group, keys in groups.items():
-        lines += [f"&{group}", *(f"  {key} = {written(value)}" for key, value in keys.items()), "/"]
-    return "\n".join(lines) + "\n"
 
 
 def paper_edges(groups: Groups) -> Groups:
