@@ -18,6 +18,8 @@ KEYS = {
     "wavelength": "wavelength_over_a",
     "orientation": "orientation",
     "lubricant_l": "lubricant_parameter_l",
+    "slip": "slip_parameter",
+    "law": "flow_law",
     "cells": "cells_x",
     "method": "method",
     "deformation": "deformation",
@@ -26,6 +28,14 @@ KEYS = {
     "time_step_over_cell": "time_step_over_cell",
 }
 """The fields of a run, by which rows of the table are known, as keys of the sweep."""
+
+SHARED = {
+    "conditions": {"reduced_modulus_pa": 2.28e11},
+    "lubricant": {"eyring_stress_pa": 5e6},
+    "grid": {"edges": "flooded"},
+    "solver": {"error_estimate": "model"},
+}
+"""Keys of all runs; modulus and stress are those of the runs with a Ree-Eyring oil."""
 
 OUTCOMES = (
     "status",
@@ -46,7 +56,7 @@ OUTCOMES = (
     "nonlinear_steps",
     "linear_steps",
     "seconds",
-    "work_units",
+    "counted_work_units",
 )
 """Taken from the results of a run."""
 
@@ -84,7 +94,7 @@ def write_cases(folder: Path, extent: Extent) -> Path:
         }
         for run in runs
     ]
-    return sweeps.write_sweep(folder, NAME, rows, {"solver": {"error_estimate": "model"}})
+    return sweeps.write_sweep(folder, NAME, rows, SHARED)
 
 
 def read_table(folder: Path, extent: Extent) -> pd.DataFrame:
