@@ -72,8 +72,19 @@ class Torture:
                                     stdin=subprocess.DEVNULL, stdout=file, stderr=file)
 
     def wait(self, process):
-        """Exit status of a run."""
-        return process.wait(timeout=600)
+        """Exit status of a run. An mpirun that locks up when its ranks have died is killed, as `run-sweep` does, and counted."""
+        end, stuck = time.monotonic() + 600, None
+        while process.poll() is None:
+            now = time.monotonic()
+            stuck = (stuck or now) if _has_only_dead_children(process.pid) else None
+            if stuck and now > stuck + 20:
+                process.kill()
+                self.counts["mpirun that locked up"] = self.counts.get("mpirun that locked up", 0) + 1
+                stuck = None
+            if now > end:
+                raise subprocess.TimeoutExpired(process.args, 600)
+            time.sleep(0.02)
+        return process.returncode
 
     def log_length(self):
         """Bytes in the log of all runs."""
@@ -197,6 +208,17 @@ def _descendants(pid):
         except OSError:
             pass
     return found
+
+
+def _has_only_dead_children(pid):
+    """Whether a process has children, none of which lives."""
+    states = []
+    for child in _descendants(pid):
+        try:
+            states.append(Path(f"/proc/{child}/stat").read_text().rpartition(") ")[2][0])
+        except OSError:
+            pass
+    return bool(states) and set(states) == {"Z"}
 
 
 def _wait_for_end(pids):
