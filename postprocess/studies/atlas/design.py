@@ -1,9 +1,10 @@
 """Where the atlas is computed: contacts, the patterns of each, and its grid."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
+import xarray as xr
 from numpy.typing import NDArray
 from scipy.stats import qmc
 
@@ -16,6 +17,7 @@ from studies import sweeps
 from studies.programs import Groups
 
 Floats = NDArray[np.float64]
+Ranges = Mapping[str, tuple[float, float]]
 
 CONTACTS = 32
 """Of one batch."""
@@ -23,14 +25,26 @@ CONTACTS = 32
 CANDIDATES = 512
 """Contacts of which a batch is chosen by the errors of the atlas so far."""
 
+SLENDER = {"load_parameter_m": (20.0, 70.0), "radius_ratio_d": (0.04, 0.2)}
+"""Where bodies are nearly rigid along rolling and not across it."""
+
+SLENDER_BATCH = 6
+"""The first batch of them."""
+
 DIRECTIONS = ((0.0, 3), (90.0, 2), (None, 4))
 """Angles, degrees, and how many patterns of a contact have them; None: any in between."""
 
 MARGIN = 1.15
 """By which wavelengths go beyond the range, so that its ends are not ends of the data."""
 
+STANDS_ACROSS = 0.5
+"""Degrees from either axis within which a wave is transverse or longitudinal, not oblique."""
+
 FEWEST_POINTS = 12
 """Mesh sizes in a wave."""
+
+FEWEST_FOR_RISES = 8
+"""Mesh sizes in a wave of which only the mean film is asked, on half the cells of its contact."""
 
 SIZES = (128, 192, 256, 384, 512, 768, 1024)
 MOST_CELLS = SIZES[-1]
@@ -46,6 +60,13 @@ def contacts(batch: int, count: int = CONTACTS, seed: int = 2000) -> list[dict[s
     """Return the contacts of a batch: a piece of a Sobol sequence over the ranges of the atlas."""
     sequence = qmc.Sobol(len(CONTACT_RANGES), seed=seed)
     return [contact_at(shares) for shares in sequence.random((batch + 1) * count)[-count:]]
+
+
+def slender_contacts(seed: int, count: int = CONTACTS) -> list[dict[str, float]]:
+    """Return slender contacts under low loads, whose responses change most from one to the next."""
+    sequence = qmc.Sobol(len(CONTACT_RANGES), seed=seed)
+    ranges = {**CONTACT_RANGES, **SLENDER}
+    return [contact_at(shares.tolist(), ranges) for shares in sequence.random(count)]
 
 
 def worst_contacts(atlas: Atlas, seed: int, count: int = CONTACTS) -> list[dict[str, float]]:
@@ -67,10 +88,10 @@ def worst_contacts(atlas: Atlas, seed: int, count: int = CONTACTS) -> list[dict[
     return chosen
 
 
-def contact_at(shares: Sequence[float]) -> dict[str, float]:
+def contact_at(shares: Sequence[float], ranges: Ranges = CONTACT_RANGES) -> dict[str, float]:
     """Return a contact by its place in the ranges, 0 to 1 in each of them."""
     found = {}
-    for (key, (low, high)), share in zip(CONTACT_RANGES.items(), shares, strict=True):
+    for (key, (low, high)), share in zip(ranges.items(), shares, strict=True):
         found[key] = float(f"{low * (high / low) ** share:.6g}")
     return found
 
@@ -116,9 +137,16 @@ def pattern(wavelength_over_a: float, angle_deg: float) -> dict[str, float]:
 
 
 def write_batch(folder: Path, batch: int, atlas: Atlas | None = None) -> Path:
-    """Write the sweep of a batch, of the contacts that an atlas wants most; return its path."""
+    """Write the sweep of a batch; return its path.
+
+    Of all contacts without an atlas, of those that it wants most with one, in turn with slender
+    ones from the batch ``SLENDER_BATCH`` on.
+    """
     random = np.random.default_rng([batch, 2000])
-    chosen = contacts(batch) if atlas is None else worst_contacts(atlas, 3000 + batch)
+    if batch >= SLENDER_BATCH and (batch - SLENDER_BATCH) % 2 == 0:
+        chosen = slender_contacts(4000 + batch)
+    else:
+        chosen = contacts(batch) if atlas is None else worst_contacts(atlas, 3000 + batch)
     return sweeps.write_sweep(folder, f"rolling-{batch:02d}", rows(chosen, random), GROUPS)
 
 
@@ -131,6 +159,39 @@ def write_validation(folder: Path, count: int = 100, each: int = 2) -> Path:
         for _ in range(each):
             found.append({**contact, **random_wave(contact, random)})
     return sweeps.write_sweep(folder, "rolling-validation", found, GROUPS)
+
+
+def write_rises(folder: Path, computed: xr.Dataset) -> Path:
+    """Write the sweep of mean films under oblique waves: those of the computed points, one by one.
+
+    The points themselves are products of cosines, two waves, of which the mean film is not that
+    of one. A single oblique wave takes the whole domain; its rise, a correction, half the cells.
+    """
+    found = []
+    for contact in range(computed.sizes["contact"]):
+        keys = {name: float(computed[name].values[contact]) for name in CONTACT_RANGES}
+        own = computed.isel(point=np.flatnonzero(computed["of_contact"].values == contact))
+        for wave, angle in zip(
+            own["wavelength_over_a"].values, own["angle_deg"].values, strict=True
+        ):
+            if STANDS_ACROSS < angle < 90 - STANDS_ACROSS:
+                cells = grid_for_rise(keys, float(wave), float(angle))
+                found.append(
+                    {**keys, **pattern(float(wave), float(angle)), "oblique": True, **cells}
+                )
+    return sweeps.write_sweep(folder, "rises", found, GROUPS)
+
+
+def grid_for_rise(contact: dict[str, float], wave: float, angle_deg: float) -> dict[str, int]:
+    """Return half the cells of a contact, or as many more as the wave asks for."""
+    theta = np.radians(angle_deg)
+    extent = 4.0, 4 / ellipticity(contact["radius_ratio_d"])
+    shares = np.cos(theta), np.sin(theta)
+    cells = []
+    for whole, length, share in zip(grid(contact), extent, shares, strict=True):
+        least = max(whole // 2, FEWEST_FOR_RISES * length / wave * share)
+        cells.append(next(n for n in (64, 96, *SIZES) if n >= least))
+    return {"cells_x": cells[0], "cells_y": cells[1]}
 
 
 def random_wave(contact: dict[str, float], random: np.random.Generator) -> dict[str, float]:

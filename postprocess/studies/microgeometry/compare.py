@@ -21,7 +21,7 @@ from ehlwave.deform import (
 from ehlwave.deform.prepare import TAPERED_SHARE
 from ehlwave.errors import ResultsError
 from studies import sweeps
-from studies.microgeometry.simulate import SPEEDS, conditions_at, table_file
+from studies.microgeometry.simulate import SPEEDS, conditions_at, contact_at, table_file
 from studies.microgeometry.surfaces import Floats, amplitude_of
 
 
@@ -31,7 +31,8 @@ class Comparison:
 
     These are ``undeformed``, ``simulated`` and predicted by ``formula``, by ``amplitudes`` (a table
     without its phases), by the ``linear`` part of a table and by ``table``, the rise of the mean
-    film included. They count from the smooth film down.
+    film included; by ``default`` settings of :class:`ehlwave.Contact`, from the atlas, with what it
+    knows of the rise. They count from the smooth film down, each from its own.
     """
 
     surface: str
@@ -41,6 +42,8 @@ class Comparison:
     heights: dict[str, Floats]
     simulation_seconds: float
     prediction_seconds: float
+    film_over_simulated: float
+    """Smooth central film of the default settings over that of the simulation."""
 
     def rq(self, name: str) -> float:
         """Return the root mean square roughness of one of the lines, m."""
@@ -88,8 +91,9 @@ def _compare(
     scale = conditions.hertz_approach_c_m
     film_m = row["central_film"] * scale
     known = replace(conditions, central_film_m=film_m, film_source="simulated smooth contact")
-    start = time.perf_counter()
     by_formula = deform_surface(moved, known, FormulaTransfer(known), "none", "none")
+    start = time.perf_counter()
+    by_default = contact_at(speed).deform(moved, form="none", ends="none")
     seconds = time.perf_counter() - start
     by_table, by_amplitudes = (
         deform_surface(moved, known, TableTransfer(known, one), "none", "none")
@@ -107,15 +111,16 @@ def _compare(
         "formula": by_formula.height,
         "amplitudes": by_amplitudes.height,
         "linear": by_table.height,
+        "default": by_default.height,
     }
     lines = {
         name: np.interp(at_centre, positions, heights[:, heights.shape[1] // 2])
         for name, heights in surfaces.items()
     }
     # The ends of the surface are faded: the waves inside are higher than in the mean of all.
-    statistics = by_table.statistics
-    share = np.std(lines["undeformed"]) / statistics.rq_before_m
-    lines["table"] = lines["linear"] - (statistics.mean_rise_m or 0.0) * share**2
+    share = np.std(lines["undeformed"]) / by_table.statistics.rq_before_m
+    lines["table"] = lines["linear"] - (by_table.statistics.mean_rise_m or 0.0) * share**2
+    lines["default"] -= (by_default.statistics.mean_rise_m or 0.0) * share**2
     return Comparison(
         moved.name,
         speed,
@@ -124,6 +129,7 @@ def _compare(
         lines | {"simulated": film_m - film},
         row["seconds"],
         seconds,
+        (by_default.conditions.central_film_m or np.nan) / film_m,
     )
 
 

@@ -14,8 +14,9 @@ LINES = {
     "simulated": {"label": "simulated", "color": "black", "linewidth": 1.6},
     "formula": {"label": "by formula (18)", "color": COLOURS[1], "linestyle": "--", "linewidth": 1},
     "table": {"label": "by harmonic table", "color": COLOURS[0], "linewidth": 1},
+    "default": {"label": "by the atlas", "color": COLOURS[2], "linestyle": ":", "linewidth": 1.4},
 }
-PREDICTIONS = ("formula", "amplitudes", "linear", "table")
+PREDICTIONS = ("formula", "amplitudes", "linear", "table", "default")
 
 
 def comparison_table(comparisons: Sequence[Comparison]) -> pd.DataFrame:
@@ -29,6 +30,8 @@ def comparison_table(comparisons: Sequence[Comparison]) -> pd.DataFrame:
             **{f"error_{name}_over_rq": f"{one.error(name):.3f}" for name in PREDICTIONS},
             "mean_shift_over_rq": f"{one.mean_shift('linear'):.3f}",
             "mean_shift_left_over_rq": f"{one.mean_shift('table'):.3f}",
+            "mean_shift_default_over_rq": f"{one.mean_shift('default'):.3f}",
+            "film_default_over_simulated": f"{one.film_over_simulated:.4f}",
             "simulation_s": f"{one.simulation_seconds:.2f}",
             "prediction_s": f"{one.prediction_seconds:.4f}",
             "time_ratio": f"{one.simulation_seconds / one.prediction_seconds:.0f}",
@@ -57,8 +60,8 @@ def profiles_figure(comparisons: Sequence[Comparison]) -> Figure:
         axis = axes[names.index(one.surface), speeds.index(one.speed)]
         for name, style in LINES.items():
             axis.plot(one.position, 1e9 * one.heights[name], **style)
-        formula, table = (100 * one.error(name) for name in ("formula", "table"))
-        errors = f"error {formula:.0f} % of Rq by formula, {table:.0f} % by table"
+        formula, default = (100 * one.error(name) for name in ("formula", "default"))
+        errors = f"error {formula:.0f} % of Rq by formula, {default:.0f} % by the atlas"
         axis.set_title(f"{one.surface}, {one.speed:g} m/s: {errors}", fontsize=8)
         axis.tick_params(labelsize=8)
     for row in axes:

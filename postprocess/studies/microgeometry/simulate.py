@@ -6,7 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from ehlwave.deform import Conditions, Surface, conditions_from_keys
+from ehlwave import Contact
+from ehlwave.deform import Conditions, Surface
 from ehlwave.deform.harmonics import write_harmonic_table
 from ehlwave.points import select_points
 from ehlwave.read import read_results
@@ -29,11 +30,14 @@ TABLE_WAVES = (0.25, 0.35, 0.5, 0.7, 1.0, 1.5, 2.2, 3.2)  # min(lambda)/a
 TABLE_RATIOS = (0.0, 0.5, 1.0, 2.0, np.inf)  # lambda_x/lambda_y
 
 
+def contact_at(speed: float) -> Contact:
+    """Return the contact at a mean speed, m/s, as a user has it."""
+    return Contact(**CONTACT, **LUBRICANT, mean_speed_m_per_s=speed)
+
+
 def conditions_at(speed: float) -> Conditions:
-    """Return the contact at a mean speed, m/s."""
-    alpha = LUBRICANT["pressure_viscosity_per_pa"]
-    keys = {**CONTACT, "mean_speed_m_per_s": speed, "pressure_viscosity_per_pa": alpha}
-    return conditions_from_keys(keys)
+    """Return its conditions, the film by formula."""
+    return contact_at(speed).conditions
 
 
 def write_waves(
@@ -89,7 +93,7 @@ def _shared(cells: int) -> dict[str, dict[str, Any]]:
     return {
         "conditions": CONTACT,
         "lubricant": LUBRICANT,
-        "grid": {"cells_x": cells, "cells_y": cells},
+        "grid": {"cells_x": cells, "cells_y": cells, "edges": "flooded"},
         "solver": {"error_estimate": "model"},
     }
 
