@@ -1,4 +1,4 @@
-"""The study of two waves: its cases, its fit on points that follow the law, the recorded ridges."""
+"""The study of two waves: its cases, its fit on points that follow the law, the recorded shapes."""
 
 from pathlib import Path
 
@@ -6,12 +6,14 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from ehlwave.deform import Mover, TwoWaveTransfer, conditions_from_keys, film_profile
+from ehlwave.deform import Mover, TwoWaveTransfer, conditions_from_keys
 from ehlwave.rolling import rolling_transfer
 from studies.two_waves.cases import cases
+from studies.two_waves.computed_waves import ComputedWaves
 from studies.two_waves.fit import PACKAGED, amplitude_error, fitted_launch, fitted_rolling
+from studies.two_waves.passing import WINDOW
 from studies.two_waves.points import Pairs, Rolling
-from studies.two_waves.ridge import LENGTH, PLACE, SHARE, WINDOW, conditions_at, shape
+from studies.two_waves.shapes import LENGTH, PLACE, SHARE, SIGNS, conditions_at, shape
 
 RECORD = Path(__file__).parents[1] / "record" / "two_waves"
 
@@ -68,11 +70,37 @@ def test_fits_find_the_law_that_made_the_points() -> None:
     np.testing.assert_allclose(amplitude, PACKAGED.amplitude, rtol=0.02, atol=0.005)
 
 
+def test_computed_waves_are_those_of_the_table() -> None:
+    """At the waves of the table both waves add up to its response; standing ones are its own."""
+    contact = conditions_at(1.3)
+    lengths = (0.5, 1.0, 4.0)
+    pairs = [(x, y) for x in (*lengths, 0.0) for y in (*lengths, 0.0) if x or y]
+    table = pd.DataFrame(pairs, columns=["wavelength_x_over_a", "wavelength_y_over_a"])
+    random = np.random.default_rng(8)
+    for name in ("harmonic", "attenuated_formula", "psi_formula"):
+        for part in ("real", "imaginary"):
+            table[f"{name}_{part}"] = random.normal(size=len(table))
+    transfer = ComputedWaves(contact, table.sample(frac=1, random_state=2))
+    moving = table[table["wavelength_x_over_a"] > 0]
+    per_y = [1 / y if y else 0.0 for y in moving["wavelength_y_over_a"]]
+    per_metre = np.array([1 / moving["wavelength_x_over_a"], per_y]) / contact.semi_axis_a_m
+    both = transfer.waves(*per_metre * (1 - 1e-12))
+    response = (moving["harmonic_real"] + 1j * moving["harmonic_imaginary"]).to_numpy()
+    np.testing.assert_allclose(both.at(0.0), response, atol=1e-9)
+    standing = table[table["wavelength_x_over_a"] == 0]
+    still = transfer.ratio(
+        np.zeros(3), 1 / standing["wavelength_y_over_a"].to_numpy() / contact.semi_axis_a_m
+    )
+    np.testing.assert_allclose(still.real, standing["harmonic_real"], atol=1e-9)
+    short = transfer.waves(np.array([3.0]) / contact.semi_axis_a_m, np.zeros(1))
+    assert short.at(0.0) == 1
+
+
 @pytest.mark.parametrize("slip", [1.3, 0.7])
-@pytest.mark.parametrize("name", ["ridge", "groove"])
-def test_recorded_ridges(name: str, slip: float) -> None:
+@pytest.mark.parametrize("name", SIGNS)
+def test_recorded_shapes(name: str, slip: float) -> None:
     """Both computed waves come within 5 per cent of Rq of the simulation, the law within 9."""
-    rows = pd.read_csv(RECORD / "ridge_profiles.csv")
+    rows = pd.read_csv(RECORD / "profiles.csv")
     rows = rows[(rows["shape"] == name) & (rows["slip"] == slip) & (rows["x"].abs() <= WINDOW)]
     rq = float(np.std(rows["surface"]))
     assert np.sqrt(np.mean((rows["computed waves"] - rows["simulated"]) ** 2)) < 0.05 * rq
@@ -80,10 +108,8 @@ def test_recorded_ridges(name: str, slip: float) -> None:
     film = contact.central_film_m
     assert film is not None
     mover = Mover(
-        shape(name, float(conditions_at(1.0).central_film_m or 0)),
-        TwoWaveTransfer(contact),
-        (LENGTH / 2 - PLACE) * contact.semi_axis_a_m,
+        shape(name, film), TwoWaveTransfer(contact), (LENGTH / 2 - PLACE) * contact.semi_axis_a_m
     )
-    profile = film_profile([mover], rows["x"].to_numpy() * contact.semi_axis_a_m, 0.0) - film
-    left = profile / (SHARE * film) - rows["simulated"].to_numpy()
+    change = mover.film_change(rows["x"].to_numpy() * contact.semi_axis_a_m, 0.0)
+    left = change / (SHARE * film) - rows["simulated"].to_numpy()
     assert np.sqrt(np.mean(left**2)) < 0.09 * rq

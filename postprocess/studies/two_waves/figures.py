@@ -11,8 +11,9 @@ from ehlwave.contact import read_contact
 from ehlwave.figures import COLOURS
 from studies.sweeps import fields_file, read_sweep
 from studies.two_waves.fit import rms
+from studies.two_waves.passing import WINDOW, Passing
 from studies.two_waves.points import Pairs
-from studies.two_waves.ridge import ALONG, WINDOW, Passing
+from studies.two_waves.shapes import ALONG
 
 Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -136,24 +137,25 @@ def _draw_along(axis: Axes, x: Floats, film: Complex, row: dict[str, object]) ->
     axis.set(title=f"{oil}, S = {row['slip_parameter']:g}", xlabel="$X$", ylim=(-1.9, 1.5))
 
 
-def ridge_figure(passed: list[Passing]) -> Figure:
-    """Draw each ridge: undeformed, simulated, by computed waves, by the law."""
-    ridges = [one for one in passed if one.name == "ridge"]
-    figure = Figure(figsize=(7.2, 2.9), layout="constrained")
-    axes = figure.subplots(1, len(ridges), sharey=True, squeeze=False)[0]
+def passing_figure(passed: list[Passing]) -> Figure:
+    """Draw ridge and dimple at each slip: undeformed, simulated, by computed waves, by the law."""
+    shown = [one for name in ("ridge", "dimple") for one in passed if one.name == name]
+    figure = Figure(figsize=(7.2, 5.4), layout="constrained")
+    axes = figure.subplots(2, -(-len(shown) // 2), sharex=True, sharey="row", squeeze=False)
     styles = {
         "simulated": {"color": "0.2", "linewidth": 2.2},
         "computed waves": {"color": COLOURS[0], "linewidth": 1.1, "linestyle": "--"},
         "law": {"color": COLOURS[1], "linewidth": 1.1},
     }
-    for axis, one in zip(axes, ridges, strict=True):
-        axis.plot(one.x, -one.surface, color="0.75", linewidth=1.2, label="undeformed")
-        for name, style in styles.items():
-            axis.plot(one.x, one.lines[name], label=name, **style)
+    for axis, one in zip(axes.flat, shown, strict=True):
+        undeformed = axis.plot(one.x, -one.surface, color="0.75", linewidth=1.2)
+        lines = [axis.plot(one.x, one.lines[name], **style)[0] for name, style in styles.items()]
         axis.axvspan(-WINDOW, WINDOW, color="0.95", zorder=-1)
         errors = ", ".join(f"{name} {100 * one.error(name):.1f} %" for name in list(styles)[1:])
-        axis.set_title(f"S = {one.slip:g}; error over Rq:\n{errors}", fontsize=8)
+        axis.set_title(f"{one.name}, S = {one.slip:g}; error over Rq:\n{errors}", fontsize=8)
+    for axis in axes[-1]:
         axis.set_xlabel("$X$")
-    axes[0].set_ylabel("film less smooth film over height")
-    axes[0].legend(frameon=False, fontsize=7.5)
+    figure.supylabel("film less smooth film over height, $Y = 0$", fontsize=8.5)
+    labels = ["undeformed", *styles]
+    figure.legend([*undeformed, *lines], labels, loc="outside lower center", ncols=4, frameon=False)
     return figure

@@ -15,8 +15,9 @@ from studies.section import Picture, Section, Table
 from studies.two_waves import figures
 from studies.two_waves.cases import REDUCED_MODULUS_PA
 from studies.two_waves.fit import PACKAGED, Law, amplitude_error, fitted, held_out, rms
+from studies.two_waves.passing import WINDOW, Passing, passings
 from studies.two_waves.points import Pairs, Rolling, rolling_points, slip_points
-from studies.two_waves.ridge import Passing, passings
+from studies.two_waves.shapes import MARCHES
 
 Complex = NDArray[np.complex128]
 Mask = NDArray[np.bool_]
@@ -34,7 +35,7 @@ BANDS = (0.0, 0.5, 0.75, 0.9, 0.97, 1.03, 1.1, 1.25, 1.5, 2.0)
 def section(folder: Path) -> Section:
     """Return the chapter, from ``two_waves.h5`` and ``two_waves_fresh.h5`` in the folder.
 
-    ``dense.h5`` adds waves in pure rolling; ridges and pictures are there if their sweeps are.
+    ``dense.h5`` adds waves in pure rolling; shapes and pictures are there if their sweeps are.
     Raises as :func:`ehlwave.read.read_results`.
     """
     own = folder / "two_waves.h5"
@@ -82,15 +83,16 @@ def section(folder: Path) -> Section:
                 figures.along_figure(folder),
             ),
         )
-    if (folder / "sliding_ridges.h5").exists():
+    if (folder / f"{MARCHES}.h5").exists():
         passed = passings(folder)
-        found.tables.append(_ridges(passed))
+        found.tables += [_passed(passed), _profiles(passed)]
         found.pictures.append(
             Picture(
-                "two_waves_ridges",
-                "A ridge, 5 per cent of the film high, sliding through the contact: film less the "
-                "smooth one over its height, simulated and predicted from both waves.",
-                figures.ridge_figure(passed),
+                "two_waves_passing",
+                "A ridge across rolling, 5 per cent of the film high, and a round dimple as deep, "
+                "sliding through the contact: film less the smooth one over the height along "
+                "Y = 0, simulated and predicted from both waves.",
+                figures.passing_figure(passed),
             )
         )
     return found
@@ -269,11 +271,24 @@ def _eyring(pairs: Pairs) -> Table:
     return Table("two_waves_eyring", caption, pd.DataFrame(rows, columns=names))
 
 
-def _ridges(passed: list[Passing]) -> Table:
+def _passed(passed: list[Passing]) -> Table:
     rows = [(one.name, one.slip, one.error("computed waves"), one.error("law")) for one in passed]
     names = ["shape", "S", "error, computed waves", "error, law"]
-    caption = "Sliding ridges and grooves, predicted: rms over Rq within |X| <= 0.5"
-    return Table("two_waves_ridges", caption, pd.DataFrame(rows, columns=names))
+    caption = (
+        "Sliding ridges, grooves, bumps and dimples, predicted: rms over Rq, |X| <= 0.5, Y = 0"
+    )
+    return Table("two_waves_passing", caption, pd.DataFrame(rows, columns=names))
+
+
+def _profiles(passed: list[Passing]) -> Table:
+    profiles = [
+        pd.DataFrame(
+            {"shape": one.name, "slip": one.slip, "x": one.x, "surface": one.surface} | one.lines
+        )[np.abs(one.x) <= WINDOW]
+        for one in passed
+    ]
+    caption = "Their profiles over the height"
+    return Table("two_waves_profiles", caption, pd.concat(profiles), is_long=True)
 
 
 def _text(errors: Table, pairs: Pairs, fresh: Pairs) -> list[str]:
