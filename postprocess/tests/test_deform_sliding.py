@@ -17,10 +17,12 @@ from ehlwave.deform import (
     film_of_two,
     film_profile,
     map_surface,
+    read_conditions,
     second_conditions,
     trace_surface,
 )
-from ehlwave.errors import SurfaceError
+from ehlwave.deform.atlas_transfer import AtlasTransfer
+from ehlwave.errors import RangeError, SurfaceError
 from ehlwave.rolling import rolling_transfer
 
 KEYS = {
@@ -137,6 +139,23 @@ def test_conditions_outside_the_fit_are_named() -> None:
     transfer = TwoWaveTransfer(conditions(1.95))
     assert not transfer.covers_all
     assert "S = 1.95" in transfer.outside_reason
+
+
+def test_laws_of_the_oil_in_a_file(tmp_path: Path) -> None:
+    """Carreau's law is taken; laws of viscosity and density that the fit has not seen are named."""
+    keys = {key: value for key, value in KEYS.items() if key != "eyring_stress_pa"}
+    lines = "".join(f"  {key} = {value}\n" for key, value in keys.items())
+    path = tmp_path / "contact.nml"
+    carreau = "flow_law = 'carreau' carreau_modulus_pa = 1e6 carreau_exponent = 0.5"
+    path.write_text(f"&conditions\n{lines}/\n&lubricant {carreau} /\n")
+    contact = read_conditions([str(path), "slip_parameter=1.3"])
+    assert contact.oil.name == "Carreau"
+    assert TwoWaveTransfer(contact).covers_all
+    path.write_text(f"&conditions\n{lines}/\n&lubricant viscosity_law = 'barus' {carreau} /\n")
+    barus = read_conditions([str(path), "slip_parameter=1.3"])
+    assert "viscosity_law = 'barus'" in TwoWaveTransfer(barus).outside_reason
+    with pytest.raises(RangeError, match="barus"):
+        AtlasTransfer(read_conditions([str(path)]))
 
 
 def test_deform_takes_two_surfaces(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -24,7 +24,7 @@ def row(contact: Contact, cells: int, **changes: float | str) -> dict[str, Any]:
     outcome: dict[str, Any] = dict.fromkeys(OUTCOMES, value)
     outcome |= {"status": "converged", "gamma": 1.0, "formula_ratio": 0.0, "points_per_wave_x": 8.0}
     outcome |= {"time_steps": 10.0 if contact.wavelength else 0.0, "seconds": 1.0}
-    outcome |= {"work_units": 1000 * (cells / 128) ** 0.5}
+    outcome |= {"counted_work_units": 1000 * (cells / 128) ** 0.5}
     keys = {name: getattr(run, name) for name in Run.__dataclass_fields__}
     return {**keys, **outcome, **changes}
 

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from ehlwave.deform.conditions import Conditions, conditions_from_keys, corrected_film
+from ehlwave.errors import SurfaceError
 from ehlwave.medium import Oil, hertz_medium
 from ehlwave.rolling import rolling_transfer
 from ehlwave.two_waves import two_waves
@@ -72,6 +73,55 @@ def test_newtonian_flow_is_the_limit_of_a_large_stress() -> None:
     plain = hertz_medium(Oil(), 1.0, newtonian.alphabar, newtonian.lambdabar, 0.15, 1.3)
     assert large.eps_x == pytest.approx(plain.eps_x, rel=1e-9)
     assert large.eps_y == pytest.approx(plain.eps_y, rel=1e-9)
+
+
+def test_carreau_flow() -> None:
+    """With n = 1/3 sigma (1 + sigma^2) = B and the factors are 1 + 3 sigma^2 and 1 + sigma^2."""
+    third = Oil(stress_modulus_pa2=1.0, carreau_exponent=1 / 3)
+    for stress in (1e-3, 0.3, 4.0, 1e3):
+        along, across = third.tangent_factors(stress * (1 + stress**2))
+        assert along == pytest.approx(1 + 3 * stress**2, rel=1e-9)
+        assert across == pytest.approx(1 + stress**2, rel=1e-9)
+    newton = Oil(stress_modulus_pa2=1.0, carreau_exponent=1.0)
+    assert newton.tangent_factors(1e4) == pytest.approx((1.0, 1.0), rel=1e-9)
+    contact = conditions_from_keys(KEYS | {"carreau_modulus_pa": 5e6, "carreau_exponent": 1.0})
+    assert contact.oil.name == "Carreau"
+    assert contact.medium(1.3).thinning == pytest.approx(0.0, abs=1e-9)
+    assert contact.medium(1.3).eps_x == pytest.approx(conditions(eyring=False).medium(1.3).eps_x)
+
+
+def test_carreau_closed_forms_are_those_of_the_program() -> None:
+    """M = 103.5, S = 1.07, G = 3.2 MPa, n = 0.6, an oblique wave; a Newtonian oil has no phase."""
+    moes = {
+        "load_parameter_m": 103.53890556703371,
+        "lubricant_parameter_l": 11.652092943398081,
+        "radius_ratio_d": 0.8936040057643768,
+        "pressure_viscosity_per_pa": 1.4050387317050483e-08,
+    }
+    oil = {"carreau_modulus_pa": 3213631.700312842, "carreau_exponent": 0.6}
+    contact = conditions_from_keys(KEYS | moes | oil)
+    slip, film = 1.06658914233943, 0.1410440593087922
+    kx, ky = 2 * np.pi / 0.8490304683340195, 2 * np.pi / 0.3293813087011181
+    medium = hertz_medium(
+        contact.oil, contact.kappa, contact.alphabar, contact.lambdabar, film, slip
+    )
+    assert abs(medium.attenuated(kx, ky, slip) - (0.139505 + 0.133351j)) < 0.01
+    psi = medium.complementary_number(slip * kx, ky)
+    assert abs(psi - (7.892758 + 0.079088j)) < 0.01
+
+
+@pytest.mark.parametrize(
+    ("keys", "reason"),
+    [
+        ({"carreau_modulus_pa": 5e6}, "carreau_exponent"),
+        ({"carreau_exponent": 0.5}, "carreau_modulus_pa"),
+        ({"carreau_modulus_pa": 5e6, "carreau_exponent": 1.5}, "at most 1"),
+        ({"carreau_modulus_pa": 5e6, "carreau_exponent": 0.5, **EYRING}, "Ree-Eyring oil, or"),
+    ],
+)
+def test_half_an_oil_is_refused(keys: dict[str, float], reason: str) -> None:
+    with pytest.raises(SurfaceError, match=reason):
+        conditions_from_keys(KEYS | keys)
 
 
 def test_deep_in_the_eyring_regime_one_number_decides() -> None:

@@ -56,7 +56,8 @@ module ehlwave_case_plan
       type(resolution_t) :: resolution
       type(error_parts_t) :: expected                !! relative errors of Ad/Ai, of smooth contacts of H(0,0); from models
       real(dp) :: expected_error = 0                 !! of mesh, time and tolerances among them
-      real(dp) :: expected_work_units = 0            !! from a model; NaN of line contacts, for which there is none
+      real(dp) :: expected_work_units = 0            !! counted, without error estimates; NaN of line contacts: no model
+      real(dp) :: work_with_estimates = 0            !! the same with them: what takes time
       real(dp) :: cost = 0                           !! expected effort, node updates of the finest grid
    contains
       procedure :: expected_seconds
@@ -68,7 +69,7 @@ module ehlwave_case_plan
    real(dp), parameter :: share_of_steps = 0.2_dp    !! of the accuracy, for steps longer than hX
    real(dp), parameter :: fewest_long_steps = 32     !! time steps per wave that steps longer than hX must leave
    real(dp), parameter :: cost_of_estimate = 1.15_dp !! of a case with its coarser grids over that without
-   real(dp), parameter :: response_work_units = 120  !! of a linear response on half a domain; measured: 75 to 120
+   real(dp), parameter :: response_work_units = 50   !! of a linear response on half a domain; measured: 34 to 78
    real(dp), parameter :: periodic_work_units = 1200 !! of a periodic state; measured: 800 to 1400, 64 to 128 cells, Ai = 20 %
    real(dp), parameter :: outlet_end = 1             !! X of the outlet end of the Hertzian contact
 
@@ -171,20 +172,22 @@ contains
       end if
       plan%expected_error = plan%expected%mesh + plan%expected%time + plan%expected%algebraic
       plan%expected_work_units = no_value
+      plan%work_with_estimates = no_value
       if (plan%conditions%is_line()) return
       plan%expected_work_units = (1 + 0.5_dp*plan%phases)*steady_work_units(plan%conditions, plan%cells_x) &
                                  + merge(periodic_work_units, plan%steps*step_work_units(plan%conditions, plan%cells_x), &
                                          plan%is_periodic)
       if (plan%responds) plan%expected_work_units = plan%expected_work_units + response_work_units
       if (.not. plan%is_half) plan%expected_work_units = 2*plan%expected_work_units
+      plan%work_with_estimates = plan%expected_work_units
       if (plan%waviness%is_present .and. plan%kind /= run_harmonic .and. case%error_estimate == 'coarse_grid') &
-         plan%expected_work_units = cost_of_estimate*plan%expected_work_units
+         plan%work_with_estimates = cost_of_estimate*plan%expected_work_units
    end subroutine expect
 
    !> Run time to expect here and now, from the model of the work and a work unit measured on the spot.
    real(dp) function expected_seconds(self)
       class(case_plan_t), intent(in) :: self
-      expected_seconds = self%expected_work_units*work_unit_seconds(self%cells_x, self%cells_y)
+      expected_seconds = self%work_with_estimates*work_unit_seconds(self%cells_x, self%cells_y)
    end function expected_seconds
 
    !> Peak memory of the process to expect, in MiB, without what MPI takes: a constant and so much for each cell that is

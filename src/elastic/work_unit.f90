@@ -32,7 +32,7 @@ module ehlwave_work_unit
 contains
 
    !> Operations of one work unit: the same for everybody, whatever the machine does meanwhile.
-   pure real(dp) function work_unit_operations(cells_x, cells_y)
+   elemental real(dp) function work_unit_operations(cells_x, cells_y)
       integer, intent(in) :: cells_x, cells_y   !! cells over the whole domain
       work_unit_operations = 2*transform_operations(4.0_dp*cells_x*cells_y)
    end function work_unit_operations

@@ -61,8 +61,8 @@ contains
             trim(merge('the faster one', 'asked for     ', case%deformation == 'auto'))//'), method '//trim(case%method)
          write (unit, '(a)') 'Resolution   hX over the inlet length = '//to_text(plan%resolution%inlet, 3)//resolution_text(plan)
          write (unit, '(a)') '             gap at x_min over film = '//to_text(plan%resolution%inlet_gap, 3)// &
-            merge(' (flooded)                                              ', &
-                  ' (below 8 the boundary makes the film somewhat thinner) ', plan%resolution%inlet_gap >= flooded_inlet_gap)
+            trim(merge(' (flooded)                                             ', &
+                       ' (below 8 the boundary makes the film somewhat thinner)', plan%resolution%inlet_gap >= flooded_inlet_gap))
          if (plan%resolution%is_resolved) then
             write (unit, '(a)') '             resolved'
          else
@@ -211,9 +211,9 @@ contains
       write (unit, '(a)') 'Validity     '//validity_text(case, plan, result%warning)
       write (unit, '(a)') 'Errors       mass residual '//to_text(result%residual, 3)//', load error '// &
          to_text(result%load_error, 3)
-      write (unit, '(a)') 'Effort       '//to_text(result%seconds, 4)//' s, '//to_text(result%work_units, 4)//' work units, '// &
-         to_text(result%time_steps)//' time steps, '//iterations()//' on the finest grid, '// &
-         to_text(result%peak_memory_mib, 4)//' MiB'
+      write (unit, '(a)') 'Effort       '//to_text(result%seconds, 4)//' s, '// &
+         to_text(result%counted_work_units, 4)//' work units, '//to_text(result%time_steps)//' time steps, '// &
+         iterations()//' on the finest grid, '//to_text(result%peak_memory_mib, 4)//' MiB'
 
    contains
 
@@ -249,7 +249,7 @@ contains
             if (ieee_is_finite(r%waves%centre%fit%misfit)) write (unit, '(a)') '             with the surface: '// &
                to_text(abs(r%waves%centre%fit%attenuated), 4)//' of Ai, with the oil: '// &
                to_text(abs(r%waves%centre%fit%complementary), 4)//', left: '//to_text(r%waves%centre%fit%misfit, 2)
-            write (unit, '(a)') '             '//to_text(r%linear_steps)//' GMRES steps, '//to_text(r%work_units, 4)// &
+            write (unit, '(a)') '             '//to_text(r%linear_steps)//' GMRES steps, '//to_text(r%counted_work_units, 4)// &
                ' work units'
          end associate
       end subroutine print_response

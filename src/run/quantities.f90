@@ -65,7 +65,7 @@ contains
       call list%add('domain_x_min', 'X of the inlet boundary in use', plan%x_min)
       call list%add('domain_x_max', 'X of the outlet boundary in use', plan%x_max)
       call list%add('domain_y_max', 'Y of the side boundary in use', plan%y_max)
-      call list%add('expected_work_units', 'work expected by the plan, in plain FFT convolutions of the grid', &
+      call list%add('expected_work_units', 'work expected by the plan, counted in plain FFT convolutions of the grid', &
                     plan%expected_work_units)
       call list%add('cells_x', 'cells along X', plan%cells_x)
       call list%add('cells_y', 'cells along Y, whole domain', plan%cells_y)

@@ -15,6 +15,7 @@ module ehlwave_refined_case
    use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_status, only: is_success, status_converged, status_inaccurate, status_interrupted
    use ehlwave_text, only: to_text
+   use ehlwave_work_unit, only: work_unit_operations
    implicit none (type, external)
    private
    public :: run_refined_case
@@ -56,6 +57,8 @@ contains
          if (.not. is_success(again%status)) exit
          call take_errors(case, finer, again)
          again%work_units = again%work_units*(1 + result%seconds/again%seconds)
+         again%work = again%work + result%work
+         again%counted_work_units = again%work/work_unit_operations(finer%cells_x, finer%cells_y)
          again%seconds = again%seconds + result%seconds
          again%refinements = result%refinements + 1
          result = again

@@ -2,7 +2,7 @@
 module ehlwave_sweep_expectation
    use ehlwave_case_plan, only: case_plan_t
    use ehlwave_kinds, only: dp
-   use ehlwave_work_unit, only: work_unit_seconds
+   use ehlwave_work_unit, only: work_unit_operations, work_unit_seconds
    implicit none (type, external)
    private
    public :: expected_seconds
@@ -17,16 +17,8 @@ contains
       type(case_plan_t), intent(in) :: plans(:)
       real(dp) :: seconds(size(plans))
       real(dp) :: unit_s
-      unit_s = work_unit_seconds(measured_cells, measured_cells)/transform_work(measured_cells, measured_cells)
-      seconds = plans%expected_work_units*unit_s*transform_work(plans%cells_x, plans%cells_y)
+      unit_s = work_unit_seconds(measured_cells, measured_cells)/work_unit_operations(measured_cells, measured_cells)
+      seconds = plans%work_with_estimates*unit_s*work_unit_operations(plans%cells_x, plans%cells_y)
    end function expected_seconds
-
-   !> Work of a transform of so many points, up to a factor.
-   elemental real(dp) function transform_work(cells_x, cells_y)
-      integer, intent(in) :: cells_x, cells_y
-      real(dp) :: points
-      points = 4*real(cells_x, dp)*cells_y
-      transform_work = points*log(points)
-   end function transform_work
 
 end module ehlwave_sweep_expectation

@@ -45,16 +45,17 @@ contains
       integer, intent(in) :: unit
       type(case_plan_t), intent(in) :: plans(:)
       character(len=:), allocatable :: text
-      real(dp) :: memory_mib, seconds(size(plans))
+      real(dp) :: errors(size(plans)), memory_mib, seconds(size(plans))
       integer :: i, line_contacts, worst
 
       seconds = expected_seconds(plans)
       line_contacts = count(.not. ieee_is_finite(seconds))
       memory_mib = maxval([(plans(i)%expected_memory_mib(), i=1, size(plans))])
-      worst = maxloc(plans%expected_error, 1, mask=ieee_is_finite(plans%expected_error) .and. plans%expected_error > 0)
+      errors = merge(plans%expected_error, 0.0_dp, ieee_is_finite(plans%expected_error))
+      worst = maxloc(errors, 1, mask=errors > 0)
       text = 'Expected     '
       if (worst > 0) text = text//duration(sum(seconds, mask=ieee_is_finite(seconds)))//' of computing on this machine (a '// &
-         'model, usually right within a factor 2), errors up to '//to_text(plans(worst)%expected_error, 2)//' (case '// &
+         'model, usually right within a factor 2), errors up to '//to_text(errors(worst), 2)//' (case '// &
          to_text(worst)//'), '
       write (unit, '(a)') text//to_text(memory_mib, 2)//' MiB a rank, and what MPI takes'
       if (line_contacts > 0) write (unit, '(a)') '             '//to_text(line_contacts)// &

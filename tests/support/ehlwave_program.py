@@ -1,13 +1,15 @@
 """What tests of the programs share; how these are run is in ``studies.programs`` of postprocess."""
 
 import math
+import os
 import unittest
 
 from studies.programs import MPI_ENVIRONMENT, is_open_mpi, last_line, mpi_command, namelist, paper_edges, run, solve
 
-__all__ = ["MPI_ENVIRONMENT", "SKIPPED", "TestCase", "is_open_mpi", "last_line", "mpi_command", "namelist", "paper_edges", "report", "run", "solve"]
+__all__ = ["IS_LONG", "MPI_ENVIRONMENT", "SKIPPED", "TestCase", "is_open_mpi", "last_line", "mpi_command", "namelist", "paper_edges", "report", "run", "solve"]
 
 SKIPPED = 77
+IS_LONG = os.environ.get("EHLWAVE_LONG_TESTS", "0") != "0"   # scripts/test --long: more of the same
 
 
 class TestCase(unittest.TestCase):

@@ -42,7 +42,7 @@ def sweep_groups(cases):
 class Torture:
     """One sweep under attack in a folder of its own."""
 
-    def __init__(self, folder, cases, ranks, seed, say=print):
+    def __init__(self, folder, cases, ranks, disturbances, seed, say=print):
         self.folder, self.ranks, self.say = Path(folder), ranks, say
         self.cases = cases
         self.random = random.Random(seed)
@@ -53,7 +53,9 @@ class Torture:
         (self.folder/"cases.csv").write_text(table)
         self.disk = self.folder/"disk"
         self.disk.mkdir()
-        mount = ["mount", "-t", "tmpfs", "-o", "size=8m", "ehlwave-torture", str(self.disk)]
+        # room for the store and the results file, and for the logs of all the runs that are disturbed
+        size = 8*2**20 + cases*5000 + disturbances*ranks*16000
+        mount = ["mount", "-t", "tmpfs", "-o", f"size={size}", "ehlwave-torture", str(self.disk)]
         self.has_small_disk = subprocess.run(mount, capture_output=True, check=False).returncode == 0
         if not self.has_small_disk:
             say("  no small file system can be mounted here: a full disk is left out")
@@ -72,8 +74,19 @@ class Torture:
                                     stdin=subprocess.DEVNULL, stdout=file, stderr=file)
 
     def wait(self, process):
-        """Exit status of a run."""
-        return process.wait(timeout=600)
+        """Exit status of a run. An mpirun that locks up when its ranks have died is killed, as `run-sweep` does, and counted."""
+        end, stuck = time.monotonic() + 600, None
+        while process.poll() is None:
+            now = time.monotonic()
+            stuck = (stuck or now) if _has_only_dead_children(process.pid) else None
+            if stuck and now > stuck + 20:
+                process.kill()
+                self.counts["mpirun that locked up"] = self.counts.get("mpirun that locked up", 0) + 1
+                stuck = None
+            if now > end:
+                raise subprocess.TimeoutExpired(process.args, 600)
+            time.sleep(0.02)
+        return process.returncode
 
     def log_length(self):
         """Bytes in the log of all runs."""
@@ -199,6 +212,17 @@ def _descendants(pid):
     return found
 
 
+def _has_only_dead_children(pid):
+    """Whether a process has children, none of which lives."""
+    states = []
+    for child in _descendants(pid):
+        try:
+            states.append(Path(f"/proc/{child}/stat").read_text().rpartition(") ")[2][0])
+        except OSError:
+            pass
+    return bool(states) and set(states) == {"Z"}
+
+
 def _wait_for_end(pids):
     """Ranks outlive a killed mpirun for a moment; those that do not notice are ended."""
     end = time.monotonic() + 20
@@ -216,7 +240,7 @@ def _wait_for_end(pids):
 def torture(cases, disturbances, ranks, seed, folder=None, say=print):
     """Disturb a sweep so many times, finish it, compare. Returns the number of each kind of disturbance."""
     with tempfile.TemporaryDirectory(dir=folder) as place:
-        run = Torture(place, cases, ranks, seed, say)
+        run = Torture(place, cases, ranks, disturbances, seed, say)
         try:
             done = 0
             while done < disturbances and not run.is_finished():

@@ -12,6 +12,7 @@ from pathlib import Path
 
 from ehlwave_program import last_line, namelist
 
+ROOT = Path(__file__).parents[2]
 BUILD = Path(os.environ["EHLWAVE_BUILD"])
 STAGED = Path("opt", "ehlwave")
 CONTACT = {"load_parameter_m": 100, "lubricant_parameter_l": 12.05, "radius_ratio_d": 1}
@@ -127,6 +128,18 @@ class Install(unittest.TestCase):
                       EHLWAVE_PYTHON=os.environ.get("EHLWAVE_PYTHON", "python3"))
         with (self.folder/"rows.csv").open(newline="") as table:
             self.assertEqual(len(list(csv.DictReader(table))), 2)
+
+    def test_the_python_package_is_whole(self):
+        """What stands beside the modules, as the atlas, is installed with them, by CMake and by pip."""
+        source = ROOT/"postprocess"/"src"
+        files = {path.relative_to(source) for path in source.glob("ehlwave*/**/*")
+                 if path.is_file() and path.suffix != ".pyc" and ".egg-info" not in str(path)}
+        self.assertIn(Path("ehlwave", "atlas", "rolling.nc"), files)
+        self.assertEqual(files - {path.relative_to("share/ehlwave/python") for path in self.files
+                                  if path.is_relative_to("share/ehlwave/python")}, set())
+        data = re.search(r"^ehlwave = \[(.*)\]$", (ROOT/"postprocess"/"pyproject.toml").read_text(), re.MULTILINE)[1]
+        for path in (path for path in files if path.suffix != ".py"):
+            self.assertTrue(any(path.match(pattern) for pattern in re.findall(r'"(.*?)"', data)), path)
 
     @unittest.skipUnless((BUILD/"lib"/"libehlwave_petsc.so").exists(), "built without PETSc")
     def test_the_library_of_petsc(self):

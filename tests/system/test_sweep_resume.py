@@ -238,7 +238,7 @@ class SweepResume(unittest.TestCase):
 
     def test_case_that_kills_its_rank_twice_is_set_aside(self):
         rows = ["load_parameter_m,lubricant_parameter_l,radius_ratio_d,orientation,wavelength_over_a,cells_x,cells_y",
-                "100,12.05,1,transverse,0.5,256,128", "100,12.05,1,longitudinal,1,32,32"]
+                "100,12.05,1,transverse,0.5,128,128", "100,12.05,1,longitudinal,1,32,32"]
         (self.folder/"cases.csv").write_text("\n".join(rows) + "\n")
         groups = {"sweep": {"case_file": "cases.csv"}}
         (self.folder/"sweep.nml").write_text(namelist(groups))

@@ -6,12 +6,13 @@ import sys
 import unittest
 
 from hdf5_reading import read   # noqa: F401 - leaves as skipped without h5py
+from ehlwave_program import IS_LONG
 from torture import inject, torture
 
 CASES = (160, 640, 2560)   # as many as it takes for the sweep not to be over before it is disturbed
-DISTURBANCES = 7
-FEWEST = 4
-FAULTS = 24
+DISTURBANCES = 7 if IS_LONG else 5
+FEWEST = 4 if IS_LONG else 3
+FAULTS = 24 if IS_LONG else 12
 
 
 class Torture(unittest.TestCase):

@@ -6,15 +6,24 @@ integrated by parts, this leaves
     integral Q grad p = ubar integral h dp/dx,      dimensionless   integral Qhat g = integral H dP/dX,  g = (dP/dX, kappa dP/dY):
 
 what the pressure gradient dissipates is what the moving surfaces put in against the pressure. For a line with constant viscosity
-H^3 dP/dX = lambdabar (H - Hc), and where elasticity rules three parts make up the left side, in units of lambdabar Hc^(-1/3):
+H^3 dP/dX = lambdabar (H - Hc), so H dP = lambdabar (H - Hc)/H^2 dX. In the inlet, up to the edge of the dry contact, Grubin's film
+H = Hc + G with the dry gap G makes this, in units of lambdabar Hc^(-1/3),
 
-- the inlet, integral (H - Hc)^2/H^3 dX, with the gap G of the dry contact, H = Hc + G: 0.88 - 1.0 Hc^(1/3), of which 0.88 =
-  (3/(4 2^(1/2)))^(2/3) (2/3) Beta(8/3, 1/3) is that of G = (4 2^(1/2)/3) l^(3/2) at a distance l from the edge;
+    Hc^(1/3) integral G/(Hc + G)^2 dX -> (3/(4 2^(1/2)))^(2/3) (2/3) Beta(5/3, 1/3) = 1.056          as Hc -> 0,
+
+with G = (4 2^(1/2)/3) l^(3/2) at a distance l from the edge. G of the dry contact and an inlet at X = -2.5 take 1.0 Hc^(1/3) off.
+Computed films have 0.970 of what is left at M = 100, 300 and 1000 alike (meshes of 4/8192, extrapolated): they are 2.25 Hc at the
+edge, where Grubin's is Hc. So the limit is 1.02.
+
+That is the inlet. Over the whole contact the integral has no limit in these units. With integral dP = 0 it is that of (H - Hc) dP, and
+
+- the inlet, Hc^(1/3) integral G^2/(Hc + G)^3 dX: 0.88 - 1.0 Hc^(1/3), as above with Beta(8/3, 1/3);
 - the inside, where P is Hertzian: Hc^3/lambdabar^2 Hc^(1/3) integral X^2/(1 - X^2) dX up to l = Hc^(2/3) from the edges, which is
-  -(2/3) ln(Hc) Hc^(10/3)/lambdabar^2; Hc goes with lambdabar^(3/5), so only the logarithm varies, and there is no constant limit;
-- what both leave in the ends, l of the order Hc^(2/3), where all scale alike: a constant, 0.15 from M = 100 to 1000.
+  -(2/3) ln(Hc) Hc^(10/3)/lambdabar^2; Hc goes with lambdabar^(3/5), so only the logarithm varies;
+- what both leave in the ends, l of the order Hc^(2/3), where all scale alike: a constant, 0.15 as measured from M = 100 to 1000.
 
-At M = 300 this is 1.08, near the 1.06 that is quoted for the elastic limit; at M = 1000 it is 1.17.
+So the whole is 0.97, 1.08, 1.17 at M = 100, 300 and 1000 (1.15 and 1.10 for the last on meshes of 4/4096 and 4/2048; 1.14 with an inlet
+at -1.75), and 1.06 is met in passing.
 """
 
 import math
@@ -68,12 +77,17 @@ def line_flow(result, slip, h, p, g, is_eyring):
     return flow*np.cosh(np.arcsinh(rate*sigma/np.sinh(sigma)))*3*(sigma*np.cosh(sigma) - np.sinh(sigma))/sigma**3
 
 
-def dry_inlet(film):
-    """Integral G^2/(Hc + G)^3 dX of the gap of a dry line contact, from x_min = -2.5 to its edge."""
-    edges = np.concatenate(([0], np.geomspace(1e-6, 1.5, 4001)))
-    x = 1 + (edges[1:] + edges[:-1])/2
-    gap = x*np.sqrt(x**2 - 1) - np.log(x + np.sqrt(x**2 - 1))
-    return (np.diff(edges)*gap**2/(film + gap)**3).sum()
+def dry_inlet(film, power, reach=1.5):
+    """Hc^(1/3) integral G^n/(Hc + G)^(n+1) dX of the gap of a dry line contact, up to `reach` from its edge."""
+    edges = np.concatenate(([0], np.geomspace(1e-9, reach, 8001)))
+    outside = (edges[1:] + edges[:-1])/2
+    gap = (1 + outside)*np.sqrt(outside*(2 + outside)) - np.arccosh(1 + outside)
+    return film**(1/3)*(np.diff(edges)*gap**power/(film + gap)**(power + 1)).sum()
+
+
+def edge_constant(power):
+    """Its limit for Hc -> 0: (3/(4 2^(1/2)))^(2/3) (2/3) Beta(n + 2/3, 1/3)."""
+    return (3/(4*2**0.5))**(2/3)*2/3*math.gamma(power + 2/3)*math.gamma(1/3)/math.gamma(power + 1)
 
 
 class Identities(TestCase):
@@ -112,21 +126,25 @@ class Identities(TestCase):
         report(f"elliptical: power {power - 1:+.1e}")
 
     def test_elastic_limit(self):
-        """Constant viscosity: integral H dP of a line from its Hc alone."""
+        """Constant viscosity: integral H dP of the inlet of a line, and of the whole, from its Hc alone."""
+        for power, constant in ((1, 1.056), (2, 0.880)):
+            self.check_close(edge_constant(power), constant, 5e-4, "constant of the inlet")
+            self.check_close(dry_inlet(1e-9, power, reach=1e3), constant, 2e-3, "its integral")
         for m in (300, 1000):
             with self.subTest(m=m):
                 conditions = {"load_parameter_m": m, "lubricant_parameter_l": 0, "radius_ratio_d": 0}
-                result, _, _, p, h = fields(conditions=conditions, grid={"cells_x": 8192})
+                result, x, _, p, h = fields(conditions=conditions, grid={"cells_x": 8192})
                 self.assertEqual(result["status"], "converged")
-                p, h = p[:, 0], h[:, 0]
-                film, lam = result["central_film"], result["lambdabar"]
-                unit = lam*film**(-1/3)
-                found = (np.diff(p)*(h[1:] + h[:-1])/2).sum()/unit
-                expected = dry_inlet(film)*film**(1/3) - 2/3*math.log(film)*film**(10/3)/lam**2 + ENDS
-                self.check_close(found, expected, 0.01, f"integral at M = {m}")
-                report(f"M = {m}: integral H dP = {found:.4f} lambdabar Hc^(-1/3), {found/expected - 1:+.1e} from the elastic one")
-                if m == 300:
-                    self.check_close(found, 1.06, 0.03, "constant at M = 300")
+                p, h, film, lam = p[:, 0], h[:, 0], result["central_film"], result["lambdabar"]
+                work = np.diff(p)*(h[1:] + h[:-1])/2/(lam*film**(-1/3))
+                inlet, whole = work[x[1:] <= -1].sum(), work.sum()
+                grubin = dry_inlet(film, 1)
+                self.check_close(inlet, grubin, 0.04, f"inlet at M = {m}")
+                self.check_close(inlet/grubin, 0.970, 0.002, f"share of Grubin's integral at M = {m}")
+                expected = dry_inlet(film, 2) - 2/3*math.log(film)*film**(10/3)/lam**2 + ENDS
+                self.check_close(whole, expected, 0.01, f"whole at M = {m}")
+                report(f"M = {m}: integral H dP over lambdabar Hc^(-1/3): inlet {inlet:.4f}, {inlet/grubin - 1:+.1%} from Grubin's, "
+                       f"whole {whole:.4f}, {whole/expected - 1:+.1%} from its parts")
 
 
 if __name__ == "__main__":

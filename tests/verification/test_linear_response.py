@@ -3,7 +3,7 @@
 import unittest
 
 from compare_linear_response import CHOSEN, RELATIVE, chosen_rows, respond
-from ehlwave_program import TestCase, report
+from ehlwave_program import IS_LONG, TestCase, report
 from reference_values import case_name
 
 
@@ -11,6 +11,8 @@ class LinearResponse(TestCase):
     def test_chosen_rows(self):
         table = chosen_rows()
         self.assertEqual(len(table), sum(map(len, CHOSEN.values())))
+        if not IS_LONG:   # the linear response meets all of them in test_harmonic
+            table = [row for row in table if row["points"] == 65 or row["radius_ratio_d"] == 0.04]
         worst = (0, "")
         for row in table:
             with self.subTest(row=case_name(row)):

@@ -1,15 +1,43 @@
-"""The film under slip is a sum of two waves: closed forms against what the film is split into."""
+"""The film under slip is a sum of two waves: closed forms against what the film is split into, and a march against both."""
 
+import cmath
+import math
+import tempfile
 import unittest
+from pathlib import Path
 
-from ehlwave_program import TestCase, report, solve
+from ehlwave_program import SKIPPED, TestCase, last_line, namelist, report, run, solve
+
+try:
+    import h5py
+    import numpy as np
+except ImportError:
+    raise SystemExit(SKIPPED) from None
 
 OIL = {"flow_law": "eyring", "eyring_stress_pa": 5e6, "pressure_viscosity_per_pa": 2.2e-8}
 WAVE = {"orientation": "transverse", "response": "harmonic"}
 
+X_MIN = -2.5
+SHARE = 0.02        # Ai over the film, of the march
+END = 6.0           # its T: the front is far behind the outlet, and the oil of before it, too
+
 
 def waves(result, name):
     return complex(result[name + "_real"], result[name + "_imaginary"])
+
+
+def solved_fields(slip, waviness, **groups):
+    """Result of a case, and its X, Y and H over (x, y)."""
+    case = {"conditions": {"load_parameter_m": 40, "lubricant_parameter_l": 10, "radius_ratio_d": 1, "reduced_modulus_pa": 226e9,
+                           "slip_parameter": slip},
+            "lubricant": {"flow_law": "eyring", "eyring_stress_pa": 5e6}, "waviness": {**WAVE, **waviness},
+            "grid": {"cells_x": 96, "cells_y": 64, "x_min": X_MIN, "edges": "flooded"}, "solver": {"error_estimate": "model"}, **groups}
+    with tempfile.TemporaryDirectory() as folder:
+        Path(folder, "case.nml").write_text(namelist(case))
+        result = last_line(run("case", "case.nml", "--json", "--quiet", "--output", "case.h5", folder=folder))
+        with h5py.File(Path(folder, "case.h5")) as file:
+            x, y, h = (file[name][...] for name in ("x", "y", "film"))
+    return result, x, y, h.T
 
 
 class TwoWaves(TestCase):
@@ -55,6 +83,29 @@ class TwoWaves(TestCase):
                        f"{abs(waves(result, 'attenuated_formula')):.3f}, misfit {result['two_wave_misfit']:.4f}")
                 self.check_close(a, 0.4, 0.1, "|a|")
                 self.assertLess(result["two_wave_misfit"], 0.01)
+
+    def test_march_is_the_sum_of_both(self):
+        """Rms over |X| <= 0.5 over that of the pattern; wave numbers and a in closed form, c what a leaves of the response at X = 0."""
+        kx = 2*math.pi
+        for slip in (1.3, 0.7):
+            with self.subTest(slip=slip):
+                response, x, y, still = solved_fields(slip, {"wavelength_over_a": 1})
+                march, _, _, film = solved_fields(slip, {"wavelength_over_a": 1, "response": "transient", "amplitude_over_film": SHARE},
+                                                  dynamics={"end_time": END})
+                self.assertEqual(march["status"], "converged")
+                a = waves(response, "attenuated_formula")
+                c = waves(response, "harmonic") - a
+                places, rows = np.abs(x) <= 0.5, np.abs(y) <= 0.25
+                change = (film - still)[np.ix_(places, rows)]/(SHARE*response["central_film"])
+                x = x[places, None]
+                own = a*np.exp(1j*kx*x)
+                both = own + c*np.exp(1j*waves(response, "psi_formula")*x)
+                phase = cmath.exp(-1j*kx*(X_MIN + slip*END))
+                left, alone = (np.sqrt(2*np.mean((change - (film*phase).real)**2)) for film in (both, own))
+                report(f"S = {slip}: both waves leave {100*left:.2f} % of Rq over |X| <= 0.5, |Y| <= 0.25, "
+                       f"the attenuated one {100*alone:.1f} %")
+                self.assertLess(left, 0.05)
+                self.assertGreater(alone, 0.1)
 
 
 if __name__ == "__main__":

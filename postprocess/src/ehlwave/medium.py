@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from scipy.optimize import brentq
 from scipy.special import ellipk
 
 Complex = NDArray[np.complex128]
@@ -18,10 +19,13 @@ DENSITY_PA, DENSITY_LIMIT = 5.9e8, 1.34
 
 STEPS_TO_PSI, NEWTON_STEPS = 24, 4
 
+INLET_VISCOSITY = 100.0
+"""Over that at ambient pressure, about: where in the inlet shear thinning is felt."""
+
 
 @dataclass(frozen=True)
 class Oil:
-    """What of the oil waves under slip depend on: Roelands' viscosity, Newtonian or Ree-Eyring.
+    """What of the oil waves under slip depend on: Roelands' viscosity, and how it shears.
 
     Attributes
     ----------
@@ -30,13 +34,49 @@ class Oil:
     roelands_index : float
         z.
     stress_modulus_pa2 : float or None
-        Eyring stress times reduced modulus, E' tau0, Pa^2, on which films depend; None of a
-        Newtonian oil.
+        Eyring stress, or Carreau's G, times reduced modulus, E' tau0, Pa^2, on which films depend;
+        None of a Newtonian oil.
+    carreau_exponent : float or None
+        n of a Carreau oil, above 0 and at most 1; None of other oils.
+    other_laws : tuple of str
+        What was asked for besides and is not in here, such as another law of viscosity.
     """
 
     pressure_viscosity_per_pa: float = 2.2e-8
     roelands_index: float = 0.68
     stress_modulus_pa2: float | None = None
+    carreau_exponent: float | None = None
+    other_laws: tuple[str, ...] = ()
+
+    @property
+    def name(self) -> str:
+        """Return which flow law the oil has."""
+        if self.stress_modulus_pa2 is None:
+            return "Newtonian"
+        return "Ree-Eyring" if self.carreau_exponent is None else "Carreau"
+
+    def tangent_factors(self, b: float) -> tuple[float, float]:
+        """Return by how much more the film lets through along X and along Y as it is sheared.
+
+        Without a pressure gradient, at a Newtonian stress B over tau0: (1 + B^2)^(1/2) and
+        B/asinh(B) of a Ree-Eyring oil (Ehret, Dowson and Taylor 1998). Of a Carreau oil
+        s + 2 p sigma^2 s/(1 + sigma^2) and s = (1 + sigma^2)^p, p = (1/n - 1)/2, at the
+        stress sigma that has sigma s = B.
+        """
+        if self.stress_modulus_pa2 is None or b == 0:
+            return 1.0, 1.0
+        if self.carreau_exponent is None:
+            return float(np.hypot(1, b)), float(b / np.arcsinh(b))
+        power = (1 / self.carreau_exponent - 1) / 2
+        log_b = float(np.log(b))
+
+        def excess(log_stress: float) -> float:
+            return float(log_stress + power * np.logaddexp(0, 2 * log_stress) - log_b)
+
+        least = min(log_b, log_b / (2 * power + 1)) - power * float(np.log(2))
+        stress = np.exp(brentq(excess, least - 1e-9, log_b + 1e-9, xtol=1e-14))
+        across = float(b / stress)
+        return float(across * (1 + 2 * power * stress**2 / (1 + stress**2))), across
 
 
 @dataclass(frozen=True)
@@ -53,7 +93,8 @@ class Medium:
         Complete elliptic integral K.
     thinning : float
         Shear stress that slip makes of the viscosity at ambient pressure in a film of this
-        thickness, over the Eyring stress: B with eta = 1. 0 of a Newtonian oil.
+        thickness, over the Eyring stress: B with eta = 1. 0 of a Newtonian oil; of a Carreau oil
+        that of the Ree-Eyring oil that thins as much in the inlet.
     """
 
     rho: float
@@ -113,9 +154,8 @@ def hertz_medium(
 ) -> Medium:
     """Return the state of the centre of a contact under the maximum Hertz pressure.
 
-    With a Ree-Eyring oil and no pressure gradient the tangent factors are (1 + B^2)^(1/2) along X
-    and B/asinh(B) along Y, B = (lambdabar N0/6) 2 (S - 1) eta/H, N0 = K ph^2/(E' tau0) (Ehret,
-    Dowson and Taylor 1998).
+    The flow is that of :meth:`Oil.tangent_factors`, B = (lambdabar N0/6) 2 (S - 1) eta/H,
+    N0 = K ph^2/(E' tau0).
 
     Parameters
     ----------
@@ -139,6 +179,8 @@ def hertz_medium(
     if oil.stress_modulus_pa2 is not None and slip != 1:
         stress = k * hertz_pa**2 / oil.stress_modulus_pa2
         thinning = lambdabar * stress / 3 * abs(slip - 1) / film
-        b = thinning * viscosity
-        along, across = np.hypot(1, b), b / np.arcsinh(b)
+        along, across = oil.tangent_factors(thinning * viscosity)
+        if oil.carreau_exponent is not None:
+            in_inlet = oil.tangent_factors(INLET_VISCOSITY * thinning)[0]
+            thinning = (in_inlet - 1) / INLET_VISCOSITY
     return Medium(rho, drho, film, eps * along, eps * across, k, thinning)

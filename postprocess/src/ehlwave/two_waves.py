@@ -28,7 +28,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ehlwave.formula import wave_and_direction
-from ehlwave.medium import Medium
+from ehlwave.medium import INLET_VISCOSITY, Medium
 from ehlwave.rolling import rolling_transfer
 
 Complex = NDArray[np.complex128]
@@ -91,7 +91,7 @@ def launched(
     cosine2 = np.asarray(along)
     power = powers[0] * cosine2 * (1 - np.abs(attenuated) ** 2) + 1j * powers[1]
     thinned = -powers[2] * cosine2 * np.maximum(1 - np.abs(rolling) ** 2, 0)
-    change = power * np.log(slip) + thinned * np.log1p(100 * np.asarray(thinning))
+    change = power * np.log(slip) + thinned * np.log1p(INLET_VISCOSITY * np.asarray(thinning))
     entering = rolling * np.exp(change) - attenuated
     u = mismatch.real * np.asarray(length)
     return np.asarray(entering * np.exp(1j * (mismatch - u) - u**2 / 6))

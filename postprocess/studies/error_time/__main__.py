@@ -51,7 +51,7 @@ def write_all(table: pd.DataFrame, folder: Path) -> list[Path]:
     for cost in figures.COSTS:
         for name, panels in figures.all_panels().items():
             drawn[f"{name}-{cost.replace('_', '-')}"] = figures.error_figure(found, cost, panels)
-    drawn["summary"] = figures.error_figure(found, "seconds", figures.short_panels())
+    drawn["summary"] = figures.error_figure(found, "work", figures.short_panels())
     for name, figure in drawn.items():
         paths.append(folder / f"{name}.png")
         figure.savefig(paths[-1], dpi=150)

@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import fields
 
+import numpy as np
 import pandas as pd
 
 from studies.error_time.runs import Contact, Run
@@ -75,10 +76,19 @@ def error_rows(table: pd.DataFrame) -> pd.DataFrame:
             "error": (some[quantity] / target - 1).abs(),
             "algebraic_error": _algebraic_error(some, quantity),
             "seconds": some["seconds"],
-            "work_units": some["work_units"],
+            "work": some["counted_work_units"] * convolutions(some["cells"]),
         }
         parts.append(some[[*KEYS, "status"]].assign(**columns))
     return pd.concat(parts)
+
+
+def convolutions(cells: pd.Series) -> pd.Series:
+    """Return the work unit of grids of as many cells along each side in those of 256 by 256 cells.
+
+    A unit is one zero-padded convolution by FFT, counted as n log n (src/run/work_unit.f90).
+    """
+    unit = (2 * cells) ** 2 * np.log2((2.0 * cells) ** 2)
+    return unit / (512**2 * math.log2(512**2))
 
 
 def _algebraic_error(rows: pd.DataFrame, quantity: str) -> pd.Series:

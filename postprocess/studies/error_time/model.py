@@ -37,8 +37,9 @@ def fit_models(table: pd.DataFrame) -> pd.DataFrame:
     """
     film, ratio = grid_errors(table, FILMS[0]), grid_errors(table, RATIO)
     good = _good(with_defaults(table))
-    steady = good[good["wavelength"] == 0].assign(value=good["work_units"])
-    moving = good[good["time_steps"] > 0].assign(value=good["work_units"] / good["time_steps"])
+    steady = good[good["wavelength"] == 0].assign(value=good["counted_work_units"])
+    moving = good[good["time_steps"] > 0]
+    moving = moving.assign(value=moving["counted_work_units"] / moving["time_steps"])
     fits = [
         _fit("film", [0.2], film, _film_error),
         _fit("moving_ratio", [0.2], ratio[ratio["time_steps"] > 0], _ratio_error),

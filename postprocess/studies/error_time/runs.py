@@ -19,6 +19,8 @@ class Contact(NamedTuple):
     wavelength: float = 0.0
     orientation: str = "none"
     lubricant_l: float = 12.05
+    slip: float = 1.0
+    law: str = "newtonian"
 
     @property
     def title(self) -> str:
@@ -28,6 +30,10 @@ class Contact(NamedTuple):
             text += f", L = {self.lubricant_l:g}"
         if self.wavelength:
             text += f", {self.orientation}, λ/a = {self.wavelength:g}"
+        if self.slip != 1:
+            text += f", S = {self.slip:g}"
+        if self.law != "newtonian":
+            text += f", {self.law}"
         return text
 
 
@@ -40,6 +46,8 @@ class Run:
     wavelength: float
     orientation: str
     lubricant_l: float
+    slip: float
+    law: str
     cells: int
     method: str = "newton"
     deformation: str = "fft"
@@ -76,6 +84,11 @@ FURTHER = (
         Contact(m, d, 1.0, orientation)
         for m, d in ((100.0, 1.0), (500.0, 0.35), (100.0, 0.12))
         for orientation in ("isotropic", "longitudinal")
+    ),
+    *(
+        Contact(100.0, 1.0, 1.0, "transverse", slip=slip, law=law)
+        for slip in (0.5, 1.5)
+        for law in ("newtonian", "eyring")
     ),
 )
 """Contacts that the models are fitted to as well."""

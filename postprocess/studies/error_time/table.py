@@ -18,6 +18,8 @@ KEYS = {
     "wavelength": "wavelength_over_a",
     "orientation": "orientation",
     "lubricant_l": "lubricant_parameter_l",
+    "slip": "slip_parameter",
+    "law": "flow_law",
     "cells": "cells_x",
     "method": "method",
     "deformation": "deformation",
@@ -26,6 +28,12 @@ KEYS = {
     "time_step_over_cell": "time_step_over_cell",
 }
 """The fields of a run, by which rows of the table are known, as keys of the sweep."""
+
+SHARED = {"grid": {"edges": "flooded"}, "solver": {"error_estimate": "model"}}
+"""Keys of all runs."""
+
+SLIDING = {"reduced_modulus_pa": 2.28e11, "eyring_stress_pa": 5e6}
+"""Keys of the runs with a Ree-Eyring oil."""
 
 OUTCOMES = (
     "status",
@@ -46,7 +54,7 @@ OUTCOMES = (
     "nonlinear_steps",
     "linear_steps",
     "seconds",
-    "work_units",
+    "counted_work_units",
 )
 """Taken from the results of a run."""
 
@@ -81,10 +89,11 @@ def write_cases(folder: Path, extent: Extent) -> Path:
             **{key: getattr(run, name) for name, key in KEYS.items()},
             "wavelength_over_a": run.wavelength or "",
             "cells_y": run.cells,
+            **(SLIDING if run.law == "eyring" else dict.fromkeys(SLIDING, "")),
         }
         for run in runs
     ]
-    return sweeps.write_sweep(folder, NAME, rows, {"solver": {"error_estimate": "model"}})
+    return sweeps.write_sweep(folder, NAME, rows, SHARED)
 
 
 def read_table(folder: Path, extent: Extent) -> pd.DataFrame:

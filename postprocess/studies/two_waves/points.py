@@ -29,6 +29,9 @@ DEFAULTS = {"pressure_viscosity_per_pa": Oil().pressure_viscosity_per_pa, "flow_
 LARGEST_ERROR = 0.03
 """Of Ad/Ai from two grids, absolute: points beyond it say more about the grid than about waves."""
 
+SOLVED = ("converged", "inaccurate")
+"""Of the status. The accuracy of a sweep is relative to Ad/Ai, which counts small responses out
+that are known well enough in units of Ai."""
 
 LEAST_LOAD = 5.0
 
@@ -111,7 +114,7 @@ def slip_points(*paths: Path) -> Pairs:
 def _usable(paths: tuple[Path, ...]) -> pd.DataFrame:
     table = read_results(paths).to_dataframe()
     error = table["harmonic_error"] * table["harmonic_ratio"]
-    fine = (table["status"] == "converged") & (table["is_resolved"] != 0)
+    fine = table["status"].isin(SOLVED) & (table["is_resolved"] != 0)
     table = table[fine & (error <= LARGEST_ERROR)].copy()
     # Files have columns of the keys that vary there.
     for name, value in DEFAULTS.items():

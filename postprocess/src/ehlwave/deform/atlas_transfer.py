@@ -46,13 +46,17 @@ class AtlasTransfer:
         Raises
         ------
         RangeError
-            A ValueError: the contact lies outside the atlas, or there is slip.
+            A ValueError: the contact lies outside the atlas, there is slip, or the oil has laws of
+            viscosity or density that the atlas does not.
         """
         if conditions.slip_parameter != 1:
             raise RangeError(
                 f"slip_parameter = {conditions.slip_parameter:g}: the atlas holds pure rolling, "
                 "slip_parameter = 1; give a harmonic table of this slip"
             )
+        if conditions.oil.other_laws:
+            laws = ", ".join(conditions.oil.other_laws)
+            raise RangeError(f"{laws}: the atlas holds Roelands' oil; give a harmonic table")
         self._conditions = conditions
         self._atlas = atlas or load_atlas()
         self._chart: Chart = self._atlas.at(conditions.atlas_keys())

@@ -62,8 +62,9 @@ Examples:
   ehlwave deform ball.csv --second disc.csv --conditions sliding.nml --formula two-waves
       --length-unit mm --height-unit um
 
-Under slip (slip_parameter, and eyring_stress_pa of a Ree-Eyring oil in the conditions) the law of
-the two waves is the formula that holds; a harmonic table of this slip is better."""
+Under slip (slip_parameter, and eyring_stress_pa of a Ree-Eyring oil, or carreau_modulus_pa and
+carreau_exponent of a Carreau oil, in the conditions) the law of the two waves is the formula that
+holds; a harmonic table of this slip is better."""
 
 
 SURFACE_DESCRIPTION = """\

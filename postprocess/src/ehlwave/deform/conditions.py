@@ -30,7 +30,8 @@ DIMENSIONAL_KEYS = (
 SCALE_KEYS = ("semi_axis_a_m", "radius_x_m", "central_film_m")
 """Lengths that M, L and D leave open."""
 
-OIL_KEYS = ("pressure_viscosity_per_pa", "roelands_index", "eyring_stress_pa")
+CARREAU_KEYS = ("carreau_modulus_pa", "carreau_exponent")
+OIL_KEYS = ("pressure_viscosity_per_pa", "roelands_index", "eyring_stress_pa", *CARREAU_KEYS)
 
 _FIT_TEXT = "the film thickness fit of Nijenbanning, Venner and Moes (1994)"
 
@@ -137,8 +138,9 @@ def conditions_from_keys(
         or ``load_parameter_m``, ``lubricant_parameter_l``, ``radius_ratio_d`` with
         ``semi_axis_a_m`` and, for the film thickness, ``radius_x_m``. In both cases
         ``slip_parameter`` (1 if absent) and ``central_film_m``, which replaces the film thickness
-        formula where it is better known; of a Ree-Eyring oil ``eyring_stress_pa`` (with M, L and D
-        also ``reduced_modulus_pa``), of which and of ``roelands_index`` waves under slip depend.
+        formula where it is better known; of a Ree-Eyring oil ``eyring_stress_pa``, of a Carreau oil
+        ``carreau_modulus_pa`` and ``carreau_exponent`` (with M, L and D also
+        ``reduced_modulus_pa``), of which and of ``roelands_index`` waves under slip depend.
     place : str
         Begins every message.
     needs_lengths : bool
@@ -326,12 +328,20 @@ def _complete(values: Mapping[str, float], place: str) -> Conditions:
 def _oil(values: Mapping[str, float], place: str) -> Oil:
     alpha = values.get("pressure_viscosity_per_pa", Oil.pressure_viscosity_per_pa)
     index = values.get("roelands_index", Oil.roelands_index)
-    stress = values.get("eyring_stress_pa")
-    if stress is None:
+    given = [key for key in ("eyring_stress_pa", *CARREAU_KEYS) if key in values]
+    if not given:
         return Oil(alpha, index)
+    if given not in (["eyring_stress_pa"], [*CARREAU_KEYS]):
+        raise SurfaceError(
+            f"{place}: {', '.join(given)}: give eyring_stress_pa of a Ree-Eyring oil, or "
+            f"{' and '.join(CARREAU_KEYS)} of a Carreau oil"
+        )
     if "reduced_modulus_pa" not in values:
-        raise SurfaceError(f"{place}: eyring_stress_pa needs reduced_modulus_pa beside M, L and D")
-    return Oil(alpha, index, stress * values["reduced_modulus_pa"])
+        raise SurfaceError(f"{place}: {given[0]} needs reduced_modulus_pa beside M, L and D")
+    exponent = values.get("carreau_exponent")
+    if exponent is not None and exponent > 1:
+        raise SurfaceError(f"{place}: carreau_exponent = {exponent:g} must be at most 1")
+    return Oil(alpha, index, values[given[0]] * values["reduced_modulus_pa"], exponent)
 
 
 def _check_ratio(d: float, place: str) -> None:

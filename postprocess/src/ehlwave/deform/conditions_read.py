@@ -1,6 +1,7 @@
 """Operating conditions from the command line or from an input file of ``ehlwave-case``."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -8,6 +9,9 @@ import f90nml
 
 from ehlwave.deform.conditions import OIL_KEYS, Conditions, conditions_from_keys
 from ehlwave.errors import SurfaceError
+
+KNOWN_LAWS = {"viscosity_law": "roelands", "density_law": "dowson_higginson"}
+"""What :class:`ehlwave.medium.Oil` has; files may ask for others."""
 
 
 def read_conditions(words: Sequence[str]) -> Conditions:
@@ -25,16 +29,20 @@ def read_conditions(words: Sequence[str]) -> Conditions:
         If a file cannot be read or a key is unknown, missing or meaningless.
     """
     keys: dict[str, Any] = {}
+    others: list[str] = []
     for word in words:
         name, separator, value = word.partition("=")
         if separator and not Path(word).exists():
             keys[name.strip()] = value.strip()
         else:
-            keys |= _from_file(Path(word))
-    return conditions_from_keys(keys, place=f"conditions {' '.join(words)}")
+            found, others = _from_file(Path(word))
+            keys |= found
+    conditions = conditions_from_keys(keys, place=f"conditions {' '.join(words)}")
+    return replace(conditions, oil=replace(conditions.oil, other_laws=tuple(others)))
 
 
-def _from_file(path: Path) -> dict[str, Any]:
+def _from_file(path: Path) -> tuple[dict[str, Any], list[str]]:
+    """Return the keys of a file, and its laws of the oil that have no place in them."""
     if not path.is_file():
         raise SurfaceError(
             f"conditions {path}: no such file; give an input file of ehlwave-case or KEY=VALUE"
@@ -48,4 +56,9 @@ def _from_file(path: Path) -> dict[str, Any]:
         raise SurfaceError(f"conditions {path}: has no group &conditions")
     keys = dict(groups["conditions"])
     lubricant = groups.get("lubricant", {})
-    return keys | {key: lubricant[key] for key in OIL_KEYS if key in lubricant}
+    others = [
+        f"{key} = '{lubricant[key]}'"
+        for key, known in KNOWN_LAWS.items()
+        if str(lubricant.get(key, known)).lower() != known
+    ]
+    return keys | {key: lubricant[key] for key in OIL_KEYS if key in lubricant}, others

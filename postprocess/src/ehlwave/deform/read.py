@@ -234,7 +234,7 @@ def _from_instrument(file: Path) -> RawSurface:
     except ImportError as error:
         raise SurfaceError(
             f"{file}: this format is read by SurfaceTopography, which is not installed: "
-            "pip install 'ehlwave[surfaces]' (CSV, NumPy and HDF5 need nothing)"
+            "pip install SurfaceTopography (CSV, NumPy and HDF5 need nothing)"
         ) from error
     try:
         # Its readers raise whatever a damaged file makes them stumble into.

@@ -91,14 +91,15 @@ class TwoWaveTransfer:
         return np.full(shape, self.covers_all)
 
     def reasons(self) -> list[str]:
-        """Return which of M, L, D and S are not among those of the fit."""
+        """Return which of M, L, D, S and the laws of the oil are not those of the fit."""
         contact = self.conditions
         values = {"M": contact.m, "L": contact.l, "D": contact.d, "S": contact.slip_parameter}
-        return [
+        ranges = [
             f"{name} = {values[name]:.4g}: the law was fitted to {low:g} to {high:g}"
             for name, (low, high) in FITTED_RANGES.items()
             if not low <= values[name] <= high
         ]
+        return ranges + [f"{law}: the law was fitted to others" for law in contact.oil.other_laws]
 
     def _wavelength(self, per_length: Waves) -> Floats:
         """Return wavelengths in units of a; zero for an infinite one."""

@@ -1,0 +1,45 @@
+"""scripts/run-sweep beside a launcher that misbehaves; how it starts again is in test_sweep_resume."""
+
+import os
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+from ehlwave_program import namelist
+
+SCRIPT = Path(__file__).parents[2]/"scripts"/"run-sweep"
+SWEEP = {"load_parameter_m": 100, "lubricant_parameter_l": 12.05, "radius_ratio_d": [1, 0.5]}
+# Called as mpirun: `-n RANKS PROGRAM ...`. The first time its rank ends, and it neither takes note of that nor ends.
+LOCKS_UP_ONCE = """#!/usr/bin/env python3
+import os, pathlib, subprocess, sys, time
+shift = sys.argv[3:]
+if pathlib.Path("called").exists():
+    os.execv(shift[0], shift)
+pathlib.Path("called").touch()
+child = subprocess.Popen(["true"])
+time.sleep(60)
+"""
+
+
+class RunSweep(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        (self.folder/"sweep.nml").write_text(namelist({"sweep": SWEEP, "grid": {"cells_x": 32, "cells_y": 32}}))
+        (self.folder/"launcher").write_text(LOCKS_UP_ONCE)
+        (self.folder/"launcher").chmod(0o755)
+
+    def test_a_launcher_that_locks_up_is_killed(self):
+        variables = {"EHLWAVE_LAUNCHER": "./launcher", "EHLWAVE_PATIENCE": "1"}
+        outcome = subprocess.run([SCRIPT, "--ranks", "1", "sweep.nml", "--output", "results.h5"], cwd=self.folder, text=True,
+                                 capture_output=True, check=False, timeout=50, env={**os.environ, **variables})
+        self.assertEqual(outcome.returncode, 0, outcome.stdout + outcome.stderr)
+        self.assertIn("all ranks have ended", outcome.stdout)
+        self.assertIn("start 1 of at most 5 again", outcome.stdout)
+        self.assertTrue((self.folder/"results.h5").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()
