@@ -7,24 +7,46 @@ import xarray as xr
 import ehlwave
 from ehlwave.atlas.atlas import SHIPPED, Atlas, checksum, load_atlas
 from ehlwave.atlas.coordinates import Shape
-from ehlwave.atlas.process import Process, Scales, Scattered
+from ehlwave.atlas.process import Process, Scales, Scattered, likelihood
 from ehlwave.deform import trace_surface
 from ehlwave.deform.atlas_transfer import AtlasTransfer, with_atlas_film
 
 MOES = {"load_parameter_m": 100, "lubricant_parameter_l": 12.05, "radius_ratio_d": 1}
+BALL = {
+    "radius_x_m": 12.52e-3,
+    "radius_y_m": 12.52e-3,
+    "reduced_modulus_pa": 1.17e11,
+    "load_n": 39.2,
+    "viscosity_pa_s": 1.22,
+    "pressure_viscosity_per_pa": 2.25e-8,
+    "roelands_index": 0.484,
+}
 LENGTHS = {"semi_axis_a_m": 0.2e-3, "radius_x_m": 12.5e-3}
 
 
 def test_a_process_returns_what_it_was_given_and_falls_to_zero_far_away() -> None:
     random = np.random.default_rng(3)
     contacts, waves = random.random((6, 2)), random.random((40, 1))
-    points = Scattered(contacts, np.arange(40) % 6, waves, np.full(40, 1e-4))
+    points = Scattered(contacts, np.arange(40) % 6, waves)
     values = np.sin(3 * waves) + contacts[points.of_contact].sum(axis=1)[:, None]
-    process = Process(points, values, Scales(np.full(2, 1.0), np.full(1, 0.5)))
+    process = Process(points, values, Scales(np.full(2, 1.0), np.full(1, 0.5), 1e-4))
     own = np.flatnonzero(points.of_contact == 2)
     found = process.at_waves(process.at_contact(contacts[2]), waves[own])
     np.testing.assert_allclose(found, values[own], atol=1e-3)
     assert np.abs(process.at_waves(process.at_contact(contacts[2] + 50), waves)).max() < 1e-6
+
+
+def test_the_slopes_of_the_likelihood_are_its_differences() -> None:
+    random = np.random.default_rng(4)
+    points = Scattered(random.random((6, 2)), np.arange(30) % 6, random.random((30, 2)))
+    values, logs = random.random((30, 2)), np.log([0.5, 0.7, 0.4, 0.9, 0.1])
+    slopes = likelihood(points, values, Scales.of_logs(logs, 2))[1]
+    for k, slope in enumerate(slopes):
+        step = 1e-5 * (np.arange(5) == k)
+        up, down = (
+            likelihood(points, values, Scales.of_logs(logs + s, 2))[0] for s in (step, -step)
+        )
+        assert slope == pytest.approx((up - down) / 2e-5, rel=1e-4)
 
 
 def test_numbers_that_are_interpolated_give_the_responses_back() -> None:
@@ -48,17 +70,7 @@ def test_a_response_is_that_of_the_program() -> None:
 
 
 def test_film_of_the_paper_experiment_is_that_computed() -> None:
-    ball = ehlwave.Contact(
-        radius_x_m=12.52e-3,
-        radius_y_m=12.52e-3,
-        reduced_modulus_pa=1.17e11,
-        load_n=39.2,
-        viscosity_pa_s=1.22,
-        mean_speed_m_per_s=0.024,
-        pressure_viscosity_per_pa=2.25e-8,
-        roelands_index=0.484,
-    )
-    film = ball.film()
+    film = ehlwave.Contact(**BALL, mean_speed_m_per_s=0.024).film()
     assert film.central_m == pytest.approx(0.237e-6, rel=0.01)
     assert film.minimum_m is not None
     assert film.minimum_m < film.central_m
@@ -79,6 +91,28 @@ def test_film_of_the_paper_experiment_is_that_computed() -> None:
 def test_nothing_is_extrapolated(keys: dict, asked: dict, said: str) -> None:
     with pytest.raises(ValueError, match=said):
         ehlwave.Contact(**keys).response(**asked)
+
+
+def test_waves_raise_the_mean_film_as_computed() -> None:
+    # ehlwave-case, 128 x 128 cells: M = 134.4, L = 6.62, alpha = 2.25e-8, z = 0.484
+    contact = ehlwave.Contact(**BALL, mean_speed_m_per_s=0.024)
+    chart = contact.atlas().at(contact.conditions.atlas_keys())
+    for wave, angle, computed in (
+        (0.35, 0, 0.263),
+        (0.7, 0, 0.169),
+        (1.5, 0, 0.053),
+        (0.7, 90, 0.081),
+    ):
+        rise = chart.rise(wave, angle)
+        assert rise is not None
+        assert rise == pytest.approx(computed, abs=0.08)  # 95 % of rises are within 0.15
+    a = contact.conditions.semi_axis_a_m
+    x = np.arange(400) * a / 40
+    amplitude = 30e-9
+    surface = trace_surface(amplitude * np.cos(2 * np.pi * 2 * x / a), a / 40)
+    found = contact.deform(surface, form="none", ends="none").statistics
+    film = found.mean_film_m - found.mean_rise_m
+    assert found.mean_rise_m == pytest.approx(chart.rise(0.5, 0) * amplitude**2 / film, rel=0.02)
 
 
 def test_under_slip_the_law_of_the_two_waves_answers() -> None:

@@ -102,7 +102,7 @@ def test_refits_find_the_coefficients_of_each_set(study: Path) -> None:
     write_results(study / "dense.h5", _linear(0.1, 0.05))
     for stage in refitted.RHEOLOGIES:
         write_results(study / f"{stage}.h5", _linear(0.3, 0.01))
-    refits = refitted.study_refits(study, RefitSettings(replicates=20))
+    refits = refitted.study_refits(study, RefitSettings(replicates=5))
     found = refits[refits["group"] == "all"].set_index("name")
     assert found.loc[refitted.MAIN, ["c1", "c2"]].to_list() == pytest.approx([0.2, 0.03], rel=1e-6)
     assert found.loc["L = 12.05", "c2"] == pytest.approx(0.05, rel=1e-6)

@@ -212,8 +212,8 @@ contains
       write (unit, '(a)') 'Errors       mass residual '//to_text(result%residual, 3)//', load error '// &
          to_text(result%load_error, 3)
       write (unit, '(a)') 'Effort       '//to_text(result%seconds, 4)//' s, '// &
-         to_text(result%counted_work_units, 4)//' work units, '//to_text(result%time_steps)//' time steps, '//iterations()//' on the finest grid, '// &
-         to_text(result%peak_memory_mib, 4)//' MiB'
+         to_text(result%counted_work_units, 4)//' work units, '//to_text(result%time_steps)//' time steps, '// &
+         iterations()//' on the finest grid, '//to_text(result%peak_memory_mib, 4)//' MiB'
 
    contains
 

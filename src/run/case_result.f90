@@ -44,6 +44,7 @@ module ehlwave_case_result
       real(dp) :: amplitude_ratio_fit = no_value     !! Ad/Ai by harmonic fit
       real(dp) :: phase_fit = no_value               !! radian by which H(0,0) follows the pattern there, by harmonic fit
       real(dp) :: mean_film = no_value               !! mean of H(0,0) over the measured periods
+      character(len=8) :: route = ''                 !! what that is from: a march from 'rest', or one that started in 'waves'
       real(dp) :: v = 0, v2 = 0, f_r = 0             !! theory eq. (17), (16), (15)
       real(dp) :: formula_ratio = 0                  !! theory eq. (18)
       type(harmonic_result_t) :: harmonic            !! linear response, if asked for

@@ -86,8 +86,8 @@ contains
             select case (plan%kind)
             case (run_march)
                is_found = .false.
-               if (plan%is_periodic) call find_periodic_state(case, plan, steady, step_limits(case, case%amplitude_over_film), &
-                                                              result, is_found)
+               if (plan%is_periodic) call find_periodic_state(case, plan, steady%multigrid, rescue, &
+                  step_limits(case, case%amplitude_over_film), monitor, result, is_found)
                if (.not. is_found) call run_moving(case, plan, steady%multigrid, rescue, monitor, result, keeper)
             case (run_standing)
                call run_standing_pattern(case, plan, steady%multigrid, rescue, monitor, result)
@@ -189,7 +189,7 @@ contains
                                   cells_per_step=plan%cells_per_step, steps_per_cell=plan%steps_per_cell, &
                                   natural_frequency=case%natural_frequency, force=case%load_factor)
       limits = step_limits(case, amplitude_over_film)
-      call march%begin(multigrid%levels(finest), settings, rescue)
+      call march%begin(multigrid%levels, settings, rescue)
       if (present(keeper)) call keeper%load(march)
       if (march%result%steps > 0) call march%restore(multigrid%levels(finest))
       do while (march%result%steps < plan%steps)
@@ -225,6 +225,7 @@ contains
             result%mean_film = sum(result%film_history(plan%first_sample + 1:))/(history%steps - plan%first_sample + 1)
       else if (plan%waviness%moves() .and. plan%measures) then
          associate (film => history%central_film(plan%first_sample:), time => history%time(plan%first_sample:))
+            result%route = 'rest'
             result%amplitude_ratio = sampled_amplitude(film)/amplitude
             fit = fitted_harmonic(time, film, plan%waviness%period())/amplitude
             result%amplitude_ratio_fit = abs(fit)

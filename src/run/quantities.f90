@@ -138,6 +138,7 @@ contains
       call list%add('amplitude_ratio_fit', 'Ad/Ai from a harmonic fit', result%amplitude_ratio_fit)
       call list%add('phase_fit', 'phase of the harmonic fit against the pattern at the centre', result%phase_fit, unit='rad')
       call list%add('mean_film', 'mean of H(0,0) over what is measured: a period, all phases, or a surface', result%mean_film)
+      call list%add('march_from', "what the march that Ad/Ai is from started in: 'rest' or 'waves'", trim(result%route))
       call list%add('central_film_error', 'estimated relative error of central_film', result%central_film_error)
       call list%add('minimum_film_error', 'estimated relative error of minimum_film', result%minimum_film_error)
       call list%add('film_order', 'observed order of central_film on three levels', result%film_order)

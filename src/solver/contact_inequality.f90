@@ -7,7 +7,7 @@ module ehlwave_contact_inequality
    use ehlwave_load_balance, only: load_factor
    use ehlwave_near_matrix, only: near_matrix_t
    use ehlwave_reynolds, only: reynolds_change
-   use ehlwave_solve_report, only: solve_report_t
+   use ehlwave_solve_report, only: solve_limits_t, solve_report_t
    use ehlwave_state, only: new_state, state_t
    use ehlwave_status, only: status_not_finite
    use ehlwave_step_limit, only: step_limit_t
@@ -105,7 +105,7 @@ contains
    subroutine return_to_best(self)
       class(contact_inequality_t), intent(inout) :: self
       call visit(self, self%best)
-      call self%report%judge(self%equations, self%state, self%tolerance)
+      call self%report%judge(self%equations, self%state, solve_limits_t(tolerance=self%tolerance))
       self%weight = sqrt(sqrt(self%equations%scale))
    end subroutine return_to_best
 
@@ -190,7 +190,7 @@ contains
       real(dp), intent(in) :: x(:)
 
       call visit(self, x)
-      call self%report%judge(self%equations, self%state, self%tolerance)
+      call self%report%judge(self%equations, self%state, solve_limits_t(tolerance=self%tolerance))
       self%report%history = [self%report%history, self%report%residual]
       judge = self%report%status
       if (judge == status_not_finite .or. .not. self%report%worst() < self%least) return

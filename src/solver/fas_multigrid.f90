@@ -63,7 +63,7 @@ contains
          call problem%film_of_guess(problem%given_t, state)
          call level%evaluate(problem)
          do k = 0, limits%largest_steps
-            call report%judge(level%equations, state, limits%tolerance)
+            call report%judge(level%equations, state, solve_limits_t(tolerance=limits%tolerance))
             report%history = [report%history, report%residual]
             if (report%status /= status_stalled) exit
             if (report%residual > divergence*report%history(1)) report%status = status_diverged

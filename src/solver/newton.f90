@@ -96,13 +96,13 @@ contains
                if (worth < progress*best) last_gain = k
                best = min(best, worth)
             end if
-            call report%judge(equations, state, limits%tolerance)
+            call report%judge(equations, state, limits)
             report%history = [report%history, report%residual]
             if (report%status /= status_stalled .or. k == limits%largest_steps) exit
             if (allocated(problem%film_flow) .and. k > last_gain + patience) exit
 
             if (k > 0) forcing = next_forcing(self, forcing, worth/worth_before)
-            forcing = min(self%loosest, max(forcing, last_step_share*limits%tolerance/report%residual))
+            forcing = min(self%loosest, max(forcing, last_step_share*limits%tolerance/report%weighed))
             worth_before = worth
             if (allocated(problem%film_flow)) before = state
             call linear_solve(self, forcing, report)

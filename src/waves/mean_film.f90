@@ -24,7 +24,7 @@ module ehlwave_mean_film
    !> Amplitude over H(0,0) at which the mean residual is taken, before it is scaled with the square of the amplitude. At the
    !> steep end of the pressure large waves leave the range of the second order: M = 100, D = 1, transverse, 0.5 a, 65 x 65
    !> nodes, rise over Ai at Ai = 0.2 H(0,0): 0.0362 taken at 0.2, 0.0393 at 0.02 and below, 0.0389 in a long march.
-   real(dp), parameter :: probe_over_film = 0.005_dp
+   real(dp), parameter, public :: probe_over_film = 0.005_dp
 
    !> Change of the mean and, with it, the thinnest film that occurs.
    type, public :: mean_change_t

@@ -1,81 +1,114 @@
-!> The periodic state of a contact with moving waves: what a march comes to, without the march.
+!> The periodic state of a contact with moving waves: a march that starts in what is known of them, from grid to grid.
 module ehlwave_periodic_state
-   use ehlwave_bent_step, only: bend
-   use ehlwave_harmonic_response, only: harmonic_response_t
+   use ehlwave_full_multigrid, only: full_multigrid_t
+   use ehlwave_given, only: given_t
+   use ehlwave_grid, only: grid_t
    use ehlwave_hierarchy, only: level_t
-   use ehlwave_kinds, only: dp, pi
-   use ehlwave_mean_film, only: find_mean_change, mean_change_t
-   use ehlwave_periodic_system, only: periodic_system_t
-   use ehlwave_phase_samples, only: new_phase_samples, phase_samples_t
-   use ehlwave_real_gmres, only: gmres_t
-   use ehlwave_real_transfer, only: interpolate
+   use ehlwave_kinds, only: dp
+   use ehlwave_known_waves, only: known_waves_t
+   use ehlwave_monitor, only: go_on, monitor_t
+   use ehlwave_rescue, only: rescue_t
    use ehlwave_solve_report, only: solve_limits_t, solve_report_t
-   use ehlwave_state, only: new_state, state_t
-   use ehlwave_status, only: status_converged, status_diverged, status_stalled
-   use ehlwave_step_limit, only: step_limit_t
+   use ehlwave_state, only: state_t
+   use ehlwave_status, only: status_converged
+   use ehlwave_time_march, only: march_settings_t, march_t
    use ehlwave_waviness, only: waviness_t
    implicit none (type, external)
    private
 
-   !> States at the phases of one period of the pattern: A Re(g exp(-i phi)), phi = w T, a crest at the origin at phi = 0.
+   !> What a march from rest comes to: on each grid a march starts in the linear response, the change of the mean, and what the
+   !> march on the next coarser grid found besides, and ends when the film upstream of the centre repeats.
    type, public :: periodic_state_t
-      type(phase_samples_t) :: phases
-      type(state_t), allocatable :: states(:)       !! (phases%n)
-      type(solve_report_t) :: report                !! the worst of the states, steps of the finest grid
+      type(march_t) :: march                  !! on the finest grid
+      type(solve_report_t) :: report          !! of its last state, within the tolerance everywhere
+      logical :: is_found = .false.           !! it repeats
+      real(dp) :: change = huge(1.0_dp)       !! largest of the film since a period before, over A
+      integer :: first_sample = 0             !! step of the march with which the last period begins
+      integer :: nonlinear_steps = 0, linear_steps = 0   !! of all grids
    contains
       procedure :: find
    end type periodic_state_t
 
-   !> The waves.
-   type, public :: periodic_settings_t
-      type(waviness_t) :: waviness                  !! that moves
-      real(dp) :: amplitude = 0                     !! A in units of c
-      real(dp) :: natural_frequency = 0             !! Omega of the equation of motion; 0: force balance
-      integer :: steps_per_cell = 1                 !! m for dT = hX/m
-      integer :: harmonics = 3
-   end type periodic_settings_t
-
-   real(dp), parameter :: loosest = 0.1_dp          !! linear tolerance far from the solution
-   real(dp), parameter :: last_step_share = 0.3_dp  !! of the tolerance, left by the linear solver in the last step
-   real(dp), parameter :: lowest_pressure = -0.02_dp   !! of an iterate; solutions are clipped at 0
-   real(dp), parameter :: coarse_tolerance = 1e-3_dp   !! of the levels below the finest
-   real(dp), parameter :: fewest_points = 8            !! mesh sizes on a wave
-   integer, parameter :: largest_newton = 12
-   integer, parameter :: largest_krylov = 40
-   real(dp), parameter :: poor_reduction = 0.3_dp      !! of the linear residual within so many steps: then it is given up
+   real(dp), parameter :: largest_change = 1e-3_dp     !! of a film that repeats, over A
+   real(dp), parameter :: coarse_change = 2e-3_dp      !! the same on coarser grids
+   real(dp), parameter :: coarse_tolerance = 1e-3_dp   !! of the time steps of coarser grids
+   ! The steep ends of the pressure downstream take half of the work of a step, and the film upstream knows little of them
+   real(dp), parameter :: strict_until = 0.25_dp       !! X, to where the tolerance of the steps holds
+   real(dp), parameter :: lenience = 100               !! beyond, but for the last state, times the tolerance
+   real(dp), parameter :: fewest_points = 16            !! mesh sizes on a wave
+   real(dp), parameter :: farthest_upstream = -1       !! X, from where the film has to repeat
 
 contains
 
-   !> From the coarsest of the levels that resolves the waves to the finest. All levels have their steady states of smooth surfaces.
-   subroutine find(self, levels, settings, limits)
+   !> From the coarsest of the levels that resolves the waves to the finest. All levels have their steady states of smooth surfaces;
+   !> they keep them, the finest has the last solution of the march if the state is found.
+   subroutine find(self, multigrid, settings, rescue, limits, monitor)
       class(periodic_state_t), intent(inout) :: self
-      type(level_t), intent(inout), target :: levels(:)
-      type(periodic_settings_t), intent(in) :: settings
-      type(solve_limits_t), intent(in) :: limits
-      type(periodic_system_t), allocatable :: system
+      type(full_multigrid_t), intent(inout), target :: multigrid
+      type(march_settings_t), intent(in) :: settings   !! of a march from rest on the finest grid
+      type(rescue_t), intent(in) :: rescue             !! what the steady state has left of it
+      type(solve_limits_t), intent(in) :: limits       !! of a time step
+      class(monitor_t), intent(inout) :: monitor
+      type(known_waves_t) :: waves, coarse_waves
+      type(march_settings_t) :: here
       type(solve_limits_t) :: coarse
-      real(dp) :: frequency
-      integer :: first, l
+      type(state_t) :: smooth
+      type(given_t) :: given
+      real(dp) :: t
+      logical :: has_rest, is_known
+      integer :: l, n
 
-      self%phases = new_phase_samples(settings%harmonics)
-      frequency = 2*pi*settings%waviness%slip/settings%waviness%wavelength_x
+      n = size(multigrid%levels)
       coarse = limits
       coarse%tolerance = max(limits%tolerance, coarse_tolerance)
-      first = first_level(levels, settings%waviness)
-      do l = first, size(levels)
-         if (allocated(system)) deallocate (system)
-         allocate (system)
-         call system%init(levels(:l), self%phases, frequency, settings%natural_frequency, settings%steps_per_cell)
-         if (l == first) then
-            call guess(self, system, levels(:l), settings)
-         else
-            call refine(self, levels(l - 1), levels(l))
-         end if
-         if (l == size(levels)) coarse = limits
-         call solve(self, system, levels(:l), settings, coarse)
-         if (self%report%status /= status_converged) return
+      coarse%strict_until = strict_until
+      coarse%lenience = lenience
+      has_rest = .false.
+      t = 0
+      self%march%rescue = rescue
+      do l = first_level(multigrid%levels, settings%waviness), n
+         associate (level => multigrid%levels(l))
+            call waves%find(multigrid%levels(:l), settings%waviness, settings%amplitude, settings%natural_frequency, &
+                            settings%steps_per_cell, is_known)
+            self%linear_steps = self%linear_steps + waves%linear_steps
+            if (.not. is_known) then
+               has_rest = .false.
+               cycle
+            end if
+            if (has_rest) call hand_up(self%march, coarse_waves, multigrid%levels(l - 1)%problem%grid, level%problem%grid, waves)
+            here = settings
+            here%steps = ceiling(settings%steps*0.5_dp**(n - l))
+            given = level%problem%given_t
+            smooth = level%state
+            self%is_found = .false.
+            if (l == n) coarse%tolerance = limits%tolerance
+            call march_level(self, multigrid, l, waves, here, t, coarse, merge(largest_change, coarse_change, l == n), monitor)
+            if (monitor%request /= go_on) return
+            has_rest = self%is_found
+            coarse_waves = waves
+            t = self%march%result%time(self%march%result%steps)
+            if (l == n .and. self%is_found) then
+               call multigrid%solve_level(n, limits, self%report)
+               self%is_found = self%report%status == status_converged
+               if (self%is_found) return
+            end if
+            level%problem%given_t = given
+            level%state = smooth
+         end associate
       end do
    end subroutine find
+
+   !> Let the waves of a level have what the march on the next coarser one found besides.
+   subroutine hand_up(march, coarse_waves, coarse, fine, waves)
+      type(march_t), intent(in) :: march
+      type(known_waves_t), intent(in) :: coarse_waves
+      type(grid_t), intent(in) :: coarse, fine
+      type(known_waves_t), intent(inout) :: waves
+      associate (past => march%past, time => march%result%time(:march%result%steps))
+         call waves%take_rest(fine, coarse, coarse_waves, [past%before, past%earlier, past%earliest], &
+                              time(size(time)), time(size(time)) - time(size(time) - 1))
+      end associate
+   end subroutine hand_up
 
    !> The coarsest level with a steady state that has enough points on a wave.
    pure integer function first_level(levels, waviness) result(first)
@@ -90,170 +123,62 @@ contains
       end do
    end function first_level
 
-   !> First guess: smooth contact, linear response and change of the mean.
-   subroutine guess(self, system, levels, settings)
+   !> March a level from `waves` at T = start until the film repeats, at most as many steps as a march from rest takes.
+   subroutine march_level(self, multigrid, l, waves, settings, start, limits, tolerance, monitor)
       class(periodic_state_t), intent(inout) :: self
-      type(periodic_system_t), intent(inout) :: system
-      type(level_t), intent(inout), target :: levels(:)
-      type(periodic_settings_t), intent(in) :: settings
-      type(harmonic_response_t) :: response
-      type(mean_change_t) :: mean
-      complex(dp) :: factor
-      integer :: k
+      type(full_multigrid_t), intent(inout) :: multigrid
+      integer, intent(in) :: l                         !! level
+      type(known_waves_t), intent(in) :: waves         !! of the level
+      type(march_settings_t), intent(in) :: settings   !! of a march from rest
+      real(dp), intent(in) :: start                    !! T
+      type(solve_limits_t), intent(in) :: limits       !! of a time step
+      real(dp), intent(in) :: tolerance                !! of `change`
+      class(monitor_t), intent(inout) :: monitor
+      real(dp), allocatable :: films(:, :)             ! at Y = 0, of the last steps, see `change_in_a_period`
+      real(dp) :: lag
+      integer :: k, row
 
-      call system%waves(1)%respond(levels, settings%waviness, settings%natural_frequency, settings%steps_per_cell, response)
-      call find_mean_change(system%mean, levels, response, settings%waviness, settings%amplitude, mean)
-      if (allocated(self%states)) deallocate (self%states)
-      allocate (self%states(self%phases%n))
-      do k = 1, self%phases%n
-         associate (state => self%states(k))
-            factor = settings%amplitude*self%phases%factor(k, 1)
-            state = levels(size(levels))%state
-            if (response%status == status_converged) then
-               state%p = state%p + real(factor*response%p, dp)
-               state%delta = state%delta + real(factor*response%approach, dp)
-            end if
-            if (mean%status == status_converged) then
-               state%p = state%p + mean%state%p
-               state%delta = state%delta + mean%state%delta
-            end if
-            state%p = max(0.0_dp, state%p)
-         end associate
-      end do
-   end subroutine guess
-
-   !> First guess from the states of the next coarser level.
-   subroutine refine(self, coarse, fine)
-      class(periodic_state_t), intent(inout) :: self
-      type(level_t), intent(in) :: coarse, fine
-      type(state_t) :: state
-      integer :: k
-      do k = 1, self%phases%n
-         state = new_state(fine%problem%grid)
-         call interpolate(coarse%problem%grid, fine%problem%grid, self%states(k)%p, state%p)
-         state%p = max(0.0_dp, state%p)
-         state%delta = self%states(k)%delta
-         self%states(k) = state
-      end do
-   end subroutine refine
-
-   !> Newton's method for all samples at once, from the states of `guess`; GMRES over the whole period.
-   subroutine solve(self, system, levels, settings, limits)
-      class(periodic_state_t), intent(inout) :: self
-      type(periodic_system_t), intent(inout) :: system   !! of these levels and waves
-      type(level_t), intent(inout), target :: levels(:)
-      type(periodic_settings_t), intent(in) :: settings
-      type(solve_limits_t), intent(in) :: limits
-      type(gmres_t) :: gmres
-      real(dp), allocatable, target :: b(:), change(:)
-      real(dp) :: forcing, ratio, worth, worth_before
-      integer :: k, step
-
-      allocate (b(system%n), change(system%n))
-      gmres%largest_steps = largest_krylov
-      self%report = solve_report_t()
-      forcing = loosest
-      worth_before = 0
-      call system%borrow(levels)
-      associate (problem => levels(size(levels))%problem)
-         do k = 1, self%phases%n
-            associate (given => system%samples(k)%equations%given)
-               given%rough = settings%amplitude* &
-                             settings%waviness%shape_fixed(problem%grid%x, problem%grid%y, -2*pi*(k - 1)/self%phases%n)
-               call problem%film_of_guess(given, self%states(k))
-            end associate
+      associate (march => self%march, result => self%march%result, grid => multigrid%levels(l)%problem%grid)
+         call march%begin(multigrid%levels(:l), settings, march%rescue)
+         call march%start_in(multigrid%levels(l), waves, start)
+         lag = settings%waviness%period()*settings%steps_per_cell/(settings%cells_per_step*grid%hx)
+         row = minloc(abs(grid%y), 1) - 1
+         allocate (films(0:grid%nx, 0:ceiling(lag) + 2))
+         films(:, 0) = multigrid%levels(l)%state%h(:, row)
+         do k = 1, settings%steps
+            call march%take_step(multigrid, limits)
+            if (result%status /= status_converged) exit
+            call monitor%step_done('time step towards the periodic state', k, settings%steps)
+            if (monitor%request /= go_on) exit
+            films(:, modulo(k, size(films, 2))) = multigrid%levels(l)%state%h(:, row)
+            if (k < lag + 1) cycle
+            self%change = change_in_a_period(grid, films, k, lag)/settings%amplitude
+            self%is_found = self%change <= tolerance
+            if (self%is_found) exit
          end do
-         do step = 0, largest_newton
-            call system%evaluate(problem, self%states)
-            call judge(self, system, limits%tolerance)
-            call system%right_side(self%states, b)
-            worth = sqrt(sum(b**2))
-            if (self%report%status /= status_stalled .or. step == largest_newton) exit
-            if (step > 0) then
-               ratio = worth/worth_before
-               forcing = merge(0.3_dp*forcing, min(loosest, 0.5_dp*ratio**1.5_dp), ratio > 0.5_dp)
-            end if
-            forcing = min(loosest, max(forcing, last_step_share*limits%tolerance/self%report%residual))
-            worth_before = worth
-            call system%factorise()
-            call gmres%solve(system, b, change, forcing)
-            self%report%linear_steps = self%report%linear_steps + gmres%steps
-            self%report%nonlinear_steps = step + 1
-            if (gmres%reduction > max(forcing, poor_reduction)) exit
-            if (gmres%steps == 0 .or. .not. take_step(self, system, levels(size(levels)), change)) then
-               self%report%status = status_diverged
-               exit
-            end if
-         end do
+         self%first_sample = max(0, result%steps - ceiling(lag - 1e-9_dp))
+         self%nonlinear_steps = self%nonlinear_steps + result%nonlinear_steps
+         self%linear_steps = self%linear_steps + result%linear_steps
       end associate
-      if (self%report%status == status_converged) then
-         do k = 1, self%phases%n
-            self%states(k)%p = max(self%states(k)%p, 0.0_dp)
-         end do
-      end if
-      call system%release()
-   end subroutine solve
+   end subroutine march_level
 
-   !> The worst of all states.
-   subroutine judge(self, system, tolerance)
-      type(periodic_state_t), intent(inout) :: self
-      type(periodic_system_t), intent(in) :: system
-      real(dp), intent(in) :: tolerance
-      type(solve_report_t) :: report
-      integer :: k
+   !> Largest change of the film between the inlet and the centre since a period before step k, by cubic interpolation in time.
+   pure real(dp) function change_in_a_period(grid, films, k, lag) result(change)
+      type(grid_t), intent(in) :: grid
+      real(dp), intent(in) :: films(0:, 0:)   !! (0:nx, 0:n - 1): film of step m at m modulo n, n at least lag + 3
+      integer, intent(in) :: k
+      real(dp), intent(in) :: lag             !! a period in steps, at most k - 1
+      real(dp) :: difference(0:grid%nx), t, weights(0:3)
+      integer :: base, m
 
-      associate (worst => self%report)
-         worst%status = status_converged
-         worst%residual = 0
-         worst%complementarity = 0
-         worst%load_error = 0
-         do k = 1, self%phases%n
-            call report%judge(system%samples(k)%equations, self%states(k), tolerance)
-            worst%residual = max(worst%residual, report%residual)
-            worst%complementarity = max(worst%complementarity, report%complementarity)
-            worst%load_error = max(worst%load_error, report%load_error)
-            if (report%status /= status_converged) worst%status = report%status
-         end do
-      end associate
-   end subroutine judge
-
-   !> Step along `change`, one share of it for all samples that keeps pressures and films within their limits.
-   logical function take_step(self, system, level, change) result(has_moved)
-      type(periodic_state_t), intent(inout) :: self
-      type(periodic_system_t), intent(in) :: system
-      type(level_t), intent(inout) :: level
-      real(dp), intent(inout), contiguous, target :: change(:)   !! bent on return
-      real(dp), pointer, contiguous :: q(:, :)
-      type(state_t), allocatable :: before(:)
-      type(step_limit_t) :: limit
-      real(dp) :: share, step
-      integer :: k
-
-      before = self%states
-      step = 1
-      do k = 1, self%phases%n
-         step = min(step, limit%of_pressure(reshape(change((k - 1)*system%n_one + 1:k*system%n_one - 1), [system%n_one - 1, 1])))
+      base = k - ceiling(lag) - 1
+      t = k - lag - base
+      weights = [-(t - 1)*(t - 2)*(t - 3)/6, t*(t - 2)*(t - 3)/2, -t*(t - 1)*(t - 3)/2, t*(t - 1)*(t - 2)/6]
+      difference = films(:, modulo(k, size(films, 2)))
+      do m = 0, 3
+         difference = difference - weights(m)*films(:, modulo(base + m, size(films, 2)))
       end do
-      share = 1
-      do k = 1, self%phases%n
-         associate (state => self%states(k), grid => level%problem%grid)
-            q(0:grid%nx, 0:grid%ny) => change((k - 1)*system%n_one + 1:k*system%n_one - 1)
-            call bend(system%samples(k)%equations, step, q)
-            state%p = max(state%p + q, lowest_pressure)
-            state%delta = state%delta + step*change(k*system%n_one)
-            call level%problem%film_of(system%samples(k)%equations%given, state%p, state%delta, state%h)
-            share = min(share, limit%of_film(before(k)%h, state%h - before(k)%h))
-         end associate
-      end do
-      has_moved = share > 0
-      if (share >= 1) return
-      do k = 1, self%phases%n
-         associate (state => self%states(k))
-            state%p = before(k)%p + share*(state%p - before(k)%p)
-            state%h = before(k)%h + share*(state%h - before(k)%h)
-            state%delta = before(k)%delta + share*(state%delta - before(k)%delta)
-         end associate
-      end do
-   end function take_step
+      change = maxval(abs(difference), mask=grid%x >= farthest_upstream .and. grid%x <= 0)
+   end function change_in_a_period
 
 end module ehlwave_periodic_state

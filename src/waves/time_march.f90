@@ -5,8 +5,10 @@ module ehlwave_time_march
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_equations, only: equations_t
    use ehlwave_given, only: given_t
+   use ehlwave_grid, only: grid_t
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp
+   use ehlwave_known_waves, only: known_waves_t
    use ehlwave_load_balance, only: equation_of_motion, force_balance
    use ehlwave_monitor, only: go_on, monitor_t, stop_now
    use ehlwave_rescue, only: rescue_t
@@ -48,7 +50,7 @@ module ehlwave_time_march
 
    !> Solutions that the first guess is made from.
    type :: past_t
-      type(state_t) :: steady, before, earlier, earliest   ! at T <= 0, T - dT, T - 2 dT, T - 3 dT
+      type(state_t) :: steady, before, earlier, earliest   ! of smooth surfaces; at T - dT, T - 2 dT, T - 3 dT
    end type past_t
 
    !> A march under way: everything that its next step depends on, besides the level and its problem.
@@ -56,6 +58,9 @@ module ehlwave_time_march
       type(march_settings_t) :: settings
       type(march_result_t) :: result
       type(past_t) :: past
+      integer, private :: l = 0                ! level that is marched
+      real(dp), private :: start = 0           ! T before the first step
+      real(dp), private :: frequency = 0       ! of waves that it started in, see `start_in`; 0: it started from rest
       real(dp), allocatable :: share(:, :)     !! see carried_share
       real(dp), allocatable :: history(:, :, :) !! f = rho H of the steps before, latest first
       real(dp) :: approach(3) = 0              !! Delta of the steps before, latest first
@@ -63,21 +68,24 @@ module ehlwave_time_march
       type(rescue_t) :: rescue                 !! its account goes on from step to step
    contains
       procedure :: begin
+      procedure :: start_in
       procedure :: restore
       procedure :: advance
+      procedure :: take_step
    end type march_t
 
    !> Asked to stop, a march goes on to the end of its stretch if that takes no longer.
    real(dp), parameter :: largest_delay_s = 10
+   real(dp), parameter :: thinnest_start = 0.1_dp   !! of the smooth film, where known waves would leave less
    real(dp), parameter :: spread_weight = 1000   !! measured: fewest Newton steps between 100 and 10^4
    real(dp), parameter :: guess_margin = 0.02_dp !! measured: the same between 0.005 and 0.05
 
 contains
 
-   !> Make ready to march a level from its steady state of smooth surfaces.
-   subroutine begin(self, level, settings, rescue)
+   !> Make ready to march the finest of some levels from its steady state of smooth surfaces.
+   subroutine begin(self, levels, settings, rescue)
       class(march_t), intent(inout) :: self
-      type(level_t), intent(inout) :: level
+      type(level_t), intent(inout) :: levels(:)
       type(march_settings_t), intent(in) :: settings
       type(rescue_t), intent(in) :: rescue     !! what the steady state has left of it
       integer :: n
@@ -85,11 +93,14 @@ contains
       self%settings = settings
       self%rescue = rescue
       self%result = march_result_t()
-      associate (grid => level%problem%grid, problem => level%problem, state => level%state)
+      self%l = size(levels)
+      self%start = 0
+      self%frequency = 0
+      associate (grid => levels(self%l)%problem%grid, problem => levels(self%l)%problem, state => levels(self%l)%state)
          problem%transport = characteristic_transport(grid, settings%cells_per_step, settings%steps_per_cell)
          problem%load = force_balance(1.0_dp)
          if (settings%natural_frequency > 0) &
-            problem%load = equation_of_motion(1.0_dp, settings%natural_frequency, time_step(self, level))
+            problem%load = equation_of_motion(1.0_dp, settings%natural_frequency, time_step(self, grid))
          if (allocated(self%history)) deallocate (self%history)
          allocate (self%history(0:grid%nx, 0:grid%ny, problem%transport%history_length()))
          do n = 1, size(self%history, 3)
@@ -101,13 +112,47 @@ contains
          self%given = problem%given_t   ! what the steady state would be given as a time step
          problem%load%force = settings%force
          self%past = past_t(state, state, state, state)
-         self%share = carried_share(level)
+         self%share = carried_share(levels(self%l))
          allocate (self%result%time(0:settings%steps), self%result%central_film(0:settings%steps), &
                    self%result%approach(0:settings%steps), source=0.0_dp)
          self%result%central_film(0) = grid%value_at_centre(state%h)
          self%result%approach(0) = state%delta
       end associate
    end subroutine begin
+
+   !> After `begin`: start in waves at T = t, their pattern everywhere, in place of the smooth contact at 0.
+   subroutine start_in(self, level, waves, t)
+      class(march_t), intent(inout) :: self
+      type(level_t), intent(inout) :: level           !! that of `begin`
+      type(known_waves_t), intent(in) :: waves        !! found there
+      real(dp), intent(in) :: t
+      type(state_t) :: states(0:max(3, size(self%history, 3)))
+      integer :: n
+
+      self%start = t
+      self%frequency = waves%frequency
+      associate (problem => level%problem, history => self%history)
+         do n = 0, ubound(states, 1)
+            states(n) = waves%state_at(t - n*time_step(self, problem%grid))
+            states(n)%p = max(states(n)%p, 0.0_dp)
+            states(n)%h = max(states(n)%h, thinnest_start*level%state%h)
+            if (n >= 1 .and. n <= size(history, 3)) history(:, :, n) = problem%rheology%density(states(n)%p)*states(n)%h
+         end do
+         self%approach = states(1:3)%delta
+         call pose_step(self, problem, t)
+         self%given = problem%given_t
+         do n = size(history, 3), 2, -1
+            history(:, :, n) = history(:, :, n - 1)
+         end do
+         history(:, :, 1) = problem%rheology%density(states(0)%p)*states(0)%h
+         self%approach = states(0:2)%delta
+         self%past = past_t(self%past%steady, states(0), states(1), states(2))
+         level%state = states(0)
+         self%result%time(0) = t
+         self%result%central_film(0) = problem%grid%value_at_centre(states(0)%h)
+         self%result%approach(0) = states(0)%delta
+      end associate
+   end subroutine start_in
 
    !> Give `level` the state of a march taken up again, after `begin` with the same steady state and settings.
    subroutine restore(self, level)
@@ -116,59 +161,82 @@ contains
       level%state = self%past%before
    end subroutine restore
 
-   !> March the finest level to the end of the stretch, or until a step fails or the monitor asks for something else.
-   !>
-   !> A step that fails from the extrapolated guess is left to `rescue`; when that fails too the march ends and says
-   !> so. The level holds the last solution reached.
+   !> March to the end of the stretch, or until a step fails or the monitor asks for something else.
    subroutine advance(self, multigrid, limits, monitor)
       class(march_t), intent(inout) :: self
       type(full_multigrid_t), intent(inout) :: multigrid
       type(solve_limits_t), intent(in) :: limits
       class(monitor_t), intent(inout) :: monitor
-      real(dp) :: start_s, t, work_before
+      real(dp) :: start_s
       integer :: first, k, last
 
       start_s = wall_seconds()
       first = self%result%steps + 1
       last = min(self%settings%steps, (self%result%steps/steps_per_stretch + 1)*steps_per_stretch)
-      associate (level => multigrid%levels(size(multigrid%levels)), settings => self%settings)
-         do k = first, last
-            t = k*time_step(self, level)
-            call pose_step(self, level%problem, t)
-            if (settings%steps_per_cell == 1) call extrapolate(settings%cells_per_step, self%share, self%past, level%state)
-            work_before = multigrid%work()
-            call solve_step(self, multigrid, limits)
-            self%result%work = self%result%work + multigrid%work() - work_before
-            if (self%result%status /= status_converged) exit
-
-            call keep_step(self, level, k, t)
-            call monitor%step_done('time step', k, settings%steps)
-            if (monitor%request == go_on) cycle
-            if (monitor%request /= stop_now) exit
-            if ((wall_seconds() - start_s)/(k - first + 1)*(last - k) > largest_delay_s) exit
-         end do
-      end associate
+      do k = first, last
+         call self%take_step(multigrid, limits)
+         if (self%result%status /= status_converged) exit
+         call monitor%step_done('time step', k, self%settings%steps)
+         if (monitor%request == go_on) cycle
+         if (monitor%request /= stop_now) exit
+         if ((wall_seconds() - start_s)/(k - first + 1)*(last - k) > largest_delay_s) exit
+      end do
    end subroutine advance
+
+   !> One time step.
+   !>
+   !> One that fails from the extrapolated guess is left to `rescue`; when that fails too the march ends and says
+   !> so. The level holds the last solution reached.
+   subroutine take_step(self, multigrid, limits)
+      class(march_t), intent(inout) :: self
+      type(full_multigrid_t), intent(inout) :: multigrid
+      type(solve_limits_t), intent(in) :: limits
+      real(dp) :: t, work_before
+
+      associate (level => multigrid%levels(self%l), settings => self%settings)
+         t = self%start + (self%result%steps + 1)*time_step(self, level%problem%grid)
+         call pose_step(self, level%problem, t)
+         if (settings%steps_per_cell == 1) &
+            call extrapolate(settings%cells_per_step, self%share, self%past, level%state)
+         work_before = multigrid%work()
+         call solve_step(self, multigrid, limits)
+         self%result%work = self%result%work + multigrid%work() - work_before
+         if (self%result%status == status_converged) call keep_step(self, level, t)
+      end associate
+   end subroutine take_step
 
    !> Make a problem that of the step to time t.
    subroutine pose_step(self, problem, t)
       class(march_t), intent(in) :: self
       type(contact_problem_t), intent(inout) :: problem
       real(dp), intent(in) :: t
-      call problem%set_rough(self%settings%amplitude*self%settings%waviness%shape_at(problem%grid%x, problem%grid%y, t))
+      call problem%set_rough(rough_at(self, problem%grid, t))
       call problem%transport%carry(problem%grid, self%history)
       call problem%load%carry(self%approach)
    end subroutine pose_step
 
-   !> Note the solution of step k at time t, and keep what the next steps need of it.
-   subroutine keep_step(self, level, k, t)
+   !> Roughness at time t: everywhere when the march started in waves, else behind the front.
+   pure function rough_at(self, grid, t) result(rough)
+      class(march_t), intent(in) :: self
+      type(grid_t), intent(in) :: grid
+      real(dp), intent(in) :: t
+      real(dp), allocatable :: rough(:, :)
+      if (abs(self%frequency) > 0) then
+         rough = self%settings%amplitude*self%settings%waviness%shape_fixed(grid%x, grid%y, -self%frequency*t)
+      else
+         rough = self%settings%amplitude*self%settings%waviness%shape_at(grid%x, grid%y, t)
+      end if
+   end function rough_at
+
+   !> Note the solution at time t, and keep what the next steps need of it.
+   subroutine keep_step(self, level, t)
       class(march_t), intent(inout) :: self
       type(level_t), intent(in) :: level
-      integer, intent(in) :: k
       real(dp), intent(in) :: t
-      integer :: n
+      integer :: k, n
 
       associate (result => self%result, past => self%past, history => self%history, state => level%state)
+         k = result%steps + 1
          result%steps = k
          result%time(k) = t
          result%central_film(k) = level%problem%grid%value_at_centre(state%h)
@@ -185,10 +253,10 @@ contains
       end associate
    end subroutine keep_step
 
-   pure real(dp) function time_step(self, level)
+   pure real(dp) function time_step(self, grid)
       class(march_t), intent(in) :: self
-      type(level_t), intent(in) :: level
-      time_step = level%problem%grid%hx*self%settings%cells_per_step/self%settings%steps_per_cell
+      type(grid_t), intent(in) :: grid
+      time_step = grid%hx*self%settings%cells_per_step/self%settings%steps_per_cell
    end function time_step
 
    !> How much of a pressure disturbance is carried along with the film rather than spread by Poiseuille flow,
@@ -236,8 +304,12 @@ contains
       type(full_multigrid_t), intent(inout) :: multigrid
       type(solve_limits_t), intent(in) :: limits
 
-      call self%rescue%solve_step(multigrid, self%past%before, self%given, limits)
-      associate (report => multigrid%levels(size(multigrid%levels))%report, result => self%result)
+      if (self%l == size(multigrid%levels)) then
+         call self%rescue%solve_step(multigrid, self%past%before, self%given, limits)
+      else
+         call multigrid%solve_level(self%l, limits, multigrid%levels(self%l)%report)
+      end if
+      associate (report => multigrid%levels(self%l)%report, result => self%result)
          result%nonlinear_steps = result%nonlinear_steps + report%nonlinear_steps
          result%linear_steps = result%linear_steps + report%linear_steps
          result%factorisations = result%factorisations + report%factorisations

@@ -3,11 +3,15 @@
    EHLWAVE_FAULT = "CALL NUMBER ERRNO TIMES PART": of the calls of open, read, write, fsync, rename, unlink or mkdir that
    concern a path with PART in it, those from NUMBER (1, 2, ...) on, TIMES of them, fail with ERRNO. ERRNO 0: write and read do
    half of what was asked, fsync waits 0.3 s. At the end of the process the number of such calls is appended to the file that
-   EHLWAVE_FAULT_COUNT names, if that is set. */
+   EHLWAVE_FAULT_COUNT names, if that is set.
+
+   EHLWAVE_DEATH = "CALL NUMBER RANK": the MPI rank of that number is killed when it makes a call of MPI, as mpi_bcast, for the
+   NUMBERth time. Open MPI's names of the calls from Fortran (mpi_f08). */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <signal.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -129,3 +133,29 @@ int mkdir(const char *path, mode_t mode)
    if (hits("mkdir", path) && error) FAIL;
    return next(path, mode);
 }
+
+/* Whether this rank is to die in this call. */
+static int dies(const char *call)
+{
+   static int seen;
+   char name[32];
+   int last, rank;
+   const char *text = getenv("EHLWAVE_DEATH"), *own = getenv("OMPI_COMM_WORLD_RANK");
+   return text && own && sscanf(text, "%31s %d %d", name, &last, &rank) == 3 && strcmp(call, name) == 0 && atoi(own) == rank &&
+          ++seen == last;
+}
+
+/* All arguments are addresses, at most eight. */
+#define MPI_CALL(name) \
+   void name##_f08_(void *a, void *b, void *c, void *d, void *e, void *f, void *g, void *h) \
+   { \
+      NEXT(void, #name "_f08_", void *, void *, void *, void *, void *, void *, void *, void *); \
+      if (dies(#name)) raise(SIGKILL); \
+      next(a, b, c, d, e, f, g, h); \
+   }
+MPI_CALL(mpi_init)
+MPI_CALL(mpi_bcast)
+MPI_CALL(mpi_allreduce)
+MPI_CALL(mpi_send)
+MPI_CALL(mpi_recv)
+MPI_CALL(mpi_finalize)

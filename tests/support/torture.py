@@ -42,7 +42,7 @@ def sweep_groups(cases):
 class Torture:
     """One sweep under attack in a folder of its own."""
 
-    def __init__(self, folder, cases, ranks, seed, say=print):
+    def __init__(self, folder, cases, ranks, disturbances, seed, say=print):
         self.folder, self.ranks, self.say = Path(folder), ranks, say
         self.cases = cases
         self.random = random.Random(seed)
@@ -53,7 +53,9 @@ class Torture:
         (self.folder/"cases.csv").write_text(table)
         self.disk = self.folder/"disk"
         self.disk.mkdir()
-        mount = ["mount", "-t", "tmpfs", "-o", "size=8m", "ehlwave-torture", str(self.disk)]
+        # room for the store and the results file, and for the logs of all the runs that are disturbed
+        size = 8*2**20 + cases*5000 + disturbances*ranks*16000
+        mount = ["mount", "-t", "tmpfs", "-o", f"size={size}", "ehlwave-torture", str(self.disk)]
         self.has_small_disk = subprocess.run(mount, capture_output=True, check=False).returncode == 0
         if not self.has_small_disk:
             say("  no small file system can be mounted here: a full disk is left out")
@@ -238,7 +240,7 @@ def _wait_for_end(pids):
 def torture(cases, disturbances, ranks, seed, folder=None, say=print):
     """Disturb a sweep so many times, finish it, compare. Returns the number of each kind of disturbance."""
     with tempfile.TemporaryDirectory(dir=folder) as place:
-        run = Torture(place, cases, ranks, seed, say)
+        run = Torture(place, cases, ranks, disturbances, seed, say)
         try:
             done = 0
             while done < disturbances and not run.is_finished():

@@ -5,7 +5,7 @@ program test_solve_report
    use ehlwave_equations, only: equations_t
    use ehlwave_kinds, only: dp
    use ehlwave_load_balance, only: load_factor
-   use ehlwave_solve_report, only: solve_report_t
+   use ehlwave_solve_report, only: solve_limits_t, solve_report_t
    use ehlwave_state, only: new_state, state_t
    use ehlwave_status, only: status_name
    use sample_contact, only: make_contact
@@ -54,7 +54,7 @@ contains
    subroutine judge(tolerance, expected, what)
       real(dp), intent(in) :: tolerance
       character(len=*), intent(in) :: expected, what
-      call report%judge(equations, state, tolerance)
+      call report%judge(equations, state, solve_limits_t(tolerance=tolerance))
       call test%check_equal(status_name(report%status), expected, what)
    end subroutine judge
 

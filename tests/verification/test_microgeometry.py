@@ -14,6 +14,7 @@ try:
     import numpy as np
     from ehlwave.deform import read_table, trace_surface
     from studies.microgeometry.compare import compare_speeds
+    from studies.microgeometry.traces import compare_traces, write_traces
     from studies.microgeometry.simulate import conditions_at, table_file, write_surface, write_tables, write_waves
 except ImportError as error:
     print(f"SKIPPED: ehlwave cannot be imported ({error})")
@@ -57,6 +58,13 @@ class Microgeometry(unittest.TestCase):
             self.assertLess(found.error("table"), 0.10, name)
             # the formula has amplitudes only, and its error is mostly the phase it does not have
             self.assertGreater(found.error("formula"), 2*found.error("table"), name)
+
+    def test_the_lambda_ratio_in_one_call_is_the_simulated_one(self):
+        self.sweep(write_traces(self.folder, CELLS, ("ground", "measured"), ("experiment",), points_per_a=24))
+        for found in compare_traces(self.folder, points_per_a=24):
+            self.assertAlmostEqual(found.rq_over_simulated, 1, delta=0.05, msg=found)
+            self.assertLess(abs(found.error), 0.06, found)
+            self.assertGreater(found.by_formula/found.at_mesh_zero - 1, 2*abs(found.error), found)
 
     def test_table_has_the_amplitudes_of_the_paper_and_the_lag_of_the_film(self):
         table = read_table(table_file(self.folder, *SPEEDS))

@@ -123,8 +123,10 @@ def _draw_curves(axes: Axes, refitted: FormulaFit | None, resolved_x: np.ndarray
     x = np.geomspace(*X_LIMITS, 400)
     axes.plot(x, amplitude_ratio_formula(x), "--", color="black", linewidth=1.1, zorder=2)
     if refitted is not None:
-        # Beyond the points the fitted curve means nothing, and may have a pole.
-        x = np.geomspace(resolved_x.min(), resolved_x.max(), 400)
+        # Beyond the points the fitted curve means nothing, and may have a pole; before its top,
+        # which a negative c1 gives it, neither.
+        top = -refitted.c1 / (2 * refitted.c2) if refitted.c2 > 0 else 0.0
+        x = np.geomspace(max(resolved_x.min(), min(top, resolved_x.max())), resolved_x.max(), 400)
         fitted = amplitude_ratio_formula(x, refitted.c1, refitted.c2)
         axes.plot(x, fitted, "-", color="black", linewidth=0.7, zorder=2)
 

@@ -141,6 +141,14 @@ class Medium:
         return np.asarray(psi)
 
 
+def log_viscosity(
+    alpha: ArrayLike, index: ArrayLike, pressure_pa: ArrayLike
+) -> NDArray[np.float64]:
+    """Return ln(eta/eta0) by Roelands, for alpha, 1/Pa, z and a pressure, Pa."""
+    relative = (1 + np.asarray(pressure_pa) / ROELANDS_PA) ** np.asarray(index) - 1
+    return np.asarray(np.asarray(alpha) * ROELANDS_PA / np.asarray(index) * relative)
+
+
 def hertz_medium(
     oil: Oil, kappa: float, alphabar: float, lambdabar: float, film: float, slip: float
 ) -> Medium:
@@ -163,8 +171,7 @@ def hertz_medium(
     k = float(ellipk(1 - kappa**2))
     alpha, index = oil.pressure_viscosity_per_pa, oil.roelands_index
     hertz_pa = alphabar / alpha
-    relative = (1 + hertz_pa / ROELANDS_PA) ** index - 1
-    viscosity = np.exp(alpha * ROELANDS_PA / index * relative)
+    viscosity = np.exp(log_viscosity(alpha, index, hertz_pa))
     rho = (DENSITY_PA + DENSITY_LIMIT * hertz_pa) / (DENSITY_PA + hertz_pa)
     drho = hertz_pa * (DENSITY_LIMIT - 1) * DENSITY_PA / (DENSITY_PA + hertz_pa) ** 2
     eps = rho * film**3 / (viscosity * lambdabar)

@@ -11,7 +11,7 @@ from ehlwave.atlas.coordinates import wave_components
 from ehlwave.atlas.ranges import WAVE_RANGE
 from ehlwave.deform.atlas_transfer import AtlasTransfer, with_atlas_film
 from ehlwave.deform.conditions import Conditions, conditions_from_keys, moes_film
-from ehlwave.deform.predict import Deformed, deform_surface
+from ehlwave.deform.predict import Cutoffs, Deformed, deform_surface
 from ehlwave.deform.prepare import Form, Window
 from ehlwave.deform.read import ReadOptions, read_surface
 from ehlwave.deform.sliding import TwoWaveTransfer
@@ -238,6 +238,7 @@ class Contact:
         by: str = "atlas",
         form: Form = "plane",
         ends: Window = "mirror",
+        cutoffs_m: Cutoffs = (None, None),
         **reading: Any,  # noqa: ANN401
     ) -> Deformed:
         """Predict the shape of a measured surface inside the contact, and the film over it.
@@ -248,8 +249,8 @@ class Contact:
             As :func:`ehlwave.read_surface` reads it.
         by : {"atlas", "two-waves", "recommended", "paper"}
             What components are judged by. The film is the atlas' where the contact lies in it.
-        form, ends
-            See :func:`ehlwave.deform_surface`.
+        form, ends, cutoffs_m
+            See :func:`ehlwave.deform.deform_surface`; ``cutoffs_m`` is (lambda_c, lambda_s).
         **reading
             Of :class:`ehlwave.deform.ReadOptions`, for what the file does not say.
 
@@ -276,7 +277,7 @@ class Contact:
         except RangeError:
             if by == "atlas":
                 raise
-        return deform_surface(measured, conditions, transfer, form, ends)
+        return deform_surface(measured, conditions, transfer, form, ends, cutoffs_m)
 
     def lambda_ratio(self, surface: Surface | str | Path, **options: Any) -> float:  # noqa: ANN401
         """Return the mean film over Rq of the deformed surface; options as of :meth:`deform`."""

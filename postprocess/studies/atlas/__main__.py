@@ -1,6 +1,6 @@
 """The commands behind ``scripts/atlas``: write sweeps, fit the atlas to their results, judge it.
 
-The first two print the path of what they wrote.
+All but the last print the path of what they wrote.
 """
 
 import argparse
@@ -10,7 +10,7 @@ from pathlib import Path
 
 from ehlwave.atlas import load_atlas
 from ehlwave.atlas.atlas import SHIPPED
-from studies.atlas.design import write_batch, write_validation
+from studies.atlas.design import write_batch, write_rises, write_validation
 from studies.atlas.fit import finished, write_atlas
 from studies.atlas.points import read_points
 from studies.atlas.validate import judge
@@ -23,7 +23,7 @@ FIRST_BATCHES = 3
 def main(arguments: Sequence[str] | None = None) -> int:
     """Do one step; return 0, or 1 with a message."""
     parser = argparse.ArgumentParser(prog="atlas", description=__doc__)
-    parser.add_argument("step", choices=("batch", "fit", "unseen", "validate"))
+    parser.add_argument("step", choices=("batch", "rises", "fit", "unseen", "validate"))
     parser.add_argument("folder", type=Path, help="of sweeps and their results; made when absent")
     parser.add_argument("--batch", type=int, default=0, metavar="N", help="counted from 0")
     parser.add_argument("--atlas", type=Path, default=SHIPPED, metavar="FILE.nc")
@@ -32,12 +32,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _do(options: argparse.Namespace) -> None:
     folder, step = options.folder, options.step
+    batches = sorted(folder.glob("rolling-[0-9][0-9].h5"))
     if step == "batch":
         first = options.batch < FIRST_BATCHES
         print(write_batch(folder, options.batch, None if first else load_atlas(options.atlas)))
+    elif step == "rises":
+        print(write_rises(folder, read_points(batches)))
     elif step == "fit":
-        batches = sorted(folder.glob("rolling-[0-9][0-9].h5"))
-        write_atlas(finished(read_points(batches)), options.atlas)
+        rises = folder / "rises.h5"
+        data = read_points(batches, rises if rises.is_file() else None)
+        write_atlas(finished(data), options.atlas)
         print(options.atlas)
     elif step == "unseen":
         print(write_validation(folder))

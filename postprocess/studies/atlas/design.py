@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from scipy.stats import qmc
 
 from ehlwave.atlas import Atlas
+from ehlwave.atlas.atlas import contact_of
 from ehlwave.atlas.coordinates import contact_coordinates
 from ehlwave.atlas.process import correlation
 from ehlwave.atlas.ranges import CONTACT_RANGES, WAVE_RANGE
@@ -170,7 +171,7 @@ def write_rises(folder: Path, computed: xr.Dataset) -> Path:
     found = []
     for contact in range(computed.sizes["contact"]):
         keys = {name: float(computed[name].values[contact]) for name in CONTACT_RANGES}
-        own = computed.isel(point=np.flatnonzero(computed["of_contact"].values == contact))
+        own = computed.isel(point=np.flatnonzero(contact_of(computed) == contact))
         for wave, angle in zip(
             own["wavelength_over_a"].values, own["angle_deg"].values, strict=True
         ):

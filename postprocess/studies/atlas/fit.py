@@ -12,45 +12,50 @@ from ehlwave.atlas.atlas import (
     FILM_NUMBERS,
     FORMAT_NAME,
     NEIGHBOURHOOD,
+    PARTS,
     checksum,
-    reduced_of,
+    contacts_alone,
+    numbers_of,
     responses_of,
+    shape_of,
+    waves_of,
 )
-from ehlwave.atlas.coordinates import Shape, contact_coordinates
+from ehlwave.atlas.coordinates import contact_coordinates
 from ehlwave.atlas.process import Process, Scales, Scattered, correlation, likelihood
-from ehlwave.atlas.ranges import CONTACT_RANGES
 
 Floats = NDArray[np.float64]
 
-FIRST_SCALES = Scales(np.array([1.0, 1.4, 4.5, 5.0, 2.5]), np.array([3.5, 1.0, 3.5, 1.0]))
-FIRST_FILM_SCALES = np.array([3.0, 4.0, 4.0, 4.0, 5.0])
-MOST_TRAINED = 800
+FIRST_SCALES = Scales(np.array([0.45, 6.0, 20.0, 4.5, 1.1]), np.array([2.0, 1.0, 3.0, 1.5]), 0.04)
+FIRST_SMOOTH = Scales(np.array([1.0, 4.0, 4.0, 2.0, 2.0]), np.empty(0), 0.02)
+MOST_TRAINED = 700
 """Points of which the length scales are fitted; more change them little and cost the cube."""
+
+STEPS = 25
+"""Of the search for the length scales."""
 
 FOLDS = 8
 COVERED = 0.965
 """Share of cross-validated responses that error bars hold."""
 
+FILMS_COVERED = 0.99
+"""The same of films, of which there are fewer."""
 
-def fitted_scales(data: xr.Dataset, start: Scales = FIRST_SCALES) -> Scales:
+
+def fitted_scales(points: Scattered, values: Floats, first: Scales) -> Scales:
     """Return the length scales of greatest likelihood, from some of the points."""
     random = np.random.default_rng(5)
-    chosen = np.sort(random.permutation(data.sizes["point"])[:MOST_TRAINED])
-    whole, values = responses_of(data), reduced_of(data)[chosen]
-    part = Scattered(
-        whole.contacts, whole.of_contact[chosen], whole.waves[chosen], whole.noise[chosen]
-    )
-    count = len(start.contacts)
+    chosen = np.sort(random.permutation(len(values))[:MOST_TRAINED])
+    part, count = points[chosen], len(first.contacts)
 
-    def cost(logs: Floats) -> float:
-        return likelihood(part, values, Scales(np.exp(logs[:count]), np.exp(logs[count:])))
+    def cost(logs: Floats) -> tuple[float, Floats]:
+        return likelihood(part, values[chosen], Scales.of_logs(logs, count))
 
-    first = np.log([*start.contacts, *start.waves])
-    limits = [(value - 2.5, value + 2.5) for value in first]
+    start = first.logs()
+    limits = [(value - 3, value + 3) for value in start]
     found = minimize(
-        cost, first, method="L-BFGS-B", bounds=limits, options={"maxiter": 8, "eps": 1e-2}
+        cost, start, jac=True, method="L-BFGS-B", bounds=limits, options={"maxiter": STEPS}
     )
-    return Scales(np.exp(found.x[:count]), np.exp(found.x[count:]))
+    return Scales.of_logs(found.x, count)
 
 
 def folds(contacts: int) -> NDArray[np.intp]:
@@ -60,25 +65,22 @@ def folds(contacts: int) -> NDArray[np.intp]:
 
 def cross_validated(data: xr.Dataset, scales: Scales) -> Floats:
     """Return |response predicted without its contact - response|, units of Ai."""
-    points, values = responses_of(data), reduced_of(data)
-    shape = Shape(*(data[name].values for name in list(CONTACT_RANGES)[:3]))
-    left_out = folds(data.sizes["contact"])[points.of_contact]
-    film = data["film_real"].values + 1j * data["film_imaginary"].values
-    wave, angle = data["wavelength_over_a"].values, data["angle_deg"].values
-    misfit = np.zeros(len(values))
-    for fold in range(FOLDS):
-        train, test = np.flatnonzero(left_out != fold), np.flatnonzero(left_out == fold)
-        part = Scattered(
-            points.contacts, points.of_contact[train], points.waves[train], points.noise[train]
-        )
-        process = Process(part, values[train], scales)
+    left = left_out(data, "film", scales)
+    formula = np.abs(shape_of(data).formula(*waves_of(data)))
+    return np.asarray(np.hypot(left[:, 0], left[:, 1]) * formula)
+
+
+def left_out(data: xr.Dataset, part: str, scales: Scales) -> Floats:
+    """Return the errors of the numbers of a part, each predicted without its own contact."""
+    points, values = numbers_of(data, part)
+    fold, misfit = folds(data.sizes["contact"])[points.of_contact], np.zeros_like(values)
+    for one in range(FOLDS):
+        train, test = np.flatnonzero(fold != one), np.flatnonzero(fold == one)
+        process = Process(points[train], values[train], scales)
         for contact in np.unique(points.of_contact[test]):
             own = test[points.of_contact[test] == contact]
-            numbers = process.at_waves(
-                process.at_contact(points.contacts[contact]), points.waves[own]
-            )
-            found, _ = shape[points.of_contact[own]].responses(wave[own], angle[own], numbers)
-            misfit[own] = np.abs(found - film[own])
+            weights = process.at_contact(points.contacts[contact])
+            misfit[own] = process.at_waves(weights, points.waves[own]) - values[own]
     return misfit
 
 
@@ -104,88 +106,69 @@ def local_error(points: Scattered, error: Floats, scales: Scales) -> Floats:
     return local
 
 
-def film_errors(data: xr.Dataset, scales: Floats, noise: float) -> Floats:
+def film_numbers(data: xr.Dataset) -> Floats:
+    """Return the logarithms of films that are interpolated, shape (contacts, 2)."""
+    return np.stack([data[name].values.astype(float) for name in FILM_NUMBERS], axis=1)
+
+
+def film_errors(data: xr.Dataset, scales: Scales) -> Floats:
     """Return the cross-validated errors of both film numbers, shape (contacts, 2)."""
-    contacts = contact_coordinates(data)
-    values = np.stack([data[name].values.astype(float) for name in FILM_NUMBERS], axis=1)
+    contacts, values = contact_coordinates(data), film_numbers(data)
     fold, found = folds(len(contacts)), np.zeros_like(values)
     for one in range(FOLDS):
         train, test = np.flatnonzero(fold != one), np.flatnonzero(fold == one)
         mean = values[train].mean(axis=0)
-        process = Process(
-            film_points(contacts[train], noise), values[train] - mean, Scales(scales, np.empty(0))
-        )
+        process = Process(contacts_alone(contacts[train]), values[train] - mean, scales)
         found[test] = [process.at_contact(contacts[index]).sum(axis=0) + mean for index in test]
     return np.abs(found - values)
 
 
-def film_points(contacts: Floats, noise: float) -> Scattered:
-    """Return contacts as points without waves."""
-    count = len(contacts)
-    return Scattered(contacts, np.arange(count), np.empty((count, 0)), np.full(count, noise))
-
-
-def fitted_film_scales(data: xr.Dataset, noise: float) -> Floats:
-    """Return the length scales of greatest likelihood of the films."""
-    contacts = contact_coordinates(data)
-    values = np.stack([data[name].values.astype(float) for name in FILM_NUMBERS], axis=1)
-    values -= values.mean(axis=0)
-    points = film_points(contacts, noise)
-
-    def cost(logs: Floats) -> float:
-        return likelihood(points, values, Scales(np.exp(logs), np.empty(0)))
-
-    first = np.log(FIRST_FILM_SCALES)
-    limits = [(value - 2.5, value + 2.5) for value in first]
-    found = minimize(
-        cost, first, method="L-BFGS-B", bounds=limits, options={"maxiter": 12, "eps": 1e-2}
-    )
-    return np.exp(found.x)
-
-
-def finished(data: xr.Dataset, film_noise: float = 0.02) -> xr.Dataset:
+def finished(data: xr.Dataset) -> xr.Dataset:
     """Return the atlas: points with their errors, length scales, factors of the error bars."""
-    scales = fitted_scales(data)
-    misfit = cross_validated(data, scales)
+    parts = [part for part in PARTS if part != "rise" or "mean_rise" in data]
+    scales = {part: fitted_scales(*numbers_of(data, part), FIRST_SCALES) for part in parts}
+    contacts, films = contacts_alone(contact_coordinates(data)), film_numbers(data)
+    scales["smooth"] = fitted_scales(contacts, films - films.mean(axis=0), FIRST_SMOOTH)
+    misfit = cross_validated(data, scales["film"])
     error = np.hypot(misfit, data["discretisation"].values).astype(np.float32)
-    factor = error_factor(data, misfit, error.astype(float), scales)
-    film_scales = fitted_film_scales(data, film_noise)
-    left = film_errors(data, film_scales, film_noise)
-    film_error = np.stack(
-        [
-            np.hypot(left[:, k], data[f"{name}_discretisation"].values)
-            for k, name in enumerate(FILM_NUMBERS)
-        ],
-        axis=1,
-    )
-    contacts = contact_coordinates(data)
-    local = local_error(
-        film_points(contacts, film_noise), film_error[:, 0], Scales(film_scales, np.empty(0))
-    )
-    data = data.assign(
+    left = film_errors(data, scales["smooth"])
+    missing = np.stack([data[f"{name}_discretisation"].values for name in FILM_NUMBERS], axis=1)
+    film_error = np.hypot(left, missing)
+    near = Scales(scales["film"].contacts, np.empty(0))
+    local = local_error(contacts, film_error[:, 0], near)
+    known = ["discretisation", *(f"{name}_discretisation" for name in FILM_NUMBERS)]
+    data = data.drop_vars(known).assign(
         error=("point", error),
         **{
             f"{name}_error": ("contact", film_error[:, k].astype(np.float32))
             for k, name in enumerate(FILM_NUMBERS)
         },
     )
+    factor = error_factor(data, misfit, error.astype(float), scales["film"])
     data.attrs |= {
         "format": FORMAT_NAME,
-        "length_scales": json.dumps(
-            {
-                "contact": [float(f"{value:.4g}") for value in scales.contacts],
-                "wave": [float(f"{value:.4g}") for value in scales.waves],
-                "film": [float(f"{value:.4g}") for value in film_scales],
-                "film_noise": film_noise,
-            }
-        ),
+        "length_scales": json.dumps({name: _rounded(one) for name, one in scales.items()}),
         "error_factor": round(factor, 3),
-        "film_error_factor": round(float(np.quantile(left[:, 0] / local, COVERED)), 3),
+        "film_error_factor": round(float(np.quantile(left[:, 0] / local, FILMS_COVERED)), 3),
         "cross_validated": json.dumps(quantiles(misfit)),
         "film_cross_validated": json.dumps(quantiles(left[:, 0])),
         "program": "ehlwave {program_version}, revision {git_revision}".format(**data.attrs),
     }
+    if "rise" in parts:
+        rise_left = np.abs(left_out(data, "rise", scales["rise"])[:, 0])
+        data.attrs["rise_cross_validated"] = json.dumps(quantiles(rise_left))
     return data
+
+
+def _rounded(scales: Scales) -> dict[str, list[float] | float]:
+    def four(values: Floats) -> list[float]:
+        return [float(f"{value:.4g}") for value in values]
+
+    return {
+        "contact": four(scales.contacts),
+        "wave": four(scales.waves),
+        "noise": float(f"{scales.noise:.4g}"),
+    }
 
 
 def quantiles(misfit: Floats) -> dict[str, float]:
@@ -197,7 +180,7 @@ def quantiles(misfit: Floats) -> dict[str, float]:
 
 
 LONG_NAMES = {
-    "of_contact": ("", "contact of the response, counted from 0"),
+    "responses": ("", "of each contact: those of the first come first"),
     "wavelength_over_a": ("1", "wavelength along the wave vector over the Hertz semi-axis a"),
     "angle_deg": ("degree", "angle between wave vector and rolling direction, in metres"),
     "film_real": ("1", "film response at the centre over Ai, real part"),
@@ -207,8 +190,7 @@ LONG_NAMES = {
     ),
     "pressure_real": ("ph/c", "pressure response at the centre over Ai, real part"),
     "pressure_imaginary": ("ph/c", "pressure response at the centre over Ai, imaginary part"),
-    "discretisation": ("1", "estimated error of the film response at mesh size 0"),
-    "noise": ("1", "standard error of what is interpolated, over its spread"),
+    "mean_rise": ("1", "mean film less smooth film, over the film, per (A/film)^2; one wave"),
     "error": ("1", "error of the film response, predicted from other contacts, with its own"),
     "load_parameter_m": ("1", "Moes load parameter M"),
     "lubricant_parameter_l": ("1", "Moes lubricant parameter L"),
@@ -222,27 +204,26 @@ LONG_NAMES = {
 
 
 PACKED = {
+    "wavelength_over_a": 1.5e-4,
     "angle_deg": 90 / 32767,
     "film_real": 4e-5,
     "film_imaginary": 4e-5,
     "pressure_real": 2e-3,
     "pressure_imaginary": 2e-3,
-    "discretisation": 1e-6,
-    "error": 1e-5,
+    "mean_rise": 1e-4,
+    "error": 2e-5,
 }
 """What is kept in two bytes, and its steps."""
 
-LEFT_OUT = ("noise",)
-"""What follows from the others."""
+NOT_KNOWN = {"mean_rise": -32768}
+"""What stands for NaN."""
 
 
 def write_atlas(data: xr.Dataset, path: Path) -> None:
     """Write an atlas as classic NetCDF, a third as large as HDF5, with units and its checksum."""
     kept = {}
-    for name, variable in data.drop_vars(LEFT_OUT, errors="ignore").variables.items():
-        units, long_name = LONG_NAMES.get(
-            str(name).removesuffix("_error").removesuffix("_discretisation"), ("1", "")
-        )
+    for name, variable in data.variables.items():
+        units, long_name = LONG_NAMES.get(str(name).removesuffix("_error"), ("1", ""))
         if str(name) not in LONG_NAMES:
             long_name = f"error of {name}: {long_name}"
         attributes = {"long_name": long_name} | ({"units": units} if units else {})
@@ -254,8 +235,9 @@ def write_atlas(data: xr.Dataset, path: Path) -> None:
         )
     written = xr.Dataset(kept, attrs=data.attrs)
     packing = {
-        name: {"dtype": "i2", "scale_factor": step, "_FillValue": None}
+        name: {"dtype": "i2", "scale_factor": step, "_FillValue": NOT_KNOWN.get(name)}
         for name, step in PACKED.items()
+        if name in written.variables
     }
     packing |= {name: {"_FillValue": None} for name in written.variables if name not in PACKED}
     for _ in range(2):  # the checksum is that of the values as they are read

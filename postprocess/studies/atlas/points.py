@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 import xarray as xr
+from scipy.spatial import cKDTree
 
 from ehlwave.atlas.ranges import CONTACT_RANGES
 from ehlwave.deform.conditions import moes_film
@@ -15,14 +16,22 @@ from ehlwave.read import read_results
 LARGEST_CORRECTION = 0.03
 """Of a response by extrapolation, in units of Ai: beyond it the grid was too coarse."""
 
+SAME_CASE = 1e-3
+"""Distance, in logarithms of the keys, of cases that differ by rounding alone."""
+
+LARGEST_RISE = 3.0
+"""Of the mean film: what is far above is of long waves that the load, not the oil, balances."""
+
 LEFT_BY_EXTRAPOLATION = 0.25
 """Of the correction, as the next grid finds it."""
 
 
-def read_points(paths: Sequence[Path]) -> xr.Dataset:
+def read_points(paths: Sequence[Path], rises: Path | None = None) -> xr.Dataset:
     """Return contacts and the responses of each, without `error`, of finished sweeps.
 
-    Film and pressure responses are those at mesh size 0; films are extrapolated likewise.
+    Film and pressure responses are those at mesh size 0; films are extrapolated likewise. With
+    `rises`, the results of :func:`studies.atlas.design.write_rises`, oblique waves have the rise
+    of the mean film, too; without them it is NaN.
     """
     results = read_results(paths)
     table = results.to_dataframe().reset_index(drop=True)
@@ -32,11 +41,11 @@ def read_points(paths: Sequence[Path]) -> xr.Dataset:
     keys = list(CONTACT_RANGES)
     groups = table.groupby(keys, sort=True)
     contacts = groups.first().reset_index()
-    of_contact = groups.ngroup().to_numpy()
+    order = np.argsort(groups.ngroup().to_numpy(), kind="stable")
+    table, counts = table.iloc[order], groups.size().to_numpy()
     wave, along = wave_and_direction(table["wavelength_x_over_a"], table["wavelength_y_over_a"])
     angle = np.degrees(np.arccos(np.sqrt(along)))
     points = {
-        "of_contact": of_contact.astype(np.uint16),
         "wavelength_over_a": wave.astype(np.float32),
         "angle_deg": angle.astype(np.float32),
         "film_real": table["harmonic_extrapolated_real"].to_numpy(np.float32),
@@ -48,11 +57,35 @@ def read_points(paths: Sequence[Path]) -> xr.Dataset:
         "discretisation": (LEFT_BY_EXTRAPOLATION * table["correction"]).to_numpy(np.float32),
     }
     data = {name: ("point", values) for name, values in points.items()}
+    data["responses"] = "contact", counts.astype(np.int16)
+    data["mean_rise"] = "point", _rises(table, rises)
     data |= {name: ("contact", values) for name, values in _films(contacts).items()}
     origin = {
         key: str(results[key].values[0]) for key in ("program_version", "git_revision", "compiler")
     }
     return xr.Dataset(data, attrs=origin)
+
+
+def _rises(table: pd.DataFrame, oblique: Path | None) -> np.ndarray:
+    """Return what each wave adds to the mean film; of products of cosines, that of one wave."""
+    rise = (table["mean_film_rise"] / table["amplitude_over_film"]).to_numpy(np.float32)
+    is_product = (table["wavelength_x_over_a"] > 0) & (table["wavelength_y_over_a"] > 0)
+    rise[is_product] = np.nan
+    if oblique is not None:
+        single = read_results(oblique).to_dataframe()
+        single = single[np.isfinite(single["mean_film_rise"])]
+        distance, which = cKDTree(_places(single)).query(_places(table))
+        found = (single["mean_film_rise"] / single["amplitude_over_film"]).to_numpy(np.float32)
+        matches = is_product.to_numpy() & (distance < SAME_CASE)
+        rise[matches] = found[which[matches]]
+    rise[np.abs(rise) > LARGEST_RISE] = np.nan
+    return rise
+
+
+def _places(table: pd.DataFrame) -> np.ndarray:
+    """Return what tells cases apart."""
+    keys = [*CONTACT_RANGES, "wavelength_x_over_a", "wavelength_y_over_a"]
+    return np.log(np.maximum(table[keys].to_numpy(float), 1e-9))
 
 
 def _films(contacts: pd.DataFrame) -> dict[str, np.ndarray]:

@@ -7,6 +7,7 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from ehlwave.atlas import Atlas
+from ehlwave.atlas.atlas import contact_of
 from ehlwave.atlas.ranges import CONTACT_RANGES
 from ehlwave.deform.conditions import moes_film
 
@@ -41,7 +42,7 @@ class Judged:
 
 def judge(atlas: Atlas, computed: xr.Dataset) -> Judged:
     """Return the errors of an atlas at points of :func:`studies.atlas.points.read_points`."""
-    of_contact = computed["of_contact"].values
+    of_contact = contact_of(computed)
     error, bar = np.zeros(of_contact.size), np.zeros(of_contact.size)
     film_error, film_bar = [], []
     for contact in range(computed.sizes["contact"]):

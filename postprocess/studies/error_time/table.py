@@ -29,13 +29,11 @@ KEYS = {
 }
 """The fields of a run, by which rows of the table are known, as keys of the sweep."""
 
-SHARED = {
-    "conditions": {"reduced_modulus_pa": 2.28e11},
-    "lubricant": {"eyring_stress_pa": 5e6},
-    "grid": {"edges": "flooded"},
-    "solver": {"error_estimate": "model"},
-}
-"""Keys of all runs; modulus and stress are those of the runs with a Ree-Eyring oil."""
+SHARED = {"grid": {"edges": "flooded"}, "solver": {"error_estimate": "model"}}
+"""Keys of all runs."""
+
+SLIDING = {"reduced_modulus_pa": 2.28e11, "eyring_stress_pa": 5e6}
+"""Keys of the runs with a Ree-Eyring oil."""
 
 OUTCOMES = (
     "status",
@@ -91,6 +89,7 @@ def write_cases(folder: Path, extent: Extent) -> Path:
             **{key: getattr(run, name) for name, key in KEYS.items()},
             "wavelength_over_a": run.wavelength or "",
             "cells_y": run.cells,
+            **(SLIDING if run.law == "eyring" else dict.fromkeys(SLIDING, "")),
         }
         for run in runs
     ]

@@ -68,5 +68,6 @@ def profiles_figure(comparisons: Sequence[Comparison]) -> Figure:
         row[0].set_ylabel("height [nm]", fontsize=8)
     for axis in axes[-1]:
         axis.set_xlabel("$x/a$ on the surface, the leading end on the right", fontsize=8)
-    axes[0, 0].legend(fontsize=7, ncols=2)
+    lines = axes[0, 0].get_legend_handles_labels()
+    figure.legend(*lines, loc="outside upper center", fontsize=8, ncols=len(LINES), frameon=False)
     return figure

@@ -37,6 +37,9 @@ CONTACTS = {
 }
 """That of the paper's experiment, M = 134, and the one of the package's examples, M = 39."""
 
+NAMES = ("ground", "isotropic", "honed", "measured")
+POINTS_PER_A = 48
+
 LENGTH = 8.0
 """Of a trace, in units of a."""
 
@@ -60,15 +63,20 @@ class LambdaRatio:
     film_over_simulated: float
     rq_over_simulated: float
     own_error: float
-    """Of the simulated mean film, by its own estimate, relative."""
+    """What its grid leaves off the simulated film, by its own estimate, relative."""
+
+    @property
+    def at_mesh_zero(self) -> float:
+        """Return the simulated ratio with its film at mesh size 0, which is what the atlas has."""
+        return self.simulated * (1 + self.own_error)
 
     @property
     def error(self) -> float:
-        """Return how far the prediction is from the simulation, relative."""
-        return self.predicted / self.simulated - 1
+        """Return how far the prediction is from that, relative."""
+        return self.predicted / self.at_mesh_zero - 1
 
 
-def traces(a_m: float, film_m: float, points_per_a: int = 48) -> dict[str, Surface]:
+def traces(a_m: float, film_m: float, points_per_a: int = POINTS_PER_A) -> dict[str, Surface]:
     """Return four traces of a contact: as ground, as of an isotropic surface, honed, measured."""
     step = a_m / points_per_a
     x = np.arange(round(LENGTH * points_per_a) + 1) / points_per_a
@@ -78,9 +86,8 @@ def traces(a_m: float, film_m: float, points_per_a: int = 48) -> dict[str, Surfa
     honed = _limited(x, np.minimum(plateaus, 0.3 * np.std(plateaus)))
     worn = _noise(x, 4, lambda q: (1 + (q / 0.3) ** 2) ** -0.7)
     measured = worn / np.std(worn) + np.cos(2 * np.pi * x / 0.8) + 0.6 * np.cos(2 * np.pi * x / 2.9)
-    named = {"ground": ground, "isotropic": fractal, "honed": honed, "measured": measured}
     found = {}
-    for name, heights in named.items():
+    for name, heights in zip(NAMES, (ground, fractal, honed, measured), strict=True):
         faded = (heights - heights.mean()) * taper(x.size)
         faded *= SHARE * film_m / np.sqrt(2) / np.std(faded)
         found[name] = trace_surface(faded, step, name=name)
@@ -88,17 +95,18 @@ def traces(a_m: float, film_m: float, points_per_a: int = 48) -> dict[str, Surfa
 
 
 def write_traces(
-    folder: Path, cells: int, names: Sequence[str] = (), contacts: Sequence[str] = tuple(CONTACTS)
+    folder: Path,
+    cells: int,
+    names: Sequence[str] = NAMES,
+    contacts: Sequence[str] = tuple(CONTACTS),
+    points_per_a: int = POINTS_PER_A,
 ) -> Path:
-    """Write the traces as text, and the sweep that simulates them; return the path of the latter.
-
-    Without `names` all of them.
-    """
+    """Write the traces as text and the sweep that simulates them; return the path of that."""
     rows: list[sweeps.Row] = []
     for contact in contacts:
-        for name, surface in traces(*_lengths(contact)).items():
-            if names and name not in names:
-                continue
+        made = traces(*_lengths(contact), points_per_a)
+        for name in names:
+            surface = made[name]
             simulated = sweeps.write_surface(folder, surface)
             rows.append({**CONTACTS[contact], "file": str(simulated.resolve())})
             x_mm = 1e3 * surface.step_x_m * np.arange(surface.height.size)
@@ -112,7 +120,7 @@ def write_traces(
     return sweeps.write_sweep(folder, SWEEP, rows, groups)
 
 
-def compare_traces(folder: Path) -> list[LambdaRatio]:
+def compare_traces(folder: Path, points_per_a: int = POINTS_PER_A) -> list[LambdaRatio]:
     """Return the lambda ratios of all traces of the sweep.
 
     Raises
@@ -125,7 +133,7 @@ def compare_traces(folder: Path) -> list[LambdaRatio]:
     found = []
     for file in files:
         _, contact, name = file.stem.split("-")
-        surface = traces(*_lengths(contact))[name]
+        surface = traces(*_lengths(contact), points_per_a)[name]
         row = rows[sweeps.surface_file(folder, surface).stem]
         if row["status"] not in ("converged", "unresolved"):
             raise ResultsError(f"{name} in {contact}: status {row['status']}")
@@ -141,8 +149,9 @@ def ratio_table(ratios: Sequence[LambdaRatio]) -> pd.DataFrame:
             "trace": one.trace,
             "lambda_undeformed": f"{one.undeformed:.3f}",
             "lambda_predicted": f"{one.predicted:.3f}",
-            "lambda_simulated": f"{one.simulated:.3f}",
+            "lambda_simulated": f"{one.at_mesh_zero:.3f}",
             "error": f"{one.error:.4f}",
+            "lambda_on_grid": f"{one.simulated:.3f}",
             "lambda_by_formula": f"{one.by_formula:.3f}",
             "film_over_simulated": f"{one.film_over_simulated:.4f}",
             "rq_over_simulated": f"{one.rq_over_simulated:.4f}",
@@ -186,7 +195,7 @@ def _text_file(folder: Path, name: str, contact: str) -> Path:
 
 
 def _noise(x: Floats, seed: int, spectrum: Spectrum) -> Floats:
-    """Return Gaussian heights whose amplitudes go as `spectrum` of waves per a, cut at both ends."""
+    """Return Gaussian heights with amplitudes by `spectrum` of waves per a, cut at both ends."""
     return _limited(x, np.random.default_rng([seed, 21920]).standard_normal(x.size), spectrum)
 
 

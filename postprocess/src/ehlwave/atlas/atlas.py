@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import xarray as xr
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from ehlwave.atlas.coordinates import Complex, Floats, Shape, contact_coordinates
 from ehlwave.atlas.process import Process, Scales, Scattered, correlation
@@ -22,11 +22,8 @@ SHIPPED = Path(__file__).with_name("rolling.nc")
 NEIGHBOURHOOD = 0.5
 """Of the length scales: how far around a wave errors of neighbours count for its own."""
 
-SPREAD = 0.2
-"""Of the numbers interpolated; noise counts relative to it."""
-
-NOISE = 3e-3
-"""Of all points: what keeps the equations of the weights well conditioned."""
+PARTS = {"film": slice(0, 2), "pressure": slice(2, 4), "rise": slice(0, 1)}
+"""What is interpolated by itself, and which of its numbers it is."""
 
 FILM_NUMBERS = ("film_ratio", "minimum_ratio")
 """Of contacts: ln of central over Moes' film, ln of smallest over central film."""
@@ -86,27 +83,32 @@ class Atlas:
         if data.attrs.get("format") != FORMAT_NAME:
             raise ResultsError(f"not a file of scripts/atlas (format {data.attrs.get('format')!r})")
         self.data = data
-        scales = json.loads(data.attrs["length_scales"])
-        contacts = contact_coordinates(data)
-        points = responses_of(data)
-        self._waves = Process(
-            points, reduced_of(data), Scales(np.array(scales["contact"]), np.array(scales["wave"]))
-        )
+        self.scales = {
+            name: Scales(np.array(one["contact"]), np.array(one["wave"]), one["noise"])
+            for name, one in json.loads(data.attrs["length_scales"]).items()
+        }
+        self.points = responses_of(data)
+        self._processes: dict[str, Process] = {}
         films = np.stack([data[name].values for name in FILM_NUMBERS], axis=1)
         self._film_means = films.mean(axis=0)
-        of_films = Scattered(
-            contacts,
-            np.arange(len(contacts)),
-            np.empty((len(contacts), 0)),
-            np.full(len(contacts), scales["film_noise"]),
-        )
-        self._films = Process(
-            of_films, films - self._film_means, Scales(np.array(scales["film"]), np.empty(0))
-        )
+        of_films = contacts_alone(contact_coordinates(data))
+        self._films = Process(of_films, films - self._film_means, self.scales["smooth"])
         self._misfit = data["error"].values.astype(float) ** 2
         self._film_misfit = (
             np.stack([data[f"{name}_error"].values for name in FILM_NUMBERS], axis=1) ** 2
         )
+
+    def process(self, part: str) -> Process:
+        """Return the interpolation of a part of the responses; its weights are found once."""
+        if part not in self._processes:
+            points, values = numbers_of(self.data, part)
+            self._processes[part] = Process(points, values, self.scales[part])
+        return self._processes[part]
+
+    @property
+    def has_rises(self) -> bool:
+        """Whether it knows what waves add to the mean film."""
+        return "mean_rise" in self.data
 
     @property
     def name(self) -> str:
@@ -120,7 +122,7 @@ class Atlas:
     @property
     def contact_scales(self) -> Floats:
         """Lengths over which responses change with the coordinates of the contact."""
-        return self._waves.scales.contacts
+        return self.scales["film"].contacts
 
     def at(self, keys: Mapping[str, float]) -> "Chart":
         """Return the chart of one contact.
@@ -152,9 +154,9 @@ class Chart:
         self._atlas = atlas
         self._place = contact_coordinates(keys)[0]
         self._shape = Shape(*(keys[name] for name in list(CONTACT_RANGES)[:3]))
-        self._weights = atlas._waves.at_contact(self._place)
-        wide = atlas._waves.scales.contacts * NEIGHBOURHOOD
-        self._near = correlation(self._place[None, :], atlas._waves.points.contacts, wide)[0]
+        self._weights: dict[str, Floats] = {}
+        wide = atlas.contact_scales * NEIGHBOURHOOD
+        self._near = correlation(self._place[None, :], atlas.points.contacts, wide)[0]
 
     def film(self, moes: float) -> SmoothFilm:
         """Return the smooth films; `moes` is the central film of Moes' formula in his scale."""
@@ -181,11 +183,11 @@ class Chart:
         wave, angle = np.broadcast_arrays(
             np.asarray(wavelength_over_a, float), np.asarray(angle_deg, float)
         )
+        numbers = [self._numbers(part, wave, angle) for part in ("film", "pressure")]
+        film, pressure = self._shape.responses(wave, angle, np.concatenate(numbers, axis=-1))
+        points, scales = atlas.points, atlas.scales["film"]
         places = self._shape.wave_coordinates(wave, angle).reshape(-1, 4)
-        numbers = atlas._waves.at_waves(self._weights, places).reshape(*wave.shape, 4)
-        film, pressure = self._shape.responses(wave, angle, numbers)
-        points = atlas._waves.points
-        near = correlation(places, points.waves, atlas._waves.scales.waves * NEIGHBOURHOOD)
+        near = correlation(places, points.waves, scales.waves * NEIGHBOURHOOD)
         near *= self._near[points.of_contact]
         squares = near @ atlas._misfit / np.maximum(near.sum(axis=1), 1e-300)
         factor = atlas.data.attrs["error_factor"]
@@ -193,24 +195,66 @@ class Chart:
             film, pressure, np.sqrt(factor**2 * squares.reshape(wave.shape) + PRECISION**2)
         )
 
+    def rise(self, wavelength_over_a: ArrayLike, angle_deg: ArrayLike) -> Floats | None:
+        """Return what waves add to the mean film over the film, per (A/film)^2; None: not known.
+
+        Second order in the amplitude A of a single wave; arguments as of :meth:`responses`.
+        """
+        if not self._atlas.has_rises:
+            return None
+        wave, angle = np.broadcast_arrays(
+            np.asarray(wavelength_over_a, float), np.asarray(angle_deg, float)
+        )
+        return self._numbers("rise", wave, angle)[..., 0]
+
+    def _numbers(self, part: str, wave: Floats, angle: Floats) -> Floats:
+        """Return the interpolated numbers of a part for waves, in a last dimension."""
+        process = self._atlas.process(part)
+        if part not in self._weights:
+            self._weights[part] = process.at_contact(self._place)
+        places = self._shape.wave_coordinates(wave, angle).reshape(-1, 4)
+        return process.at_waves(self._weights[part], places).reshape(*wave.shape, -1)
+
+
+def contacts_alone(contacts: Floats) -> Scattered:
+    """Return contacts, by their coordinates, as points without waves."""
+    return Scattered(contacts, np.arange(len(contacts)), np.empty((len(contacts), 0)))
+
+
+def contact_of(data: xr.Dataset) -> NDArray[np.intp]:
+    """Return the contact of each response: those of the first come first."""
+    return np.repeat(np.arange(data.sizes["contact"]), data["responses"].values.astype(np.intp))
+
+
+def shape_of(data: xr.Dataset) -> Shape:
+    """Return what turns responses into numbers, for each of them."""
+    return Shape(*(data[name].values for name in list(CONTACT_RANGES)[:3]))[contact_of(data)]
+
 
 def responses_of(data: xr.Dataset) -> Scattered:
     """Return where an atlas has responses."""
-    chosen = data["of_contact"].values.astype(np.intp)
-    shape = Shape(*(data[name].values for name in list(CONTACT_RANGES)[:3]))[chosen]
-    waves = data["wavelength_over_a"].values, data["angle_deg"].values
-    noise = np.hypot(NOISE, data["discretisation"].values / np.abs(shape.formula(*waves)) / SPREAD)
-    return Scattered(contact_coordinates(data), chosen, shape.wave_coordinates(*waves), noise)
+    waves = shape_of(data).wave_coordinates(*waves_of(data))
+    return Scattered(contact_coordinates(data), contact_of(data), waves)
 
 
-def reduced_of(data: xr.Dataset) -> Floats:
-    """Return the numbers that are interpolated, shape (points, 4)."""
-    shape = Shape(*(data[name].values for name in list(CONTACT_RANGES)[:3]))[
-        data["of_contact"].values.astype(np.intp)
-    ]
+def waves_of(data: xr.Dataset) -> tuple[Floats, Floats]:
+    """Return wavelengths over a and angles, degrees."""
+    return data["wavelength_over_a"].values.astype(float), data["angle_deg"].values.astype(float)
+
+
+def numbers_of(data: xr.Dataset, part: str) -> tuple[Scattered, Floats]:
+    """Return where an atlas knows a part of the responses, and the numbers that are interpolated.
+
+    Those of film and pressure are of :meth:`ehlwave.atlas.coordinates.Shape.reduced`; the rise of
+    the mean film, which only single waves have, is itself.
+    """
+    points = responses_of(data)
+    if part == "rise":
+        known = np.flatnonzero(np.isfinite(data["mean_rise"].values))
+        return points[known], data["mean_rise"].values[known, None].astype(float)
     film = data["film_real"].values + 1j * data["film_imaginary"].values
     pressure = data["pressure_real"].values + 1j * data["pressure_imaginary"].values
-    return shape.reduced(data["wavelength_over_a"].values, data["angle_deg"].values, film, pressure)
+    return points, shape_of(data).reduced(*waves_of(data), film, pressure)[:, PARTS[part]]
 
 
 @lru_cache(maxsize=4)

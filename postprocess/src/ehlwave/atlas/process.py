@@ -40,31 +40,46 @@ class Scattered:
         The contact of each point.
     waves : ndarray, shape (n, j)
         Coordinates of the waves; j = 0 for what depends on the contact alone.
-    noise : ndarray, shape (n,)
-        Standard error of each value over the spread of the process.
     """
 
     contacts: Floats
     of_contact: NDArray[np.intp]
     waves: Floats
-    noise: Floats
+
+    def __getitem__(self, index: NDArray[np.intp]) -> "Scattered":
+        """Return a choice of the points."""
+        return Scattered(self.contacts, self.of_contact[index], self.waves[index])
 
 
 @dataclass(frozen=True)
 class Scales:
-    """Lengths over which values change: of the coordinates of contacts and of waves."""
+    """Lengths over which values change, of the coordinates of contacts and of waves.
+
+    And the standard error of values, over the spread of the process.
+    """
 
     contacts: Floats
     waves: Floats
+    noise: float = 0.0
+
+    @classmethod
+    def of_logs(cls, logs: Floats, contacts: int) -> "Scales":
+        """Return what :meth:`logs` are of."""
+        values = np.exp(logs)
+        return cls(values[:contacts], values[contacts:-1], float(values[-1]))
+
+    def logs(self) -> Floats:
+        """Return the logarithms of all numbers: of contacts, of waves, the noise."""
+        return np.log([*self.contacts, *self.waves, self.noise])
 
 
 def covariance(points: Scattered, scales: Scales) -> Floats:
-    """Return the matrix of correlations between all points, with their noise, shape (n, n)."""
+    """Return the matrix of correlations between all points, with the noise, shape (n, n)."""
     between = correlation(points.contacts, points.contacts, scales.contacts)
     matrix = between[np.ix_(points.of_contact, points.of_contact)]
     if points.waves.shape[1]:
         matrix *= correlation(points.waves, points.waves, scales.waves)
-    matrix[np.diag_indices_from(matrix)] += points.noise**2
+    matrix[np.diag_indices_from(matrix)] += scales.noise**2
     return matrix
 
 
@@ -89,9 +104,33 @@ class Process:
         return correlation(waves, self.points.waves, self.scales.waves) @ weights
 
 
-def likelihood(points: Scattered, values: Floats, scales: Scales) -> float:
-    """Return the negative logarithm of the likelihood of the values, their spread at its best."""
-    lower, _ = factor = cho_factor(covariance(points, scales), lower=True, overwrite_a=True)
+def likelihood(points: Scattered, values: Floats, scales: Scales) -> tuple[float, Floats]:
+    """Return the negative logarithm of the likelihood of the values, their spread at its best.
+
+    And its derivatives with respect to the logarithms of the scales (Rasmussen and Williams, 5.9).
+    """
+    matrix = covariance(points, scales)
+    lower, _ = factor = cho_factor(matrix, lower=True)
     n, outputs = values.shape
-    squares = np.sum(values * cho_solve(factor, values), axis=0) / n
-    return float(outputs * np.log(np.diag(lower)).sum() + 0.5 * n * np.log(squares).sum())
+    weights = cho_solve(factor, values)
+    squares = np.sum(values * weights, axis=0) / n
+    cost = outputs * np.log(np.diag(lower)).sum() + 0.5 * n * np.log(squares).sum()
+    inner = 0.5 * outputs * cho_solve(factor, np.eye(n)) - 0.5 * (weights / squares) @ weights.T
+    parts = (  # the diagonal counts nothing: places are no distance from themselves
+        (points.contacts[points.of_contact], scales.contacts),
+        (points.waves, scales.waves),
+    )
+    slopes = []
+    for places, lengths in parts:
+        steepness = inner * matrix * _steepness(places / lengths)
+        for place in (places / lengths).T:
+            slopes.append(np.sum(steepness * (place[:, None] - place[None, :]) ** 2))
+    slopes.append(2 * scales.noise**2 * np.trace(inner))
+    return float(cost), np.array(slopes)
+
+
+def _steepness(places: Floats) -> Floats:
+    """Return -d ln(correlation)/d(r^2/2) between places in units of the length scales."""
+    squared = (places**2).sum(1)[:, None] + (places**2).sum(1)[None, :] - 2 * places @ places.T
+    r = np.sqrt(5.0 * np.maximum(squared, 0))
+    return np.asarray(5 / 3 * (1 + r) / (1 + r + r**2 / 3))

@@ -13,6 +13,7 @@ from ehlwave.deform.period import cut_period
 from ehlwave.deform.predict import Deformed, deform_surface
 from ehlwave.deform.read import ReadOptions, read_surface
 from ehlwave.deform.report import report_json, report_text, to_dataset, write_results
+from ehlwave.deform.roughness import gaussian_filtered, roughness_parameters
 from ehlwave.deform.simulation import simulation_surface, write_simulation_surface
 from ehlwave.deform.sliding import Mover, TwoWaveTransfer, film_profile, second_conditions
 from ehlwave.deform.surface import Surface, map_surface, trace_surface
@@ -39,6 +40,7 @@ __all__ = [
     "deformed_figure",
     "film_of_two",
     "film_profile",
+    "gaussian_filtered",
     "harmonic_table",
     "map_surface",
     "read_coefficients",
@@ -47,6 +49,7 @@ __all__ = [
     "read_table",
     "report_json",
     "report_text",
+    "roughness_parameters",
     "second_conditions",
     "simulation_surface",
     "spectrum_figure",

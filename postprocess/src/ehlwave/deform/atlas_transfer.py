@@ -1,7 +1,7 @@
 """Transfer from the atlas: amplitude and phase, and their errors, of each harmonic component."""
 
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +21,15 @@ WAVES, ANGLES = 72, 31
 
 SHORT_WAVE_POWER = 1.5
 """Waves below the atlas: 1 - response falls with this power of the wavelength, as it does above."""
+
+
+@dataclass(frozen=True)
+class Lookup:
+    """Interpolation in a chart: functions of ln wavelength and angle, degrees."""
+
+    film: Callable[[Waves, Waves], Complex]
+    error: Callable[[Waves, Waves], Waves]
+    rise: Callable[[Waves, Waves], Waves]
 
 
 class AtlasTransfer:
@@ -51,7 +60,7 @@ class AtlasTransfer:
         self._conditions = conditions
         self._atlas = atlas or load_atlas()
         self._chart: Chart = self._atlas.at(conditions.atlas_keys())
-        self._lookups: dict[str, tuple[Callable[..., Complex], Callable[..., Waves]]] = {}
+        self._lookups: dict[str, Lookup] = {}
 
     @property
     def name(self) -> str:
@@ -73,7 +82,7 @@ class AtlasTransfer:
         """Return the transfer for waves per metre along x (any sign) and y; 0 for the mean."""
         wave, angle, shape = self._polar(per_length_x, per_length_y)
         inside = np.clip(wave, *WAVE_RANGE)
-        value = self._lookup(angle)[0](np.log(inside), angle)
+        value = self._lookup(angle).film(np.log(inside), angle)
         short = wave < inside
         value[short] = 1 - (1 - value[short]) * (wave[short] / inside[short]) ** SHORT_WAVE_POWER
         value *= self._fall(wave, inside, angle)
@@ -85,7 +94,7 @@ class AtlasTransfer:
         """Return the error of the transfer, absolute, in units of the amplitude before."""
         wave, angle, shape = self._polar(per_length_x, per_length_y)
         inside = np.clip(wave, *WAVE_RANGE)
-        error = self._lookup(angle)[1](np.log(inside), angle)
+        error = self._lookup(angle).error(np.log(inside), angle)
         continued = wave != inside
         if np.any(continued):
             ratio = np.abs(self.ratio(per_length_x, per_length_y).ravel()[continued])
@@ -96,8 +105,17 @@ class AtlasTransfer:
         return error.reshape(shape)
 
     def rise(self, per_length_x: Waves, per_length_y: Waves) -> Waves | None:
-        """Return what waves add to the mean film, to second order."""
-        return None
+        """Return what waves add to the mean film, to second order; None: the atlas has no rises.
+
+        Shorter waves than the atlas' add as much as its shortest; longer ones less, as the square
+        of their response.
+        """
+        if not self._atlas.has_rises:
+            return None
+        wave, angle, shape = self._polar(per_length_x, per_length_y)
+        inside = np.clip(wave, *WAVE_RANGE)
+        value = self._lookup(angle).rise(np.log(inside), angle)
+        return np.asarray(value * self._fall(wave, inside, angle) ** 2).reshape(shape)
 
     def is_covered(self, per_length_x: Waves, per_length_y: Waves) -> NDArray[np.bool_]:
         """Return whether a wave lies within the wavelengths of the atlas."""
@@ -134,24 +152,27 @@ class AtlasTransfer:
             fall[long] = np.where(np.isfinite(wave[long]), at / end, 0)
         return fall
 
-    def _lookup(self, angle: Waves) -> tuple[Callable[..., Complex], Callable[..., Waves]]:
+    def _lookup(self, angle: Waves) -> Lookup:
         """Return interpolation in a chart over ln wavelength and angle, or along one angle."""
         one = float(angle[-1]) if np.all(angle == angle[-1]) else None
         key = "map" if one is None else f"{one:g}"
         if key not in self._lookups:
             logs = np.linspace(*np.log(WAVE_RANGE), WAVES)
             angles = np.linspace(0, 90, ANGLES) if one is None else np.array([one])
-            found = self._chart.responses(np.exp(logs)[:, None], angles[None, :])
-            parts = found.film.real, found.film.imag, found.error
+            waves = np.exp(logs)[:, None], angles[None, :]
+            found, rise = self._chart.responses(*waves), self._chart.rise(*waves)
+            parts = [found.film.real, found.film.imag, found.error]
+            parts.append(np.zeros(found.error.shape) if rise is None else rise)
             if one is None:
                 splines = [RectBivariateSpline(logs, angles, part) for part in parts]
                 evaluated = [lambda log, angle, s=s: s.ev(log, angle) for s in splines]
             else:
                 evaluated = [lambda log, angle, p=p[:, 0]: np.interp(log, logs, p) for p in parts]
-            real, imaginary, error = evaluated
-            self._lookups[key] = (
+            real, imaginary, error, rises = evaluated
+            self._lookups[key] = Lookup(
                 lambda log, angle: real(log, angle) + 1j * imaginary(log, angle),
                 lambda log, angle: np.maximum(error(log, angle), 0),
+                rises,
             )
         return self._lookups[key]
 

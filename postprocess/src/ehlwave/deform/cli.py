@@ -97,6 +97,18 @@ def add_commands(commands: Any) -> None:  # noqa: ANN401 - argparse does not nam
     deform.add_argument(
         "--ends", choices=WINDOWS, default="mirror", help="what is done about the ends; see below"
     )
+    deform.add_argument(
+        "--cutoff",
+        type=float,
+        metavar="UM",
+        help="lambda_c of a Gaussian filter (ISO 16610), um: longer waves are left out as waviness",
+    )
+    deform.add_argument(
+        "--short-cutoff",
+        type=float,
+        metavar="UM",
+        help="lambda_s, um: shorter waves are left out as noise",
+    )
     source = deform.add_mutually_exclusive_group()
     source.add_argument(
         "--refit", type=Path, metavar="FILE", help="coefficients from refit.csv or refit.json"
@@ -210,7 +222,12 @@ def _deform(options: argparse.Namespace) -> None:
 def _predicted(options: argparse.Namespace, path: Path, conditions: Conditions) -> Deformed:
     transfer = _transfer(options, conditions)
     surface = read_surface(path, read_options(options))
-    return deform_surface(surface, conditions, transfer, options.form, options.ends)
+    cutoffs = _metres(options.cutoff), _metres(options.short_cutoff)
+    return deform_surface(surface, conditions, transfer, options.form, options.ends, cutoffs)
+
+
+def _metres(length_um: float | None) -> float | None:
+    return None if length_um is None else length_um * 1e-6
 
 
 def _text(results: list[Deformed], both: FilmOfTwo | None, options: argparse.Namespace) -> str:

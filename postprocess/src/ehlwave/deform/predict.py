@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -10,6 +11,7 @@ from scipy import fft
 
 from ehlwave.deform.conditions import Conditions
 from ehlwave.deform.prepare import Form, Window, extended, judged_part, remove_form
+from ehlwave.deform.roughness import gaussian_filtered, roughness_parameters
 from ehlwave.deform.spectrum import Coverage, Spectrum, Unjudged, empty_spectrum
 from ehlwave.deform.statistics import FilmStatistics, film_statistics, warnings_of
 from ehlwave.deform.surface import Heights, Surface, checked_surface
@@ -20,6 +22,9 @@ SINGLE_PRECISION_POINTS = 2**22
 """Maps with more points than this are transformed in single precision (relative error 1e-6)."""
 
 WORKERS = 2
+
+Cutoffs = tuple[float | None, float | None]
+"""Long and short cut-off of a filter, lambda_c and lambda_s, m."""
 
 
 @dataclass(frozen=True)
@@ -33,7 +38,7 @@ class Deformed:
     height : ndarray, shape (nx, ny)
         Deformed heights, m, positive out of the material: the film at the contact centre when the
         point (x, y) of the surface passes it is ``statistics.mean_film_m`` less this.
-    conditions, transfer_name, form, window
+    conditions, transfer_name, form, window, cutoffs_m
         What it was made with.
     spectra : dict of Spectrum
         Mean square of the components before and after, along ``"x"`` and along ``"y"``.
@@ -59,6 +64,24 @@ class Deformed:
     unjudged: list[Unjudged] = field(default_factory=list)
     warnings: list[str] = field(default_factory=list)
     error_m: float | None = None
+    cutoffs_m: Cutoffs = (None, None)
+
+    @cached_property
+    def parameters(self) -> dict[str, dict[str, float]]:
+        """Height parameters ``"before"`` and ``"after"`` by their names in ISO 21920 and 25178.
+
+        See :func:`ehlwave.deform.roughness.roughness_parameters`; sections are as long as the long
+        cut-off.
+        """
+        shape = self.height.shape
+        part = judged_part((shape[0], shape[1]), self.window)
+        section, cutoff = None, self.cutoffs_m[0]
+        if cutoff is not None and self.surface.is_trace:
+            section = round(cutoff / max(self.surface.step_x_m, self.surface.step_y_m))
+        return {
+            name: roughness_parameters(heights[part], self.surface.is_trace, section)
+            for name, heights in (("before", self.surface.height), ("after", self.height))
+        }
 
 
 def deform_surface(
@@ -67,6 +90,7 @@ def deform_surface(
     transfer: Transfer | None = None,
     form: Form = "plane",
     window: Window = "mirror",
+    cutoffs_m: Cutoffs = (None, None),
 ) -> Deformed:
     """Predict the shape of a surface inside the contact, without a simulation.
 
@@ -86,6 +110,9 @@ def deform_surface(
         Polynomial to remove first, see :func:`ehlwave.deform.prepare.remove_form`.
     window : {"mirror", "taper", "none"}
         What is done about the ends, see :mod:`ehlwave.deform.prepare`.
+    cutoffs_m : pair of float, optional
+        lambda_c and lambda_s of Gaussian filters, m; waves longer than the first, and shorter than
+        the second, are taken out before. None: not filtered.
 
     Returns
     -------
@@ -101,6 +128,8 @@ def deform_surface(
     checked_surface(surface)
     _check_scale(surface, conditions)
     flat = remove_form(surface, form)
+    if any(cutoffs_m):
+        flat = gaussian_filtered(flat, *cutoffs_m)
     working = flat.height
     if working.size > SINGLE_PRECISION_POINTS:
         working = working.astype(np.float32, copy=False)
@@ -121,6 +150,7 @@ def deform_surface(
         unjudged=cover.unjudged(),
         warnings=warnings_of(statistics, conditions),
         error_m=cover.error_m(),
+        cutoffs_m=cutoffs_m,
     )
 
 

@@ -35,6 +35,10 @@ def report_text(result: Deformed, others: Sequence[Deformed] = ()) -> str:
         f"(ratio {_ratio(s.rq_after_m, s.rq_before_m):.4g}); from lowest to highest "
         f"{s.rz_before_m * UM:.4g} and {s.rz_after_m * UM:.4g} um",
     ]
+    for name, after in result.parameters["after"].items():
+        if name[1:] in ("a", "z", "sk", "ku"):
+            before, unit = result.parameters["before"][name], 1 if name[1:] in ("sk", "ku") else UM
+            lines[-1] += f"; {name} {before * unit:.4g}, {after * unit:.4g}"
     if result.error_m is not None:
         share = _ratio(result.error_m, s.rq_before_m)
         lines.append(
@@ -80,7 +84,9 @@ def report_json(result: Deformed) -> str:
         "ends": result.window,
         "transfer": result.transfer_name,
         "conditions": asdict(result.conditions),
+        "cutoffs_m": list(result.cutoffs_m),
         "statistics": asdict(result.statistics),
+        "parameters": result.parameters,
         "error_m": result.error_m,
         "not_judged": [asdict(group) for group in result.unjudged],
         "warnings": result.warnings,

@@ -1,0 +1,135 @@
+!> What is known of waves in a contact before they are marched: the periodic solution to second order in their amplitude, and what the
+!> march on a coarser grid found besides.
+module ehlwave_known_waves
+   use ehlwave_grid, only: grid_t
+   use ehlwave_harmonic_response, only: harmonic_response_t, harmonic_solver_t
+   use ehlwave_hierarchy, only: level_t
+   use ehlwave_kinds, only: dp, pi
+   use ehlwave_mean_film, only: find_mean_change, mean_change_t
+   use ehlwave_real_transfer, only: interpolate
+   use ehlwave_second_harmonic, only: find_second_harmonic
+   use ehlwave_state, only: new_state, state_t
+   use ehlwave_status, only: status_converged
+   use ehlwave_steady_tangent, only: steady_tangent_t
+   use ehlwave_waviness, only: waviness_t
+   implicit none (type, external)
+   private
+
+   !> Waves of amplitude A about the steady state u0 of smooth surfaces, everywhere and for ever:
+   !>
+   !>     u(T) = u0 + A^2 u20 + Re(A u1 exp(-i w T)) + Re(A^2 u22 exp(-2 i w T)),     u = P, H, Delta,
+   !>
+   !> with the linear response u1, the change of the mean u20 and the second harmonic u22. They are those of the differences in time of
+   !> a march with dT = hX or a whole part of it: a march that starts in these waves has nothing to settle at first and second order.
+   !> P may be negative where the film is about to cavitate.
+   type, public :: known_waves_t
+      real(dp) :: frequency = 0                        !! w in units of 1/T
+      integer :: linear_steps = 0                      !! GMRES steps
+      type(state_t), private :: still                  ! what does not change in time
+      type(harmonic_response_t), private :: turning(2) ! p, h and approach of the two harmonics
+      type(state_t), private :: rest(3)                ! what a coarser grid found besides, see `take_rest`
+      real(dp), private :: rest_time = 0, rest_step = 1
+      logical, private :: has_rest = .false.
+   contains
+      procedure :: find
+      procedure :: take_rest
+      procedure :: state_at
+   end type known_waves_t
+
+contains
+
+   !> Find them about the steady state of the finest of `levels`. Without the first order there is nothing; what is not found of the
+   !> second order is left out.
+   subroutine find(self, levels, waviness, amplitude, natural_frequency, steps_per_cell, is_found)
+      class(known_waves_t), intent(out) :: self
+      type(level_t), intent(inout), target :: levels(:)   !! coarsest first
+      type(waviness_t), intent(in) :: waviness            !! that moves
+      real(dp), intent(in) :: amplitude                   !! A in units of c
+      real(dp), intent(in) :: natural_frequency           !! Omega of the equation of motion; 0: force balance
+      integer, intent(in) :: steps_per_cell               !! m for dT = hX/m
+      logical, intent(out) :: is_found
+      type(harmonic_solver_t), allocatable :: solver
+      type(steady_tangent_t), allocatable :: tangent
+      type(mean_change_t) :: mean
+      integer :: m
+
+      self%frequency = 2*pi*waviness%slip/waviness%wavelength_x
+      allocate (solver, tangent)
+      call solver%init(levels)
+      associate (first => self%turning(1), second => self%turning(2))
+         call solver%respond(levels, waviness, natural_frequency, steps_per_cell, first)
+         self%linear_steps = first%linear_steps
+         is_found = first%status == status_converged
+         if (.not. is_found) return
+         call find_second_harmonic(solver, levels, first, self%frequency, natural_frequency, steps_per_cell, second)
+         deallocate (solver)
+         call tangent%init(levels)
+         call find_mean_change(tangent, levels, first, waviness, amplitude, mean)
+         self%linear_steps = self%linear_steps + second%linear_steps + mean%linear_steps
+      end associate
+      do m = 1, 2
+         if (self%turning(m)%status /= status_converged) self%turning(m)%p = 0
+         if (self%turning(m)%status /= status_converged) self%turning(m)%h = 0
+         self%turning(m)%p = amplitude**m*self%turning(m)%p
+         self%turning(m)%h = amplitude**m*self%turning(m)%h
+         self%turning(m)%approach = amplitude**m*self%turning(m)%approach
+      end do
+      self%still = levels(size(levels))%state
+      if (mean%status /= status_converged) return
+      self%still%p = self%still%p + mean%state%p
+      self%still%h = self%still%h + mean%state%h
+      self%still%delta = self%still%delta + mean%state%delta
+   end subroutine find
+
+   !> State at T; with what `take_rest` took, near its time.
+   pure function state_at(self, t) result(state)
+      class(known_waves_t), intent(in) :: self
+      real(dp), intent(in) :: t
+      type(state_t) :: state
+      complex(dp) :: turn
+      real(dp) :: s, weights(3)
+      integer :: m
+
+      state = self%still
+      do m = 1, 2
+         turn = exp(cmplx(0, -m*self%frequency*t, dp))
+         state%p = state%p + real(turn*self%turning(m)%p, dp)
+         state%h = state%h + real(turn*self%turning(m)%h, dp)
+         state%delta = state%delta + real(turn*self%turning(m)%approach, dp)
+      end do
+      if (.not. self%has_rest) return
+      s = (self%rest_time - t)/self%rest_step      ! steps back
+      weights = [0.5_dp*(s - 1)*(s - 2), -s*(s - 2), 0.5_dp*s*(s - 1)]
+      do m = 1, 3
+         state%p = state%p + weights(m)*self%rest(m)%p
+         state%h = state%h + weights(m)*self%rest(m)%h
+         state%delta = state%delta + weights(m)*self%rest(m)%delta
+      end do
+   end function state_at
+
+   !> Take what the last three solutions of a march on the grid of half as many cells have besides the waves known there to second order.
+   subroutine take_rest(self, fine, coarse_grid, coarse, last, t, dt)
+      class(known_waves_t), intent(inout) :: self
+      type(grid_t), intent(in) :: fine, coarse_grid
+      type(known_waves_t), intent(in) :: coarse          !! those waves
+      type(state_t), intent(in) :: last(3)               !! solutions there at T, T - dT, T - 2 dT
+      real(dp), intent(in) :: t, dt
+      type(known_waves_t) :: second_order
+      type(state_t) :: known
+      integer :: n
+
+      second_order = coarse
+      second_order%has_rest = .false.
+      do n = 1, 3
+         known = second_order%state_at(t - (n - 1)*dt)
+         self%rest(n) = new_state(fine)
+         call interpolate(coarse_grid, fine, last(n)%p - known%p, self%rest(n)%p)
+         call interpolate(coarse_grid, fine, last(n)%h - known%h, self%rest(n)%h)
+         self%rest(n)%delta = last(n)%delta - known%delta
+      end do
+      self%rest_time = t
+      self%rest_step = dt
+      self%has_rest = .true.
+   end subroutine take_rest
+
+end module ehlwave_known_waves

@@ -1,0 +1,62 @@
+"""A rank dies at the start of a sweep, in its middle, at its end, within and between the calls of MPI: nothing is lost."""
+
+import os
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+from ehlwave_program import IS_LONG, MPI_ENVIRONMENT, SKIPPED, is_open_mpi, mpi_command, namelist
+from hdf5_reading import read
+from store_reading import finished
+from torture import CIRCUMSTANCES
+
+SWEEP = {"load_parameter_m": [20, 25, 30, 35], "lubricant_parameter_l": 5, "radius_ratio_d": [1, 0.5], "output": "results.h5"}
+GRID = {"cells_x": 32, "cells_y": 32}
+RANKS = 3
+# call of MPI, the how manieth, rank that dies in it: begin, settings for all, cases and outcomes, all agree, end
+DEATHS = ["mpi_init 1 1", "mpi_bcast 1 0", "mpi_bcast 2 2", "mpi_recv 1 1", "mpi_send 3 1", "mpi_send 4 0", "mpi_allreduce 1 1",
+          "mpi_finalize 1 0"]
+MORE = ["mpi_init 1 0", "mpi_bcast 1 1", "mpi_bcast 3 0", "mpi_bcast 4 1", "mpi_recv 3 2", "mpi_recv 2 0", "mpi_recv 5 0",
+        "mpi_send 1 2", "mpi_send 2 0", "mpi_send 8 0", "mpi_allreduce 1 0", "mpi_finalize 1 2"]
+
+
+class DeadRanks(unittest.TestCase):
+    def setUp(self):
+        place = tempfile.TemporaryDirectory()
+        self.addCleanup(place.cleanup)
+        self.folder = Path(place.name)
+        self.expected = self.finish("undisturbed")
+
+    def run_in(self, name, *command, **variables):
+        """Run a sweep in a folder of its own; the folder and how it ended."""
+        folder = self.folder/name
+        folder.mkdir(exist_ok=True)
+        (folder/"sweep.nml").write_text(namelist({"sweep": SWEEP, "grid": GRID}))
+        return folder, subprocess.run([*command, os.environ["EHLWAVE_SWEEP"], "sweep.nml"], cwd=folder, capture_output=True,
+                                      env={**os.environ, **MPI_ENVIRONMENT, **variables}, text=True, timeout=100, check=False)
+
+    def finish(self, name):
+        """Columns of the results of a run that nothing disturbs, but for where and when."""
+        folder, outcome = self.run_in(name)
+        self.assertEqual(outcome.returncode, 0, outcome.stdout + outcome.stderr)
+        return {name: repr(list(values)) for name, values in read(folder/"results.h5")[1].items() if name not in CIRCUMSTANCES}
+
+    def test_nothing_is_lost(self):
+        for number, death in enumerate(DEATHS + MORE*IS_LONG):
+            with self.subTest(death=death):
+                folder, outcome = self.run_in(str(number), *mpi_command(RANKS), LD_PRELOAD=os.environ["EHLWAVE_FAULTS"],
+                                              EHLWAVE_DEATH=death)
+                self.assertNotEqual(outcome.returncode, 0, "nobody died")
+                held = finished(folder/"results.store")
+                self.assertEqual(self.finish(str(number)), self.expected)
+                for identity, row in finished(folder/"results.store").items():
+                    if identity in held:
+                        self.assertEqual(row, held[identity])
+
+
+if __name__ == "__main__":
+    if not os.environ.get("EHLWAVE_FAULTS") or not is_open_mpi():
+        print("SKIPPED: no library to preload, or another MPI than Open MPI, whose calls have other names")
+        raise SystemExit(SKIPPED)
+    unittest.main()
