@@ -60,11 +60,11 @@ class Microgeometry(unittest.TestCase):
             self.assertGreater(found.error("formula"), 2*found.error("table"), name)
 
     def test_the_lambda_ratio_in_one_call_is_the_simulated_one(self):
-        self.sweep(write_traces(self.folder, CELLS, ("ground", "measured"), ("experiment",), points_per_a=24))
-        for found in compare_traces(self.folder, points_per_a=24):
-            self.assertAlmostEqual(found.rq_over_simulated, 1, delta=0.05, msg=found)
-            self.assertLess(abs(found.error), 0.06, found)
-            self.assertGreater(found.by_formula/found.at_mesh_zero - 1, 2*abs(found.error), found)
+        self.sweep(write_traces(self.folder, CELLS, ("measured",), ("ball",), points_per_a=24))
+        found, = compare_traces(self.folder, points_per_a=24)
+        self.assertAlmostEqual(found.rq_over_simulated, 1, delta=0.05, msg=found)
+        self.assertLess(abs(found.error), 0.05, found)
+        self.assertGreater(abs(found.by_formula/found.at_mesh_zero - 1), abs(found.error), found)
 
     def test_table_has_the_amplitudes_of_the_paper_and_the_lag_of_the_film(self):
         table = read_table(table_file(self.folder, *SPEEDS))
