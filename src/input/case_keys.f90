@@ -194,7 +194,7 @@ contains
       call list%see(case%amplitude_over_film, key_t('amplitude_over_film', 'amplitude Ai over the smooth central film thickness', &
          above=0.0_dp, maximum=1.0_dp))
       call list%see(case%response, key_t('response', "response to the waves; 'transient': waves of this amplitude in time, "// &
-         "'periodic': what these come to, sought without the march (where it is not found the march takes over), "// &
+         "'periodic': what these come to, by a march that starts close to it (where it is not found one from rest takes over), "// &
          "'harmonic': the linear response to small waves, without time steps, 'both': march and response", &
          choices='transient periodic harmonic both'))
       call list%enter('surface', 'A measured surface in place of &waviness.')

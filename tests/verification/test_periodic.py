@@ -1,4 +1,4 @@
-"""The periodic state against settled marches, and the march in its place where it is not found."""
+"""The periodic state against settled marches."""
 
 import unittest
 
@@ -16,7 +16,7 @@ def waves(response, orientation, wavelength, amplitude=0.2):
 
 class Periodic(TestCase):
     def test_marches(self):
-        """Ad/Ai within 1.5e-3, most of which is the march's fit: its samples are those of a period and one more."""
+        """Ad/Ai within 1e-3, the rise of the mean within 2 %, for at most 60 % of the work."""
         for name, waviness, grid, conditions, lubricant in [
                 ("transverse, 0.5 a", ("transverse", 0.5), {}, {}, {}),
                 ("transverse, a, flooded", ("transverse", 1), {"edges": "flooded"}, {}, {}),
@@ -26,24 +26,24 @@ class Periodic(TestCase):
                 march, state = [solve(m=100, d=1, grid=GRID | grid, waviness=waves(response, *waviness), conditions=conditions,
                                       lubricant=lubricant, solver={"settling_periods": 3, "error_estimate": "model"})
                                 for response in ("transient", "periodic")]
-                self.assertEqual(state["time_steps"], 0)
-                self.assertLess(state["counted_work_units"], march["counted_work_units"])
+                self.assertEqual((march["march_from"], state["march_from"]), ("rest", "waves"))
+                self.assertLess(state["time_steps"], march["time_steps"])
+                self.assertLess(state["counted_work_units"], 0.6*march["counted_work_units"])
                 ratio = "amplitude_ratio_fit"
                 self.assertLess(abs(state["phase_fit"] - march["phase_fit"]), 0.007, name)
-                self.assertLess(abs(state[ratio] - march[ratio]), 3e-3 if conditions else 1.5e-3, name)
+                self.assertLess(abs(state[ratio] - march[ratio]), 1e-3, name)
                 film = march["central_film"]
                 self.check_close(state["mean_film"] - film, march["mean_film"] - film, 0.02, name)
                 report(f"{name}: Ad/Ai {state[ratio]:.5f}, march {march[ratio]:.5f}, counted work units "
                        f"{state['counted_work_units']:.0f}, march {march['counted_work_units']:.0f}")
 
-    def test_march_takes_over(self):
+    def test_steep_waves(self):
         """Waves of 70 % of the film."""
         march, state = [solve(m=100, d=1, grid=GRID, waviness=waves(response, "transverse", 0.5, 0.7),
                               solver={"settling_periods": 0, "error_estimate": "model"})
                         for response in ("transient", "periodic")]
-        self.assertEqual(state["amplitude_ratio_fit"], march["amplitude_ratio_fit"])
-        self.assertIn("marched in its place", state["warning"])
-        self.assertGreater(state["time_steps"], 0)
+        self.assertEqual(state["march_from"], "waves")
+        self.assertLess(abs(state["amplitude_ratio_fit"] - march["amplitude_ratio_fit"]), 3e-3)
 
 
 if __name__ == "__main__":

@@ -38,12 +38,12 @@ def grid_series(rows: pd.DataFrame, quantity: str) -> pd.Series:
     return with_defaults(rows).set_index("cells")[quantity].dropna().sort_index()
 
 
-def reference(series: pd.Series) -> tuple[float, str]:
-    """Richardson's value from the two finest grids, order 2, and what it is made of."""
+def reference(series: pd.Series) -> tuple[float, int]:
+    """Richardson's value from the two finest grids, order 2, and the cells of the finest."""
     coarse, fine = series.index[-2:]
     factor = (fine / coarse) ** 2 - 1
     value = series[fine] + (series[fine] - series[coarse]) / factor
-    return value, f"Richardson from {coarse:.0f} and {fine:.0f} cells"
+    return value, int(fine)
 
 
 def measured(table: pd.DataFrame) -> Iterator[tuple[Contact, pd.DataFrame, str, pd.Series]]:
@@ -66,13 +66,13 @@ def error_rows(table: pd.DataFrame) -> pd.DataFrame:
     for _, rows, quantity, series in measured(table):
         if len(series) < 2:
             continue
-        target, basis = reference(series)
+        target, finest = reference(series)
         some = rows[rows[quantity].notna()]
         columns = {
             "quantity": quantity,
             "value": some[quantity],
             "reference": target,
-            "reference_basis": basis,
+            "reference_cells": finest,
             "error": (some[quantity] / target - 1).abs(),
             "algebraic_error": _algebraic_error(some, quantity),
             "seconds": some["seconds"],
@@ -123,7 +123,7 @@ def estimate_rows(table: pd.DataFrame) -> pd.DataFrame:
     for contact, rows, quantity, series in measured(table):
         if len(series) < 2:
             continue
-        target, basis = reference(series)
+        target, finest = reference(series)
         some = with_defaults(rows)
         for row in some[some["cells"].isin(series.index)].to_dict("records"):
             cells = row["cells"]
@@ -138,7 +138,7 @@ def estimate_rows(table: pd.DataFrame) -> pd.DataFrame:
                 "status": row["status"],
                 "quantity": quantity,
                 "error": error,
-                "reference_basis": basis,
+                "reference_cells": finest,
                 "estimate": estimate,
                 "estimate_over_error": estimate / error,
             }
