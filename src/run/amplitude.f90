@@ -16,14 +16,14 @@ contains
       sampled_amplitude = 0.5_dp*(maxval(film) - minval(film))
    end function sampled_amplitude
 
-   !> Least squares fit of a mean and harmonics (`harmonics_of`), of which the first is c cos(omega T) + s sin(omega T); returns c + i s,
-   !> which stands for the real part of (c + i s) exp(-i omega T) and has the amplitude of the wave as its modulus. NaN where the samples
-   !> do not determine mean, c and s: fewer than three of them, or all at two phases of the wave only (two time steps per period).
+   !> Least squares fit of mean + c cos(omega T) + s sin(omega T); returns c + i s, which stands for the real part of
+   !> (c + i s) exp(-i omega T) and has the amplitude of the wave as its modulus. NaN where the samples do not determine these three numbers: fewer than three of them,
+   !> or all at two phases of the wave only (two time steps per period).
    pure complex(dp) function fitted_harmonic(time, film, period)
       real(dp), intent(in) :: time(:)   !! T of the samples
       real(dp), intent(in) :: film(:)   !! H(0,0) at these times
       real(dp), intent(in) :: period    !! forcing period in T
-      real(dp) :: c(1 + 2*harmonics_of(size(time)))
+      real(dp) :: c(3)
       c = coefficients(time, film, period)
       fitted_harmonic = cmplx(c(2), c(3), dp)
    end function fitted_harmonic
@@ -34,45 +34,35 @@ contains
       real(dp), intent(in) :: time(:)   !! T of the samples
       real(dp), intent(in) :: film(:)   !! H(0,0) at these times
       real(dp), intent(in) :: period    !! forcing period in T
-      real(dp) :: c(1 + 2*harmonics_of(size(time)))
+      real(dp) :: c(3)
       c = coefficients(time, film, period)
       fitted_mean = sum(film)/size(film)
       if (ieee_is_finite(c(1))) fitted_mean = film(1) + c(1)
    end function fitted_mean
 
-   !> Harmonics to fit to so many samples: one leaves the higher ones in the mean and in itself where the samples do not fill whole
-   !> periods (those of one period and one step more, of waves of 20 % of the film, 128 cells: 2e-3 of Ad/Ai).
-   pure integer function harmonics_of(samples)
-      integer, intent(in) :: samples
-      harmonics_of = max(1, min(3, (samples - 1)/4))
-   end function harmonics_of
-
-   !> Mean less the first sample, and cosine and sine of each harmonic; NaN where there is no fit.
+   !> Mean less the first sample, c and s of the fit; NaN where there is none.
    pure function coefficients(time, film, period) result(c)
       real(dp), intent(in) :: time(:), film(:), period
-      real(dp) :: c(1 + 2*harmonics_of(size(time)))
-      real(dp) :: basis(size(time), size(c)), normal(size(c), size(c)), right(size(c)), factor
-      integer :: i, j, n
+      real(dp) :: c(3)
+      real(dp) :: basis(size(time), 3), normal(3, 3), right(3), factor
+      integer :: i, j
 
       c = no_value
-      n = size(c)
       if (size(time) < 3) return
       basis(:, 1) = 1
-      do i = 1, n/2
-         basis(:, 2*i) = cos(2*pi*i*time/period)
-         basis(:, 2*i + 1) = sin(2*pi*i*time/period)
-      end do
+      basis(:, 2) = cos(2*pi*time/period)
+      basis(:, 3) = sin(2*pi*time/period)
       normal = matmul(transpose(basis), basis)
       right = matmul(transpose(basis), film - film(1))
-      do i = 1, n                       ! elimination; the matrix is symmetric positive definite
+      do i = 1, 3                       ! elimination; the matrix is symmetric positive definite
          if (.not. normal(i, i) > singular*size(time)) return
-         do j = i + 1, n
+         do j = i + 1, 3
             factor = normal(j, i)/normal(i, i)
             normal(j, :) = normal(j, :) - factor*normal(i, :)
             right(j) = right(j) - factor*right(i)
          end do
       end do
-      do i = n, 1, -1
+      do i = 3, 1, -1
          right(i) = (right(i) - dot_product(normal(i, i + 1:), right(i + 1:)))/normal(i, i)
       end do
       c = right
