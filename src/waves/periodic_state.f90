@@ -34,7 +34,7 @@ module ehlwave_periodic_state
    real(dp), parameter :: coarse_tolerance = 1e-3_dp   !! of the time steps of coarser grids
    ! The steep ends of the pressure downstream take half of the work of a step, and the film upstream knows little of them
    real(dp), parameter :: strict_until = 0.25_dp       !! X, to where the tolerance of the steps holds
-   real(dp), parameter :: lenience = 100               !! beyond, but for the last state, times the tolerance
+   real(dp), parameter :: lenience = 10                !! beyond, but for the last state, times the tolerance
    real(dp), parameter :: fewest_points = 16            !! mesh sizes on a wave
    real(dp), parameter :: farthest_upstream = -1       !! X, from where the film has to repeat
 
