@@ -143,7 +143,7 @@ contains
          call march%start_in(multigrid%levels(l), waves, start)
          lag = settings%waviness%period()*settings%steps_per_cell/(settings%cells_per_step*grid%hx)
          row = minloc(abs(grid%y), 1) - 1
-         allocate (films(0:grid%nx, 0:ceiling(lag) + 2))
+         allocate (films(0:grid%nx, 0:ceiling(lag) + 3))
          films(:, 0) = multigrid%levels(l)%state%h(:, row)
          do k = 1, settings%steps
             call march%take_step(multigrid, limits)
@@ -151,7 +151,7 @@ contains
             call monitor%step_done('time step towards the periodic state', k, settings%steps)
             if (monitor%request /= go_on) exit
             films(:, modulo(k, size(films, 2))) = multigrid%levels(l)%state%h(:, row)
-            if (k < lag + 1) cycle
+            if (k < lag + 2) cycle
             self%change = change_in_a_period(grid, films, k, lag)/settings%amplitude
             self%is_found = self%change <= tolerance
             if (self%is_found) exit
@@ -162,21 +162,22 @@ contains
       end associate
    end subroutine march_level
 
-   !> Largest change of the film between the inlet and the centre since a period before step k, by cubic interpolation in time.
+   !> Largest change of the film between the inlet and the centre since a period before step k, interpolated in time.
    pure real(dp) function change_in_a_period(grid, films, k, lag) result(change)
       type(grid_t), intent(in) :: grid
-      real(dp), intent(in) :: films(0:, 0:)   !! (0:nx, 0:n - 1): film of step m at m modulo n, n at least lag + 3
+      real(dp), intent(in) :: films(0:, 0:)   !! (0:nx, 0:n - 1): film of step m at m modulo n, n at least lag + 4
       integer, intent(in) :: k
-      real(dp), intent(in) :: lag             !! a period in steps, at most k - 1
-      real(dp) :: difference(0:grid%nx), t, weights(0:3)
-      integer :: base, m
+      real(dp), intent(in) :: lag             !! a period in steps, at most k - 2
+      integer, parameter :: points = 6        ! four leave 1e-3 of A where a period has ten steps
+      real(dp) :: difference(0:grid%nx), t, weight
+      integer :: base, j, m
 
-      base = k - ceiling(lag) - 1
+      base = k - ceiling(lag) - 2
       t = k - lag - base
-      weights = [-(t - 1)*(t - 2)*(t - 3)/6, t*(t - 2)*(t - 3)/2, -t*(t - 1)*(t - 3)/2, t*(t - 1)*(t - 2)/6]
       difference = films(:, modulo(k, size(films, 2)))
-      do m = 0, 3
-         difference = difference - weights(m)*films(:, modulo(base + m, size(films, 2)))
+      do m = 0, points - 1
+         weight = product([((t - j)/(m - j), j=0, m - 1)])*product([((t - j)/(m - j), j=m + 1, points - 1)])
+         difference = difference - weight*films(:, modulo(base + m, size(films, 2)))
       end do
       change = maxval(abs(difference), mask=grid%x >= farthest_upstream .and. grid%x <= 0)
    end function change_in_a_period

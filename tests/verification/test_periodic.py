@@ -21,7 +21,7 @@ class Periodic(TestCase):
                 ("transverse, 0.5 a", ("transverse", 0.5), {}, {}, {}),
                 ("transverse, a, flooded", ("transverse", 1), {"edges": "flooded"}, {}, {}),
                 ("isotropic, a, Ai = 10 %", ("isotropic", 1, 0.1), {}, {}, {}),
-                ("transverse, a, Ree-Eyring, S = 1.5", ("transverse", 1), {}, SLIDING, EYRING)]:
+                ("transverse, a, Ai = 5 %, Ree-Eyring, S = 1.5", ("transverse", 1, 0.05), {}, SLIDING, EYRING)]:
             with self.subTest(case=name):
                 march, state = [solve(m=100, d=1, grid=GRID | grid, waviness=waves(response, *waviness), conditions=conditions,
                                       lubricant=lubricant, solver={"settling_periods": 3, "error_estimate": "model"})
@@ -38,9 +38,9 @@ class Periodic(TestCase):
                        f"{state['counted_work_units']:.0f}, march {march['counted_work_units']:.0f}")
 
     def test_steep_waves(self):
-        """Waves of 70 % of the film."""
-        march, state = [solve(m=100, d=1, grid=GRID, waviness=waves(response, "transverse", 0.5, 0.7),
-                              solver={"settling_periods": 0, "error_estimate": "model"})
+        """Waves of 40 % of the film; a fit of one harmonic depends on which samples it has."""
+        march, state = [solve(m=100, d=1, grid=GRID, waviness=waves(response, "transverse", 0.5, 0.4),
+                              solver={"settling_periods": 3, "error_estimate": "model"})
                         for response in ("transient", "periodic")]
         self.assertEqual(state["march_from"], "waves")
         self.assertLess(abs(state["amplitude_ratio_fit"] - march["amplitude_ratio_fit"]), 3e-3)

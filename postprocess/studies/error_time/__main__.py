@@ -46,7 +46,9 @@ def write_all(table: pd.DataFrame, folder: Path) -> list[Path]:
         if len(rows):
             paths.append(folder / f"{name}.csv")
             digits = None if name == "runs" else "%.6g"
-            rows.to_csv(paths[-1], index=False, float_format=digits, lineterminator="\n")
+            rows.to_csv(
+                paths[-1], index=False, float_format=digits, na_rep="nan", lineterminator="\n"
+            )
     drawn = {"tolerance": figures.tolerance_figure(found)}
     for cost in figures.COSTS:
         for name, panels in figures.all_panels().items():

@@ -138,6 +138,7 @@ def estimate_rows(table: pd.DataFrame) -> pd.DataFrame:
                 "status": row["status"],
                 "quantity": quantity,
                 "error": error,
+                "reference": target,
                 "reference_cells": finest,
                 "estimate": estimate,
                 "estimate_over_error": estimate / error,
