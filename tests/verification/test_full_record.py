@@ -20,6 +20,7 @@ PAPER_GRID = [(50, 1, "transverse", 0.5), (50, 1, "longitudinal", 0.5), (200, 0.
 if not IS_LONG:   # every value of every column once or twice
     QUICK = [point for place, point in enumerate(QUICK) if place%5 == 0]
     RESOLVED = [point for place, point in enumerate(RESOLVED) if place%5 == 0]
+    PAPER_GRID = PAPER_GRID[::3]
 # Marched waves have Ai = 20 % of the film, linear responses are those of small ones. Measured: at most 0.0055, longitudinal waves
 # with M = 50, D = 0.12, lambda = 1.4 a.
 FINITE_AMPLITUDE = 0.0065
