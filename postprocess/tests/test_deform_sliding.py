@@ -24,16 +24,9 @@ from ehlwave.deform import (
 from ehlwave.deform.atlas_transfer import AtlasTransfer
 from ehlwave.errors import RangeError, SurfaceError
 from ehlwave.rolling import rolling_transfer
+from studies.two_waves.shapes import CONTACT, STRESS_PA
 
-KEYS = {
-    "radius_x_m": 12.5e-3,
-    "radius_y_m": 12.5e-3,
-    "reduced_modulus_pa": 226e9,
-    "load_n": 20.0,
-    "mean_speed_m_per_s": 0.5,
-    "viscosity_pa_s": 0.1,
-    "eyring_stress_pa": 5e6,
-}
+KEYS = CONTACT | {"eyring_stress_pa": STRESS_PA}
 
 
 def conditions(slip: float) -> Conditions:

@@ -10,6 +10,8 @@ module ehlwave_state
       real(dp), allocatable :: p(:, :)   !! dimensionless pressure P, (0:nx, 0:ny)
       real(dp), allocatable :: h(:, :)   !! dimensionless film thickness H, (0:nx, 0:ny)
       real(dp) :: delta = 0              !! mutual approach Delta
+   contains
+      procedure :: add
    end type state_t
 
 contains
@@ -20,5 +22,15 @@ contains
       type(state_t) :: self
       allocate (self%p(0:grid%nx, 0:grid%ny), self%h(0:grid%nx, 0:grid%ny), source=0.0_dp)
    end function new_state
+
+   !> Add `weight` times another state of the same grid.
+   pure subroutine add(self, other, weight)
+      class(state_t), intent(inout) :: self
+      type(state_t), intent(in) :: other
+      real(dp), intent(in) :: weight
+      self%p = self%p + weight*other%p
+      self%h = self%h + weight*other%h
+      self%delta = self%delta + weight*other%delta
+   end subroutine add
 
 end module ehlwave_state

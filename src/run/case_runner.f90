@@ -1,8 +1,8 @@
 !> Runs one planned case.
 module ehlwave_case_runner
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-   use ehlwave_amplitude, only: fitted_harmonic, fitted_mean, sampled_amplitude
-   use ehlwave_case_account, only: blank_result, end_early, keep_history, take_report, worse
+   use ehlwave_amplitude, only: fitted_harmonic, sampled_amplitude
+   use ehlwave_case_account, only: blank_result, end_early, take_report
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t, run_march, run_standing
    use ehlwave_case_result, only: case_result_t
@@ -13,6 +13,7 @@ module ehlwave_case_runner
    use ehlwave_harmonic_case, only: run_response
    use ehlwave_hierarchy, only: hierarchy_t, level_t
    use ehlwave_kinds, only: dp, pi
+   use ehlwave_march_case, only: run_moving
    use ehlwave_march_keeper, only: march_keeper_t
    use ehlwave_monitor, only: go_on, monitor_t
    use ehlwave_resolution, only: touching_reason
@@ -21,19 +22,13 @@ module ehlwave_case_runner
    use ehlwave_sensitivity_case, only: find_film_sensitivities
    use ehlwave_shared_steady, only: limits_of, shared_steady_t
    use ehlwave_shear_result, only: mean_shear_stress
-   use ehlwave_solve_report, only: solve_limits_t
    use ehlwave_state, only: state_t
-   use ehlwave_status, only: is_success, status_converged, status_interrupted, status_name, status_unresolved
-   use ehlwave_surface_plan, only: surface_positions
+   use ehlwave_status, only: is_success, status_converged, status_unresolved
    use ehlwave_text, only: to_text
-   use ehlwave_time_march, only: march_result_t, march_settings_t, march_t, steps_per_stretch
    use ehlwave_work_unit, only: work_unit_operations, work_unit_seconds
    implicit none (type, external)
    private
    public :: run_case
-
-   real(dp), parameter :: settling_share = 0.5_dp      !! of the change from period to period that is still to come
-   real(dp), parameter :: usual_amplitude = 0.2_dp     !! Ai over the film for which step_tolerance is meant
 
 contains
 
@@ -86,8 +81,8 @@ contains
             select case (plan%kind)
             case (run_march)
                is_found = .false.
-               if (plan%is_periodic) call find_periodic_state(case, plan, steady%multigrid, rescue, &
-                  step_limits(case, case%amplitude_over_film), monitor, result, is_found)
+               if (plan%is_periodic) &
+                  call find_periodic_state(case, plan, steady%multigrid, rescue, monitor, result, is_found)
                if (.not. is_found) call run_moving(case, plan, steady%multigrid, rescue, monitor, result, keeper)
             case (run_standing)
                call run_standing_pattern(case, plan, steady%multigrid, rescue, monitor, result)
@@ -160,110 +155,6 @@ contains
       result%minimum_film_error = estimate_error(multigrid%levels(n:1:-1)%minimum_film)
       result%film_order = observed_order(multigrid%levels(n:1:-1)%central_film)
    end subroutine estimate_film_errors
-
-   !> Moving pattern: march in time, then measure over the last period.
-   subroutine run_moving(case, plan, multigrid, rescue, monitor, result, keeper)
-      type(case_t), intent(in) :: case
-      type(case_plan_t), intent(in) :: plan
-      type(full_multigrid_t), intent(inout) :: multigrid
-      type(rescue_t), intent(inout) :: rescue
-      class(monitor_t), intent(inout) :: monitor
-      type(case_result_t), intent(inout) :: result
-      class(march_keeper_t), intent(inout), optional :: keeper
-      type(march_settings_t) :: settings
-      type(march_t) :: march
-      type(march_result_t) :: history
-      type(solve_limits_t) :: limits
-      complex(dp) :: fit
-      integer :: finest
-      real(dp) :: amplitude, amplitude_over_film
-
-      finest = size(multigrid%levels)
-      amplitude = case%amplitude_over_film*result%central_film
-      amplitude_over_film = case%amplitude_over_film
-      if (allocated(plan%waviness%surface)) then   ! heights are in units of c as they are
-         amplitude = 1
-         amplitude_over_film = sqrt(2.0_dp)*plan%waviness%surface%rq/result%central_film
-      end if
-      settings = march_settings_t(waviness=plan%waviness, amplitude=amplitude, steps=plan%steps, &
-                                  cells_per_step=plan%cells_per_step, steps_per_cell=plan%steps_per_cell, &
-                                  natural_frequency=case%natural_frequency, force=case%load_factor)
-      limits = step_limits(case, amplitude_over_film)
-      call march%begin(multigrid%levels, settings, rescue)
-      if (present(keeper)) call keeper%load(march)
-      if (march%result%steps > 0) call march%restore(multigrid%levels(finest))
-      do while (march%result%steps < plan%steps)
-         call march%advance(multigrid, limits, monitor)
-         if (march%result%status /= status_converged) exit
-         if (present(keeper) .and. modulo(march%result%steps, steps_per_stretch) == 0) call keeper%keep(march)
-         if (monitor%request /= go_on) exit
-      end do
-      history = march%result
-      result%work = result%work + history%work
-      rescue = march%rescue
-      result%status = history%status
-      if (history%status == status_converged .and. history%steps < plan%steps) &
-         call end_early(monitor%request, 'time step '//to_text(history%steps)//' of '//to_text(plan%steps), result)
-      if (result%status == status_interrupted .and. present(keeper)) call keeper%save()
-      result%time_steps = history%steps
-      result%residual = worse(worse(result%residual, history%worst_residual), multigrid%levels(finest)%report%residual)
-      result%load_error = worse(worse(result%load_error, history%worst_load_error), multigrid%levels(finest)%report%load_error)
-      result%nonlinear_steps = result%nonlinear_steps + history%nonlinear_steps
-      result%linear_steps = result%linear_steps + history%linear_steps
-      result%time = history%time(:history%steps)
-      result%film_history = history%central_film(:history%steps)
-      result%approach_history = history%approach(:history%steps)
-      if (result%status /= status_converged) then
-         call keep_history(multigrid%levels(finest)%report, result)
-         if (history%status /= status_converged) result%message = 'time step '//to_text(history%steps + 1)//' of '// &
-            to_text(plan%steps)//' '//status_name(history%status)//', residual '// &
-            to_text(multigrid%levels(finest)%report%residual, 3)//', load error '// &
-            to_text(multigrid%levels(finest)%report%load_error, 3)
-      else if (allocated(plan%waviness%surface)) then
-         result%surface_position = surface_positions(plan%waviness, plan%conditions%a_m, result%time)
-         if (plan%first_sample < history%steps) &
-            result%mean_film = sum(result%film_history(plan%first_sample + 1:))/(history%steps - plan%first_sample + 1)
-      else if (plan%waviness%moves() .and. plan%measures) then
-         associate (film => history%central_film(plan%first_sample:), time => history%time(plan%first_sample:))
-            result%route = 'rest'
-            result%amplitude_ratio = sampled_amplitude(film)/amplitude
-            fit = fitted_harmonic(time, film, plan%waviness%period())/amplitude
-            result%amplitude_ratio_fit = abs(fit)
-            result%settling = change_in_a_period(case, plan, history, abs(fit)*amplitude)
-            ! the pattern at the centre is cos(kx (-Xs - S T)): the real part of exp(-i (kx Xs + w T)) for S > 0
-            fit = fit*exp(cmplx(0, 2*pi*plan%waviness%start/plan%waviness%wavelength_x, dp))
-            result%phase_fit = atan2(aimag(fit), real(fit, dp))
-            result%mean_film = fitted_mean(time(2:), film(2:), plan%waviness%period())
-         end associate
-      end if
-   end subroutine run_moving
-
-   !> What a time step is asked for. The tolerance is relative to the film; for small waves it has to follow their amplitude.
-   pure function step_limits(case, amplitude_over_film) result(limits)
-      type(case_t), intent(in) :: case
-      real(dp), intent(in) :: amplitude_over_film
-      type(solve_limits_t) :: limits
-      limits = solve_limits_t(tolerance=case%step_tolerance*min(1.0_dp, amplitude_over_film/usual_amplitude), &
-                              largest_steps=case%largest_steps)
-   end function step_limits
-
-   !> Relative error of the amplitude in the last period, by what it has changed since the period before; 0 where that one still
-   !> has what came in before the waves. Measured from rest: 0.02 to 0.8 of the change is still to come, most where it is small.
-   real(dp) function change_in_a_period(case, plan, history, amplitude) result(change)
-      type(case_t), intent(in) :: case
-      type(case_plan_t), intent(in) :: plan
-      type(march_result_t), intent(in) :: history
-      real(dp), intent(in) :: amplitude          !! of the film, in the last period
-      integer :: first, last
-
-      change = 0
-      last = plan%first_sample
-      first = last - nint(plan%waviness%period()/plan%dt)
-      if (case%settling_periods < 1 .or. case%end_time > 0 .or. first < 0) return
-      associate (time => history%time(first:last), film => history%central_film(first:last))
-         change = settling_share*abs(abs(fitted_harmonic(time, film, plan%waviness%period()))/amplitude - 1)
-      end associate
-   end function change_in_a_period
 
    !> Pattern that stands still: one steady state for each phase, no time stepping.
    subroutine run_standing_pattern(case, plan, multigrid, rescue, monitor, result)

@@ -41,7 +41,7 @@ contains
       type(equations_t), intent(in) :: equations        !! evaluated at the state
       type(state_t), intent(in) :: state                !! with the film of its pressure
       type(solve_limits_t), intent(in) :: limits
-      real(dp) :: centre, gain, lenience(0:equations%mesh%grid%nx)
+      real(dp) :: centre, error, gain, lenience(0:equations%mesh%grid%nx)
       integer :: i, j
 
       associate (grid => equations%mesh%grid, r => equations%residual)
@@ -62,8 +62,11 @@ contains
             end do
          end do
          if (.not. ieee_is_finite(sum(r))) self%residual = sum(r)
-         if (equations%edges%count() > 0) self%residual = max(self%residual, edge_error(equations, state))
-         if (equations%edges%count() > 0) self%weighed = max(self%weighed, edge_error(equations, state))
+         if (equations%edges%count() > 0) then
+            error = edge_error(equations, state)
+            self%residual = max(self%residual, error)
+            self%weighed = max(self%weighed, error)
+         end if
          self%load_error = abs(equations%load_residual(state))/abs(equations%given%load%force)
       end associate
       if (.not. (ieee_is_finite(self%residual) .and. ieee_is_finite(self%load_error))) then

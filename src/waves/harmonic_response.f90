@@ -33,6 +33,8 @@ module ehlwave_harmonic_response
       integer :: linear_steps = 0                    !! GMRES steps
       real(dp) :: reduction = 0                      !! of the linear residual
       complex(dp), allocatable :: p(:, :), h(:, :)   !! amplitudes of P and H over A, (0:nx, 0:ny)
+   contains
+      procedure :: add_to
    end type harmonic_response_t
 
    !> The contact linearised about a steady state.
@@ -48,6 +50,16 @@ module ehlwave_harmonic_response
    end type harmonic_solver_t
 
 contains
+
+   !> Add the real part of `factor` times the response, the factor A exp(-i w T) for a pattern of amplitude A at T.
+   pure subroutine add_to(self, state, factor)
+      class(harmonic_response_t), intent(in) :: self
+      type(state_t), intent(inout) :: state
+      complex(dp), intent(in) :: factor
+      state%p = state%p + real(factor*self%p, dp)
+      state%h = state%h + real(factor*self%h, dp)
+      state%delta = state%delta + real(factor*self%approach, dp)
+   end subroutine add_to
 
    !> Linearise about the steady state of the finest of `levels`, of smooth surfaces.
    subroutine init(self, levels)

@@ -24,9 +24,10 @@ module ehlwave_known_waves
    !> P may be negative where the film is about to cavitate.
    type, public :: known_waves_t
       real(dp) :: frequency = 0                        !! w in units of 1/T
+      real(dp), private :: amplitude = 0               ! A in units of c
       integer :: linear_steps = 0                      !! GMRES steps
       type(state_t), private :: still                  ! what does not change in time
-      type(harmonic_response_t), private :: turning(2) ! p, h and approach of the two harmonics
+      type(harmonic_response_t), private :: turning(2) ! the two harmonics, to waves of amplitude 1
       type(state_t), private :: rest(3)                ! what a coarser grid found besides, see `take_rest`
       real(dp), private :: rest_time = 0, rest_step = 1
       logical, private :: has_rest = .false.
@@ -51,7 +52,6 @@ contains
       type(harmonic_solver_t), allocatable :: solver
       type(steady_tangent_t), allocatable :: tangent
       type(mean_change_t) :: mean
-      integer :: m
 
       self%frequency = 2*pi*waviness%slip/waviness%wavelength_x
       allocate (solver, tangent)
@@ -67,18 +67,9 @@ contains
          call find_mean_change(tangent, levels, first, waviness, amplitude, mean)
          self%linear_steps = self%linear_steps + second%linear_steps + mean%linear_steps
       end associate
-      do m = 1, 2
-         if (self%turning(m)%status /= status_converged) self%turning(m)%p = 0
-         if (self%turning(m)%status /= status_converged) self%turning(m)%h = 0
-         self%turning(m)%p = amplitude**m*self%turning(m)%p
-         self%turning(m)%h = amplitude**m*self%turning(m)%h
-         self%turning(m)%approach = amplitude**m*self%turning(m)%approach
-      end do
+      self%amplitude = amplitude
       self%still = levels(size(levels))%state
-      if (mean%status /= status_converged) return
-      self%still%p = self%still%p + mean%state%p
-      self%still%h = self%still%h + mean%state%h
-      self%still%delta = self%still%delta + mean%state%delta
+      if (mean%status == status_converged) call self%still%add(mean%state, 1.0_dp)
    end subroutine find
 
    !> State at T; with what `take_rest` took, near its time.
@@ -86,24 +77,19 @@ contains
       class(known_waves_t), intent(in) :: self
       real(dp), intent(in) :: t
       type(state_t) :: state
-      complex(dp) :: turn
       real(dp) :: s, weights(3)
       integer :: m
 
       state = self%still
       do m = 1, 2
-         turn = exp(cmplx(0, -m*self%frequency*t, dp))
-         state%p = state%p + real(turn*self%turning(m)%p, dp)
-         state%h = state%h + real(turn*self%turning(m)%h, dp)
-         state%delta = state%delta + real(turn*self%turning(m)%approach, dp)
+         if (self%turning(m)%status == status_converged) &
+            call self%turning(m)%add_to(state, self%amplitude**m*exp(cmplx(0, -m*self%frequency*t, dp)))
       end do
       if (.not. self%has_rest) return
       s = (self%rest_time - t)/self%rest_step      ! steps back
       weights = [0.5_dp*(s - 1)*(s - 2), -s*(s - 2), 0.5_dp*s*(s - 1)]
       do m = 1, 3
-         state%p = state%p + weights(m)*self%rest(m)%p
-         state%h = state%h + weights(m)*self%rest(m)%h
-         state%delta = state%delta + weights(m)*self%rest(m)%delta
+         call state%add(self%rest(m), weights(m))
       end do
    end function state_at
 

@@ -85,17 +85,14 @@ contains
       real(dp), intent(out), contiguous, target :: b(:)
       real(dp), pointer, contiguous :: r(:, :)
       type(state_t) :: state
-      complex(dp) :: factor
       integer :: k
 
       associate (finest => tangent%linear%levels(tangent%linear%finest), grid => level%problem%grid)
          r(0:grid%nx, 0:grid%ny) => b(:tangent%linear%n - 1)
          b = 0
-         state = tangent%state
          do k = 0, phases - 1
-            factor = amplitude*exp(cmplx(0, -2*pi*k/phases, dp))
-            state%p = tangent%state%p + real(factor*response%p, dp)
-            state%h = tangent%state%h + real(factor*response%h, dp)
+            state = tangent%state
+            call response%add_to(state, amplitude*exp(cmplx(0, -2*pi*k/phases, dp)))
             call finest%equations%evaluate(level%problem, state)
             level%problem%deformation%work = level%problem%deformation%work + real(evaluation_operations, dp)*size(r)
             r = r - finest%equations%residual/phases

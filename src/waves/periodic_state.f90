@@ -32,7 +32,7 @@ module ehlwave_periodic_state
    real(dp), parameter :: largest_change = 5e-4_dp     !! of a film that repeats, over A
    real(dp), parameter :: coarse_change = 1e-3_dp      !! the same on coarser grids
    real(dp), parameter :: coarse_tolerance = 1e-3_dp   !! of the time steps of coarser grids
-   ! The steep ends of the pressure downstream take half of the work of a step, and the film upstream knows little of them
+   ! The steep ends of the pressure downstream take the last Newton steps, and the film upstream knows little of them
    real(dp), parameter :: strict_until = 0.25_dp       !! X, to where the tolerance of the steps holds
    real(dp), parameter :: lenience = 10                !! beyond, but for the last state, times the tolerance
    real(dp), parameter :: fewest_points = 16            !! mesh sizes on a wave

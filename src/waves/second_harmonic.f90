@@ -76,7 +76,8 @@ contains
          do k = 0, phases - 1
             phase = 2*pi*k/phases
             do n = size(history, 3), 0, -1
-               state = displaced(level%state, first, probe, phase - n*turn)
+               state = level%state
+               call first%add_to(state, probe*exp(cmplx(0, n*turn - phase, dp)))
                if (n > 0) history(:, :, n) = problem%rheology%density(state%p)*state%h
             end do
             call equations%given%transport%carry(grid, history)
@@ -88,18 +89,5 @@ contains
                                           + real(phases*evaluation_operations, dp)*size(r)
       end associate
    end subroutine second_residual
-
-   !> The steady state with waves of some amplitude at some phase, to first order.
-   function displaced(steady, first, amplitude, phase) result(state)
-      type(state_t), intent(in) :: steady
-      type(harmonic_response_t), intent(in) :: first
-      real(dp), intent(in) :: amplitude, phase
-      type(state_t) :: state
-      complex(dp) :: factor
-      factor = amplitude*exp(cmplx(0, -phase, dp))
-      state = steady
-      state%p = steady%p + real(factor*first%p, dp)
-      state%h = steady%h + real(factor*first%h, dp)
-   end function displaced
 
 end module ehlwave_second_harmonic

@@ -2,8 +2,8 @@
 module ehlwave_time_march
    use ehlwave_clock, only: wall_seconds
    use ehlwave_contact_problem, only: contact_problem_t
+   use ehlwave_first_guess, only: carried_share, extrapolate, past_t
    use ehlwave_full_multigrid, only: full_multigrid_t
-   use ehlwave_equations, only: equations_t
    use ehlwave_given, only: given_t
    use ehlwave_grid, only: grid_t
    use ehlwave_hierarchy, only: level_t
@@ -48,11 +48,6 @@ module ehlwave_time_march
       real(dp) :: work = 0                     !! operations, see `ehlwave_work_unit`
    end type march_result_t
 
-   !> Solutions that the first guess is made from.
-   type :: past_t
-      type(state_t) :: steady, before, earlier, earliest   ! of smooth surfaces; at T - dT, T - 2 dT, T - 3 dT
-   end type past_t
-
    !> A march under way: everything that its next step depends on, besides the level and its problem.
    type, public :: march_t
       type(march_settings_t) :: settings
@@ -77,8 +72,6 @@ module ehlwave_time_march
    !> Asked to stop, a march goes on to the end of its stretch if that takes no longer.
    real(dp), parameter :: largest_delay_s = 10
    real(dp), parameter :: thinnest_start = 0.1_dp   !! of the smooth film, where known waves would leave less
-   real(dp), parameter :: spread_weight = 1000   !! measured: fewest Newton steps between 100 and 10^4
-   real(dp), parameter :: guess_margin = 0.02_dp !! measured: the same between 0.005 and 0.05
 
 contains
 
@@ -141,16 +134,9 @@ contains
          self%approach = states(1:3)%delta
          call pose_step(self, problem, t)
          self%given = problem%given_t
-         do n = size(history, 3), 2, -1
-            history(:, :, n) = history(:, :, n - 1)
-         end do
-         history(:, :, 1) = problem%rheology%density(states(0)%p)*states(0)%h
-         self%approach = states(0:2)%delta
-         self%past = past_t(self%past%steady, states(0), states(1), states(2))
          level%state = states(0)
-         self%result%time(0) = t
-         self%result%central_film(0) = problem%grid%value_at_centre(states(0)%h)
-         self%result%approach(0) = states(0)%delta
+         call note(self, level, 0, t)
+         self%past = past_t(self%past%steady, states(0), states(1), states(2))
       end associate
    end subroutine start_in
 
@@ -233,11 +219,26 @@ contains
       class(march_t), intent(inout) :: self
       type(level_t), intent(in) :: level
       real(dp), intent(in) :: t
-      integer :: k, n
 
-      associate (result => self%result, past => self%past, history => self%history, state => level%state)
-         k = result%steps + 1
-         result%steps = k
+      self%result%steps = self%result%steps + 1
+      call note(self, level, self%result%steps, t)
+      associate (past => self%past)
+         past%earliest = past%earlier
+         past%earlier = past%before
+         past%before = level%state
+      end associate
+      self%given = level%problem%given_t
+   end subroutine keep_step
+
+   !> Write the solution at time t into the account as step k, and as the latest into what the differences in time use.
+   subroutine note(self, level, k, t)
+      class(march_t), intent(inout) :: self
+      type(level_t), intent(in) :: level
+      integer, intent(in) :: k
+      real(dp), intent(in) :: t
+      integer :: n
+
+      associate (result => self%result, history => self%history, state => level%state)
          result%time(k) = t
          result%central_film(k) = level%problem%grid%value_at_centre(state%h)
          result%approach(k) = state%delta
@@ -246,57 +247,14 @@ contains
          end do
          history(:, :, 1) = level%problem%rheology%density(state%p)*state%h
          self%approach = [state%delta, self%approach(1:2)]
-         past%earliest = past%earlier
-         past%earlier = past%before
-         past%before = state
-         self%given = level%problem%given_t
       end associate
-   end subroutine keep_step
+   end subroutine note
 
    pure real(dp) function time_step(self, grid)
       class(march_t), intent(in) :: self
       type(grid_t), intent(in) :: grid
       time_step = grid%hx*self%settings%cells_per_step/self%settings%steps_per_cell
    end function time_step
-
-   !> How much of a pressure disturbance is carried along with the film rather than spread by Poiseuille flow,
-   !> 0 to 1 at each node: 1/(1 + weight eps/(hX K0)), K0 the deformation under a cell of unit pressure.
-   function carried_share(level) result(share)
-      type(level_t), intent(in) :: level    !! at its steady state
-      real(dp), allocatable :: share(:, :)
-      type(equations_t) :: equations
-
-      call equations%init(level%problem)
-      call equations%evaluate(level%problem, level%state)
-      share = 1/(1 + spread_weight*equations%flow%mobility()/(level%problem%grid%hx*equations%self_influence))
-   end function carried_share
-
-   !> First guess. Where the film is carried along, what deviates from the steady state P0 is extrapolated
-   !> along the characteristic: P0(i) + 2 p(i-m, k-1) - p(i-2m, k-2), p = P - P0; elsewhere in time at fixed X:
-   !> 3 P(k-1) - 3 P(k-2) + P(k-3); in between, by share. What is extrapolated in time stays within the range of the
-   !> neighbours at the step before and a small margin: the steep end of the pressure moves by less than a cell in one step, and
-   !> an extrapolation across it would be off by half the Hertz pressure.
-   pure subroutine extrapolate(m, share, past, state)
-      integer, intent(in) :: m                       !! cells that a feature travels in one step
-      real(dp), intent(in) :: share(0:, 0:)          !! (0:nx, 0:ny)
-      type(past_t), intent(in) :: past
-      type(state_t), intent(inout) :: state
-      real(dp) :: moved, still
-      integer :: i, j
-      associate (p0 => past%steady%p, p1 => past%before%p, p2 => past%earlier%p, p3 => past%earliest%p)
-         do j = 0, ubound(state%p, 2)
-            do i = 2*m + 1, ubound(state%p, 1) - 1
-               moved = p0(i, j) + 2*(p1(i - m, j) - p0(i - m, j)) - (p2(i - 2*m, j) - p0(i - 2*m, j))
-               still = 3*(p1(i, j) - p2(i, j)) + p3(i, j)
-               associate (near => p1(i - 1:i + 1, max(j - 1, 0):min(j + 1, ubound(p1, 2))))
-                  still = min(max(still, minval(near) - guess_margin), maxval(near) + guess_margin)
-               end associate
-               state%p(i, j) = max(0.0_dp, share(i, j)*moved + (1 - share(i, j))*still)
-            end do
-         end do
-      end associate
-      state%delta = 3*(past%before%delta - past%earlier%delta) + past%earliest%delta
-   end subroutine extrapolate
 
    !> One time step and its account.
    subroutine solve_step(self, multigrid, limits)

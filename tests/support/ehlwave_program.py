@@ -6,10 +6,29 @@ import unittest
 
 from studies.programs import MPI_ENVIRONMENT, is_open_mpi, last_line, mpi_command, namelist, paper_edges, run, solve
 
-__all__ = ["IS_LONG", "MPI_ENVIRONMENT", "SKIPPED", "TestCase", "is_open_mpi", "last_line", "mpi_command", "namelist", "paper_edges", "report", "run", "solve"]
+__all__ = [
+    "EIGHT_CASES",
+    "IS_LONG",
+    "MPI_ENVIRONMENT",
+    "SKIPPED",
+    "TestCase",
+    "is_open_mpi",
+    "last_line",
+    "mpi_command",
+    "namelist",
+    "paper_edges",
+    "report",
+    "run",
+    "solve",
+]
 
 SKIPPED = 77
 IS_LONG = os.environ.get("EHLWAVE_LONG_TESTS", "0") != "0"   # scripts/test --long: more of the same
+EIGHT_CASES = {
+    "sweep": {"load_parameter_m": [20, 25, 30, 35], "lubricant_parameter_l": 5, "radius_ratio_d": [1, 0.5], "output": "results.h5"},
+    "grid": {"cells_x": 32, "cells_y": 32},
+}
+"""A sweep of a second."""
 
 
 class TestCase(unittest.TestCase):

@@ -1,4 +1,4 @@
-"""The logs of a store, read by the rules of src/sweep/store.f90 but by other means than the program's own."""
+"""The logs of a store, read by the rules of src/store/README.md but by other means than the program's own."""
 
 import json
 import zlib

@@ -6,13 +6,11 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from ehlwave_program import IS_LONG, MPI_ENVIRONMENT, SKIPPED, is_open_mpi, mpi_command, namelist
+from ehlwave_program import EIGHT_CASES, IS_LONG, MPI_ENVIRONMENT, SKIPPED, is_open_mpi, mpi_command, namelist
 from hdf5_reading import read
 from store_reading import finished
 from torture import CIRCUMSTANCES
 
-SWEEP = {"load_parameter_m": [20, 25, 30, 35], "lubricant_parameter_l": 5, "radius_ratio_d": [1, 0.5], "output": "results.h5"}
-GRID = {"cells_x": 32, "cells_y": 32}
 RANKS = 3
 # call of MPI, the how manieth, rank that dies in it: begin, settings for all, cases and outcomes, all agree, end
 DEATHS = ["mpi_init 1 1", "mpi_bcast 1 0", "mpi_bcast 2 2", "mpi_recv 1 1", "mpi_send 3 1", "mpi_send 4 0", "mpi_allreduce 1 1",
@@ -32,7 +30,7 @@ class DeadRanks(unittest.TestCase):
         """Run a sweep in a folder of its own; the folder and how it ended."""
         folder = self.folder/name
         folder.mkdir(exist_ok=True)
-        (folder/"sweep.nml").write_text(namelist({"sweep": SWEEP, "grid": GRID}))
+        (folder/"sweep.nml").write_text(namelist(EIGHT_CASES))
         return folder, subprocess.run([*command, os.environ["EHLWAVE_SWEEP"], "sweep.nml"], cwd=folder, capture_output=True,
                                       env={**os.environ, **MPI_ENVIRONMENT, **variables}, text=True, timeout=100, check=False)
 

@@ -9,13 +9,11 @@ import unittest
 import zlib
 from pathlib import Path
 
-from ehlwave_program import IS_LONG, MPI_ENVIRONMENT, namelist, run
+from ehlwave_program import EIGHT_CASES, IS_LONG, MPI_ENVIRONMENT, namelist, run
 from hdf5_reading import read
 from store_reading import finished, records
 from torture import CIRCUMSTANCES
 
-SWEEP = {"load_parameter_m": [20, 25, 30, 35], "lubricant_parameter_l": 5, "radius_ratio_d": [1, 0.5], "output": "results.h5"}
-GRID = {"cells_x": 32, "cells_y": 32}
 VARIANTS = 40 if IS_LONG else 4
 
 
@@ -35,9 +33,10 @@ class StoreRecords(unittest.TestCase):
         place = tempfile.TemporaryDirectory()
         cls.addClassCleanup(place.cleanup)
         cls.folder = Path(place.name)
-        for loads, ranks in (([20, 25], 2), (SWEEP["load_parameter_m"], 0)):   # two runs, one of them on two ranks
-            sweep = {**SWEEP, "load_parameter_m": loads}
-            (cls.folder/"sweep.nml").write_text(namelist({"sweep": sweep, "grid": GRID, "conditions": {"slip_parameter": 1}}))
+        for loads, ranks in (([20, 25], 2), (EIGHT_CASES["sweep"]["load_parameter_m"], 0)):   # two runs, one of them on two ranks
+            sweep = {**EIGHT_CASES["sweep"], "load_parameter_m": loads}
+            groups = {**EIGHT_CASES, "sweep": sweep, "conditions": {"slip_parameter": 1}}
+            (cls.folder/"sweep.nml").write_text(namelist(groups))
             outcome = run("sweep", "sweep.nml", ranks=ranks, folder=cls.folder)
             assert outcome.returncode == 0, outcome.stdout + outcome.stderr
         cls.logs = {path.name: records(path) for path in sorted((cls.folder/"results.store"/"records").iterdir())}

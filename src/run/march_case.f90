@@ -1,0 +1,149 @@
+!> A case with a moving pattern, marched from rest, and what is taken from any march of it.
+module ehlwave_march_case
+   use ehlwave_amplitude, only: fitted_harmonic, fitted_mean, sampled_amplitude
+   use ehlwave_case_account, only: end_early, keep_history, worse
+   use ehlwave_case_definition, only: case_t
+   use ehlwave_case_plan, only: case_plan_t
+   use ehlwave_case_result, only: case_result_t
+   use ehlwave_full_multigrid, only: full_multigrid_t
+   use ehlwave_kinds, only: dp, pi
+   use ehlwave_march_keeper, only: march_keeper_t
+   use ehlwave_monitor, only: go_on, monitor_t
+   use ehlwave_rescue, only: rescue_t
+   use ehlwave_solve_report, only: solve_limits_t
+   use ehlwave_status, only: status_converged, status_interrupted, status_name
+   use ehlwave_surface_plan, only: surface_positions
+   use ehlwave_text, only: to_text
+   use ehlwave_time_march, only: march_result_t, march_settings_t, march_t, steps_per_stretch
+   implicit none (type, external)
+   private
+   public :: march_settings, run_moving, step_limits, take_last_period
+
+   real(dp), parameter :: settling_share = 0.5_dp      !! of the change from period to period that is still to come
+   real(dp), parameter :: usual_amplitude = 0.2_dp     !! Ai over the film for which step_tolerance is meant
+
+contains
+
+   !> What is marched, and in which steps.
+   pure function march_settings(case, plan, central_film) result(settings)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      real(dp), intent(in) :: central_film      !! smooth H(0,0)
+      type(march_settings_t) :: settings
+      settings = march_settings_t(waviness=plan%waviness, amplitude=case%amplitude_over_film*central_film, steps=plan%steps, &
+                                  cells_per_step=plan%cells_per_step, steps_per_cell=plan%steps_per_cell, &
+                                  natural_frequency=case%natural_frequency, force=case%load_factor)
+      if (allocated(plan%waviness%surface)) settings%amplitude = 1   ! heights are in units of c as they are
+   end function march_settings
+
+   !> What a time step is asked for. The tolerance is relative to the film; for small waves it has to follow their amplitude.
+   pure function step_limits(case, plan, central_film) result(limits)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      real(dp), intent(in) :: central_film      !! smooth H(0,0)
+      type(solve_limits_t) :: limits
+      real(dp) :: amplitude_over_film
+      amplitude_over_film = case%amplitude_over_film
+      if (allocated(plan%waviness%surface)) amplitude_over_film = sqrt(2.0_dp)*plan%waviness%surface%rq/central_film
+      limits = solve_limits_t(tolerance=case%step_tolerance*min(1.0_dp, amplitude_over_film/usual_amplitude), &
+                              largest_steps=case%largest_steps)
+   end function step_limits
+
+   !> Moving pattern: march in time, then measure over the last period.
+   subroutine run_moving(case, plan, multigrid, rescue, monitor, result, keeper)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      type(full_multigrid_t), intent(inout) :: multigrid
+      type(rescue_t), intent(inout) :: rescue
+      class(monitor_t), intent(inout) :: monitor
+      type(case_result_t), intent(inout) :: result
+      class(march_keeper_t), intent(inout), optional :: keeper
+      type(march_t) :: march
+      type(march_result_t) :: history
+      integer :: finest
+
+      finest = size(multigrid%levels)
+      call march%begin(multigrid%levels, march_settings(case, plan, result%central_film), rescue)
+      if (present(keeper)) call keeper%load(march)
+      if (march%result%steps > 0) call march%restore(multigrid%levels(finest))
+      do while (march%result%steps < plan%steps)
+         call march%advance(multigrid, step_limits(case, plan, result%central_film), monitor)
+         if (march%result%status /= status_converged) exit
+         if (present(keeper) .and. modulo(march%result%steps, steps_per_stretch) == 0) call keeper%keep(march)
+         if (monitor%request /= go_on) exit
+      end do
+      history = march%result
+      result%work = result%work + history%work
+      rescue = march%rescue
+      result%status = history%status
+      if (history%status == status_converged .and. history%steps < plan%steps) &
+         call end_early(monitor%request, 'time step '//to_text(history%steps)//' of '//to_text(plan%steps), result)
+      if (result%status == status_interrupted .and. present(keeper)) call keeper%save()
+      result%time_steps = history%steps
+      result%residual = worse(worse(result%residual, history%worst_residual), multigrid%levels(finest)%report%residual)
+      result%load_error = worse(worse(result%load_error, history%worst_load_error), multigrid%levels(finest)%report%load_error)
+      result%nonlinear_steps = result%nonlinear_steps + history%nonlinear_steps
+      result%linear_steps = result%linear_steps + history%linear_steps
+      result%time = history%time(:history%steps)
+      result%film_history = history%central_film(:history%steps)
+      result%approach_history = history%approach(:history%steps)
+      if (result%status /= status_converged) then
+         call keep_history(multigrid%levels(finest)%report, result)
+         if (history%status /= status_converged) result%message = 'time step '//to_text(history%steps + 1)//' of '// &
+            to_text(plan%steps)//' '//status_name(history%status)//', residual '// &
+            to_text(multigrid%levels(finest)%report%residual, 3)//', load error '// &
+            to_text(multigrid%levels(finest)%report%load_error, 3)
+      else if (allocated(plan%waviness%surface)) then
+         result%surface_position = surface_positions(plan%waviness, plan%conditions%a_m, result%time)
+         if (plan%first_sample < history%steps) &
+            result%mean_film = sum(result%film_history(plan%first_sample + 1:))/(history%steps - plan%first_sample + 1)
+      else if (plan%waviness%moves() .and. plan%measures) then
+         result%route = 'rest'
+         call take_last_period(case, plan, history, plan%first_sample, plan%waviness%start, result)
+         result%settling = change_in_a_period(case, plan, history, result%amplitude_ratio_fit*march%settings%amplitude)
+      end if
+   end subroutine run_moving
+
+   !> Relative error of the amplitude in the last period, by what it has changed since the period before; 0 where that one still
+   !> has what came in before the waves. Measured from rest: 0.02 to 0.8 of the change is still to come, most where it is small.
+   real(dp) function change_in_a_period(case, plan, history, amplitude) result(change)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      type(march_result_t), intent(in) :: history
+      real(dp), intent(in) :: amplitude          !! of the film, in the last period
+      integer :: first, last
+
+      change = 0
+      last = plan%first_sample
+      first = last - nint(plan%waviness%period()/plan%dt)
+      if (case%settling_periods < 1 .or. case%end_time > 0 .or. first < 0) return
+      associate (time => history%time(first:last), film => history%central_film(first:last))
+         change = settling_share*abs(abs(fitted_harmonic(time, film, plan%waviness%period()))/amplitude - 1)
+      end associate
+   end function change_in_a_period
+
+   !> Amplitude, phase and mean of the film from step `first` on, a period before the last.
+   subroutine take_last_period(case, plan, history, first, crest, result)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      type(march_result_t), intent(in) :: history
+      integer, intent(in) :: first
+      real(dp), intent(in) :: crest                   !! X where the pattern had one at T = 0
+      type(case_result_t), intent(inout) :: result    !! with the smooth film
+      complex(dp) :: fit
+      real(dp) :: amplitude
+
+      amplitude = case%amplitude_over_film*result%central_film
+      associate (film => history%central_film(first:history%steps), time => history%time(first:history%steps), &
+                 waviness => plan%waviness)
+         result%amplitude_ratio = sampled_amplitude(film)/amplitude
+         fit = fitted_harmonic(time, film, waviness%period())/amplitude
+         result%amplitude_ratio_fit = abs(fit)
+         ! the pattern at the centre is cos(kx (-crest - S T)): the real part of exp(-i (kx crest + w T)) for S > 0
+         fit = fit*exp(cmplx(0, 2*pi*crest/waviness%wavelength_x, dp))
+         result%phase_fit = atan2(aimag(fit), real(fit, dp))
+         result%mean_film = fitted_mean(time(2:), film(2:), waviness%period())
+      end associate
+   end subroutine take_last_period
+
+end module ehlwave_march_case
