@@ -1,9 +1,9 @@
-"""The command behind ``scripts/speed-table``: what the solvers cost, in seconds and work units."""
+"""The command behind ``scripts/speed-table``: what the solvers cost: seconds and work units."""
 
 import argparse
 import math
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
@@ -27,6 +27,7 @@ class Row:
     figure: float
     at_most: float
     aim: float
+    counted: float = float("nan")
     algebraic_error: float = float("nan")
     discretisation_error: float = float("nan")
 
@@ -34,13 +35,18 @@ class Row:
 METHODS: dict[str, dict[str, str]] = {"newton": {}, "fas": {"cycle": "v"}}
 """What is compared, with the keys of ``&solver`` that a march is meant to be used with."""
 
+UNITS = "work_units", "counted_work_units"
+"""A plain convolution of the case's grid: timed beside the case, and its operations."""
 
-def case_groups(cells: int, method: str, waves: bool = False, **solver: object) -> Groups:
+
+def case_groups(
+    cells: int, method: str, waves: Mapping[str, object] | None = None, **solver: object
+) -> Groups:
     """Return an input of ``ehlwave-case``; further keys are those of ``&solver``."""
     usual = {"method": method, "deformation": "fft", "error_estimate": "model"}
     return {
         "conditions": CONTACT,
-        **({"waviness": WAVES} if waves else {}),
+        **({"waviness": waves} if waves else {}),
         "grid": {"cells_x": cells, "cells_y": cells},
         "solver": {**usual, **solver},
     }
@@ -71,23 +77,30 @@ def measure(run: Callable[[Groups], Answer], repeats: int) -> list[Row]:
         steady = fastest(case_groups(256, name))
         exact = run(case_groups(256, name, tolerance=1e-10))
         fine = fastest(case_groups(1024, name))
-        march = fastest(case_groups(256, name, waves=True, **march_keys))
-        tight = run(case_groups(256, name, waves=True, step_tolerance=1e-6))
+        march = fastest(case_groups(256, name, WAVES, **march_keys))
+        tight = run(case_groups(256, name, WAVES, step_tolerance=1e-6))
         film, ratio = "central_film", "amplitude_ratio_fit"
         film_error = abs(number(steady, film) / number(exact, film) - 1)
         ratio_error = abs(number(march, ratio) / number(tight, ratio) - 1)
-        work = number(steady, "work_units")
-        of_step = (number(march, "work_units") - work) / number(march, "time_steps")
+        work = [number(steady, unit) for unit in UNITS]
+        of_steps = [number(march, unit) - before for unit, before in zip(UNITS, work, strict=True)]
+        of_step = [of_all / number(march, "time_steps") for of_all in of_steps]
         growth = number(fine, "seconds") / number(steady, "seconds")
         film_errors = film_error, number(steady, "central_film_error")
         ratio_errors = ratio_error, number(march, "amplitude_ratio_error")
+        step = "one time step, 257 x 257"
         rows += [
-            Row("steady state, 257 x 257", name, "WU", work, 300, 120, *film_errors),
-            Row("one time step, 257 x 257", name, "WU", of_step, 40, 15, *ratio_errors),
+            Row("steady state, 257 x 257", name, "WU", work[0], 300, 120, work[1], *film_errors),
+            Row(step, name, "WU", of_step[0], 40, 15, of_step[1], *ratio_errors),
             Row("whole transient", name, "s", number(march, "seconds"), 20, 6),
             Row("steady state, 1025 x 1025 over 257 x 257", name, "times", growth, 25, 18),
             Row("memory, 1025 x 1025", name, "MiB", number(fine, "peak_memory_mib"), 2048, 1024),
         ]
+        if name == "newton":
+            response = fastest(case_groups(256, name, {**WAVES, "response": "harmonic"}))
+            timed = number(response, "work_units") - work[0]
+            counted = number(response, "harmonic_counted_work_units")
+            rows.append(Row("linear response, 257 x 257", name, "WU", timed, 120, 60, counted))
     return rows
 
 
@@ -106,8 +119,10 @@ def _run(options: argparse.Namespace) -> None:
     write_rows(path, map(asdict, rows), digits=4)
     for row in rows:
         errors = ""
+        if math.isfinite(row.counted):
+            errors = f", counted {row.counted:.3g}"
         if math.isfinite(row.algebraic_error):
-            errors = (
+            errors += (
                 f", algebraic error {row.algebraic_error:.1e} of {row.discretisation_error:.1e}"
             )
         print(

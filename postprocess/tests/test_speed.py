@@ -12,11 +12,14 @@ from studies.programs import Groups
 def answer(groups: Groups) -> speed.Answer:
     """Return costs that tell the runs apart."""
     fine = groups["grid"]["cells_x"] == 1024
-    waves = "waviness" in groups
+    response = "response" in groups.get("waviness", {})
+    waves = "waviness" in groups and not response
     tight = {"tolerance", "step_tolerance"} & groups["solver"].keys()
     return {
         "seconds": 10.0 if fine else 4.0 if waves else 0.5,
-        "work_units": 3000.0 if waves else 100.0,
+        "work_units": 3000.0 if waves else 170.0 if response else 100.0,
+        "counted_work_units": 2990.0 if waves else 90.0,
+        "harmonic_counted_work_units": 60.0 if response else None,
         "time_steps": 290,
         "central_film": 0.1 if tight else 0.1001,
         "central_film_error": 4e-3,
@@ -29,12 +32,15 @@ def answer(groups: Groups) -> speed.Answer:
 def test_figures() -> None:
     """Differences and ratios are taken between the right runs."""
     rows = {(row.method, row.work): row for row in speed.measure(answer, 2)}
-    assert len(rows) == 5 * len(speed.METHODS)
+    assert len(rows) == 5 * len(speed.METHODS) + 1
     step = rows["newton", "one time step, 257 x 257"]
     assert step.figure == pytest.approx(10.0)
+    assert step.counted == pytest.approx(10.0)
     assert step.algebraic_error == pytest.approx(2e-3)
     assert rows["fas", "steady state, 257 x 257"].algebraic_error == pytest.approx(1e-3)
     assert rows["fas", "steady state, 1025 x 1025 over 257 x 257"].figure == pytest.approx(20.0)
+    response = rows["newton", "linear response, 257 x 257"]
+    assert (response.figure, response.counted) == (pytest.approx(70.0), 60.0)
     assert rows["newton", "memory, 1025 x 1025"].figure == pytest.approx(400.0)
 
 
