@@ -154,7 +154,9 @@ contains
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(inout) :: plan
       real(dp) :: samples, step_tolerance
+      logical :: is_newtonian
 
+      is_newtonian = case%flow_law == 'newtonian'
       samples = plan%resolution%samples
       step_tolerance = case%step_tolerance
       if (plan%kind == run_harmonic) then     ! has the frequency of steps dT = hX, and no tolerance of its own
@@ -174,9 +176,9 @@ contains
       plan%expected_work_units = no_value
       plan%work_with_estimates = no_value
       if (plan%conditions%is_line()) return
-      plan%expected_work_units = (1 + 0.5_dp*plan%phases)*steady_work_units(plan%conditions, plan%cells_x) &
+      plan%expected_work_units = (1 + 0.5_dp*plan%phases)*steady_work_units(plan%conditions, plan%cells_x, is_newtonian) &
                                  + merge(periodic_share, 1.0_dp, plan%is_periodic)*plan%steps &
-                                   *step_work_units(plan%conditions, plan%cells_x)
+                                   *step_work_units(plan%conditions, plan%cells_x, is_newtonian)
       if (plan%responds) plan%expected_work_units = plan%expected_work_units + response_work_units
       if (.not. plan%is_half) plan%expected_work_units = 2*plan%expected_work_units
       plan%work_with_estimates = plan%expected_work_units

@@ -64,24 +64,27 @@ contains
    end function new_film_flow
 
    !> One component of Qhat and its derivatives at n places.
-   pure subroutine evaluate(self, component, fluidity, h, gx, gy, flow)
+   pure subroutine evaluate(self, component, fluidity, h, gx, gy, flow, points)
       class(film_flow_t), intent(in) :: self
       integer, intent(in) :: component          !! along_x or along_y
       real(dp), intent(in) :: fluidity(:)       !! eta0/eta, (n)
       real(dp), intent(in) :: h(:)              !! H > 0, (n)
       real(dp), intent(in) :: gx(:), gy(:)      !! dP/dX and kappa dP/dY, (n)
       real(dp), intent(out) :: flow(:, :)       !! (n, flow_values)
+      integer, intent(out), optional :: points  !! across the film at which the oil was asked, in all: the cost
       type(film_stress_t) :: stress
       integer :: first(size(rule_points) + 1), i, j, k, last, m, order(size(h)), start
       real(dp) :: b, by_b, by_sigma(2), scale
 
       call self%choose_rules(h, gx, gy, order, first)
+      if (present(points)) points = 0
       do k = 1, size(rule_points)
          do start = first(k), first(k + 1) - 1, block_size
             last = min(start + block_size, first(k + 1)) - 1
             m = last - start + 1
             call load(self, order(start:last), fluidity, h, gx, gy, stress)
             call stress%solve(self%law, self%rule(k))
+            if (present(points)) points = points + stress%points
             do j = 1, m
                i = order(start + j - 1)
                scale = 3*h(i)**2*fluidity(i)/(self%lambdabar*self%n0)

@@ -16,13 +16,17 @@ module ehlwave_film_stress
 
    integer, parameter, public :: block_size = 64     !! places solved at once
    integer, parameter :: most_steps = 60             ! of Newton; 15 were the most met for |B| to 1e6, |Sigma| to 60
-   real(dp), parameter :: newton_tolerance = 1e-7_dp ! of the last step, which is still made: an error of its square
-   real(dp), parameter :: small_variation = 1.75_dp  ! |Sigma| up to which two points across the film make a first guess
-   real(dp), parameter :: two_points(2) = [-1, 1]/sqrt(3.0_dp), both_equal(2) = 1   ! of Gauss, and their weights
+   real(dp), parameter :: newton_tolerance = 1e-6_dp ! of the last step, which is still made: an error of its square
+   real(dp), parameter :: small_variation = 2.5_dp   ! |Sigma| up to which a few points across the film make a first guess
+   ! Rules of Gauss for that: the positive nodes, and half their weights
+   real(dp), parameter :: node_of_two(1) = 1/sqrt(3.0_dp), half_weight_of_two(1) = 0.5_dp
+   real(dp), parameter :: nodes_of_four(2) = sqrt([3 - sqrt(4.8_dp), 3 + sqrt(4.8_dp)]/7), &
+                          half_weights_of_four(2) = (18 + [1, -1]*sqrt(30.0_dp))/72
 
    !> Places 1..n of a block. Set n, sigma and b, then `solve`. The last index is the component along X or Y.
    type, public :: film_stress_t
       integer :: n = 0
+      integer :: points = 0                          !! across the film at which the oil was asked, over all places and steps
       real(dp) :: sigma(block_size, 2)               !! Sigma, half the change of the stress across the film
       real(dp) :: b(block_size)                      !! B, dimensionless shear rate along X
       real(dp) :: mean(block_size, 2)                !! sigma_m
@@ -46,14 +50,15 @@ contains
       class(flow_law_t), intent(in) :: law
       type(gauss_rule_t), intent(in) :: rule
       type(moments_t) :: moments
-      real(dp) :: change(block_size, 2)
+      real(dp) :: change(block_size, 2), t0(block_size, 3)
       real(dp), dimension(block_size) :: length, range
       integer :: i, step
 
+      self%points = 0
       call start(self, law, rule)
       do step = 1, most_steps
-         call integrate(self, law, rule%node, rule%weight, moments)
-         call newton_step(self, moments, change)
+         call integrate_by(self, law, rule, moments)
+         call newton_step(self, moments, change, t0)
          do i = 1, self%n
             range(i) = 1
             if (law%is_power) range(i) = max(1.0_dp, sqrt(self%mean(i, 1)**2 + self%mean(i, 2)**2))
@@ -64,48 +69,53 @@ contains
             self%mean(i, :) = self%mean(i, :) + min(1.0_dp, range(i)/max(length(i), tiny(length)))*change(i, :)
          end do
       end do
-      call finish(self, moments, change)
+      call finish(self, moments, change, t0)
    end subroutine solve
 
-   !> First sigma_m: that of B alone, then the stress for B over what the rate there is too large by, exact for Ree-Eyring
-   !> without gradient across sliding, and a step of Newton across, where it lies within Sigma. Two points across the film tell
-   !> the rate where Sigma is small: an error of fourth order.
+   !> First sigma_m: that of B alone, then across sliding what leaves no rate there, -a_1 Sigma_y/a_0, and along it the stress for
+   !> B over what the rate is too large by, both as if s kept its shape: exact for Ree-Eyring without gradient across sliding.
+   !> Where Sigma is small fewer points across the film tell the rate: an error of the fourth or eighth order.
    pure subroutine start(self, law, rule)
       type(film_stress_t), intent(inout) :: self
       class(flow_law_t), intent(in) :: law
       type(gauss_rule_t), intent(in) :: rule
       type(moments_t) :: moments
-      real(dp) :: change(block_size, 2), rate(block_size), stress(block_size)
+      real(dp) :: across, found, rate(block_size), stress(block_size)
       integer :: i
 
-      associate (n => self%n, m => self%mean, s => self%sigma, a => moments%a)
+      associate (n => self%n, m => self%mean, s => self%sigma, a => moments%a, e => moments%e)
          m(:n, :) = 0
          if (maxval(abs(self%b(:n))) <= 0) return
          rate(:n) = max(abs(self%b(:n)), tiny(rate))
          call law%first_stress(n, rate, stress)
          m(:n, 1) = sign(stress(:n), self%b(:n))
-         if (rule%n == size(two_points)) return     ! no variation to speak of
-         if (maxval(s(:n, 1)**2 + s(:n, 2)**2) <= small_variation**2) then
-            call integrate(self, law, two_points, both_equal, moments)
+         if (rule%n == 2) return                    ! no variation to speak of
+         if (rule%n == 4) then
+            call integrate(self, law, node_of_two, half_weight_of_two, moments)
+         else if (maxval(s(:n, 1)**2 + s(:n, 2)**2) <= small_variation**2) then
+            call integrate(self, law, nodes_of_four, half_weights_of_four, moments)
          else
-            call integrate(self, law, rule%node, rule%weight, moments)
+            call integrate_by(self, law, rule, moments)
          end if
-         call newton_step(self, moments, change)
          do i = 1, n
-            rate(i) = max(rate(i)*self%b(i)/(a(i, 0)*m(i, 1) + a(i, 1)*s(i, 1)), tiny(rate))
+            across = -s(i, 2)*a(i, 1)/a(i, 0)
+            found = a(i, 0)*m(i, 1) + a(i, 1)*s(i, 1) + 0.5_dp*across**2*(e(i, 0)*m(i, 1) + e(i, 1)*s(i, 1)) &
+                    + across*s(i, 2)*(e(i, 1)*m(i, 1) + e(i, 2)*s(i, 1))
+            m(i, 2) = across
+            rate(i) = max(rate(i)*self%b(i)/found, tiny(rate))
          end do
          call law%first_stress(n, rate, stress)
          m(:n, 1) = sign(stress(:n), self%b(:n))
-         m(:n, 2) = max(-abs(s(:n, 2)), min(abs(s(:n, 2)), change(:n, 2)))
       end associate
    end subroutine start
 
    !> T_0^(-1) (B e_x - rate).
-   pure subroutine newton_step(self, moments, change)
+   pure subroutine newton_step(self, moments, change, t)
       type(film_stress_t), intent(in) :: self
       type(moments_t), intent(in) :: moments
       real(dp), intent(out) :: change(block_size, 2)   !! of sigma_m
-      real(dp) :: inverse, left_x, left_y, t(block_size, 3)
+      real(dp), intent(out) :: t(block_size, 3)        !! T_0
+      real(dp) :: inverse, left_x, left_y
       integer :: i
 
       call dyads(self, moments, 0, t)
@@ -138,15 +148,14 @@ contains
    end subroutine dyads
 
    !> Flow and its derivatives from the moments at the last sigma_m and the last step.
-   pure subroutine finish(self, moments, change)
+   pure subroutine finish(self, moments, change, t0)
       type(film_stress_t), intent(inout) :: self
       type(moments_t), intent(in) :: moments
-      real(dp), intent(in) :: change(block_size, 2)
-      real(dp), dimension(block_size, 3) :: t0, t1, t2
+      real(dp), intent(in) :: change(block_size, 2), t0(block_size, 3)
+      real(dp), dimension(block_size, 3) :: t1, t2
       real(dp) :: inverse, xx, xy, yx, yy
       integer :: i
 
-      call dyads(self, moments, 0, t0)
       call dyads(self, moments, 1, t1)
       call dyads(self, moments, 2, t2)
       associate (m => self%mean, s => self%sigma, a => moments%a)
@@ -170,37 +179,55 @@ contains
       end associate
    end subroutine finish
 
-   !> Moments a_0..a_2 and e_0..e_4 by quadrature.
-   pure subroutine integrate(self, law, node, weight, moments)
-      type(film_stress_t), intent(in) :: self
+   !> Moments by a rule, whose nodes ascend from -1 to 1.
+   pure subroutine integrate_by(self, law, rule, moments)
+      type(film_stress_t), intent(inout) :: self
       class(flow_law_t), intent(in) :: law
-      real(dp), intent(in) :: node(:), weight(:)
+      type(gauss_rule_t), intent(in) :: rule
       type(moments_t), intent(out) :: moments
-      real(dp), dimension(block_size) :: s, slope, stress2
-      real(dp) :: e, w, z
+      call integrate(self, law, rule%node(rule%n/2 + 1:), 0.5_dp*rule%weight(rule%n/2 + 1:), moments)
+   end subroutine integrate_by
+
+   !> Moments a_0..a_2 and e_0..e_4 by quadrature over pairs of points, zeta and -zeta.
+   pure subroutine integrate(self, law, node, half_weight, moments)
+      type(film_stress_t), intent(inout) :: self
+      class(flow_law_t), intent(in) :: law
+      real(dp), intent(in) :: node(:)          !! the positive ones
+      real(dp), intent(in) :: half_weight(:)   !! half the weight of each
+      type(moments_t), intent(out) :: moments
+      real(dp), dimension(2*block_size) :: s, slope, stress2   ! those of zeta, then those of -zeta
+      real(dp) :: by_even, by_odd, even, odd, w, z, z2
       integer :: i, k
 
-      moments%a(:self%n, :) = 0
-      moments%e(:self%n, :) = 0
-      do k = 1, size(node)
-         z = node(k)
-         do i = 1, self%n
-            stress2(i) = (self%mean(i, 1) + z*self%sigma(i, 1))**2 + (self%mean(i, 2) + z*self%sigma(i, 2))**2
+      associate (n => self%n, m => self%mean, sigma => self%sigma, a => moments%a, e => moments%e)
+         self%points = self%points + 2*n*size(node)
+         a(:n, :) = 0
+         e(:n, :) = 0
+         do k = 1, size(node)
+            z = node(k)
+            do i = 1, n
+               stress2(i) = (m(i, 1) + z*sigma(i, 1))**2 + (m(i, 2) + z*sigma(i, 2))**2
+               stress2(n + i) = (m(i, 1) - z*sigma(i, 1))**2 + (m(i, 2) - z*sigma(i, 2))**2
+            end do
+            call law%shear_factor(2*n, stress2, s, slope)
+            w = half_weight(k)
+            z2 = z**2
+            do i = 1, n
+               even = w*(s(i) + s(n + i))
+               odd = (w*z)*(s(i) - s(n + i))
+               by_even = (2*w)*(slope(i) + slope(n + i))
+               by_odd = (2*w*z)*(slope(i) - slope(n + i))
+               a(i, 0) = a(i, 0) + even
+               a(i, 1) = a(i, 1) + odd
+               a(i, 2) = a(i, 2) + z2*even
+               e(i, 0) = e(i, 0) + by_even
+               e(i, 1) = e(i, 1) + by_odd
+               e(i, 2) = e(i, 2) + z2*by_even
+               e(i, 3) = e(i, 3) + z2*by_odd
+               e(i, 4) = e(i, 4) + z2**2*by_even
+            end do
          end do
-         call law%shear_factor(self%n, stress2, s, slope)
-         w = 0.5_dp*weight(k)
-         do i = 1, self%n
-            e = 2*w*slope(i)
-            moments%a(i, 0) = moments%a(i, 0) + w*s(i)
-            moments%a(i, 1) = moments%a(i, 1) + (w*z)*s(i)
-            moments%a(i, 2) = moments%a(i, 2) + (w*z*z)*s(i)
-            moments%e(i, 0) = moments%e(i, 0) + e
-            moments%e(i, 1) = moments%e(i, 1) + z*e
-            moments%e(i, 2) = moments%e(i, 2) + z*z*e
-            moments%e(i, 3) = moments%e(i, 3) + z**3*e
-            moments%e(i, 4) = moments%e(i, 4) + z**4*e
-         end do
-      end do
+      end associate
    end subroutine integrate
 
 end module ehlwave_film_stress

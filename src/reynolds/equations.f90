@@ -8,6 +8,7 @@ module ehlwave_equations
    use ehlwave_kinds, only: dp
    use ehlwave_reynolds, only: mesh_t, new_mesh, reynolds_residual, reynolds_scale
    use ehlwave_state, only: state_t
+   use ehlwave_work_unit, only: evaluation_operations
    implicit none (type, external)
    private
 
@@ -27,6 +28,7 @@ module ehlwave_equations
    contains
       procedure :: init
       procedure :: evaluate
+      procedure :: work
       procedure :: inject_from
       procedure :: set_scale
       procedure :: load_residual
@@ -67,11 +69,17 @@ contains
       call self%edges%compare(self%given, state%p, state%h, self%edge_excess, self%edge_slope)
    end subroutine evaluate
 
+   !> Operations of the last evaluation, see `ehlwave_work_unit`.
+   pure real(dp) function work(self)
+      class(equations_t), intent(in) :: self
+      work = real(evaluation_operations, dp)*size(self%residual) + self%flow%film_work()
+   end function work
+
    !> Coefficients and cavitated nodes of the next finer grid, at the nodes of this one.
    pure subroutine inject_from(self, fine)
       class(equations_t), intent(inout) :: self
       class(equations_t), intent(in) :: fine
-      call self%flow%inject_from(fine%flow, self%mesh%grid, self%mesh%kappa)
+      call self%flow%inject_from(fine%flow, self%mesh%grid)
       self%is_cavitated = fine%is_cavitated(::2, ::self%mesh%grid%row_ratio)
    end subroutine inject_from
 

@@ -9,6 +9,7 @@ module ehlwave_face_flow
       flow_values
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
+   use ehlwave_work_unit, only: place_operations, point_operations
    implicit none (type, external)
    private
    public :: new_face_flow
@@ -24,9 +25,12 @@ module ehlwave_face_flow
       real(dp), allocatable :: own(:, :), cross(:, :)
       real(dp), allocatable :: by_p1(:, :), by_p2(:, :)
       real(dp), allocatable :: by_h1(:, :), by_h2(:, :)
+      real(dp) :: work = 0   !! operations of the last evaluation, see `ehlwave_work_unit`
    contains
       procedure :: evaluate_x
       procedure :: evaluate_y
+      procedure :: join_x
+      procedure :: join_y
       procedure, private :: set_row
    end type face_flow_t
 
@@ -65,6 +69,7 @@ contains
       integer :: j, n
 
       n = grid%nx
+      self%work = 0
       do j = grid%first_row, grid%last_row
          across = kappa*(oil%p(:, grid%above(j)) - oil%p(:, grid%below(j)))/(2*grid%hy)
          gx = (oil%p(1:n, j) - oil%p(0:n - 1, j))/grid%hx
@@ -84,6 +89,7 @@ contains
       integer :: j, n
 
       n = grid%nx - 1
+      self%work = 0
       do j = 0, grid%ny - 1
          below = (oil%p(2:n + 1, j) - oil%p(0:n - 1, j))/(2*grid%hx)
          above = (oil%p(2:n + 1, j + 1) - oil%p(0:n - 1, j + 1))/(2*grid%hx)
@@ -92,6 +98,49 @@ contains
          call self%set_row(film, oil, along_y, [1, j], gx, gy, [grid%hy/kappa, grid%hy/(4*kappa*grid%hx)])
       end do
    end subroutine evaluate_y
+
+   !> Faces along X of the next coarser grid, each two of a finer one: for changes, without the flux itself.
+   pure subroutine join_x(self, fine, row_ratio)
+      class(face_flow_t), intent(inout) :: self
+      type(face_flow_t), intent(in) :: fine
+      integer, intent(in) :: row_ratio           !! of the grid of `self`
+      integer :: i, j
+
+      do j = 0, ubound(self%own, 2)
+         do i = 0, ubound(self%own, 1) - 1
+            call join(self, [i, j], fine, [2*i, row_ratio*j], [2*i + 1, row_ratio*j])
+         end do
+      end do
+   end subroutine join_x
+
+   !> The same along Y.
+   pure subroutine join_y(self, fine)
+      class(face_flow_t), intent(inout) :: self
+      type(face_flow_t), intent(in) :: fine
+      integer :: i, j
+
+      do j = 0, ubound(self%own, 2) - 1
+         do i = 0, ubound(self%own, 1)
+            call join(self, [i, j], fine, [2*i, 2*j], [2*i, 2*j + 1])
+         end do
+      end do
+   end subroutine join_y
+
+   !> A face in place of two in a row, in its own unit, twice as large: by its outer nodes as each has it by its half.
+   pure subroutine join(self, face, fine, first, second)
+      type(face_flow_t), intent(inout) :: self
+      type(face_flow_t), intent(in) :: fine
+      integer, intent(in) :: face(2), first(2), second(2)   !! of `self`; the two of `fine`
+
+      associate (i => face(1), j => face(2), i1 => first(1), j1 => first(2), i2 => second(1), j2 => second(2))
+         self%own(i, j) = 0.5_dp*(fine%own(i1, j1) + fine%own(i2, j2))
+         self%cross(i, j) = 0.5_dp*(fine%cross(i1, j1) + fine%cross(i2, j2))
+         self%by_p1(i, j) = 2*fine%by_p1(i1, j1)
+         self%by_p2(i, j) = 2*fine%by_p2(i2, j2)
+         self%by_h1(i, j) = 2*fine%by_h1(i1, j1)
+         self%by_h2(i, j) = 2*fine%by_h2(i2, j2)
+      end associate
+   end subroutine join
 
    !> Fluxes of a row of faces and their derivatives.
    pure subroutine set_row(self, film, oil, direction, node, gx, gy, weight)
@@ -103,7 +152,7 @@ contains
       real(dp), intent(in) :: gx(:), gy(:)       !! dP/dX and kappa dP/dY, (faces)
       real(dp), intent(in) :: weight(2)          !! half of 2 hX or of 2 hY/kappa; the same of `cross`
       real(dp) :: flow(2*size(gx), flow_values)  ! Qhat at the first nodes, then at those beyond
-      integer :: along, across, f, i, i2, j2, k, l, n
+      integer :: along, across, f, i, i2, j2, k, l, n, points
 
       n = size(gx)
       i2 = node(1) + merge(1, 0, direction == along_x)
@@ -112,7 +161,8 @@ contains
       across = flow_by_gx + flow_by_gy - along
       associate (i1 => node(1), j1 => node(2), rho => oil%rho, drho => oil%drho, dln_eta => oil%dln_eta)
          call film%evaluate(direction, [oil%fluidity(i1:i1 + n - 1, j1), oil%fluidity(i2:i2 + n - 1, j2)], &
-                            [oil%h(i1:i1 + n - 1, j1), oil%h(i2:i2 + n - 1, j2)], [gx, gx], [gy, gy], flow)
+                            [oil%h(i1:i1 + n - 1, j1), oil%h(i2:i2 + n - 1, j2)], [gx, gx], [gy, gy], flow, points)
+         self%work = self%work + real(point_operations, dp)*points + real(place_operations, dp)*2*n
          do k = 1, n
             f = i1 + k - 1
             i = i2 + k - 1

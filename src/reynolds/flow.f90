@@ -19,14 +19,17 @@ module ehlwave_flow
       real(dp), allocatable :: eps_p(:, :)  !! d eps/dP at fixed H
       real(dp), allocatable :: eps_h(:, :)  !! d eps/dH
       type(face_flow_t), allocatable :: along_x, along_y     !! through faces along X and along Y; not of a Newtonian oil
-      type(film_flow_t), allocatable, private :: film        ! the law of flow across the film; not of a Newtonian oil
+      logical, private :: has_faces = .false.                ! whether these are those of the state
    contains
       procedure :: evaluate
       procedure :: evaluate_faces
       procedure :: is_newtonian
       procedure :: mobility
       procedure :: inject_from
+      procedure :: film_work
    end type flow_t
+
+   real(dp), parameter :: slight = 1e-6_dp   !! share of what a gradient drives
 
 contains
 
@@ -40,12 +43,12 @@ contains
       allocate (self%f, self%f_p, self%eps, self%eps_p, self%eps_h, source=zero)
    end function new_flow
 
-   !> Values of the next finer grid, at the nodes of this one, and the fluxes that they drive through its faces.
-   pure subroutine inject_from(self, fine, coarse, kappa)
+   !> Values of the next finer grid, at the nodes of this one, and through its faces: what linear changes need.
+   pure subroutine inject_from(self, fine, coarse)
       class(flow_t), intent(inout) :: self
       type(flow_t), intent(in) :: fine
       type(grid_t), intent(in) :: coarse   !! this grid
-      real(dp), intent(in) :: kappa
+
       call inject(coarse, fine%p, self%p)
       call inject(coarse, fine%f, self%f)
       call inject(coarse, fine%eps, self%eps)
@@ -53,13 +56,11 @@ contains
       call inject(coarse, fine%rho, self%rho)
       call inject(coarse, fine%eps_p, self%eps_p)
       call inject(coarse, fine%eps_h, self%eps_h)
-      if (allocated(self%film)) deallocate (self%film)
-      if (fine%is_newtonian()) return
-      call inject(coarse, fine%h, self%h)
-      call inject(coarse, fine%drho, self%drho)
-      call inject(coarse, fine%fluidity, self%fluidity)
-      call inject(coarse, fine%dln_eta, self%dln_eta)
-      call self%evaluate_faces(fine%film, coarse, kappa)
+      self%has_faces = .not. thins_little(fine)
+      if (.not. self%has_faces) return
+      call make_faces(self, coarse)
+      call self%along_x%join_x(fine%along_x, coarse%row_ratio)
+      if (.not. coarse%is_line) call self%along_y%join_y(fine%along_y)
    end subroutine inject_from
 
    !> Coefficients at pressure p and film h.
@@ -71,7 +72,7 @@ contains
       real(dp), intent(in), contiguous :: h(0:, 0:)   !! H > 0, (0:nx, 0:ny)
       integer :: i, j
 
-      if (allocated(self%film)) deallocate (self%film)
+      self%has_faces = .false.
       self%p = p
       self%h = h
       call rheology%evaluate(size(p), p, self%rho, self%drho, self%fluidity, self%dln_eta)
@@ -93,19 +94,45 @@ contains
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: kappa
 
-      self%film = film
-      if (.not. allocated(self%along_x)) then
-         self%along_x = new_face_flow(grid)
-         self%along_y = self%along_x
-      end if
+      call make_faces(self, grid)
+      self%has_faces = .true.
       call self%along_x%evaluate_x(grid, kappa, film, self%node_oil_t)
       call self%along_y%evaluate_y(grid, kappa, film, self%node_oil_t)
    end subroutine evaluate_faces
 
+   !> Whether stresses thin the oil so little that linear changes are those of a Newtonian one, for a preconditioner: by what a
+   !> pressure gradient along X drives through the faces, eps_1 + eps_2 of a Newtonian oil.
+   pure logical function thins_little(self)
+      class(flow_t), intent(in) :: self
+      integer :: n
+      thins_little = .not. self%has_faces
+      if (thins_little) return
+      n = ubound(self%eps, 1)
+      associate (eps => self%eps, own => self%along_x%own(:n - 1, :))
+         thins_little = all(abs(own - eps(:n - 1, :) - eps(1:, :)) <= slight*own .or. .not. own > 0)   ! 0 on known rows
+      end associate
+   end function thins_little
+
+   !> Work space for faces, where there is none.
+   pure subroutine make_faces(self, grid)
+      type(flow_t), intent(inout) :: self
+      type(grid_t), intent(in) :: grid
+      if (allocated(self%along_x)) return
+      self%along_x = new_face_flow(grid)
+      self%along_y = self%along_x
+   end subroutine make_faces
+
+   !> Operations that the flow across the film took when last evaluated, see `ehlwave_work_unit`; 0 of a Newtonian oil.
+   pure real(dp) function film_work(self)
+      class(flow_t), intent(in) :: self
+      film_work = 0
+      if (self%has_faces) film_work = self%along_x%work + self%along_y%work
+   end function film_work
+
    !> Whether the flow last evaluated is eps times a gradient.
    pure logical function is_newtonian(self)
       class(flow_t), intent(in) :: self
-      is_newtonian = .not. allocated(self%film)
+      is_newtonian = .not. self%has_faces
    end function is_newtonian
 
    !> How easily a pressure gradient along X drives oil at each node: eps, or what stands in its place.

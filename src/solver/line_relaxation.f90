@@ -103,7 +103,8 @@ contains
       integer :: i, image, j, jm, n
 
       associate (grid => problem%grid, change => self%change)
-         problem%deformation%work = problem%deformation%work + relaxation_operations*size(change)
+         problem%deformation%work = problem%deformation%work + relaxation_operations*size(change) &
+                                   + equations%flow%film_work()
          self%before = state
          change = 0
          do j = grid%first_row, grid%last_row

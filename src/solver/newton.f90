@@ -166,8 +166,8 @@ contains
       integer :: i, j
 
       associate (grid => problem%grid, linear => self%linear, level => self%linear%levels(self%linear%finest))
-         call linear%count_evaluation()
          call level%equations%evaluate(problem, state)
+         call linear%count_evaluation()
          call linear%weigh(linear%finest)
          b(0:grid%nx, 0:grid%ny) => self%rhs(:linear%n - 1)
          do j = 0, grid%ny

@@ -17,7 +17,7 @@ module ehlwave_real_linearised_contact
    use ehlwave_real_wedge, only: wedge_t
    use ehlwave_reynolds, only: flow_links, poiseuille_links, reynolds_change
    use ehlwave_transport, only: implicit_part
-   use ehlwave_work_unit, only: evaluation_operations, weights => real_weights
+   use ehlwave_work_unit, only: weights => real_weights
    implicit none (type, external)
    private
    public :: set_wedge

@@ -14,7 +14,6 @@ module ehlwave_mean_film
    use ehlwave_status, only: status_stalled
    use ehlwave_steady_tangent, only: steady_tangent_t, tangent_change_t
    use ehlwave_waviness, only: waviness_t
-   use ehlwave_work_unit, only: evaluation_operations
    implicit none (type, external)
    private
    public :: find_mean_change, has_mean
@@ -94,7 +93,7 @@ contains
             state = tangent%state
             call response%add_to(state, amplitude*exp(cmplx(0, -2*pi*k/phases, dp)))
             call finest%equations%evaluate(level%problem, state)
-            level%problem%deformation%work = level%problem%deformation%work + real(evaluation_operations, dp)*size(r)
+            level%problem%deformation%work = level%problem%deformation%work + finest%equations%work()
             r = r - finest%equations%residual/phases
          end do
          call tangent%stand(level)

@@ -14,7 +14,6 @@ module ehlwave_second_harmonic
    use ehlwave_mean_film, only: probe_over_film
    use ehlwave_state, only: state_t
    use ehlwave_transport, only: characteristic_transport
-   use ehlwave_work_unit, only: evaluation_operations
    implicit none (type, external)
    private
    public :: find_second_harmonic
@@ -82,11 +81,10 @@ contains
             end do
             call equations%given%transport%carry(grid, history)
             call equations%evaluate(problem, state)
+            level%problem%deformation%work = level%problem%deformation%work + equations%work()
             r = r - exp(cmplx(0, 2*phase, dp))*equations%residual*(2/(phases*probe**2))
          end do
          r = merge((0.0_dp, 0.0_dp), r*smooth%row_scale, smooth%equations%is_cavitated)
-         level%problem%deformation%work = level%problem%deformation%work &
-                                          + real(phases*evaluation_operations, dp)*size(r)
       end associate
    end subroutine second_residual
 
