@@ -150,7 +150,7 @@ def compare(folder: Path) -> list[Row]:
         names = ["load_parameter_m", "lubricant_parameter_l", "radius_ratio_d", "slip_parameter"]
         names += ["flow_law", "orientation", "wavelength_x_over_a", "wavelength_y_over_a"]
         names += ["response", "cells_x", "cells_y", "refinements", "status", "message"]
-        names += ["error_estimate", "work_units", "expected_work_units"]
+        names += ["error_estimate", "counted_work_units", "expected_work_units"]
         error = abs(value(found) / value(truth) - 1)
         parts = [name for name in found if name.startswith(("film_error_", "ratio_error_"))]
         row = {name: found[name] for name in [*names, *parts]}
@@ -166,7 +166,7 @@ def report(folder: Path) -> int:
     good = [row for row in judged if row["error"] <= ACCURACY and row["status"] == "converged"]
     silent = [row for row in judged if not row["error"] <= SILENT and row["status"] == "converged"]
     told = [row for row in judged if row["status"] != "converged"]
-    work = [row["work_units"] / row["expected_work_units"] for row in rows]
+    work = [row["counted_work_units"] / row["expected_work_units"] for row in rows]
     planned = sum(0.5 <= one <= 2 for one in work)
     print(f"{len(rows)} contacts, {len(judged)} with a converged finer solution")
     print(f"{len(good)} converged and within {ACCURACY:.0%}; {len(told)} with another status")
