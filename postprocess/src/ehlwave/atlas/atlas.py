@@ -12,7 +12,7 @@ import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
 from ehlwave.atlas.coordinates import Complex, Floats, Shape, contact_coordinates
-from ehlwave.atlas.process import Process, Scales, Scattered, correlation
+from ehlwave.atlas.process import Correlation, Process, Scales, Scattered, correlation
 from ehlwave.atlas.ranges import CONTACT_RANGES
 from ehlwave.errors import RangeError, ResultsError
 
@@ -88,6 +88,7 @@ class Atlas:
             for name, one in json.loads(data.attrs["length_scales"]).items()
         }
         self.points = responses_of(data)
+        self.near = Correlation(self.points.waves, self.scales["film"].waves * NEIGHBOURHOOD)
         self._processes: dict[str, Process] = {}
         films = np.stack([data[name].values for name in FILM_NUMBERS], axis=1)
         self._film_means = films.mean(axis=0)
@@ -183,12 +184,11 @@ class Chart:
         wave, angle = np.broadcast_arrays(
             np.asarray(wavelength_over_a, float), np.asarray(angle_deg, float)
         )
-        numbers = [self._numbers(part, wave, angle) for part in ("film", "pressure")]
+        places = self._shape.wave_coordinates(wave, angle)
+        numbers = [self._numbers(part, places) for part in ("film", "pressure")]
         film, pressure = self._shape.responses(wave, angle, np.concatenate(numbers, axis=-1))
-        points, scales = atlas.points, atlas.scales["film"]
-        places = self._shape.wave_coordinates(wave, angle).reshape(-1, 4)
-        near = correlation(places, points.waves, scales.waves * NEIGHBOURHOOD)
-        near *= self._near[points.of_contact]
+        near = atlas.near(places.reshape(-1, 4))
+        near *= self._near[atlas.points.of_contact]
         squares = near @ atlas._misfit / np.maximum(near.sum(axis=1), 1e-300)
         factor = atlas.data.attrs["error_factor"]
         return Responses(
@@ -205,15 +205,15 @@ class Chart:
         wave, angle = np.broadcast_arrays(
             np.asarray(wavelength_over_a, float), np.asarray(angle_deg, float)
         )
-        return self._numbers("rise", wave, angle)[..., 0]
+        return self._numbers("rise", self._shape.wave_coordinates(wave, angle))[..., 0]
 
-    def _numbers(self, part: str, wave: Floats, angle: Floats) -> Floats:
-        """Return the interpolated numbers of a part for waves, in a last dimension."""
+    def _numbers(self, part: str, places: Floats) -> Floats:
+        """Return the interpolated numbers of a part for coordinates of waves, each in the last."""
         process = self._atlas.process(part)
         if part not in self._weights:
             self._weights[part] = process.at_contact(self._place)
-        places = self._shape.wave_coordinates(wave, angle).reshape(-1, 4)
-        return process.at_waves(self._weights[part], places).reshape(*wave.shape, -1)
+        found = process.at_waves(self._weights[part], places.reshape(-1, 4))
+        return found.reshape(*places.shape[:-1], -1)
 
 
 def contacts_alone(contacts: Floats) -> Scattered:

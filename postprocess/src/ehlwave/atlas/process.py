@@ -23,9 +23,22 @@ def matern(distance: Floats) -> Floats:
 
 def correlation(a: Floats, b: Floats, scales: Floats) -> Floats:
     """Return the correlation of points a, shape (n, k), with points b, (m, k): shape (n, m)."""
-    a, b = a / scales, b / scales
-    squared = (a**2).sum(1)[:, None] + (b**2).sum(1)[None, :] - 2 * a @ b.T
-    return matern(np.sqrt(np.maximum(squared, 0)))
+    return Correlation(b, scales)(a)
+
+
+class Correlation:
+    """Correlation with points that stay, shape (m, k)."""
+
+    def __init__(self, points: Floats, scales: Floats) -> None:
+        """Scale the points once."""
+        self._scales, self._points = scales, points / scales
+        self._squares = (self._points**2).sum(1)[None, :]
+
+    def __call__(self, places: Floats) -> Floats:
+        """Return their correlation with places of shape (n, k): shape (n, m)."""
+        a = places / self._scales
+        squared = (a**2).sum(1)[:, None] + self._squares - 2 * a @ self._points.T
+        return matern(np.sqrt(np.maximum(squared, 0)))
 
 
 @dataclass(frozen=True)
@@ -93,6 +106,7 @@ class Process:
             covariance(points, scales), lower=True, overwrite_a=True, check_finite=False
         )
         self.weights = cho_solve(factor, values, check_finite=False)
+        self._waves = Correlation(points.waves, scales.waves)
 
     def at_contact(self, contact: Floats) -> Floats:
         """Return the weights of all points, (n, outputs), for a contact of coordinates (k,)."""
@@ -101,7 +115,7 @@ class Process:
 
     def at_waves(self, weights: Floats, waves: Floats) -> Floats:
         """Return values for waves, coordinates of shape (m, j), with the weights of a contact."""
-        return correlation(waves, self.points.waves, self.scales.waves) @ weights
+        return np.asarray(self._waves(waves) @ weights)
 
 
 def likelihood(points: Scattered, values: Floats, scales: Scales) -> tuple[float, Floats]:
