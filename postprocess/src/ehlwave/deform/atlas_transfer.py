@@ -19,17 +19,22 @@ Complex = NDArray[np.complex128]
 WAVES, ANGLES = 72, 31
 """Of the chart that is interpolated for maps, over ln wavelength and angle."""
 
+REFINED = 4
+"""Times as fine is the chart made by splines, so that lines between its points do for millions of
+waves: they are off the splines by less than 1e-4."""
+
 SHORT_WAVE_POWER = 1.5
 """Waves below the atlas: 1 - response falls with this power of the wavelength, as it does above."""
 
 
 @dataclass(frozen=True)
-class Lookup:
-    """Interpolation in a chart: functions of ln wavelength and angle, degrees."""
+class Found:
+    """What is known of some waves, arrays of their shape."""
 
-    film: Callable[[Waves, Waves], Complex]
-    error: Callable[[Waves, Waves], Waves]
-    rise: Callable[[Waves, Waves], Waves]
+    ratio: Complex
+    error: Waves
+    rise: Waves
+    is_covered: NDArray[np.bool_]
 
 
 class AtlasTransfer:
@@ -60,7 +65,9 @@ class AtlasTransfer:
         self._conditions = conditions
         self._atlas = atlas or load_atlas()
         self._chart: Chart = self._atlas.at(conditions.atlas_keys())
-        self._lookups: dict[str, Lookup] = {}
+        self._lookups: dict[str, Callable[[Waves, Waves], Waves]] = {}
+        """Film, real and imaginary, its error, and the rise of the mean film."""
+        self._asked: tuple[Waves, Waves] | None = None
 
     @property
     def name(self) -> str:
@@ -80,29 +87,11 @@ class AtlasTransfer:
 
     def ratio(self, per_length_x: Waves, per_length_y: Waves) -> Complex:
         """Return the transfer for waves per metre along x (any sign) and y; 0 for the mean."""
-        wave, angle, shape = self._polar(per_length_x, per_length_y)
-        inside = np.clip(wave, *WAVE_RANGE)
-        value = self._lookup(angle).film(np.log(inside), angle)
-        short = wave < inside
-        value[short] = 1 - (1 - value[short]) * (wave[short] / inside[short]) ** SHORT_WAVE_POWER
-        value *= self._fall(wave, inside, angle)
-        value = value.reshape(shape)
-        value.imag *= np.sign(np.broadcast_to(per_length_x, shape))
-        return value
+        return self._find(per_length_x, per_length_y).ratio.copy()
 
     def error(self, per_length_x: Waves, per_length_y: Waves) -> Waves:
         """Return the error of the transfer, absolute, in units of the amplitude before."""
-        wave, angle, shape = self._polar(per_length_x, per_length_y)
-        inside = np.clip(wave, *WAVE_RANGE)
-        error = self._lookup(angle).error(np.log(inside), angle)
-        continued = wave != inside
-        if np.any(continued):
-            ratio = np.abs(self.ratio(per_length_x, per_length_y).ravel()[continued])
-            error[continued] += np.where(
-                wave[continued] < inside[continued], np.abs(1 - ratio), ratio
-            )
-        error[~np.isfinite(wave)] = 0  # the mean is not deformed
-        return error.reshape(shape)
+        return self._find(per_length_x, per_length_y).error
 
     def rise(self, per_length_x: Waves, per_length_y: Waves) -> Waves | None:
         """Return what waves add to the mean film, to second order; None: the atlas has no rises.
@@ -110,17 +99,44 @@ class AtlasTransfer:
         Shorter waves than the atlas' add as much as its shortest; longer ones less, as the square
         of their response.
         """
-        if not self._atlas.has_rises:
-            return None
-        wave, angle, shape = self._polar(per_length_x, per_length_y)
-        inside = np.clip(wave, *WAVE_RANGE)
-        value = self._lookup(angle).rise(np.log(inside), angle)
-        return np.asarray(value * self._fall(wave, inside, angle) ** 2).reshape(shape)
+        return self._find(per_length_x, per_length_y).rise if self._atlas.has_rises else None
 
     def is_covered(self, per_length_x: Waves, per_length_y: Waves) -> NDArray[np.bool_]:
         """Return whether a wave lies within the wavelengths of the atlas."""
-        wave, _, shape = self._polar(per_length_x, per_length_y)
-        return ((wave >= WAVE_RANGE[0]) & (wave <= WAVE_RANGE[1])).reshape(shape)
+        return self._find(per_length_x, per_length_y).is_covered
+
+    def _find(self, per_length_x: Waves, per_length_y: Waves) -> Found:
+        """Return everything at once; what was found for the last arrays is still known."""
+        asked = per_length_x, per_length_y
+        if not (self._asked and all(a is b for a, b in zip(asked, self._asked, strict=True))):
+            self._found = self._evaluate(*asked)
+            self._asked = asked
+        return self._found
+
+    def _evaluate(self, per_length_x: Waves, per_length_y: Waves) -> Found:
+        wave, angle, shape = self._polar(per_length_x, per_length_y)
+        inside = np.clip(wave, *WAVE_RANGE)
+        real, imaginary, error, rise = self._lookup(angle)(np.log(inside), angle)
+        fall = self._fall(wave, inside, angle)
+        ratio = np.empty(wave.shape, complex)
+        short = wave < inside
+        kept = np.ones(wave.shape)
+        kept[short] = (wave[short] / inside[short]) ** SHORT_WAVE_POWER
+        ratio.real = fall * (1 - (1 - real) * kept)
+        ratio.imag = fall * imaginary * kept
+        error = np.maximum(error, 0)
+        error[short] += np.abs(1 - ratio[short])
+        long = wave > inside
+        error[long] += np.abs(ratio[long])
+        error[~np.isfinite(wave)] = 0  # the mean is not deformed
+        ratio = ratio.reshape(shape)
+        ratio.imag *= np.sign(np.broadcast_to(per_length_x, shape))
+        return Found(
+            ratio,
+            error.reshape(shape),
+            (rise * fall**2).reshape(shape),
+            ((wave >= WAVE_RANGE[0]) & (wave <= WAVE_RANGE[1])).reshape(shape),
+        )
 
     def _polar(
         self, per_length_x: Waves, per_length_y: Waves
@@ -152,8 +168,8 @@ class AtlasTransfer:
             fall[long] = np.where(np.isfinite(wave[long]), at / end, 0)
         return fall
 
-    def _lookup(self, angle: Waves) -> Lookup:
-        """Return interpolation in a chart over ln wavelength and angle, or along one angle."""
+    def _lookup(self, angle: Waves) -> Callable[[Waves, Waves], Waves]:
+        """Return the parts of the chart over ln wavelength and angle, or along one angle."""
         one = float(angle[-1]) if np.all(angle == angle[-1]) else None
         key = "map" if one is None else f"{one:g}"
         if key not in self._lookups:
@@ -164,17 +180,37 @@ class AtlasTransfer:
             parts = [found.film.real, found.film.imag, found.error]
             parts.append(np.zeros(found.error.shape) if rise is None else rise)
             if one is None:
-                splines = [RectBivariateSpline(logs, angles, part) for part in parts]
-                evaluated = [lambda log, angle, s=s: s.ev(log, angle) for s in splines]
+                self._lookups[key] = _between(logs, angles, parts)
             else:
-                evaluated = [lambda log, angle, p=p[:, 0]: np.interp(log, logs, p) for p in parts]
-            real, imaginary, error, rises = evaluated
-            self._lookups[key] = Lookup(
-                lambda log, angle: real(log, angle) + 1j * imaginary(log, angle),
-                lambda log, angle: np.maximum(error(log, angle), 0),
-                rises,
-            )
+                self._lookups[key] = lambda log, _: np.stack(
+                    [np.interp(log, logs, part[:, 0]) for part in parts]
+                )
         return self._lookups[key]
+
+
+def _between(logs: Waves, angles: Waves, parts: list[Waves]) -> Callable[[Waves, Waves], Waves]:
+    """Return interpolation in tables over ln wavelength (rows) and angle, both evenly spaced."""
+    rows, columns = (np.linspace(a[0], a[-1], REFINED * (a.size - 1) + 1) for a in (logs, angles))
+    tables = [RectBivariateSpline(logs, angles, part)(rows, columns) for part in parts]
+    corners = np.stack(tables, axis=-1).reshape(-1, len(parts))
+
+    def interpolate(log: Waves, angle: Waves) -> Waves:
+        u, v = (log - rows[0]) / (rows[1] - rows[0]), angle / (columns[1] - columns[0])
+        i = np.clip(u.astype(np.intp), 0, rows.size - 2)
+        j = np.clip(v.astype(np.intp), 0, columns.size - 2)
+        first = i * columns.size + j
+        found = [corners.take(first + k, axis=0) for k in (0, 1, columns.size, columns.size + 1)]
+        u, v = (u - i)[:, None], (v - j)[:, None]
+        for low, high in (found[:2], found[2:]):
+            high -= low
+            high *= v
+            low += high
+        found[2] -= found[0]
+        found[2] *= u
+        found[0] += found[2]
+        return np.asarray(found[0].T)
+
+    return interpolate
 
 
 def with_atlas_film(conditions: Conditions, atlas: Atlas | None = None) -> Conditions:

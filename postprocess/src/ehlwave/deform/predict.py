@@ -171,7 +171,7 @@ def _filtered(
     spectra = {"x": empty_spectrum(qx), "y": empty_spectrum(qy)}
     cover = Coverage(conditions, transfer)
     mean_square, rise = 0.0, 0.0
-    rows = max(1, 2**18 // spectrum.shape[1])
+    rows = max(1, 2**16 // spectrum.shape[1])
     for first in range(0, spectrum.shape[0], rows):
         block = slice(first, min(first + rows, spectrum.shape[0]))
         part = spectrum[block]
