@@ -100,6 +100,14 @@ class Sliding(TestCase):
             self.check_close(fas[key], newton[key], 1e-7, key)
         report(f"rolling, 0.7 MPa: {rolling['nonlinear_steps']} Newton steps; FAS, S = 1.5, 50 MPa: {fas['nonlinear_steps']} cycles")
 
+    def test_film_that_spreads(self):
+        """Nodes beside a flooded edge join the film in the last steps: their new equation is no step that went wrong."""
+        found = solve(m=73.16, l=4.43, d=0.0475, grid={"cells_x": 192, "cells_y": 128, "edges": "flooded"},
+                      conditions={"reduced_modulus_pa": 2.26e11, "slip_parameter": 0.18},
+                      lubricant={"flow_law": "eyring", "eyring_stress_pa": 5e6})
+        self.assertEqual(found["rung"], "direct")
+        self.assertLess(found["nonlinear_steps"], 10)
+
     def test_line_loads(self):
         """A line contact by its load per length is that of its M and L."""
         lubricant = {"flow_law": "eyring", "eyring_stress_pa": 5e6}
