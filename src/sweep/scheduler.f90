@@ -1,7 +1,8 @@
 !> Dynamic distribution of cases over MPI ranks: the longest expected first, cases of one steady state together.
 !>
 !> Rank 0 schedules and computes: it answers messages between the steps of its own cases. Every other rank
-!> keeps one case in reserve, so that nobody waits for rank 0. One rank runs the same code without messages.
+!> keeps one case in reserve, so that nobody waits for rank 0, and has its first before rank 0 takes one. One rank runs the same code
+!> without messages.
 module ehlwave_scheduler
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t
@@ -39,6 +40,7 @@ module ehlwave_scheduler
       integer, private :: running = 0         ! cases given to other ranks and not back yet
       integer, private :: asking = 0          ! requests of other ranks that are still to be answered by no_case
       logical, allocatable, private :: has_stopped(:)   ! (ranks - 1) `stop` was sent
+      integer, allocatable, private :: put_off(:)       ! (ranks - 1) requests that arrived before all ranks had a case
    contains
       procedure :: exchange => serve_waiting
       procedure(count_case), deferred :: count_case
@@ -77,22 +79,58 @@ contains
       leader%comm = comm
       leader%asking = in_reserve*(ranks - 1)
       allocate (leader%has_stopped(ranks - 1), source=.false.)
+      allocate (leader%put_off(ranks - 1), source=0)
+      call give_first(leader)
       do
          call leader%look_at_clock()
          call leader%exchange()
          if (leader%is_stopping .or. leader%queue%is_empty()) exit
          call leader%queue%take(0, case)
+         call answer_put_off(leader)
          call work_on_case(run, leader%sweep%cases(case), leader%sweep%plans(case), &
                            effective_input(leader%sweep%cases(case)), leader, shared, outcome)
          outcome%case = case
          call take_outcome(leader, outcome)
       end do
+      call answer_put_off(leader)
       do while (leader%running > 0 .or. leader%asking > 0)
          call serve_one(leader)
          call look_around(leader)
       end do
       call stop_others(leader)
    end subroutine run_sweep
+
+   !> Wait for the first request of every other rank, and answer it: the first step of a case of rank 0 can take long.
+   subroutine give_first(self)
+      class(leader_t), intent(inout) :: self
+      logical :: has_one(size(self%put_off)), is_request
+      integer :: rank
+
+      has_one = .false.
+      do while (.not. all(has_one))
+         call next_message(self%comm, rank, is_request)
+         if (.not. is_request) then
+            call take_back(self, rank)
+         else if (has_one(rank)) then
+            self%put_off(rank) = self%put_off(rank) + 1
+         else
+            call answer(self, rank)
+            has_one(rank) = .true.
+         end if
+      end do
+   end subroutine give_first
+
+   !> Answer requests for a reserve that came before.
+   subroutine answer_put_off(self)
+      class(leader_t), intent(inout) :: self
+      integer :: rank
+      do rank = 1, size(self%put_off)
+         do while (self%put_off(rank) > 0)
+            self%put_off(rank) = self%put_off(rank) - 1
+            call answer(self, rank)
+         end do
+      end do
+   end subroutine answer_put_off
 
    !> Answer all messages that have arrived; pass on that all are to stop.
    subroutine serve_waiting(self)
@@ -125,16 +163,34 @@ contains
    !> Receive one message: a request for a case, or the outcome of one.
    subroutine serve_one(self)
       class(leader_t), intent(inout) :: self
-      type(outcome_t) :: outcome
-      integer :: case, rank
+      integer :: rank
       logical :: is_request
 
       call next_message(self%comm, rank, is_request)
-      if (.not. is_request) then
-         call receive_outcome(self%comm, rank, outcome)
-         self%running = self%running - 1
-         call take_outcome(self, outcome)
-      else if (self%is_stopping .or. self%queue%is_empty()) then
+      if (is_request) then
+         call answer(self, rank)
+      else
+         call take_back(self, rank)
+      end if
+   end subroutine serve_one
+
+   !> Receive the outcome of a case.
+   subroutine take_back(self, rank)
+      class(leader_t), intent(inout) :: self
+      integer, intent(in) :: rank
+      type(outcome_t) :: outcome
+      call receive_outcome(self%comm, rank, outcome)
+      self%running = self%running - 1
+      call take_outcome(self, outcome)
+   end subroutine take_back
+
+   !> Give a rank that asks a case, if there is one.
+   subroutine answer(self, rank)
+      class(leader_t), intent(inout) :: self
+      integer, intent(in) :: rank
+      integer :: case
+
+      if (self%is_stopping .or. self%queue%is_empty()) then
          self%asking = self%asking - 1
          call send_case(self%comm, rank, no_case)
       else
@@ -142,7 +198,7 @@ contains
          self%running = self%running + 1
          call send_case(self%comm, rank, case, self%sweep%cases(case))
       end if
-   end subroutine serve_one
+   end subroutine answer
 
    !> A case is finished, or could not be: then all stop.
    subroutine take_outcome(self, outcome)
