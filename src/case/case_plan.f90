@@ -166,7 +166,8 @@ contains
       plan%expected%domain = plan%domain_error
       plan%expected%mesh = expected_film_error(plan%conditions, plan%hx)
       if (plan%waviness%is_present .and. .not. allocated(plan%waviness%surface)) then
-         plan%expected%mesh = expected_ratio_error(plan%conditions, formula_ratio(case, plan%conditions), plan%hx, &
+         plan%expected%mesh = expected_ratio_error(plan%conditions, &
+                                                   formula_ratio(case, plan%conditions, plan%waviness%moves()), plan%hx, &
                                                    plan%resolution%points_y, 1, samples, 0.0_dp)
          if (samples > 0) plan%expected%time = expected_long_step_error(plan%cells_per_step, samples)
          if (samples > 0) plan%expected%algebraic = expected_step_error(step_tolerance)

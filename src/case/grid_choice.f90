@@ -15,6 +15,7 @@ module ehlwave_grid_choice
 
    integer, parameter :: sizes(15) = [64, 96, 128, 192, 256, 384, 512, 768, 1024, 1536, 2048, 3072, 4096, 6144, 8192]
    ! Shares of the accuracy: mesh in X, waves along Y.
+   real(dp), parameter :: slip_without_formula = 0.5_dp   !! |S - 1| from which the formula for pure rolling tells nothing
    real(dp), parameter :: share_of_mesh = 0.75_dp, share_of_waves = 0.2_dp
 
 contains
@@ -62,7 +63,8 @@ contains
          if (case%accuracy > 0) then
             mesh = largest_mesh(conditions, case%accuracy)
             if (waviness%is_present .and. .not. allocated(waviness%surface)) &
-               mesh = largest_mesh(conditions, share_of_mesh*case%accuracy, formula_ratio(case, conditions), waviness%moves())
+               mesh = largest_mesh(conditions, share_of_mesh*case%accuracy, &
+                                   formula_ratio(case, conditions, waviness%moves()), waviness%moves())
             if (length/mesh > wanted) then
                wanted = length/mesh
                why_x = 'for an accuracy of '//to_text(case%accuracy, 3)
@@ -105,12 +107,14 @@ contains
       end do
    end function smallest_size
 
-   !> Ad/Ai by theory eq. (18).
-   pure real(dp) function formula_ratio(case, conditions)
+   !> Ad/Ai by theory eq. (18), for the error model: less of it counts under slip, where the inlet launches a wave of its own.
+   pure real(dp) function formula_ratio(case, conditions, moves)
       type(case_t), intent(in) :: case
       type(conditions_t), intent(in) :: conditions
+      logical, intent(in) :: moves      !! whether the pattern does
       formula_ratio = amplitude_formula(anisotropy_factor(case%wavelength_x_over_a, case%wavelength_y_over_a) &
                                         *wave_parameter_v(conditions, case%wavelength_over_a))
+      if (moves) formula_ratio = formula_ratio*max(0.0_dp, 1 - abs(case%slip_parameter - 1)/slip_without_formula)
    end function formula_ratio
 
 end module ehlwave_grid_choice
