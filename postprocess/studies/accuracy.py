@@ -131,7 +131,7 @@ def finer(found: Row) -> Row:
 def write_finer(folder: Path) -> Path:
     """Write the sweep that the contacts as asked for are compared with."""
     rows = [finer(found) for found in sweeps.read_sweep(folder, ASKED)]
-    return sweeps.write_sweep(folder, FINER, rows, {**COMMON, "solver": {"tolerance": 1e-8}})
+    return sweeps.write_sweep(folder, FINER, rows, {**COMMON, "solver": {"tolerance": 1e-7}})
 
 
 def value(row: Row) -> float:
