@@ -17,8 +17,9 @@ def answer(groups: Groups) -> speed.Answer:
     tight = {"tolerance", "step_tolerance"} & groups["solver"].keys()
     return {
         "seconds": 10.0 if fine else 4.0 if waves else 0.5,
-        "work_units": 3000.0 if waves else 170.0 if response else 100.0,
+        "work_units": 3000.0 if waves else 100.0,
         "counted_work_units": 2990.0 if waves else 90.0,
+        "harmonic_work_units": 70.0 if response else None,
         "harmonic_counted_work_units": 60.0 if response else None,
         "time_steps": 290,
         "central_film": 0.1 if tight else 0.1001,
