@@ -46,7 +46,10 @@ _RESULTS = (
 
 
 def write_table(path: Path, rows: Sequence[Row]) -> None:
-    """Write one line per case: its inputs, its outcome, its effort and what is wrong with it."""
+    """Write one line per case: its inputs, its outcome, its effort and what is wrong with it.
+
+    Of messages what stands before the advice.
+    """
     lines = (
         {
             "family": row.case.family,
@@ -55,7 +58,7 @@ def write_table(path: Path, rows: Sequence[Row]) -> None:
             "outcome": row.outcome,
             **{name: row.result.get(name, "") for name in _RESULTS},
             "seconds": row.seconds,
-            "message": row.message,
+            "message": row.message.split(": ")[0],
             "faults": "; ".join(row.faults),
         }
         for row in rows
