@@ -76,7 +76,6 @@ contains
       type(solve_limits_t), intent(in) :: limits
       type(solve_report_t), intent(out) :: report
       type(state_t) :: before
-      logical, allocatable :: cavitated(:, :)      ! in the state before
       real(dp) :: best, forcing, worth, worth_before, step
       integer :: k, last_gain
 
@@ -94,8 +93,8 @@ contains
             end if
             if (allocated(problem%film_flow)) then
                if (k > 0) then
-                  call go_back(self, problem, before, cavitated, best, state, worth)
-                  if (any(cavitated .neqv. equations%is_cavitated)) best = max(best, worth)
+                  call go_back(self, problem, before, best, state, worth)
+                  if (any(self%cavitated_before .neqv. equations%is_cavitated)) best = max(best, worth)
                end if
                if (worth < progress*best) last_gain = k
                best = min(best, worth)
@@ -108,10 +107,7 @@ contains
             if (k > 0) forcing = next_forcing(self, forcing, worth/worth_before)
             forcing = min(self%loosest, max(forcing, last_step_share*limits%tolerance/report%weighed))
             worth_before = worth
-            if (allocated(problem%film_flow)) then
-               before = state
-               cavitated = equations%is_cavitated
-            end if
+            if (allocated(problem%film_flow)) before = state
             call linear_solve(self, forcing, report)
             step = 1
             if (alternates(self, k)) step = 0.5_dp
@@ -197,19 +193,17 @@ contains
    !> Go half of the way back to the state before, again and again, while the right side is much larger than the smallest so far.
    !> The flow of oils that are not Newtonian can grow exponentially with the pressure gradient: a step that makes the steep end
    !> steeper would be paid back by one factor e a step (line contact, M = 300, L = 12, tau0 = 0.5 MPa: from 0.2 to 1e7 in one step).
-   subroutine go_back(self, problem, before, cavitated, best, state, worth)
+   subroutine go_back(self, problem, before, best, state, worth)
       class(newton_t), intent(inout) :: self
       type(contact_problem_t), intent(in) :: problem
       type(state_t), intent(in) :: before
-      logical, intent(in) :: cavitated(0:, 0:)   !! there
       real(dp), intent(in) :: best               !! smallest norm of the right side so far
       type(state_t), intent(inout) :: state
       real(dp), intent(inout) :: worth           !! norm of the right side here
       integer :: n
 
       do n = 1, most_halvings
-         if (worth <= much_worse*best) return
-         if (worth_of_same(self, cavitated) <= much_worse*best) return
+         if (worth_of_same(self) <= much_worse*best) return
          state%p = 0.5_dp*(before%p + state%p)
          state%h = 0.5_dp*(before%h + state%h)
          state%delta = 0.5_dp*(before%delta + state%delta)
@@ -218,11 +212,10 @@ contains
    end subroutine go_back
 
    !> Norm of the right side without the nodes that are cavitated and were not, or were and are not: their equation is another.
-   real(dp) function worth_of_same(self, cavitated) result(worth)
+   real(dp) function worth_of_same(self) result(worth)
       class(newton_t), intent(in) :: self
-      logical, intent(in) :: cavitated(0:, 0:)   !! before
-      associate (now => self%linear%levels(self%linear%finest)%equations%is_cavitated, b => self%rhs(:self%linear%n - 1))
-         worth = sqrt(sum(b**2, mask=.not. pack(cavitated .neqv. now, .true.)) + self%rhs(self%linear%n)**2)
+      associate (now => self%linear%levels(self%linear%finest)%equations%is_cavitated, n => self%linear%n)
+         worth = sqrt(sum(self%rhs(:n - 1)**2, mask=[self%cavitated_before .eqv. now]) + self%rhs(n)**2)
       end associate
    end function worth_of_same
 
