@@ -2,7 +2,8 @@
 !>
 !> A request is answered by a case (number 0: there is none), every case by its outcome, and rank 0 sends exactly one
 !> `stop` to each of the others. A case travels as its effective input, so only rank 0 reads the sweep file; results do not
-!> travel: every rank puts its own into the store.
+!> travel: every rank puts its own into the store. Rank 0 does not wait until a case is received: whoever it is for may be in the
+!> middle of a long step.
 module ehlwave_messages
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_file, only: case_from_text
@@ -12,15 +13,32 @@ module ehlwave_messages
    use ehlwave_errors, only: error_t, raise
    use ehlwave_text, only: to_text
    use mpi_f08, only: mpi_any_source, mpi_any_tag, mpi_byte, mpi_character, mpi_comm, mpi_get_count, mpi_iprobe, &
-      mpi_probe, mpi_recv, mpi_send, mpi_status, mpi_status_ignore
+      mpi_isend, mpi_probe, mpi_recv, mpi_request, mpi_request_null, mpi_send, mpi_status, mpi_status_ignore, mpi_wait
    implicit none (type, external)
    private
-   public :: is_waiting, next_message, receive_case, receive_outcome, receive_word, send_case, send_outcome, send_word
+   public :: is_waiting, next_message, receive_case, receive_outcome, receive_word, send_outcome, send_word
 
    integer, parameter, public :: no_case = 0
    integer, parameter, public :: ask = 1, stop_work = 2   !! words: messages without anything in them
    integer, parameter :: tag_case = 3, tag_outcome = 4
    integer, parameter :: number_digits = 12   !! of the number of a case, before its input; then T: keep fields
+
+   type :: letter_t
+      character(len=:), allocatable :: text
+      type(mpi_request) :: request = mpi_request_null
+   end type letter_t
+
+   !> Rank 0: answers on their way, which stay where they are until they are received. A rank that has at most n unanswered
+   !> requests has received its last answer but n when it asks again, so that n places are enough for each.
+   type, public :: outbox_t
+      type(mpi_comm), private :: comm
+      type(letter_t), allocatable, private :: letters(:, :)   ! (n, ranks - 1)
+      integer, allocatable, private :: place(:)               ! (ranks - 1) of the last answer
+   contains
+      procedure :: init => outbox_init
+      procedure :: send_case
+      procedure :: wait => wait_for_all
+   end type outbox_t
 
 contains
 
@@ -60,19 +78,42 @@ contains
       call mpi_recv(nothing, 0, mpi_character, rank, word, comm, mpi_status_ignore)
    end subroutine receive_word
 
-   !> Answer a request.
-   subroutine send_case(comm, rank, number, case)
+   subroutine outbox_init(self, comm, ranks, unanswered)
+      class(outbox_t), intent(out) :: self
       type(mpi_comm), intent(in) :: comm
+      integer, intent(in) :: ranks        !! besides rank 0
+      integer, intent(in) :: unanswered   !! requests that a rank has at most
+      self%comm = comm
+      allocate (self%letters(unanswered, ranks))
+      allocate (self%place(ranks), source=0)
+   end subroutine outbox_init
+
+   !> Answer a request. Returns at once.
+   subroutine send_case(self, rank, number, case)
+      class(outbox_t), intent(inout), target :: self
       integer, intent(in) :: rank, number
       type(case_t), intent(in), optional :: case   !! absent: there is none
-      character(len=number_digits) :: digits
-      character(len=:), allocatable :: text
+      type(letter_t), pointer :: letter
 
-      write (digits, '(i12)') number
-      text = digits
-      if (present(case)) text = digits//merge('T', 'F', case%fields)//effective_input(case)
-      call mpi_send(text, len(text), mpi_character, rank, tag_case, comm)
+      self%place(rank) = modulo(self%place(rank), size(self%letters, 1)) + 1
+      letter => self%letters(self%place(rank), rank)
+      call mpi_wait(letter%request, mpi_status_ignore)
+      letter%text = repeat(' ', number_digits)
+      write (letter%text, '(i12)') number
+      if (present(case)) letter%text = letter%text//merge('T', 'F', case%fields)//effective_input(case)
+      call mpi_isend(letter%text, len(letter%text), mpi_character, rank, tag_case, self%comm, letter%request)
    end subroutine send_case
+
+   !> Wait until all answers are received.
+   subroutine wait_for_all(self)
+      class(outbox_t), intent(inout) :: self
+      integer :: i, rank
+      do rank = 1, size(self%letters, 2)
+         do i = 1, size(self%letters, 1)
+            call mpi_wait(self%letters(i, rank)%request, mpi_status_ignore)
+         end do
+      end do
+   end subroutine wait_for_all
 
    !> Receive a case and plan it as rank 0 did. Fails when it does not come out the same.
    subroutine receive_case(comm, number, case, plan, input, error)

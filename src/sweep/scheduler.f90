@@ -10,8 +10,8 @@ module ehlwave_scheduler
    use ehlwave_case_text, only: effective_input
    use ehlwave_case_work, only: case_procedure, case_watch_t, work_on_case
    use ehlwave_errors, only: error_t
-   use ehlwave_messages, only: ask, is_waiting, next_message, no_case, receive_case, receive_outcome, receive_word, send_case, &
-      send_outcome, send_word, stop_work
+   use ehlwave_messages, only: ask, is_waiting, next_message, no_case, outbox_t, receive_case, receive_outcome, &
+      receive_word, send_outcome, send_word, stop_work
    use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_status, only: status_interrupted, status_pending
    use ehlwave_sweep_cases, only: sweep_t
@@ -37,6 +37,7 @@ module ehlwave_scheduler
       logical :: is_store_broken = .false.    !! a rank could not store a case
       type(sweep_t), pointer :: sweep => null()
       type(mpi_comm), private :: comm
+      type(outbox_t), private :: outbox
       integer, private :: running = 0         ! cases given to other ranks and not back yet
       integer, private :: asking = 0          ! requests of other ranks that are still to be answered by no_case
       logical, allocatable, private :: has_stopped(:)   ! (ranks - 1) `stop` was sent
@@ -77,6 +78,7 @@ contains
 
       call mpi_comm_size(comm, ranks)
       leader%comm = comm
+      call leader%outbox%init(comm, ranks - 1, in_reserve)
       leader%asking = in_reserve*(ranks - 1)
       allocate (leader%has_stopped(ranks - 1), source=.false.)
       allocate (leader%put_off(ranks - 1), source=0)
@@ -98,6 +100,7 @@ contains
          call look_around(leader)
       end do
       call stop_others(leader)
+      call leader%outbox%wait()
    end subroutine run_sweep
 
    !> Wait for the first request of every other rank, and answer it: the first step of a case of rank 0 can take long.
@@ -192,11 +195,11 @@ contains
 
       if (self%is_stopping .or. self%queue%is_empty()) then
          self%asking = self%asking - 1
-         call send_case(self%comm, rank, no_case)
+         call self%outbox%send_case(rank, no_case)
       else
          call self%queue%take(rank, case)
          self%running = self%running + 1
-         call send_case(self%comm, rank, case, self%sweep%cases(case))
+         call self%outbox%send_case(rank, case, self%sweep%cases(case))
       end if
    end subroutine answer
 
