@@ -1,4 +1,5 @@
-!> Reads files that a fuzzer has made: for each line "KIND PATH" of standard input one line of output.
+!> Reads files that a fuzzer has made: for each line "KIND PATH" of standard input, or once for these two arguments, one line
+!> of output.
 !>
 !>     case     a case file, completed and planned
 !>     sweep    a sweep file, with all its cases
@@ -25,6 +26,10 @@ program fuzz_target
    integer :: blank, io
 
    call ieee_set_halting_mode(ieee_usual, .false.)   ! inputs hold infinities and NaN, which debug builds are to refuse, too
+   if (command_argument_count() == 2) then
+      call visit(argument(1), argument(2))
+      stop
+   end if
    do
       read (input_unit, '(a)', iostat=io) line
       if (io /= 0) exit
@@ -33,6 +38,15 @@ program fuzz_target
    end do
 
 contains
+
+   function argument(number) result(text)
+      integer, intent(in) :: number
+      character(len=:), allocatable :: text
+      integer :: length
+      call get_command_argument(number, length=length)
+      allocate (character(len=length) :: text)
+      call get_command_argument(number, text)
+   end function argument
 
    subroutine visit(kind, path)
       character(len=*), intent(in) :: kind, path

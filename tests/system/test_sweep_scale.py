@@ -8,11 +8,11 @@ import unittest
 from pathlib import Path
 
 from ehlwave_program import MPI_ENVIRONMENT, mpi_command, report, run
+from growth import LARGEST_GROWTH_KIB, growth, resident
 from hdf5_reading import read
 
 CASES = 3000
 MANY_CASES = int(os.environ.get("EHLWAVE_MANY_CASES", "8000"))
-LARGEST_GROWTH_KIB = 1024
 LARGEST_CASE = 2048   # bytes in store and results file, without fields
 
 
@@ -58,12 +58,10 @@ class SweepScale(unittest.TestCase):
                 except (OSError, IndexError, StopIteration):   # it has not begun, or has ended
                     pass
             self.assertEqual(process.returncode, 0)
-            late = [sample for sample in samples if sample[0] > 0.1*samples[-1][0]]
-            self.assertGreater(len(late), 5)
-            growth = max(kib for _, kib, _ in late) - late[0][1]
-            report(f"{MANY_CASES} cases: {late[0][1]} KiB resident after 10 %, at most {growth} KiB more later, {late[-1][2]} files open")
-            self.assertLess(growth, LARGEST_GROWTH_KIB)
-            self.assertLessEqual(late[-1][2], late[0][2])
+            memory, files, more_memory, more_files = growth(samples)
+            report(f"{MANY_CASES} cases: {memory} KiB and {files} files open after 10 %, at most {more_memory} KiB more later")
+            self.assertLess(more_memory, LARGEST_GROWTH_KIB)
+            self.assertLessEqual(more_files, 0)
 
     def command(self, cases, seconds, ranks):
         return [*mpi_command(ranks),
@@ -74,12 +72,6 @@ class SweepScale(unittest.TestCase):
                                  capture_output=True, text=True, check=False)
         self.assertEqual(outcome.returncode, 0, outcome.stdout + outcome.stderr)
         return outcome
-
-
-def resident(pid):
-    """Resident memory of a process, KiB, and the number of its open files."""
-    lines = Path(f"/proc/{pid}/status").read_text().splitlines()
-    return int(next(line for line in lines if line.startswith("VmRSS:")).split()[1]), len(list(Path(f"/proc/{pid}/fd").iterdir()))
 
 
 if __name__ == "__main__":
