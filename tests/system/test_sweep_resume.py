@@ -23,8 +23,8 @@ LONG = {"sweep": {"load_parameter_m": 100, "lubricant_parameter_l": 12.05, "radi
 # 88 time steps, half of which need the rescue ladder
 RESCUED = {"sweep": {**LONG["sweep"], "wavelength_over_a": 1}, "waviness": {"amplitude_over_film": 0.9}, "grid": LONG["grid"],
            "solver": {"tolerance": 1e-4, "step_tolerance": 1e-5, "largest_steps": 4}}
-# 288 time steps, long enough to be killed in
-SLOW = {**LONG, "grid": {"cells_x": 256, "cells_y": 128}}
+# 216 time steps, long enough to be killed in
+SLOW = {**LONG, "grid": {"cells_x": 192, "cells_y": 96}}
 UNFINISHED = 85
 
 
@@ -186,7 +186,7 @@ class SweepResume(unittest.TestCase):
 
     def test_responses_of_a_stopped_sweep_are_those_of_a_whole_one(self):
         """The rest of a group finds its steady state again, on whichever rank."""
-        groups = {**QUICK, "waviness": {"response": "harmonic"}, "grid": {"cells_x": 128, "cells_y": 128}}
+        groups = {**QUICK, "waviness": {"response": "harmonic"}, "grid": {"cells_x": 96, "cells_y": 96}}
         groups["sweep"] = {**QUICK["sweep"], "wavelength_over_a": [0.75, 1, 1.5, 2]}
         self.sweep(groups, "--output", "whole.h5")
         process = self.start()
@@ -238,7 +238,7 @@ class SweepResume(unittest.TestCase):
 
     def test_case_that_kills_its_rank_twice_is_set_aside(self):
         rows = ["load_parameter_m,lubricant_parameter_l,radius_ratio_d,orientation,wavelength_over_a,cells_x,cells_y",
-                "100,12.05,1,transverse,0.5,128,128", "100,12.05,1,longitudinal,1,32,32"]
+                "100,12.05,1,transverse,0.5,64,64", "100,12.05,1,longitudinal,1,32,32"]
         (self.folder/"cases.csv").write_text("\n".join(rows) + "\n")
         groups = {"sweep": {"case_file": "cases.csv"}}
         (self.folder/"sweep.nml").write_text(namelist(groups))

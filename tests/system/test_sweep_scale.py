@@ -11,8 +11,8 @@ from ehlwave_program import MPI_ENVIRONMENT, mpi_command, report, run
 from growth import LARGEST_GROWTH_KIB, growth, resident
 from hdf5_reading import read
 
-CASES = 3000
-MANY_CASES = int(os.environ.get("EHLWAVE_MANY_CASES", "8000"))
+CASES = 2000
+MANY_CASES = int(os.environ.get("EHLWAVE_MANY_CASES", "5000"))
 LARGEST_CASE = 2048   # bytes in store and results file, without fields
 
 
