@@ -6,6 +6,7 @@
 #include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <setjmp.h>
 #include <signal.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -332,4 +333,32 @@ void ehlwave_library_text(const char *name, char *text, long size)
 #ifdef __GLIBC__
    if (!*name) snprintf(text, (size_t)size, "glibc %s", gnu_get_libc_version());
 #endif
+}
+
+static sigjmp_buf before_work;
+
+static void give_up_work(int signal)
+{
+   siglongjmp(before_work, signal);
+}
+
+/* Do work that may break down in a library: 0, or the signal that ended it. What the library holds is lost then. Not for several
+   threads at once. */
+int ehlwave_guarded(void (*work)(void))
+{
+   static const int signals[] = {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL};
+   enum { COUNT = sizeof signals/sizeof signals[0] };
+   static char space[65536];   /* a stack that has overflowed cannot hold the handler */
+   stack_t own = {.ss_sp = space, .ss_size = sizeof space}, old_stack;
+   struct sigaction action = {.sa_handler = give_up_work, .sa_flags = SA_ONSTACK}, old[COUNT];
+   volatile int ended_by;
+
+   sigemptyset(&action.sa_mask);
+   sigaltstack(&own, &old_stack);
+   for (int i = 0; i < COUNT; i++) sigaction(signals[i], &action, &old[i]);
+   ended_by = sigsetjmp(before_work, 1);
+   if (!ended_by) work();
+   for (int i = 0; i < COUNT; i++) sigaction(signals[i], &old[i], NULL);
+   sigaltstack(&old_stack, NULL);
+   return ended_by;
 }

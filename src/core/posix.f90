@@ -7,7 +7,7 @@ module ehlwave_posix
    implicit none (type, external)
    private
    public :: append_text, catch_signals, checksum, clear_temporaries, close_file, create_file, end_program, file_kind, &
-      find_character, find_procedure, ignore_broken_pipes, is_locked, library_text, list_folder, lock_file, &
+      find_character, find_procedure, guarded, ignore_broken_pipes, is_locked, library_text, list_folder, lock_file, &
       make_folder, open_file, process_id, read_bytes, reason_text, remove_file, replace_file, set_note, signal_caught, &
       sync_file, try_file, watchdog
 
@@ -108,6 +108,12 @@ module ehlwave_posix
          implicit none (type, external)
          integer(c_int), value :: status
       end subroutine end_program
+      !> Do work of a library that may break down on what it is given: 0, or the signal that ended it; what it holds is lost then.
+      integer(c_int) function guarded(work) bind(c, name='ehlwave_guarded')
+         import :: c_funptr, c_int
+         implicit none (type, external)
+         type(c_funptr), value :: work     !! of a procedure without arguments
+      end function guarded
       !> From now on it is an error of writing, and not the end of the process, that nobody reads its output any more.
       subroutine ignore_broken_pipes() bind(c, name='ehlwave_ignore_broken_pipes')
          implicit none (type, external)

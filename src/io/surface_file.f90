@@ -1,9 +1,9 @@
 !> Surfaces written by `ehlwave surface`: HDF5 with heights over x and y in metres.
 module ehlwave_surface_file
-   use, intrinsic :: iso_c_binding, only: c_long
+   use, intrinsic :: iso_c_binding, only: c_funloc, c_long
    use ehlwave_errors, only: error_t, raise
    use ehlwave_kinds, only: dp
-   use ehlwave_posix, only: close_file, open_file, reason_text
+   use ehlwave_posix, only: close_file, guarded, open_file, reason_text
    use ehlwave_text, only: to_text
    use h5lt, only: h5ltget_dataset_info_f, h5ltget_dataset_ndims_f, h5ltread_dataset_double_f
    use hdf5, only: h5close_f, h5dclose_f, h5dget_storage_size_f, h5dopen_f, h5eset_auto_f, h5f_acc_rdonly_f, h5fclose_f, &
@@ -13,6 +13,15 @@ module ehlwave_surface_file
    public :: read_surface_file
 
    real(dp), parameter :: most_points = 5e7_dp   !! of height: 400 MB
+
+   !> What is being read, at module level for work that is guarded.
+   type :: reading_t
+      character(len=:), allocatable :: path
+      real(dp), allocatable :: flat(:), x(:), y(:)
+      integer(hsize_t), allocatable :: extent(:), extent_x(:), extent_y(:)
+      type(error_t), allocatable :: error
+   end type reading_t
+   type(reading_t) :: reading
 
 contains
 
@@ -25,9 +34,6 @@ contains
       real(dp), allocatable, intent(out) :: height(:, :)
       real(dp), intent(out) :: step_x, step_y
       type(error_t), allocatable, intent(inout) :: error
-      real(dp), allocatable :: x(:), y(:), flat(:)
-      integer(hsize_t), allocatable :: extent(:), extent_x(:), extent_y(:)
-      integer(hid_t) :: file
       integer(c_long) :: bytes
       integer :: status, unit
 
@@ -39,31 +45,47 @@ contains
          return
       end if
       status = close_file(unit)
-      call h5open_f(status)
-      call h5eset_auto_f(0, status)
-      call h5fopen_f(path, h5f_acc_rdonly_f, file, status)
-      if (status < 0) then
-         call raise(error, '&surface file = '''//path//''': is not an HDF5 file; ehlwave surface writes one')
+      reading = reading_t(path=path)
+      if (guarded(c_funloc(read_datasets)) /= 0) then
+         call raise(error, '&surface file = '''//path//''': the HDF5 library breaks down on it: the file is damaged')
+      else if (allocated(reading%error)) then
+         call move_alloc(reading%error, error)
       else
-         call read_numbers(path, file, 'height', flat, extent, error)
-         call read_numbers(path, file, 'x', x, extent_x, error)
-         call read_numbers(path, file, 'y', y, extent_y, error)
-         call h5fclose_f(file, status)
-         if (allocated(error)) then
-            continue
-         else if (size(extent) /= 2 .or. size(extent_x) /= 1 .or. size(extent_y) /= 1) then
-            call raise(error, '&surface file = '''//path//''': needs height over (y, x), and x and y, in metres; '// &
-                       'ehlwave surface writes them')
-         else if (any(extent /= [extent_x, extent_y])) then
-            call raise(error, '&surface file = '''//path//''': x and y do not have the numbers of points of height')
-         end if
+         height = reshape(reading%flat, [size(reading%x), size(reading%y)])
+         call uniform_step(path, 'x', reading%x, step_x, error)
+         if (size(reading%y) > 1) call uniform_step(path, 'y', reading%y, step_y, error)
       end if
-      call h5close_f(status)
-      if (allocated(error)) return
-      height = reshape(flat, [size(x), size(y)])
-      call uniform_step(path, 'x', x, step_x, error)
-      if (size(y) > 1) call uniform_step(path, 'y', y, step_y, error)
+      reading = reading_t()
    end subroutine read_surface_file
+
+   !> Read height, x and y. The library does not survive every file that is damaged or meant to harm.
+   subroutine read_datasets() bind(c)
+      integer(hid_t) :: file
+      integer :: status
+
+      associate (path => reading%path)
+         call h5open_f(status)
+         call h5eset_auto_f(0, status)
+         call h5fopen_f(path, h5f_acc_rdonly_f, file, status)
+         if (status < 0) then
+            call raise(reading%error, '&surface file = '''//path//''': is not an HDF5 file; ehlwave surface writes one')
+         else
+            call read_numbers(path, file, 'height', reading%flat, reading%extent, reading%error)
+            call read_numbers(path, file, 'x', reading%x, reading%extent_x, reading%error)
+            call read_numbers(path, file, 'y', reading%y, reading%extent_y, reading%error)
+            call h5fclose_f(file, status)
+            if (allocated(reading%error)) then
+               continue
+            else if (size(reading%extent) /= 2 .or. size(reading%extent_x) /= 1 .or. size(reading%extent_y) /= 1) then
+               call raise(reading%error, '&surface file = '''//path//''': needs height over (y, x), and x and y, in metres; '// &
+                          'ehlwave surface writes them')
+            else if (any(reading%extent /= [reading%extent_x, reading%extent_y])) then
+               call raise(reading%error, '&surface file = '''//path//''': x and y do not have the numbers of points of height')
+            end if
+         end if
+         call h5close_f(status)
+      end associate
+   end subroutine read_datasets
 
    !> Numbers of a dataset in Fortran order; extent has no element when there is no such dataset. Fails, before it asks for
    !> memory, on more numbers than a surface may have and on some that the file claims and does not hold.

@@ -1,7 +1,9 @@
 """Inputs that are long, large, damaged or meant to harm: refused in a line, in linear time, in little memory."""
 
+import base64
 import tempfile
 import unittest
+import zlib
 from pathlib import Path
 
 from attack import REFUSED, attack
@@ -11,6 +13,18 @@ MOES = "&conditions load_parameter_m = 100, lubricant_parameter_l = 12.05, radiu
 GRID = {"cells_x": 32, "cells_y": 32}
 DIMENSIONAL = {"radius_x_m": 12.52e-3, "radius_y_m": 12.52e-3, "reduced_modulus_pa": 1.17e11, "load_n": 39.2,
                "mean_speed_m_per_s": 0.024, "viscosity_pa_s": 1.22}
+
+# Surfaces of 2 kB, deflated, in which a fuzzer changed some bytes: HDF5 1.10 ends the process that reads the numbers of the first
+# (its stack is smashed) or opens the second (SIGSEGV).
+BROKEN = [base64.b64decode(text) for text in (
+    "eNrr9HBx4+WS4mIAAQ4OBhYGAQZk8B8K4jhQ+TD5BCjNCKU7oPQKJpg4I1hOAiouCDUfXV1IkKsrSPV/NACzx4AFQkswjIKRCDxcHQNAdASUrwClTzChqs"
+    "tIzUzPKGFgqIDyK9HSpwWJ9jIysEL0MsL4GhCaCSLADFXHikM/MzC9g1QKAPMPxKnvoeo5wOJMTBCDOKApm5mRAZrT5NBMahgU8RDs5+/CCPQVBywemPGr"
+    "h5UmFaz41cHydQfbyEjPmOkKEgKMjIwo6YkVno4kwEoFFeyhYe/AYMLNYPKfmYFAepKDRpUGmgs6hlR4MMPDgdLwcOPAXpN0MIxMwAgulxhxsJDBB3soww"
+    "FCcUBpAQc0hXBxAMnxOxQ=",
+    "eNrr9HBx4+WS4mIAAQ4OBhYGAQZk8B8K4jhQ+TD5BCjNCKU7oPQKJpg4I1hOAiouCDefEW4WupkGLAzYxMBAgmEUjAjwHpXr4eoYAKIjoHwFKH2CCVVdRm"
+    "pmekYJA0MFlF+Jlj4tSHQGIwMrRC8jjK8BoZkgAsxQdaxQGpMvANYqAMw/EKcKQOU5wOJMTBCDOKApm5mRAZrT5NBc0jAooiXYz9+FEegrDlg8MONXD8vt"
+    "Faz41cHydQfbyEjemOkKEgKMjIwo6QeRjiTASgUV7KFh78Bgws1g8p+ZgUB6koNGlQaaCzqGVHjAkhnzUkrDw40De03SMfQSkTx1Qp4JGuzYWMjggz2U4Q"
+    "ChOKC0gAOaQrg4AOfGQrk=")]
 
 
 class HostileInput(unittest.TestCase):
@@ -93,6 +107,9 @@ class HostileInput(unittest.TestCase):
         whole = (self.folder/"s.h5").read_bytes()
         self.write("s.h5", whole[:len(whole)//2])
         self.judge("half a file", "s.h5", "case", "case.nml", "--plan")
+        for number, data in enumerate(BROKEN):
+            self.write("s.h5", zlib.decompress(data))
+            self.judge(f"what the library breaks down on, {number}", "is damaged", "case", "case.nml", "--plan")
 
 
 if __name__ == "__main__":
