@@ -99,6 +99,11 @@ class Packaging(unittest.TestCase):
         instance.spec = types.SimpleNamespace(satisfies=lambda _: False)
         self.assertEqual(instance.cmake_args(), ["-DEHLWAVE_MPI=mpi", "-DEHLWAVE_PETSC=petsc", "-DEHLWAVE_NATIVE=native",
                                                  "-DEHLWAVE_TESTS=False"])
+        # Spack names a folder by its whole path, the installation by that below its prefix.
+        instance.spec.satisfies = lambda _: True
+        instance.prefix = "/opt/ehlwave"
+        recipe.cmake_args.__globals__["python_purelib"] = "/opt/ehlwave/lib/python3.12/site-packages"
+        self.assertEqual(instance.cmake_args()[-1], "-DEHLWAVE_INSTALL_PYTHONDIR=lib/python3.12/site-packages")
 
     def test_the_container(self):
         text = (PACKAGING/"container").read_text().replace("\\\n", " ")

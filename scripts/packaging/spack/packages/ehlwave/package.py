@@ -2,6 +2,8 @@
 #     spack repo add EHLWAVE/scripts/packaging/spack
 #     spack dev-build --source-path EHLWAVE ehlwave@0.1.0          or, of a variant:  ehlwave@0.1.0 +petsc
 # dev-build takes the source from a checkout or an unpacked release; where releases have an address, give it as `url`.
+import os
+
 from spack.package import *
 
 
@@ -53,7 +55,7 @@ class Ehlwave(CMakePackage, PythonExtension):
             self.define("EHLWAVE_TESTS", self.run_tests),
         ]
         if self.spec.satisfies("+python"):
-            args.append(self.define("EHLWAVE_INSTALL_PYTHONDIR", python_purelib))
+            args.append(self.define("EHLWAVE_INSTALL_PYTHONDIR", os.path.relpath(python_purelib, self.prefix)))
         return args
 
     @run_after("install")
