@@ -1,7 +1,7 @@
 """Whether a process that works on many cases grows.   python3 growth.py [--responses N] [--marches N] [--folder DIR]
 
-Linear responses, then marches, on small grids and at conditions of their own, in one process each: resident memory and open
-files while the last 90 % of the cases are computed, against what they were at 10 %.
+Linear responses, then marches, on small grids and at conditions of their own, by two ranks: resident memory and open files of the
+second while the last 90 % of its cases are computed, against what they were at 10 %. The first also holds the table and the results.
 """
 
 import argparse
@@ -12,6 +12,8 @@ import sys
 import tempfile
 import time
 from pathlib import Path
+
+from studies.programs import MPI_ENVIRONMENT, mpi_command
 
 LARGEST_GROWTH_KIB = 1024
 INPUT = """&sweep case_file = 'cases.csv', unresolved = 'run', output = 'results.h5' /
@@ -28,28 +30,35 @@ def resident(pid):
     return int(next(line for line in lines if line.startswith("VmRSS:")).split()[1]), len(list(Path(f"/proc/{pid}/fd").iterdir()))
 
 
+def process_of(log):
+    """Number of the process that writes a log."""
+    return int(log.read_bytes()[:4096].split(b"]],[")[1].split(b",")[4])
+
+
 def growth(samples):
     """Of samples (size of log, KiB, files) after 10 % of the log: KiB and files at first, and by how much they grow."""
     late = [sample for sample in samples if 0.1*samples[-1][0] < sample[0]]
     assert len(late) > 5, "too few samples"
-    return late[0][1], late[0][2], max(one[1] for one in late) - late[0][1], max(one[2] for one in late) - late[0][2]
+    last = late[len(late)//2:]   # files that are open for a moment do not stay so
+    return late[0][1], late[0][2], max(one[1] for one in late) - late[0][1], min(one[2] for one in last) - late[0][2]
 
 
 def watch(response, cases, folder):
-    """Run a sweep of random cases in one process; samples while it computes."""
+    """Run a sweep of random cases on two ranks; samples of the second while it computes."""
     chance = random.Random(cases)
     rows = [f"{chance.uniform(10, 100)},{chance.uniform(2, 8)},{chance.choice(['transverse', 'isotropic', 'longitudinal'])},"
             f"{chance.uniform(1, 3)}" for _ in range(cases)]
     Path(folder, "cases.csv").write_text("\n".join(["load_parameter_m,lubricant_parameter_l,orientation,wavelength_over_a", *rows]))
     Path(folder, "sweep.nml").write_text(INPUT.format(response=response))
-    log, samples = Path(folder, "results.store", "records", "000001-000000.log"), []
+    log, samples = Path(folder, "results.store", "records", "000001-000001.log"), []
     with Path(folder, "run.log").open("w") as file:
-        process = subprocess.Popen([os.environ["EHLWAVE_SWEEP"], "sweep.nml"], cwd=folder, stdout=file, stderr=file)
+        process = subprocess.Popen([*mpi_command(2), os.environ["EHLWAVE_SWEEP"], "sweep.nml"], cwd=folder, stdout=file, stderr=file,
+                                   env={**os.environ, **MPI_ENVIRONMENT})
         while process.poll() is None:
-            time.sleep(0.2)
+            time.sleep(0.05)
             try:
-                samples.append((log.stat().st_size, *resident(process.pid)))
-            except (OSError, StopIteration):   # it has not begun, or has ended
+                samples.append((log.stat().st_size, *resident(process_of(log))))
+            except (OSError, IndexError, StopIteration):   # it has not begun, or has ended
                 pass
     if process.returncode not in (0, 1):
         raise SystemExit(Path(folder, "run.log").read_text()[-2000:])

@@ -8,7 +8,7 @@ import unittest
 from pathlib import Path
 
 from ehlwave_program import MPI_ENVIRONMENT, mpi_command, report, run
-from growth import LARGEST_GROWTH_KIB, growth, resident
+from growth import LARGEST_GROWTH_KIB, growth, process_of, resident
 from hdf5_reading import read
 
 CASES = 2000
@@ -53,8 +53,7 @@ class SweepScale(unittest.TestCase):
             while process.poll() is None:
                 time.sleep(0.05)
                 try:
-                    pid = int(log.read_bytes()[:4096].split(b"]],[")[1].split(b",")[4])
-                    samples.append((log.stat().st_size, *resident(pid)))
+                    samples.append((log.stat().st_size, *resident(process_of(log))))
                 except (OSError, IndexError, StopIteration):   # it has not begun, or has ended
                     pass
             self.assertEqual(process.returncode, 0)
