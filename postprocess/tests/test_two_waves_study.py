@@ -46,9 +46,9 @@ def synthetic(count: int) -> tuple[Rolling, Pairs]:
     attenuated = random.uniform(0, 1, size) * np.exp(1j * random.uniform(-1, 1, size))
     mismatch = random.uniform(-4, 4, size) + 1j * random.uniform(0, 1, size)
     none = np.zeros(size)
-    pairs = Pairs(table, none.astype(complex), rolled, attenuated, mismatch, none)
-    film = PACKAGED.film(pairs)
-    return Rolling(table, rolled, none), Pairs(table, film, rolled, attenuated, mismatch, none)
+    waves = rolled, attenuated, mismatch, 0.3 * mismatch
+    film = PACKAGED.film(Pairs(table, none.astype(complex), *waves, none))
+    return Rolling(table, rolled, none), Pairs(table, film, *waves, none)
 
 
 def test_each_wave_rolls_and_slides() -> None:

@@ -1,14 +1,13 @@
 """The one call: a contact, its film, its responses to waves, surfaces inside it."""
 
 import math
-from dataclasses import dataclass
-from functools import cached_property
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from ehlwave.atlas.atlas import Atlas, Chart, load_atlas
+from ehlwave.atlas.atlas import Atlas, Chart, atlas_for, load_atlas
 from ehlwave.atlas.coordinates import wave_components
-from ehlwave.atlas.ranges import WAVE_RANGE
+from ehlwave.atlas.ranges import SLIDING_RANGES, WAVE_RANGE
 from ehlwave.deform.atlas_transfer import AtlasTransfer, with_atlas_film
 from ehlwave.deform.conditions import Conditions, conditions_from_keys, moes_film
 from ehlwave.deform.predict import Cutoffs, Deformed, deform_surface
@@ -20,10 +19,10 @@ from ehlwave.deform.transfer import FormulaTransfer, RecommendedTransfer, Transf
 from ehlwave.errors import RangeError, SurfaceError
 from ehlwave.two_waves import two_waves
 
-SLIPS = (0.5, 1.5)
+SLIPS = SLIDING_RANGES["slip_parameter"]
 """Slip parameters that :meth:`Contact.response` answers for."""
 
-SLIP_ERRORS = {"Ree-Eyring": 0.11, "Newtonian": 0.165, "Carreau": 0.18}
+SLIP_ERRORS = {"Ree-Eyring": 0.11, "Newtonian": 0.17, "Carreau": 0.18}
 """Of the law of the two waves, units of Ai, by oil: twice the rms error in conditions held out of
 its fit (``record/two_waves/errors.csv``). No Carreau oil is in the fit: twice the rms error of 33
 waves at 12 conditions (G 1 to 30 MPa, n 0.3 to 0.8)."""
@@ -42,7 +41,10 @@ class Film:
     central_error, minimum_error : float
         Relative: 95 % of films computed anew lie within.
     friction : float or None
-        Friction coefficient; None: the oil has no law for it (newtonian, or pure rolling).
+        Friction coefficient, isothermal, without waves; None: not known (pure rolling, or an oil
+        that is not Ree-Eyring's).
+    friction_error : float or None
+        Relative, as those of films.
     source : str
         What it was taken from.
     """
@@ -54,6 +56,7 @@ class Film:
     central_error: float
     minimum_error: float
     friction: float | None
+    friction_error: float | None
     source: str
 
 
@@ -95,7 +98,7 @@ class Contact:
         ``radius_ratio_d``, then with ``semi_axis_a_m`` (Hertz semi-axis along rolling) and
         ``radius_x_m`` where metres are asked for;
         ``pressure_viscosity_per_pa`` (2.2e-8) and ``roelands_index`` (0.68) of the oil;
-        ``slip_parameter`` (1) of the rough surface.
+        ``slip_parameter`` (1) of the rough surface; of a Ree-Eyring oil ``eyring_stress_pa``.
 
     Raises
     ------
@@ -113,6 +116,9 @@ class Contact:
         """Check the keys and find M, L and D."""
         self.conditions: Conditions = conditions_from_keys(keys, "Contact", needs_lengths=False)
         self._atlas = None if atlas is None else Path(atlas)
+        self._charts: dict[float, Chart] = {}
+        stress = keys.get("eyring_stress_pa")
+        self._eyring_stress_pa = None if stress is None else float(stress)
 
     def __repr__(self) -> str:
         """Return M, L, D and S."""
@@ -121,12 +127,18 @@ class Contact:
 
     def atlas(self) -> Atlas:
         """Return the atlas that answers are from."""
-        return load_atlas() if self._atlas is None else load_atlas(self._atlas)
+        return self._atlas_for(self.conditions)
 
-    @cached_property
-    def _chart(self) -> Chart:
-        """The responses of the contact."""
-        return self.atlas().at(self.conditions.atlas_keys())
+    def _atlas_for(self, conditions: Conditions) -> Atlas:
+        return atlas_for(conditions, None if self._atlas is None else load_atlas(self._atlas))
+
+    def _chart(self, slip: float | None = None) -> Chart:
+        """Return the responses of the contact, with another slip parameter where one is given."""
+        own = self.conditions.slip_parameter if slip is None else slip
+        if own not in self._charts:
+            conditions = replace(self.conditions, slip_parameter=own)
+            self._charts[own] = self._atlas_for(conditions).at(conditions.atlas_keys())
+        return self._charts[own]
 
     def film(self) -> Film:
         """Return central and smallest film of the smooth contact, from the atlas.
@@ -137,7 +149,11 @@ class Contact:
             A ValueError: the contact lies outside the atlas.
         """
         c, atlas = self.conditions, self.atlas()
-        film = self._chart.film(moes_film(c.m, c.l, c.d))
+        film = self._chart().film(moes_film(c.m, c.l, c.d))
+        friction = None
+        if film.stress is not None and self._eyring_stress_pa is not None:
+            hertz_pa = c.alphabar / c.oil.pressure_viscosity_per_pa
+            friction = 1.5 * film.stress * self._eyring_stress_pa / hertz_pa
         scale = c.metres_per_moes
         return Film(
             central_m=None if scale is None else film.central_moes * scale,
@@ -146,7 +162,8 @@ class Contact:
             minimum_moes=film.minimum_moes,
             central_error=film.central_error,
             minimum_error=film.minimum_error,
-            friction=None,
+            friction=friction,
+            friction_error=None if friction is None else film.stress_error,
             source=atlas.name,
         )
 
@@ -162,12 +179,11 @@ class Contact:
         angle_deg : float
             Between wave vector and rolling direction, in metres: 0 transverse, 90 longitudinal.
         slip_parameter : float
-            S of the surface that carries the waves, 0.5 to 1.5. Other than 1 it is not in the
-            atlas: the law of the two waves answers, for a Ree-Eyring oil where
-            ``eyring_stress_pa`` was given, for a Carreau oil where ``carreau_modulus_pa`` and
-            ``carreau_exponent`` were, else for a Newtonian one, with an error to match and
-            without pressure (NaN).
-            Longitudinal waves stand still whatever the slip.
+            S of the surface that carries the waves, 0.5 to 1.5. Other than 1 the atlas has it for a
+            Ree-Eyring oil, of ``eyring_stress_pa``; outside that, for a Carreau oil, where
+            ``carreau_modulus_pa`` and ``carreau_exponent`` were given, and for a Newtonian one the
+            law of the two waves answers, with an error to match and without pressure (NaN), of
+            longitudinal waves, which stand still, the atlas of pure rolling.
 
         Raises
         ------
@@ -185,13 +201,20 @@ class Contact:
             raise RangeError(
                 f"angle_deg = {angle_deg:.5g} lies outside 0 to 90 (waves at -angle are the same)"
             )
-        if slip_parameter != 1 and angle_deg < 90:
+        conditions = replace(self.conditions, slip_parameter=slip_parameter)
+        if slip_parameter != 1 and not conditions.has_sliding_atlas:
+            if angle_deg < 90:
+                return self._response_under_slip(wavelength_over_a, angle_deg, slip_parameter)
+            slip_parameter = 1.0
+        try:
+            chart = self._chart(slip_parameter)
+        except RangeError:
+            if not conditions.has_sliding_atlas or angle_deg == 90:
+                raise
             return self._response_under_slip(wavelength_over_a, angle_deg, slip_parameter)
-        atlas = self.atlas()
-        found = self._chart.responses(wavelength_over_a, angle_deg)
-        return Response(
-            complex(found.film), complex(found.pressure), float(found.error), atlas.name
-        )
+        found = chart.responses(wavelength_over_a, angle_deg)
+        name = self._atlas_for(conditions).name
+        return Response(complex(found.film), complex(found.pressure), float(found.error), name)
 
     def _response_under_slip(self, wave: float, angle_deg: float, slip: float) -> Response:
         """Return the response by the law of the two waves, with the film of the atlas."""
@@ -201,7 +224,8 @@ class Contact:
                 f"slip_parameter = {slip:g} lies outside {low:g} to {high:g}, where the law of the "
                 "two waves is known to hold"
             )
-        conditions = with_atlas_film(self.conditions, self.atlas())
+        rolling = replace(self.conditions, slip_parameter=1.0)
+        conditions = with_atlas_film(rolling, self._atlas_for(rolling))
         components = wave_components(wave, angle_deg)
         film = two_waves(conditions, slip, *components).at(0.0)
         oil = conditions.oil.name
@@ -215,14 +239,15 @@ class Contact:
     def transfer(self, by: str = "atlas") -> Transfer:
         """Return what judges components: ``"atlas"``, or a law: ``"recommended"``, ``"paper"``.
 
-        Under slip that of the two waves stands for the atlas.
+        Under slip that of the two waves stands for the atlas where the oil is not Ree-Eyring's.
 
         Raises
         ------
         RangeError
             A ValueError: the contact lies outside the atlas.
         """
-        if by == "atlas" and self.conditions.slip_parameter == 1:
+        has_atlas = self.conditions.slip_parameter == 1 or self.conditions.has_sliding_atlas
+        if by == "atlas" and has_atlas:
             return AtlasTransfer(self.conditions, self.atlas())
         if by in ("atlas", "two-waves"):
             return TwoWaveTransfer(self.conditions)

@@ -7,20 +7,22 @@ Where a pattern Ai exp(i kx (X - S T)) slides through the contact, the film near
 the attenuated wave moves with the surface, the complementary one is launched by the inlet and moves
 with the oil (Greenwood and Morales-Espejel 1994; Hooke 2006). a and psi follow from the state of
 the contact centre in closed form (:mod:`ehlwave.medium`). What the inlet launches is what it lets
-through in pure rolling, R, less what the attenuated wave takes of it:
+through in pure rolling, where the film is 1 + (R - 1), less what the attenuated wave takes of it:
 
-    c = (R T S^(p cos^2(theta) (1 - |a|^2) + i q) - a) exp(i m - i u - u^2/6)
+    c = (G - a) way(psi - kx) + (R - 1) G way(psi - psi_1)
+    G = T S^(p (gM/200)^p1 (cos^2(theta))^p2 (1 - |a|^2) + i q (gM/200)^q1 (cos^2(theta))^q2)
     T = (1 + 100 B0)^(-r cos^2(theta) (1 - |R|^2))
-    m = psi - kx - |a|^4 (psi_1 - kx)
-    u = Re(m) d,    d = d0 (L/(gamma M))^(d1/2) (10/alphabar)^d2
+    way(m) = exp(i m - i u - u^2/6),   u = Re(m) d,   d = d0 (L/(gM))^(d1/2) (10/alphabar)^d2
 
-Launched between X = -1 and -1 + 2d, it arrives at the centre with the phase and the loss of its
-way; u^2/6 is what a launch spread over 2d averages out. psi_1 is psi in pure rolling, whose loss R
-has in it already. T is what thinning in the inlet costs, B0 the B of the viscosity at ambient
-pressure (:class:`ehlwave.medium.Medium`). p, q, r and d are fitted (``studies.two_waves``); S -> 1
+gM is gamma M. Launched between X = -1 and -1 + 2d, a wave arrives at the centre with the phase and
+the loss of its way; u^2/6 is what a launch spread over 2d averages out. psi_1 is psi in pure
+rolling, whose loss R has in it already. Of waves that are much shorter than the inlet R is 1 and
+nothing arrives. T is what thinning in the inlet costs, B0 the B of the viscosity at ambient
+pressure (:class:`ehlwave.medium.Medium`). p to r and d are fitted (``studies.two_waves``); S -> 1
 gives a + c = R, the pure rolling law of :mod:`ehlwave.rolling`.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -34,11 +36,17 @@ from ehlwave.rolling import rolling_transfer
 Complex = NDArray[np.complex128]
 Floats = NDArray[np.float64]
 
-SLIP_POWERS = (0.223, 0.492, 0.075)
-"""p, q and r."""
+SLIP_POWERS = (0.227, 0.119, 0.674, 0.686, 0.166, 0.28, 0.067)
+"""p, p1, p2, q, q1, q2 and r."""
 
-LAUNCH_LENGTH = (0.296, 0.55, 1.16)
+LAUNCH_LENGTH = (0.278, 0.473, 1.048)
 """d0, d1 and d2."""
+
+USUAL_LOAD = 200.0
+"""The gamma M that p and q are of."""
+
+MOST_REGAINED = 1.0
+"""Largest -Im(psi - psi_1): R is not known so well that more of its loss could be taken back."""
 
 FITTED_RANGES = {"M": (20.0, 1000.0), "L": (2.5, 20.0), "D": (0.1, 1.0), "S": (0.3, 1.8)}
 """Conditions that the law was fitted to, smallest and largest."""
@@ -63,53 +71,66 @@ class TwoWaves:
         return np.asarray(own + self.complementary * np.exp(1j * self.psi * place))
 
 
-def launched(
-    rolling: Complex,
-    attenuated: Complex,
-    mismatch: Complex,
-    slip: ArrayLike,
-    along: ArrayLike,
-    length: ArrayLike,
-    thinning: ArrayLike,
-    powers: tuple[float, float, float] = SLIP_POWERS,
-) -> Complex:
+@dataclass(frozen=True)
+class Launch:
+    """What decides how much of waves the inlet launches, and how it arrives; arrays over waves.
+
+    Attributes
+    ----------
+    attenuated : ndarray of complex
+        a.
+    mismatch, mismatch_rolling : ndarray of complex
+        psi - kx, and the same in pure rolling, 1/a.
+    slip, along, load, length, thinning : ndarray
+        S, above 0; cos^2 of the angle between wave vector and X; gamma M; d of
+        :func:`launch_length`; B0.
+    """
+
+    attenuated: Complex
+    mismatch: Complex
+    mismatch_rolling: Complex
+    slip: Floats
+    along: Floats
+    load: Floats
+    length: Floats
+    thinning: Floats
+
+
+def launched(rolling: Complex, launch: Launch, powers: Sequence[float] = SLIP_POWERS) -> Complex:
     """Return c, the complementary wave at the contact centre over Ai.
 
     Parameters
     ----------
     rolling : ndarray of complex
         R, the transfer of the same wave in pure rolling.
-    attenuated : ndarray of complex
-        a.
-    mismatch : ndarray of complex
-        m of :func:`mismatch`, 1/a.
-    slip, along, length, thinning : array_like
-        S, above 0; cos^2 of the angle between wave vector and X; d of :func:`launch_length`; B0.
-    powers : three floats
-        p, q and r.
+    launch : Launch
+        Of the waves.
+    powers : seven floats
+        As :data:`SLIP_POWERS`.
     """
-    cosine2 = np.asarray(along)
-    power = powers[0] * cosine2 * (1 - np.abs(attenuated) ** 2) + 1j * powers[1]
-    thinned = -powers[2] * cosine2 * np.maximum(1 - np.abs(rolling) ** 2, 0)
-    change = power * np.log(slip) + thinned * np.log1p(INLET_VISCOSITY * np.asarray(thinning))
-    entering = rolling * np.exp(change) - attenuated
-    u = mismatch.real * np.asarray(length)
-    return np.asarray(entering * np.exp(1j * (mismatch - u) - u**2 / 6))
+    p, p1, p2, q, q1, q2, r = powers
+    load, along, a = launch.load / USUAL_LOAD, launch.along, launch.attenuated
+    power = p * load**p1 * along**p2 * (1 - np.abs(a) ** 2) + 1j * q * load**q1 * along**q2
+    thinned = -r * along * np.maximum(1 - np.abs(rolling) ** 2, 0)
+    change = power * np.log(launch.slip) + thinned * np.log1p(INLET_VISCOSITY * launch.thinning)
+    entering = np.exp(change)
+    further = launch.mismatch - launch.mismatch_rolling
+    further = further.real + 1j * np.maximum(further.imag, -MOST_REGAINED)
+    own = (entering - a) * _way(launch.mismatch, launch.length)
+    return np.asarray(own + (rolling - 1) * entering * _way(further, launch.length))
 
 
-def mismatch(
-    psi: Complex, psi_rolling: Complex, wave_number: Floats, attenuated: Complex
-) -> Complex:
-    """Return m = psi - kx - |a|^4 (psi_1 - kx), 1/a; psi_1 that of pure rolling."""
-    own = np.abs(attenuated) ** 4 * (psi_rolling - wave_number)
-    return np.asarray(psi - wave_number - own)
+def _way(mismatch: Complex, length: Floats) -> Complex:
+    """Return what the way to the centre makes of a wave that is launched over this length."""
+    u = mismatch.real * length
+    return np.asarray(np.exp(1j * (mismatch - u) - u**2 / 6))
 
 
 def launch_length(
     load: ArrayLike,
     lubricant_l: ArrayLike,
     alphabar: ArrayLike,
-    length: tuple[float, float, float] = LAUNCH_LENGTH,
+    length: Sequence[float] = LAUNCH_LENGTH,
 ) -> Floats:
     """Return d, in units of a: half the length of the launch. ``load`` is gamma M."""
     inlet = np.sqrt(np.asarray(lubricant_l) / np.asarray(load))
@@ -171,13 +192,16 @@ def two_waves(
     attenuated = medium.attenuated(kx, ky, slip)
     psi = medium.complementary_number(kx * slip, ky)
     psi_rolling = contact.medium(1.0).complementary_number(kx, ky)
-    complementary = launched(
-        rolling_transfer(contact.m, contact.l, contact.gamma, wave_x, wave_y),
+    launch = Launch(
         attenuated,
-        mismatch(psi, psi_rolling, kx, attenuated),
-        slip,
+        psi - kx,
+        psi_rolling - kx,
+        np.asarray(slip),
         wave_and_direction(wave_x, wave_y)[1],
+        np.asarray(contact.gamma * contact.m),
         launch_length(contact.gamma * contact.m, contact.l, contact.alphabar),
-        medium.thinning,
+        np.asarray(medium.thinning),
     )
+    rolling = rolling_transfer(contact.m, contact.l, contact.gamma, wave_x, wave_y)
+    complementary = launched(rolling, launch)
     return TwoWaves(attenuated, complementary, kx, psi)

@@ -9,14 +9,14 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from ehlwave.atlas import load_atlas
-from ehlwave.atlas.atlas import SHIPPED
-from studies.atlas.design import write_batch, write_rises, write_validation
+from ehlwave.atlas.atlas import shipped
+from studies.atlas.design import DESIGNS, write_batch, write_rises, write_validation
 from studies.atlas.fit import finished, write_atlas
 from studies.atlas.points import read_points
 from studies.atlas.validate import judge
 from studies.sweeps import run_command
 
-FIRST_BATCHES = 3
+FIRST_BATCHES = {"rolling": 3, "sliding": 8}
 """Batches that fill the ranges evenly; later ones go where the errors are."""
 
 
@@ -26,28 +26,30 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("step", choices=("batch", "rises", "fit", "unseen", "validate"))
     parser.add_argument("folder", type=Path, help="of sweeps and their results; made when absent")
     parser.add_argument("--batch", type=int, default=0, metavar="N", help="counted from 0")
-    parser.add_argument("--atlas", type=Path, default=SHIPPED, metavar="FILE.nc")
+    parser.add_argument("--kind", choices=tuple(DESIGNS), default="rolling")
+    parser.add_argument("--atlas", type=Path, metavar="FILE.nc", help="default: the package's")
     return run_command(parser, _do, arguments)
 
 
 def _do(options: argparse.Namespace) -> None:
-    folder, step = options.folder, options.step
-    batches = sorted(folder.glob("rolling-[0-9][0-9].h5"))
+    folder, step, design = options.folder, options.step, DESIGNS[options.kind]
+    kind, atlas = design.kind, options.atlas or shipped(design.kind)
+    batches = sorted(folder.glob(f"{kind.name}-[0-9][0-9].h5"))
     if step == "batch":
-        first = options.batch < FIRST_BATCHES
-        print(write_batch(folder, options.batch, None if first else load_atlas(options.atlas)))
+        known = None if options.batch < FIRST_BATCHES[kind.name] else load_atlas(atlas)
+        print(write_batch(folder, options.batch, design, known))
     elif step == "rises":
         print(write_rises(folder, read_points(batches)))
     elif step == "fit":
         rises = folder / "rises.h5"
-        data = read_points(batches, rises if rises.is_file() else None)
-        write_atlas(finished(data), options.atlas)
-        print(options.atlas)
+        data = read_points(batches, rises if rises.is_file() else None, kind)
+        write_atlas(finished(data), atlas)
+        print(atlas)
     elif step == "unseen":
-        print(write_validation(folder))
+        print(write_validation(folder, design))
     else:
-        computed = read_points([folder / "rolling-validation.h5"])
-        print(judge(load_atlas(options.atlas), computed).text())
+        computed = read_points([folder / f"{kind.name}-validation.h5"], kind=kind)
+        print(judge(load_atlas(atlas), computed).text())
 
 
 if __name__ == "__main__":

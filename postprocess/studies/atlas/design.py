@@ -1,6 +1,7 @@
 """Where the atlas is computed: contacts, the patterns of each, and its grid."""
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -10,9 +11,10 @@ from scipy.stats import qmc
 
 from ehlwave.atlas import Atlas
 from ehlwave.atlas.atlas import contact_of
-from ehlwave.atlas.coordinates import contact_coordinates
+from ehlwave.atlas.kinds import ROLLING, SLIDING, Kind
 from ehlwave.atlas.process import correlation
 from ehlwave.atlas.ranges import CONTACT_RANGES, WAVE_RANGE
+from ehlwave.atlas.sliding import MODULUS_PA
 from ehlwave.deform.conditions import ellipticity
 from studies import sweeps
 from studies.programs import Groups
@@ -32,17 +34,11 @@ SLENDER = {"load_parameter_m": (20.0, 70.0), "radius_ratio_d": (0.04, 0.2)}
 SLENDER_BATCH = 6
 """The first batch of them."""
 
-DIRECTIONS = ((0.0, 3), (90.0, 2), (None, 4))
-"""Angles, degrees, and how many patterns of a contact have them; None: any in between."""
-
 MARGIN = 1.15
 """By which wavelengths go beyond the range, so that its ends are not ends of the data."""
 
 STANDS_ACROSS = 0.5
 """Degrees from either axis within which a wave is transverse or longitudinal, not oblique."""
-
-FEWEST_POINTS = 12
-"""Mesh sizes in a wave."""
 
 FEWEST_FOR_RISES = 8
 """Mesh sizes in a wave of which only the mean film is asked, on half the cells of its contact."""
@@ -57,10 +53,69 @@ GROUPS: Groups = {
 }
 
 
-def contacts(batch: int, count: int = CONTACTS, seed: int = 2000) -> list[dict[str, float]]:
+@dataclass(frozen=True)
+class Design:
+    """How an atlas is sampled.
+
+    Attributes
+    ----------
+    kind : Kind
+        Of the atlas.
+    seed : int
+        Of the sequences of its contacts.
+    directions : tuple of (float or None, int)
+        Angles, degrees, and how many patterns of a contact have them; None: any in between.
+    fewest_points : int
+        Mesh sizes in a wave.
+    groups : mapping
+        What all cases share.
+    """
+
+    kind: Kind
+    seed: int
+    directions: tuple[tuple[float | None, int], ...]
+    fewest_points: int
+    groups: Groups
+
+    def grid(self, contact: Mapping[str, float]) -> tuple[int, int]:
+        """Return cells along X and Y of a contact.
+
+        The inlet asks for them: its pressure grows over a length that shrinks as M grows and L
+        falls. There are many contacts that slide, and they do with fewer.
+        """
+        m, l, d = (contact[key] for key in list(CONTACT_RANGES)[:3])
+        kappa = ellipticity(d)
+        inlet = 0.0141 * (m * kappa) ** 0.44 * l**-0.365  # of 256 cells, as the plan has it
+        steps = ((0.02, 128), (0.035, 192), (0.09, 256), (0.15, 384))
+        along = next((cells for limit, cells in steps if inlet < limit), 512)
+        across = min(512, along * (1 if kappa > 0.5 else 2))
+        if self.kind is SLIDING:
+            along = min(256, along)
+            across = max(64, min(across, 256 if across == along else 384) // 2)
+        return along, across
+
+
+ROLLING_DESIGN = Design(ROLLING, 2000, ((0.0, 3), (90.0, 2), (None, 4)), 12, GROUPS)
+SLIDING_DESIGN = Design(
+    SLIDING,
+    2100,
+    ((0.0, 3), (90.0, 1), (None, 4)),
+    10,
+    GROUPS
+    | {
+        "conditions": {"reduced_modulus_pa": MODULUS_PA},
+        "lubricant": {"flow_law": "eyring"},
+    },
+)
+DESIGNS = {design.kind.name: design for design in (ROLLING_DESIGN, SLIDING_DESIGN)}
+
+
+def contacts(design: Design, batch: int, count: int = CONTACTS) -> list[dict[str, float]]:
     """Return the contacts of a batch: a piece of a Sobol sequence over the ranges of the atlas."""
-    sequence = qmc.Sobol(len(CONTACT_RANGES), seed=seed)
-    return [contact_at(shares) for shares in sequence.random((batch + 1) * count)[-count:]]
+    ranges = design.kind.ranges
+    sequence = qmc.Sobol(len(ranges), seed=design.seed)
+    shares = sequence.random((batch + 1) * count)[-count:]
+    return [contact_at(one.tolist(), ranges) for one in shares]
 
 
 def slender_contacts(seed: int, count: int = CONTACTS) -> list[dict[str, float]]:
@@ -75,12 +130,14 @@ def worst_contacts(atlas: Atlas, seed: int, count: int = CONTACTS) -> list[dict[
 
     One that was taken makes its neighbours less wanted, by its correlation with them.
     """
-    sequence = qmc.Sobol(len(CONTACT_RANGES), seed=seed)
-    candidates = [contact_at(shares.tolist()) for shares in sequence.random(CANDIDATES)]
+    ranges = atlas.kind.ranges
+    sequence = qmc.Sobol(len(ranges), seed=seed)
+    candidates = [contact_at(shares.tolist(), ranges) for shares in sequence.random(CANDIDATES)]
     waves, angles = np.meshgrid([0.15, 0.4, 1.0, 2.5], [0.0, 40.0, 90.0])
     errors = [np.mean(atlas.at(one).responses(waves, angles).error ** 2) for one in candidates]
-    table = {key: np.array([one[key] for one in candidates]) for key in CONTACT_RANGES}
-    places = contact_coordinates(table)
+    places = atlas.kind.coordinates(
+        {key: np.array([one[key] for one in candidates]) for key in ranges}
+    )
     wanted, chosen = np.array(errors), []
     for _ in range(count):
         best = int(np.argmax(wanted))
@@ -97,26 +154,15 @@ def contact_at(shares: Sequence[float], ranges: Ranges = CONTACT_RANGES) -> dict
     return found
 
 
-def grid(contact: dict[str, float]) -> tuple[int, int]:
-    """Return cells along X and Y of a contact.
-
-    The inlet asks for them: its pressure grows over a length that shrinks as M grows and L falls.
-    """
-    m, l, d = (contact[key] for key in list(CONTACT_RANGES)[:3])
-    kappa = ellipticity(d)
-    inlet = 0.0141 * (m * kappa) ** 0.44 * l**-0.365  # of 256 cells, as the plan has it
-    steps = ((0.02, 128), (0.035, 192), (0.09, 256), (0.15, 384))
-    along = next((cells for limit, cells in steps if inlet < limit), 512)
-    return along, min(512, along * (1 if kappa > 0.5 else 2))
-
-
-def patterns(contact: dict[str, float], random: np.random.Generator) -> Iterator[dict[str, float]]:
+def patterns(
+    design: Design, contact: dict[str, float], random: np.random.Generator
+) -> Iterator[dict[str, float]]:
     """Yield wavelengths of the patterns of a contact that its grid resolves."""
-    cells_x, cells_y = grid(contact)
-    shortest = FEWEST_POINTS * np.array(
+    cells_x, cells_y = design.grid(contact)
+    shortest = design.fewest_points * np.array(
         [4 / cells_x, 4 / ellipticity(contact["radius_ratio_d"]) / cells_y]
     )
-    for angle, count in DIRECTIONS:
+    for angle, count in design.directions:
         order = random.permutation(count)
         for place in order:
             theta = np.radians(random.uniform(0, 90) if angle is None else angle)
@@ -137,29 +183,45 @@ def pattern(wavelength_over_a: float, angle_deg: float) -> dict[str, float]:
     }
 
 
-def write_batch(folder: Path, batch: int, atlas: Atlas | None = None) -> Path:
+def write_batch(
+    folder: Path, batch: int, design: Design = ROLLING_DESIGN, atlas: Atlas | None = None
+) -> Path:
     """Write the sweep of a batch; return its path.
 
-    Of all contacts without an atlas, of those that it wants most with one, in turn with slender
-    ones from the batch ``SLENDER_BATCH`` on.
+    Of all contacts without an atlas, of those that it wants most with one; of rolling ones, in turn
+    with slender ones from the batch ``SLENDER_BATCH`` on.
     """
-    random = np.random.default_rng([batch, 2000])
-    if batch >= SLENDER_BATCH and (batch - SLENDER_BATCH) % 2 == 0:
+    random = np.random.default_rng([batch, design.seed])
+    is_rolling, later = design.kind is ROLLING, batch - SLENDER_BATCH
+    if is_rolling and later >= 0 and later % 2 == 0:
         chosen = slender_contacts(4000 + batch)
+    elif atlas is None:
+        chosen = contacts(design, batch)
     else:
-        chosen = contacts(batch) if atlas is None else worst_contacts(atlas, 3000 + batch)
-    return sweeps.write_sweep(folder, f"rolling-{batch:02d}", rows(chosen, random), GROUPS)
+        chosen = worst_contacts(atlas, design.seed + 1000 + batch)
+    name = f"{design.kind.name}-{batch:02d}"
+    return sweeps.write_sweep(folder, name, rows(design, chosen, random), design.groups)
 
 
-def write_validation(folder: Path, count: int = 100, each: int = 2) -> Path:
+def write_validation(
+    folder: Path, design: Design = ROLLING_DESIGN, count: int = 100, each: int = 2
+) -> Path:
     """Write the sweep that the atlas is judged by: random contacts and waves."""
-    random = np.random.default_rng(1997)
+    random, ranges = np.random.default_rng(1997), design.kind.ranges
     found = []
     for _ in range(count):
-        contact = contact_at(random.random(len(CONTACT_RANGES)).tolist())
+        contact = contact_at(random.random(len(ranges)).tolist(), ranges)
         for _ in range(each):
-            found.append({**contact, **random_wave(contact, random)})
-    return sweeps.write_sweep(folder, "rolling-validation", found, GROUPS)
+            found.append({**as_keys(contact), **random_wave(design, contact, random)})
+    return sweeps.write_sweep(folder, f"{design.kind.name}-validation", found, design.groups)
+
+
+def as_keys(contact: dict[str, float]) -> dict[str, float]:
+    """Return the input keys of a contact: of E' tau0 the stress between steel bodies."""
+    keys = dict(contact)
+    if "stress_modulus_pa2" in keys:
+        keys["eyring_stress_pa"] = keys.pop("stress_modulus_pa2") / MODULUS_PA
+    return keys
 
 
 def write_rises(folder: Path, computed: xr.Dataset) -> Path:
@@ -189,24 +251,26 @@ def grid_for_rise(contact: dict[str, float], wave: float, angle_deg: float) -> d
     extent = 4.0, 4 / ellipticity(contact["radius_ratio_d"])
     shares = np.cos(theta), np.sin(theta)
     cells = []
-    for whole, length, share in zip(grid(contact), extent, shares, strict=True):
+    for whole, length, share in zip(ROLLING_DESIGN.grid(contact), extent, shares, strict=True):
         least = max(whole // 2, FEWEST_FOR_RISES * length / wave * share)
         cells.append(next(n for n in (64, 96, *SIZES) if n >= least))
     return {"cells_x": cells[0], "cells_y": cells[1]}
 
 
-def random_wave(contact: dict[str, float], random: np.random.Generator) -> dict[str, float]:
+def random_wave(
+    design: Design, contact: dict[str, float], random: np.random.Generator
+) -> dict[str, float]:
     """Return a pattern of any length and direction in the range, and a grid that resolves it.
 
     A quarter are transverse. What 1024 cells do not resolve is drawn again.
     """
-    cells_x, cells_y = grid(contact)
+    cells_x, cells_y = design.grid(contact)
     extent = 4.0, 4 / ellipticity(contact["radius_ratio_d"])
     while True:
         wave = WAVE_RANGE[0] * (WAVE_RANGE[1] / WAVE_RANGE[0]) ** random.random()
         angle = 0.0 if random.random() < 0.25 else random.uniform(0, 90)
         needed = [
-            FEWEST_POINTS * length / wave * share
+            design.fewest_points * length / wave * share
             for length, share in zip(
                 extent, (np.cos(np.radians(angle)), np.sin(np.radians(angle))), strict=True
             )
@@ -220,10 +284,10 @@ def random_wave(contact: dict[str, float], random: np.random.Generator) -> dict[
 
 
 def rows(
-    chosen: Sequence[dict[str, float]], random: np.random.Generator
+    design: Design, chosen: Sequence[dict[str, float]], random: np.random.Generator
 ) -> Iterator[dict[str, float]]:
     """Yield the cases of some contacts."""
     for contact in chosen:
-        cells_x, cells_y = grid(contact)
-        for waves in patterns(contact, random):
-            yield {**contact, **waves, "cells_x": cells_x, "cells_y": cells_y}
+        cells_x, cells_y = design.grid(contact)
+        for waves in patterns(design, contact, random):
+            yield {**as_keys(contact), **waves, "cells_x": cells_x, "cells_y": cells_y}

@@ -6,10 +6,9 @@ from pathlib import Path
 import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
-from scipy.optimize import minimize
+from scipy.optimize import least_squares, minimize
 
 from ehlwave.atlas.atlas import (
-    FILM_NUMBERS,
     FORMAT_NAME,
     NEIGHBOURHOOD,
     PARTS,
@@ -20,18 +19,29 @@ from ehlwave.atlas.atlas import (
     shape_of,
     waves_of,
 )
-from ehlwave.atlas.coordinates import contact_coordinates
+from ehlwave.atlas.kinds import ROLLING, SLIDING, kind_of
 from ehlwave.atlas.process import Process, Scales, Scattered, correlation, likelihood
+from ehlwave.atlas.sliding import INSTALLED
 
 Floats = NDArray[np.float64]
 
-FIRST_SCALES = Scales(np.array([0.45, 6.0, 20.0, 4.5, 1.1]), np.array([2.0, 1.0, 3.0, 1.5]), 0.04)
-FIRST_SMOOTH = Scales(np.array([1.0, 4.0, 4.0, 2.0, 2.0]), np.empty(0), 0.02)
+FIRST_SCALES = np.array([0.45, 6.0, 20.0, 4.5, 1.1])
+FIRST_WAVE_SCALES = np.array([2.0, 1.0, 3.0, 1.5])
+FIRST_SMOOTH = np.array([1.0, 4.0, 4.0, 2.0, 2.0])
+FIRST_SLIDING = np.array([1.0, 4.0])
+"""Of S and of the stress, beside those of contacts that roll."""
+
+FIRST_SLIDING_WAVES = np.array([1.0, 1.0])
+"""Of |a| and of the phase in pure rolling, beside those of waves in contacts that roll."""
+
 MOST_TRAINED = 700
 """Points of which the length scales are fitted; more change them little and cost the cube."""
 
 STEPS = 25
 """Of the search for the length scales."""
+
+LAW_SCATTER = 0.03
+"""Of the law of the two waves, units of Ai: points that miss it by more count less."""
 
 FOLDS = 8
 COVERED = 0.965
@@ -58,6 +68,19 @@ def fitted_scales(points: Scattered, values: Floats, first: Scales) -> Scales:
     return Scales.of_logs(found.x, count)
 
 
+def fitted_law(data: xr.Dataset) -> Floats:
+    """Return the coefficients of the law of the two waves that fit the points best."""
+    shape, waves = shape_of(data), waves_of(data)
+    film = data["film_real"].values + 1j * data["film_imaginary"].values
+
+    def left(law: Floats) -> Floats:
+        miss = shape.with_law(law).formula(*waves) - film
+        return np.concatenate([miss.real, miss.imag])
+
+    found = least_squares(left, INSTALLED, loss="soft_l1", f_scale=LAW_SCATTER, x_scale="jac")
+    return np.asarray(found.x)
+
+
 def folds(contacts: int) -> NDArray[np.intp]:
     """Return the fold of each contact."""
     return np.random.default_rng(11).permutation(contacts) % FOLDS
@@ -66,8 +89,8 @@ def folds(contacts: int) -> NDArray[np.intp]:
 def cross_validated(data: xr.Dataset, scales: Scales) -> Floats:
     """Return |response predicted without its contact - response|, units of Ai."""
     left = left_out(data, "film", scales)
-    formula = np.abs(shape_of(data).formula(*waves_of(data)))
-    return np.asarray(np.hypot(left[:, 0], left[:, 1]) * formula)
+    spread = np.abs(shape_of(data).law_and_spread(*waves_of(data))[1])
+    return np.asarray(np.hypot(left[:, 0], left[:, 1]) * spread)
 
 
 def left_out(data: xr.Dataset, part: str, scales: Scales) -> Floats:
@@ -107,13 +130,13 @@ def local_error(points: Scattered, error: Floats, scales: Scales) -> Floats:
 
 
 def film_numbers(data: xr.Dataset) -> Floats:
-    """Return the logarithms of films that are interpolated, shape (contacts, 2)."""
-    return np.stack([data[name].values.astype(float) for name in FILM_NUMBERS], axis=1)
+    """Return the logarithms of films that are interpolated, shape (contacts, films)."""
+    return np.stack([data[name].values.astype(float) for name in kind_of(data).films], axis=1)
 
 
 def film_errors(data: xr.Dataset, scales: Scales) -> Floats:
-    """Return the cross-validated errors of both film numbers, shape (contacts, 2)."""
-    contacts, values = contact_coordinates(data), film_numbers(data)
+    """Return the cross-validated errors of film numbers, shape (contacts, films)."""
+    contacts, values = kind_of(data).coordinates(data), film_numbers(data)
     fold, found = folds(len(contacts)), np.zeros_like(values)
     for one in range(FOLDS):
         train, test = np.flatnonzero(fold != one), np.flatnonzero(fold == one)
@@ -125,23 +148,30 @@ def film_errors(data: xr.Dataset, scales: Scales) -> Floats:
 
 def finished(data: xr.Dataset) -> xr.Dataset:
     """Return the atlas: points with their errors, length scales, factors of the error bars."""
+    if kind_of(data) is SLIDING:
+        data.attrs["law"] = json.dumps([float(f"{value:.5g}") for value in fitted_law(data)])
     parts = [part for part in PARTS if part != "rise" or "mean_rise" in data]
-    scales = {part: fitted_scales(*numbers_of(data, part), FIRST_SCALES) for part in parts}
-    contacts, films = contacts_alone(contact_coordinates(data)), film_numbers(data)
-    scales["smooth"] = fitted_scales(contacts, films - films.mean(axis=0), FIRST_SMOOTH)
+    kind = kind_of(data)
+    none = np.empty(0)
+    more, waves = (none, none) if kind is ROLLING else (FIRST_SLIDING, FIRST_SLIDING_WAVES)
+    first = Scales(np.append(FIRST_SCALES, more), np.append(FIRST_WAVE_SCALES, waves), 0.04)
+    scales = {part: fitted_scales(*numbers_of(data, part), first) for part in parts}
+    contacts, films = contacts_alone(kind.coordinates(data)), film_numbers(data)
+    first = Scales(np.append(FIRST_SMOOTH, more), np.empty(0), 0.02)
+    scales["smooth"] = fitted_scales(contacts, films - films.mean(axis=0), first)
     misfit = cross_validated(data, scales["film"])
     error = np.hypot(misfit, data["discretisation"].values).astype(np.float32)
     left = film_errors(data, scales["smooth"])
-    missing = np.stack([data[f"{name}_discretisation"].values for name in FILM_NUMBERS], axis=1)
+    missing = np.stack([data[f"{name}_discretisation"].values for name in kind.films], axis=1)
     film_error = np.hypot(left, missing)
-    near = Scales(scales["film"].contacts, np.empty(0))
+    near = Scales(scales["film" if kind is ROLLING else "smooth"].contacts, np.empty(0))
     local = local_error(contacts, film_error[:, 0], near)
-    known = ["discretisation", *(f"{name}_discretisation" for name in FILM_NUMBERS)]
+    known = ["discretisation", *(f"{name}_discretisation" for name in kind.films)]
     data = data.drop_vars(known).assign(
         error=("point", error),
         **{
             f"{name}_error": ("contact", film_error[:, k].astype(np.float32))
-            for k, name in enumerate(FILM_NUMBERS)
+            for k, name in enumerate(kind.films)
         },
     )
     factor = error_factor(data, misfit, error.astype(float), scales["film"])
@@ -199,6 +229,11 @@ LONG_NAMES = {
     "roelands_index": ("1", "index z of Roelands' viscosity"),
     "film_ratio": ("1", "ln of central film over that of Nijenbanning, Venner and Moes (1994)"),
     "minimum_ratio": ("1", "ln of smallest over central film"),
+    "rolling_real": ("1", "film response of the same wave in pure rolling, real part"),
+    "rolling_imaginary": ("1", "film response of the same wave in pure rolling, imaginary part"),
+    "slip_parameter": ("1", "S of the surface that is rough"),
+    "stress_modulus_pa2": ("Pa2", "E' tau0, reduced modulus times Eyring stress"),
+    "friction_ratio": ("1", "ln of mean shear stress over that at the centre without waves"),
 }
 """Units and descriptions of what the file holds."""
 
@@ -210,6 +245,8 @@ PACKED = {
     "film_imaginary": 4e-5,
     "pressure_real": 2e-3,
     "pressure_imaginary": 2e-3,
+    "rolling_real": 4e-5,
+    "rolling_imaginary": 4e-5,
     "mean_rise": 1e-4,
     "error": 2e-5,
 }

@@ -8,7 +8,10 @@ import pandas as pd
 import xarray as xr
 from scipy.spatial import cKDTree
 
+from ehlwave.atlas import load_atlas
+from ehlwave.atlas.kinds import ROLLING, SLIDING, Kind
 from ehlwave.atlas.ranges import CONTACT_RANGES
+from ehlwave.atlas.sliding import MODULUS_PA, conditions_of, mean_stress, rolling_film
 from ehlwave.deform.conditions import moes_film
 from ehlwave.formula import wave_and_direction
 from ehlwave.read import read_results
@@ -26,7 +29,9 @@ LEFT_BY_EXTRAPOLATION = 0.25
 """Of the correction, as the next grid finds it."""
 
 
-def read_points(paths: Sequence[Path], rises: Path | None = None) -> xr.Dataset:
+def read_points(
+    paths: Sequence[Path], rises: Path | None = None, kind: Kind = ROLLING
+) -> xr.Dataset:
     """Return contacts and the responses of each, without `error`, of finished sweeps.
 
     Film and pressure responses are those at mesh size 0; films are extrapolated likewise. With
@@ -38,7 +43,9 @@ def read_points(paths: Sequence[Path], rises: Path | None = None) -> xr.Dataset:
     film = table["harmonic_extrapolated_real"] + 1j * table["harmonic_extrapolated_imaginary"]
     table["correction"] = np.abs(film - table["harmonic_real"] - 1j * table["harmonic_imaginary"])
     table = table[np.isfinite(table["correction"]) & (table["correction"] < LARGEST_CORRECTION)]
-    keys = list(CONTACT_RANGES)
+    if kind is SLIDING:
+        table["stress_modulus_pa2"] = table["eyring_stress_pa"] * MODULUS_PA
+    keys = list(kind.ranges)
     groups = table.groupby(keys, sort=True)
     contacts = groups.first().reset_index()
     order = np.argsort(groups.ngroup().to_numpy(), kind="stable")
@@ -58,12 +65,30 @@ def read_points(paths: Sequence[Path], rises: Path | None = None) -> xr.Dataset:
     }
     data = {name: ("point", values) for name, values in points.items()}
     data["responses"] = "contact", counts.astype(np.int16)
-    data["mean_rise"] = "point", _rises(table, rises)
-    data |= {name: ("contact", values) for name, values in _films(contacts).items()}
+    if kind is ROLLING:
+        data["mean_rise"] = "point", _rises(table, rises)
+    else:
+        rolling = _rolling(contacts, counts, wave, angle)
+        data["rolling_real"] = "point", rolling.real.astype(np.float32)
+        data["rolling_imaginary"] = "point", rolling.imag.astype(np.float32)
+    data |= {name: ("contact", values) for name, values in _films(contacts, kind).items()}
     origin = {
         key: str(results[key].values[0]) for key in ("program_version", "git_revision", "compiler")
     }
-    return xr.Dataset(data, attrs=origin)
+    return xr.Dataset(data, attrs={"kind": kind.name, **origin})
+
+
+def _rolling(
+    contacts: pd.DataFrame, counts: np.ndarray, wave: np.ndarray, angle: np.ndarray
+) -> np.ndarray:
+    """Return the transfers in pure rolling that the atlas of rolling contacts has."""
+    atlas, ends = load_atlas(), np.cumsum(counts)
+    found = np.empty(wave.size, dtype=complex)
+    for index, end in enumerate(ends):
+        own = slice(end - counts[index], end)
+        chart = atlas.at({key: float(contacts[key][index]) for key in CONTACT_RANGES})
+        found[own] = chart.film_response(wave[own], angle[own])
+    return found
 
 
 def _rises(table: pd.DataFrame, oblique: Path | None) -> np.ndarray:
@@ -88,25 +113,48 @@ def _places(table: pd.DataFrame) -> np.ndarray:
     return np.log(np.maximum(table[keys].to_numpy(float), 1e-9))
 
 
-def _films(contacts: pd.DataFrame) -> dict[str, np.ndarray]:
-    """Return the keys of contacts and the logarithms of their films.
+def _films(contacts: pd.DataFrame, kind: Kind) -> dict[str, np.ndarray]:
+    """Return the keys of contacts and the logarithms of their films, and of friction.
 
     Films grow with finer grids, smallest ones too; the estimated error is what is missing.
     """
     m, l, d = (contacts[key].to_numpy() for key in list(CONTACT_RANGES)[:3])
-    moes = np.array([moes_film(*one) for one in zip(m, l, d, strict=True)])
+    if kind is ROLLING:
+        moes = np.array([moes_film(*one) for one in zip(m, l, d, strict=True)])
+        base = np.stack([moes, moes], axis=1)
+    else:
+        base = np.array([rolling_film(one) for one in conditions_of(contacts)])
     central = contacts["central_film_moes"] * (1 + contacts["central_film_error"])
     smallest = contacts["minimum_film"] * (1 + contacts["minimum_film_error"])
     smallest_moes = smallest * contacts["central_film_moes"] / contacts["central_film"]
     discretisation = (
         LEFT_BY_EXTRAPOLATION * contacts[["central_film_error", "minimum_film_error"]].to_numpy()
     )
-    numbers = {name: contacts[name].to_numpy(np.float32) for name in CONTACT_RANGES}
+    numbers = {name: contacts[name].to_numpy(np.float32) for name in kind.ranges}
+    if kind is SLIDING:
+        numbers |= _frictions(contacts, discretisation[:, 0])
     return numbers | {
-        "film_ratio": np.log(central / moes).to_numpy(np.float32),
-        "minimum_ratio": np.log(smallest_moes / central).to_numpy(np.float32),
+        "film_ratio": np.log(central / base[:, 0]).to_numpy(np.float32),
+        "minimum_ratio": np.log(smallest_moes / central * base[:, 0] / base[:, 1]).to_numpy(
+            np.float32
+        ),
         "film_ratio_discretisation": np.hypot(
             discretisation[:, 0], contacts["domain_error"]
         ).astype(np.float32),
         "minimum_ratio_discretisation": discretisation[:, 1].astype(np.float32),
+    }
+
+
+def _frictions(contacts: pd.DataFrame, film_error: np.ndarray) -> dict[str, np.ndarray]:
+    """Return ln of the mean shear stress over that of the Hertz pressure, and its error.
+
+    The stress is as the logarithm of the film, so that it errs at most as the film does.
+    """
+    found = conditions_of(contacts)
+    hertz_pa = np.array([c.alphabar / c.oil.pressure_viscosity_per_pa for c in found])
+    mean = contacts["friction_coefficient"] * hertz_pa / 1.5 / contacts["eyring_stress_pa"]
+    expected = np.array([mean_stress(c) for c in found])
+    return {
+        "friction_ratio": np.log(np.abs(mean) / expected).to_numpy(np.float32),
+        "friction_ratio_discretisation": film_error.astype(np.float32),
     }

@@ -8,7 +8,6 @@ from numpy.typing import NDArray
 
 from ehlwave.atlas import Atlas
 from ehlwave.atlas.atlas import contact_of
-from ehlwave.atlas.ranges import CONTACT_RANGES
 from ehlwave.deform.conditions import moes_film
 
 Floats = NDArray[np.float64]
@@ -46,13 +45,12 @@ def judge(atlas: Atlas, computed: xr.Dataset) -> Judged:
     error, bar = np.zeros(of_contact.size), np.zeros(of_contact.size)
     film_error, film_bar = [], []
     for contact in range(computed.sizes["contact"]):
-        keys = {name: float(computed[name].values[contact]) for name in CONTACT_RANGES}
+        keys = {name: float(computed[name].values[contact]) for name in atlas.kind.ranges}
         chart = atlas.at(keys)
-        film = chart.film(moes_film(*list(keys.values())[:3]))
-        expected = moes_film(*list(keys.values())[:3])
-        expected *= float(np.exp(computed["film_ratio"].values[contact]))
-        film_error.append(abs(film.central_moes / expected - 1))
-        film_bar.append(film.central_error)
+        film_error.append(
+            abs(np.expm1(chart.film_numbers()[0] - computed["film_ratio"].values[contact]))
+        )
+        film_bar.append(chart.film(moes_film(*list(keys.values())[:3])).central_error)
         own = np.flatnonzero(of_contact == contact)
         part = computed.isel(point=own)
         found = chart.responses(part["wavelength_over_a"].values, part["angle_deg"].values)

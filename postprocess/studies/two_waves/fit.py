@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
 from ehlwave.rolling import AMPLITUDE, PHASE, rolling_transfer
-from ehlwave.two_waves import LAUNCH_LENGTH, SLIP_POWERS, launch_length, launched
+from ehlwave.two_waves import LAUNCH_LENGTH, SLIP_POWERS, Launch, launch_length, launched
 from studies.paper.crossvalidation import grouped_folds
 from studies.two_waves.points import Pairs, Rolling
 
@@ -42,12 +42,13 @@ PACKAGED = Law(np.array(AMPLITUDE), np.array(PHASE), np.array([*SLIP_POWERS, *LA
 
 
 def complementary(launch: Floats, pairs: Pairs, rolling: Complex) -> Complex:
-    """Return c of the law with these coefficients: p, q, r, and the three of the length."""
-    t = pairs.table
-    length = launch_length(t["load"], t["l"], t["alphabar"], tuple(launch[3:]))
-    waves = (rolling, pairs.attenuated, pairs.mismatch)
-    place = (t["slip"], t["along"], length, t["thinning"])
-    return launched(*waves, *place, tuple(launch[:3]))
+    """Return c of the law with these coefficients: the powers, and the three of the length."""
+    powers, length = np.split(launch, [len(SLIP_POWERS)])
+    columns = ("slip", "along", "load", "l", "alphabar", "thinning")
+    slip, along, load, l, alphabar, thinning = (pairs.table[name].to_numpy() for name in columns)
+    waves = pairs.attenuated, pairs.mismatch, pairs.mismatch_rolling
+    place = slip, along, load, launch_length(load, l, alphabar, tuple(length)), thinning
+    return launched(rolling, Launch(*waves, *place), tuple(powers))
 
 
 def fitted_rolling(points: Rolling) -> tuple[Floats, Floats]:

@@ -11,7 +11,6 @@ from scipy.special import ellipk
 from ehlwave.formula import wave_and_direction
 from ehlwave.medium import Oil
 from ehlwave.read import read_results
-from ehlwave.two_waves import mismatch
 from studies.two_waves.cases import REDUCED_MODULUS_PA
 
 Floats = NDArray[np.float64]
@@ -42,8 +41,9 @@ class Pairs:
 
     ``table`` holds M, L, D, gamma, kappa, alphabar, slip and the like, ``film`` and ``rolling`` the
     responses over Ai at the contact centre, amplitudes extrapolated to mesh size 0; ``attenuated``
-    in closed form at the computed contact centre, ``mismatch`` that of the wave numbers there, see
-    :func:`ehlwave.two_waves.mismatch`; ``error`` the error bar of ``film``.
+    in closed form at the computed contact centre, ``mismatch`` and ``mismatch_rolling`` those of
+    the wave numbers there, see :class:`ehlwave.two_waves.Launch`; ``error`` the error bar of
+    ``film``.
     """
 
     table: pd.DataFrame
@@ -51,12 +51,14 @@ class Pairs:
     rolling: NDArray[np.complex128]
     attenuated: NDArray[np.complex128]
     mismatch: NDArray[np.complex128]
+    mismatch_rolling: NDArray[np.complex128]
     error: NDArray[np.float64]
 
     def part(self, chosen: NDArray[np.bool_]) -> "Pairs":
         """Return the chosen points."""
-        arrays = (self.film, self.rolling, self.attenuated, self.mismatch, self.error)
-        return Pairs(self.table[chosen].reset_index(drop=True), *(one[chosen] for one in arrays))
+        arrays = (self.film, self.rolling, self.attenuated, self.mismatch, self.mismatch_rolling)
+        table = self.table[chosen].reset_index(drop=True)
+        return Pairs(table, *(one[chosen] for one in arrays), self.error[chosen])
 
 
 @dataclass(frozen=True)
@@ -95,18 +97,14 @@ def slip_points(*paths: Path) -> Pairs:
     under = table[(table["slip_parameter"] != 1) & table["wave"].isin(rolled.index)]
     under = under.reset_index(drop=True)
     rolled = rolled.loc[under["wave"]]
-    attenuated = _complex(under, "attenuated_formula")
-    wave_numbers = (
-        _complex(under, "psi_formula"),
-        _complex(rolled, "psi_formula"),
-        2 * np.pi / under["wavelength_x_over_a"].to_numpy(),
-    )
+    along = 2 * np.pi / under["wavelength_x_over_a"].to_numpy()
     return Pairs(
         _with_names(under),
         _film(under),
         _film(rolled),
-        attenuated,
-        mismatch(*wave_numbers, attenuated),
+        _complex(under, "attenuated_formula"),
+        _complex(under, "psi_formula") - along,
+        _complex(rolled, "psi_formula") - along,
         _error(under),
     )
 

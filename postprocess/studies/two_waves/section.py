@@ -178,7 +178,7 @@ def _bands(pairs: Pairs, left: Complex) -> Table:
 
 
 def _coefficients(law: Law) -> Table:
-    names = ["p", "q", "r", "d0", "d1", "d2"]
+    names = ["p", "p1", "p2", "q", "q1", "q2", "r", "d0", "d1", "d2"]
     rows = list(zip(names, law.launch, PACKAGED.launch, strict=True))
     for letter, values, installed in (
         ("amplitude", law.amplitude, PACKAGED.amplitude),

@@ -11,22 +11,20 @@ import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
-from ehlwave.atlas.coordinates import Complex, Floats, Shape, contact_coordinates
+from ehlwave.atlas.coordinates import Complex, Floats, Shape
+from ehlwave.atlas.kinds import ROLLING, SLIDING, Kind, kind_of
 from ehlwave.atlas.process import Correlation, Process, Scales, Scattered, correlation
-from ehlwave.atlas.ranges import CONTACT_RANGES
+from ehlwave.atlas.sliding import SlidingShape, conditions_of, mean_stress, rolling_film
+from ehlwave.deform.conditions import Conditions
 from ehlwave.errors import RangeError, ResultsError
 
 FORMAT_NAME = "ehlwave-atlas"
-SHIPPED = Path(__file__).with_name("rolling.nc")
 
 NEIGHBOURHOOD = 0.5
 """Of the length scales: how far around a wave errors of neighbours count for its own."""
 
 PARTS = {"film": slice(0, 2), "pressure": slice(2, 4), "rise": slice(0, 1)}
 """What is interpolated by itself, and which of its numbers it is."""
-
-FILM_NUMBERS = ("film_ratio", "minimum_ratio")
-"""Of contacts: ln of central over Moes' film, ln of smallest over central film."""
 
 PRECISION = 1e-4
 """Of the responses in the file and of the arithmetic, in units of Ai."""
@@ -42,12 +40,19 @@ class SmoothFilm:
         In the Moes scale, (h/Rx)(2U)^(-1/2) for elliptical contacts.
     central_error, minimum_error : float
         Relative; what 95 % of films computed anew keep to.
+    stress : float or None
+        Friction under slip of a Ree-Eyring oil: mean shear stress over the Eyring stress; None in
+        pure rolling.
+    stress_error : float or None
+        Relative.
     """
 
     central_moes: float
     minimum_moes: float
     central_error: float
     minimum_error: float
+    stress: float | None = None
+    stress_error: float | None = None
 
 
 @dataclass(frozen=True)
@@ -83,6 +88,7 @@ class Atlas:
         if data.attrs.get("format") != FORMAT_NAME:
             raise ResultsError(f"not a file of scripts/atlas (format {data.attrs.get('format')!r})")
         self.data = data
+        self.kind: Kind = kind_of(data)
         self.scales = {
             name: Scales(np.array(one["contact"]), np.array(one["wave"]), one["noise"])
             for name, one in json.loads(data.attrs["length_scales"]).items()
@@ -90,13 +96,13 @@ class Atlas:
         self.points = responses_of(data)
         self.near = Correlation(self.points.waves, self.scales["film"].waves * NEIGHBOURHOOD)
         self._processes: dict[str, Process] = {}
-        films = np.stack([data[name].values for name in FILM_NUMBERS], axis=1)
+        films = np.stack([data[name].values for name in self.kind.films], axis=1)
         self._film_means = films.mean(axis=0)
-        of_films = contacts_alone(contact_coordinates(data))
+        of_films = contacts_alone(self.points.contacts)
         self._films = Process(of_films, films - self._film_means, self.scales["smooth"])
         self._misfit = data["error"].values.astype(float) ** 2
         self._film_misfit = (
-            np.stack([data[f"{name}_error"].values for name in FILM_NUMBERS], axis=1) ** 2
+            np.stack([data[f"{name}_error"].values for name in self.kind.films], axis=1) ** 2
         )
 
     def process(self, part: str) -> Process:
@@ -125,23 +131,29 @@ class Atlas:
         """Lengths over which responses change with the coordinates of the contact."""
         return self.scales["film"].contacts
 
+    @property
+    def film_scales(self) -> Floats:
+        """Lengths over which errors of films are alike."""
+        return self.scales["smooth" if self.kind is SLIDING else "film"].contacts
+
     def at(self, keys: Mapping[str, float]) -> "Chart":
         """Return the chart of one contact.
 
         Parameters
         ----------
         keys : mapping
-            Those of :data:`ehlwave.atlas.ranges.CONTACT_RANGES`.
+            Those of its kind: :mod:`ehlwave.atlas.ranges`.
 
         Raises
         ------
         RangeError
             If one lies outside its range.
         """
-        for key, (low, high) in CONTACT_RANGES.items():
+        for key, (low, high) in self.kind.ranges.items():
             if not low * (1 - 1e-9) <= keys[key] <= high * (1 + 1e-9):
+                name = "eyring_stress_pa reduced_modulus_pa" if "stress" in key else key
                 raise RangeError(
-                    f"{key} = {keys[key]:.5g} lies outside the atlas, which holds {low:g} to "
+                    f"{name} = {keys[key]:.5g} lies outside the atlas, which holds {low:g} to "
                     f"{high:g}: name a formula, or compute it (ehlwave.Case, a harmonic table)"
                 )
         return Chart(self, keys)
@@ -153,21 +165,41 @@ class Chart:
     def __init__(self, atlas: Atlas, keys: Mapping[str, float]) -> None:
         """Weigh all points of the atlas by their nearness to the contact."""
         self._atlas = atlas
-        self._place = contact_coordinates(keys)[0]
-        self._shape = Shape(*(keys[name] for name in list(CONTACT_RANGES)[:3]))
+        self._keys = keys
+        self._place = atlas.kind.coordinates(keys)[0]
+        self._shape = atlas.kind.shape(keys, atlas.data.attrs)
         self._weights: dict[str, Floats] = {}
-        wide = atlas.contact_scales * NEIGHBOURHOOD
-        self._near = correlation(self._place[None, :], atlas.points.contacts, wide)[0]
+        self._near = self._nearness(atlas.contact_scales)
+
+    def _nearness(self, scales: Floats) -> Floats:
+        """Return how much the errors of each contact count for this one."""
+        contacts = self._atlas.points.contacts
+        return correlation(self._place[None, :], contacts, scales * NEIGHBOURHOOD)[0]
+
+    def film_numbers(self) -> Floats:
+        """Return what the films are interpolated by: those that the kind of the atlas names."""
+        atlas = self._atlas
+        return np.asarray(atlas._films.at_contact(self._place).sum(axis=0) + atlas._film_means)
 
     def film(self, moes: float) -> SmoothFilm:
         """Return the smooth films; `moes` is the central film of Moes' formula in his scale."""
-        films, atlas = self._atlas._films, self._atlas
-        numbers = films.at_contact(self._place).sum(axis=0) + atlas._film_means
-        squares = self._near @ atlas._film_misfit / self._near.sum()
-        central = moes * float(np.exp(numbers[0]))
+        atlas, numbers = self._atlas, self.film_numbers()
+        near = self._nearness(atlas.film_scales)
+        squares = near @ atlas._film_misfit / near.sum()
         errors = np.sqrt(squares) * atlas.data.attrs["film_error_factor"]
+        base, smallest, stress = moes, moes, None
+        if atlas.kind is SLIDING:
+            contact = conditions_of(self._keys)[0]
+            base, smallest = rolling_film(contact)
+            stress = float(np.exp(numbers[2])) * mean_stress(contact)
+        central = float(np.exp(numbers[0]))
         return SmoothFilm(
-            central, central * float(np.exp(numbers[1])), float(errors[0]), float(errors.sum())
+            central_moes=base * central,
+            minimum_moes=smallest * central * float(np.exp(numbers[1])),
+            central_error=float(errors[0]),
+            minimum_error=float(errors[:2].sum()),
+            stress=stress,
+            stress_error=None if stress is None else float(errors[2]),
         )
 
     def responses(self, wavelength_over_a: ArrayLike, angle_deg: ArrayLike) -> Responses:
@@ -187,13 +219,22 @@ class Chart:
         places = self._shape.wave_coordinates(wave, angle)
         numbers = [self._numbers(part, places) for part in ("film", "pressure")]
         film, pressure = self._shape.responses(wave, angle, np.concatenate(numbers, axis=-1))
-        near = atlas.near(places.reshape(-1, 4))
+        near = atlas.near(places.reshape(-1, places.shape[-1]))
         near *= self._near[atlas.points.of_contact]
         squares = near @ atlas._misfit / np.maximum(near.sum(axis=1), 1e-300)
         factor = atlas.data.attrs["error_factor"]
         return Responses(
-            film, pressure, np.sqrt(factor**2 * squares.reshape(wave.shape) + PRECISION**2)
+            film.reshape(wave.shape),
+            pressure.reshape(wave.shape),
+            np.sqrt(factor**2 * squares.reshape(wave.shape) + PRECISION**2),
         )
+
+    def film_response(self, wavelength_over_a: Floats, angle_deg: Floats) -> Complex:
+        """Return film responses alone; arguments as of :meth:`responses`, arrays of one shape."""
+        places = self._shape.wave_coordinates(wavelength_over_a, angle_deg)
+        numbers = self._numbers("film", places)
+        law, spread = self._shape.law_and_spread(wavelength_over_a, angle_deg)
+        return np.asarray(law + (numbers[..., 0] + 1j * numbers[..., 1]) * spread)
 
     def rise(self, wavelength_over_a: ArrayLike, angle_deg: ArrayLike) -> Floats | None:
         """Return what waves add to the mean film over the film, per (A/film)^2; None: not known.
@@ -212,7 +253,7 @@ class Chart:
         process = self._atlas.process(part)
         if part not in self._weights:
             self._weights[part] = process.at_contact(self._place)
-        found = process.at_waves(self._weights[part], places.reshape(-1, 4))
+        found = process.at_waves(self._weights[part], places.reshape(-1, places.shape[-1]))
         return found.reshape(*places.shape[:-1], -1)
 
 
@@ -228,13 +269,17 @@ def contact_of(data: xr.Dataset) -> NDArray[np.intp]:
 
 def shape_of(data: xr.Dataset) -> Shape:
     """Return what turns responses into numbers, for each of them."""
-    return Shape(*(data[name].values for name in list(CONTACT_RANGES)[:3]))[contact_of(data)]
+    shape = kind_of(data).shape(data, data.attrs)[contact_of(data)]
+    if isinstance(shape, SlidingShape):
+        known = data["rolling_real"].values + 1j * data["rolling_imaginary"].values
+        return shape.with_rolling(known)
+    return shape
 
 
 def responses_of(data: xr.Dataset) -> Scattered:
     """Return where an atlas has responses."""
     waves = shape_of(data).wave_coordinates(*waves_of(data))
-    return Scattered(contact_coordinates(data), contact_of(data), waves)
+    return Scattered(kind_of(data).coordinates(data), contact_of(data), waves)
 
 
 def waves_of(data: xr.Dataset) -> tuple[Floats, Floats]:
@@ -257,9 +302,29 @@ def numbers_of(data: xr.Dataset, part: str) -> tuple[Scattered, Floats]:
     return points, shape_of(data).reduced(*waves_of(data), film, pressure)[:, PARTS[part]]
 
 
+def shipped(kind: Kind) -> Path:
+    """Return the file of this package."""
+    return Path(__file__).with_name(f"{kind.name}.nc")
+
+
+SHIPPED = shipped(ROLLING)
+"""The atlas of contacts that roll."""
+
+
+def atlas_for(conditions: Conditions, atlas: Atlas | None = None) -> Atlas:
+    """Return the atlas that a contact is looked up in: this one if it is of the kind, else ours.
+
+    A Ree-Eyring oil under slip has one of its own; all else rolls as far as the atlas knows.
+    """
+    kind = SLIDING if conditions.has_sliding_atlas else ROLLING
+    return atlas if atlas is not None and atlas.kind is kind else load_atlas(shipped(kind))
+
+
 @lru_cache(maxsize=4)
 def load_atlas(path: str | Path = SHIPPED) -> Atlas:
-    """Return the atlas of a file, by default the one of this package; read once a process.
+    """Return the atlas of a file, by default the one of this package for contacts that roll.
+
+    Read once a process.
 
     Raises
     ------

@@ -1,6 +1,7 @@
 """The coordinates in which responses are smooth, and what of them is interpolated there."""
 
 from collections.abc import Mapping
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,6 +14,7 @@ from ehlwave.rolling import rolling_transfer
 
 Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]
+SomeShape = TypeVar("SomeShape", bound="Shape")
 
 CONTACT_COORDINATES = ("H^(1/2)", "ln L", "ln D", "ln ph", "ln B")
 WAVE_COORDINATES = ("ln x", "angle, rad", "ln(lambda/b)", "ln(lambda/a)")
@@ -76,6 +78,9 @@ class Shape:
     Takes M, L and D as arrays of one shape.
     """
 
+    OF_ALL: tuple[str, ...] = ()
+    """Names of what is not of each contact."""
+
     def __init__(self, m: ArrayLike, l: ArrayLike, d: ArrayLike) -> None:  # noqa: E741
         """Find what follows from M, L and D."""
         self.m, self.l = np.asarray(m, dtype=float), np.asarray(l, dtype=float)
@@ -84,11 +89,21 @@ class Shape:
         self.gamma = np.vectorize(pressure_factor, otypes=[float])(self.kappa)
         self._k = ellipk(1 - self.kappa**2)
 
-    def __getitem__(self, index: NDArray[np.intp]) -> "Shape":
+    @classmethod
+    def of_keys(cls, keys: Mapping[str, ArrayLike], _: Mapping[str, Any]) -> "Shape":
+        """Return that of contacts given by columns named as the input keys."""
+        return cls(
+            *(
+                np.asarray(keys[name], dtype=float)
+                for name in ("load_parameter_m", "lubricant_parameter_l", "radius_ratio_d")
+            )
+        )
+
+    def __getitem__(self: SomeShape, index: NDArray[np.intp]) -> SomeShape:
         """Return the same of a choice of contacts."""
-        part = Shape.__new__(Shape)
+        part = type(self).__new__(type(self))
         for name, values in vars(self).items():
-            setattr(part, name, values[index])
+            setattr(part, name, values[index] if name not in self.OF_ALL else values)
         return part
 
     def parameter(self, wavelength: ArrayLike, angle_deg: ArrayLike) -> Floats:
@@ -110,7 +125,8 @@ class Shape:
         self, wavelength: ArrayLike, angle_deg: ArrayLike, film: Complex, pressure: Complex
     ) -> Floats:
         """Return the four numbers of responses, shape (n, 4)."""
-        ratio = film / self.formula(wavelength, angle_deg) - 1
+        law, spread = self.law_and_spread(wavelength, angle_deg)
+        ratio = (film - law) / spread
         left = self.compliance(wavelength) * pressure - (film - 1)
         return np.stack([ratio.real, ratio.imag, left.real, left.imag], axis=-1)
 
@@ -118,9 +134,17 @@ class Shape:
         self, wavelength: ArrayLike, angle_deg: ArrayLike, numbers: Floats
     ) -> tuple[Complex, Complex]:
         """Return film and pressure responses, the inverse of :meth:`reduced`."""
-        film = (1 + numbers[..., 0] + 1j * numbers[..., 1]) * self.formula(wavelength, angle_deg)
+        law, spread = self.law_and_spread(wavelength, angle_deg)
+        film = law + (numbers[..., 0] + 1j * numbers[..., 1]) * spread
         pressure = (film - 1 + numbers[..., 2] + 1j * numbers[..., 3]) / self.compliance(wavelength)
         return film, pressure
+
+    def law_and_spread(
+        self, wavelength: ArrayLike, angle_deg: ArrayLike
+    ) -> tuple[Complex, Complex]:
+        """Return a law, and what film responses differ from it in proportion to: here itself."""
+        law = self.formula(wavelength, angle_deg)
+        return law, law
 
     def formula(self, wavelength: ArrayLike, angle_deg: ArrayLike) -> Complex:
         """Return the law of pure rolling."""

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import RectBivariateSpline
 
-from ehlwave.atlas.atlas import Atlas, Chart, load_atlas
+from ehlwave.atlas.atlas import Atlas, Chart, atlas_for
 from ehlwave.atlas.ranges import WAVE_RANGE
 from ehlwave.deform.conditions import Conditions, moes_film
 from ehlwave.deform.transfer import Waves
@@ -38,7 +38,7 @@ class Found:
 
 
 class AtlasTransfer:
-    """Film responses of the atlas for a contact in pure rolling.
+    """Film responses of the atlas for a contact that rolls, or slides in a Ree-Eyring oil.
 
     Waves shorter than the atlas have nearly their whole amplitude: 1 - T continues with the power
     3/2 of the wavelength. Longer ones hardly any: T falls as the recommended formula does. Of both
@@ -51,19 +51,20 @@ class AtlasTransfer:
         Raises
         ------
         RangeError
-            A ValueError: the contact lies outside the atlas, there is slip, or the oil has laws of
-            viscosity or density that the atlas does not.
+            A ValueError: the contact lies outside the atlas, slides in an oil that is not
+            Ree-Eyring's, or the oil has laws of viscosity or density that the atlas does not.
         """
-        if conditions.slip_parameter != 1:
+        if conditions.slip_parameter != 1 and not conditions.has_sliding_atlas:
             raise RangeError(
-                f"slip_parameter = {conditions.slip_parameter:g}: the atlas holds pure rolling, "
-                "slip_parameter = 1; give a harmonic table of this slip"
+                f"slip_parameter = {conditions.slip_parameter:g}: of contacts that slide the atlas "
+                "holds those with a Ree-Eyring oil, eyring_stress_pa; name the law of the two "
+                "waves, or give a harmonic table of this slip"
             )
         if conditions.oil.other_laws:
             laws = ", ".join(conditions.oil.other_laws)
             raise RangeError(f"{laws}: the atlas holds Roelands' oil; give a harmonic table")
         self._conditions = conditions
-        self._atlas = atlas or load_atlas()
+        self._atlas = atlas_for(conditions, atlas)
         self._chart: Chart = self._atlas.at(conditions.atlas_keys())
         self._lookups: dict[str, Callable[[Waves, Waves], Waves]] = {}
         """Film, real and imaginary, its error, and the rise of the mean film."""
@@ -220,9 +221,10 @@ def with_atlas_film(conditions: Conditions, atlas: Atlas | None = None) -> Condi
     """
     if conditions.metres_per_moes is None or conditions.film_source.startswith("given"):
         return conditions
-    chosen = atlas or load_atlas()
-    film = chosen.at(conditions.atlas_keys()).film(
-        moes_film(conditions.m, conditions.l, conditions.d)
+    film = (
+        atlas_for(conditions, atlas)
+        .at(conditions.atlas_keys())
+        .film(moes_film(conditions.m, conditions.l, conditions.d))
     )
     source = f"atlas, within {100 * film.central_error:.1g} %"
     return replace(

@@ -62,9 +62,9 @@ Examples:
   ehlwave deform ball.csv --second disc.csv --conditions sliding.nml --formula two-waves
       --length-unit mm --height-unit um
 
-Under slip (slip_parameter, and eyring_stress_pa of a Ree-Eyring oil, or carreau_modulus_pa and
-carreau_exponent of a Carreau oil, in the conditions) the law of the two waves is the formula that
-holds; a harmonic table of this slip is better."""
+Under slip (slip_parameter in the conditions) the atlas has Ree-Eyring oils, eyring_stress_pa. Of
+others, also Carreau ones, carreau_modulus_pa and carreau_exponent, the law of the two waves is the
+formula that holds; a harmonic table of this slip is better."""
 
 
 SURFACE_DESCRIPTION = """\
@@ -117,7 +117,7 @@ def add_commands(commands: Any) -> None:  # noqa: ANN401 - argparse does not nam
         "--formula",
         choices=("paper", "recommended", "two-waves"),
         help="in place of the atlas: (18) as printed; the formula with a quarter of its error; the "
-        "law of the two waves, with phase, which is what slip is judged by anyway",
+        "law of the two waves, with phase, by which slip is judged where the atlas has none",
     )
     source.add_argument(
         "--table", type=Path, metavar="FILE", help="harmonic table to use in place of the formula"
@@ -275,22 +275,26 @@ def _transfer(options: argparse.Namespace, conditions: Conditions) -> Transfer:
         return RecommendedTransfer(conditions)
     if options.formula == "paper":
         return FormulaTransfer(conditions)
-    if options.formula == "two-waves" or conditions.slip_parameter != 1:
+    has_atlas = conditions.slip_parameter == 1 or conditions.has_sliding_atlas
+    if options.formula == "two-waves" or not has_atlas:
         return TwoWaveTransfer(conditions)
     try:
         return AtlasTransfer(conditions)
     except RangeError as error:
-        raise SurfaceError(
-            f"{error}. A formula is used when named: --formula recommended"
-        ) from error
+        name = "recommended" if conditions.slip_parameter == 1 else "two-waves"
+        raise SurfaceError(f"{error}. A formula is used when named: --formula {name}") from error
 
 
 def _others(result: Deformed, options: argparse.Namespace) -> list[Deformed]:
     """Return what else can judge the components, for comparison."""
     conditions = result.conditions
-    if result.height.size > MOST_COMPARED or conditions.slip_parameter != 1:
+    if result.height.size > MOST_COMPARED:
         return []
-    every: list[Transfer] = [RecommendedTransfer(conditions), FormulaTransfer(conditions)]
+    every: list[Transfer] = (
+        [RecommendedTransfer(conditions), FormulaTransfer(conditions)]
+        if conditions.slip_parameter == 1
+        else [TwoWaveTransfer(conditions)]
+    )
     with contextlib.suppress(RangeError):
         every.insert(0, AtlasTransfer(conditions))
     return [

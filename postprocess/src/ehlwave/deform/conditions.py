@@ -112,15 +112,24 @@ class Conditions:
             film = (self.central_film_m or math.nan) / self.hertz_approach_c_m
         return hertz_medium(self.oil, self.kappa, self.alphabar, self.lambdabar, film, slip)
 
+    @property
+    def has_sliding_atlas(self) -> bool:
+        """Whether the atlas of sliding contacts is the one for it: slip and a Ree-Eyring oil."""
+        return self.slip_parameter != 1 and self.oil.name == "Ree-Eyring"
+
     def atlas_keys(self) -> dict[str, float]:
-        """Return the coordinates of the contact in the atlas, by their keys."""
-        return {
+        """Return the coordinates of the contact in the atlases, by their keys."""
+        keys = {
             "load_parameter_m": self.m,
             "lubricant_parameter_l": self.l,
             "radius_ratio_d": self.d,
             "pressure_viscosity_per_pa": self.oil.pressure_viscosity_per_pa,
             "roelands_index": self.oil.roelands_index,
         }
+        if self.has_sliding_atlas and self.oil.stress_modulus_pa2 is not None:
+            keys["slip_parameter"] = self.slip_parameter
+            keys["stress_modulus_pa2"] = self.oil.stress_modulus_pa2
+        return keys
 
 
 def conditions_from_keys(

@@ -1,0 +1,99 @@
+"""The atlas of contacts that slide in a Ree-Eyring oil."""
+
+import numpy as np
+import pytest
+
+import ehlwave
+from ehlwave.atlas.kinds import ROLLING, SLIDING
+from ehlwave.atlas.sliding import SlidingShape
+from ehlwave.deform import TwoWaveTransfer, trace_surface
+from ehlwave.deform.atlas_transfer import AtlasTransfer
+
+MOES = {"load_parameter_m": 100, "lubricant_parameter_l": 12.05, "radius_ratio_d": 1}
+OIL = {"reduced_modulus_pa": 226e9, "eyring_stress_pa": 5e6}
+LENGTHS = {"semi_axis_a_m": 0.2e-3, "radius_x_m": 12.5e-3}
+
+COMPUTED = [
+    (1.1, 0.5, 0.6050 + 0.4647j, -3.880 + 4.652j),
+    (1.1, 1.0, 0.3319 + 0.5308j, -3.265 + 2.816j),
+    (1.3, 0.5, 0.5559 + 0.4456j, -4.357 + 4.393j),
+    (1.3, 1.0, 0.0554 + 0.3696j, -4.846 + 1.915j),
+]
+"""S, lambda/a, film and pressure; ehlwave-case, 256 x 256 cells, flooded, at mesh size 0."""
+
+FILM, FRICTION = 4.285, 0.05400
+"""At S = 1.3; the film in the Moes scale."""
+
+
+@pytest.mark.parametrize(("slip", "wave", "film", "pressure"), COMPUTED)
+def test_a_response_is_that_of_the_program(
+    slip: float, wave: float, film: complex, pressure: complex
+) -> None:
+    found = ehlwave.Contact(**MOES, **OIL).response(wave, slip_parameter=slip)
+    assert "atlas" in found.source
+    assert abs(found.film - film) < found.error
+    assert found.error < 0.12
+    assert abs(found.pressure - pressure) < 0.15 * abs(pressure)
+
+
+def test_film_and_friction_are_those_of_the_program() -> None:
+    film = ehlwave.Contact(**MOES, **OIL, slip_parameter=1.3).film()
+    assert film.friction is not None
+    assert film.friction_error is not None
+    assert film.central_moes == pytest.approx(FILM, rel=film.central_error)
+    assert film.friction == pytest.approx(FRICTION, rel=film.friction_error)
+    assert film.central_error < 0.1
+    assert ehlwave.Contact(**MOES, **OIL).film().friction is None
+    assert ehlwave.Contact(**MOES, slip_parameter=1.3).film().friction is None  # Newtonian
+
+
+def test_of_stress_and_modulus_the_product_counts() -> None:
+    one = ehlwave.Contact(**MOES, reduced_modulus_pa=1e11, eyring_stress_pa=11.3e6)
+    other = ehlwave.Contact(**MOES, **OIL)
+    for slip in (0.7, 1.2):
+        films = [contact.response(0.7, slip_parameter=slip).film for contact in (one, other)]
+        assert films[0] == pytest.approx(films[1], rel=1e-9)
+
+
+def test_slip_that_vanishes_is_rolling() -> None:
+    contact = ehlwave.Contact(**MOES, **OIL)
+    rolling = contact.response(0.7)
+    for slip in (0.999, 1.001):
+        found = contact.response(0.7, slip_parameter=slip)
+        assert abs(found.film - rolling.film) < found.error + rolling.error
+
+
+def test_outside_its_stresses_the_law_of_the_two_waves_answers() -> None:
+    contact = ehlwave.Contact(**MOES, reduced_modulus_pa=226e9, eyring_stress_pa=50e6)
+    found = contact.response(0.7, slip_parameter=1.2)
+    assert found.source.startswith("law of the two waves")
+    with pytest.raises(ehlwave.RangeError, match="eyring_stress_pa reduced_modulus_pa"):
+        ehlwave.Contact(
+            **MOES, reduced_modulus_pa=226e9, eyring_stress_pa=50e6, slip_parameter=1.2
+        ).film()
+
+
+def test_numbers_give_the_responses_back() -> None:
+    keys = {name: np.array([low, high]) for name, (low, high) in SLIDING.ranges.items()}
+    shape = SlidingShape.of_keys(keys, {}).with_rolling(np.array([0.5 + 0.1j, 0.9 + 0j]))
+    wave, angle = np.array([0.3, 2.0]), np.array([30.0, 0.0])
+    film, pressure = np.array([0.8 + 0.3j, 0.2 + 0j]), np.array([-1 + 2j, -3 + 0j])
+    numbers = shape.reduced(wave, angle, film, pressure)
+    for found, given in zip(shape.responses(wave, angle, numbers), (film, pressure), strict=True):
+        np.testing.assert_allclose(found, given, rtol=1e-12)
+    assert shape.wave_coordinates(wave, angle).shape == (2, 6)
+    assert SLIDING.coordinates(keys).shape == (2, 7)
+    assert ROLLING.coordinates(keys).shape == (2, 5)
+
+
+def test_a_surface_under_slip_is_deformed_by_its_responses() -> None:
+    contact = ehlwave.Contact(**MOES, **OIL, **LENGTHS, slip_parameter=1.2)
+    assert isinstance(contact.transfer(), AtlasTransfer)
+    assert isinstance(contact.transfer("two-waves"), TwoWaveTransfer)
+    wave = 0.5 * LENGTHS["semi_axis_a_m"]
+    x = np.arange(200) * wave / 20
+    surface = trace_surface(1e-8 * np.cos(2 * np.pi * x / wave), wave / 20, "x", "cosine")
+    found = contact.deform(surface, form="none", ends="none")
+    response = contact.response(0.5, slip_parameter=1.2)
+    expected = 1e-8 * np.real(response.film * np.exp(2j * np.pi * x / wave))
+    np.testing.assert_allclose(found.height[:, 0], expected, atol=1e-10)
