@@ -20,6 +20,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 LONGEST_S = float(os.environ.get("EHLWAVE_LONGEST", "10"))
 LARGEST_MIB = int(os.environ.get("EHLWAVE_LARGEST_MIB", "1024"))
+FRESH = 5000   # inputs of a process: HDF5 keeps something of every damaged file, and takes longer over each
 TARGETS = ("case", "sweep", "table", "record", "surface", "trace")
 
 TOKENS = [b"&", b"/", b"=", b",", b"'", b'"', b"!", b"(", b"*", b"\n", b"\r", b"\0", b" ", b"\t", b"\x1b", b"\xff", b"\xef\xbb\xbf",
@@ -257,6 +258,8 @@ def fuzz(name, inputs, seed, seconds=float("inf"), keep=None, say=print):
         end = time.monotonic() + seconds
         done = 0
         while done < inputs and time.monotonic() < end and len(faults) < 20:
+            if done % FRESH == FRESH - 1:
+                target.stop()
             data = target.make()
             fault = target.visit()
             done += 1
