@@ -15,7 +15,7 @@ except ImportError as error:
     print(f"skipped: the stability map needs the packages of postprocess ({error})")
     sys.exit(SKIPPED)
 
-EVERY = 8
+EVERY = 11
 LIMIT = 60
 
 

@@ -174,7 +174,7 @@ class SweepResume(unittest.TestCase):
         self.check_stopped_march({**LONG, "solver": {"method": "fas"}})
 
     def test_stopped_march_with_an_equation_of_motion_goes_on_bit_for_bit(self):
-        self.check_stopped_march({**RESCUED, "dynamics": {"load_balance": "equation_of_motion", "natural_frequency": 4}})
+        self.check_stopped_march({**LONG, "dynamics": {"load_balance": "equation_of_motion", "natural_frequency": 4}})
 
     def test_stopped_march_with_rescues_goes_on_bit_for_bit(self):
         self.check_stopped_march(RESCUED)

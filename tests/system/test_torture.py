@@ -10,9 +10,9 @@ from ehlwave_program import IS_LONG
 from torture import inject, torture
 
 CASES = (160, 640, 2560)   # as many as it takes for the sweep not to be over before it is disturbed
-DISTURBANCES = 7 if IS_LONG else 5
+DISTURBANCES = 7 if IS_LONG else 4
 FEWEST = 4 if IS_LONG else 3
-FAULTS = 24 if IS_LONG else 12
+FAULTS = 24 if IS_LONG else 10
 
 
 class Torture(unittest.TestCase):

@@ -17,9 +17,9 @@ RESOLVED = [(m, d, orientation, wave) for m, d in ((50, 1), (200, 0.35), (500, 0
             for orientation in ("transverse", "isotropic", "longitudinal") for wave in (1, 2)]
 PAPER_GRID = [(50, 1, "transverse", 0.5), (50, 1, "longitudinal", 0.5), (200, 0.35, "longitudinal", 1),
               (1000, 0.04, "longitudinal", 2)]
-if not IS_LONG:   # every value of every column once or twice
-    QUICK = [point for place, point in enumerate(QUICK) if place%5 == 0]
-    RESOLVED = [point for place, point in enumerate(RESOLVED) if place%5 == 0]
+if not IS_LONG:   # every value of most columns once
+    QUICK = [point for place, point in enumerate(QUICK) if place%7 == 0]
+    RESOLVED = [point for place, point in enumerate(RESOLVED) if place%7 == 0]
     PAPER_GRID = PAPER_GRID[::3]
 # Marched waves have Ai = 20 % of the film, linear responses are those of small ones. Measured: at most 0.0055, longitudinal waves
 # with M = 50, D = 0.12, lambda = 1.4 a.
