@@ -21,6 +21,7 @@ ROOT = Path(__file__).resolve().parents[2]
 LONGEST_S = float(os.environ.get("EHLWAVE_LONGEST", "10"))
 LARGEST_MIB = int(os.environ.get("EHLWAVE_LARGEST_MIB", "1024"))
 FRESH = 5000   # inputs of a process: HDF5 keeps something of every damaged file, and takes longer over each
+PLACE = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None   # of the inputs
 TARGETS = ("case", "sweep", "table", "record", "surface", "trace")
 
 TOKENS = [b"&", b"/", b"=", b",", b"'", b'"', b"!", b"(", b"*", b"\n", b"\r", b"\0", b" ", b"\t", b"\x1b", b"\xff", b"\xef\xbb\xbf",
@@ -99,6 +100,12 @@ def record_line(text):
     return f"{zlib.crc32(text):08x} {len(text)} ".encode() + text + b"\n"
 
 
+def with_checksums(data):
+    """A log with good checksums: otherwise nothing but the checksum is tested."""
+    lines = [bytes(line).split(b" ", 2) for line in data.split(b"\n")]
+    return b"".join(record_line(parts[2]) for parts in lines if len(parts) == 3)
+
+
 class Target:
     """One reader and the file that it reads."""
 
@@ -106,6 +113,7 @@ class Target:
         self.name, self.folder = name, Path(folder)
         self.process = None
         self.kind, self.path, corpus = getattr(self, "prepare_" + name)()
+        self.words = self.kind.split() if " " in self.kind else [self.kind, self.path]   # what the program is told
         self.mutator = Mutator(corpus, seed)
         self.recode = name == "record"
         self.answers = {}
@@ -143,9 +151,7 @@ class Target:
         """The next input, in its file."""
         data = self.mutator.next()
         if self.recode and self.mutator.random.random() < 0.7:
-            # behind good checksums: otherwise nothing but the checksum is tested
-            lines = [line.split(b" ", 2) for line in data.split(b"\n")]
-            data = b"".join(record_line(parts[2]) for parts in lines if len(parts) == 3)
+            data = with_checksums(data)
         path = self.folder/self.path
         path.write_bytes(data)
         return data
@@ -158,9 +164,8 @@ class Target:
         """Have the present input read. Returns what went wrong, else None."""
         if self.process is None:
             self.start()
-        line = self.kind if " " in self.kind else f"{self.kind} {self.path}"
         begin = self.cpu()
-        self.process.stdin.write(line.encode() + b"\n")
+        self.process.stdin.write(" ".join(self.words).encode() + b"\n")
         self.process.stdin.flush()
         ready, _, _ = select.select([self.process.stdout], [], [], 6*LONGEST_S)
         answer = self.process.stdout.readline() if ready else b""
@@ -252,8 +257,7 @@ class Traces(Target):
 def fuzz(name, inputs, seed, seconds=float("inf"), keep=None, say=print):
     """Make and read inputs. Returns their number and the list of what went wrong."""
     faults = []
-    place = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None
-    with tempfile.TemporaryDirectory(dir=place) as folder:
+    with tempfile.TemporaryDirectory(dir=PLACE) as folder:
         target = (Traces if name == "trace" else Target)(name, folder, seed)
         end = time.monotonic() + seconds
         done = 0

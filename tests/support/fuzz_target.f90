@@ -23,11 +23,14 @@ program fuzz_target
    implicit none (type, external)
 
    character(len=4096) :: line
+   character(len=16) :: kind
    integer :: blank, io
 
    call ieee_set_halting_mode(ieee_usual, .false.)   ! inputs hold infinities and NaN, which debug builds are to refuse, too
    if (command_argument_count() == 2) then
-      call visit(argument(1), argument(2))
+      call get_command_argument(1, kind)
+      call get_command_argument(2, line)
+      call visit(trim(kind), trim(line))
       stop
    end if
    do
@@ -38,15 +41,6 @@ program fuzz_target
    end do
 
 contains
-
-   function argument(number) result(text)
-      integer, intent(in) :: number
-      character(len=:), allocatable :: text
-      integer :: length
-      call get_command_argument(number, length=length)
-      allocate (character(len=length) :: text)
-      call get_command_argument(number, text)
-   end function argument
 
    subroutine visit(kind, path)
       character(len=*), intent(in) :: kind, path

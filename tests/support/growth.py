@@ -35,6 +35,18 @@ def process_of(log):
     return int(log.read_bytes()[:4096].split(b"]],[")[1].split(b",")[4])
 
 
+def samples_of(process, log):
+    """Samples (size of log, KiB, files) of the process that writes a log, until the one that started it ends."""
+    samples = []
+    while process.poll() is None:
+        time.sleep(0.05)
+        try:
+            samples.append((log.stat().st_size, *resident(process_of(log))))
+        except (OSError, IndexError, StopIteration):   # it has not begun, or has ended
+            pass
+    return samples
+
+
 def growth(samples):
     """Of samples (size of log, KiB, files) after 10 % of the log: KiB and files at first, and by how much they grow."""
     late = [sample for sample in samples if 0.1*samples[-1][0] < sample[0]]
@@ -50,16 +62,11 @@ def watch(response, cases, folder):
             f"{chance.uniform(1, 3)}" for _ in range(cases)]
     Path(folder, "cases.csv").write_text("\n".join(["load_parameter_m,lubricant_parameter_l,orientation,wavelength_over_a", *rows]))
     Path(folder, "sweep.nml").write_text(INPUT.format(response=response))
-    log, samples = Path(folder, "results.store", "records", "000001-000001.log"), []
+    log = Path(folder, "results.store", "records", "000001-000001.log")
     with Path(folder, "run.log").open("w") as file:
         process = subprocess.Popen([*mpi_command(2), os.environ["EHLWAVE_SWEEP"], "sweep.nml"], cwd=folder, stdout=file, stderr=file,
                                    env={**os.environ, **MPI_ENVIRONMENT})
-        while process.poll() is None:
-            time.sleep(0.05)
-            try:
-                samples.append((log.stat().st_size, *resident(process_of(log))))
-            except (OSError, IndexError, StopIteration):   # it has not begun, or has ended
-                pass
+        samples = samples_of(process, log)
     if process.returncode not in (0, 1):
         raise SystemExit(Path(folder, "run.log").read_text()[-2000:])
     return [sample for sample in samples if sample[0] < samples[-1][0]]   # then it writes the results

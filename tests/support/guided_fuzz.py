@@ -11,7 +11,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from fuzz import LARGEST_MIB, LONGEST_S, TARGETS, Target, record_line
+from fuzz import LARGEST_MIB, LONGEST_S, PLACE, TARGETS, Target, with_checksums
 
 GUIDED = tuple(name for name in TARGETS if name != "trace")
 ENVIRONMENT = {"AFL_NO_UI": "1", "AFL_SKIP_CPUFREQ": "1", "AFL_NO_AFFINITY": "1", "AFL_I_DONT_CARE_ABOUT_MISSING_CRASHES": "1",
@@ -27,26 +27,21 @@ def deinit():
 
 
 def post_process(data):
-    """Every other log with good checksums: otherwise nothing but the checksum is tested."""
-    if len(data) % 2:
-        return data
-    lines = [bytes(line).split(b" ", 2) for line in data.split(b"\n")]
-    return bytearray(b"".join(record_line(parts[2]) for parts in lines if len(parts) == 3))
+    """Every other log with good checksums."""
+    return data if len(data) % 2 else bytearray(with_checksums(data))
 
 
 def guided_fuzz(name, seconds, keep):
     """Fuzz one target. Returns the statistics of afl-fuzz."""
-    place = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None
-    with tempfile.TemporaryDirectory(dir=place) as folder:
+    with tempfile.TemporaryDirectory(dir=PLACE) as folder:
         target = Target(name, folder, seed=0)
         begin = Path(folder, "corpus")
         begin.mkdir()
         for number, data in enumerate(target.mutator.corpus):
             (begin/str(number)).write_bytes(data)
-        words = target.kind.split() if " " in target.kind else [target.kind, target.path]
         variables = {"AFL_PYTHON_MODULE": "guided_fuzz", "PYTHONPATH": str(Path(__file__).parent)} if target.recode else {}
         subprocess.run(["afl-fuzz", "-i", begin, "-o", keep/name, "-f", target.path, "-t", str(int(1000*LONGEST_S)),
-                        "-m", str(LARGEST_MIB), "-V", str(seconds), "--", os.environ["EHLWAVE_FUZZ_TARGET"], *words], cwd=folder,
+                        "-m", str(LARGEST_MIB), "-V", str(seconds), "--", os.environ["EHLWAVE_FUZZ_TARGET"], *target.words], cwd=folder,
                        env={**os.environ, **ENVIRONMENT, **variables}, stdout=(keep/f"{name}.log").open("w"), check=True)
     lines = (keep/name/"default"/"fuzzer_stats").read_text().splitlines()
     return {key.strip(): value.strip() for key, _, value in (line.partition(":") for line in lines)}

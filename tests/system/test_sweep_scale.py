@@ -3,12 +3,11 @@
 import os
 import subprocess
 import tempfile
-import time
 import unittest
 from pathlib import Path
 
 from ehlwave_program import MPI_ENVIRONMENT, mpi_command, report, run
-from growth import LARGEST_GROWTH_KIB, growth, process_of, resident
+from growth import LARGEST_GROWTH_KIB, growth, samples_of
 from hdf5_reading import read
 
 CASES = 2000
@@ -49,13 +48,7 @@ class SweepScale(unittest.TestCase):
                                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
             self.addCleanup(process.kill)
             log = Path(folder, "results.store", "records", "000001-000001.log")
-            samples = []
-            while process.poll() is None:
-                time.sleep(0.05)
-                try:
-                    samples.append((log.stat().st_size, *resident(process_of(log))))
-                except (OSError, IndexError, StopIteration):   # it has not begun, or has ended
-                    pass
+            samples = samples_of(process, log)
             self.assertEqual(process.returncode, 0)
             memory, files, more_memory, more_files = growth(samples)
             report(f"{MANY_CASES} cases: {memory} KiB and {files} files open after 10 %, at most {more_memory} KiB more later")

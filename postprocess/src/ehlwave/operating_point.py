@@ -202,7 +202,7 @@ class Contact:
                 f"angle_deg = {angle_deg:.5g} lies outside 0 to 90 (waves at -angle are the same)"
             )
         conditions = replace(self.conditions, slip_parameter=slip_parameter)
-        if slip_parameter != 1 and not conditions.has_sliding_atlas:
+        if not conditions.has_atlas:
             if angle_deg < 90:
                 return self._response_under_slip(wavelength_over_a, angle_deg, slip_parameter)
             slip_parameter = 1.0
@@ -246,8 +246,7 @@ class Contact:
         RangeError
             A ValueError: the contact lies outside the atlas.
         """
-        has_atlas = self.conditions.slip_parameter == 1 or self.conditions.has_sliding_atlas
-        if by == "atlas" and has_atlas:
+        if by == "atlas" and self.conditions.has_atlas:
             return AtlasTransfer(self.conditions, self.atlas())
         if by in ("atlas", "two-waves"):
             return TwoWaveTransfer(self.conditions)

@@ -93,7 +93,8 @@ class Atlas:
             name: Scales(np.array(one["contact"]), np.array(one["wave"]), one["noise"])
             for name, one in json.loads(data.attrs["length_scales"]).items()
         }
-        self.points = responses_of(data)
+        self._shape = shape_of(data)
+        self.points = responses_of(data, self._shape)
         self.near = Correlation(self.points.waves, self.scales["film"].waves * NEIGHBOURHOOD)
         self._processes: dict[str, Process] = {}
         films = np.stack([data[name].values for name in self.kind.films], axis=1)
@@ -108,7 +109,7 @@ class Atlas:
     def process(self, part: str) -> Process:
         """Return the interpolation of a part of the responses; its weights are found once."""
         if part not in self._processes:
-            points, values = numbers_of(self.data, part)
+            points, values = numbers_of(self.data, part, self._shape)
             self._processes[part] = Process(points, values, self.scales[part])
         return self._processes[part]
 
@@ -276,9 +277,9 @@ def shape_of(data: xr.Dataset) -> Shape:
     return shape
 
 
-def responses_of(data: xr.Dataset) -> Scattered:
-    """Return where an atlas has responses."""
-    waves = shape_of(data).wave_coordinates(*waves_of(data))
+def responses_of(data: xr.Dataset, known: Shape | None = None) -> Scattered:
+    """Return where an atlas has responses; `known` is :func:`shape_of` the data."""
+    waves = (known or shape_of(data)).wave_coordinates(*waves_of(data))
     return Scattered(kind_of(data).coordinates(data), contact_of(data), waves)
 
 
@@ -287,19 +288,20 @@ def waves_of(data: xr.Dataset) -> tuple[Floats, Floats]:
     return data["wavelength_over_a"].values.astype(float), data["angle_deg"].values.astype(float)
 
 
-def numbers_of(data: xr.Dataset, part: str) -> tuple[Scattered, Floats]:
+def numbers_of(data: xr.Dataset, part: str, known: Shape | None = None) -> tuple[Scattered, Floats]:
     """Return where an atlas knows a part of the responses, and the numbers that are interpolated.
 
     Those of film and pressure are of :meth:`ehlwave.atlas.coordinates.Shape.reduced`; the rise of
     the mean film, which only single waves have, is itself.
     """
-    points = responses_of(data)
+    shape = known or shape_of(data)
+    points = responses_of(data, shape)
     if part == "rise":
         known = np.flatnonzero(np.isfinite(data["mean_rise"].values))
         return points[known], data["mean_rise"].values[known, None].astype(float)
     film = data["film_real"].values + 1j * data["film_imaginary"].values
     pressure = data["pressure_real"].values + 1j * data["pressure_imaginary"].values
-    return points, shape_of(data).reduced(*waves_of(data), film, pressure)[:, PARTS[part]]
+    return points, shape.reduced(*waves_of(data), film, pressure)[:, PARTS[part]]
 
 
 def shipped(kind: Kind) -> Path:

@@ -1,13 +1,20 @@
 """The coordinates in which responses are smooth, and what of them is interpolated there."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.special import ellipk
 
-from ehlwave.deform.conditions import ellipticity, moes_film, moes_per_film, pressure_factor
+from ehlwave.atlas.ranges import CONTACT_RANGES
+from ehlwave.deform.conditions import (
+    MOES_KEYS,
+    ellipticity,
+    moes_film,
+    moes_per_film,
+    pressure_factor,
+)
 from ehlwave.formula import wave_and_direction
 from ehlwave.medium import log_viscosity
 from ehlwave.rolling import rolling_transfer
@@ -31,21 +38,17 @@ def contact_coordinates(keys: Mapping[str, ArrayLike]) -> Floats:
     loads. Of the oil it is the viscosity under the Hertz pressure, eta0 exp(B), that counts, more
     than alpha, z and even L by themselves; the pressure stands for the compressibility.
     """
-    m, l, d, alpha, z = (  # noqa: E741
-        np.atleast_1d(np.asarray(keys[name], dtype=float))
-        for name in (
-            "load_parameter_m",
-            "lubricant_parameter_l",
-            "radius_ratio_d",
-            "pressure_viscosity_per_pa",
-            "roelands_index",
-        )
-    )
+    m, l, d, alpha, z = map(np.atleast_1d, columns(keys, CONTACT_RANGES))  # noqa: E741
     gamma = np.vectorize(lambda d: pressure_factor(ellipticity(d)), otypes=[float])(d)
     pressure = l / np.pi * (1.5 * gamma * m) ** (1 / 3) / alpha
     b = log_viscosity(alpha, z, pressure)
     parts = np.sqrt(hertz_film(m, l, d)), np.log(l), np.log(d), np.log(pressure), np.log(b)
     return np.stack(parts, axis=1)
+
+
+def columns(keys: Mapping[str, ArrayLike], names: Iterable[str]) -> list[Floats]:
+    """Return some columns as arrays."""
+    return [np.asarray(keys[name], dtype=float) for name in names]
 
 
 def hertz_film(m: ArrayLike, l: ArrayLike, d: ArrayLike) -> Floats:  # noqa: E741
@@ -92,12 +95,7 @@ class Shape:
     @classmethod
     def of_keys(cls, keys: Mapping[str, ArrayLike], _: Mapping[str, Any]) -> "Shape":
         """Return that of contacts given by columns named as the input keys."""
-        return cls(
-            *(
-                np.asarray(keys[name], dtype=float)
-                for name in ("load_parameter_m", "lubricant_parameter_l", "radius_ratio_d")
-            )
-        )
+        return cls(*columns(keys, MOES_KEYS))
 
     def __getitem__(self: SomeShape, index: NDArray[np.intp]) -> SomeShape:
         """Return the same of a choice of contacts."""

@@ -9,8 +9,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ehlwave.atlas.coordinates import Complex, Floats, Shape, contact_coordinates, wave_components
-from ehlwave.deform.conditions import Conditions, conditions_from_keys, moes_film
+from ehlwave.atlas.coordinates import (
+    Complex,
+    Floats,
+    Shape,
+    columns,
+    contact_coordinates,
+    wave_components,
+)
+from ehlwave.atlas.ranges import SLIDING_RANGES
+from ehlwave.deform.conditions import MOES_KEYS, Conditions, conditions_from_keys, moes_film
 from ehlwave.medium import INLET_VISCOSITY, Medium, log_viscosity
 from ehlwave.two_waves import LAUNCH_LENGTH, SLIP_POWERS, Launch, launch_length, launched
 
@@ -40,41 +48,18 @@ def sliding_coordinates(keys: Mapping[str, ArrayLike]) -> Floats:
 
 def conditions_of(keys: Mapping[str, ArrayLike]) -> list[Conditions]:
     """Return the conditions of contacts given by columns named as their keys."""
-    table = {
-        name: np.atleast_1d(np.asarray(keys[name], dtype=float))
-        for name in (
-            "load_parameter_m",
-            "lubricant_parameter_l",
-            "radius_ratio_d",
-            "pressure_viscosity_per_pa",
-            "roelands_index",
-            "slip_parameter",
-            "stress_modulus_pa2",
-        )
-    }
-    return [
-        _conditions(*(float(column[i]) for column in table.values()))
-        for i in range(table["slip_parameter"].size)
-    ]
+    table = map(np.atleast_1d, columns(keys, SLIDING_RANGES))
+    return [_conditions(*map(float, row)) for row in zip(*table, strict=True)]
 
 
 @lru_cache(maxsize=4096)
 def _conditions(*values: float) -> Conditions:
-    m, l, d, alpha, z, slip, stress_modulus_pa2 = values  # noqa: E741
-    return conditions_from_keys(
-        {
-            "load_parameter_m": m,
-            "lubricant_parameter_l": l,
-            "radius_ratio_d": d,
-            "pressure_viscosity_per_pa": alpha,
-            "roelands_index": z,
-            "slip_parameter": slip,
-            "reduced_modulus_pa": MODULUS_PA,
-            "eyring_stress_pa": stress_modulus_pa2 / MODULUS_PA,
-        },
-        "atlas",
-        needs_lengths=False,
-    )
+    keys = dict(zip(SLIDING_RANGES, values, strict=True))
+    stress = {
+        "reduced_modulus_pa": MODULUS_PA,
+        "eyring_stress_pa": keys.pop("stress_modulus_pa2") / MODULUS_PA,
+    }
+    return conditions_from_keys(keys | stress, "atlas", needs_lengths=False)
 
 
 def mean_stress(contact: Conditions) -> float:
@@ -119,8 +104,7 @@ class SlidingShape(Shape):
         cls, keys: Mapping[str, ArrayLike], attributes: Mapping[str, Any]
     ) -> "SlidingShape":
         """Return that of contacts given by columns named as their keys, and of the atlas' law."""
-        names = "load_parameter_m", "lubricant_parameter_l", "radius_ratio_d"
-        shape = cls(*(np.atleast_1d(np.asarray(keys[name], dtype=float)) for name in names))
+        shape = cls(*map(np.atleast_1d, columns(keys, MOES_KEYS)))
         found = conditions_of(keys)
         shape._contacts = np.empty(len(found), dtype=object)
         shape._contacts[:] = found
@@ -175,11 +159,15 @@ class SlidingShape(Shape):
         Of each contact one wave, or all of the only contact. What was found last is still known.
         """
         waves = np.broadcast_arrays(np.asarray(wavelength, float), np.asarray(angle_deg, float))
-        asked = (*(one.tobytes() for one in (*waves, self._law)), waves[0].shape)
+        asked = (*(one.tobytes() for one in waves), waves[0].shape)
         if self._last is None or self._last[0] != asked:
             rolling = self.transfer(*waves) if self._rolling is None else self._rolling
             self._last = asked, self._found(*waves), rolling
-        return self._last[1:]
+        _, launch, rolling = self._last
+        l = np.array([one.l for one in self._contacts])  # noqa: E741
+        alphabar = np.array([one.alphabar for one in self._contacts])
+        length = launch_length(launch.load, l, alphabar, self._law[len(SLIP_POWERS) :])
+        return replace(launch, length=length), rolling
 
     def _found(self, wavelength: Floats, angle_deg: Floats) -> Launch:
         along, across = wave_components(wavelength, angle_deg)
@@ -189,8 +177,6 @@ class SlidingShape(Shape):
         contacts = self._contacts
         slip = np.array([one.slip_parameter for one in contacts])
         load = np.array([one.gamma * one.m for one in contacts])
-        l = np.array([one.l for one in contacts])  # noqa: E741
-        alphabar = np.array([one.alphabar for one in contacts])
         under_slip = _together([one.medium(one.slip_parameter) for one in contacts])
         rolling = _together([one.medium(1.0) for one in contacts])
         return Launch(
@@ -200,7 +186,7 @@ class SlidingShape(Shape):
             slip,
             kx**2 / (kx**2 + ky**2),
             load,
-            launch_length(load, l, alphabar, tuple(self._law[len(SLIP_POWERS) :])),
+            np.zeros(load.shape),  # of the law: see _launch
             np.asarray(under_slip.thinning),
         )
 

@@ -54,7 +54,7 @@ class AtlasTransfer:
             A ValueError: the contact lies outside the atlas, slides in an oil that is not
             Ree-Eyring's, or the oil has laws of viscosity or density that the atlas does not.
         """
-        if conditions.slip_parameter != 1 and not conditions.has_sliding_atlas:
+        if not conditions.has_atlas:
             raise RangeError(
                 f"slip_parameter = {conditions.slip_parameter:g}: of contacts that slide the atlas "
                 "holds those with a Ree-Eyring oil, eyring_stress_pa; name the law of the two "

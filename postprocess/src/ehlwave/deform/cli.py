@@ -275,8 +275,7 @@ def _transfer(options: argparse.Namespace, conditions: Conditions) -> Transfer:
         return RecommendedTransfer(conditions)
     if options.formula == "paper":
         return FormulaTransfer(conditions)
-    has_atlas = conditions.slip_parameter == 1 or conditions.has_sliding_atlas
-    if options.formula == "two-waves" or not has_atlas:
+    if options.formula == "two-waves" or not conditions.has_atlas:
         return TwoWaveTransfer(conditions)
     try:
         return AtlasTransfer(conditions)

@@ -113,6 +113,11 @@ class Conditions:
         return hertz_medium(self.oil, self.kappa, self.alphabar, self.lambdabar, film, slip)
 
     @property
+    def has_atlas(self) -> bool:
+        """Whether there is an atlas for it: it rolls, or is one of contacts that slide."""
+        return self.slip_parameter == 1 or self.has_sliding_atlas
+
+    @property
     def has_sliding_atlas(self) -> bool:
         """Whether the atlas of sliding contacts is the one for it: slip and a Ree-Eyring oil."""
         return self.slip_parameter != 1 and self.oil.name == "Ree-Eyring"
