@@ -5,10 +5,11 @@ import pytest
 import xarray as xr
 
 import ehlwave
-from ehlwave.atlas.atlas import Atlas, checksum, load_atlas, shipped
-from ehlwave.atlas.coordinates import Shape
+from ehlwave.atlas.atlas import Atlas, load_atlas, shipped
 from ehlwave.atlas.kinds import KINDS, Kind
 from ehlwave.atlas.process import Process, Scales, Scattered, likelihood
+from ehlwave.atlas.shape import Shape
+from ehlwave.atlas.stored import checksum
 from ehlwave.deform import trace_surface
 from ehlwave.deform.atlas_transfer import AtlasTransfer, with_atlas_film
 
@@ -54,9 +55,10 @@ def test_numbers_that_are_interpolated_give_the_responses_back() -> None:
     shape = Shape([50.0, 900.0], [4.0, 15.0], [1.0, 0.1])
     wave, angle = np.array([0.3, 2.0]), np.array([30.0, 90.0])
     film, pressure = np.array([0.8 + 0.3j, 0.2 + 0j]), np.array([-1 + 2j, -3 + 0j])
-    numbers = shape.reduced(wave, angle, film, pressure)
-    for found, given in zip(shape.responses(wave, angle, numbers), (film, pressure), strict=True):
-        np.testing.assert_allclose(found, given, rtol=1e-12)
+    seen = shape.seen(wave, angle)
+    numbers = seen.reduced(film, pressure)
+    np.testing.assert_allclose(seen.film(numbers), film, rtol=1e-12)
+    np.testing.assert_allclose(seen.pressure(film, numbers[:, 2:]), pressure, rtol=1e-12)
 
 
 def test_a_response_is_that_of_the_program() -> None:

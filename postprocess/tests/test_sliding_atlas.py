@@ -5,7 +5,7 @@ import pytest
 
 import ehlwave
 from ehlwave.atlas.kinds import ROLLING, SLIDING
-from ehlwave.atlas.sliding import SlidingShape
+from ehlwave.atlas.sliding_shape import INSTALLED, SlidingShape
 from ehlwave.deform import TwoWaveTransfer, trace_surface
 from ehlwave.deform.atlas_transfer import AtlasTransfer
 
@@ -78,10 +78,14 @@ def test_numbers_give_the_responses_back() -> None:
     shape = SlidingShape.of_keys(keys, {}).with_rolling(np.array([0.5 + 0.1j, 0.9 + 0j]))
     wave, angle = np.array([0.3, 2.0]), np.array([30.0, 0.0])
     film, pressure = np.array([0.8 + 0.3j, 0.2 + 0j]), np.array([-1 + 2j, -3 + 0j])
-    numbers = shape.reduced(wave, angle, film, pressure)
-    for found, given in zip(shape.responses(wave, angle, numbers), (film, pressure), strict=True):
-        np.testing.assert_allclose(found, given, rtol=1e-12)
-    assert shape.wave_coordinates(wave, angle).shape == (2, 6)
+    seen = shape.seen(wave, angle)
+    numbers = seen.reduced(film, pressure)
+    np.testing.assert_allclose(seen.film(numbers), film, rtol=1e-12)
+    np.testing.assert_allclose(seen.pressure(film, numbers[:, 2:]), pressure, rtol=1e-12)
+    assert seen.coordinates.shape == (2, 6)
+    law = shape.with_law(0.9 * INSTALLED).seen(wave, angle).law
+    assert not np.allclose(law, seen.law)
+    np.testing.assert_array_equal(shape.seen(wave, angle).law, seen.law)
     assert SLIDING.coordinates(keys).shape == (2, 7)
     assert ROLLING.coordinates(keys).shape == (2, 5)
 

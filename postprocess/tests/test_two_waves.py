@@ -50,6 +50,29 @@ def test_closed_forms_are_those_of_the_program() -> None:
     assert abs(medium.complementary_number(1.2 * kx, ky) - (13.186058 + 2.881245j)) < 0.05
 
 
+def test_the_complementary_wave_is_the_one_that_is_w_without_flow() -> None:
+    """Followed from psi = w in small steps while the flow grows, each by Newton's method."""
+    random = np.random.default_rng(8)
+    for moes in ((25, 3, 0.05), (100, 12, 1), (1500, 18, 0.3)):
+        m, l, d = moes  # noqa: E741
+        slip, stress = random.uniform(0.1, 1.9), 10 ** random.uniform(6, 7.5)
+        keys = {"load_parameter_m": m, "lubricant_parameter_l": l, "radius_ratio_d": d}
+        contact = conditions_from_keys(KEYS | keys | {"eyring_stress_pa": stress})
+        medium = contact.medium(slip)
+        number, angle = 2 * np.pi / np.geomspace(0.03, 8, 24), random.uniform(0, 1.57, 24)
+        w, ky = slip * number * np.cos(angle), number * np.sin(angle)
+        psi = w + 0j
+        for share in np.linspace(0, 1, 201)[1:] ** 2:
+            for _ in range(3):
+                deflection = medium.rho * medium.deflection(psi, ky)
+                carried = deflection + medium.drho * medium.h
+                flow = share * (medium.eps_x * psi**2 + medium.eps_y * ky**2)
+                slope = share * 2 * medium.eps_x * psi + 1j * carried
+                slope -= 1j * (psi - w) * deflection * psi / (psi**2 + ky**2)
+                psi = psi - (flow + 1j * (psi - w) * carried) / slope
+        np.testing.assert_allclose(medium.complementary_number(w, ky), psi, rtol=1e-9)
+
+
 @pytest.mark.parametrize("case", COMPUTED)
 def test_film_response(case: tuple[float, bool, float, float, complex]) -> None:
     slip, eyring, wave_x, wave_y, computed = case

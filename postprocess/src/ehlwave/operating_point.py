@@ -5,11 +5,12 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from ehlwave.atlas.atlas import Atlas, Chart, atlas_for, load_atlas
+from ehlwave.atlas.atlas import Atlas, atlas_for, load_atlas
+from ehlwave.atlas.chart import Chart
 from ehlwave.atlas.coordinates import wave_components
 from ehlwave.atlas.ranges import SLIDING_RANGES, WAVE_RANGE
 from ehlwave.deform.atlas_transfer import AtlasTransfer, with_atlas_film
-from ehlwave.deform.conditions import Conditions, conditions_from_keys, moes_film
+from ehlwave.deform.conditions import Conditions, conditions_from_keys
 from ehlwave.deform.predict import Cutoffs, Deformed, deform_surface
 from ehlwave.deform.prepare import Form, Window
 from ehlwave.deform.read import ReadOptions, read_surface
@@ -149,7 +150,7 @@ class Contact:
             A ValueError: the contact lies outside the atlas.
         """
         c, atlas = self.conditions, self.atlas()
-        film = self._chart().film(moes_film(c.m, c.l, c.d))
+        film = self._chart().film()
         friction = None
         if film.stress is not None and self._eyring_stress_pa is not None:
             hertz_pa = c.alphabar / c.oil.pressure_viscosity_per_pa
@@ -213,8 +214,8 @@ class Contact:
                 raise
             return self._response_under_slip(wavelength_over_a, angle_deg, slip_parameter)
         found = chart.responses(wavelength_over_a, angle_deg)
-        name = self._atlas_for(conditions).name
-        return Response(complex(found.film), complex(found.pressure), float(found.error), name)
+        film, pressure = complex(found.film), complex(found.pressure)
+        return Response(film, pressure, float(found.error), chart.source)
 
     def _response_under_slip(self, wave: float, angle_deg: float, slip: float) -> Response:
         """Return the response by the law of the two waves, with the film of the atlas."""

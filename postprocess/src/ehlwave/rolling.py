@@ -59,8 +59,20 @@ def rolling_transfer(
     amplitude, phase : array_like
         Coefficients, as above.
     """
-    lubricant, load = np.asarray(lubricant_l, float), np.asarray(gamma) * np.asarray(load_m)
     wave, along = wave_and_direction(wavelength_x, wavelength_y)
+    load = np.asarray(gamma) * np.asarray(load_m)
+    return transfer_along(load, np.asarray(lubricant_l, float), wave, along, amplitude, phase)
+
+
+def transfer_along(
+    load: Floats,
+    lubricant: Floats,
+    wave: Floats,
+    along: Floats,
+    amplitude: ArrayLike = AMPLITUDE,
+    phase: ArrayLike = PHASE,
+) -> NDArray[np.complex128]:
+    """Return the same by gamma M, L, the wavelength lambda_n/a along the wave vector and 1 - s."""
     x = _parameter(amplitude, wave, along, load, lubricant)
     angle = _phase(phase, x, along, load, lubricant)
     return np.asarray(_ratio(amplitude, x, along, load, lubricant) * np.exp(1j * angle))

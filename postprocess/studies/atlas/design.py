@@ -10,11 +10,11 @@ from numpy.typing import NDArray
 from scipy.stats import qmc
 
 from ehlwave.atlas import Atlas
-from ehlwave.atlas.atlas import contact_of
 from ehlwave.atlas.kinds import ROLLING, SLIDING, Kind
 from ehlwave.atlas.process import correlation
 from ehlwave.atlas.ranges import CONTACT_RANGES, WAVE_RANGE
 from ehlwave.atlas.sliding import MODULUS_PA
+from ehlwave.atlas.stored import contact_of
 from ehlwave.deform.conditions import ellipticity
 from studies import sweeps
 from studies.programs import Groups

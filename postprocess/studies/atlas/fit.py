@@ -8,20 +8,23 @@ import xarray as xr
 from numpy.typing import NDArray
 from scipy.optimize import least_squares, minimize
 
-from ehlwave.atlas.atlas import (
-    FORMAT_NAME,
-    NEIGHBOURHOOD,
+from ehlwave.atlas.atlas import FORMAT_NAME
+from ehlwave.atlas.chart import NEIGHBOURHOOD
+from ehlwave.atlas.kinds import ROLLING, SLIDING, kind_of
+from ehlwave.atlas.process import Process, Scales, Scattered, correlation, likelihood
+from ehlwave.atlas.shape import Seen
+from ehlwave.atlas.sliding_shape import INSTALLED
+from ehlwave.atlas.stored import (
     PARTS,
     checksum,
     contacts_alone,
+    film_numbers,
     numbers_of,
     responses_of,
+    seen_of,
     shape_of,
     waves_of,
 )
-from ehlwave.atlas.kinds import ROLLING, SLIDING, kind_of
-from ehlwave.atlas.process import Process, Scales, Scattered, correlation, likelihood
-from ehlwave.atlas.sliding import INSTALLED
 
 Floats = NDArray[np.float64]
 
@@ -74,7 +77,7 @@ def fitted_law(data: xr.Dataset) -> Floats:
     film = data["film_real"].values + 1j * data["film_imaginary"].values
 
     def left(law: Floats) -> Floats:
-        miss = shape.with_law(law).formula(*waves) - film
+        miss = shape.with_law(law).seen(*waves).law - film
         return np.concatenate([miss.real, miss.imag])
 
     found = least_squares(left, INSTALLED, loss="soft_l1", f_scale=LAW_SCATTER, x_scale="jac")
@@ -86,16 +89,15 @@ def folds(contacts: int) -> NDArray[np.intp]:
     return np.random.default_rng(11).permutation(contacts) % FOLDS
 
 
-def cross_validated(data: xr.Dataset, scales: Scales) -> Floats:
+def cross_validated(data: xr.Dataset, seen: Seen, scales: Scales) -> Floats:
     """Return |response predicted without its contact - response|, units of Ai."""
-    left = left_out(data, "film", scales)
-    spread = np.abs(shape_of(data).law_and_spread(*waves_of(data))[1])
-    return np.asarray(np.hypot(left[:, 0], left[:, 1]) * spread)
+    left = left_out(data, "film", seen, scales)
+    return np.asarray(np.hypot(left[:, 0], left[:, 1]) * np.abs(seen.spread))
 
 
-def left_out(data: xr.Dataset, part: str, scales: Scales) -> Floats:
+def left_out(data: xr.Dataset, part: str, seen: Seen, scales: Scales) -> Floats:
     """Return the errors of the numbers of a part, each predicted without its own contact."""
-    points, values = numbers_of(data, part)
+    points, values = numbers_of(data, part, seen)
     fold, misfit = folds(data.sizes["contact"])[points.of_contact], np.zeros_like(values)
     for one in range(FOLDS):
         train, test = np.flatnonzero(fold != one), np.flatnonzero(fold == one)
@@ -107,12 +109,11 @@ def left_out(data: xr.Dataset, part: str, scales: Scales) -> Floats:
     return misfit
 
 
-def error_factor(data: xr.Dataset, misfit: Floats, error: Floats, scales: Scales) -> float:
+def error_factor(points: Scattered, misfit: Floats, error: Floats, scales: Scales) -> float:
     """Return what local errors are multiplied by to hold the wanted share of misfits.
 
     The local error of a point comes from other contacts alone, as it does for a new contact.
     """
-    points = responses_of(data)
     local = local_error(points, error, scales)
     return float(np.quantile(misfit / local, COVERED))
 
@@ -127,11 +128,6 @@ def local_error(points: Scattered, error: Floats, scales: Scales) -> Floats:
         near *= between[np.ix_(points.of_contact[block], points.of_contact)]
         local[block] = np.sqrt(near @ error**2 / near.sum(axis=1))
     return local
-
-
-def film_numbers(data: xr.Dataset) -> Floats:
-    """Return the logarithms of films that are interpolated, shape (contacts, films)."""
-    return np.stack([data[name].values.astype(float) for name in kind_of(data).films], axis=1)
 
 
 def film_errors(data: xr.Dataset, scales: Scales) -> Floats:
@@ -150,16 +146,17 @@ def finished(data: xr.Dataset) -> xr.Dataset:
     """Return the atlas: points with their errors, length scales, factors of the error bars."""
     if kind_of(data) is SLIDING:
         data.attrs["law"] = json.dumps([float(f"{value:.5g}") for value in fitted_law(data)])
+    seen = seen_of(data)
     parts = [part for part in PARTS if part != "rise" or "mean_rise" in data]
     kind = kind_of(data)
     none = np.empty(0)
     more, waves = (none, none) if kind is ROLLING else (FIRST_SLIDING, FIRST_SLIDING_WAVES)
     first = Scales(np.append(FIRST_SCALES, more), np.append(FIRST_WAVE_SCALES, waves), 0.04)
-    scales = {part: fitted_scales(*numbers_of(data, part), first) for part in parts}
+    scales = {part: fitted_scales(*numbers_of(data, part, seen), first) for part in parts}
     contacts, films = contacts_alone(kind.coordinates(data)), film_numbers(data)
     first = Scales(np.append(FIRST_SMOOTH, more), np.empty(0), 0.02)
     scales["smooth"] = fitted_scales(contacts, films - films.mean(axis=0), first)
-    misfit = cross_validated(data, scales["film"])
+    misfit = cross_validated(data, seen, scales["film"])
     error = np.hypot(misfit, data["discretisation"].values).astype(np.float32)
     left = film_errors(data, scales["smooth"])
     missing = np.stack([data[f"{name}_discretisation"].values for name in kind.films], axis=1)
@@ -174,7 +171,8 @@ def finished(data: xr.Dataset) -> xr.Dataset:
             for k, name in enumerate(kind.films)
         },
     )
-    factor = error_factor(data, misfit, error.astype(float), scales["film"])
+    points = responses_of(data, seen)
+    factor = error_factor(points, misfit, error.astype(float), scales["film"])
     data.attrs |= {
         "format": FORMAT_NAME,
         "length_scales": json.dumps({name: _rounded(one) for name, one in scales.items()}),
@@ -185,7 +183,7 @@ def finished(data: xr.Dataset) -> xr.Dataset:
         "program": "ehlwave {program_version}, revision {git_revision}".format(**data.attrs),
     }
     if "rise" in parts:
-        rise_left = np.abs(left_out(data, "rise", scales["rise"])[:, 0])
+        rise_left = np.abs(left_out(data, "rise", seen, scales["rise"])[:, 0])
         data.attrs["rise_cross_validated"] = json.dumps(quantiles(rise_left))
     return data
 

@@ -11,8 +11,7 @@ from scipy.spatial import cKDTree
 from ehlwave.atlas import load_atlas
 from ehlwave.atlas.kinds import ROLLING, SLIDING, Kind
 from ehlwave.atlas.ranges import CONTACT_RANGES
-from ehlwave.atlas.sliding import MODULUS_PA, conditions_of, mean_stress, rolling_film
-from ehlwave.deform.conditions import moes_film
+from ehlwave.atlas.sliding import MODULUS_PA, conditions_of
 from ehlwave.formula import wave_and_direction
 from ehlwave.read import read_results
 
@@ -118,12 +117,7 @@ def _films(contacts: pd.DataFrame, kind: Kind) -> dict[str, np.ndarray]:
 
     Films grow with finer grids, smallest ones too; the estimated error is what is missing.
     """
-    m, l, d = (contacts[key].to_numpy() for key in list(CONTACT_RANGES)[:3])
-    if kind is ROLLING:
-        moes = np.array([moes_film(*one) for one in zip(m, l, d, strict=True)])
-        base = np.stack([moes, moes], axis=1)
-    else:
-        base = np.array([rolling_film(one) for one in conditions_of(contacts)])
+    base = kind.references(contacts)
     central = contacts["central_film_moes"] * (1 + contacts["central_film_error"])
     smallest = contacts["minimum_film"] * (1 + contacts["minimum_film_error"])
     smallest_moes = smallest * contacts["central_film_moes"] / contacts["central_film"]
@@ -131,8 +125,8 @@ def _films(contacts: pd.DataFrame, kind: Kind) -> dict[str, np.ndarray]:
         LEFT_BY_EXTRAPOLATION * contacts[["central_film_error", "minimum_film_error"]].to_numpy()
     )
     numbers = {name: contacts[name].to_numpy(np.float32) for name in kind.ranges}
-    if kind is SLIDING:
-        numbers |= _frictions(contacts, discretisation[:, 0])
+    if "friction_ratio" in kind.films:
+        numbers |= _frictions(contacts, base[:, 2], discretisation[:, 0])
     return numbers | {
         "film_ratio": np.log(central / base[:, 0]).to_numpy(np.float32),
         "minimum_ratio": np.log(smallest_moes / central * base[:, 0] / base[:, 1]).to_numpy(
@@ -145,15 +139,17 @@ def _films(contacts: pd.DataFrame, kind: Kind) -> dict[str, np.ndarray]:
     }
 
 
-def _frictions(contacts: pd.DataFrame, film_error: np.ndarray) -> dict[str, np.ndarray]:
-    """Return ln of the mean shear stress over that of the Hertz pressure, and its error.
+def _frictions(
+    contacts: pd.DataFrame, expected: np.ndarray, film_error: np.ndarray
+) -> dict[str, np.ndarray]:
+    """Return ln of the mean shear stress over the expected one, and its error.
 
     The stress is as the logarithm of the film, so that it errs at most as the film does.
     """
-    found = conditions_of(contacts)
-    hertz_pa = np.array([c.alphabar / c.oil.pressure_viscosity_per_pa for c in found])
+    hertz_pa = np.array(
+        [c.alphabar / c.oil.pressure_viscosity_per_pa for c in conditions_of(contacts)]
+    )
     mean = contacts["friction_coefficient"] * hertz_pa / 1.5 / contacts["eyring_stress_pa"]
-    expected = np.array([mean_stress(c) for c in found])
     return {
         "friction_ratio": np.log(np.abs(mean) / expected).to_numpy(np.float32),
         "friction_ratio_discretisation": film_error.astype(np.float32),

@@ -7,8 +7,7 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from ehlwave.atlas import Atlas
-from ehlwave.atlas.atlas import contact_of
-from ehlwave.deform.conditions import moes_film
+from ehlwave.atlas.stored import contact_of
 
 Floats = NDArray[np.float64]
 
@@ -50,7 +49,7 @@ def judge(atlas: Atlas, computed: xr.Dataset) -> Judged:
         film_error.append(
             abs(np.expm1(chart.film_numbers()[0] - computed["film_ratio"].values[contact]))
         )
-        film_bar.append(chart.film(moes_film(*list(keys.values())[:3])).central_error)
+        film_bar.append(chart.film().central_error)
         own = np.flatnonzero(of_contact == contact)
         part = computed.isel(point=own)
         found = chart.responses(part["wavelength_over_a"].values, part["angle_deg"].values)

@@ -7,9 +7,13 @@ from typing import Any
 import xarray as xr
 from numpy.typing import ArrayLike
 
-from ehlwave.atlas.coordinates import Floats, Shape, contact_coordinates
+from ehlwave.atlas.coordinates import Floats, contact_coordinates, rolling_references
 from ehlwave.atlas.ranges import CONTACT_RANGES, SLIDING_RANGES
-from ehlwave.atlas.sliding import SlidingShape, sliding_coordinates
+from ehlwave.atlas.shape import Shape
+from ehlwave.atlas.sliding import sliding_coordinates, sliding_references
+from ehlwave.atlas.sliding_shape import SlidingShape
+
+Keys = Mapping[str, ArrayLike]
 
 
 @dataclass(frozen=True)
@@ -27,26 +31,34 @@ class Kind:
     shape : callable
         What turns responses into numbers, by the same and the attributes of the file.
     films : tuple of str
-        What is interpolated of contacts: ln of central over Moes' film and ln of smallest over
-        central film, under slip both less those of pure rolling, and ln of the mean shear stress
-        over that of :func:`ehlwave.atlas.sliding.mean_stress`.
+        What is interpolated of contacts: ln of the central film over its reference; ln of the
+        smallest over the central film, less that of their references; ln of the mean shear stress
+        over its reference.
+    references : callable
+        What these are relative to, shape (c, films), by the same columns: films in the Moes scale,
+        of Moes' formula or, under slip, in pure rolling; the stress of
+        :func:`ehlwave.atlas.sliding.mean_stress`.
     """
 
     name: str
     ranges: Mapping[str, tuple[float, float]]
-    coordinates: Callable[[Mapping[str, ArrayLike]], Floats]
-    shape: Callable[[Mapping[str, ArrayLike], Mapping[str, Any]], Shape]
+    coordinates: Callable[[Keys], Floats]
+    shape: Callable[[Keys, Mapping[str, Any]], Shape]
     films: tuple[str, ...]
+    references: Callable[[Keys], Floats]
 
 
 _FILMS = ("film_ratio", "minimum_ratio")
-ROLLING = Kind("rolling", CONTACT_RANGES, contact_coordinates, Shape.of_keys, _FILMS)
+ROLLING = Kind(
+    "rolling", CONTACT_RANGES, contact_coordinates, Shape.of_keys, _FILMS, rolling_references
+)
 SLIDING = Kind(
     "sliding",
     SLIDING_RANGES,
     sliding_coordinates,
     SlidingShape.of_keys,
     (*_FILMS, "friction_ratio"),
+    sliding_references,
 )
 KINDS = {kind.name: kind for kind in (ROLLING, SLIDING)}
 

@@ -7,9 +7,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import RectBivariateSpline
 
-from ehlwave.atlas.atlas import Atlas, Chart, atlas_for
+from ehlwave.atlas.atlas import Atlas, atlas_for
+from ehlwave.atlas.chart import Chart
 from ehlwave.atlas.ranges import WAVE_RANGE
-from ehlwave.deform.conditions import Conditions, moes_film
+from ehlwave.deform.conditions import Conditions
 from ehlwave.deform.transfer import Waves
 from ehlwave.errors import RangeError
 from ehlwave.formula import recommended_ratio
@@ -221,11 +222,7 @@ def with_atlas_film(conditions: Conditions, atlas: Atlas | None = None) -> Condi
     """
     if conditions.metres_per_moes is None or conditions.film_source.startswith("given"):
         return conditions
-    film = (
-        atlas_for(conditions, atlas)
-        .at(conditions.atlas_keys())
-        .film(moes_film(conditions.m, conditions.l, conditions.d))
-    )
+    film = atlas_for(conditions, atlas).at(conditions.atlas_keys()).film()
     source = f"atlas, within {100 * film.central_error:.1g} %"
     return replace(
         conditions,
