@@ -11,8 +11,9 @@ from pathlib import Path
 from ehlwave.atlas import load_atlas
 from ehlwave.atlas.atlas import shipped
 from studies.atlas.design import DESIGNS, write_batch, write_rises, write_validation
-from studies.atlas.fit import finished, write_atlas
+from studies.atlas.fit import finished
 from studies.atlas.points import read_points
+from studies.atlas.store import write_atlas
 from studies.atlas.validate import judge
 from studies.sweeps import run_command
 
@@ -36,7 +37,10 @@ def _do(options: argparse.Namespace) -> None:
     kind, atlas = design.kind, options.atlas or shipped(design.kind)
     batches = sorted(folder.glob(f"{kind.name}-[0-9][0-9].h5"))
     if step == "batch":
-        known = None if options.batch < FIRST_BATCHES[kind.name] else load_atlas(atlas)
+        known = None
+        if options.batch >= FIRST_BATCHES[kind.name]:
+            write_atlas(finished(read_points(batches, kind=kind)), atlas)
+            known = load_atlas(atlas)
         print(write_batch(folder, options.batch, design, known))
     elif step == "rises":
         print(write_rises(folder, read_points(batches)))
