@@ -108,18 +108,16 @@ class Medium:
 
     def deflection(self, kx: ArrayLike, ky: ArrayLike) -> Complex:
         """Return W = 2/(K |k|): the deflection under a pressure wave of amplitude 1."""
-        along, across = np.asarray(kx, dtype=complex), np.asarray(ky, dtype=complex)
-        return np.asarray(2 / (self.k * np.sqrt(along**2 + across**2)))
+        return np.asarray(2 / (self.k * np.sqrt(np.square(kx) + np.square(ky))))
 
     def attenuated(self, kx: ArrayLike, ky: ArrayLike, slip: float) -> Complex:
         """Return the amplitude over Ai of the wave that moves with the surface.
 
         a = 1/(1 + i (1 - S) kx rho W/(eps_x kx^2 + eps_y ky^2 + i (1 - S) kx rho' H))
         """
-        along, across = np.asarray(kx, dtype=complex), np.asarray(ky, dtype=complex)
-        rate = 1j * (1 - slip) * along
-        flow = self.eps_x * along**2 + self.eps_y * across**2 + rate * self.drho * self.h
-        return np.asarray(1 / (1 + rate * self.rho * self.deflection(along, across) / flow))
+        rate = 1j * (1 - slip) * np.asarray(kx, dtype=float)
+        flow = self.eps_x * np.square(kx) + self.eps_y * np.square(ky) + rate * self.drho * self.h
+        return np.asarray(1 / (1 + rate * self.rho * self.deflection(kx, ky) / flow))
 
     def complementary_number(self, frequency: ArrayLike, ky: ArrayLike) -> Complex:
         """Return the wave number psi along X, 1/a, of the wave that moves with the oil.

@@ -106,5 +106,7 @@ class Shape:
         x = self._inlet * wave * self.l ** (0.5 - along / 3)
         parts = np.log(x), theta, np.log(wave * self.kappa), np.log(wave)
         law = transfer_along(self.load, self.l, wave, along)
-        coordinates = np.stack(np.broadcast_arrays(*parts), axis=-1)
+        coordinates = np.empty((*np.shape(law), len(parts)))
+        for place, part in enumerate(parts):
+            coordinates[..., place] = part
         return Seen(coordinates, law, law, wave / self._pi_k)

@@ -70,13 +70,10 @@ class SlidingSeen:
     def film(self, numbers: Floats) -> Complex:
         """Return film responses by their numbers, shape (n, 7)."""
         power, length, flow = numbers[:, 0] + 1j * numbers[:, 1], numbers[:, 2], numbers[:, 3:5]
-        media = np.array(np.broadcast_to(self.media, (len(numbers), *self.media.shape[1:])))
+        media = self.media + np.zeros((len(numbers), 1, 1))
         media[..., 3:5] *= np.exp(flow)[..., None]
-        launch = replace(
-            _launch(self.kx, self.ky, media, self.launch),
-            length=self.launch.length * np.exp(length),
-            more=power,
-        )
+        further = {"length": self.launch.length * np.exp(length), "more": power}
+        launch = _launch(self.kx, self.ky, media, self.launch, **further)
         left = numbers[:, 5] + 1j * numbers[:, 6]
         return np.asarray(launch.attenuated + self._launched(launch) + left)
 
@@ -184,8 +181,11 @@ class SlidingShape(Shape):
             np.abs(launch.attenuated) ** 2,
             rolled.coordinates[:, 0],
         )
-        state = np.broadcast_to(self._state, (kx.size, self._state.shape[1]))
-        coordinates = np.column_stack([state, *parts])
+        states = self._state.shape[1]
+        coordinates = np.empty((kx.size, states + len(parts)))
+        coordinates[:, :states] = self._state
+        for place, part in enumerate(parts, states):
+            coordinates[:, place] = part
         return SlidingSeen(
             coordinates, kx, ky, self._media, rolling, self._law, launch, rolled.compliance
         )
@@ -203,7 +203,9 @@ def _media(contact: Conditions, film: float, pressure: float) -> list[tuple[floa
     return [astuple(hertz_medium(*scales, slip, pressure)) for slip in (c.slip_parameter, 1.0)]
 
 
-def _launch(kx: Floats, ky: Floats, media: Floats, known: Launch) -> Launch:
+def _launch(
+    kx: Floats, ky: Floats, media: Floats, known: Launch, **further: Complex | Floats
+) -> Launch:
     """Return what the state of the centre decides on, beside what is known."""
     under_slip, both = Medium(*media[:, 0].T), Medium(*media.T)
     psi = both.complementary_number(np.stack([kx * known.slip, kx + 0 * known.slip]), ky)
@@ -213,4 +215,5 @@ def _launch(kx: Floats, ky: Floats, media: Floats, known: Launch) -> Launch:
         mismatch=psi[0] - kx,
         mismatch_rolling=psi[1] - kx,
         thinning=under_slip.thinning,
+        **further,
     )
