@@ -10,7 +10,7 @@ from scipy.optimize import least_squares, minimize
 
 from ehlwave.atlas.atlas import FORMAT_NAME
 from ehlwave.atlas.chart import NEIGHBOURHOOD
-from ehlwave.atlas.kinds import ROLLING, SLIDING, kind_of
+from ehlwave.atlas.kinds import LINE, SLIDING, Kind, kind_of
 from ehlwave.atlas.process import Process, Scales, Scattered, correlation, likelihood
 from ehlwave.atlas.shape import Seen
 from ehlwave.atlas.sliding_shape import INSTALLED
@@ -149,19 +149,16 @@ def finished(data: xr.Dataset) -> xr.Dataset:
     seen = seen_of(data)
     parts = [part for part in PARTS if part != "rise" or "mean_rise" in data]
     kind = kind_of(data)
-    none = np.empty(0)
-    more, waves = (none, none) if kind is ROLLING else (FIRST_SLIDING, FIRST_SLIDING_WAVES)
-    first = Scales(np.append(FIRST_SCALES, more), np.append(FIRST_WAVE_SCALES, waves), 0.04)
+    first, smooth = first_scales(kind)
     scales = {part: fitted_scales(*numbers_of(data, part, seen), first) for part in parts}
     contacts, films = contacts_alone(kind.coordinates(data)), film_numbers(data)
-    first = Scales(np.append(FIRST_SMOOTH, more), np.empty(0), 0.02)
-    scales["smooth"] = fitted_scales(contacts, films - films.mean(axis=0), first)
+    scales["smooth"] = fitted_scales(contacts, films - films.mean(axis=0), smooth)
     misfit = cross_validated(data, seen, scales["film"])
     error = np.hypot(misfit, data["discretisation"].values).astype(np.float32)
     left = film_errors(data, scales["smooth"])
     missing = np.stack([data[f"{name}_discretisation"].values for name in kind.films], axis=1)
     film_error = np.hypot(left, missing)
-    near = Scales(scales["film" if kind is ROLLING else "smooth"].contacts, np.empty(0))
+    near = Scales(scales["smooth" if kind is SLIDING else "film"].contacts, np.empty(0))
     local = local_error(contacts, film_error[:, 0], near)
     known = ["discretisation", *(f"{name}_discretisation" for name in kind.films)]
     data = data.drop_vars(known).assign(
@@ -186,6 +183,17 @@ def finished(data: xr.Dataset) -> xr.Dataset:
         rise_left = np.abs(left_out(data, "rise", seen, scales["rise"])[:, 0])
         data.attrs["rise_cross_validated"] = json.dumps(quantiles(rise_left))
     return data
+
+
+def first_scales(kind: Kind) -> tuple[Scales, Scales]:
+    """Return where the search for length scales begins, of responses and of films."""
+    parts = FIRST_SCALES, FIRST_WAVE_SCALES, FIRST_SMOOTH
+    if kind is SLIDING:
+        more = FIRST_SLIDING, FIRST_SLIDING_WAVES, FIRST_SLIDING
+        parts = tuple(map(np.append, parts, more))
+    elif kind is LINE:  # no D, no direction, no width
+        parts = tuple(map(np.delete, parts, (2, [1, 2], 2)))
+    return Scales(*parts[:2], 0.04), Scales(parts[2], np.empty(0), 0.02)
 
 
 def _rounded(scales: Scales) -> dict[str, list[float] | float]:
@@ -250,6 +258,17 @@ PACKED = {
 }
 """What is kept in two bytes, and its steps."""
 
+LINE_PACKED = {
+    "lubricant_parameter_l": 1.1e-3,
+    "pressure_viscosity_per_pa": 1e-12,
+    "roelands_index": 2.5e-5,
+    "film_ratio": 2e-5,
+    "minimum_ratio": 2e-5,
+    "film_ratio_error": 3e-6,
+    "minimum_ratio_error": 3e-6,
+}
+"""And besides of line contacts, whose file is to be small."""
+
 NOT_KNOWN = {"mean_rise": -32768}
 """What stands for NaN."""
 
@@ -271,10 +290,10 @@ def write_atlas(data: xr.Dataset, path: Path) -> None:
     written = xr.Dataset(kept, attrs=data.attrs)
     packing = {
         name: {"dtype": "i2", "scale_factor": step, "_FillValue": NOT_KNOWN.get(name)}
-        for name, step in PACKED.items()
+        for name, step in (PACKED | (LINE_PACKED if kind_of(data) is LINE else {})).items()
         if name in written.variables
     }
-    packing |= {name: {"_FillValue": None} for name in written.variables if name not in PACKED}
+    packing |= {name: {"_FillValue": None} for name in written.variables if name not in packing}
     for _ in range(2):  # the checksum is that of the values as they are read
         written.to_netcdf(path, engine="scipy", format="NETCDF3_CLASSIC", encoding=packing)
         with xr.open_dataset(path) as opened:

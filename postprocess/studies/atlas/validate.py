@@ -7,7 +7,7 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from ehlwave.atlas import Atlas
-from ehlwave.atlas.stored import contact_of
+from ehlwave.atlas.stored import contact_of, waves_of
 
 Floats = NDArray[np.float64]
 
@@ -52,7 +52,7 @@ def judge(atlas: Atlas, computed: xr.Dataset) -> Judged:
         film_bar.append(chart.film().central_error)
         own = np.flatnonzero(of_contact == contact)
         part = computed.isel(point=own)
-        found = chart.responses(part["wavelength_over_a"].values, part["angle_deg"].values)
+        found = chart.responses(*waves_of(part))
         response = part["film_real"].values + 1j * part["film_imaginary"].values
         error[own], bar[own] = np.abs(found.film - response), found.error
     load = computed["load_parameter_m"].values[of_contact]
