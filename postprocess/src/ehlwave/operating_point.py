@@ -11,7 +11,7 @@ from ehlwave.atlas.coordinates import wave_components
 from ehlwave.atlas.ranges import SLIDING_RANGES, WAVE_RANGE
 from ehlwave.deform.atlas_transfer import AtlasTransfer, with_atlas_film
 from ehlwave.deform.conditions import Conditions, conditions_from_keys
-from ehlwave.deform.line_contact import ACROSS_ALONE, ROLLS_ALONE
+from ehlwave.deform.line_contact import ROLLS_ALONE, TRANSVERSE_ALONE
 from ehlwave.deform.predict import Cutoffs, Deformed, deform_surface
 from ehlwave.deform.prepare import Form, Window
 from ehlwave.deform.read import ReadOptions, read_surface
@@ -206,10 +206,8 @@ class Contact:
                 f"angle_deg = {angle_deg:.5g} lies outside 0 to 90 (waves at -angle are the same)"
             )
         conditions = replace(self.conditions, slip_parameter=slip_parameter)
-        if conditions.is_line and angle_deg > 1e-9:
-            raise RangeError(f"angle_deg = {angle_deg:.5g}: {ACROSS_ALONE}")
-        if conditions.is_line and not conditions.has_atlas:
-            raise RangeError(f"slip_parameter = {slip_parameter:g}: {ROLLS_ALONE}")
+        if conditions.is_line and (angle_deg > 1e-9 or not conditions.has_atlas):
+            raise RangeError(TRANSVERSE_ALONE if angle_deg > 1e-9 else ROLLS_ALONE)
         if not conditions.has_atlas:
             if angle_deg < 90:
                 return self._response_under_slip(wavelength_over_a, angle_deg, slip_parameter)

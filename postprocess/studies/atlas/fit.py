@@ -25,6 +25,7 @@ from ehlwave.atlas.stored import (
     shape_of,
     waves_of,
 )
+from ehlwave.errors import ResultsError
 
 Floats = NDArray[np.float64]
 
@@ -255,19 +256,20 @@ PACKED = {
     "rolling_imaginary": 4e-5,
     "mean_rise": 1e-4,
     "error": 2e-5,
+    "lubricant_parameter_l": 1e-3,
+    "pressure_viscosity_per_pa": 1e-12,
+    "roelands_index": 2.5e-5,
+    "slip_parameter": 5e-5,
+    "film_ratio": 4e-5,
+    "minimum_ratio": 4e-5,
+    "friction_ratio": 1e-4,
+    "film_ratio_error": 1e-5,
+    "minimum_ratio_error": 1e-5,
+    "friction_ratio_error": 5e-5,
 }
 """What is kept in two bytes, and its steps."""
 
-LINE_PACKED = {
-    "lubricant_parameter_l": 1.1e-3,
-    "pressure_viscosity_per_pa": 1e-12,
-    "roelands_index": 2.5e-5,
-    "film_ratio": 2e-5,
-    "minimum_ratio": 2e-5,
-    "film_ratio_error": 3e-6,
-    "minimum_ratio_error": 3e-6,
-}
-"""And besides of line contacts, whose file is to be small."""
+MOST_STEPS = 32767
 
 NOT_KNOWN = {"mean_rise": -32768}
 """What stands for NaN."""
@@ -288,12 +290,15 @@ def write_atlas(data: xr.Dataset, path: Path) -> None:
             attributes,
         )
     written = xr.Dataset(kept, attrs=data.attrs)
+    for name in PACKED.keys() & kept.keys():
+        if np.nanmax(np.abs(written[name].values)) > MOST_STEPS * PACKED[name]:
+            raise ResultsError(f"{path}: {name} does not fit into two bytes: change PACKED")
     packing = {
         name: {"dtype": "i2", "scale_factor": step, "_FillValue": NOT_KNOWN.get(name)}
-        for name, step in (PACKED | (LINE_PACKED if kind_of(data) is LINE else {})).items()
+        for name, step in PACKED.items()
         if name in written.variables
     }
-    packing |= {name: {"_FillValue": None} for name in written.variables if name not in packing}
+    packing |= {name: {"_FillValue": None} for name in written.variables if name not in PACKED}
     for _ in range(2):  # the checksum is that of the values as they are read
         written.to_netcdf(path, engine="scipy", format="NETCDF3_CLASSIC", encoding=packing)
         with xr.open_dataset(path) as opened:

@@ -17,12 +17,12 @@ from studies.atlas.design import GROUPS, MARGIN, contact_at, worst_contacts
 CONTACTS = 16
 """Of one batch."""
 
-WAVES = 6
+WAVES = 5
 """Of one contact."""
 
 SEED = 2200
 
-STEEP = 0.5, 0.15
+STEEP = 0.4, 0.2
 """The x of the law about which responses fall, and the share of waves that are evenly spread."""
 
 INLET_CELLS = 16
@@ -37,10 +37,8 @@ def write_batch(folder: Path, batch: int, atlas: Atlas | None) -> Path:
     """Write the sweep of a batch: all over the ranges, or where the atlas knows least."""
     random = np.random.default_rng([batch, SEED])
     if atlas is None:
-        # From a little below the ranges of M and L, so that their ends are not ends of the data.
-        ranges = dict(LINE.ranges)
-        for key in list(ranges)[:2]:
-            ranges[key] = (ranges[key][0] / MARGIN, ranges[key][1])
+        # From a little below the ranges: responses change most at their lower ends.
+        ranges = {key: (low / MARGIN, high) for key, (low, high) in LINE.ranges.items()}
         shares = qmc.Sobol(len(ranges), seed=SEED).random((batch + 1) * CONTACTS)[-CONTACTS:]
         chosen = [contact_at(one.tolist(), ranges) for one in shares]
     else:

@@ -55,9 +55,9 @@ class LineShape(Shape):
         return cls(*columns(keys, list(LINE_RANGES)[:2]))
 
     def seen(self, wavelength_over_a: ArrayLike, angle_deg: ArrayLike) -> Seen:
-        """Return waves by ln x, x = 0.18 (lambda/a) H^(-2/3) L^(1/6), and ln(lambda/a)."""
+        """Return waves by ln x, x = 0.18 (lambda/a) H^(-2/3) L^(1/6), and (lambda/a)^(1/2)."""
         wave = np.asarray(wavelength_over_a, dtype=float)
         x = self._inlet * wave * self.l ** (1 / 6)
         law = transfer_along(self.load, self.l, wave, np.ones(wave.shape))
-        coordinates = np.stack(np.broadcast_arrays(np.log(x), np.log(wave)), axis=-1)
+        coordinates = np.stack(np.broadcast_arrays(np.log(x), np.sqrt(wave)), axis=-1)
         return Seen(coordinates, law, law, wave / np.pi)

@@ -13,26 +13,19 @@ from numpy.typing import ArrayLike, NDArray
 Floats = NDArray[np.float64]
 
 LOAD_KEY = "load_n_per_m"
-LINE_KEYS = (
-    "radius_x_m",
-    "reduced_modulus_pa",
-    LOAD_KEY,
-    "mean_speed_m_per_s",
-    "viscosity_pa_s",
-)
+LINE_KEYS = ("radius_x_m", "reduced_modulus_pa", LOAD_KEY, "mean_speed_m_per_s", "viscosity_pa_s")
 
 SLENDER_OVER_LINE = (2 * math.pi**3 / 3) / (2 * math.pi) ** 1.5
 """gamma M of slender elliptical contacts over that of the line contact of equal alphabar and L."""
 
-ACROSS_ALONE = (
-    "a line contact (radius_ratio_d = 0) answers for waves across rolling alone (a trace along "
-    "rolling, angle_deg = 0): for other waves take a slender elliptical contact with the same "
-    "Hertz pressure (radius_y_m = 25 radius_x_m or less)"
+_SLENDER = "take a slender elliptical contact of equal Hertz pressure (radius_y_m = 25 radius_x_m)"
+TRANSVERSE_ALONE = (
+    "a line contact answers for transverse waves alone (angle_deg = 0, traces along rolling): for "
+    f"others {_SLENDER}"
 )
 ROLLS_ALONE = (
-    "a line contact (radius_ratio_d = 0) answers for pure rolling alone, slip_parameter = 1: "
-    "compute it (ehlwave.Case, ehlwave-case), or take a slender elliptical contact with the same "
-    "Hertz pressure (radius_y_m = 25 radius_x_m or less)"
+    "a line contact answers for pure rolling alone (slip_parameter = 1): under slip compute it "
+    f"(ehlwave.Case, ehlwave-case), or {_SLENDER}"
 )
 """What to do about what is not covered."""
 
