@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 
 import ehlwave
-from ehlwave.atlas.atlas import shipped
+from ehlwave.atlas.atlas import load_atlas, shipped
 from ehlwave.atlas.kinds import LINE
 from ehlwave.cli import main
 from ehlwave.deform import map_surface, trace_surface
+from studies.atlas.fit import write_atlas
 from studies.atlas.line_design import case, write_batch
 
 MOES = {"load_parameter_m": 100, "lubricant_parameter_l": 11, "radius_ratio_d": 0}
@@ -122,3 +123,12 @@ def test_the_sweep_of_a_batch_fills_the_ranges_and_resolves_the_inlet(tmp_path: 
     assert light["x_min"] < heavy["x_min"]
     assert heavy["cells_x"] == 8192
     assert shipped(LINE).stat().st_size <= 12 * 1024
+
+
+@pytest.mark.filterwarnings("ignore:saving variable")
+def test_a_file_is_written_as_it_was_read_or_refused(tmp_path: Path) -> None:
+    data = load_atlas(shipped(LINE)).data
+    write_atlas(data, tmp_path / "again.nc")
+    assert load_atlas(tmp_path / "again.nc").data.attrs["checksum"] == data.attrs["checksum"]
+    with pytest.raises(ehlwave.ResultsError, match="two bytes"):
+        write_atlas(data.assign(roelands_index=data["roelands_index"] + 1), tmp_path / "no.nc")
