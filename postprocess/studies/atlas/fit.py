@@ -234,7 +234,7 @@ LONG_NAMES = {
     "radius_ratio_d": ("1", "D = Rx/Ry"),
     "pressure_viscosity_per_pa": ("1/Pa", "pressure-viscosity coefficient alpha"),
     "roelands_index": ("1", "index z of Roelands' viscosity"),
-    "film_ratio": ("1", "ln of central film over that of Nijenbanning, Venner and Moes (1994)"),
+    "film_ratio": ("1", "ln of central film over Moes' formula, under slip over pure rolling"),
     "minimum_ratio": ("1", "ln of smallest over central film"),
     "rolling_real": ("1", "film response of the same wave in pure rolling, real part"),
     "rolling_imaginary": ("1", "film response of the same wave in pure rolling, imaginary part"),
