@@ -185,7 +185,7 @@ def test_the_file_has_units_provenance_and_a_checksum(tmp_path: Path, kind: Kind
     assert "revision" in data.attrs["program"]
     assert all("long_name" in data[name].attrs for name in data.variables)
     assert data["pressure_viscosity_per_pa"].attrs["units"] == "1/Pa"
-    data["film_real"][3] += 0.1
+    data["film_ratio"][3] += 0.1
     data.to_netcdf(tmp_path / "damaged.nc", engine="scipy")
     with pytest.raises(ehlwave.ResultsError, match="damaged"):
         load_atlas(tmp_path / "damaged.nc")

@@ -10,8 +10,8 @@ from ehlwave.atlas.atlas import load_atlas, shipped
 from ehlwave.atlas.kinds import LINE
 from ehlwave.cli import main
 from ehlwave.deform import map_surface, trace_surface
-from studies.atlas.fit import write_atlas
 from studies.atlas.line_design import case, write_batch
+from studies.atlas.store import write_atlas
 
 MOES = {"load_parameter_m": 100, "lubricant_parameter_l": 11, "radius_ratio_d": 0}
 ROLLER = {

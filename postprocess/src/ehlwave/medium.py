@@ -165,9 +165,15 @@ def log_viscosity(
 
 
 def hertz_medium(
-    oil: Oil, kappa: float, alphabar: float, lambdabar: float, film: float, slip: float
+    oil: Oil,
+    kappa: float,
+    alphabar: float,
+    lambdabar: float,
+    film: float,
+    slip: float,
+    pressure: float = 1.0,
 ) -> Medium:
-    """Return the state of the centre of a contact under the maximum Hertz pressure.
+    """Return the state of the centre of a contact, by default under the maximum Hertz pressure.
 
     The flow is that of :meth:`Oil.tangent_factors`, B = (lambdabar N0/6) 2 (S - 1) eta/H,
     N0 = K ph^2/(E' tau0).
@@ -182,13 +188,16 @@ def hertz_medium(
         H at the centre.
     slip : float
         S.
+    pressure : float
+        P at the centre.
     """
     k = float(ellipk(1 - kappa**2))
     alpha, index = oil.pressure_viscosity_per_pa, oil.roelands_index
     hertz_pa = alphabar / alpha
-    viscosity = np.exp(log_viscosity(alpha, index, hertz_pa))
-    rho = (DENSITY_PA + DENSITY_LIMIT * hertz_pa) / (DENSITY_PA + hertz_pa)
-    drho = hertz_pa * (DENSITY_LIMIT - 1) * DENSITY_PA / (DENSITY_PA + hertz_pa) ** 2
+    centre_pa = pressure * hertz_pa
+    viscosity = np.exp(log_viscosity(alpha, index, centre_pa))
+    rho = (DENSITY_PA + DENSITY_LIMIT * centre_pa) / (DENSITY_PA + centre_pa)
+    drho = hertz_pa * (DENSITY_LIMIT - 1) * DENSITY_PA / (DENSITY_PA + centre_pa) ** 2
     eps = rho * film**3 / (viscosity * lambdabar)
     along, across, thinning = 1.0, 1.0, 0.0
     if oil.stress_modulus_pa2 is not None and slip != 1:

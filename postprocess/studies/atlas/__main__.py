@@ -13,8 +13,9 @@ from ehlwave.atlas.atlas import shipped
 from ehlwave.atlas.kinds import KINDS, LINE
 from studies.atlas import line_design
 from studies.atlas.design import DESIGNS, write_batch, write_rises, write_validation
-from studies.atlas.fit import finished, write_atlas
+from studies.atlas.fit import finished
 from studies.atlas.points import read_points
+from studies.atlas.store import write_atlas
 from studies.atlas.validate import judge
 from studies.sweeps import run_command
 
@@ -38,7 +39,10 @@ def _do(options: argparse.Namespace) -> None:
     atlas = options.atlas or shipped(kind)
     batches = sorted(folder.glob(f"{kind.name}-[0-9][0-9].h5"))
     if step == "batch":
-        known = None if options.batch < FIRST_BATCHES[kind.name] else load_atlas(atlas)
+        known = None
+        if options.batch >= FIRST_BATCHES[kind.name]:
+            write_atlas(finished(read_points(batches, kind=kind)), atlas)
+            known = load_atlas(atlas)
         if kind is LINE:
             print(line_design.write_batch(folder, options.batch, known))
         else:

@@ -67,6 +67,8 @@ class Design:
         Angles, degrees, and how many patterns of a contact have them; None: any in between.
     fewest_points : int
         Mesh sizes in a wave.
+    validated : int
+        Random contacts that the atlas is judged by.
     groups : mapping
         What all cases share.
     """
@@ -75,6 +77,7 @@ class Design:
     seed: int
     directions: tuple[tuple[float | None, int], ...]
     fewest_points: int
+    validated: int
     groups: Groups
 
     def grid(self, contact: Mapping[str, float]) -> tuple[int, int]:
@@ -95,12 +98,13 @@ class Design:
         return along, across
 
 
-ROLLING_DESIGN = Design(ROLLING, 2000, ((0.0, 3), (90.0, 2), (None, 4)), 12, GROUPS)
+ROLLING_DESIGN = Design(ROLLING, 2000, ((0.0, 3), (90.0, 2), (None, 4)), 12, 150, GROUPS)
 SLIDING_DESIGN = Design(
     SLIDING,
     2100,
     ((0.0, 3), (90.0, 1), (None, 4)),
     10,
+    100,
     GROUPS
     | {
         "conditions": {"reduced_modulus_pa": MODULUS_PA},
@@ -203,13 +207,11 @@ def write_batch(
     return sweeps.write_sweep(folder, name, rows(design, chosen, random), design.groups)
 
 
-def write_validation(
-    folder: Path, design: Design = ROLLING_DESIGN, count: int = 100, each: int = 2
-) -> Path:
+def write_validation(folder: Path, design: Design = ROLLING_DESIGN, each: int = 2) -> Path:
     """Write the sweep that the atlas is judged by: random contacts and waves."""
     random, ranges = np.random.default_rng(1997), design.kind.ranges
     found = []
-    for _ in range(count):
+    for _ in range(design.validated):
         contact = contact_at(random.random(len(ranges)).tolist(), ranges)
         for _ in range(each):
             found.append({**as_keys(contact), **random_wave(design, contact, random)})

@@ -24,6 +24,9 @@ SAME_CASE = 1e-3
 LARGEST_RISE = 3.0
 """Of the mean film: what is far above is of long waves that the load, not the oil, balances."""
 
+LARGEST_PRESSURE = 1.02
+"""P at the centre; more than that is of a spike elsewhere."""
+
 LEFT_BY_EXTRAPOLATION = 0.25
 """Of the correction, as the next grid finds it."""
 
@@ -127,6 +130,8 @@ def _films(contacts: pd.DataFrame, kind: Kind) -> dict[str, np.ndarray]:
         LEFT_BY_EXTRAPOLATION * contacts[["central_film_error", "minimum_film_error"]].to_numpy()
     )
     numbers = {name: contacts[name].to_numpy(np.float32) for name in kind.ranges}
+    if "pressure_ratio" in kind.films:
+        numbers |= _centre(contacts)
     if "friction_ratio" in kind.films:
         numbers |= _frictions(contacts, base[:, 2], discretisation[:, 0])
     return numbers | {
@@ -138,6 +143,17 @@ def _films(contacts: pd.DataFrame, kind: Kind) -> dict[str, np.ndarray]:
             discretisation[:, 0], contacts["domain_error"]
         ).astype(np.float32),
         "minimum_ratio_discretisation": discretisation[:, 1].astype(np.float32),
+    }
+
+
+def _centre(contacts: pd.DataFrame) -> dict[str, np.ndarray]:
+    """Return film and pressure at the centre; of the latter the largest, but for a spike."""
+    pressure = np.log(np.minimum(contacts["max_pressure"], LARGEST_PRESSURE)).to_numpy(np.float32)
+    film = contacts["central_film"] * (1 + contacts["central_film_error"])
+    return {
+        "central_film": film.to_numpy(np.float32),
+        "pressure_ratio": pressure,
+        "pressure_ratio_discretisation": np.zeros(pressure.size, np.float32),
     }
 
 

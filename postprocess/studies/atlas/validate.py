@@ -7,14 +7,21 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from ehlwave.atlas import Atlas
-from ehlwave.atlas.stored import contact_of, waves_of
+from ehlwave.atlas.chart import Chart
+from ehlwave.atlas.stored import computed as computed_responses
+from ehlwave.atlas.stored import contact_of, film_numbers, waves_of
 
 Floats = NDArray[np.float64]
+
+FILMS = ("central film, relative", "smallest film, relative", "friction, relative")
 
 
 @dataclass(frozen=True)
 class Judged:
-    """Errors and error bars: of film responses, units of Ai, and of central films, relative."""
+    """Errors and error bars: of film responses, units of Ai, and of films, relative.
+
+    Those of films have shape (contacts, films).
+    """
 
     response: Floats
     response_bar: Floats
@@ -28,7 +35,7 @@ class Judged:
         rows = [
             ("film response, units of Ai", self.response, self.response_bar),
             ("film response, M > 100", self.response[heavy], self.response_bar[heavy]),
-            ("central film, relative", self.film, self.film_bar),
+            *zip(FILMS, self.film.T, self.film_bar.T, strict=False),
         ]
         return "\n".join(
             f"{name}: {len(error)} conditions, {100 * np.mean(error <= bar):.1f} % within the bar, "
@@ -40,20 +47,27 @@ class Judged:
 
 def judge(atlas: Atlas, computed: xr.Dataset) -> Judged:
     """Return the errors of an atlas at points of :func:`studies.atlas.points.read_points`."""
-    of_contact = contact_of(computed)
+    of_contact, (wave, angle) = contact_of(computed), waves_of(computed)
+    response, films = computed_responses(computed)[0], film_numbers(computed, atlas.kind)
     error, bar = np.zeros(of_contact.size), np.zeros(of_contact.size)
     film_error, film_bar = [], []
     for contact in range(computed.sizes["contact"]):
-        keys = {name: float(computed[name].values[contact]) for name in atlas.kind.ranges}
-        chart = atlas.at(keys)
-        film_error.append(
-            abs(np.expm1(chart.film_numbers()[0] - computed["film_ratio"].values[contact]))
-        )
-        film_bar.append(chart.film().central_error)
+        chart = atlas.at({key: float(computed[key].values[contact]) for key in atlas.kind.ranges})
+        film_error.append(_relative(chart.film_numbers - films[contact]))
+        film_bar.append(_bars(chart))
         own = np.flatnonzero(of_contact == contact)
-        part = computed.isel(point=own)
-        found = chart.responses(*waves_of(part))
-        response = part["film_real"].values + 1j * part["film_imaginary"].values
-        error[own], bar[own] = np.abs(found.film - response), found.error
+        found = chart.responses(wave[own], angle[own])
+        error[own], bar[own] = np.abs(found.film - response[own]), found.error
     load = computed["load_parameter_m"].values[of_contact]
     return Judged(error, bar, np.array(film_error), np.array(film_bar), load)
+
+
+def _relative(left: Floats) -> list[float]:
+    """Return the relative errors of films by those of their logarithms, as a kind names them."""
+    return [abs(float(np.expm1(log))) for log in (left[0], left[0] + left[1], *left[2:3])]
+
+
+def _bars(chart: Chart) -> list[float]:
+    film = chart.film()
+    stress = [] if film.stress_error is None else [film.stress_error]
+    return [film.central_error, film.minimum_error, *stress]

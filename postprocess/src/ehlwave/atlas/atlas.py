@@ -8,19 +8,12 @@ from pathlib import Path
 import numpy as np
 import xarray as xr
 
-from ehlwave.atlas.chart import NEIGHBOURHOOD, Chart
+from ehlwave.atlas.chart import Chart
 from ehlwave.atlas.coordinates import Floats
+from ehlwave.atlas.interpolated import scales_of
 from ehlwave.atlas.kinds import LINE, ROLLING, SLIDING, Kind, kind_of
-from ehlwave.atlas.process import Correlation, Process, Scales
-from ehlwave.atlas.stored import (
-    checksum,
-    contacts_alone,
-    film_errors,
-    film_numbers,
-    numbers_of,
-    responses_of,
-    seen_of,
-)
+from ehlwave.atlas.process import Process, correlation
+from ehlwave.atlas.stored import checksum, contacts_alone, film_errors, film_numbers
 from ehlwave.deform.conditions import Conditions
 from ehlwave.deform.line_contact import ROLLS_ALONE
 from ehlwave.errors import RangeError, ResultsError
@@ -38,56 +31,52 @@ class Atlas:
     """
 
     def __init__(self, data: xr.Dataset) -> None:
-        """Solve for the weights of all points: a second for 4000 of them."""
+        """Solve for the weights of the films."""
         if data.attrs.get("format") != FORMAT_NAME:
             raise ResultsError(f"not a file of scripts/atlas (format {data.attrs.get('format')!r})")
         self.data = data
         self.kind: Kind = kind_of(data)
-        self.scales = {
-            name: Scales(np.array(one["contact"]), np.array(one["wave"]), one["noise"])
-            for name, one in json.loads(data.attrs["length_scales"]).items()
-        }
-        self._seen = seen_of(data)
-        self.points = responses_of(data, self._seen)
-        self.near = Correlation(self.points.waves, self.scales["film"].waves * NEIGHBOURHOOD)
-        self._processes: dict[str, Process] = {}
-        films = film_numbers(data)
-        self.film_means = films.mean(axis=0)
-        of_films = contacts_alone(self.points.contacts)
-        self.films = Process(of_films, films - self.film_means, self.scales["smooth"])
-        self.misfit = data["error"].values.astype(float) ** 2
-        self.film_misfit = film_errors(data) ** 2
-
-    def process(self, part: str) -> Process:
-        """Return the interpolation of a part of the responses; its weights are found once."""
-        if part not in self._processes:
-            points, values = numbers_of(self.data, part, self._seen)
-            self._processes[part] = Process(points, values, self.scales[part])
-        return self._processes[part]
+        self.waves = self.kind.waves(data, self.kind)
+        scales = scales_of(data)
+        self._responses = int(data["responses"].sum())
+        self._contacts = self.kind.coordinates(data)
+        films = film_numbers(data, self.kind)
+        self._film_means = films.mean(axis=0)
+        of_films = contacts_alone(self._contacts)
+        self._films = [
+            Process(of_films, values[:, None], scales[name])
+            for name, values in zip(self.kind.films, (films - self._film_means).T, strict=True)
+        ]
+        self._film_misfit = film_errors(data, self.kind) ** 2
+        self._film_reach = np.array(json.loads(data.attrs["film_reach"]))
+        self.contact_scales = scales["film"].contacts if "film" in scales else self._film_reach
+        """Lengths over which responses, or errors of films, change from contact to contact."""
+        self._film_factors = np.array(json.loads(data.attrs["film_error_factors"]))
 
     @property
     def has_rises(self) -> bool:
         """Whether it knows what waves add to the mean film."""
         return "mean_rise" in self.data
 
+    def film_numbers(self, place: Floats) -> Floats:
+        """Return what the films of a contact are interpolated by, those that its kind names."""
+        found = [process.at_contact(place).sum() for process in self._films]
+        return np.array(found) + self._film_means
+
+    def film_errors(self, place: Floats) -> Floats:
+        """Return their errors: of contacts near by, times what holds the share that is wanted."""
+        near = correlation(place[None, :], self._contacts, self._film_reach)[0]
+        squares = near @ self._film_misfit / np.maximum(near.sum(), 1e-300)
+        return np.asarray(self._film_factors * np.sqrt(squares))
+
     @property
     def name(self) -> str:
         """What it is and where it comes from."""
         data = self.data
         return (
-            f"atlas of {data.sizes['point']} responses of {data.sizes['contact']} contacts "
+            f"atlas of {self._responses} responses of {data.sizes['contact']} contacts "
             f"({data.attrs['program']}, {data.attrs['checksum'][:8]})"
         )
-
-    @property
-    def contact_scales(self) -> Floats:
-        """Lengths over which responses change with the coordinates of the contact."""
-        return self.scales["film"].contacts
-
-    @property
-    def film_scales(self) -> Floats:
-        """Lengths over which errors of films are alike."""
-        return self.scales["smooth" if self.kind is SLIDING else "film"].contacts
 
     def at(self, keys: Mapping[str, float]) -> "Chart":
         """Return the chart of one contact.

@@ -8,17 +8,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ehlwave.atlas.coordinates import Complex, Floats
-from ehlwave.atlas.process import correlation
 from ehlwave.atlas.shape import Seen
 
 if TYPE_CHECKING:
     from ehlwave.atlas.atlas import Atlas
-
-NEIGHBOURHOOD = 0.5
-"""Of the length scales: how far around a wave errors of neighbours count for its own."""
-
-PRECISION = 1e-4
-"""Of the responses in the file and of the arithmetic, in units of Ai."""
 
 
 @dataclass(frozen=True)
@@ -69,37 +62,28 @@ class Chart:
     """The responses of one contact."""
 
     def __init__(self, atlas: "Atlas", keys: Mapping[str, float]) -> None:
-        """Weigh all points of the atlas by their nearness to the contact."""
+        """Find its films, and what its responses are interpolated by."""
         self._atlas = atlas
         self._keys = keys
         self._place = atlas.kind.coordinates(keys)[0]
-        self._shape = atlas.kind.shape(keys, atlas.data.attrs)
-        self._weights: dict[str, Floats] = {}
-        self._near = self._nearness(atlas.contact_scales)[atlas.points.of_contact]
+        self.film_numbers = atlas.film_numbers(self._place)
+        """What the films are interpolated by: those that the kind of the atlas names."""
+        kind = atlas.kind
+        self._references = kind.references(keys)[0]
+        numbers = dict(zip(kind.films, self.film_numbers, strict=True))
+        state = kind.state(keys, self._references, numbers)
+        self._waves = atlas.waves.at(self._place, kind.shape(state, atlas.data.attrs))
 
     @property
     def source(self) -> str:
         """Name of the atlas."""
         return self._atlas.name
 
-    def _nearness(self, scales: Floats) -> Floats:
-        """Return how much the errors of each contact count for this one."""
-        contacts = self._atlas.points.contacts
-        return correlation(self._place[None, :], contacts, scales * NEIGHBOURHOOD)[0]
-
-    def film_numbers(self) -> Floats:
-        """Return what the films are interpolated by: those that the kind of the atlas names."""
-        atlas = self._atlas
-        return np.asarray(atlas.films.at_contact(self._place).sum(axis=0) + atlas.film_means)
-
     def film(self) -> SmoothFilm:
         """Return the smooth films, and the shear stress where the kind of the atlas has it."""
-        atlas, numbers = self._atlas, self.film_numbers()
-        near = self._nearness(atlas.film_scales)
-        squares = near @ atlas.film_misfit / near.sum()
-        errors = np.sqrt(squares) * atlas.data.attrs["film_error_factor"]
-        base, ratios = atlas.kind.references(self._keys)[0], np.exp(numbers)
-        has_stress = len(numbers) > 2
+        base, ratios = self._references, np.exp(self.film_numbers)
+        errors = self._atlas.film_errors(self._place)
+        has_stress = "friction_ratio" in self._atlas.kind.films
         return SmoothFilm(
             central_moes=float(base[0] * ratios[0]),
             minimum_moes=float(base[1] * ratios[0] * ratios[1]),
@@ -119,44 +103,33 @@ class Chart:
         angle_deg : array_like
             Between wave vector and rolling direction, in metres, 0 to 90; shape of the wavelengths.
         """
-        seen, shape = self._seen(wavelength_over_a, angle_deg)
-        film = self.film_of(seen)
-        pressure = seen.pressure(film, self._numbers("pressure", seen))
-        near = self._atlas.near(seen.coordinates)
-        near *= self._near
-        squares = near @ self._atlas.misfit / np.maximum(near.sum(axis=1), 1e-300)
-        error = np.sqrt(self._atlas.data.attrs["error_factor"] ** 2 * squares + PRECISION**2)
-        return Responses(film.reshape(shape), pressure.reshape(shape), error.reshape(shape))
+        wave, angle, shape = _flattened(wavelength_over_a, angle_deg)
+        found = self._waves.responses(self._waves.seen(wave, angle))
+        film, pressure, error = (values.reshape(shape) for values in found)
+        return Responses(film, pressure, error)
+
+    def film_response(self, wavelength_over_a: ArrayLike, angle_deg: ArrayLike) -> Complex:
+        """Return film responses alone; arguments as of :meth:`responses`."""
+        wave, angle, shape = _flattened(wavelength_over_a, angle_deg)
+        return self.film_of(self._waves.seen(wave, angle)).reshape(shape)
 
     def film_of(self, seen: Seen) -> Complex:
         """Return film responses alone, to waves as the contact sees them."""
-        return seen.film(self._numbers("film", seen))
+        return self._waves.film(seen)
 
     def rise(self, wavelength_over_a: ArrayLike, angle_deg: ArrayLike) -> Floats | None:
         """Return what waves add to the mean film over the film, per (A/film)^2; None: not known.
 
         Second order in the amplitude A of a single wave; arguments as of :meth:`responses`.
         """
-        if not self._atlas.has_rises:
-            return None
-        seen, shape = self._seen(wavelength_over_a, angle_deg)
-        return self._numbers("rise", seen)[:, 0].reshape(shape)
+        wave, angle, shape = _flattened(wavelength_over_a, angle_deg)
+        rise = self._waves.rise(self._waves.seen(wave, angle))
+        return None if rise is None else rise.reshape(shape)
 
-    def film_response(self, wavelength_over_a: ArrayLike, angle_deg: ArrayLike) -> Complex:
-        """Return film responses alone; arguments as of :meth:`responses`."""
-        seen, shape = self._seen(wavelength_over_a, angle_deg)
-        return self.film_of(seen).reshape(shape)
 
-    def _seen(self, wavelength: ArrayLike, angle_deg: ArrayLike) -> tuple[Seen, tuple[int, ...]]:
-        """Return waves, flattened, and their shape."""
-        wave, angle = np.broadcast_arrays(
-            np.asarray(wavelength, dtype=float), np.asarray(angle_deg, dtype=float)
-        )
-        return self._shape.seen(wave.ravel(), angle.ravel()), wave.shape
-
-    def _numbers(self, part: str, seen: Seen) -> Floats:
-        """Return the interpolated numbers of a part, shape (n, numbers)."""
-        process = self._atlas.process(part)
-        if part not in self._weights:
-            self._weights[part] = process.at_contact(self._place)
-        return process.at_waves(self._weights[part], seen.coordinates)
+def _flattened(wave: ArrayLike, angle_deg: ArrayLike) -> tuple[Floats, Floats, tuple[int, ...]]:
+    """Return waves as columns, and their shape."""
+    waves, angles = np.broadcast_arrays(
+        np.asarray(wave, dtype=float), np.asarray(angle_deg, dtype=float)
+    )
+    return waves.ravel(), angles.ravel(), waves.shape

@@ -8,13 +8,20 @@ import xarray as xr
 from numpy.typing import ArrayLike
 
 from ehlwave.atlas.coordinates import Floats, contact_coordinates, rolling_references
+from ehlwave.atlas.expanded import Expanded
+from ehlwave.atlas.interpolated import Interpolated
 from ehlwave.atlas.line import LineShape, line_coordinates, line_references
 from ehlwave.atlas.ranges import CONTACT_RANGES, LINE_RANGES, SLIDING_RANGES
 from ehlwave.atlas.shape import Shape
-from ehlwave.atlas.sliding import sliding_coordinates, sliding_references
+from ehlwave.atlas.sliding import sliding_coordinates, sliding_references, sliding_state
 from ehlwave.atlas.sliding_shape import SlidingShape
 
 Keys = Mapping[str, ArrayLike]
+Waves = Interpolated | Expanded
+
+
+def _keys_alone(keys: Keys, _: Floats, __: Mapping[str, float]) -> Keys:
+    return keys
 
 
 @dataclass(frozen=True)
@@ -34,11 +41,16 @@ class Kind:
     films : tuple of str
         What is interpolated of contacts: ln of the central film over its reference; ln of the
         smallest over the central film, less that of their references; ln of the mean shear stress
-        over its reference.
+        over its reference; ln of the pressure at the centre over that of Hertz.
     references : callable
         What these are relative to, shape (c, films), by the same columns: films in the Moes scale,
         of Moes' formula or, under slip, in pure rolling; the stress of
         :func:`ehlwave.atlas.sliding.mean_stress`.
+    state : callable
+        What ``shape`` takes of one contact, from its keys, the references and the numbers of its
+        films.
+    waves : callable
+        What finds responses, from the file.
     """
 
     name: str
@@ -47,6 +59,8 @@ class Kind:
     shape: Callable[[Keys, Mapping[str, Any]], Shape]
     films: tuple[str, ...]
     references: Callable[[Keys], Floats]
+    state: Callable[[Keys, Floats, Mapping[str, float]], Keys] = _keys_alone
+    waves: Callable[[xr.Dataset, "Kind"], Waves] = Interpolated
 
 
 _FILMS = ("film_ratio", "minimum_ratio")
@@ -58,8 +72,10 @@ SLIDING = Kind(
     SLIDING_RANGES,
     sliding_coordinates,
     SlidingShape.of_keys,
-    (*_FILMS, "friction_ratio"),
+    (*_FILMS, "friction_ratio", "pressure_ratio"),
     sliding_references,
+    sliding_state,
+    Expanded,
 )
 LINE = Kind("line", LINE_RANGES, line_coordinates, LineShape.of_keys, _FILMS, line_references)
 KINDS = {kind.name: kind for kind in (ROLLING, SLIDING, LINE)}

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from ehlwave.atlas.coordinates import Floats, columns, contact_coordinates
 from ehlwave.atlas.ranges import SLIDING_RANGES
-from ehlwave.deform.conditions import Conditions, conditions_from_keys
+from ehlwave.deform.conditions import Conditions, conditions_from_keys, moes_per_film
 from ehlwave.medium import INLET_VISCOSITY, log_viscosity
 
 if TYPE_CHECKING:
@@ -65,16 +65,26 @@ def mean_stress(contact: Conditions) -> float:
 
 
 def sliding_references(keys: Mapping[str, ArrayLike]) -> Floats:
-    """Return central and smallest film in pure rolling, Moes scale, and mean stress, shape (c, 3).
+    """Return central and smallest film in pure rolling, Moes scale, mean stress and P = 1.
 
-    By columns named as the keys of contacts.
+    Shape (c, 4), by columns named as the keys of contacts.
     """
     return np.array([_references(contact) for contact in conditions_of(keys)])
 
 
-def _references(contact: Conditions) -> tuple[float, float, float]:
+def _references(contact: Conditions) -> tuple[float, float, float, float]:
     film = rolling_chart(contact).film()
-    return film.central_moes, film.minimum_moes, mean_stress(contact)
+    return film.central_moes, film.minimum_moes, mean_stress(contact), 1.0
+
+
+def sliding_state(
+    keys: Mapping[str, ArrayLike], references: Floats, numbers: Mapping[str, float]
+) -> Mapping[str, ArrayLike]:
+    """Return the keys of a contact with H and ln P at its centre."""
+    (contact,) = conditions_of(keys)
+    moes = references[0] * np.exp(numbers["film_ratio"])
+    central = {"central_film": moes / moes_per_film(contact.m, contact.kappa)}
+    return {**keys, **central, "pressure_ratio": numbers["pressure_ratio"]}
 
 
 def rolling_chart(contact: Conditions) -> "Chart":

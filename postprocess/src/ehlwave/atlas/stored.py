@@ -1,16 +1,18 @@
 """The file of an atlas: its points, and the numbers of them that are interpolated."""
 
 import hashlib
+from typing import TYPE_CHECKING
 
 import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from ehlwave.atlas.coordinates import Floats
-from ehlwave.atlas.kinds import kind_of
+from ehlwave.atlas.coordinates import Complex, Floats
 from ehlwave.atlas.process import Scattered
-from ehlwave.atlas.shape import Seen, Shape
-from ehlwave.atlas.sliding_shape import SlidingShape
+from ehlwave.atlas.shape import Seen
+
+if TYPE_CHECKING:
+    from ehlwave.atlas.kinds import Kind
 
 PARTS = {"film": slice(0, 2), "pressure": slice(2, 4), "rise": slice(0, 1)}
 """What is interpolated by itself, and which of its numbers it is."""
@@ -26,16 +28,6 @@ def contacts_alone(contacts: Floats) -> Scattered:
     return Scattered(contacts, np.arange(len(contacts)), np.empty((len(contacts), 0)))
 
 
-def shape_of(data: xr.Dataset) -> Shape:
-    """Return what turns responses into numbers, for each of them."""
-    shape = kind_of(data).shape(data, data.attrs)[contact_of(data)]
-    if isinstance(shape, SlidingShape):
-        return shape.with_rolling(
-            data["rolling_real"].values + 1j * data["rolling_imaginary"].values
-        )
-    return shape
-
-
 def waves_of(data: xr.Dataset) -> tuple[Floats, Floats]:
     """Return wavelengths over a and angles, degrees."""
     wave = data["wavelength_over_a"].values.astype(float)
@@ -43,40 +35,44 @@ def waves_of(data: xr.Dataset) -> tuple[Floats, Floats]:
     return wave, np.zeros(wave.shape) if angle is None else angle.values.astype(float)
 
 
-def seen_of(data: xr.Dataset) -> Seen:
+def seen_of(data: xr.Dataset, kind: "Kind") -> Seen:
     """Return the waves of an atlas as it sees them."""
-    return shape_of(data).seen(*waves_of(data))
+    return kind.shape(data, data.attrs)[contact_of(data)].seen(*waves_of(data))
 
 
-def responses_of(data: xr.Dataset, seen: Seen) -> Scattered:
+def responses_of(data: xr.Dataset, kind: "Kind", seen: Seen) -> Scattered:
     """Return where an atlas has responses; `seen` are its waves."""
-    return Scattered(kind_of(data).coordinates(data), contact_of(data), seen.coordinates)
+    return Scattered(kind.coordinates(data), contact_of(data), seen.coordinates)
 
 
-def numbers_of(data: xr.Dataset, part: str, seen: Seen) -> tuple[Scattered, Floats]:
+def numbers_of(
+    data: xr.Dataset, part: str, points: Scattered, seen: Seen
+) -> tuple[Scattered, Floats]:
     """Return where an atlas knows a part of the responses, and the numbers that are interpolated.
 
     Those of film and pressure are of :meth:`ehlwave.atlas.shape.Seen.reduced`; the rise of the mean
     film, which only single waves have, is itself.
     """
-    points = responses_of(data, seen)
     if part == "rise":
         known = np.flatnonzero(np.isfinite(data["mean_rise"].values))
         return points[known], data["mean_rise"].values[known, None].astype(float)
+    return points, seen.reduced(*computed(data))[:, PARTS[part]]
+
+
+def computed(data: xr.Dataset) -> tuple[Complex, Complex]:
+    """Return the responses of film and pressure."""
     film = data["film_real"].values + 1j * data["film_imaginary"].values
-    pressure = data["pressure_real"].values + 1j * data["pressure_imaginary"].values
-    return points, seen.reduced(film, pressure)[:, PARTS[part]]
+    return film, data["pressure_real"].values + 1j * data["pressure_imaginary"].values
 
 
-def film_numbers(data: xr.Dataset) -> Floats:
+def film_numbers(data: xr.Dataset, kind: "Kind") -> Floats:
     """Return the logarithms of films that are interpolated, shape (contacts, films)."""
-    return np.stack([data[name].values.astype(float) for name in kind_of(data).films], axis=1)
+    return np.stack([data[name].values.astype(float) for name in kind.films], axis=1)
 
 
-def film_errors(data: xr.Dataset) -> Floats:
+def film_errors(data: xr.Dataset, kind: "Kind") -> Floats:
     """Return their errors."""
-    names = [f"{name}_error" for name in kind_of(data).films]
-    return np.stack([data[name].values.astype(float) for name in names], axis=1)
+    return np.stack([data[f"{name}_error"].values.astype(float) for name in kind.films], axis=1)
 
 
 def checksum(data: xr.Dataset) -> str:
