@@ -1,7 +1,7 @@
 """Responses under slip by the law of the two waves, corrected by kernels about some of its points.
 
 The numbers of :class:`ehlwave.atlas.sliding_shape.SlidingSeen` are sums of Matern kernels about
-centres, fitted together to all points (``studies.atlas.expand``), and so is ln of their error.
+centres, fitted together to all points (``studies.atlas.correct``), and so is ln of their error.
 """
 
 import json
