@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import xarray as xr
 
-from ehlwave.atlas.kinds import KINDS, LINE, kind_of
+from ehlwave.atlas.kinds import KINDS
 from ehlwave.atlas.stored import checksum
 from ehlwave.errors import ResultsError
 
@@ -53,20 +53,16 @@ PACKED = {
     "error": 2e-5,
     "rolling_real": 4e-5,
     "rolling_imaginary": 4e-5,
-    **{f"{name}_error": 1e-4 for name in KINDS["sliding"].films},
-}
-"""What is kept in two bytes, and its steps."""
-
-LINE_PACKED = {
-    "lubricant_parameter_l": 1e-3,
+    "lubricant_parameter_l": 9e-4,
     "pressure_viscosity_per_pa": 1e-12,
     "roelands_index": 2.5e-5,
-    "film_ratio": 2e-5,
-    "minimum_ratio": 2e-5,
-    "film_ratio_error": 1e-5,
-    "minimum_ratio_error": 1e-5,
+    "slip_parameter": 5e-5,
+    **dict.fromkeys(KINDS["sliding"].films, 0.0001),
+    **{f"{name}_error": 1e-4 for name in KINDS["sliding"].films},
+    "film_ratio": 4e-5,
+    "minimum_ratio": 4e-5,
 }
-"""And besides of line contacts, whose file is to be small."""
+"""What is kept in two bytes, and its steps."""
 
 MOST_STEPS = 32767
 
@@ -89,16 +85,15 @@ def write_atlas(data: xr.Dataset, path: Path) -> None:
             attributes,
         )
     written = xr.Dataset(kept, attrs=data.attrs)
-    packed = PACKED | (LINE_PACKED if kind_of(data) is LINE else {})
-    for name in packed.keys() & kept.keys():
-        if np.nanmax(np.abs(written[name].values)) > MOST_STEPS * packed[name]:
+    for name in PACKED.keys() & kept.keys():
+        if np.nanmax(np.abs(written[name].values)) > MOST_STEPS * PACKED[name]:
             raise ResultsError(f"{path}: {name} does not fit into two bytes: change its step")
     packing = {
         name: {"dtype": "i2", "scale_factor": step, "_FillValue": NOT_KNOWN.get(name)}
-        for name, step in packed.items()
+        for name, step in PACKED.items()
         if name in written.variables
     }
-    packing |= {name: {"_FillValue": None} for name in written.variables if name not in packed}
+    packing |= {name: {"_FillValue": None} for name in written.variables if name not in PACKED}
     for _ in range(2):  # the checksum is that of the values as they are read
         written.to_netcdf(path, engine="scipy", format="NETCDF3_CLASSIC", encoding=packing)
         with xr.open_dataset(path) as opened:
