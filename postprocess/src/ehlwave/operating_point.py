@@ -11,6 +11,7 @@ from ehlwave.atlas.coordinates import wave_components
 from ehlwave.atlas.ranges import SLIDING_RANGES, WAVE_RANGE
 from ehlwave.deform.atlas_transfer import AtlasTransfer, with_atlas_film
 from ehlwave.deform.conditions import Conditions, conditions_from_keys
+from ehlwave.deform.line_contact import ROLLS_ALONE, TRANSVERSE_ALONE
 from ehlwave.deform.predict import Cutoffs, Deformed, deform_surface
 from ehlwave.deform.prepare import Form, Window
 from ehlwave.deform.read import ReadOptions, read_surface
@@ -95,8 +96,9 @@ class Contact:
     **keys
         Keys of the input files of ``ehlwave-case``: dimensional data (``radius_x_m``,
         ``radius_y_m``, ``reduced_modulus_pa``, ``load_n``, ``mean_speed_m_per_s``,
-        ``viscosity_pa_s``), or ``load_parameter_m``, ``lubricant_parameter_l`` and
-        ``radius_ratio_d``, then with ``semi_axis_a_m`` (Hertz semi-axis along rolling) and
+        ``viscosity_pa_s``; of a line contact ``load_n_per_m`` in place of ``radius_y_m`` and
+        ``load_n``), or ``load_parameter_m``, ``lubricant_parameter_l`` and ``radius_ratio_d`` (0:
+        line contact), then with ``semi_axis_a_m`` (Hertz semi-axis along rolling) and
         ``radius_x_m`` where metres are asked for;
         ``pressure_viscosity_per_pa`` (2.2e-8) and ``roelands_index`` (0.68) of the oil;
         ``slip_parameter`` (1) of the rough surface; of a Ree-Eyring oil ``eyring_stress_pa``.
@@ -179,6 +181,7 @@ class Contact:
             Wavelength along the wave vector over the Hertz semi-axis a, 0.1 to 4.
         angle_deg : float
             Between wave vector and rolling direction, in metres: 0 transverse, 90 longitudinal.
+            Line contacts answer for 0 alone, in pure rolling.
         slip_parameter : float
             S of the surface that carries the waves, 0.5 to 1.5. Other than 1 the atlas has it for a
             Ree-Eyring oil, of ``eyring_stress_pa``; outside that, for a Carreau oil, where
@@ -203,6 +206,8 @@ class Contact:
                 f"angle_deg = {angle_deg:.5g} lies outside 0 to 90 (waves at -angle are the same)"
             )
         conditions = replace(self.conditions, slip_parameter=slip_parameter)
+        if conditions.is_line and (angle_deg > 1e-9 or not conditions.has_atlas):
+            raise RangeError(TRANSVERSE_ALONE if angle_deg > 1e-9 else ROLLS_ALONE)
         if not conditions.has_atlas:
             if angle_deg < 90:
                 return self._response_under_slip(wavelength_over_a, angle_deg, slip_parameter)
@@ -246,6 +251,8 @@ class Contact:
         ------
         RangeError
             A ValueError: the contact lies outside the atlas.
+        SurfaceError
+            If the law of the two waves were to judge a line contact.
         """
         if by == "atlas" and self.conditions.has_atlas:
             return AtlasTransfer(self.conditions, self.atlas())

@@ -10,6 +10,8 @@ from pathlib import Path
 
 from ehlwave.atlas import load_atlas
 from ehlwave.atlas.atlas import shipped
+from ehlwave.atlas.kinds import KINDS, LINE
+from studies.atlas import line_design
 from studies.atlas.design import DESIGNS, write_batch, write_rises, write_validation
 from studies.atlas.fit import finished
 from studies.atlas.points import read_points
@@ -17,7 +19,7 @@ from studies.atlas.store import write_atlas
 from studies.atlas.validate import judge
 from studies.sweeps import run_command
 
-FIRST_BATCHES = {"rolling": 3, "sliding": 8}
+FIRST_BATCHES = {"rolling": 3, "sliding": 8, "line": 2}
 """Batches that fill the ranges evenly; later ones go where the errors are."""
 
 
@@ -27,21 +29,24 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("step", choices=("batch", "rises", "fit", "unseen", "validate"))
     parser.add_argument("folder", type=Path, help="of sweeps and their results; made when absent")
     parser.add_argument("--batch", type=int, default=0, metavar="N", help="counted from 0")
-    parser.add_argument("--kind", choices=tuple(DESIGNS), default="rolling")
+    parser.add_argument("--kind", choices=tuple(KINDS), default="rolling")
     parser.add_argument("--atlas", type=Path, metavar="FILE.nc", help="default: the package's")
     return run_command(parser, _do, arguments)
 
 
 def _do(options: argparse.Namespace) -> None:
-    folder, step, design = options.folder, options.step, DESIGNS[options.kind]
-    kind, atlas = design.kind, options.atlas or shipped(design.kind)
+    folder, step, kind = options.folder, options.step, KINDS[options.kind]
+    atlas = options.atlas or shipped(kind)
     batches = sorted(folder.glob(f"{kind.name}-[0-9][0-9].h5"))
     if step == "batch":
         known = None
         if options.batch >= FIRST_BATCHES[kind.name]:
             write_atlas(finished(read_points(batches, kind=kind)), atlas)
             known = load_atlas(atlas)
-        print(write_batch(folder, options.batch, design, known))
+        if kind is LINE:
+            print(line_design.write_batch(folder, options.batch, known))
+        else:
+            print(write_batch(folder, options.batch, DESIGNS[kind.name], known))
     elif step == "rises":
         print(write_rises(folder, read_points(batches)))
     elif step == "fit":
@@ -50,7 +55,10 @@ def _do(options: argparse.Namespace) -> None:
         write_atlas(finished(data), atlas)
         print(atlas)
     elif step == "unseen":
-        print(write_validation(folder, design))
+        if kind is LINE:
+            print(line_design.write_validation(folder))
+        else:
+            print(write_validation(folder, DESIGNS[kind.name]))
     else:
         computed = read_points([folder / f"{kind.name}-validation.h5"], kind=kind)
         print(judge(load_atlas(atlas), computed).text())

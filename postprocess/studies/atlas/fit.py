@@ -8,12 +8,12 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from ehlwave.atlas.atlas import FORMAT_NAME
-from ehlwave.atlas.kinds import SLIDING, kind_of
+from ehlwave.atlas.kinds import LINE, SLIDING, kind_of
 from ehlwave.atlas.process import Process, Scales, correlation
 from ehlwave.atlas.stored import contacts_alone, film_numbers
 from studies.atlas.expand import expanded
 from studies.atlas.folds import FOLDS, folds, quantiles
-from studies.atlas.interpolate import fitted_scales, interpolated
+from studies.atlas.interpolate import OF_D, fitted_scales, interpolated
 
 Floats = NDArray[np.float64]
 
@@ -35,7 +35,8 @@ def finished(data: xr.Dataset) -> xr.Dataset:
     kind = kind_of(data)
     contacts, films = contacts_alone(kind.coordinates(data)), film_numbers(data, kind)
     more = FIRST_SLIDING if kind is SLIDING else np.empty(0)
-    first = Scales(np.append(FIRST_SMOOTH, more), np.empty(0), FIRST_NOISE)
+    rolling = np.delete(FIRST_SMOOTH, OF_D) if kind is LINE else FIRST_SMOOTH
+    first = Scales(np.append(rolling, more), np.empty(0), FIRST_NOISE)
     centred = films - films.mean(axis=0)
     scales = {
         name: fitted_scales(contacts, values[:, None], first)

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from scipy.optimize import minimize
 
 from ehlwave.atlas.interpolated import NEIGHBOURHOOD
-from ehlwave.atlas.kinds import kind_of
+from ehlwave.atlas.kinds import LINE, kind_of
 from ehlwave.atlas.process import Process, Scales, Scattered, correlation, likelihood
 from ehlwave.atlas.stored import PARTS, numbers_of, responses_of, seen_of
 from studies.atlas.folds import FOLDS, folds, quantiles
@@ -18,6 +18,9 @@ Floats = NDArray[np.float64]
 FIRST_SCALES = np.array([0.45, 6.0, 20.0, 4.5, 1.1])
 FIRST_WAVE_SCALES = np.array([2.0, 1.0, 3.0, 1.5])
 FIRST_NOISE = 0.04
+
+OF_D, OF_WIDTH = 2, [1, 2]
+"""Places of what line contacts have not: D; the direction of waves and their length over b."""
 
 MOST_TRAINED = 700
 """Points of which the length scales are fitted; more change them little and cost the cube."""
@@ -56,6 +59,9 @@ def interpolated(data: xr.Dataset) -> tuple[xr.Dataset, dict[str, Scales], Float
     points = responses_of(data, kind, seen)
     parts = [part for part in PARTS if part != "rise" or "mean_rise" in data]
     first = Scales(FIRST_SCALES, FIRST_WAVE_SCALES, FIRST_NOISE)
+    if kind is LINE:
+        of_waves = np.delete(FIRST_WAVE_SCALES, OF_WIDTH)
+        first = Scales(np.delete(FIRST_SCALES, OF_D), of_waves, FIRST_NOISE)
     scales = {part: fitted_scales(*numbers_of(data, part, points, seen), first) for part in parts}
     left = left_out(*numbers_of(data, "film", points, seen), scales["film"])
     misfit = np.hypot(left[:, 0], left[:, 1]) * np.abs(seen.spread)

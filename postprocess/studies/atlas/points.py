@@ -9,7 +9,7 @@ import xarray as xr
 from scipy.spatial import cKDTree
 
 from ehlwave.atlas import load_atlas
-from ehlwave.atlas.kinds import ROLLING, SLIDING, Kind
+from ehlwave.atlas.kinds import LINE, ROLLING, SLIDING, Kind
 from ehlwave.atlas.ranges import CONTACT_RANGES
 from ehlwave.atlas.sliding import MODULUS_PA, conditions_of
 from ehlwave.formula import wave_and_direction
@@ -67,7 +67,9 @@ def read_points(
     }
     data = {name: ("point", values) for name, values in points.items()}
     data["responses"] = "contact", counts.astype(np.int16)
-    if kind is ROLLING:
+    if kind is LINE:
+        del data["angle_deg"]
+    if kind is not SLIDING:
         data["mean_rise"] = "point", _rises(table, rises)
     else:
         rolling = _rolling(contacts, counts, wave, angle)

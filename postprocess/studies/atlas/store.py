@@ -7,6 +7,7 @@ import xarray as xr
 
 from ehlwave.atlas.kinds import KINDS
 from ehlwave.atlas.stored import checksum
+from ehlwave.errors import ResultsError
 
 LONG_NAMES = {
     "responses": ("", "of each contact: those of the first come first"),
@@ -26,7 +27,7 @@ LONG_NAMES = {
     "radius_ratio_d": ("1", "D = Rx/Ry"),
     "pressure_viscosity_per_pa": ("1/Pa", "pressure-viscosity coefficient alpha"),
     "roelands_index": ("1", "index z of Roelands' viscosity"),
-    "film_ratio": ("1", "ln of central film over that of Nijenbanning, Venner and Moes (1994)"),
+    "film_ratio": ("1", "ln of central film over Moes' formula, under slip over pure rolling"),
     "minimum_ratio": ("1", "ln of smallest over central film"),
     "slip_parameter": ("1", "S of the surface that is rough"),
     "stress_modulus_pa2": ("Pa2", "E' tau0, reduced modulus times Eyring stress"),
@@ -52,9 +53,18 @@ PACKED = {
     "error": 2e-5,
     "rolling_real": 4e-5,
     "rolling_imaginary": 4e-5,
+    "lubricant_parameter_l": 9e-4,
+    "pressure_viscosity_per_pa": 1e-12,
+    "roelands_index": 2.5e-5,
+    "slip_parameter": 5e-5,
+    **dict.fromkeys(KINDS["sliding"].films, 0.0001),
     **{f"{name}_error": 1e-4 for name in KINDS["sliding"].films},
+    "film_ratio": 4e-5,
+    "minimum_ratio": 4e-5,
 }
 """What is kept in two bytes, and its steps."""
+
+MOST_STEPS = 32767
 
 NOT_KNOWN = {"mean_rise": -32768}
 """What stands for NaN."""
@@ -75,6 +85,9 @@ def write_atlas(data: xr.Dataset, path: Path) -> None:
             attributes,
         )
     written = xr.Dataset(kept, attrs=data.attrs)
+    for name in PACKED.keys() & kept.keys():
+        if np.nanmax(np.abs(written[name].values)) > MOST_STEPS * PACKED[name]:
+            raise ResultsError(f"{path}: {name} does not fit into two bytes: change its step")
     packing = {
         name: {"dtype": "i2", "scale_factor": step, "_FillValue": NOT_KNOWN.get(name)}
         for name, step in PACKED.items()

@@ -11,10 +11,11 @@ import xarray as xr
 from ehlwave.atlas.chart import Chart
 from ehlwave.atlas.coordinates import Floats
 from ehlwave.atlas.interpolated import scales_of
-from ehlwave.atlas.kinds import ROLLING, SLIDING, Kind, kind_of
+from ehlwave.atlas.kinds import LINE, ROLLING, SLIDING, Kind, kind_of
 from ehlwave.atlas.process import Process, correlation
 from ehlwave.atlas.stored import checksum, contacts_alone, film_errors, film_numbers
 from ehlwave.deform.conditions import Conditions
+from ehlwave.deform.line_contact import ROLLS_ALONE
 from ehlwave.errors import RangeError, ResultsError
 
 FORMAT_NAME = "ehlwave-atlas"
@@ -112,9 +113,19 @@ SHIPPED = shipped(ROLLING)
 def atlas_for(conditions: Conditions, atlas: Atlas | None = None) -> Atlas:
     """Return the atlas that a contact is looked up in: this one if it is of the kind, else ours.
 
-    A Ree-Eyring oil under slip has one of its own; all else rolls as far as the atlas knows.
+    A Ree-Eyring oil under slip has one of its own, and so have line contacts; all else rolls as far
+    as the atlas knows.
+
+    Raises
+    ------
+    RangeError
+        Of a line contact under slip, unless the oil is Newtonian: the film is that of rolling then.
     """
     kind = SLIDING if conditions.has_sliding_atlas else ROLLING
+    if conditions.is_line:
+        if conditions.slip_parameter != 1 and conditions.oil.name != "Newtonian":
+            raise RangeError(ROLLS_ALONE)
+        kind = LINE
     return atlas if atlas is not None and atlas.kind is kind else load_atlas(shipped(kind))
 
 

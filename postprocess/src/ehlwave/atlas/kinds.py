@@ -1,4 +1,4 @@
-"""What the atlases of contacts that roll and of those that slide differ in."""
+"""What the atlases of contacts that roll, of those that slide and of line contacts differ in."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -10,7 +10,8 @@ from numpy.typing import ArrayLike
 from ehlwave.atlas.coordinates import Floats, contact_coordinates, rolling_references
 from ehlwave.atlas.expanded import Expanded
 from ehlwave.atlas.interpolated import Interpolated
-from ehlwave.atlas.ranges import CONTACT_RANGES, SLIDING_RANGES
+from ehlwave.atlas.line import LineShape, line_coordinates, line_references
+from ehlwave.atlas.ranges import CONTACT_RANGES, LINE_RANGES, SLIDING_RANGES
 from ehlwave.atlas.shape import Shape
 from ehlwave.atlas.sliding import sliding_coordinates, sliding_references, sliding_state
 from ehlwave.atlas.sliding_shape import SlidingShape
@@ -76,7 +77,8 @@ SLIDING = Kind(
     sliding_state,
     Expanded,
 )
-KINDS = {kind.name: kind for kind in (ROLLING, SLIDING)}
+LINE = Kind("line", LINE_RANGES, line_coordinates, LineShape.of_keys, _FILMS, line_references)
+KINDS = {kind.name: kind for kind in (ROLLING, SLIDING, LINE)}
 
 
 def kind_of(data: xr.Dataset) -> Kind:

@@ -12,6 +12,14 @@ CONTACT_RANGES = {
 WAVE_RANGE = (0.1, 4.0)
 """Wavelength along the wave vector over a; directions are all there are."""
 
+LINE_RANGES = {
+    "load_parameter_m": (5.0, 2000.0),
+    "lubricant_parameter_l": (2.0, 28.0),  # alpha ph is at most 500
+    "pressure_viscosity_per_pa": CONTACT_RANGES["pressure_viscosity_per_pa"],
+    "roelands_index": CONTACT_RANGES["roelands_index"],
+}
+"""The same of line contacts, whose M is that of a load per length."""
+
 SLIDING_RANGES = CONTACT_RANGES | {
     "slip_parameter": (0.5, 1.5),
     "stress_modulus_pa2": (1.936e17, 9.68e18),

@@ -30,7 +30,9 @@ def contacts_alone(contacts: Floats) -> Scattered:
 
 def waves_of(data: xr.Dataset) -> tuple[Floats, Floats]:
     """Return wavelengths over a and angles, degrees."""
-    return data["wavelength_over_a"].values.astype(float), data["angle_deg"].values.astype(float)
+    wave = data["wavelength_over_a"].values.astype(float)
+    angle = data.get("angle_deg")  # line contacts have transverse waves alone
+    return wave, np.zeros(wave.shape) if angle is None else angle.values.astype(float)
 
 
 def seen_of(data: xr.Dataset, kind: "Kind") -> Seen:

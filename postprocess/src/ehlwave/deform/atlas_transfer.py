@@ -11,6 +11,7 @@ from ehlwave.atlas.atlas import Atlas, atlas_for
 from ehlwave.atlas.chart import Chart
 from ehlwave.atlas.ranges import WAVE_RANGE
 from ehlwave.deform.conditions import Conditions
+from ehlwave.deform.line_contact import ROLLS_ALONE
 from ehlwave.deform.transfer import Waves
 from ehlwave.errors import RangeError
 from ehlwave.formula import recommended_ratio
@@ -53,8 +54,11 @@ class AtlasTransfer:
         ------
         RangeError
             A ValueError: the contact lies outside the atlas, slides in an oil that is not
-            Ree-Eyring's, or the oil has laws of viscosity or density that the atlas does not.
+            Ree-Eyring's or is a line that slides, or the oil has laws of viscosity or density that
+            the atlas does not.
         """
+        if conditions.is_line and not conditions.has_atlas:
+            raise RangeError(ROLLS_ALONE)
         if not conditions.has_atlas:
             raise RangeError(
                 f"slip_parameter = {conditions.slip_parameter:g}: of contacts that slide the atlas "
@@ -162,7 +166,7 @@ class AtlasTransfer:
                 recommended_ratio(
                     c.m,
                     c.l,
-                    c.gamma,
+                    c.slender_gamma,
                     *(np.where(s > 1e-9, w / np.maximum(s, 1e-9), 0) for s in shares),
                 )
                 for w in (np.minimum(wave[long], 1e9), inside[long])

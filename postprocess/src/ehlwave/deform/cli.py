@@ -45,6 +45,8 @@ Conditions are an input file of ehlwave-case, or KEY=VALUE with its keys, or bot
                mean_speed_m_per_s=0.024 viscosity_pa_s=1.22 pressure_viscosity_per_pa=2.25e-8
   --conditions load_parameter_m=100 lubricant_parameter_l=10 radius_ratio_d=1
                semi_axis_a_m=0.2e-3 radius_x_m=12.5e-3
+  --conditions radius_x_m=5e-3 reduced_modulus_pa=2.26e11 load_n_per_m=1.5e5     (a roller: line
+               mean_speed_m_per_s=2 viscosity_pa_s=0.03     contact, traces along pure rolling)
 The film thickness is that of the atlas, outside it that of a formula for smooth contacts (up to
 20 % too thick); central_film_m=... replaces it.
 

@@ -12,6 +12,16 @@ from typing import Any
 from scipy.optimize import brentq
 from scipy.special import ellipe, ellipk
 
+from ehlwave.deform.line_contact import (
+    LINE_KEYS,
+    LOAD_KEY,
+    SLENDER_OVER_LINE,
+    line_alphabar,
+    line_film,
+    line_lambdabar,
+    line_values,
+    moes_per_line_film,
+)
 from ehlwave.errors import SurfaceError
 from ehlwave.formula import v
 from ehlwave.medium import Medium, Oil, hertz_medium
@@ -34,6 +44,7 @@ CARREAU_KEYS = ("carreau_modulus_pa", "carreau_exponent")
 OIL_KEYS = ("pressure_viscosity_per_pa", "roelands_index", "eyring_stress_pa", *CARREAU_KEYS)
 
 _FIT_TEXT = "the film thickness fit of Nijenbanning, Venner and Moes (1994)"
+_LINE_FIT_TEXT = "the film thickness fit of Moes (1992) for line contacts"
 
 
 @dataclass(frozen=True)
@@ -43,11 +54,11 @@ class Conditions:
     Attributes
     ----------
     m, l, d : float
-        Moes load and lubricant parameters, and D = Rx/Ry.
+        Moes load and lubricant parameters, and D = Rx/Ry; 0: line contact, whose M is another one.
     kappa : float
-        Ellipticity a/b, eq. (1).
+        Ellipticity a/b, eq. (1); 0 of a line contact.
     gamma : float
-        Pressure factor of the ellipticity, 1 for a circular contact.
+        Pressure factor of the ellipticity, 1 for a circular contact, M^(1/2) for a line contact.
     slip_parameter : float
         S = u1/ubar of the rough surface; 1 is pure rolling.
     semi_axis_a_m : float
@@ -81,7 +92,17 @@ class Conditions:
     @property
     def semi_axis_b_m(self) -> float:
         """Hertz semi-axis across the rolling direction, b = a/kappa, m."""
-        return self.semi_axis_a_m / self.kappa
+        return math.inf if self.is_line else self.semi_axis_a_m / self.kappa
+
+    @property
+    def is_line(self) -> bool:
+        """Whether it is a line contact, without end across rolling."""
+        return self.d == 0
+
+    @property
+    def slender_gamma(self) -> float:
+        """What stands for gamma in laws of elliptical contacts: alphabar and L are what counts."""
+        return self.gamma * (SLENDER_OVER_LINE if self.is_line else 1.0)
 
     @property
     def v_per_wavelength(self) -> float:
@@ -91,11 +112,15 @@ class Conditions:
     @property
     def alphabar(self) -> float:
         """Return alpha ph, eq. (3)."""
+        if self.is_line:
+            return float(line_alphabar(self.m, self.l))
         return self.l / math.pi * (1.5 * self.gamma * self.m) ** (1 / 3)
 
     @property
     def lambdabar(self) -> float:
         """Return the speed parameter, eq. (4)."""
+        if self.is_line:
+            return line_lambdabar(self.m)
         k, b = float(ellipk(1 - self.kappa**2)), _integral_combinations(self.kappa)[1]
         shape = b ** (5 / 3) / (6 ** (1 / 3) * self.kappa ** (4 / 3) * k**2)
         return 16 * math.pi ** (4 / 3) * self.m ** (-4 / 3) * shape
@@ -120,7 +145,7 @@ class Conditions:
     @property
     def has_sliding_atlas(self) -> bool:
         """Whether the atlas of sliding contacts is the one for it: slip and a Ree-Eyring oil."""
-        return self.slip_parameter != 1 and self.oil.name == "Ree-Eyring"
+        return self.slip_parameter != 1 and self.oil.name == "Ree-Eyring" and not self.is_line
 
     def atlas_keys(self) -> dict[str, float]:
         """Return the coordinates of the contact in the atlases, by their keys."""
@@ -131,6 +156,8 @@ class Conditions:
             "pressure_viscosity_per_pa": self.oil.pressure_viscosity_per_pa,
             "roelands_index": self.oil.roelands_index,
         }
+        if self.is_line:
+            del keys["radius_ratio_d"]
         if self.has_sliding_atlas and self.oil.stress_modulus_pa2 is not None:
             keys["slip_parameter"] = self.slip_parameter
             keys["stress_modulus_pa2"] = self.oil.stress_modulus_pa2
@@ -148,7 +175,8 @@ def conditions_from_keys(
         Either all of ``radius_x_m``, ``radius_y_m``, ``reduced_modulus_pa``, ``load_n``,
         ``mean_speed_m_per_s``, ``viscosity_pa_s`` (reduced radii and E' with
         2/E' = (1-nu1^2)/E1 + (1-nu2^2)/E2), and ``pressure_viscosity_per_pa`` (2.2e-8 if absent)
-        and ``roelands_index`` (0.68 if absent);
+        and ``roelands_index`` (0.68 if absent), of a line contact ``load_n_per_m`` in place of
+        ``radius_y_m`` and ``load_n``;
         or ``load_parameter_m``, ``lubricant_parameter_l``, ``radius_ratio_d`` with
         ``semi_axis_a_m`` and, for the film thickness, ``radius_x_m``. In both cases
         ``slip_parameter`` (1 if absent) and ``central_film_m``, which replaces the film thickness
@@ -168,19 +196,26 @@ def conditions_from_keys(
     values = _checked(keys, place)
     has_moes = any(key in values for key in MOES_KEYS)
     both = ("radius_x_m", "reduced_modulus_pa")
-    extra = [key for key in DIMENSIONAL_KEYS if key in values and key not in both]
+    every = (*DIMENSIONAL_KEYS, LOAD_KEY)
+    extra = [key for key in every if key in values and key not in both]
     if has_moes and extra:
         raise SurfaceError(
             f"{place}: gives both {MOES_KEYS[0]}, ... and {extra[0]}: give the Moes parameters or "
             "dimensional data"
         )
-    needed = (*MOES_KEYS, *(("semi_axis_a_m",) * needs_lengths)) if has_moes else DIMENSIONAL_KEYS
+    both_loads = [key for key in ("radius_y_m", "load_n") if key in values and LOAD_KEY in values]
+    if both_loads:
+        raise SurfaceError(
+            f"{place}: gives both {LOAD_KEY}, of a line contact, and {both_loads[0]}: remove one"
+        )
+    dimensional = LINE_KEYS if LOAD_KEY in values else DIMENSIONAL_KEYS
+    needed = (*MOES_KEYS, *(("semi_axis_a_m",) * needs_lengths)) if has_moes else dimensional
     advice = (
         f"M, L and D need all of {', '.join(MOES_KEYS)}, and semi_axis_a_m (the Hertz semi-axis "
         "along rolling) to relate metres to the contact"
         if has_moes
-        else f"give all of {', '.join(DIMENSIONAL_KEYS)}, or {', '.join(MOES_KEYS)} with "
-        "semi_axis_a_m"
+        else f"give all of {', '.join(DIMENSIONAL_KEYS)} ({LOAD_KEY} in place of radius_y_m and "
+        f"load_n: line contact), or {', '.join(MOES_KEYS)} with semi_axis_a_m"
     )
     missing = [key for key in needed if key not in values]
     if missing:
@@ -208,8 +243,8 @@ def ellipticity(d: float) -> float:
     """
     if d == 0:
         raise SurfaceError(
-            "radius_ratio_d = 0 is a line contact: deformed surfaces and their tables are for "
-            "elliptical contacts, radius_ratio_d of 0.005 to 1"
+            "radius_ratio_d = 0 is a line contact: harmonic tables are for elliptical contacts, "
+            "radius_ratio_d of 0.005 to 1"
         )
     if d == 1:
         return 1.0
@@ -233,7 +268,7 @@ def moes_film(m: float, l: float, d: float) -> float:  # noqa: E741
     to about 20 per cent below it. Line contacts (D = 0): Moes (1992).
     """
     if d == 0:
-        return _moes_line_film(m, l)
+        return float(line_film(m, l))
     shape = 1 + 0.006 * math.log(d) + 0.63 * d ** (4 / 7)
     h_ri = 145 * (1 + 0.796 * d ** (14 / 15)) ** (-15 / 7) / d / m**2
     h_ei = 3.18 * shape ** (-14 / 25) * d ** (-1 / 15) * m ** (-2 / 15)
@@ -267,14 +302,6 @@ def moes_per_film(m: float, kappa: float) -> float:
     return k / 2 * b ** (-1 / 3) * (6 * m * kappa / math.pi) ** (2 / 3)
 
 
-def _moes_line_film(m: float, l: float) -> float:  # noqa: E741
-    h_ri, h_ei = 3 / m, 2.621 * m ** (-1 / 5)
-    h_rp, h_ep = 1.287 * l ** (2 / 3), 1.311 * m ** (-1 / 8) * l ** (3 / 4)
-    s = (7 + 8 * math.exp(-2 * h_ei / h_ri)) / 5
-    piezoviscous = (h_rp ** (-7 / 2) + h_ep ** (-7 / 2)) ** (-2 * s / 7) if l > 0 else 0.0
-    return float(((h_ri ** (7 / 3) + h_ei ** (7 / 3)) ** (3 * s / 7) + piezoviscous) ** (1 / s))
-
-
 def _integral_combinations(kappa: float) -> tuple[float, float]:
     """Return (K - E)/(1 - kappa^2) and (E - kappa^2 K)/(1 - kappa^2); pi/4 each at kappa = 1."""
     m = 1 - kappa**2
@@ -289,8 +316,10 @@ def _integral_combinations(kappa: float) -> tuple[float, float]:
 
 def _moes_values(values: Mapping[str, float], place: str) -> dict[str, float]:
     """Return M, L, D and the semi-axis a, m, that dimensional data give, eq. (1) and (2)."""
-    radius_x, radius_y, modulus, load, speed, viscosity = (values[key] for key in DIMENSIONAL_KEYS)
     alpha = values.get("pressure_viscosity_per_pa", Oil.pressure_viscosity_per_pa)
+    if LOAD_KEY in values:
+        return line_values(values, alpha)
+    radius_x, radius_y, modulus, load, speed, viscosity = (values[key] for key in DIMENSIONAL_KEYS)
     speed_2u = viscosity * 2 * speed / (modulus * radius_x)
     load_w = load / (modulus * radius_x**2)
     d = radius_x / radius_y
@@ -311,16 +340,18 @@ def _complete(values: Mapping[str, float], place: str) -> Conditions:
     m, l, d = (values[key] for key in MOES_KEYS)  # noqa: E741
     semi_axis_a_m, film_m = values["semi_axis_a_m"], values.get("central_film_m")
     _check_ratio(d, place)
-    kappa = ellipticity(d)
-    k, e = float(ellipk(1 - kappa**2)), float(ellipe(1 - kappa**2))
+    kappa = ellipticity(d) if d > 0 else 0.0
     approach, metres_per_moes = None, None
     source = "given (central_film_m)"
     if "radius_x_m" in values and math.isfinite(semi_axis_a_m):
+        m_of = 1 - kappa**2
+        k, e = (float(ellipk(m_of)), float(ellipe(m_of))) if d > 0 else (1.0, 1.0)
         approach = semi_axis_a_m**2 * (1 + d) / (2 * values["radius_x_m"]) * k / e
-        metres_per_moes = approach / moes_per_film(m, kappa)
+        per_film = moes_per_film(m, kappa) if d > 0 else float(moes_per_line_film(m))
+        metres_per_moes = approach / per_film
         if film_m is None:
             film_m = moes_film(m, l, d) * metres_per_moes
-            source = _FIT_TEXT
+            source = _FIT_TEXT if d > 0 else _LINE_FIT_TEXT
     if film_m is None:
         source = "unknown: give central_film_m or radius_x_m"
     return Conditions(
@@ -328,7 +359,7 @@ def _complete(values: Mapping[str, float], place: str) -> Conditions:
         l=l,
         d=d,
         kappa=kappa,
-        gamma=pressure_factor(kappa),
+        gamma=pressure_factor(kappa) if d > 0 else math.sqrt(m),
         slip_parameter=values.get("slip_parameter", 1.0),
         semi_axis_a_m=semi_axis_a_m,
         hertz_approach_c_m=approach,
@@ -359,15 +390,16 @@ def _oil(values: Mapping[str, float], place: str) -> Oil:
 
 
 def _check_ratio(d: float, place: str) -> None:
-    if not SMALLEST_RADIUS_RATIO <= d <= 1:
+    if d != 0 and not SMALLEST_RADIUS_RATIO <= d <= 1:
         raise SurfaceError(
-            f"{place}: D = Rx/Ry = {d:.6g} must lie in {SMALLEST_RADIUS_RATIO} to 1; for Rx > Ry "
-            "the contact is wider along rolling, which is outside the model's range"
+            f"{place}: D = Rx/Ry = {d:.6g} must lie in {SMALLEST_RADIUS_RATIO} to 1, or be 0 (line "
+            "contact); for Rx > Ry the contact is wider along rolling, which is outside the "
+            "model's range"
         )
 
 
 def _checked(keys: Mapping[str, Any], place: str) -> dict[str, float]:
-    known = list(dict.fromkeys((*DIMENSIONAL_KEYS, *MOES_KEYS, *SCALE_KEYS)))
+    known = list(dict.fromkeys((*DIMENSIONAL_KEYS, LOAD_KEY, *MOES_KEYS, *SCALE_KEYS)))
     known += [*OIL_KEYS, "slip_parameter"]
     values: dict[str, float] = {}
     for key, value in keys.items():
@@ -377,7 +409,7 @@ def _checked(keys: Mapping[str, Any], place: str) -> dict[str, float]:
             number = float(value)
         except (TypeError, ValueError):
             raise SurfaceError(f"{place}: {key} = {value!r} is not a number") from None
-        lowest_is_zero = key == "slip_parameter"
+        lowest_is_zero = key in ("slip_parameter", "radius_ratio_d")
         if not math.isfinite(number) or number < 0 or (number == 0 and not lowest_is_zero):
             raise SurfaceError(f"{place}: {key} = {value} must be above 0")
         values[key] = number

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from scipy import fft
 
 from ehlwave.deform.conditions import Conditions
+from ehlwave.deform.line_contact import TRANSVERSE_ALONE
 from ehlwave.deform.prepare import Form, Window, extended, judged_part, remove_form
 from ehlwave.deform.roughness import gaussian_filtered, roughness_parameters
 from ehlwave.deform.spectrum import Coverage, Spectrum, Unjudged, empty_spectrum
@@ -230,7 +231,9 @@ def _frequencies(count: int, step_m: float, is_half: bool) -> NDArray[np.float64
 
 
 def _check_scale(surface: Surface, conditions: Conditions) -> None:
-    """Refuse surfaces whose lengths cannot belong to the contact."""
+    """Refuse surfaces whose lengths, or directions, cannot belong to the contact."""
+    if conditions.is_line and surface.height.shape[1] > 1:
+        raise SurfaceError(f"{surface.name}: {TRANSVERSE_ALONE}")
     lengths = (
         ("x", surface.height.shape[0], surface.step_x_m, conditions.semi_axis_a_m, "a"),
         ("y", surface.height.shape[1], surface.step_y_m, conditions.semi_axis_b_m, "b"),

@@ -29,7 +29,8 @@ def report_text(result: Deformed, others: Sequence[Deformed] = ()) -> str:
         f"Surface      {result.surface.name}: {_size_text(result)}; form removed: {result.form}; "
         f"ends: {result.window}",
         f"Conditions   M = {c.m:.6g}, L = {c.l:.6g}, D = {c.d:.6g}, S = {c.slip_parameter:g}; "
-        f"a = {c.semi_axis_a_m * 1e3:.5g} mm, b = {c.semi_axis_b_m * 1e3:.5g} mm",
+        f"a = {c.semi_axis_a_m * 1e3:.5g} mm, "
+        + ("line contact" if c.is_line else f"b = {c.semi_axis_b_m * 1e3:.5g} mm"),
         f"Reduced by   {result.transfer_name}",
         f"Roughness    Rq {s.rq_before_m * UM:.4g} um before, {s.rq_after_m * UM:.4g} um after "
         f"(ratio {_ratio(s.rq_after_m, s.rq_before_m):.4g}); from lowest to highest "

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ehlwave.deform.conditions import Conditions
+from ehlwave.deform.line_contact import ROLLS_ALONE
 from ehlwave.deform.surface import Surface
 from ehlwave.deform.transfer import Waves
 from ehlwave.errors import SurfaceError
@@ -39,14 +40,16 @@ class TwoWaveTransfer:
     Raises
     ------
     SurfaceError
-        If the surface does not move (S = 0).
+        If the surface does not move (S = 0), or the contact is a line.
     """
 
     conditions: Conditions
     name: str = "law of the two waves"
 
     def __post_init__(self) -> None:
-        """Refuse a surface at rest."""
+        """Refuse a surface at rest, and line contacts."""
+        if self.conditions.is_line:
+            raise SurfaceError(f"the law of the two waves is of elliptical contacts; {ROLLS_ALONE}")
         if self.conditions.slip_parameter <= 0:
             raise SurfaceError("slip_parameter = 0: the surface stands still, nothing is launched")
 

@@ -27,8 +27,10 @@ def weighted_conditions(
     Raises
     ------
     SurfaceError
-        If the contact does not lie among the table's conditions of the same slip.
+        If the contact does not lie among the table's conditions of the same slip; line contacts.
     """
+    if conditions.is_line:
+        raise SurfaceError(f"{name}: harmonic tables are for elliptical contacts, D of 0.005 to 1")
     same_slip = np.abs(rows["slip_parameter"] - conditions.slip_parameter) < 1e-6
     columns = list(CONDITION_COLUMNS)
     groups = [part for _, part in rows[same_slip].groupby(columns, sort=True)]

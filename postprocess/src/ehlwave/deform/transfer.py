@@ -152,13 +152,18 @@ class RecommendedTransfer(FormulaBasis):
         with np.errstate(divide="ignore"):
             # The formula takes zero for an infinite wavelength.
             waves = [np.where(q > 0, 1 / (q * contact.semi_axis_a_m), 0.0) for q in (along, across)]
-        ratio = recommended_ratio(contact.m, contact.l, contact.gamma, *waves)
+        ratio = recommended_ratio(contact.m, contact.l, contact.slender_gamma, *waves)
         return np.where((along == 0) & (across == 0), 0.0, ratio)
 
     def reasons(self) -> list[str]:
         """Return which of M, L and D are not among those of the fit, and whether there is slip."""
         contact = self.conditions
         values = {"M": contact.m, "L": contact.l, "D": contact.d}
+        if contact.is_line:
+            return [
+                "of a line contact: the formula was fitted to elliptical ones",
+                *super().reasons(),
+            ]
         outside = [
             f"{name} = {values[name]:.4g}: the formula was fitted to {low:g} to {high:g}"
             for name, (low, high) in RECOMMENDED_RANGES.items()
@@ -170,8 +175,13 @@ class RecommendedTransfer(FormulaBasis):
 def shorter_than_contact(
     conditions: Conditions, per_length_x: Waves, per_length_y: Waves
 ) -> NDArray[np.bool_]:
-    """Return whether lambda_x <= 2a or lambda_y <= 2b: one wave fits in the Hertzian contact."""
+    """Return whether lambda_x <= 2a or lambda_y <= 2b: one wave fits in the Hertzian contact.
+
+    In a line contact, whose waves are all across rolling, the former.
+    """
     along = np.abs(per_length_x) * 2 * conditions.semi_axis_a_m
+    if conditions.is_line:
+        return np.asarray(along >= 1 - 1e-9)
     across = np.abs(per_length_y) * 2 * conditions.semi_axis_b_m
     # A wave exactly as long as the contact belongs to it, whatever rounding says.
     return np.maximum(along, across) >= 1 - 1e-9

@@ -1,0 +1,63 @@
+"""The coordinates of line contacts, and what of their responses is interpolated."""
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ehlwave.atlas.coordinates import Floats, columns
+from ehlwave.atlas.ranges import LINE_RANGES
+from ehlwave.atlas.shape import INLET_SCALE, Seen, Shape
+from ehlwave.deform.line_contact import (
+    SLENDER_OVER_LINE,
+    line_alphabar,
+    line_film,
+    moes_per_line_film,
+)
+from ehlwave.medium import log_viscosity
+from ehlwave.rolling import transfer_along
+
+
+def line_coordinates(keys: Mapping[str, ArrayLike]) -> Floats:
+    """Return the coordinates of line contacts, shape (c, 4), by columns named as the input keys.
+
+    Those of elliptical contacts without D: see ``atlas/coordinates.py``.
+    """
+    m, l, alpha, z = map(np.atleast_1d, columns(keys, LINE_RANGES))  # noqa: E741
+    pressure = line_alphabar(m, l) / alpha
+    b = log_viscosity(alpha, z, pressure)
+    film = line_film(m, l) / moes_per_line_film(m)
+    return np.stack([np.sqrt(film), np.log(l), np.log(pressure), np.log(b)], axis=1)
+
+
+def line_references(keys: Mapping[str, ArrayLike]) -> Floats:
+    """Return the film of Moes (1992) for both films, shape (c, 2), by the same columns."""
+    moes = np.atleast_1d(line_film(*columns(keys, list(LINE_RANGES)[:2])))
+    return np.stack([moes, moes], axis=1)
+
+
+class LineShape(Shape):
+    """The same of line contacts: the law is that of slender contacts with as much alphabar and L.
+
+    Waves are transverse: angles are 0.
+    """
+
+    def __init__(self, m: ArrayLike, l: ArrayLike) -> None:  # noqa: E741
+        """Find what follows from M and L."""
+        self.l = np.asarray(l, dtype=float)
+        self.load = SLENDER_OVER_LINE * np.asarray(m, dtype=float) ** 1.5
+        self._inlet = INLET_SCALE * (line_film(m, l) / moes_per_line_film(m)) ** (-2 / 3)
+
+    @classmethod
+    def of_keys(cls, keys: Mapping[str, ArrayLike], _: Mapping[str, Any]) -> "LineShape":
+        """Return that of contacts given by columns named as the input keys."""
+        return cls(*columns(keys, list(LINE_RANGES)[:2]))
+
+    def seen(self, wavelength_over_a: ArrayLike, angle_deg: ArrayLike) -> Seen:
+        """Return waves by ln x, x = 0.18 (lambda/a) H^(-2/3) L^(1/6), and (lambda/a)^(1/2)."""
+        wave = np.asarray(wavelength_over_a, dtype=float)
+        x = self._inlet * wave * self.l ** (1 / 6)
+        law = transfer_along(self.load, self.l, wave, np.ones(wave.shape))
+        coordinates = np.stack(np.broadcast_arrays(np.log(x), np.sqrt(wave)), axis=-1)
+        return Seen(coordinates, law, law, wave / np.pi)

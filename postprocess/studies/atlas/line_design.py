@@ -1,0 +1,79 @@
+"""Where the atlas of line contacts is computed: they cost little, and their file is to be small."""
+
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+
+import numpy as np
+from scipy.stats import qmc
+
+from ehlwave.atlas import Atlas
+from ehlwave.atlas.kinds import LINE
+from ehlwave.atlas.line import LineShape
+from ehlwave.atlas.ranges import WAVE_RANGE
+from ehlwave.deform.line_contact import SLENDER_OVER_LINE
+from studies import sweeps
+from studies.atlas.design import GROUPS, MARGIN, contact_at, worst_contacts
+
+CONTACTS = 16
+"""Of one batch."""
+
+WAVES = 5
+"""Of one contact."""
+
+SEED = 2200
+
+STEEP = 0.4, 0.2
+"""The x of the law about which responses fall, and the share of waves that are evenly spread."""
+
+INLET_CELLS = 16
+"""Mesh sizes in the length of the inlet, (L/(gamma M))^(1/2)."""
+
+FEWEST_CELLS, MOST_CELLS = 1024, 8192
+LOW_LOAD = 40.0
+"""The M below which the inlet is so long that the domain begins at X = -6.5, not -2.5."""
+
+
+def write_batch(folder: Path, batch: int, atlas: Atlas | None) -> Path:
+    """Write the sweep of a batch: all over the ranges, or where the atlas knows least."""
+    random = np.random.default_rng([batch, SEED])
+    if atlas is None:
+        # From a little below the ranges: responses change most at their lower ends.
+        ranges = {key: (low / MARGIN, high) for key, (low, high) in LINE.ranges.items()}
+        shares = qmc.Sobol(len(ranges), seed=SEED).random((batch + 1) * CONTACTS)[-CONTACTS:]
+        chosen = [contact_at(one.tolist(), ranges) for one in shares]
+    else:
+        chosen = worst_contacts(atlas, SEED + batch, CONTACTS)
+    rows = (case(one, wave) for one in chosen for wave in waves(one, random))
+    return sweeps.write_sweep(folder, f"line-{batch:02d}", rows, GROUPS)
+
+
+def write_validation(folder: Path, count: int = 150, each: int = 2) -> Path:
+    """Write the sweep that the atlas is judged by: random contacts and waves."""
+    random, found = np.random.default_rng(1997), []
+    for _ in range(count):
+        contact = contact_at(random.random(len(LINE.ranges)).tolist(), LINE.ranges)
+        low, high = WAVE_RANGE
+        found += [case(contact, low * (high / low) ** random.random()) for _ in range(each)]
+    return sweeps.write_sweep(folder, "line-validation", found, GROUPS)
+
+
+def waves(contact: Mapping[str, float], random: np.random.Generator) -> Iterator[float]:
+    """Yield wavelengths over a, most of them where the response falls from 1 to 0."""
+    logs = np.log(np.geomspace(WAVE_RANGE[0] / MARGIN, WAVE_RANGE[1] * MARGIN, 400))
+    middle, even = STEEP
+    log_x = LineShape.of_keys(contact, {}).seen(np.exp(logs), 0.0).coordinates[:, 0]
+    density = 1 / np.cosh(log_x - np.log(middle))
+    density = (1 - even) * density / density.mean() + even
+    shares = (np.arange(WAVES) + random.random(WAVES)) / WAVES
+    yield from np.exp(np.interp(shares * density.sum(), np.cumsum(density), logs)).tolist()
+
+
+def case(contact: Mapping[str, float], wave: float) -> sweeps.Row:
+    """Return a case with a grid that resolves its inlet."""
+    m, l = contact["load_parameter_m"], contact["lubricant_parameter_l"]
+    x_min = -6.5 if m < LOW_LOAD else -2.5
+    inlet = min(1.0, (l / (SLENDER_OVER_LINE * m**1.5)) ** 0.5)
+    wanted = (1.5 - x_min) / inlet * INLET_CELLS
+    cells = 2 ** int(np.ceil(np.log2(np.clip(wanted, FEWEST_CELLS, MOST_CELLS))))
+    keys = {"radius_ratio_d": 0.0, "wavelength_x_over_a": float(f"{wave:.7g}")}
+    return {**contact, **keys, "cells_x": cells, "x_min": x_min}
