@@ -32,6 +32,7 @@ module ehlwave_face_flow
       procedure :: join_x
       procedure :: join_y
       procedure, private :: set_row
+      procedure, private :: rest
    end type face_flow_t
 
    !> What the oil is like at the nodes of a grid. All arrays (0:nx, 0:ny).
@@ -151,21 +152,30 @@ contains
       integer, intent(in) :: node(2)             !! first node of the first face
       real(dp), intent(in) :: gx(:), gy(:)       !! dP/dX and kappa dP/dY, (faces)
       real(dp), intent(in) :: weight(2)          !! half of 2 hX or of 2 hY/kappa; the same of `cross`
-      real(dp) :: flow(2*size(gx), flow_values)  ! Qhat at the first nodes, then at those beyond
-      integer :: along, across, f, i, i2, j2, k, l, n, points
+      real(dp) :: flow(2*size(gx), flow_values)  ! Qhat at the first nodes, then at those beyond, of faces with a gradient
+      integer :: across, along, driven(size(gx)), f, i, i2, j2, k, l, n, points
 
-      n = size(gx)
-      i2 = node(1) + merge(1, 0, direction == along_x)
+      n = 0
+      do k = 1, size(gx)
+         if (.not. abs(gx(k)) + abs(gy(k)) > 0) cycle
+         n = n + 1
+         driven(n) = k
+      end do
+      i2 = merge(1, 0, direction == along_x)
       j2 = node(2) + merge(1, 0, direction == along_y)
       along = merge(flow_by_gx, flow_by_gy, direction == along_x)
       across = flow_by_gx + flow_by_gy - along
-      associate (i1 => node(1), j1 => node(2), rho => oil%rho, drho => oil%drho, dln_eta => oil%dln_eta)
-         call film%evaluate(direction, [oil%fluidity(i1:i1 + n - 1, j1), oil%fluidity(i2:i2 + n - 1, j2)], &
-                            [oil%h(i1:i1 + n - 1, j1), oil%h(i2:i2 + n - 1, j2)], [gx, gx], [gy, gy], flow, points)
-         self%work = self%work + real(point_operations, dp)*points + real(place_operations, dp)*2*n
+      associate (j1 => node(2), some => driven(:n), first => node(1) - 1 + driven(:n), second => node(1) - 1 + i2 + driven(:n))
+         call film%evaluate(direction, [oil%fluidity(first, j1), oil%fluidity(second, j2)], &
+                            [oil%h(first, j1), oil%h(second, j2)], [gx(some), gx(some)], [gy(some), gy(some)], &
+                            flow(:2*n, :), points)
+      end associate
+      self%work = self%work + real(point_operations, dp)*points + real(place_operations, dp)*2*n
+      call self%rest(oil, film%lambdabar, node, [i2, j2 - node(2)], size(gx))
+      associate (j1 => node(2), rho => oil%rho, drho => oil%drho, dln_eta => oil%dln_eta)
          do k = 1, n
-            f = i1 + k - 1
-            i = i2 + k - 1
+            f = node(1) + driven(k) - 1
+            i = f + i2
             l = k + n
             self%flux(f, j1) = weight(1)*(rho(f, j1)*flow(k, flow_q) + rho(i, j2)*flow(l, flow_q))
             self%by_p1(f, j1) = weight(1)*(drho(f, j1)*flow(k, flow_q) + rho(f, j1)*dln_eta(f, j1)*flow(k, flow_by_ln_eta))
@@ -177,5 +187,39 @@ contains
          end do
       end associate
    end subroutine set_row
+
+   !> Faces of a row through which no pressure drives anything, as those of a Newtonian oil: where the film is cavitated only signs of
+   !> what they say count.
+   pure subroutine rest(self, oil, lambdabar, node, shift, n)
+      class(face_flow_t), intent(inout) :: self
+      type(node_oil_t), intent(in) :: oil
+      real(dp), intent(in) :: lambdabar
+      integer, intent(in) :: node(2)             !! first node of the first face
+      integer, intent(in) :: shift(2)            !! from the first to the second node of a face
+      integer, intent(in) :: n                   !! faces
+      integer :: i, last
+
+      last = node(1) + n - 1
+      associate (j => node(2))
+         self%flux(node(1):last, j) = 0
+         self%by_p1(node(1):last, j) = 0
+         self%by_p2(node(1):last, j) = 0
+         self%by_h1(node(1):last, j) = 0
+         self%by_h2(node(1):last, j) = 0
+         self%cross(node(1):last, j) = 0
+         do i = node(1), last
+            self%own(i, j) = (mobility(i, j) + mobility(i + shift(1), j + shift(2)))/lambdabar
+         end do
+      end associate
+
+   contains
+
+      !> rho H^3/eta.
+      pure real(dp) function mobility(i, j)
+         integer, intent(in) :: i, j
+         mobility = oil%rho(i, j)*oil%h(i, j)**3*oil%fluidity(i, j)
+      end function mobility
+
+   end subroutine rest
 
 end module ehlwave_face_flow
