@@ -3,9 +3,11 @@ module ehlwave_load_balance
    use ehlwave_kinds, only: dp, pi
    implicit none (type, external)
    private
-   public :: force_balance, equation_of_motion, harmonic_inertia
+   public :: force_balance, equation_of_motion, harmonic_inertia, held_approach
 
    real(dp), parameter, public :: load_factor = 3/(2*pi)   !! makes the nominal load 1: 3/(2 pi) int P = 1
+
+   real(dp), parameter :: immovable = 1e8_dp   !! inertia against which pressures move the approach by nothing that counts
 
    !> Discrete theory eq. (10) and (11):  inertia Delta + carried + (3/(2 pi)) int P dX dY - force = 0.
    type, public :: load_balance_t
@@ -26,6 +28,16 @@ contains
       type(load_balance_t) :: self
       self%force = force
    end function force_balance
+
+   !> Balance of a part of a contact, which keeps the approach where it is.
+   pure function held_approach(delta, pressure_integral) result(self)
+      real(dp), intent(in) :: delta               !! Delta
+      real(dp), intent(in) :: pressure_integral   !! int P dX dY over the part
+      type(load_balance_t) :: self
+      self%inertia = immovable
+      self%carried = -immovable*delta
+      self%force = load_factor*pressure_integral
+   end function held_approach
 
    !> Equation of motion (10), second-order backward difference in time:
    !>

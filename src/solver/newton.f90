@@ -8,6 +8,7 @@ module ehlwave_newton
    use ehlwave_hierarchy, only: hierarchy_t, level_t
    use ehlwave_kinds, only: dp
    use ehlwave_level_solver, only: level_solver_t
+   use ehlwave_local_solver, only: local_solver_t
    use ehlwave_real_gmres, only: gmres_t
    use ehlwave_real_linearised_contact, only: linearised_contact_t, set_wedge
    use ehlwave_solve_report, only: solve_limits_t, solve_report_t
@@ -31,12 +32,14 @@ module ehlwave_newton
       real(dp) :: loosest = 0.05_dp              !! linear tolerance far from the solution
       real(dp) :: tightest = 1e-4_dp             !! and close to it
       integer :: largest_krylov = 60
+      class(local_solver_t), allocatable :: local   !! takes what is large in a small part of the domain only
       type(linearised_contact_t), private :: linear
       type(gmres_t), private :: gmres
       real(dp), allocatable, private :: rhs(:), change(:), film_change(:, :)
       logical, allocatable, private :: cavitated_before(:, :), cavitated_earlier(:, :)
    contains
       procedure :: init
+      procedure :: init_levels
       procedure :: solve
       procedure :: improve
    end type newton_t
@@ -48,8 +51,15 @@ contains
       class(newton_t), intent(inout) :: self
       type(hierarchy_t), intent(in) :: hierarchy
       integer, intent(in) :: finest
-      call self%linear%init(hierarchy%levels(:finest), newton_cycle)
+      call self%init_levels(hierarchy%levels(:finest))
    end subroutine init
+
+   !> The same for some levels.
+   subroutine init_levels(self, levels)
+      class(newton_t), intent(inout) :: self
+      type(level_t), intent(in) :: levels(:)   !! coarsest first
+      call self%linear%init(levels, newton_cycle)
+   end subroutine init_levels
 
    !> See the interface.
    subroutine solve(self, hierarchy, l, limits, report)
@@ -68,7 +78,7 @@ contains
    end subroutine solve
 
    !> The same for the last of some levels, with another state and whatever else is given.
-   subroutine improve(self, levels, given, state, limits, report)
+   recursive subroutine improve(self, levels, given, state, limits, report)
       class(newton_t), intent(inout) :: self
       type(level_t), intent(inout), target :: levels(:)   !! coarsest first
       type(given_t), intent(in) :: given
@@ -78,11 +88,13 @@ contains
       type(state_t) :: before
       real(dp) :: best, forcing, worth, worth_before, step
       integer :: k, last_gain
+      logical :: asks_local
 
       call pose(self, levels, given)
       allocate (report%history(0))
       worth_before = 0
       forcing = self%loosest
+      asks_local = allocated(self%local)
       associate (problem => levels(size(levels))%problem, equations => self%linear%levels(size(levels))%equations)
          call problem%film_of_guess(given, state)
          do k = 0, limits%largest_steps
@@ -99,13 +111,14 @@ contains
                if (worth < progress*best) last_gain = k
                best = min(best, worth)
             end if
+            if (asks_local) call improve_part(self, problem, limits, state, worth, asks_local)
             call report%judge(equations, state, limits)
             report%history = [report%history, report%residual]
             if (report%status /= status_stalled .or. k == limits%largest_steps) exit
             if (allocated(problem%film_flow) .and. k > last_gain + patience) exit
 
             if (k > 0) forcing = next_forcing(self, forcing, worth/worth_before)
-            forcing = min(self%loosest, max(forcing, last_step_share*limits%tolerance/report%weighed))
+            forcing = min(self%loosest, max(forcing, last_step_share*limits%tolerance/report%residual))
             worth_before = worth
             if (allocated(problem%film_flow)) before = state
             call linear_solve(self, forcing, report)
@@ -189,6 +202,34 @@ contains
          worth = sqrt(sum(self%rhs**2))
       end associate
    end subroutine assemble
+
+   !> Let the local solver do what it can, and assemble again. Where that is no gain for the whole, as upstream in steady
+   !> states, which carry all that the part changes downstream, take it back.
+   recursive subroutine improve_part(self, problem, limits, state, worth, is_gain)
+      class(newton_t), intent(inout) :: self
+      type(contact_problem_t), intent(inout) :: problem
+      type(solve_limits_t), intent(in) :: limits
+      type(state_t), intent(inout) :: state
+      real(dp), intent(inout) :: worth       !! norm of the right side
+      logical, intent(out) :: is_gain        !! or nothing was changed
+      type(state_t) :: before
+      real(dp) :: worth_before
+      logical :: has_changed
+
+      is_gain = .true.
+      before = state
+      worth_before = worth
+      associate (equations => self%linear%levels(self%linear%finest)%equations)
+         call self%local%improve_part(problem, equations, limits, state, has_changed)
+         if (.not. has_changed) return
+         call problem%film_of(equations%given, state%p, state%delta, state%h)
+      end associate
+      call assemble(self, problem, state, worth)
+      is_gain = worth < worth_before
+      if (is_gain) return
+      state = before
+      call assemble(self, problem, state, worth)
+   end subroutine improve_part
 
    !> Go half of the way back to the state before, again and again, while the right side is much larger than the smallest so far.
    !> The flow of oils that are not Newtonian can grow exponentially with the pressure gradient: a step that makes the steep end

@@ -7,20 +7,19 @@ module ehlwave_solve_report
    use ehlwave_status, only: status_converged, status_not_finite, status_stalled
    implicit none (type, external)
    private
+   public :: mass_gain
 
    !> When to stop.
    type, public :: solve_limits_t
       real(dp) :: tolerance = 1e-6_dp   !! on the mass residual and the load error of `solve_report_t`
       integer :: largest_steps = 40     !! nonlinear steps or cycles
-      real(dp) :: strict_until = huge(1.0_dp)   !! X beyond which Newton's method
-      real(dp) :: lenience = 1          !! takes so many times the tolerance of the mass residual
+      real(dp) :: film_unit = 0         !! of the mass residual; 0: the film at the contact centre
    end type solve_limits_t
 
    !> What a solve came to. Each equation is reported by itself.
    type, public :: solve_report_t
       integer :: status = status_stalled
       real(dp) :: residual = huge(1.0_dp)         !! largest `mass_gain` over nodes with P > 0, and `edge_error`
-      real(dp) :: weighed = huge(1.0_dp)          !! the same, less by `lenience` where the limits are lenient
       real(dp) :: complementarity = huge(1.0_dp)  !! max |P| over nodes where the film is cavitated
       real(dp) :: load_error = huge(1.0_dp)       !! relative error of the load balance
       integer :: nonlinear_steps = 0
@@ -41,23 +40,20 @@ contains
       type(equations_t), intent(in) :: equations        !! evaluated at the state
       type(state_t), intent(in) :: state                !! with the film of its pressure
       type(solve_limits_t), intent(in) :: limits
-      real(dp) :: centre, error, gain, lenience(0:equations%mesh%grid%nx)
+      real(dp) :: centre, error
       integer :: i, j
 
       associate (grid => equations%mesh%grid, r => equations%residual)
-         centre = grid%value_at_centre(state%h)
-         lenience = merge(limits%lenience, 1.0_dp, grid%x > limits%strict_until)
+         centre = limits%film_unit
+         if (.not. centre > 0) centre = grid%value_at_centre(state%h)
          self%residual = 0
-         self%weighed = 0
          self%complementarity = 0
          do j = 0, grid%ny
             do i = 0, grid%nx
                if (equations%is_cavitated(i, j)) then
                   self%complementarity = max(self%complementarity, abs(state%p(i, j)))
                else
-                  gain = mass_gain(r(i, j), grid%hx, state%h(i, j), centre)
-                  self%residual = max(self%residual, gain)
-                  self%weighed = max(self%weighed, gain/lenience(i))
+                  self%residual = max(self%residual, mass_gain(r(i, j), grid%hx, state%h(i, j), centre))
                end if
             end do
          end do
@@ -65,13 +61,12 @@ contains
          if (equations%edges%count() > 0) then
             error = edge_error(equations, state)
             self%residual = max(self%residual, error)
-            self%weighed = max(self%weighed, error)
          end if
          self%load_error = abs(equations%load_residual(state))/abs(equations%given%load%force)
       end associate
       if (.not. (ieee_is_finite(self%residual) .and. ieee_is_finite(self%load_error))) then
          self%status = status_not_finite
-      else if (max(self%weighed, self%complementarity, self%load_error) <= limits%tolerance) then
+      else if (max(self%residual, self%complementarity, self%load_error) <= limits%tolerance) then
          self%status = status_converged
       else
          self%status = status_stalled

@@ -5,6 +5,7 @@ module ehlwave_solver_choice
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_grid, only: grid_t
    use ehlwave_newton, only: newton_t
+   use ehlwave_patch_solver, only: patch_solver_t
    use ehlwave_petsc_solver, only: petsc_solver_t
    use ehlwave_rheology, only: rheology_t
    implicit none (type, external)
@@ -41,6 +42,10 @@ contains
          if (n > 1) allocate (newton_t :: self%coarse_solver)
       case default
          allocate (newton_t :: self%solver)
+         select type (solver => self%solver)
+         type is (newton_t)
+            allocate (patch_solver_t :: solver%local)
+         end select
       end select
       call self%solver%init(self%hierarchy_t, n)
       if (allocated(self%coarse_solver)) call self%coarse_solver%init(self%hierarchy_t, n - 1)

@@ -44,10 +44,12 @@ contains
       integer :: i, j
       associate (p0 => past%steady%p, p1 => past%before%p, p2 => past%earlier%p, p3 => past%earliest%p)
          do j = 0, ubound(state%p, 2)
-            do i = 2*m + 1, ubound(state%p, 1) - 1
-               moved = p0(i, j) + 2*(p1(i - m, j) - p0(i - m, j)) - (p2(i - 2*m, j) - p0(i - 2*m, j))
+            do i = 0, ubound(state%p, 1) - 1
                still = 3*(p1(i, j) - p2(i, j)) + p3(i, j)
-               associate (near => p1(i - 1:i + 1, max(j - 1, 0):min(j + 1, ubound(p1, 2))))
+               moved = still
+               if (i > 3*m) moved = p0(i, j) + 3*(p1(i - m, j) - p0(i - m, j)) - 3*(p2(i - 2*m, j) - p0(i - 2*m, j)) &
+                  + p3(i - 3*m, j) - p0(i - 3*m, j)
+               associate (near => p1(max(i - 1, 0):i + 1, max(j - 1, 0):min(j + 1, ubound(p1, 2))))
                   still = min(max(still, minval(near) - guess_margin), maxval(near) + guess_margin)
                end associate
                state%p(i, j) = max(0.0_dp, share(i, j)*moved + (1 - share(i, j))*still)

@@ -20,7 +20,7 @@ module ehlwave_periodic_state
    !> march on the next coarser grid found besides, and ends when the film upstream of the centre repeats.
    type, public :: periodic_state_t
       type(march_t) :: march                  !! on the finest grid
-      type(solve_report_t) :: report          !! of its last state, within the tolerance everywhere
+      type(solve_report_t) :: report          !! of its last step
       logical :: is_found = .false.           !! it repeats
       real(dp) :: change = huge(1.0_dp)       !! largest of the film since a period before, over A
       integer :: first_sample = 0             !! step of the march with which the last period begins
@@ -32,9 +32,6 @@ module ehlwave_periodic_state
    real(dp), parameter :: largest_change = 5e-4_dp     !! of a film that repeats, over A
    real(dp), parameter :: coarse_change = 1e-3_dp      !! the same on coarser grids
    real(dp), parameter :: coarse_tolerance = 1e-3_dp   !! of the time steps of coarser grids
-   ! The steep ends of the pressure downstream take the last Newton steps, and the film upstream knows little of them
-   real(dp), parameter :: strict_until = 0.25_dp       !! X, to where the tolerance of the steps holds
-   real(dp), parameter :: lenience = 10                !! beyond, but for the last state, times the tolerance
    real(dp), parameter :: fewest_points = 16            !! mesh sizes on a wave
    real(dp), parameter :: farthest_upstream = -1       !! X, from where the film has to repeat
 
@@ -61,8 +58,6 @@ contains
       n = size(multigrid%levels)
       coarse = limits
       coarse%tolerance = max(limits%tolerance, coarse_tolerance)
-      coarse%strict_until = strict_until
-      coarse%lenience = lenience
       has_rest = .false.
       t = 0
       self%march%rescue = rescue
@@ -87,11 +82,8 @@ contains
             has_rest = self%is_found
             coarse_waves = waves
             t = self%march%result%time(self%march%result%steps)
-            if (l == n .and. self%is_found) then
-               call multigrid%solve_level(n, limits, self%report)
-               self%is_found = self%report%status == status_converged
-               if (self%is_found) return
-            end if
+            self%report = level%report
+            if (l == n .and. self%is_found) return
             level%problem%given_t = given
             level%state = smooth
          end associate

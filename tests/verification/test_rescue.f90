@@ -13,7 +13,7 @@ program test_rescue
    real(dp), parameter :: tolerance = 1e-8_dp
    type(test_t) :: test
 
-   call compare(1000.0_dp, 1.0_dp, 128, 6, rung_continuation)
+   call compare(1000.0_dp, 1.0_dp, 128, 4, rung_continuation)
    call compare(100.0_dp, 0.04_dp, 64, 5, rung_damped)
    call check_cap()
    call test%finish()

@@ -1,0 +1,29 @@
+!> What Newton's method asks for help where little of the domain spoils a residual.
+module ehlwave_local_solver
+   use ehlwave_contact_problem, only: contact_problem_t
+   use ehlwave_equations, only: equations_t
+   use ehlwave_solve_report, only: solve_limits_t
+   use ehlwave_state, only: state_t
+   implicit none (type, external)
+   private
+
+   type, abstract, public :: local_solver_t
+   contains
+      procedure(improve_part), deferred :: improve_part
+   end type local_solver_t
+
+   abstract interface
+      !> Improve the pressure of a part of the domain, the rest held, or leave everything. The film is left to the caller.
+      subroutine improve_part(self, problem, equations, limits, state, has_changed)
+         import :: contact_problem_t, equations_t, local_solver_t, solve_limits_t, state_t
+         implicit none (type, external)
+         class(local_solver_t), intent(inout) :: self
+         type(contact_problem_t), intent(inout) :: problem
+         type(equations_t), intent(in) :: equations     !! of the problem, with what it is given, at the state
+         type(solve_limits_t), intent(in) :: limits     !! of the solve that asks
+         type(state_t), intent(inout) :: state
+         logical, intent(out) :: has_changed            !! whether there is another pressure
+      end subroutine improve_part
+   end interface
+
+end module ehlwave_local_solver

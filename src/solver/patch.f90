@@ -1,0 +1,71 @@
+!> A part of a contact as a contact problem of its own.
+module ehlwave_patch
+   use ehlwave_contact_problem, only: contact_problem_t
+   use ehlwave_equations, only: equations_t
+   use ehlwave_grid, only: grid_t
+   use ehlwave_hierarchy, only: level_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_load_balance, only: held_approach
+   use ehlwave_state, only: new_state, state_t
+   implicit none (type, external)
+   private
+   public :: cut, patch_grid
+
+contains
+
+   !> Grid of the nodes first(1)..last(1), first(2)..last(2) of another of an elliptical contact: their outer ones are known, but for a line of symmetry.
+   pure function patch_grid(grid, first, last) result(self)
+      type(grid_t), intent(in) :: grid
+      integer, intent(in) :: first(2), last(2)   !! i and j
+      type(grid_t) :: self
+
+      self%nx = last(1) - first(1)
+      self%ny = last(2) - first(2)
+      self%hx = grid%hx
+      self%hy = grid%hy
+      self%is_half = grid%is_half .and. first(2) == 0
+      self%first_row = merge(0, 1, self%is_half)
+      self%last_row = self%ny - 1
+      allocate (self%x(0:self%nx), self%y(0:self%ny), self%weight(0:self%ny))
+      self%x = grid%x(first(1):last(1))
+      self%y = grid%y(first(2):last(2))
+      self%weight = grid%weight(first(2):last(2))
+   end function patch_grid
+
+   !> Give a level, whose problem was made for a patch of this size, problem and state of the patch at the state of the whole: the
+   !> pressure at its outer nodes and the approach are held, the gap is what the pressure outside leaves. Of a patch beside the
+   !> line of symmetry the deformation by its mirror image is held too.
+   subroutine cut(whole, equations, state, grid, first, patch)
+      type(contact_problem_t), intent(in) :: whole
+      type(equations_t), intent(in) :: equations   !! of the whole at the state
+      type(state_t), intent(in) :: state
+      type(grid_t), intent(in) :: grid             !! of the patch
+      integer, intent(in) :: first(2)              !! its first node in the whole: i and j
+      type(level_t), intent(inout) :: patch
+      integer :: last(2)
+
+      last = first + [grid%nx, grid%ny]
+      patch%state = new_state(grid)
+      patch%state%p = state%p(first(1):last(1), first(2):last(2))
+      patch%state%delta = state%delta
+      associate (problem => patch%problem, transport => patch%problem%transport, from => equations%given%transport)
+         problem%grid = grid
+         call problem%set_conditions(whole%conditions, whole%rheology)
+         call problem%deformation%apply(patch%state%p, patch%state%h)
+         problem%smooth_gap = state%h(first(1):last(1), first(2):last(2)) + state%delta - patch%state%h
+         problem%load = held_approach(state%delta, grid%integral(patch%state%p))
+         transport%cells_per_step = from%cells_per_step
+         transport%steps_per_cell = from%steps_per_cell
+         transport%is_local = from%is_local
+         transport%w0 = from%w0(first(1):last(1))
+         transport%w1 = from%w1(first(1):last(1))
+         transport%w2 = from%w2(first(1):last(1))
+         if (allocated(transport%carried)) deallocate (transport%carried)
+         allocate (transport%carried(0:grid%nx, 0:grid%ny), source=0.0_dp)
+         if (allocated(from%carried)) transport%carried = from%carried(first(1):last(1), first(2):last(2))
+         if (first(1) > 0) transport%carried(1, :) = transport%carried(1, :) &   ! the second node upstream of it is outside
+            + transport%w2(1)*equations%flow%f(first(1) - 1, first(2):last(2))
+      end associate
+   end subroutine cut
+
+end module ehlwave_patch

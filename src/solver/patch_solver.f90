@@ -1,0 +1,131 @@
+!> Nonlinear elimination of the steep end of the pressure (Lanzkron, Rose and Wilkes 1996).
+!>
+!> Where waves pass the place where the pressure ends steeply, a guess is off by as much there as a factor in the viscosity, in a
+!> hundred nodes of ten thousands, and Newton's method on the whole would take three or four steps for these alone. Solved in the patch
+!> that holds them, everything else held, they take a few steps of a few per cent of the cost.
+module ehlwave_patch_solver
+   use ehlwave_contact_problem, only: contact_problem_t
+   use ehlwave_equations, only: equations_t
+   use ehlwave_grid, only: grid_t
+   use ehlwave_hierarchy, only: level_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_local_solver, only: local_solver_t
+   use ehlwave_newton, only: newton_t
+   use ehlwave_patch, only: cut, patch_grid
+   use ehlwave_solve_report, only: mass_gain, solve_limits_t, solve_report_t
+   use ehlwave_state, only: state_t
+   implicit none (type, external)
+   private
+
+   !> The patch of the last solve: its size alone is of use to the next.
+   type, extends(local_solver_t), public :: patch_solver_t
+      type(level_t), allocatable, private :: patch(:)   ! one
+      type(newton_t), private :: newton
+   contains
+      procedure :: improve_part
+   end type patch_solver_t
+
+   real(dp), parameter :: quiet_share = 0.03_dp     !! of the largest residual: nodes below do not call for a patch
+   real(dp), parameter :: largest_patch = 0.2_dp    !! of the nodes of the whole
+   integer, parameter :: margin = 4                 !! nodes around those that call for it
+   integer, parameter :: size_step = 8              !! patches have multiples of so many cells, so that few sizes occur
+   integer, parameter :: most_steps = 6
+   real(dp), parameter :: enough = 0.3_dp           !! residual in the patch over what is left outside
+
+contains
+
+   !> See the interface. What is done depends on the state alone.
+   subroutine improve_part(self, problem, equations, limits, state, has_changed)
+      class(patch_solver_t), intent(inout) :: self
+      type(contact_problem_t), intent(inout) :: problem
+      type(equations_t), intent(in) :: equations
+      type(solve_limits_t), intent(in) :: limits
+      type(state_t), intent(inout) :: state
+      logical, intent(out) :: has_changed
+      type(solve_limits_t) :: patch_limits
+      type(solve_report_t) :: report
+      integer :: first(2), last(2)
+      real(dp) :: quiet
+
+      has_changed = .false.
+      if (problem%grid%is_line) return
+      patch_limits = limits
+      patch_limits%largest_steps = most_steps
+      patch_limits%film_unit = problem%grid%value_at_centre(state%h)
+      call find(problem%grid, equations, state, patch_limits, first, last, quiet)
+      if (any(last <= first)) return
+      patch_limits%tolerance = enough*max(limits%tolerance, quiet)
+      call make_room(self, problem, patch_grid(problem%grid, first, last))
+      associate (patch => self%patch(1))
+         call cut(problem, equations, state, patch_grid(problem%grid, first, last), first, patch)
+         patch%problem%deformation%work = 0
+         call self%newton%improve(self%patch, patch%problem%given_t, patch%state, patch_limits, report)
+         problem%deformation%work = problem%deformation%work + patch%problem%deformation%work
+         has_changed = report%residual < 0.5_dp*report%history(1)
+         if (has_changed) state%p(first(1):last(1), first(2):last(2)) = patch%state%p
+      end associate
+   end subroutine improve_part
+
+   !> Work space for patches of a size, where that of the last one does not do.
+   subroutine make_room(self, problem, grid)
+      class(patch_solver_t), intent(inout) :: self
+      type(contact_problem_t), intent(in) :: problem
+      type(grid_t), intent(in) :: grid
+
+      if (.not. allocated(self%patch)) allocate (self%patch(1))
+      associate (patch => self%patch(1))
+         if (patch%problem%grid%nx == grid%nx .and. patch%problem%grid%ny == grid%ny .and. &
+             (patch%problem%grid%is_half .eqv. grid%is_half)) return
+         call patch%problem%init(grid, problem%conditions, problem%rheology)
+         call self%newton%init_levels(self%patch)
+      end associate
+   end subroutine make_room
+
+   !> The patch: all nodes whose residual is not small against the largest one, and some around. None (last = first) where that is
+   !> not worth it.
+   subroutine find(grid, equations, state, limits, first, last, quiet)
+      type(grid_t), intent(in) :: grid
+      type(equations_t), intent(in) :: equations
+      type(state_t), intent(in) :: state
+      type(solve_limits_t), intent(in) :: limits
+      integer, intent(out) :: first(2), last(2)   !! nodes: i and j
+      real(dp), intent(out) :: quiet              !! largest residual outside
+      real(dp) :: gain(0:grid%nx, 0:grid%ny), bound
+      integer :: i, j
+
+      first = 0
+      last = 0
+      gain = merge(0.0_dp, mass_gain(equations%residual, grid%hx, state%h, limits%film_unit), equations%is_cavitated)
+      quiet = 0
+      if (maxval(gain) <= limits%tolerance) return
+      bound = max(limits%tolerance, quiet_share*maxval(gain))
+      first = [grid%nx, grid%ny]
+      do j = 0, grid%ny
+         do i = 0, grid%nx
+            if (.not. gain(i, j) > bound) cycle
+            first = min(first, [i, j])
+            last = max(last, [i, j])
+         end do
+      end do
+      call widen(grid%nx, first(1), last(1))
+      call widen(grid%ny, first(2), last(2))
+      if (product(real(last - first, dp)) > largest_patch*grid%nx*grid%ny) last = first
+      gain(first(1) + 1:last(1) - 1, first(2) + 1:last(2) - 1) = 0
+      quiet = maxval(gain)
+   end subroutine find
+
+   !> Widen a range of nodes by the margin and to a multiple of `size_step` cells, within 0..n.
+   pure subroutine widen(n, first, last)
+      integer, intent(in) :: n
+      integer, intent(inout) :: first, last
+      integer :: length
+
+      first = max(0, first - margin)
+      last = min(n, last + margin)
+      if (first <= margin) first = 0
+      length = min(n, size_step*((last - first + size_step - 1)/size_step))
+      last = min(n, first + length)
+      first = last - length
+   end subroutine widen
+
+end module ehlwave_patch_solver
