@@ -13,7 +13,8 @@ module ehlwave_patch
 
 contains
 
-   !> Grid of the nodes first(1)..last(1), first(2)..last(2) of another of an elliptical contact: their outer ones are known, but for a line of symmetry.
+   !> Grid of the nodes first(1)..last(1), first(2)..last(2) of another, of an elliptical contact: their outer ones are known, but
+   !> for a line of symmetry.
    pure function patch_grid(grid, first, last) result(self)
       type(grid_t), intent(in) :: grid
       integer, intent(in) :: first(2), last(2)   !! i and j
@@ -50,7 +51,10 @@ contains
       patch%state%delta = state%delta
       associate (problem => patch%problem, transport => patch%problem%transport, from => equations%given%transport)
          problem%grid = grid
-         call problem%set_conditions(whole%conditions, whole%rheology)
+         problem%conditions = whole%conditions
+         problem%rheology = whole%rheology
+         if (allocated(problem%film_flow)) deallocate (problem%film_flow)
+         if (allocated(whole%film_flow)) problem%film_flow = whole%film_flow
          call problem%deformation%apply(patch%state%p, patch%state%h)
          problem%smooth_gap = state%h(first(1):last(1), first(2):last(2)) + state%delta - patch%state%h
          problem%load = held_approach(state%delta, grid%integral(patch%state%p))

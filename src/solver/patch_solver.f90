@@ -1,8 +1,8 @@
 !> Nonlinear elimination of the steep end of the pressure (Lanzkron, Rose and Wilkes 1996).
 !>
 !> Where waves pass the place where the pressure ends steeply, a guess is off by as much there as a factor in the viscosity, in a
-!> hundred nodes of ten thousands, and Newton's method on the whole would take three or four steps for these alone. Solved in the patch
-!> that holds them, everything else held, they take a few steps of a few per cent of the cost.
+!> hundred nodes of ten thousands, and Newton's method on the whole would take three or four steps for these alone. Solved in the
+!> patch that holds them, everything else held, they take a few steps of a few per cent of the cost.
 module ehlwave_patch_solver
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_equations, only: equations_t
@@ -57,8 +57,8 @@ contains
       patch_limits%tolerance = enough*max(limits%tolerance, quiet)
       call make_room(self, problem, patch_grid(problem%grid, first, last))
       associate (patch => self%patch(1))
-         call cut(problem, equations, state, patch_grid(problem%grid, first, last), first, patch)
          patch%problem%deformation%work = 0
+         call cut(problem, equations, state, patch_grid(problem%grid, first, last), first, patch)
          call self%newton%improve(self%patch, patch%problem%given_t, patch%state, patch_limits, report)
          problem%deformation%work = problem%deformation%work + patch%problem%deformation%work
          has_changed = report%residual < 0.5_dp*report%history(1)
@@ -66,7 +66,7 @@ contains
       end associate
    end subroutine improve_part
 
-   !> Work space for patches of a size, where that of the last one does not do.
+   !> Work space for patches of a size, on this level of the grids, where that of the last one does not do.
    subroutine make_room(self, problem, grid)
       class(patch_solver_t), intent(inout) :: self
       type(contact_problem_t), intent(in) :: problem
@@ -74,8 +74,10 @@ contains
 
       if (.not. allocated(self%patch)) allocate (self%patch(1))
       associate (patch => self%patch(1))
-         if (patch%problem%grid%nx == grid%nx .and. patch%problem%grid%ny == grid%ny .and. &
-             (patch%problem%grid%is_half .eqv. grid%is_half)) return
+         associate (last => patch%problem%grid)
+            if (last%nx == grid%nx .and. last%ny == grid%ny .and. (last%is_half .eqv. grid%is_half) .and. &
+                all(abs([last%hx - grid%hx, last%hy - grid%hy]) <= 0)) return
+         end associate
          call patch%problem%init(grid, problem%conditions, problem%rheology)
          call self%newton%init_levels(self%patch)
       end associate
