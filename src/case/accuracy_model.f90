@@ -19,7 +19,7 @@ module ehlwave_accuracy_model
    real(dp), parameter :: steady_cost(3) = [72.8_dp, -0.139_dp, 0.167_dp]   !! model 'steady_cost'
    real(dp), parameter :: step_cost(3) = [22.3_dp, -0.101_dp, 0.0259_dp]      !! model 'step_cost'
    !> Times as much of a steady state and of a step with a Ree-Eyring oil, M = 100, D = 1, S = 1.5, 5 MPa, counted on 64, 128 and
-   !> 256 cells: 2.1, 1.8, 1.3 and 2.2, 1.8, 1.7. Linear responses take less, for they need fewer GMRES steps.
+   !> 256 cells before patches: 2.1, 1.8, 1.3 and 2.2, 1.8, 1.7. Linear responses take less, for they need fewer GMRES steps.
    real(dp), parameter :: film_flow_cost(2) = [1.7_dp, 1.8_dp]
    ! Refining Y alone changes Ad/Ai of patterns that vary in Y by 0.26 to 0.69 over the square of the points per wave
    ! (M = 100, D = 1 and 0.12, isotropic and longitudinal, 24 to 96 cells).

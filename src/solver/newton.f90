@@ -213,15 +213,16 @@ contains
       real(dp), intent(inout) :: worth       !! norm of the right side
       logical, intent(out) :: is_gain        !! or nothing was changed
       type(state_t) :: before
+      real(dp), allocatable :: p(:, :)
       real(dp) :: worth_before
-      logical :: has_changed
 
       is_gain = .true.
-      before = state
-      worth_before = worth
       associate (equations => self%linear%levels(self%linear%finest)%equations)
-         call self%local%improve_part(problem, equations, limits, state, has_changed)
-         if (.not. has_changed) return
+         call self%local%improve_part(problem, equations, limits, state, p)
+         if (.not. allocated(p)) return
+         before = state
+         worth_before = worth
+         state%p = p
          call problem%film_of(equations%given, state%p, state%delta, state%h)
       end associate
       call assemble(self, problem, state, worth)

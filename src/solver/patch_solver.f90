@@ -35,19 +35,19 @@ module ehlwave_patch_solver
 contains
 
    !> See the interface. What is done depends on the state alone.
-   subroutine improve_part(self, problem, equations, limits, state, has_changed)
+   subroutine improve_part(self, problem, equations, limits, state, p)
       class(patch_solver_t), intent(inout) :: self
       type(contact_problem_t), intent(inout) :: problem
       type(equations_t), intent(in) :: equations
       type(solve_limits_t), intent(in) :: limits
-      type(state_t), intent(inout) :: state
-      logical, intent(out) :: has_changed
+      type(state_t), intent(in) :: state
+      real(dp), allocatable, intent(out) :: p(:, :)
+      type(grid_t) :: grid
       type(solve_limits_t) :: patch_limits
       type(solve_report_t) :: report
       integer :: first(2), last(2)
       real(dp) :: quiet
 
-      has_changed = .false.
       if (problem%grid%is_line) return
       patch_limits = limits
       patch_limits%largest_steps = most_steps
@@ -55,14 +55,16 @@ contains
       call find(problem%grid, equations, state, patch_limits, first, last, quiet)
       if (any(last <= first)) return
       patch_limits%tolerance = enough*max(limits%tolerance, quiet)
-      call make_room(self, problem, patch_grid(problem%grid, first, last))
+      grid = patch_grid(problem%grid, first, last)
+      call make_room(self, problem, grid)
       associate (patch => self%patch(1))
          patch%problem%deformation%work = 0
-         call cut(problem, equations, state, patch_grid(problem%grid, first, last), first, patch)
+         call cut(problem, equations, state, grid, first, patch)
          call self%newton%improve(self%patch, patch%problem%given_t, patch%state, patch_limits, report)
          problem%deformation%work = problem%deformation%work + patch%problem%deformation%work
-         has_changed = report%residual < 0.5_dp*report%history(1)
-         if (has_changed) state%p(first(1):last(1), first(2):last(2)) = patch%state%p
+         if (.not. report%residual < 0.5_dp*report%history(1)) return
+         p = state%p
+         p(first(1):last(1), first(2):last(2)) = patch%state%p
       end associate
    end subroutine improve_part
 
