@@ -17,7 +17,7 @@ module ehlwave_march_case
    use ehlwave_time_march, only: march_result_t, march_settings_t, march_t, steps_per_stretch
    implicit none (type, external)
    private
-   public :: march_settings, run_moving, step_limits, take_last_period
+   public :: march_settings, run_moving, step_limits, step_tolerance, take_last_period
 
    real(dp), parameter :: settling_share = 0.5_dp      !! of the change from period to period that is still to come
    !> Newton's method with the patches of elliptical contacts ends closely below a tolerance: the whole of it would leave up to
@@ -39,19 +39,26 @@ contains
       if (allocated(plan%waviness%surface)) settings%amplitude = 1   ! heights are in units of c as they are
    end function march_settings
 
-   !> What a time step is asked for. The tolerance is relative to the film; for small waves it has to follow their amplitude.
+   !> What a time step is asked for.
    pure function step_limits(case, plan, central_film) result(limits)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       real(dp), intent(in) :: central_film      !! smooth H(0,0)
       type(solve_limits_t) :: limits
+      limits = solve_limits_t(tolerance=step_tolerance(case, plan, central_film), largest_steps=case%largest_steps)
+      if (case%method == 'newton' .and. .not. plan%conditions%is_line()) limits%tolerance = newton_share*limits%tolerance
+   end function step_limits
+
+   !> Tolerance of time steps, relative to the film; for small waves it has to follow their amplitude.
+   pure real(dp) function step_tolerance(case, plan, central_film)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      real(dp), intent(in) :: central_film      !! smooth H(0,0)
       real(dp) :: amplitude_over_film
       amplitude_over_film = case%amplitude_over_film
       if (allocated(plan%waviness%surface)) amplitude_over_film = sqrt(2.0_dp)*plan%waviness%surface%rq/central_film
-      limits = solve_limits_t(tolerance=case%step_tolerance*min(1.0_dp, amplitude_over_film/usual_amplitude), &
-                              largest_steps=case%largest_steps)
-      if (case%method == 'newton' .and. .not. plan%conditions%is_line()) limits%tolerance = newton_share*limits%tolerance
-   end function step_limits
+      step_tolerance = case%step_tolerance*min(1.0_dp, amplitude_over_film/usual_amplitude)
+   end function step_tolerance
 
    !> Moving pattern: march in time, then measure over the last period.
    subroutine run_moving(case, plan, multigrid, rescue, monitor, result, keeper)

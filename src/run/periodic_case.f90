@@ -6,14 +6,18 @@ module ehlwave_periodic_case
    use ehlwave_case_result, only: case_result_t
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_kinds, only: dp
-   use ehlwave_march_case, only: march_settings, step_limits, take_last_period
+   use ehlwave_march_case, only: march_settings, step_limits, step_tolerance, take_last_period
    use ehlwave_monitor, only: go_on, monitor_t
    use ehlwave_periodic_state, only: periodic_state_t
    use ehlwave_rescue, only: rescue_t
    use ehlwave_text, only: to_text
+   use ehlwave_time_march, only: march_result_t
    implicit none (type, external)
    private
    public :: find_periodic_state
+
+   !> Change of a film that repeats, over A, for a tolerance of time steps: a step leaves less than its tolerance.
+   real(dp), parameter :: changes_per_tolerance = 5
 
 contains
 
@@ -28,27 +32,33 @@ contains
       type(case_result_t), intent(inout) :: result
       logical, intent(out) :: is_found
       type(periodic_state_t) :: periodic
+      type(march_result_t) :: as_marched
       real(dp) :: work_before
+      integer :: k
 
       work_before = multigrid%work()
       call periodic%find(multigrid, march_settings(case, plan, result%central_film), rescue, &
-                         step_limits(case, plan, result%central_film), monitor)
+                         step_limits(case, plan, result%central_film), &
+                         changes_per_tolerance*step_tolerance(case, plan, result%central_film), monitor)
       result%work = result%work + multigrid%work() - work_before
       result%nonlinear_steps = result%nonlinear_steps + periodic%nonlinear_steps
       result%linear_steps = result%linear_steps + periodic%linear_steps
       is_found = periodic%is_found
       if (is_found) then
-         associate (march => periodic%march%result, first => periodic%first_sample)
-            call take_last_period(case, plan, march, first, 0.0_dp, result)
-            result%route = 'waves'
-            result%time = march%time(first:march%steps)
-            result%film_history = march%central_film(first:march%steps)
-            result%approach_history = march%approach(first:march%steps)
-            result%time_steps = march%steps
-            result%settling = periodic%change/result%amplitude_ratio_fit
-            result%residual = worse(result%residual, periodic%report%residual)
-            result%load_error = worse(result%load_error, periodic%report%load_error)
+         ! The amplitude is a fit to samples of one period and depends on where in it they begin, as the film of large waves has higher
+         ! harmonics: they are taken where the march from rest has its own. The pattern is at X = 0 at T = 0, that of the march at its start.
+         associate (waviness => plan%waviness, dt => plan%dt)
+            as_marched = periodic%at_times([(k*dt + waviness%start/waviness%slip, k=plan%first_sample, plan%steps)])
          end associate
+         call take_last_period(case, plan, as_marched, 0, 0.0_dp, result)
+         result%route = 'waves'
+         result%time = as_marched%time
+         result%film_history = as_marched%central_film
+         result%approach_history = as_marched%approach
+         result%time_steps = periodic%march%result%steps
+         result%settling = periodic%change/result%amplitude_ratio_fit
+         result%residual = worse(result%residual, periodic%report%residual)
+         result%load_error = worse(result%load_error, periodic%report%load_error)
          return
       end if
       if (monitor%request /= go_on) return

@@ -11,6 +11,8 @@ module ehlwave_first_guess
    !> Solutions that the first guess is made from.
    type, public :: past_t
       type(state_t) :: steady, before, earlier, earliest   ! of smooth surfaces; at T - dT, T - 2 dT, T - 3 dT
+      real(dp), allocatable :: known_p(:, :, :)            ! (0:nx, 0:ny, 0:3): a period before T, T - dT, ...; absent: none
+      real(dp) :: known_delta(0:3) = 0
    end type past_t
 
    real(dp), parameter :: spread_weight = 1000   !! measured: fewest Newton steps between 100 and 10^4
@@ -30,9 +32,9 @@ contains
       share = 1/(1 + spread_weight*equations%flow%mobility()/(level%problem%grid%hx*equations%self_influence))
    end function carried_share
 
-   !> First guess. Where the film is carried along, what deviates from the steady state P0 is extrapolated
-   !> along the characteristic: P0(i) + 2 p(i-m, k-1) - p(i-2m, k-2), p = P - P0; elsewhere in time at fixed X:
-   !> 3 P(k-1) - 3 P(k-2) + P(k-3); in between, by share. What is extrapolated in time stays within the range of the
+   !> First guess: P0, which is the solution a period before or else the steady state, and what solutions differ from it, p = P - P0,
+   !> extrapolated. Where the film is carried along, along the characteristic: 3 p(i-m, k-1) - 3 p(i-2m, k-2) + p(i-3m, k-3);
+   !> elsewhere in time at fixed X: 3 p(k-1) - 3 p(k-2) + p(k-3); in between, by share. The latter stays within the range of the
    !> neighbours at the step before and a small margin: the steep end of the pressure moves by less than a cell in one step, and
    !> an extrapolation across it would be off by half the Hertz pressure.
    pure subroutine extrapolate(m, share, past, state)
@@ -40,23 +42,34 @@ contains
       real(dp), intent(in) :: share(0:, 0:)          !! (0:nx, 0:ny)
       type(past_t), intent(in) :: past
       type(state_t), intent(inout) :: state
+      real(dp), dimension(0:ubound(share, 1), 0:ubound(share, 2), 0:3) :: p0
+      real(dp), dimension(0:ubound(share, 1), 0:ubound(share, 2)) :: d1, d2, d3
       real(dp) :: moved, still
       integer :: i, j
-      associate (p0 => past%steady%p, p1 => past%before%p, p2 => past%earlier%p, p3 => past%earliest%p)
-         do j = 0, ubound(state%p, 2)
-            do i = 0, ubound(state%p, 1) - 1
-               still = 3*(p1(i, j) - p2(i, j)) + p3(i, j)
-               moved = still
-               if (i > 3*m) moved = p0(i, j) + 3*(p1(i - m, j) - p0(i - m, j)) - 3*(p2(i - 2*m, j) - p0(i - 2*m, j)) &
-                  + p3(i - 3*m, j) - p0(i - 3*m, j)
-               associate (near => p1(max(i - 1, 0):i + 1, max(j - 1, 0):min(j + 1, ubound(p1, 2))))
-                  still = min(max(still, minval(near) - guess_margin), maxval(near) + guess_margin)
-               end associate
-               state%p(i, j) = max(0.0_dp, share(i, j)*moved + (1 - share(i, j))*still)
-            end do
+
+      if (allocated(past%known_p)) then
+         p0 = past%known_p
+      else
+         p0 = spread(past%steady%p, 3, 4)
+      end if
+      d1 = past%before%p - p0(:, :, 1)
+      d2 = past%earlier%p - p0(:, :, 2)
+      d3 = past%earliest%p - p0(:, :, 3)
+      do j = 0, ubound(state%p, 2)
+         do i = 0, ubound(state%p, 1) - 1
+            still = p0(i, j, 0) + 3*(d1(i, j) - d2(i, j)) + d3(i, j)
+            moved = still
+            if (i > 3*m) moved = p0(i, j, 0) + 3*(d1(i - m, j) - d2(i - 2*m, j)) + d3(i - 3*m, j)
+            associate (near => past%before%p(max(i - 1, 0):i + 1, max(j - 1, 0):min(j + 1, ubound(share, 2))))
+               still = min(max(still, minval(near) - guess_margin), maxval(near) + guess_margin)
+            end associate
+            state%p(i, j) = max(0.0_dp, share(i, j)*moved + (1 - share(i, j))*still)
          end do
+      end do
+      associate (known => past%known_delta)
+         state%delta = known(0) + 3*((past%before%delta - known(1)) - (past%earlier%delta - known(2))) &
+                       + past%earliest%delta - known(3)
       end associate
-      state%delta = 3*(past%before%delta - past%earlier%delta) + past%earliest%delta
    end subroutine extrapolate
 
 end module ehlwave_first_guess

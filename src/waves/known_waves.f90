@@ -21,11 +21,11 @@ module ehlwave_known_waves
    !>
    !> with the linear response u1, the change of the mean u20 and the second harmonic u22. They are those of the differences in time of
    !> a march with dT = hX or a whole part of it: a march that starts in these waves has nothing to settle at first and second order.
-   !> P may be negative where the film is about to cavitate.
    type, public :: known_waves_t
       real(dp) :: frequency = 0                        !! w in units of 1/T
       real(dp), private :: amplitude = 0               ! A in units of c
       integer :: linear_steps = 0                      !! GMRES steps
+      type(state_t), private :: smooth                 ! without waves
       type(state_t), private :: still                  ! what does not change in time
       type(harmonic_response_t), private :: turning(2) ! the two harmonics, to waves of amplitude 1
       type(state_t), private :: rest(3)                ! what a coarser grid found besides, see `take_rest`
@@ -35,7 +35,13 @@ module ehlwave_known_waves
       procedure :: find
       procedure :: take_rest
       procedure :: state_at
+      procedure :: limit
+      procedure, private :: to_second_order
    end type known_waves_t
+
+   real(dp), parameter :: thinnest = 0.1_dp   !! of the smooth film, where waves would leave less
+   real(dp), parameter :: steep = 0.15_dp     !! change of P between neighbours where the smooth pressure ends
+   real(dp), parameter :: margin = 0.02_dp    !! of P there beyond its neighbours
 
 contains
 
@@ -68,7 +74,8 @@ contains
          self%linear_steps = self%linear_steps + second%linear_steps + mean%linear_steps
       end associate
       self%amplitude = amplitude
-      self%still = levels(size(levels))%state
+      self%smooth = levels(size(levels))%state
+      self%still = self%smooth
       if (mean%status == status_converged) call self%still%add(mean%state, 1.0_dp)
    end subroutine find
 
@@ -80,18 +87,51 @@ contains
       real(dp) :: s, weights(3)
       integer :: m
 
+      state = self%to_second_order(t)
+      if (self%has_rest) then
+         s = (self%rest_time - t)/self%rest_step      ! steps back
+         weights = [0.5_dp*(s - 1)*(s - 2), -s*(s - 2), 0.5_dp*s*(s - 1)]
+         do m = 1, 3
+            call state%add(self%rest(m), weights(m))
+         end do
+      end if
+      call self%limit(state)
+   end function state_at
+
+   !> Limit a state near these waves to what can be. The steep end of the pressure moves by less than a cell, which no expansion in A
+   !> holds: there P stays in the range of its smooth neighbours.
+   pure subroutine limit(self, state)
+      class(known_waves_t), intent(in) :: self
+      type(state_t), intent(inout) :: state
+      real(dp) :: high, low
+      integer :: i, j
+
+      do j = 0, ubound(state%p, 2)
+         do i = 1, ubound(state%p, 1) - 1
+            associate (near => self%smooth%p(i - 1:i + 1, max(j - 1, 0):min(j + 1, ubound(state%p, 2))))
+               low = minval(near)
+               high = maxval(near)
+            end associate
+            if (high - low > steep) state%p(i, j) = min(max(state%p(i, j), low - margin), high + margin)
+         end do
+      end do
+      state%p = max(state%p, 0.0_dp)
+      state%h = max(state%h, thinnest*self%smooth%h)
+   end subroutine limit
+
+   !> The expansion above at T. P may be negative where the film is about to cavitate.
+   pure function to_second_order(self, t) result(state)
+      class(known_waves_t), intent(in) :: self
+      real(dp), intent(in) :: t
+      type(state_t) :: state
+      integer :: m
+
       state = self%still
       do m = 1, 2
          if (self%turning(m)%status == status_converged) &
             call self%turning(m)%add_to(state, self%amplitude**m*exp(cmplx(0, -m*self%frequency*t, dp)))
       end do
-      if (.not. self%has_rest) return
-      s = (self%rest_time - t)/self%rest_step      ! steps back
-      weights = [0.5_dp*(s - 1)*(s - 2), -s*(s - 2), 0.5_dp*s*(s - 1)]
-      do m = 1, 3
-         call state%add(self%rest(m), weights(m))
-      end do
-   end function state_at
+   end function to_second_order
 
    !> Take what the last three solutions of a march on the grid of half as many cells have besides the waves known there to second order.
    subroutine take_rest(self, fine, coarse_grid, coarse, last, t, dt)
@@ -100,14 +140,11 @@ contains
       type(known_waves_t), intent(in) :: coarse          !! those waves
       type(state_t), intent(in) :: last(3)               !! solutions there at T, T - dT, T - 2 dT
       real(dp), intent(in) :: t, dt
-      type(known_waves_t) :: second_order
       type(state_t) :: known
       integer :: n
 
-      second_order = coarse
-      second_order%has_rest = .false.
       do n = 1, 3
-         known = second_order%state_at(t - (n - 1)*dt)
+         known = coarse%to_second_order(t - (n - 1)*dt)
          self%rest(n) = new_state(fine)
          call interpolate(coarse_grid, fine, last(n)%p - known%p, self%rest(n)%p)
          call interpolate(coarse_grid, fine, last(n)%h - known%h, self%rest(n)%h)

@@ -6,12 +6,13 @@ module ehlwave_periodic_state
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp
    use ehlwave_known_waves, only: known_waves_t
+   use ehlwave_lagrange, only: lagrange_weights
    use ehlwave_monitor, only: go_on, monitor_t
    use ehlwave_rescue, only: rescue_t
    use ehlwave_solve_report, only: solve_limits_t, solve_report_t
    use ehlwave_state, only: state_t
    use ehlwave_status, only: status_converged
-   use ehlwave_time_march, only: march_settings_t, march_t
+   use ehlwave_time_march, only: march_result_t, march_settings_t, march_t
    use ehlwave_waviness, only: waviness_t
    implicit none (type, external)
    private
@@ -22,29 +23,31 @@ module ehlwave_periodic_state
       type(march_t) :: march                  !! on the finest grid
       type(solve_report_t) :: report          !! of its last step
       logical :: is_found = .false.           !! it repeats
-      real(dp) :: change = huge(1.0_dp)       !! largest of the film since a period before, over A
-      integer :: first_sample = 0             !! step of the march with which the last period begins
+      real(dp) :: change = huge(1.0_dp)       !! largest of the film since a period or a few before, over A
+      real(dp), private :: repeats = 0        ! the time between, T
       integer :: nonlinear_steps = 0, linear_steps = 0   !! of all grids
    contains
       procedure :: find
+      procedure :: at_times
    end type periodic_state_t
 
-   real(dp), parameter :: largest_change = 5e-4_dp     !! of a film that repeats, over A
-   real(dp), parameter :: coarse_change = 1e-3_dp      !! the same on coarser grids
+   real(dp), parameter :: coarse_change = 2            !! of a film that repeats, on coarser grids, over that on the finest
    real(dp), parameter :: coarse_tolerance = 1e-3_dp   !! of the time steps of coarser grids
    real(dp), parameter :: fewest_points = 16            !! mesh sizes on a wave
+   integer, parameter :: points = 6                     !! of interpolation in time; four leave 1e-3 of A where a period has ten steps
    real(dp), parameter :: farthest_upstream = -1       !! X, from where the film has to repeat
 
 contains
 
    !> From the coarsest of the levels that resolves the waves to the finest. All levels have their steady states of smooth surfaces;
    !> they keep them, the finest has the last solution of the march if the state is found.
-   subroutine find(self, multigrid, settings, rescue, limits, monitor)
+   subroutine find(self, multigrid, settings, rescue, limits, largest_change, monitor)
       class(periodic_state_t), intent(inout) :: self
       type(full_multigrid_t), intent(inout), target :: multigrid
       type(march_settings_t), intent(in) :: settings   !! of a march from rest on the finest grid
       type(rescue_t), intent(in) :: rescue             !! what the steady state has left of it
       type(solve_limits_t), intent(in) :: limits       !! of a time step
+      real(dp), intent(in) :: largest_change           !! of a film that repeats, over A
       class(monitor_t), intent(inout) :: monitor
       type(known_waves_t) :: waves, coarse_waves
       type(march_settings_t) :: here
@@ -59,7 +62,7 @@ contains
       coarse = limits
       coarse%tolerance = max(limits%tolerance, coarse_tolerance)
       has_rest = .false.
-      t = 0
+      t = settings%waviness%start/settings%waviness%slip   ! so that steps are where a march from rest has its own
       self%march%rescue = rescue
       do l = first_level(multigrid%levels, settings%waviness), n
          associate (level => multigrid%levels(l))
@@ -77,7 +80,8 @@ contains
             smooth = level%state
             self%is_found = .false.
             if (l == n) coarse%tolerance = limits%tolerance
-            call march_level(self, multigrid, l, waves, here, t, coarse, merge(largest_change, coarse_change, l == n), monitor)
+            call march_level(self, multigrid, l, waves, here, t, coarse, largest_change*merge(1.0_dp, coarse_change, l == n), &
+                             monitor)
             if (monitor%request /= go_on) return
             has_rest = self%is_found
             coarse_waves = waves
@@ -101,6 +105,31 @@ contains
                               time(size(time)), time(size(time)) - time(size(time) - 1))
       end associate
    end subroutine hand_up
+
+   !> What the march would have at other times, T = times, if its last period went on to repeat: film and mutual approach there. Of a
+   !> state that was found.
+   function at_times(self, times) result(history)
+      class(periodic_state_t), intent(in) :: self
+      real(dp), intent(in) :: times(0:)
+      type(march_result_t) :: history
+      real(dp) :: dt, place
+      integer :: base, k
+
+      history%steps = ubound(times, 1)
+      allocate (history%time(0:history%steps), source=times)
+      allocate (history%central_film(0:history%steps), history%approach(0:history%steps))
+      associate (march => self%march%result)
+         dt = march%time(march%steps) - march%time(march%steps - 1)
+         do k = 0, history%steps
+            place = (times(k) - march%time(0) - self%repeats*ceiling((times(k) - march%time(march%steps))/self%repeats))/dt
+            base = min(max(floor(place) - points/2 + 1, 0), march%steps - points + 1)
+            associate (weights => lagrange_weights(points, place - base))
+               history%central_film(k) = dot_product(weights, march%central_film(base:base + points - 1))
+               history%approach(k) = dot_product(weights, march%approach(base:base + points - 1))
+            end associate
+         end do
+      end associate
+   end function at_times
 
    !> The coarsest level with a steady state that has enough points on a wave.
    pure integer function first_level(levels, waviness) result(first)
@@ -126,14 +155,15 @@ contains
       type(solve_limits_t), intent(in) :: limits       !! of a time step
       real(dp), intent(in) :: tolerance                !! of `change`
       class(monitor_t), intent(inout) :: monitor
-      real(dp), allocatable :: films(:, :)             ! at Y = 0, of the last steps, see `change_in_a_period`
+      real(dp), allocatable :: films(:, :)             ! at Y = 0, of the last steps, see `change_since`
       real(dp) :: lag
       integer :: k, row
 
       associate (march => self%march, result => self%march%result, grid => multigrid%levels(l)%problem%grid)
          call march%begin(multigrid%levels(:l), settings, march%rescue)
          call march%start_in(multigrid%levels(l), waves, start)
-         lag = settings%waviness%period()*settings%steps_per_cell/(settings%cells_per_step*grid%hx)
+         self%repeats = march%repeat_time(grid)
+         lag = self%repeats*settings%steps_per_cell/(settings%cells_per_step*grid%hx)
          row = minloc(abs(grid%y), 1) - 1
          allocate (films(0:grid%nx, 0:ceiling(lag) + 3))
          films(:, 0) = multigrid%levels(l)%state%h(:, row)
@@ -143,35 +173,32 @@ contains
             call monitor%step_done('time step towards the periodic state', k, settings%steps)
             if (monitor%request /= go_on) exit
             films(:, modulo(k, size(films, 2))) = multigrid%levels(l)%state%h(:, row)
-            if (k < lag + 2) cycle
-            self%change = change_in_a_period(grid, films, k, lag)/settings%amplitude
+            if (k < max(lag + 2, real(points, dp))) cycle
+            self%change = change_since(grid, films, k, lag)/settings%amplitude
             self%is_found = self%change <= tolerance
             if (self%is_found) exit
          end do
-         self%first_sample = max(0, result%steps - ceiling(lag - 1e-9_dp))
          self%nonlinear_steps = self%nonlinear_steps + result%nonlinear_steps
          self%linear_steps = self%linear_steps + result%linear_steps
       end associate
    end subroutine march_level
 
-   !> Largest change of the film between the inlet and the centre since a period before step k, interpolated in time.
-   pure real(dp) function change_in_a_period(grid, films, k, lag) result(change)
+   !> Largest change of the film between the inlet and the centre in `lag` steps to step k, interpolated in time.
+   pure real(dp) function change_since(grid, films, k, lag) result(change)
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: films(0:, 0:)   !! (0:nx, 0:n - 1): film of step m at m modulo n, n at least lag + 4
       integer, intent(in) :: k
-      real(dp), intent(in) :: lag             !! a period in steps, at most k - 2
-      integer, parameter :: points = 6        ! four leave 1e-3 of A where a period has ten steps
-      real(dp) :: difference(0:grid%nx), t, weight
-      integer :: base, j, m
+      real(dp), intent(in) :: lag             !! after which it repeats, in steps, at most k - 2
+      real(dp) :: difference(0:grid%nx), weights(0:points - 1)
+      integer :: base, m
 
       base = k - ceiling(lag) - 2
-      t = k - lag - base
+      weights = lagrange_weights(points, k - lag - base)
       difference = films(:, modulo(k, size(films, 2)))
       do m = 0, points - 1
-         weight = product([((t - j)/(m - j), j=0, m - 1)])*product([((t - j)/(m - j), j=m + 1, points - 1)])
-         difference = difference - weight*films(:, modulo(base + m, size(films, 2)))
+         difference = difference - weights(m)*films(:, modulo(base + m, size(films, 2)))
       end do
       change = maxval(abs(difference), mask=grid%x >= farthest_upstream .and. grid%x <= 0)
-   end function change_in_a_period
+   end function change_since
 
 end module ehlwave_periodic_state

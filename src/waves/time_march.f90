@@ -9,6 +9,7 @@ module ehlwave_time_march
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp
    use ehlwave_known_waves, only: known_waves_t
+   use ehlwave_last_period, only: last_period_t
    use ehlwave_load_balance, only: equation_of_motion, force_balance
    use ehlwave_monitor, only: go_on, monitor_t, stop_now
    use ehlwave_rescue, only: rescue_t
@@ -23,6 +24,11 @@ module ehlwave_time_march
    !> Steps between two points where the march can be taken up again, bit for bit: solvers keep nothing from one
    !> solution to the next.
    integer, parameter, public :: steps_per_stretch = 32
+
+   integer, parameter :: most_periods = 4              !! after which a solution is taken to repeat
+   real(dp), parameter :: many_steps = 24              !! of a period: six points interpolate 1e-5 of a wave between them
+   real(dp), parameter :: whole = 1e-3_dp              !! of a step
+   integer, parameter :: young = 3   !! steps in which the solutions before are not yet all solutions
 
    !> What is marched and how.
    type, public :: march_settings_t
@@ -53,9 +59,10 @@ module ehlwave_time_march
       type(march_settings_t) :: settings
       type(march_result_t) :: result
       type(past_t) :: past
+      type(known_waves_t), allocatable, private :: waves   ! that it started in, see `start_in`; absent: it started from rest
+      type(last_period_t), private :: period               ! of the finest level, with `waves`
       integer, private :: l = 0                ! level that is marched
       real(dp), private :: start = 0           ! T before the first step
-      real(dp), private :: frequency = 0       ! of waves that it started in, see `start_in`; 0: it started from rest
       real(dp), allocatable :: share(:, :)     !! see carried_share
       real(dp), allocatable :: history(:, :, :) !! f = rho H of the steps before, latest first
       real(dp) :: approach(3) = 0              !! Delta of the steps before, latest first
@@ -67,11 +74,11 @@ module ehlwave_time_march
       procedure :: restore
       procedure :: advance
       procedure :: take_step
+      procedure :: repeat_time
    end type march_t
 
    !> Asked to stop, a march goes on to the end of its stretch if that takes no longer.
    real(dp), parameter :: largest_delay_s = 10
-   real(dp), parameter :: thinnest_start = 0.1_dp   !! of the smooth film, where known waves would leave less
 
 contains
 
@@ -88,7 +95,7 @@ contains
       self%result = march_result_t()
       self%l = size(levels)
       self%start = 0
-      self%frequency = 0
+      if (allocated(self%waves)) deallocate (self%waves)
       associate (grid => levels(self%l)%problem%grid, problem => levels(self%l)%problem, state => levels(self%l)%state)
          problem%transport = characteristic_transport(grid, settings%cells_per_step, settings%steps_per_cell)
          problem%load = force_balance(1.0_dp)
@@ -123,12 +130,13 @@ contains
       integer :: n
 
       self%start = t
-      self%frequency = waves%frequency
+      self%waves = waves
+      associate (grid => level%problem%grid)
+         call self%period%begin(self%repeat_time(grid), time_step(self, grid), grid%nx, grid%ny)
+      end associate
       associate (problem => level%problem, history => self%history)
          do n = 0, ubound(states, 1)
             states(n) = waves%state_at(t - n*time_step(self, problem%grid))
-            states(n)%p = max(states(n)%p, 0.0_dp)
-            states(n)%h = max(states(n)%h, thinnest_start*level%state%h)
             if (n >= 1 .and. n <= size(history, 3)) history(:, :, n) = problem%rheology%density(states(n)%p)*states(n)%h
          end do
          self%approach = states(1:3)%delta
@@ -182,14 +190,54 @@ contains
       associate (level => multigrid%levels(self%l), settings => self%settings)
          t = self%start + (self%result%steps + 1)*time_step(self, level%problem%grid)
          call pose_step(self, level%problem, t)
-         if (settings%steps_per_cell == 1) &
+         if (allocated(self%waves) .and. self%result%steps < young) then
+            call carry_on(self, level, t)
+         else if (settings%steps_per_cell == 1) then
+            if (self%period%is_known()) call look_up(self, t, time_step(self, level%problem%grid))
             call extrapolate(settings%cells_per_step, self%share, self%past, level%state)
+         end if
          work_before = multigrid%work()
          call solve_step(self, multigrid, limits)
          self%result%work = self%result%work + multigrid%work() - work_before
-         if (self%result%status == status_converged) call keep_step(self, level, t)
+         if (self%result%status /= status_converged) return
+         call keep_step(self, level, t)
+         ! Steps of coarser grids are solved too loosely: their errors would come back period by period.
+         if (allocated(self%waves) .and. self%l == size(multigrid%levels)) call self%period%keep(t, level%state)
       end associate
    end subroutine take_step
+
+   !> First guess of the first steps from known waves: the solution before and what these change. Extrapolation would amplify the
+   !> errors of the waves.
+   subroutine carry_on(self, level, t)
+      class(march_t), intent(in) :: self
+      type(level_t), intent(inout) :: level
+      real(dp), intent(in) :: t
+      level%state = self%past%before
+      call level%state%add(self%waves%state_at(t), 1.0_dp)
+      call level%state%add(self%waves%state_at(t - time_step(self, level%problem%grid)), -1.0_dp)
+      call self%waves%limit(level%state)
+   end subroutine carry_on
+
+   !> Let `past` know the solutions a period before t and the three steps before that.
+   subroutine look_up(self, t, dt)
+      class(march_t), intent(inout) :: self
+      real(dp), intent(in) :: t, dt
+      logical :: is_new
+      integer :: n
+
+      associate (past => self%past)
+         is_new = .not. allocated(past%known_p)
+         if (is_new) allocate (past%known_p(0:ubound(self%share, 1), 0:ubound(self%share, 2), 0:3))
+         do n = 3, 0, -1
+            if (is_new .or. n == 0) then
+               call self%period%look_up(t - n*dt, past%known_p(:, :, n), past%known_delta(n))
+            else
+               past%known_p(:, :, n) = past%known_p(:, :, n - 1)
+               past%known_delta(n) = past%known_delta(n - 1)
+            end if
+         end do
+      end associate
+   end subroutine look_up
 
    !> Make a problem that of the step to time t.
    subroutine pose_step(self, problem, t)
@@ -207,8 +255,8 @@ contains
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: t
       real(dp), allocatable :: rough(:, :)
-      if (abs(self%frequency) > 0) then
-         rough = self%settings%amplitude*self%settings%waviness%shape_fixed(grid%x, grid%y, -self%frequency*t)
+      if (allocated(self%waves)) then
+         rough = self%settings%amplitude*self%settings%waviness%shape_fixed(grid%x, grid%y, -self%waves%frequency*t)
       else
          rough = self%settings%amplitude*self%settings%waviness%shape_at(grid%x, grid%y, t)
       end if
@@ -249,6 +297,20 @@ contains
          self%approach = [state%delta, self%approach(1:2)]
       end associate
    end subroutine note
+
+   !> After what time a periodic solution repeats at a step of the march, or nearly so: of some periods the multiple that is nearest to
+   !> whole steps; a period that has many is interpolated between them as well.
+   pure real(dp) function repeat_time(self, grid)
+      class(march_t), intent(in) :: self
+      type(grid_t), intent(in) :: grid       !! that is marched
+      real(dp) :: steps(most_periods)
+      integer :: n
+
+      steps = self%settings%waviness%period()/time_step(self, grid)*[(n, n=1, most_periods)]
+      n = 1
+      if (steps(1) < many_steps) n = minloc(nint(abs(steps - nint(steps))/whole), 1)
+      repeat_time = n*self%settings%waviness%period()
+   end function repeat_time
 
    pure real(dp) function time_step(self, grid)
       class(march_t), intent(in) :: self
