@@ -28,6 +28,8 @@ module ehlwave_contact_problem
       real(dp), allocatable :: smooth_gap(:, :)  !! S X^2 + (1 - S) Y^2, (0:nx, 0:ny)
    contains
       procedure :: init
+      procedure :: lay_out
+      procedure :: take_oil
       procedure :: set_conditions
       procedure :: film
       procedure :: film_of
@@ -43,10 +45,18 @@ contains
       type(grid_t), intent(in) :: grid
       type(conditions_t), intent(in) :: conditions
       type(rheology_t), intent(in) :: rheology
+      call self%lay_out(grid, conditions)
+      call self%set_conditions(conditions, rheology)
+   end subroutine init
+
+   !> All of a steady problem that knows no oil.
+   subroutine lay_out(self, grid, conditions)
+      class(contact_problem_t), intent(inout) :: self
+      type(grid_t), intent(in) :: grid
+      type(conditions_t), intent(in) :: conditions
       integer :: j
 
       self%grid = grid
-      call self%set_conditions(conditions, rheology)
       if (conditions%is_line() .and. .not. allocated(self%deformation)) allocate (deformation_line_t :: self%deformation)
       if (.not. allocated(self%deformation)) allocate (deformation_fft_t :: self%deformation)
       call self%deformation%init(grid, conditions%elliptic%kappa, conditions%elliptic%k)
@@ -58,7 +68,18 @@ contains
       do j = 0, grid%ny
          self%smooth_gap(:, j) = conditions%s*grid%x**2 + (1 - conditions%s)*grid%y(j)**2
       end do
-   end subroutine init
+   end subroutine lay_out
+
+   !> Conditions and oil of a problem on another grid, and the flow across the film that was made of them.
+   subroutine take_oil(self, other)
+      class(contact_problem_t), intent(inout) :: self
+      type(contact_problem_t), intent(in) :: other
+      self%conditions = other%conditions
+      self%rheology = other%rheology
+      self%edges = new_edge_values(self%grid, other%conditions, other%rheology)
+      if (allocated(self%film_flow)) deallocate (self%film_flow)
+      if (allocated(other%film_flow)) self%film_flow = other%film_flow
+   end subroutine take_oil
 
    !> Other conditions of a contact with the same ratio of radii, on which grid and kernel depend, and the oil under them.
    subroutine set_conditions(self, conditions, rheology)

@@ -33,7 +33,7 @@ contains
       self%weight = grid%weight(first(2):last(2))
    end function patch_grid
 
-   !> Give a level, whose problem was made for a patch of this size, problem and state of the patch at the state of the whole: the
+   !> Give a level, whose problem was laid out for a patch of this size, problem and state of the patch at the state of the whole: the
    !> pressure at its outer nodes and the approach are held, the gap is what the pressure outside leaves. Of a patch beside the
    !> line of symmetry the deformation by its mirror image is held too.
    subroutine cut(whole, equations, state, grid, first, patch)
@@ -51,10 +51,7 @@ contains
       patch%state%delta = state%delta
       associate (problem => patch%problem, transport => patch%problem%transport, from => equations%given%transport)
          problem%grid = grid
-         problem%conditions = whole%conditions
-         problem%rheology = whole%rheology
-         if (allocated(problem%film_flow)) deallocate (problem%film_flow)
-         if (allocated(whole%film_flow)) problem%film_flow = whole%film_flow
+         call problem%take_oil(whole)
          call problem%deformation%apply(patch%state%p, patch%state%h)
          problem%smooth_gap = state%h(first(1):last(1), first(2):last(2)) + state%delta - patch%state%h
          problem%load = held_approach(state%delta, grid%integral(patch%state%p))

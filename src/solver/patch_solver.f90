@@ -80,7 +80,8 @@ contains
             if (last%nx == grid%nx .and. last%ny == grid%ny .and. (last%is_half .eqv. grid%is_half) .and. &
                 all(abs([last%hx - grid%hx, last%hy - grid%hy]) <= 0)) return
          end associate
-         call patch%problem%init(grid, problem%conditions, problem%rheology)
+         call patch%problem%lay_out(grid, problem%conditions)
+         call patch%problem%take_oil(problem)
          call self%newton%init_levels(self%patch)
       end associate
    end subroutine make_room
