@@ -3,10 +3,12 @@ module ehlwave_first_guess
    use ehlwave_equations, only: equations_t
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp
+   use ehlwave_known_waves, only: known_waves_t
+   use ehlwave_last_period, only: last_period_t
    use ehlwave_state, only: state_t
    implicit none (type, external)
    private
-   public :: carried_share, extrapolate
+   public :: carried_share, carry_on, extrapolate, look_up
 
    !> Solutions that the first guess is made from.
    type, public :: past_t
@@ -71,5 +73,39 @@ contains
                        + past%earliest%delta - known(3)
       end associate
    end subroutine extrapolate
+
+   !> First guess of the first steps from known waves: the solution before and what these change. Extrapolation would amplify the
+   !> errors of the waves.
+   subroutine carry_on(past, waves, t, dt, state)
+      type(past_t), intent(in) :: past
+      type(known_waves_t), intent(in) :: waves
+      real(dp), intent(in) :: t, dt               !! of the step
+      type(state_t), intent(inout) :: state
+      state = past%before
+      call state%add(waves%state_at(t), 1.0_dp)
+      call state%add(waves%state_at(t - dt), -1.0_dp)
+      call waves%limit(state)
+   end subroutine carry_on
+
+   !> Let `past` know the solutions a period before T = t and the three steps before that.
+   subroutine look_up(period, t, dt, past)
+      type(last_period_t), intent(in) :: period   !! in which they are known
+      real(dp), intent(in) :: t, dt               !! of the step
+      type(past_t), intent(inout) :: past
+      logical :: is_new
+      integer :: n
+
+      is_new = .not. allocated(past%known_p)
+      if (is_new) allocate (past%known_p(0:ubound(past%steady%p, 1), 0:ubound(past%steady%p, 2), 0:3))
+      do n = 3, 1, -1
+         if (is_new) then
+            call period%look_up(t - n*dt, past%known_p(:, :, n), past%known_delta(n))
+         else
+            past%known_p(:, :, n) = past%known_p(:, :, n - 1)
+            past%known_delta(n) = past%known_delta(n - 1)
+         end if
+      end do
+      call period%look_up(t, past%known_p(:, :, 0), past%known_delta(0))
+   end subroutine look_up
 
 end module ehlwave_first_guess

@@ -7,12 +7,13 @@ module ehlwave_periodic_state
    use ehlwave_kinds, only: dp
    use ehlwave_known_waves, only: known_waves_t
    use ehlwave_lagrange, only: lagrange_weights
+   use ehlwave_march_settings, only: march_settings_t
    use ehlwave_monitor, only: go_on, monitor_t
    use ehlwave_rescue, only: rescue_t
    use ehlwave_solve_report, only: solve_limits_t, solve_report_t
    use ehlwave_state, only: state_t
    use ehlwave_status, only: status_converged
-   use ehlwave_time_march, only: march_result_t, march_settings_t, march_t
+   use ehlwave_time_march, only: march_result_t, march_t
    use ehlwave_waviness, only: waviness_t
    implicit none (type, external)
    private
@@ -162,8 +163,8 @@ contains
       associate (march => self%march, result => self%march%result, grid => multigrid%levels(l)%problem%grid)
          call march%begin(multigrid%levels(:l), settings, march%rescue)
          call march%start_in(multigrid%levels(l), waves, start)
-         self%repeats = march%repeat_time(grid)
-         lag = self%repeats*settings%steps_per_cell/(settings%cells_per_step*grid%hx)
+         self%repeats = settings%repeat_time(grid)
+         lag = self%repeats/settings%time_step(grid)
          row = minloc(abs(grid%y), 1) - 1
          allocate (films(0:grid%nx, 0:ceiling(lag) + 3))
          films(:, 0) = multigrid%levels(l)%state%h(:, row)

@@ -2,7 +2,7 @@
 module ehlwave_time_march
    use ehlwave_clock, only: wall_seconds
    use ehlwave_contact_problem, only: contact_problem_t
-   use ehlwave_first_guess, only: carried_share, extrapolate, past_t
+   use ehlwave_first_guess, only: carried_share, carry_on, extrapolate, look_up, past_t
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_given, only: given_t
    use ehlwave_grid, only: grid_t
@@ -11,13 +11,13 @@ module ehlwave_time_march
    use ehlwave_known_waves, only: known_waves_t
    use ehlwave_last_period, only: last_period_t
    use ehlwave_load_balance, only: equation_of_motion, force_balance
+   use ehlwave_march_settings, only: march_settings_t
    use ehlwave_monitor, only: go_on, monitor_t, stop_now
    use ehlwave_rescue, only: rescue_t
    use ehlwave_solve_report, only: solve_limits_t
    use ehlwave_state, only: state_t
    use ehlwave_status, only: status_converged
    use ehlwave_transport, only: characteristic_transport
-   use ehlwave_waviness, only: waviness_t
    implicit none (type, external)
    private
 
@@ -25,21 +25,7 @@ module ehlwave_time_march
    !> solution to the next.
    integer, parameter, public :: steps_per_stretch = 32
 
-   integer, parameter :: most_periods = 4              !! after which a solution is taken to repeat
-   real(dp), parameter :: many_steps = 24              !! of a period: six points interpolate 1e-5 of a wave between them
-   real(dp), parameter :: whole = 1e-3_dp              !! of a step
    integer, parameter :: young = 3   !! steps in which the solutions before are not yet all solutions
-
-   !> What is marched and how.
-   type, public :: march_settings_t
-      type(waviness_t) :: waviness
-      real(dp) :: amplitude = 0                !! Ai in units of c
-      integer :: steps = 0                     !! number of time steps
-      integer :: cells_per_step = 1            !! dT = hX cells_per_step/steps_per_cell, one of them 1
-      integer :: steps_per_cell = 1
-      real(dp) :: natural_frequency = 0        !! Omega of the equation of motion; 0: force balance
-      real(dp) :: force = 1                    !! load from T > 0 on, over that of the steady state
-   end type march_settings_t
 
    !> History of the contact centre and the account of the march.
    type, public :: march_result_t
@@ -74,7 +60,6 @@ module ehlwave_time_march
       procedure :: restore
       procedure :: advance
       procedure :: take_step
-      procedure :: repeat_time
    end type march_t
 
    !> Asked to stop, a march goes on to the end of its stretch if that takes no longer.
@@ -100,7 +85,7 @@ contains
          problem%transport = characteristic_transport(grid, settings%cells_per_step, settings%steps_per_cell)
          problem%load = force_balance(1.0_dp)
          if (settings%natural_frequency > 0) &
-            problem%load = equation_of_motion(1.0_dp, settings%natural_frequency, time_step(self, grid))
+            problem%load = equation_of_motion(1.0_dp, settings%natural_frequency, self%settings%time_step(grid))
          if (allocated(self%history)) deallocate (self%history)
          allocate (self%history(0:grid%nx, 0:grid%ny, problem%transport%history_length()))
          do n = 1, size(self%history, 3)
@@ -132,11 +117,11 @@ contains
       self%start = t
       self%waves = waves
       associate (grid => level%problem%grid)
-         call self%period%begin(self%repeat_time(grid), time_step(self, grid), grid%nx, grid%ny)
+         call self%period%begin(self%settings%repeat_time(grid), self%settings%time_step(grid), grid%nx, grid%ny)
       end associate
       associate (problem => level%problem, history => self%history)
          do n = 0, ubound(states, 1)
-            states(n) = waves%state_at(t - n*time_step(self, problem%grid))
+            states(n) = waves%state_at(t - n*self%settings%time_step(problem%grid))
             if (n >= 1 .and. n <= size(history, 3)) history(:, :, n) = problem%rheology%density(states(n)%p)*states(n)%h
          end do
          self%approach = states(1:3)%delta
@@ -185,15 +170,16 @@ contains
       class(march_t), intent(inout) :: self
       type(full_multigrid_t), intent(inout) :: multigrid
       type(solve_limits_t), intent(in) :: limits
-      real(dp) :: t, work_before
+      real(dp) :: dt, t, work_before
 
       associate (level => multigrid%levels(self%l), settings => self%settings)
-         t = self%start + (self%result%steps + 1)*time_step(self, level%problem%grid)
+         dt = settings%time_step(level%problem%grid)
+         t = self%start + (self%result%steps + 1)*dt
          call pose_step(self, level%problem, t)
          if (allocated(self%waves) .and. self%result%steps < young) then
-            call carry_on(self, level, t)
+            call carry_on(self%past, self%waves, t, dt, level%state)
          else if (settings%steps_per_cell == 1) then
-            if (self%period%is_known()) call look_up(self, t, time_step(self, level%problem%grid))
+            if (self%period%is_known()) call look_up(self%period, t, dt, self%past)
             call extrapolate(settings%cells_per_step, self%share, self%past, level%state)
          end if
          work_before = multigrid%work()
@@ -205,39 +191,6 @@ contains
          if (allocated(self%waves) .and. self%l == size(multigrid%levels)) call self%period%keep(t, level%state)
       end associate
    end subroutine take_step
-
-   !> First guess of the first steps from known waves: the solution before and what these change. Extrapolation would amplify the
-   !> errors of the waves.
-   subroutine carry_on(self, level, t)
-      class(march_t), intent(in) :: self
-      type(level_t), intent(inout) :: level
-      real(dp), intent(in) :: t
-      level%state = self%past%before
-      call level%state%add(self%waves%state_at(t), 1.0_dp)
-      call level%state%add(self%waves%state_at(t - time_step(self, level%problem%grid)), -1.0_dp)
-      call self%waves%limit(level%state)
-   end subroutine carry_on
-
-   !> Let `past` know the solutions a period before t and the three steps before that.
-   subroutine look_up(self, t, dt)
-      class(march_t), intent(inout) :: self
-      real(dp), intent(in) :: t, dt
-      logical :: is_new
-      integer :: n
-
-      associate (past => self%past)
-         is_new = .not. allocated(past%known_p)
-         if (is_new) allocate (past%known_p(0:ubound(self%share, 1), 0:ubound(self%share, 2), 0:3))
-         do n = 3, 0, -1
-            if (is_new .or. n == 0) then
-               call self%period%look_up(t - n*dt, past%known_p(:, :, n), past%known_delta(n))
-            else
-               past%known_p(:, :, n) = past%known_p(:, :, n - 1)
-               past%known_delta(n) = past%known_delta(n - 1)
-            end if
-         end do
-      end associate
-   end subroutine look_up
 
    !> Make a problem that of the step to time t.
    subroutine pose_step(self, problem, t)
@@ -297,26 +250,6 @@ contains
          self%approach = [state%delta, self%approach(1:2)]
       end associate
    end subroutine note
-
-   !> After what time a periodic solution repeats at a step of the march, or nearly so: of some periods the multiple that is nearest to
-   !> whole steps; a period that has many is interpolated between them as well.
-   pure real(dp) function repeat_time(self, grid)
-      class(march_t), intent(in) :: self
-      type(grid_t), intent(in) :: grid       !! that is marched
-      real(dp) :: steps(most_periods)
-      integer :: n
-
-      steps = self%settings%waviness%period()/time_step(self, grid)*[(n, n=1, most_periods)]
-      n = 1
-      if (steps(1) < many_steps) n = minloc(nint(abs(steps - nint(steps))/whole), 1)
-      repeat_time = n*self%settings%waviness%period()
-   end function repeat_time
-
-   pure real(dp) function time_step(self, grid)
-      class(march_t), intent(in) :: self
-      type(grid_t), intent(in) :: grid
-      time_step = grid%hx*self%settings%cells_per_step/self%settings%steps_per_cell
-   end function time_step
 
    !> One time step and its account.
    subroutine solve_step(self, multigrid, limits)

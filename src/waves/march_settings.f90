@@ -1,0 +1,49 @@
+!> What is marched in time and how.
+module ehlwave_march_settings
+   use ehlwave_grid, only: grid_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_waviness, only: waviness_t
+   implicit none (type, external)
+   private
+
+   type, public :: march_settings_t
+      type(waviness_t) :: waviness
+      real(dp) :: amplitude = 0                !! Ai in units of c
+      integer :: steps = 0                     !! number of time steps
+      integer :: cells_per_step = 1            !! dT = hX cells_per_step/steps_per_cell, one of them 1
+      integer :: steps_per_cell = 1
+      real(dp) :: natural_frequency = 0        !! Omega of the equation of motion; 0: force balance
+      real(dp) :: force = 1                    !! load from T > 0 on, over that of the steady state
+   contains
+      procedure :: time_step
+      procedure :: repeat_time
+   end type march_settings_t
+
+   integer, parameter :: most_periods = 4              !! after which a solution is taken to repeat
+   real(dp), parameter :: many_steps = 24              !! of a period: six points interpolate 1e-5 of a wave between them
+   real(dp), parameter :: whole = 1e-3_dp              !! of a step
+
+contains
+
+   !> dT on a grid.
+   pure real(dp) function time_step(self, grid)
+      class(march_settings_t), intent(in) :: self
+      type(grid_t), intent(in) :: grid
+      time_step = grid%hx*self%cells_per_step/self%steps_per_cell
+   end function time_step
+
+   !> After what time a periodic solution repeats at a step of the march, or nearly so: of some periods the multiple that is nearest to
+   !> whole steps; a period that has many is interpolated between them as well.
+   pure real(dp) function repeat_time(self, grid)
+      class(march_settings_t), intent(in) :: self
+      type(grid_t), intent(in) :: grid       !! that is marched
+      real(dp) :: steps(most_periods)
+      integer :: n
+
+      steps = self%waviness%period()/self%time_step(grid)*[(n, n=1, most_periods)]
+      n = 1
+      if (steps(1) < many_steps) n = minloc(nint(abs(steps - nint(steps))/whole), 1)
+      repeat_time = n*self%waviness%period()
+   end function repeat_time
+
+end module ehlwave_march_settings
