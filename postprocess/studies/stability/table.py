@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from studies import sweeps
-from studies.stability.outcome import CONVERGED, FAILED, OUTCOMES, Row
+from studies.stability.outcome import CONVERGED, FAILED, OUTCOMES, UNRESOLVED, Row
 
 _INPUTS = {
     "load_parameter_m": "",
@@ -27,7 +27,6 @@ _INPUTS = {
 _RESULTS = (
     "cells_x",
     "cells_y",
-    "is_resolved",
     "status",
     "rung",
     "rescued_solutions",
@@ -48,22 +47,27 @@ _RESULTS = (
 def write_table(path: Path, rows: Sequence[Row]) -> None:
     """Write one line per case: its inputs, its outcome, its effort and what is wrong with it.
 
-    Of messages what stands before the advice.
+    Inputs that are as usual are left empty, and so are messages of cases that converged; of others
+    what stands before the advice.
     """
     lines = (
         {
             "family": row.case.family,
             "variant": row.case.variant,
-            **{key: row.case.value(key, usual) for key, usual in _INPUTS.items()},
+            **{key: _unusual(row.case.value(key, usual), usual) for key, usual in _INPUTS.items()},
             "outcome": row.outcome,
             **{name: row.result.get(name, "") for name in _RESULTS},
             "seconds": row.seconds,
-            "message": row.message.split(": ")[0],
+            "message": "" if row.outcome in (CONVERGED, UNRESOLVED) else row.message.split(": ")[0],
             "faults": "; ".join(row.faults),
         }
         for row in rows
     )
     sweeps.write_rows(path, lines, digits=6)
+
+
+def _unusual(value: float | str, usual: float | str) -> float | str:
+    return "" if value == usual else value
 
 
 def summary(rows: Sequence[Row]) -> str:
