@@ -10,8 +10,8 @@ from pathlib import Path
 
 from ehlwave.atlas import load_atlas
 from ehlwave.atlas.atlas import shipped
-from ehlwave.atlas.kinds import KINDS, LINE
-from studies.atlas import line_design
+from ehlwave.atlas.kinds import KINDS, LINE, SLIDING, Kind
+from studies.atlas import line_design, sliding_batches
 from studies.atlas.design import DESIGNS, write_batch, write_rises, write_validation
 from studies.atlas.fit import finished
 from studies.atlas.points import read_points
@@ -39,14 +39,7 @@ def _do(options: argparse.Namespace) -> None:
     atlas = options.atlas or shipped(kind)
     batches = sorted(folder.glob(f"{kind.name}-[0-9][0-9].h5"))
     if step == "batch":
-        known = None
-        if options.batch >= FIRST_BATCHES[kind.name]:
-            write_atlas(finished(read_points(batches, kind=kind)), atlas)
-            known = load_atlas(atlas)
-        if kind is LINE:
-            print(line_design.write_batch(folder, options.batch, known))
-        else:
-            print(write_batch(folder, options.batch, DESIGNS[kind.name], known))
+        print(_next_batch(folder, options.batch, kind, batches, atlas))
     elif step == "rises":
         print(write_rises(folder, read_points(batches)))
     elif step == "fit":
@@ -62,6 +55,25 @@ def _do(options: argparse.Namespace) -> None:
     else:
         computed = read_points([folder / f"{kind.name}-validation.h5"], kind=kind)
         print(judge(load_atlas(atlas), computed).text())
+
+
+def _next_batch(folder: Path, batch: int, kind: Kind, batches: Sequence[Path], atlas: Path) -> Path:
+    """Write the sweep of a batch, fitting the atlas to those before where it is chosen by that."""
+    if kind is SLIDING and batch >= sliding_batches.FIRST:
+        count, known = sliding_batches.known_before(batch), None
+        if count is not None:
+            before = folder / f"sliding-before-{count}.nc"
+            if not before.is_file():
+                write_atlas(finished(read_points(batches[:count], kind=kind)), before)
+            known = load_atlas(before)
+        return sliding_batches.write_batch(folder, batch, known)
+    known = None
+    if batch >= FIRST_BATCHES[kind.name]:
+        write_atlas(finished(read_points(batches, kind=kind)), atlas)
+        known = load_atlas(atlas)
+    if kind is LINE:
+        return line_design.write_batch(folder, batch, known)
+    return write_batch(folder, batch, DESIGNS[kind.name], known)
 
 
 if __name__ == "__main__":

@@ -129,14 +129,16 @@ def slender_contacts(seed: int, count: int = CONTACTS) -> list[dict[str, float]]
     return [contact_at(shares.tolist(), ranges) for shares in sequence.random(count)]
 
 
-def worst_contacts(atlas: Atlas, seed: int, count: int = CONTACTS) -> list[dict[str, float]]:
+def worst_contacts(
+    atlas: Atlas, seed: int, count: int = CONTACTS, of: int = CANDIDATES
+) -> list[dict[str, float]]:
     """Return contacts where the atlas knows least: of many, those with the largest error bars.
 
     One that was taken makes its neighbours less wanted, by its correlation with them.
     """
     ranges = atlas.kind.ranges
     sequence = qmc.Sobol(len(ranges), seed=seed)
-    candidates = [contact_at(shares.tolist(), ranges) for shares in sequence.random(CANDIDATES)]
+    candidates = [contact_at(shares.tolist(), ranges) for shares in sequence.random(of)]
     waves, angles = np.meshgrid([0.15, 0.4, 1.0, 2.5], [0.0, 40.0, 90.0])
     errors = [np.mean(atlas.at(one).responses(waves, angles).error ** 2) for one in candidates]
     places = atlas.kind.coordinates(
