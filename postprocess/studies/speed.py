@@ -35,6 +35,9 @@ class Row:
 METHODS: dict[str, dict[str, str]] = {"newton": {}, "fas": {"cycle": "v"}}
 """What is compared, with the keys of ``&solver`` that a march is meant to be used with."""
 
+COARSE, FINE = 256, 1024
+"""Cells along X and Y."""
+
 UNITS = "work_units", "counted_work_units"
 """A plain convolution of the case's grid: timed beside the case, and its operations."""
 
@@ -66,6 +69,11 @@ def number(answer: Answer, name: str) -> float:
     return float("nan") if value is None else float(value)
 
 
+def operations(cells: int) -> float:
+    """Return the operations of one work unit, but for a factor."""
+    return cells**2 * math.log2((2 * cells) ** 2)
+
+
 def measure(run: Callable[[Groups], Answer], repeats: int) -> list[Row]:
     """Run everything by `run`, each case `repeats` times, and take the fastest."""
 
@@ -74,11 +82,11 @@ def measure(run: Callable[[Groups], Answer], repeats: int) -> list[Row]:
 
     rows = []
     for name, march_keys in METHODS.items():
-        steady = fastest(case_groups(256, name))
-        exact = run(case_groups(256, name, tolerance=1e-10))
-        fine = fastest(case_groups(1024, name))
-        march = fastest(case_groups(256, name, WAVES, **march_keys))
-        tight = run(case_groups(256, name, WAVES, step_tolerance=1e-6))
+        steady = fastest(case_groups(COARSE, name))
+        exact = run(case_groups(COARSE, name, tolerance=1e-10))
+        fine = fastest(case_groups(FINE, name))
+        march = fastest(case_groups(COARSE, name, WAVES, **march_keys))
+        tight = run(case_groups(COARSE, name, WAVES, step_tolerance=1e-6))
         film, ratio = "central_film", "amplitude_ratio_fit"
         film_error = abs(number(steady, film) / number(exact, film) - 1)
         ratio_error = abs(number(march, ratio) / number(tight, ratio) - 1)
@@ -86,21 +94,27 @@ def measure(run: Callable[[Groups], Answer], repeats: int) -> list[Row]:
         of_steps = [number(march, unit) - before for unit, before in zip(UNITS, work, strict=True)]
         of_step = [of_all / number(march, "time_steps") for of_all in of_steps]
         growth = number(fine, "seconds") / number(steady, "seconds")
+        of_units = operations(FINE) / operations(COARSE)
+        counted_growth = number(fine, UNITS[1]) / work[1] * of_units
         film_errors = film_error, number(steady, "central_film_error")
         ratio_errors = ratio_error, number(march, "amplitude_ratio_error")
-        step = "one time step, 257 x 257"
+        step, over = "one time step, 257 x 257", "steady state, 1025 x 1025 over 257 x 257"
         rows += [
-            Row("steady state, 257 x 257", name, "WU", work[0], 300, 120, work[1], *film_errors),
-            Row(step, name, "WU", of_step[0], 40, 15, of_step[1], *ratio_errors),
+            Row("steady state, 257 x 257", name, "WU", work[0], 90, 60, work[1], *film_errors),
+            Row(step, name, "WU", of_step[0], 22, 15, of_step[1], *ratio_errors),
             Row("whole transient", name, "s", number(march, "seconds"), 20, 6),
-            Row("steady state, 1025 x 1025 over 257 x 257", name, "times", growth, 25, 18),
+            Row(over, name, "times", growth, 18, 16, counted_growth),
             Row("memory, 1025 x 1025", name, "MiB", number(fine, "peak_memory_mib"), 2048, 1024),
         ]
         if name == "newton":
-            response = fastest(case_groups(256, name, {**WAVES, "response": "harmonic"}))
+            response = fastest(case_groups(COARSE, name, {**WAVES, "response": "harmonic"}))
             timed = number(response, "harmonic_work_units")
             counted = number(response, "harmonic_counted_work_units")
-            rows.append(Row("linear response, 257 x 257", name, "WU", timed, 120, 60, counted))
+            rows.append(Row("linear response, 257 x 257", name, "WU", timed, 60, 40, counted))
+            state = fastest(case_groups(COARSE, name, {**WAVES, "response": "periodic"}))
+            work = [number(state, unit) for unit in UNITS]
+            errors = abs(number(state, ratio) / number(tight, ratio) - 1), ratio_errors[1]
+            rows.append(Row("periodic state", name, "WU", work[0], 2500, 1000, work[1], *errors))
     return rows
 
 
