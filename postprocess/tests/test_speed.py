@@ -33,13 +33,16 @@ def answer(groups: Groups) -> speed.Answer:
 def test_figures() -> None:
     """Differences and ratios are taken between the right runs."""
     rows = {(row.method, row.work): row for row in speed.measure(answer, 2)}
-    assert len(rows) == 5 * len(speed.METHODS) + 1
+    assert len(rows) == 5 * len(speed.METHODS) + 2
     step = rows["newton", "one time step, 257 x 257"]
     assert step.figure == pytest.approx(10.0)
     assert step.counted == pytest.approx(10.0)
     assert step.algebraic_error == pytest.approx(2e-3)
     assert rows["fas", "steady state, 257 x 257"].algebraic_error == pytest.approx(1e-3)
-    assert rows["fas", "steady state, 1025 x 1025 over 257 x 257"].figure == pytest.approx(20.0)
+    growth = rows["fas", "steady state, 1025 x 1025 over 257 x 257"]
+    assert growth.figure == pytest.approx(20.0)
+    assert growth.counted == pytest.approx(16 * 22 / 18)
+    assert rows["newton", "periodic state"].algebraic_error == pytest.approx(2e-3)
     response = rows["newton", "linear response, 257 x 257"]
     assert (response.figure, response.counted) == (pytest.approx(70.0), 60.0)
     assert rows["newton", "memory, 1025 x 1025"].figure == pytest.approx(400.0)

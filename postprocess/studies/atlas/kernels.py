@@ -8,7 +8,7 @@ from ehlwave.atlas.process import Correlation
 
 Floats = NDArray[np.float64]
 
-CENTRES = 600
+CENTRES = 1000
 """Points about which there are kernels."""
 
 REACH = 5.0
