@@ -5,6 +5,7 @@ module ehlwave_first_guess
    use ehlwave_kinds, only: dp
    use ehlwave_known_waves, only: known_waves_t
    use ehlwave_last_period, only: last_period_t
+   use ehlwave_neighbour_range, only: held, neighbour_range
    use ehlwave_state, only: state_t
    implicit none (type, external)
    private
@@ -18,7 +19,6 @@ module ehlwave_first_guess
    end type past_t
 
    real(dp), parameter :: spread_weight = 1000   !! measured: fewest Newton steps between 100 and 10^4
-   real(dp), parameter :: guess_margin = 0.02_dp !! measured: the same between 0.005 and 0.05
 
 contains
 
@@ -36,43 +36,51 @@ contains
 
    !> First guess: P0, which is the solution a period before or else the steady state, and what solutions differ from it, p = P - P0,
    !> extrapolated. Where the film is carried along, along the characteristic: 3 p(i-m, k-1) - 3 p(i-2m, k-2) + p(i-3m, k-3);
-   !> elsewhere in time at fixed X: 3 p(k-1) - 3 p(k-2) + p(k-3); in between, by share. The latter stays within the range of the
-   !> neighbours at the step before and a small margin: the steep end of the pressure moves by less than a cell in one step, and
-   !> an extrapolation across it would be off by half the Hertz pressure.
+   !> elsewhere in time at fixed X: 3 p(k-1) - 3 p(k-2) + p(k-3); in between, by share. The latter stays in the range of the
+   !> neighbours at the step before.
    pure subroutine extrapolate(m, share, past, state)
       integer, intent(in) :: m                       !! cells that a feature travels in one step
       real(dp), intent(in) :: share(0:, 0:)          !! (0:nx, 0:ny)
       type(past_t), intent(in) :: past
       type(state_t), intent(inout) :: state
-      real(dp), dimension(0:ubound(share, 1), 0:ubound(share, 2), 0:3) :: p0
-      real(dp), dimension(0:ubound(share, 1), 0:ubound(share, 2)) :: d1, d2, d3
-      real(dp) :: moved, still
-      integer :: i, j
 
       if (allocated(past%known_p)) then
-         p0 = past%known_p
+         associate (known => past%known_p)
+            call extrapolate_about(m, share, past, known(:, :, 0), known(:, :, 1), known(:, :, 2), known(:, :, 3), state%p)
+         end associate
       else
-         p0 = spread(past%steady%p, 3, 4)
+         associate (p0 => past%steady%p)
+            call extrapolate_about(m, share, past, p0, p0, p0, p0, state%p)
+         end associate
       end if
-      d1 = past%before%p - p0(:, :, 1)
-      d2 = past%earlier%p - p0(:, :, 2)
-      d3 = past%earliest%p - p0(:, :, 3)
-      do j = 0, ubound(state%p, 2)
-         do i = 0, ubound(state%p, 1) - 1
-            still = p0(i, j, 0) + 3*(d1(i, j) - d2(i, j)) + d3(i, j)
-            moved = still
-            if (i > 3*m) moved = p0(i, j, 0) + 3*(d1(i - m, j) - d2(i - 2*m, j)) + d3(i - 3*m, j)
-            associate (near => past%before%p(max(i - 1, 0):i + 1, max(j - 1, 0):min(j + 1, ubound(share, 2))))
-               still = min(max(still, minval(near) - guess_margin), maxval(near) + guess_margin)
-            end associate
-            state%p(i, j) = max(0.0_dp, share(i, j)*moved + (1 - share(i, j))*still)
-         end do
-      end do
       associate (known => past%known_delta)
          state%delta = known(0) + 3*((past%before%delta - known(1)) - (past%earlier%delta - known(2))) &
                        + past%earliest%delta - known(3)
       end associate
    end subroutine extrapolate
+
+   !> The pressure of `extrapolate`, by P0 at T, T - dT, T - 2 dT and T - 3 dT.
+   pure subroutine extrapolate_about(m, share, past, now, then1, then2, then3, p)
+      integer, intent(in) :: m
+      real(dp), dimension(0:, 0:), intent(in) :: share, now, then1, then2, then3   !! (0:nx, 0:ny)
+      type(past_t), intent(in) :: past
+      real(dp), intent(inout) :: p(0:, 0:)
+      real(dp) :: moved, still
+      integer :: i, j
+
+      associate (p1 => past%before%p, p2 => past%earlier%p, p3 => past%earliest%p)
+         do j = 0, ubound(p, 2)
+            do i = 0, ubound(p, 1) - 1
+               still = now(i, j) + 3*((p1(i, j) - then1(i, j)) - (p2(i, j) - then2(i, j))) + (p3(i, j) - then3(i, j))
+               moved = still
+               if (i > 3*m) moved = now(i, j) + 3*((p1(i - m, j) - then1(i - m, j)) - (p2(i - 2*m, j) - then2(i - 2*m, j))) &
+                                    + (p3(i - 3*m, j) - then3(i - 3*m, j))
+               still = held(still, neighbour_range(p1, i, j))
+               p(i, j) = max(0.0_dp, share(i, j)*moved + (1 - share(i, j))*still)
+            end do
+         end do
+      end associate
+   end subroutine extrapolate_about
 
    !> First guess of the first steps from known waves: the solution before and what these change. Extrapolation would amplify the
    !> errors of the waves.

@@ -5,7 +5,9 @@ module ehlwave_known_waves
    use ehlwave_harmonic_response, only: harmonic_response_t, harmonic_solver_t
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp, pi
+   use ehlwave_lagrange, only: lagrange_weights
    use ehlwave_mean_film, only: find_mean_change, mean_change_t
+   use ehlwave_neighbour_range, only: held, neighbour_range
    use ehlwave_real_transfer, only: interpolate
    use ehlwave_second_harmonic, only: find_second_harmonic
    use ehlwave_state, only: new_state, state_t
@@ -41,7 +43,6 @@ module ehlwave_known_waves
 
    real(dp), parameter :: thinnest = 0.1_dp   !! of the smooth film, where waves would leave less
    real(dp), parameter :: steep = 0.15_dp     !! change of P between neighbours where the smooth pressure ends
-   real(dp), parameter :: margin = 0.02_dp    !! of P there beyond its neighbours
 
 contains
 
@@ -84,13 +85,12 @@ contains
       class(known_waves_t), intent(in) :: self
       real(dp), intent(in) :: t
       type(state_t) :: state
-      real(dp) :: s, weights(3)
+      real(dp) :: weights(3)
       integer :: m
 
       state = self%to_second_order(t)
       if (self%has_rest) then
-         s = (self%rest_time - t)/self%rest_step      ! steps back
-         weights = [0.5_dp*(s - 1)*(s - 2), -s*(s - 2), 0.5_dp*s*(s - 1)]
+         weights = lagrange_weights(size(weights), (self%rest_time - t)/self%rest_step)
          do m = 1, 3
             call state%add(self%rest(m), weights(m))
          end do
@@ -98,21 +98,17 @@ contains
       call self%limit(state)
    end function state_at
 
-   !> Limit a state near these waves to what can be. The steep end of the pressure moves by less than a cell, which no expansion in A
-   !> holds: there P stays in the range of its smooth neighbours.
+   !> Limit a state near these waves to what can be: where the smooth pressure ends, P stays in the range of its smooth neighbours.
    pure subroutine limit(self, state)
       class(known_waves_t), intent(in) :: self
       type(state_t), intent(inout) :: state
-      real(dp) :: high, low
+      real(dp) :: range(2)
       integer :: i, j
 
       do j = 0, ubound(state%p, 2)
          do i = 1, ubound(state%p, 1) - 1
-            associate (near => self%smooth%p(i - 1:i + 1, max(j - 1, 0):min(j + 1, ubound(state%p, 2))))
-               low = minval(near)
-               high = maxval(near)
-            end associate
-            if (high - low > steep) state%p(i, j) = min(max(state%p(i, j), low - margin), high + margin)
+            range = neighbour_range(self%smooth%p, i, j)
+            if (range(2) - range(1) > steep) state%p(i, j) = held(state%p(i, j), range)
          end do
       end do
       state%p = max(state%p, 0.0_dp)
