@@ -10,6 +10,7 @@ from pathlib import Path
 from ehlwave.errors import ResultsError
 from studies.programs import Groups, solve
 from studies.sweeps import run_command, write_rows
+from studies.work_unit import convolutions
 
 CONTACT = {"load_parameter_m": 100, "lubricant_parameter_l": 12.05, "radius_ratio_d": 1}
 WAVES = {"orientation": "transverse", "wavelength_over_a": 0.5}
@@ -69,11 +70,6 @@ def number(answer: Answer, name: str) -> float:
     return float("nan") if value is None else float(value)
 
 
-def operations(cells: int) -> float:
-    """Return the operations of one work unit, but for a factor."""
-    return cells**2 * math.log2((2 * cells) ** 2)
-
-
 def measure(run: Callable[[Groups], Answer], repeats: int) -> list[Row]:
     """Run everything by `run`, each case `repeats` times, and take the fastest."""
 
@@ -94,7 +90,7 @@ def measure(run: Callable[[Groups], Answer], repeats: int) -> list[Row]:
         of_steps = [number(march, unit) - before for unit, before in zip(UNITS, work, strict=True)]
         of_step = [of_all / number(march, "time_steps") for of_all in of_steps]
         growth = number(fine, "seconds") / number(steady, "seconds")
-        of_units = operations(FINE) / operations(COARSE)
+        of_units = float(convolutions(FINE) / convolutions(COARSE))
         counted_growth = number(fine, UNITS[1]) / work[1] * of_units
         film_errors = film_error, number(steady, "central_film_error")
         ratio_errors = ratio_error, number(march, "amplitude_ratio_error")

@@ -8,11 +8,11 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from ehlwave.atlas import load_atlas
+from ehlwave.atlas import Atlas, load_atlas
 from ehlwave.atlas.atlas import shipped
 from ehlwave.atlas.kinds import KINDS, LINE, SLIDING, Kind
 from studies.atlas import line_design, sliding_batches
-from studies.atlas.design import DESIGNS, write_batch, write_rises, write_validation
+from studies.atlas.design import DESIGNS, write_batch, write_chosen, write_rises, write_validation
 from studies.atlas.fit import finished
 from studies.atlas.points import read_points
 from studies.atlas.store import write_atlas
@@ -59,21 +59,27 @@ def _do(options: argparse.Namespace) -> None:
 
 def _next_batch(folder: Path, batch: int, kind: Kind, batches: Sequence[Path], atlas: Path) -> Path:
     """Write the sweep of a batch, fitting the atlas to those before where it is chosen by that."""
-    if kind is SLIDING and batch >= sliding_batches.FIRST:
-        count, known = sliding_batches.known_before(batch), None
-        if count is not None:
-            before = folder / f"sliding-before-{count}.nc"
-            if not before.is_file():
-                write_atlas(finished(read_points(batches[:count], kind=kind)), before)
-            known = load_atlas(before)
-        return sliding_batches.write_batch(folder, batch, known)
     known = None
+    if kind is SLIDING and batch >= sliding_batches.FIRST:
+        if not sliding_batches.fills(batch):
+            count = sliding_batches.block_start(batch)
+            before = folder / f"sliding-before-{count}.nc"
+            known = (
+                load_atlas(before) if before.is_file() else _fitted(batches[:count], kind, before)
+            )
+        chosen = sliding_batches.chosen_contacts(batch, known)
+        return write_chosen(folder, batch, DESIGNS[kind.name], chosen)
     if batch >= FIRST_BATCHES[kind.name]:
-        write_atlas(finished(read_points(batches, kind=kind)), atlas)
-        known = load_atlas(atlas)
+        known = _fitted(batches, kind, atlas)
     if kind is LINE:
         return line_design.write_batch(folder, batch, known)
     return write_batch(folder, batch, DESIGNS[kind.name], known)
+
+
+def _fitted(batches: Sequence[Path], kind: Kind, atlas: Path) -> Atlas:
+    """Fit the atlas to some batches, and write it."""
+    write_atlas(finished(read_points(batches, kind=kind)), atlas)
+    return load_atlas(atlas)
 
 
 if __name__ == "__main__":

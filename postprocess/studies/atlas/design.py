@@ -197,7 +197,6 @@ def write_batch(
     Of all contacts without an atlas, of those that it wants most with one; of rolling ones, in turn
     with slender ones from the batch ``SLENDER_BATCH`` on.
     """
-    random = np.random.default_rng([batch, design.seed])
     is_rolling, later = design.kind is ROLLING, batch - SLENDER_BATCH
     if is_rolling and later >= 0 and later % 2 == 0:
         chosen = slender_contacts(4000 + batch)
@@ -205,6 +204,14 @@ def write_batch(
         chosen = contacts(design, batch)
     else:
         chosen = worst_contacts(atlas, design.seed + 1000 + batch)
+    return write_chosen(folder, batch, design, chosen)
+
+
+def write_chosen(
+    folder: Path, batch: int, design: Design, chosen: Sequence[dict[str, float]]
+) -> Path:
+    """Write the sweep of a batch of some contacts; return its path."""
+    random = np.random.default_rng([batch, design.seed])
     name = f"{design.kind.name}-{batch:02d}"
     return sweeps.write_sweep(folder, name, rows(design, chosen, random), design.groups)
 

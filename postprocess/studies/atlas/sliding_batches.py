@@ -5,13 +5,8 @@ in blocks: half of a block fills the ranges, half goes where the atlas of the ba
 block is worst, all chosen at once, since a fit takes as long as several batches.
 """
 
-from pathlib import Path
-
-import numpy as np
-
 from ehlwave.atlas import Atlas
-from studies import sweeps
-from studies.atlas.design import CONTACTS, SLIDING_DESIGN, contacts, rows, worst_contacts
+from studies.atlas.design import CONTACTS, SLIDING_DESIGN, contacts, worst_contacts
 
 FIRST = 14
 """The first batch of the first block."""
@@ -23,23 +18,21 @@ CANDIDATES = 4096
 """Contacts of which those of a block are chosen."""
 
 
-def known_before(batch: int) -> int | None:
-    """Return how many batches have to be known before one is chosen; None if none has."""
-    return None if (batch - FIRST) % 2 == 0 else batch - (batch - FIRST) % BLOCK
+def fills(batch: int) -> bool:
+    """Return whether a batch from FIRST on fills the ranges, with no atlas."""
+    return (batch - FIRST) % 2 == 0
 
 
-def write_batch(folder: Path, batch: int, atlas: Atlas | None) -> Path:
-    """Write the sweep of a batch from FIRST on, the odd ones by the atlas of those before."""
-    random = np.random.default_rng([batch, SLIDING_DESIGN.seed])
+def block_start(batch: int) -> int:
+    """Return the first batch of the block of a batch from FIRST on."""
+    return batch - (batch - FIRST) % BLOCK
+
+
+def chosen_contacts(batch: int, atlas: Atlas | None) -> list[dict[str, float]]:
+    """Return the contacts of a batch from FIRST on, by the atlas of those before its block."""
     if atlas is None:
-        chosen = contacts(SLIDING_DESIGN, batch)
-    else:
-        start, share = batch - (batch - FIRST) % BLOCK, BLOCK // 2
-        wanted = worst_contacts(
-            atlas, SLIDING_DESIGN.seed + 1000 + start, share * CONTACTS, CANDIDATES
-        )
-        chosen = wanted[(batch - start) // 2 :: share]
-    name = f"sliding-{batch:02d}"
-    return sweeps.write_sweep(
-        folder, name, rows(SLIDING_DESIGN, chosen, random), SLIDING_DESIGN.groups
-    )
+        return contacts(SLIDING_DESIGN, batch)
+    start, shares = block_start(batch), BLOCK // 2
+    seed = SLIDING_DESIGN.seed + 1000 + start
+    wanted = worst_contacts(atlas, seed, shares * CONTACTS, CANDIDATES)
+    return wanted[(batch - start) // 2 :: shares]

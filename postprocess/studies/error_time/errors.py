@@ -4,11 +4,11 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import fields
 
-import numpy as np
 import pandas as pd
 
 from studies.error_time.runs import Contact, Run
 from studies.error_time.table import KEYS
+from studies.work_unit import convolutions
 
 FILMS = ("central_film", "minimum_film")
 RATIO = "amplitude_ratio_fit"
@@ -80,15 +80,6 @@ def error_rows(table: pd.DataFrame) -> pd.DataFrame:
         }
         parts.append(some[[*KEYS, "status"]].assign(**columns))
     return pd.concat(parts)
-
-
-def convolutions(cells: pd.Series) -> pd.Series:
-    """Return the work unit of grids of as many cells along each side in those of 256 by 256 cells.
-
-    A unit is one zero-padded convolution by FFT, counted as n log n (src/run/work_unit.f90).
-    """
-    unit = (2 * cells) ** 2 * np.log2((2.0 * cells) ** 2)
-    return unit / (512**2 * math.log2(512**2))
 
 
 def _algebraic_error(rows: pd.DataFrame, quantity: str) -> pd.Series:
