@@ -1,9 +1,18 @@
-!> Wall clock, time stamps and peak memory of the process.
+!> Wall clock, time stamps, rest and peak memory of the process.
 module ehlwave_clock
+   use, intrinsic :: iso_c_binding, only: c_int
    use ehlwave_kinds, only: dp, i8
    implicit none (type, external)
    private
-   public :: wall_seconds, time_stamp, peak_memory_mib
+   public :: wall_seconds, time_stamp, rest_for, peak_memory_mib
+
+   interface
+      integer(c_int) function usleep(microseconds) bind(c)
+         import :: c_int
+         implicit none (type, external)
+         integer(c_int), value :: microseconds
+      end function usleep
+   end interface
 
 contains
 
@@ -24,6 +33,13 @@ contains
       call date_and_time(date, time, zone)
       stamp = date(1:4)//'-'//date(5:6)//'-'//date(7:8)//'T'//time(1:2)//':'//time(3:4)//':'//time(5:6)//zone
    end function time_stamp
+
+   !> Leave the processor to others; a signal ends it early.
+   subroutine rest_for(seconds)
+      real(dp), intent(in) :: seconds   !! at most 1
+      integer :: status
+      status = usleep(nint(1e6_dp*max(0.0_dp, seconds)))
+   end subroutine rest_for
 
    !> Largest resident memory of this process so far, MiB; 0 where the system does not tell.
    function peak_memory_mib() result(mib)

@@ -1,7 +1,7 @@
 !> One run of a sweep from its store to its results file, on all ranks.
 module ehlwave_sweep_job
    use ehlwave_case_work, only: case_procedure, case_watch_t
-   use ehlwave_clock, only: wall_seconds
+   use ehlwave_clock, only: rest_for, wall_seconds
    use ehlwave_errors, only: error_t
    use ehlwave_kinds, only: dp
    use ehlwave_scheduler, only: follow, run_sweep
@@ -10,11 +10,13 @@ module ehlwave_sweep_job
    use ehlwave_sweep_leader, only: exit_bad_input, exit_done, job_options_t, job_t
    use ehlwave_terminal, only: complain
    use mpi_f08, only: mpi_allreduce, mpi_bcast, mpi_byte, mpi_character, mpi_comm, mpi_comm_rank, mpi_comm_size, &
-      mpi_get_library_version, mpi_get_processor_name, mpi_integer, mpi_logical, mpi_lor, &
-      mpi_max_library_version_string, mpi_max_processor_name
+      mpi_get_library_version, mpi_get_processor_name, mpi_ibarrier, mpi_integer, mpi_logical, mpi_lor, &
+      mpi_max_library_version_string, mpi_max_processor_name, mpi_request, mpi_status_ignore, mpi_test
    implicit none (type, external)
    private
    public :: mpi_library, run_job
+
+   real(dp), parameter :: between_looks_s = 0.01_dp
 
 contains
 
@@ -56,7 +58,23 @@ contains
       job%is_store_broken = is_anywhere(comm, job%is_store_broken .or. allocated(error))
       code = exit_done
       if (rank == 0) call job%conclude(code)
+      call wait_for_all(comm)
    end subroutine run_job
+
+   !> Wait until every rank is here, without the processor: who waits in MPI itself takes it from rank 0, which writes the results, where
+   !> ranks share cores.
+   subroutine wait_for_all(comm)
+      type(mpi_comm), intent(in) :: comm
+      type(mpi_request) :: request
+      logical :: is_done
+
+      call mpi_ibarrier(comm, request)
+      do
+         call mpi_test(request, is_done, mpi_status_ignore)
+         if (is_done) return
+         call rest_for(between_looks_s)
+      end do
+   end subroutine wait_for_all
 
    subroutine describe_process(rank, store)
       integer, intent(in) :: rank

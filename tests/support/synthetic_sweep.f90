@@ -1,12 +1,11 @@
 !> Cases that only take time.
 module synthetic_case
-   use, intrinsic :: iso_c_binding, only: c_int
    use ehlwave_case_account, only: blank_result
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_text, only: case_identity
-   use ehlwave_clock, only: wall_seconds
+   use ehlwave_clock, only: rest_for, wall_seconds
    use ehlwave_kinds, only: dp, i8, pi
    use ehlwave_march_keeper, only: march_keeper_t
    use ehlwave_monitor, only: monitor_t
@@ -19,14 +18,6 @@ module synthetic_case
    real(dp), parameter :: spread = 0.5_dp, slice_s = 0.02_dp
    real(dp), public :: mean_s = 0, mean_cost = 1   !! mean time of a case, mean cost of a plan
    real(dp), public :: in_cases = 0                !! time that this rank spent in cases
-
-   interface
-      integer(c_int) function usleep(microseconds) bind(c)
-         import :: c_int
-         implicit none (type, external)
-         integer(c_int), value :: microseconds
-      end function usleep
-   end interface
 
 contains
 
@@ -41,7 +32,6 @@ contains
       real(dp) :: begin, normal, uniform(2), wanted
       integer(i8) :: bits
       character(len=16) :: identity
-      integer :: status
 
       begin = wall_seconds()
       identity = case_identity(case)
@@ -51,7 +41,7 @@ contains
       wanted = mean_s*plan%cost/mean_cost*exp(spread*normal - 0.5_dp*spread**2)
       result = blank_result(case, plan)
       do while (wanted > wall_seconds() - begin)
-         status = usleep(int(1e6_dp*min(slice_s, max(0.0_dp, wanted - (wall_seconds() - begin)))))
+         call rest_for(min(slice_s, wanted - (wall_seconds() - begin)))
          call monitor%step_done('sleep', 1, 1)
       end do
       result%status = status_converged
