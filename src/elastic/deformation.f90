@@ -10,6 +10,7 @@ module ehlwave_deformation
    contains
       procedure(init_deformation), deferred :: init
       procedure(apply_deformation), deferred :: apply
+      procedure :: apply_single
    end type deformation_t
 
    abstract interface
@@ -32,5 +33,15 @@ module ehlwave_deformation
          real(dp), intent(out) :: d(0:, 0:)   !! deformation, (0:nx, 0:ny)
       end subroutine apply_deformation
    end interface
+
+contains
+
+   !> The same, of a change that need not be exact: in single precision where there is one.
+   subroutine apply_single(self, p, d)
+      class(deformation_t), intent(inout) :: self
+      real(dp), intent(in) :: p(0:, 0:)
+      real(dp), intent(out) :: d(0:, 0:)
+      call self%apply(p, d)
+   end subroutine apply_single
 
 end module ehlwave_deformation

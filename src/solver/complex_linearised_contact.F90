@@ -24,20 +24,24 @@ module ehlwave_complex_linearised_contact
 
    !> Deformation under a change of pressure, real and imaginary part one after the other. A field without imaginary part
    !> (w = 0) costs one convolution, any other two.
-   subroutine deform(level, q, d)
+   subroutine deform(level, q, d, is_exact)
       type(linear_level_t), intent(inout) :: level
       complex(dp), intent(in) :: q(0:, 0:)
       complex(dp), intent(out) :: d(0:, 0:)
-      real(dp), allocatable :: part(:, :), film(:, :)
+      logical, intent(in) :: is_exact
 
-      allocate (part(0:ubound(q, 1), 0:ubound(q, 2)), film(0:ubound(q, 1), 0:ubound(q, 2)))
-      part = real(q, dp)
-      call level%deformation%apply(part, film)
-      d = film
-      part = aimag(q)
-      if (.not. any(abs(part) > 0)) return
-      call level%deformation%apply(part, film)
-      d = d + cmplx(0, film, dp)
+      d = deformation_of(real(q, dp))
+      if (any(abs(aimag(q)) > 0)) d = d + cmplx(0, deformation_of(aimag(q)), dp)
+   contains
+      function deformation_of(part) result(film)
+         real(dp), intent(in) :: part(0:, 0:)
+         real(dp) :: film(0:ubound(part, 1), 0:ubound(part, 2))
+         if (is_exact) then
+            call level%deformation%apply(part, film)
+         else
+            call level%deformation%apply_single(part, film)
+         end if
+      end function deformation_of
    end subroutine deform
 
 end module ehlwave_complex_linearised_contact

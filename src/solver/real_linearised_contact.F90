@@ -38,11 +38,16 @@ module ehlwave_real_linearised_contact
    end subroutine set_wedge
 
    !> Deformation under a change of pressure.
-   subroutine deform(level, q, d)
+   subroutine deform(level, q, d, is_exact)
       type(linear_level_t), intent(inout) :: level
       real(dp), intent(in) :: q(0:, 0:)
       real(dp), intent(out) :: d(0:, 0:)
-      call level%deformation%apply(q, d)
+      logical, intent(in) :: is_exact
+      if (is_exact) then
+         call level%deformation%apply(q, d)
+      else
+         call level%deformation%apply_single(q, d)
+      end if
    end subroutine deform
 
 end module ehlwave_real_linearised_contact

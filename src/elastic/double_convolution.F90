@@ -1,0 +1,19 @@
+#define KIND dp
+#define PLAN_MANY fftw_plan_many_dft
+#define EXECUTE fftw_execute_dft
+#define DESTROY fftw_destroy_plan
+#define ALLOCATE_COMPLEX fftw_alloc_complex
+#define FREE fftw_free
+!> Convolution of a field on a grid with an even kernel by FFT in double precision.
+module ehlwave_double_convolution
+   use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_double_complex, c_f_pointer, c_int, &
+      c_int32_t, c_intptr_t, c_char, c_float, c_float_complex, c_funptr, c_null_ptr, c_ptr, c_size_t
+   use ehlwave_grid, only: grid_t
+   use ehlwave_kinds, only: dp
+   implicit none (type, external)
+   private
+
+   include 'fftw3.f03'
+#include "convolution.inc"
+
+end module ehlwave_double_convolution

@@ -1,0 +1,19 @@
+#define KIND sp
+#define PLAN_MANY fftwf_plan_many_dft
+#define EXECUTE fftwf_execute_dft
+#define DESTROY fftwf_destroy_plan
+#define ALLOCATE_COMPLEX fftwf_alloc_complex
+#define FREE fftwf_free
+!> Convolution of a field on a grid with an even kernel by FFT in single precision.
+module ehlwave_single_convolution
+   use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_double_complex, c_f_pointer, c_int, &
+      c_int32_t, c_intptr_t, c_char, c_float, c_float_complex, c_funptr, c_null_ptr, c_ptr, c_size_t
+   use ehlwave_grid, only: grid_t
+   use ehlwave_kinds, only: dp, sp
+   implicit none (type, external)
+   private
+
+   include 'fftw3.f03'
+#include "convolution.inc"
+
+end module ehlwave_single_convolution
