@@ -108,7 +108,7 @@ contains
       call choose_grid(copy, plan%conditions, plan%waviness, plan%cells_x, plan%cells_y, plan%grid_reason)
       plan%hx = (plan%x_max - plan%x_min)/plan%cells_x
       if (.not. plan%conditions%is_line()) plan%hy = 2*plan%y_max/plan%cells_y
-      plan%deformation = chosen_deformation(case%deformation, plan%cells_x, plan%cells_y, kappa)
+      plan%deformation = chosen_deformation(case%deformation, plan%cells_x, plan%cells_y, plan%is_half, kappa)
 
       plan%is_periodic = plan%waviness%moves() .and. case%response == 'periodic'
       plan%responds = plan%waviness%is_present .and. (case%response == 'harmonic' .or. case%response == 'both')

@@ -58,7 +58,8 @@ contains
       grid = finest
       do l = n, 1, -1
          associate (level => self%levels(l))
-            if (chosen_deformation(deformation, grid%nx, grid%ny*merge(2, 1, grid%is_half), conditions%elliptic%kappa) == 'mlmi') &
+            if (chosen_deformation(deformation, grid%nx, grid%ny*merge(2, 1, grid%is_half), grid%is_half, &
+                                   conditions%elliptic%kappa) == 'mlmi') &
                allocate (deformation_mlmi_t :: level%problem%deformation)
             call level%problem%init(grid, conditions, rheology)
             level%state = new_state(grid)
