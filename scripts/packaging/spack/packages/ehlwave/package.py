@@ -43,6 +43,8 @@ class Ehlwave(CMakePackage, PythonExtension):
         depends_on("py-pandas@2.0:")
         depends_on("py-f90nml@1.4:")
 
+    depends_on("python@3.10:", type="test", when="~python")   # ehlwave-accept
+
     conflicts("+petsc", when="~mpi", msg="PETSc brings MPI along")
     requires("%gcc@11:", msg="built and tested with gfortran 11 and newer")
     generator("ninja")
@@ -53,10 +55,17 @@ class Ehlwave(CMakePackage, PythonExtension):
             self.define_from_variant("EHLWAVE_PETSC", "petsc"),
             self.define_from_variant("EHLWAVE_NATIVE", "native"),
             self.define("EHLWAVE_TESTS", self.run_tests),
+            self.define("HDF5_PREFER_PARALLEL", self.spec.satisfies("^hdf5+mpi")),   # where both are, as in Debian, take that one
         ]
         if self.spec.satisfies("+python"):
             args.append(self.define("EHLWAVE_INSTALL_PYTHONDIR", os.path.relpath(python_purelib, self.prefix)))
         return args
+
+    def check(self):
+        """The unit tests, then `accept`: seconds. The others are for developers: they start mpirun, want Python packages
+        at build time, may fetch some into the source, and take for granted what a packager may choose."""
+        with working_dir(self.build_directory):
+            ctest("--label-regex", "^unit$", "--output-on-failure")
 
     @run_after("install")
     @on_package_attributes(run_tests=True)
