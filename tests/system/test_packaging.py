@@ -67,7 +67,7 @@ class Packaging(unittest.TestCase):
         places = {"CITATION.cff": r"^version: (\S+)", "postprocess/pyproject.toml": r'^version = "(.*)"',
                   "scripts/packaging/wheel/pyproject.toml": r'^version = "(.*)"',
                   "scripts/packaging/conda/recipe.yaml": r"^  version: (\d\S+)",
-                  "scripts/packaging/spack/packages/ehlwave/package.py": r'^    version\("(.*)"\)'}
+                  "scripts/packaging/spack/packages/ehlwave/package.py": r'^    version\("([^"]*)"'}
         for path, pattern in places.items():
             self.assertEqual(re.search(pattern, (ROOT/path).read_text(), re.MULTILINE)[1], VERSION, path)
 

@@ -1,7 +1,9 @@
 # Of a Spack repository of its own:
 #     spack repo add EHLWAVE/scripts/packaging/spack
 #     spack dev-build --source-path EHLWAVE ehlwave@0.1.0          or, of a variant:  ehlwave@0.1.0 +petsc
-# dev-build takes the source from a checkout or an unpacked release; where releases have an address, give it as `url`.
+# dev-build takes the source from a checkout or an unpacked release. For `spack install` give an archive's address (file:// too)
+# and its SHA-256:  url = "..."  and  version("0.1.0", sha256="...");  a mirror without them will not do.
+# --test=root runs the unit tests and ehlwave-accept.
 import os
 
 from spack.package import *
