@@ -98,7 +98,8 @@ class Packaging(unittest.TestCase):
         instance.define_from_variant = lambda name, variant: f"-D{name}={variants.intersection([variant]).pop()}"
         instance.spec = types.SimpleNamespace(satisfies=lambda _: False)
         self.assertEqual(instance.cmake_args(), ["-DEHLWAVE_MPI=mpi", "-DEHLWAVE_PETSC=petsc", "-DEHLWAVE_NATIVE=native",
-                                                 "-DEHLWAVE_TESTS=False", "-DHDF5_PREFER_PARALLEL=False"])
+                                                 "-DEHLWAVE_TESTS=False", "-DCMAKE_REQUIRE_FIND_PACKAGE_PETSc=False",
+                                                 "-DHDF5_PREFER_PARALLEL=False"])
         # Spack names a folder by its whole path, the installation by that below its prefix.
         instance.spec.satisfies = lambda _: True
         instance.prefix = "/opt/ehlwave"

@@ -57,6 +57,7 @@ class Ehlwave(CMakePackage, PythonExtension):
             self.define_from_variant("EHLWAVE_PETSC", "petsc"),
             self.define_from_variant("EHLWAVE_NATIVE", "native"),
             self.define("EHLWAVE_TESTS", self.run_tests),
+            self.define("CMAKE_REQUIRE_FIND_PACKAGE_PETSc", self.spec.satisfies("+petsc")),
             self.define("HDF5_PREFER_PARALLEL", self.spec.satisfies("^hdf5+mpi")),   # where both are, as in Debian, take that one
         ]
         if self.spec.satisfies("+python"):
