@@ -130,13 +130,14 @@ contains
       case%cells_x = 512
       case%cells_y = 512
       plan = plan_of(case)
-      call test%check(plan%deformation == 'mlmi', 'half of a large domain: MLMI')
+      call test%check(plan%deformation == 'fft', 'half of a large domain: FFT')
+      case%radius_ratio_d = 0.04_dp
+      plan = plan_of(case)
+      call test%check(plan%deformation == 'mlmi', 'of a slender contact: MLMI')
       case%domain = 'whole'
       plan = plan_of(case)
       call test%check(plan%deformation == 'fft', 'whole domain: FFT')
-      case%radius_ratio_d = 0.04_dp
-      plan = plan_of(case)
-      call test%check(plan%deformation == 'mlmi', 'whole domain of a slender contact: MLMI')
+      case%domain = 'auto'
       case%deformation = 'fft'
       plan = plan_of(case)
       call test%check(plan%deformation == 'fft', 'as asked')

@@ -172,6 +172,10 @@ contains
       end do
       call test%check_close(reshape(v, [size(v)]), reshape(direct, [size(v)]), 'FFT against summation', &
                             absolute=1e-13_dp*maxval(abs(direct)))
+      call deformation%apply_single(p, v)
+      call test%check_close(reshape(v, [size(v)]), reshape(direct, [size(v)]), 'FFT in single precision against summation', &
+                            absolute=1e-6_dp*maxval(abs(direct)))
+      call test%check(any(abs(v - direct) > 1e-10_dp*maxval(abs(direct))), 'it is of single precision')
    end subroutine compare_with_sum
 
    subroutine compare_half(cells_x, cells_y, kappa)
