@@ -16,7 +16,7 @@ module ehlwave_messages
       mpi_isend, mpi_probe, mpi_recv, mpi_request, mpi_request_null, mpi_send, mpi_status, mpi_status_ignore, mpi_wait
    implicit none (type, external)
    private
-   public :: is_waiting, next_message, receive_case, receive_outcome, receive_word, send_outcome, send_word
+   public :: is_waiting, next_message, receive_case, receive_outcome, receive_word, send_word
 
    integer, parameter, public :: no_case = 0
    integer, parameter, public :: ask = 1, stop_work = 2   !! words: messages without anything in them
@@ -39,6 +39,19 @@ module ehlwave_messages
       procedure :: send_case
       procedure :: wait => wait_for_all
    end type outbox_t
+
+   !> Any other rank: outcomes on their way. MPI_Send would do until rank 0 looks at its messages, between two cases of its own, for a
+   !> message of more than 256 bytes (Open MPI 4.1). Places as in `outbox_t`.
+   type, public :: outcomes_t
+      type(mpi_comm), private :: comm
+      type(outcome_t), allocatable, private :: outcomes(:)
+      type(mpi_request), allocatable, private :: requests(:)
+      integer, private :: place = 0                           ! of the last
+   contains
+      procedure :: init => outcomes_init
+      procedure :: send => send_outcome
+      procedure :: wait => wait_for_outcomes
+   end type outcomes_t
 
 contains
 
@@ -143,12 +156,34 @@ contains
       end if
    end subroutine receive_case
 
-   !> Tell rank 0 what a case came to.
-   subroutine send_outcome(comm, outcome)
+   subroutine outcomes_init(self, comm, unanswered)
+      class(outcomes_t), intent(out) :: self
       type(mpi_comm), intent(in) :: comm
+      integer, intent(in) :: unanswered   !! requests that this rank has at most
+      self%comm = comm
+      allocate (self%outcomes(unanswered))
+      allocate (self%requests(unanswered), source=mpi_request_null)
+   end subroutine outcomes_init
+
+   !> Tell rank 0 what a case came to. Returns at once.
+   subroutine send_outcome(self, outcome)
+      class(outcomes_t), intent(inout), target :: self
       type(outcome_t), intent(in) :: outcome
-      call mpi_send(outcome, storage_size(outcome)/8, mpi_byte, 0, tag_outcome, comm)
+      self%place = modulo(self%place, size(self%outcomes)) + 1
+      call mpi_wait(self%requests(self%place), mpi_status_ignore)
+      self%outcomes(self%place) = outcome
+      call mpi_isend(self%outcomes(self%place), storage_size(outcome)/8, mpi_byte, 0, tag_outcome, self%comm, &
+                     self%requests(self%place))
    end subroutine send_outcome
+
+   !> Wait until all outcomes are received.
+   subroutine wait_for_outcomes(self)
+      class(outcomes_t), intent(inout) :: self
+      integer :: i
+      do i = 1, size(self%requests)
+         call mpi_wait(self%requests(i), mpi_status_ignore)
+      end do
+   end subroutine wait_for_outcomes
 
    subroutine receive_outcome(comm, rank, outcome)
       type(mpi_comm), intent(in) :: comm
