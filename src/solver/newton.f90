@@ -144,7 +144,7 @@ contains
 
       n = size(levels)
       associate (linear => self%linear, nx => levels(n)%problem%grid%nx, ny => levels(n)%problem%grid%ny)
-         call linear%borrow(levels)
+         call linear%borrow(levels, in_single=.true.)
          call linear%start(n)
          linear%inertia = given%load%inertia
          linear%levels(n)%equations%given = given

@@ -51,7 +51,7 @@ def version(function, *leading, count=3, outputs=ctypes.c_uint):
 
 def libraries(program):
     """Versions as the libraries themselves give them."""
-    fftw = ctypes.string_at(ctypes.addressof(ctypes.c_char.in_dll(loaded(program, r"libfftw3\."), "fftw_version"))).decode()
+    fftw = ctypes.string_at(ctypes.addressof(ctypes.c_char.in_dll(loaded(program, "libfftw3(?!f)"), "fftw_version"))).decode()
     found = ["FFTW " + fftw.split("-")[1], "HDF5 " + version(loaded(program, r"libhdf5").H5get_libversion),
              os.confstr("CS_GNU_LIBC_VERSION")]
     petsc = BUILD/"lib"/"libehlwave_petsc.so"
