@@ -22,7 +22,7 @@ from studies.programs import MPI_ENVIRONMENT, mpi_command
 
 CASES_FOR_SERVICE = 20_000
 RANKS_FOR_SERVICE = 16
-"""So many that the cases of rank 0 itself, which it plans and stores as the others do theirs, are few."""
+"""So many that the cases rank 0 computes itself, and plans and stores as others do, are few."""
 SPREAD = 0.5
 """Standard deviation of ln(time of a case/expected time); synthetic_sweep draws the same."""
 

@@ -25,6 +25,7 @@ RESCUED = {"sweep": {**LONG["sweep"], "wavelength_over_a": 1}, "waviness": {"amp
            "solver": {"tolerance": 1e-4, "step_tolerance": 1e-5, "largest_steps": 4}}
 # 216 time steps, long enough to be killed in
 SLOW = {**LONG, "grid": {"cells_x": 192, "cells_y": 96}}
+SLOWER = {**LONG, "grid": {"cells_x": 384, "cells_y": 384}}   # far from done when all is said of it
 UNFINISHED = 85
 
 
@@ -226,15 +227,15 @@ class SweepResume(unittest.TestCase):
             self.assertIn("1 left", self.sweep(SLOW, "--status", output + ".h5", status=UNFINISHED))
 
     def test_two_jobs_on_one_store(self):
-        (self.folder/"sweep.nml").write_text(namelist(SLOW))
+        (self.folder/"sweep.nml").write_text(namelist(SLOWER))
         process = self.start()
         self.wait_for(lambda: count_records(self.store(), "start") == 1)
-        self.assertIn("in use by another job", self.sweep(SLOW, status=2))
-        self.assertIn("in use by another job", self.sweep(SLOW, "--overwrite", status=2, ranks=2))
-        self.assertIn("a job is at work", self.sweep(SLOW, "--status", "sweep.nml", status=UNFINISHED))
+        self.assertIn("in use by another job", self.sweep(SLOWER, status=2))
+        self.assertIn("in use by another job", self.sweep(SLOWER, "--overwrite", status=2, ranks=2))
+        self.assertIn("a job is at work", self.sweep(SLOWER, "--status", "sweep.nml", status=UNFINISHED))
         process.kill()
         process.communicate()
-        self.assertIn("no job is at work", self.sweep(SLOW, "--status", "results.store", status=UNFINISHED))
+        self.assertIn("no job is at work", self.sweep(SLOWER, "--status", "results.store", status=UNFINISHED))
 
     def test_case_that_kills_its_rank_twice_is_set_aside(self):
         rows = ["load_parameter_m,lubricant_parameter_l,radius_ratio_d,orientation,wavelength_over_a,cells_x,cells_y",
