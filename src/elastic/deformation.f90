@@ -11,6 +11,7 @@ module ehlwave_deformation
       procedure(init_deformation), deferred :: init
       procedure(apply_deformation), deferred :: apply
       procedure :: apply_single
+      procedure :: deform
    end type deformation_t
 
    abstract interface
@@ -43,5 +44,18 @@ contains
       real(dp), intent(out) :: d(0:, 0:)
       call self%apply(p, d)
    end subroutine apply_single
+
+   !> The one or the other.
+   subroutine deform(self, p, d, in_single)
+      class(deformation_t), intent(inout) :: self
+      real(dp), intent(in) :: p(0:, 0:)
+      real(dp), intent(out) :: d(0:, 0:)
+      logical, intent(in) :: in_single
+      if (in_single) then
+         call self%apply_single(p, d)
+      else
+         call self%apply(p, d)
+      end if
+   end subroutine deform
 
 end module ehlwave_deformation

@@ -24,24 +24,21 @@ module ehlwave_complex_linearised_contact
 
    !> Deformation under a change of pressure, real and imaginary part one after the other. A field without imaginary part
    !> (w = 0) costs one convolution, any other two.
-   subroutine deform(level, q, d, is_exact)
+   subroutine deform(level, q, d, in_single)
       type(linear_level_t), intent(inout) :: level
       complex(dp), intent(in) :: q(0:, 0:)
       complex(dp), intent(out) :: d(0:, 0:)
-      logical, intent(in) :: is_exact
+      logical, intent(in) :: in_single
+      real(dp), allocatable :: part(:, :), film(:, :)
 
-      d = deformation_of(real(q, dp))
-      if (any(abs(aimag(q)) > 0)) d = d + cmplx(0, deformation_of(aimag(q)), dp)
-   contains
-      function deformation_of(part) result(film)
-         real(dp), intent(in) :: part(0:, 0:)
-         real(dp) :: film(0:ubound(part, 1), 0:ubound(part, 2))
-         if (is_exact) then
-            call level%deformation%apply(part, film)
-         else
-            call level%deformation%apply_single(part, film)
-         end if
-      end function deformation_of
+      allocate (part(0:ubound(q, 1), 0:ubound(q, 2)), film(0:ubound(q, 1), 0:ubound(q, 2)))
+      part = real(q, dp)
+      call level%deformation%deform(part, film, in_single)
+      d = film
+      part = aimag(q)
+      if (.not. any(abs(part) > 0)) return
+      call level%deformation%deform(part, film, in_single)
+      d = d + cmplx(0, film, dp)
    end subroutine deform
 
 end module ehlwave_complex_linearised_contact

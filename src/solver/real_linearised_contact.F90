@@ -38,16 +38,12 @@ module ehlwave_real_linearised_contact
    end subroutine set_wedge
 
    !> Deformation under a change of pressure.
-   subroutine deform(level, q, d, is_exact)
+   subroutine deform(level, q, d, in_single)
       type(linear_level_t), intent(inout) :: level
       real(dp), intent(in) :: q(0:, 0:)
       real(dp), intent(out) :: d(0:, 0:)
-      logical, intent(in) :: is_exact
-      if (is_exact) then
-         call level%deformation%apply(q, d)
-      else
-         call level%deformation%apply_single(q, d)
-      end if
+      logical, intent(in) :: in_single
+      call level%deformation%deform(q, d, in_single)
    end subroutine deform
 
 end module ehlwave_real_linearised_contact

@@ -12,7 +12,7 @@ module ehlwave_messages
    use ehlwave_case_text, only: effective_input
    use ehlwave_errors, only: error_t, raise
    use ehlwave_text, only: to_text
-   use mpi_f08, only: mpi_any_source, mpi_any_tag, mpi_byte, mpi_character, mpi_comm, mpi_get_count, mpi_iprobe, &
+   use mpi_f08, only: mpi_any_source, mpi_any_tag, mpi_character, mpi_comm, mpi_get_count, mpi_iprobe, &
       mpi_isend, mpi_probe, mpi_recv, mpi_request, mpi_request_null, mpi_send, mpi_status, mpi_status_ignore, mpi_wait
    implicit none (type, external)
    private
@@ -28,30 +28,21 @@ module ehlwave_messages
       type(mpi_request) :: request = mpi_request_null
    end type letter_t
 
-   !> Rank 0: answers on their way, which stay where they are until they are received. A rank that has at most n unanswered
-   !> requests has received its last answer but n when it asks again, so that n places are enough for each.
+   !> Messages on their way, which stay where they are until they are received: answers of rank 0, outcomes of another rank. A rank that has
+   !> at most n unanswered requests has received its last answer but n when it asks again, and rank 0 the outcomes before that, so
+   !> that n places are enough for each receiver. (MPI_Send of more than 256 bytes waits, in Open MPI 4.1, until the receiver
+   !> looks at its messages: rank 0 does that between two cases of its own.)
    type, public :: outbox_t
       type(mpi_comm), private :: comm
-      type(letter_t), allocatable, private :: letters(:, :)   ! (n, ranks - 1)
-      integer, allocatable, private :: place(:)               ! (ranks - 1) of the last answer
+      type(letter_t), allocatable, private :: letters(:, :)   ! (n, receivers)
+      integer, allocatable, private :: place(:)               ! (receivers) of the last letter
    contains
       procedure :: init => outbox_init
       procedure :: send_case
+      procedure :: send_outcome
       procedure :: wait => wait_for_all
+      procedure, private :: post
    end type outbox_t
-
-   !> Any other rank: outcomes on their way. MPI_Send would do until rank 0 looks at its messages, between two cases of its own, for a
-   !> message of more than 256 bytes (Open MPI 4.1). Places as in `outbox_t`.
-   type, public :: outcomes_t
-      type(mpi_comm), private :: comm
-      type(outcome_t), allocatable, private :: outcomes(:)
-      type(mpi_request), allocatable, private :: requests(:)
-      integer, private :: place = 0                           ! of the last
-   contains
-      procedure :: init => outcomes_init
-      procedure :: send => send_outcome
-      procedure :: wait => wait_for_outcomes
-   end type outcomes_t
 
 contains
 
@@ -91,37 +82,57 @@ contains
       call mpi_recv(nothing, 0, mpi_character, rank, word, comm, mpi_status_ignore)
    end subroutine receive_word
 
-   subroutine outbox_init(self, comm, ranks, unanswered)
+   subroutine outbox_init(self, comm, first, last, unanswered)
       class(outbox_t), intent(out) :: self
       type(mpi_comm), intent(in) :: comm
-      integer, intent(in) :: ranks        !! besides rank 0
-      integer, intent(in) :: unanswered   !! requests that a rank has at most
+      integer, intent(in) :: first, last   !! receivers: the ranks from first to last
+      integer, intent(in) :: unanswered    !! requests that a rank has at most
       self%comm = comm
-      allocate (self%letters(unanswered, ranks))
-      allocate (self%place(ranks), source=0)
+      allocate (self%letters(unanswered, first:last))
+      allocate (self%place(first:last), source=0)
    end subroutine outbox_init
 
-   !> Answer a request. Returns at once.
+   !> Rank 0: answer a request. Returns at once.
    subroutine send_case(self, rank, number, case)
-      class(outbox_t), intent(inout), target :: self
+      class(outbox_t), intent(inout) :: self
       integer, intent(in) :: rank, number
       type(case_t), intent(in), optional :: case   !! absent: there is none
+      character(len=:), allocatable :: text
+
+      text = repeat(' ', number_digits)
+      write (text, '(i12)') number
+      if (present(case)) text = text//merge('T', 'F', case%fields)//effective_input(case)
+      call self%post(rank, tag_case, text)
+   end subroutine send_case
+
+   !> Tell rank 0 what a case came to. Returns at once.
+   subroutine send_outcome(self, outcome)
+      class(outbox_t), intent(inout) :: self
+      type(outcome_t), intent(in) :: outcome
+      character(len=storage_size(outcome)/8) :: text
+      text = transfer(outcome, text)
+      call self%post(0, tag_outcome, text)
+   end subroutine send_outcome
+
+   !> Send a text when the letter in its place has been received.
+   subroutine post(self, rank, tag, text)
+      class(outbox_t), intent(inout), target :: self
+      integer, intent(in) :: rank, tag
+      character(len=*), intent(in) :: text
       type(letter_t), pointer :: letter
 
       self%place(rank) = modulo(self%place(rank), size(self%letters, 1)) + 1
       letter => self%letters(self%place(rank), rank)
       call mpi_wait(letter%request, mpi_status_ignore)
-      letter%text = repeat(' ', number_digits)
-      write (letter%text, '(i12)') number
-      if (present(case)) letter%text = letter%text//merge('T', 'F', case%fields)//effective_input(case)
-      call mpi_isend(letter%text, len(letter%text), mpi_character, rank, tag_case, self%comm, letter%request)
-   end subroutine send_case
+      letter%text = text
+      call mpi_isend(letter%text, len(letter%text), mpi_character, rank, tag, self%comm, letter%request)
+   end subroutine post
 
-   !> Wait until all answers are received.
+   !> Wait until all letters are received.
    subroutine wait_for_all(self)
       class(outbox_t), intent(inout) :: self
       integer :: i, rank
-      do rank = 1, size(self%letters, 2)
+      do rank = lbound(self%letters, 2), ubound(self%letters, 2)
          do i = 1, size(self%letters, 1)
             call mpi_wait(self%letters(i, rank)%request, mpi_status_ignore)
          end do
@@ -156,40 +167,13 @@ contains
       end if
    end subroutine receive_case
 
-   subroutine outcomes_init(self, comm, unanswered)
-      class(outcomes_t), intent(out) :: self
-      type(mpi_comm), intent(in) :: comm
-      integer, intent(in) :: unanswered   !! requests that this rank has at most
-      self%comm = comm
-      allocate (self%outcomes(unanswered))
-      allocate (self%requests(unanswered), source=mpi_request_null)
-   end subroutine outcomes_init
-
-   !> Tell rank 0 what a case came to. Returns at once.
-   subroutine send_outcome(self, outcome)
-      class(outcomes_t), intent(inout), target :: self
-      type(outcome_t), intent(in) :: outcome
-      self%place = modulo(self%place, size(self%outcomes)) + 1
-      call mpi_wait(self%requests(self%place), mpi_status_ignore)
-      self%outcomes(self%place) = outcome
-      call mpi_isend(self%outcomes(self%place), storage_size(outcome)/8, mpi_byte, 0, tag_outcome, self%comm, &
-                     self%requests(self%place))
-   end subroutine send_outcome
-
-   !> Wait until all outcomes are received.
-   subroutine wait_for_outcomes(self)
-      class(outcomes_t), intent(inout) :: self
-      integer :: i
-      do i = 1, size(self%requests)
-         call mpi_wait(self%requests(i), mpi_status_ignore)
-      end do
-   end subroutine wait_for_outcomes
-
    subroutine receive_outcome(comm, rank, outcome)
       type(mpi_comm), intent(in) :: comm
       integer, intent(in) :: rank
       type(outcome_t), intent(out) :: outcome
-      call mpi_recv(outcome, storage_size(outcome)/8, mpi_byte, rank, tag_outcome, comm, mpi_status_ignore)
+      character(len=storage_size(outcome)/8) :: text
+      call mpi_recv(text, len(text), mpi_character, rank, tag_outcome, comm, mpi_status_ignore)
+      outcome = transfer(text, outcome)
    end subroutine receive_outcome
 
 end module ehlwave_messages

@@ -10,8 +10,8 @@ module ehlwave_scheduler
    use ehlwave_case_text, only: effective_input
    use ehlwave_case_work, only: case_procedure, case_watch_t, work_on_case
    use ehlwave_errors, only: error_t
-   use ehlwave_messages, only: ask, is_waiting, next_message, no_case, outbox_t, outcomes_t, receive_case, &
-      receive_outcome, receive_word, send_word, stop_work
+   use ehlwave_messages, only: ask, is_waiting, next_message, no_case, outbox_t, receive_case, receive_outcome, &
+      receive_word, send_word, stop_work
    use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_status, only: status_interrupted, status_pending
    use ehlwave_sweep_cases, only: sweep_t
@@ -78,7 +78,7 @@ contains
 
       call mpi_comm_size(comm, ranks)
       leader%comm = comm
-      call leader%outbox%init(comm, ranks - 1, in_reserve)
+      call leader%outbox%init(comm, 1, ranks - 1, in_reserve)
       leader%asking = in_reserve*(ranks - 1)
       allocate (leader%has_stopped(ranks - 1), source=.false.)
       allocate (leader%put_off(ranks - 1), source=0)
@@ -226,7 +226,7 @@ contains
       type(case_watch_t), intent(in) :: watch     !! store, limits and deadline
       type(worker_t) :: worker
       type(shared_steady_t), target :: shared
-      type(outcomes_t), target :: outcomes
+      type(outbox_t) :: outbox
       type(outcome_t) :: outcome
       type(case_t) :: case
       type(case_plan_t) :: plan
@@ -236,7 +236,7 @@ contains
 
       worker%case_watch_t = watch
       worker%comm = comm
-      call outcomes%init(comm, in_reserve)
+      call outbox%init(comm, 0, 0, in_reserve)
       do i = 1, in_reserve
          call send_word(comm, 0, ask)
       end do
@@ -256,12 +256,12 @@ contains
          end if
          if (outcome%is_store_broken) worker%is_stopping = .true.
          outcome%case = number
-         call outcomes%send(outcome)
+         call outbox%send_outcome(outcome)
          call send_word(comm, 0, ask)
          unanswered = unanswered + 1
       end do
       if (.not. worker%has_heard) call receive_word(comm, 0, stop_work)
-      call outcomes%wait()
+      call outbox%wait()
    end subroutine follow
 
    !> Whether rank 0 wants all to stop.
