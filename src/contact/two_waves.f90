@@ -100,22 +100,26 @@ contains
 
    !> Both waves in a film amplitude h over Ai at places x: a and c by least squares with the wave number psi given, then the psi
    !> that describes best what the attenuated wave leaves. (All three at once come out wrong: psi and c then describe
-   !> what the change of the film along the contact does to the larger wave.)
-   pure function fit_two_waves(x, h, kx, psi) result(fit)
-      real(dp), intent(in) :: x(:)          !! X, at least 3
-      complex(dp), intent(in) :: h(:)       !! amplitude of H over Ai there
-      real(dp), intent(in) :: kx            !! wave number of the pattern, 1/a
-      complex(dp), intent(in) :: psi        !! of the complementary wave, 1/a
+   !> what the change of the film along the contact does to the larger wave.) `shape` is what a and c are of a(0) and c(0): the
+   !> attenuated wave is in balance with the oil where it is, the complementary one keeps its share of a film that flows through.
+   pure function fit_two_waves(x, h, kx, psi, shape) result(fit)
+      real(dp), intent(in) :: x(:)            !! X, at least 3
+      complex(dp), intent(in) :: h(:)         !! amplitude of H over Ai there
+      real(dp), intent(in) :: kx              !! wave number of the pattern, 1/a
+      complex(dp), intent(in) :: psi          !! of the complementary wave, 1/a
+      complex(dp), intent(in) :: shape(:, :)  !! of the attenuated and the complementary wave at x
       type(two_waves_t) :: fit
       complex(dp) :: amplitude(2), wave(size(x), 2)
 
-      wave(:, 1) = exp(i_unit*kx*x)
-      wave(:, 2) = exp(i_unit*psi*x)
-      if (.not. 1 - abs(dot_product(wave(:, 1), wave(:, 2)))**2/(size(x)*sum(abs(wave(:, 2))**2)) >= least_difference) return
+      wave(:, 1) = shape(:, 1)*exp(i_unit*kx*x)
+      wave(:, 2) = shape(:, 2)*exp(i_unit*psi*x)
+      if (.not. 1 - abs(dot_product(wave(:, 1), wave(:, 2)))**2/(sum(abs(wave(:, 1))**2)*sum(abs(wave(:, 2))**2)) &
+          >= least_difference) return
       call least_squares(wave, h, amplitude, fit%misfit)
       fit%attenuated = amplitude(1)
       fit%complementary = amplitude(2)
-      if (abs(amplitude(2)) >= least_signal*fit%misfit) fit%psi = fitted_number(x, h - amplitude(1)*wave(:, 1), psi)
+      if (abs(amplitude(2)) >= least_signal*fit%misfit) &
+         fit%psi = fitted_number(x, (h - amplitude(1)*wave(:, 1))/shape(:, 2), psi)
    end function fit_two_waves
 
    !> Wave number of the one wave that comes nearest to h, by Gauss-Newton steps that are halved until they do not leave more.

@@ -35,25 +35,34 @@ contains
       type(waviness_t), intent(in) :: waviness
       complex(dp), intent(in) :: h(0:, 0:)
       type(two_wave_result_t) :: self
-      type(wave_medium_t), allocatable :: medium(:)
-      integer :: column, first, j, last
+      type(wave_medium_t), allocatable :: medium(:, :)   ! (0:ny, first:last)
+      complex(dp), allocatable :: shape(:, :)            ! (first:last, 2)
+      integer :: column, first, i, j, last
       real(dp) :: kx, ky
 
       associate (grid => problem%grid)
          column = minloc(abs(grid%x), 1) - 1
          first = column - int(half_window/grid%hx + 1e-9_dp)
          last = 2*column - first
-         allocate (self%rows(0:grid%ny), medium(0:grid%ny))
+         allocate (self%rows(0:grid%ny))
+         if (first < 1 .or. last > grid%nx - 1) return
+         allocate (medium(0:grid%ny, first:last), shape(first:last, 2))
          kx = 2*pi/waviness%wavelength_x
          ky = 0
          if (waviness%wavelength_y > 0) ky = 2*pi/waviness%wavelength_y
-         call take_media(problem, state, column, medium)
+         do i = first, last
+            call take_media(problem, state, i, medium(:, i))
+         end do
          do j = grid%first_row, grid%last_row
-            if (first < 0 .or. last > grid%nx .or. state%p(column, j) < least_pressure) cycle
-            associate (row => self%rows(j))
-               row%attenuated = medium(j)%attenuated(kx, ky, waviness%slip)
-               row%psi = medium(j)%complementary_number(kx*waviness%slip, ky)
-               row%fit = fit_two_waves(grid%x(first:last), h(first:last, j), kx, row%psi)
+            if (state%p(column, j) < least_pressure) cycle
+            associate (row => self%rows(j), centre => medium(j, column))
+               row%attenuated = centre%attenuated(kx, ky, waviness%slip)
+               row%psi = centre%complementary_number(kx*waviness%slip, ky)
+               do i = first, last
+                  shape(i, 1) = medium(j, i)%attenuated(kx, ky, waviness%slip)/row%attenuated
+                  shape(i, 2) = medium(j, i)%h/centre%h
+               end do
+               row%fit = fit_two_waves(grid%x(first:last), h(first:last, j), kx, row%psi, shape)
             end associate
          end do
          self%centre = self%rows(minloc(abs(grid%y), 1) - 1)

@@ -85,29 +85,33 @@ contains
    subroutine check_split()
       complex(dp), parameter :: a = (0.4_dp, -0.3_dp), c = (0.1_dp, 0.15_dp), psi = (8.0_dp, 1.5_dp)
       real(dp), parameter :: kx = 6
-      complex(dp) :: h(33)
+      complex(dp) :: h(33), shape(33, 2)
       real(dp) :: x(33)
       type(two_waves_t) :: fit
       integer :: i
 
       x = [(i/32.0_dp - 0.5_dp, i=0, 32)]
-      h = a*exp(i_unit*kx*x) + c*exp(i_unit*psi*x)
-      fit = fit_two_waves(x, h, kx, psi)
+      shape(:, 1) = 1 + (0.1_dp, 0.2_dp)*x
+      shape(:, 2) = 1 - 0.1_dp*x
+      h = a*shape(:, 1)*exp(i_unit*kx*x) + c*shape(:, 2)*exp(i_unit*psi*x)
+      fit = fit_two_waves(x, h, kx, psi, shape)
       call test%check(abs(fit%attenuated - a) + abs(fit%complementary - c) <= 1e-12_dp, 'amplitudes')
       call test%check(abs(fit%psi - psi) <= 1e-8_dp, 'wave number')
       call test%check(fit%misfit <= 1e-14_dp, 'nothing is left')
       h = a*exp(i_unit*kx*x) + (1e-3_dp*c)*exp(i_unit*psi*x) + 0.02_dp*exp(i_unit*30*x)
-      fit = fit_two_waves(x, h, kx, psi)
+      shape = 1
+      fit = fit_two_waves(x, h, kx, psi, shape)
       call test%check_close(fit%misfit, 0.02_dp, 'misfit', relative=0.05_dp)
       call test%check(.not. ieee_is_finite(abs(fit%psi)), 'no wave number of a wave that cannot be seen')
    end subroutine check_split
 
    subroutine check_not_split()
+      complex(dp), parameter :: even(33, 2) = 1
       real(dp) :: x(33)
       type(two_waves_t) :: fit
       integer :: i
       x = [(i/32.0_dp - 0.5_dp, i=0, 32)]
-      fit = fit_two_waves(x, exp(i_unit*6*x), 6.0_dp, (6.02_dp, 0.01_dp))
+      fit = fit_two_waves(x, exp(i_unit*6*x), 6.0_dp, (6.02_dp, 0.01_dp), even)
       call test%check(.not. ieee_is_finite(fit%misfit) .and. .not. ieee_is_finite(abs(fit%attenuated)), 'too alike')
    end subroutine check_not_split
 

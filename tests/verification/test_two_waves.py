@@ -46,14 +46,14 @@ class TwoWaves(TestCase):
                      waviness={**WAVE, "wavelength_over_a": wavelength, **settings.pop("waviness", {})}, **settings)
 
     def test_split(self):
-        """The misfit on 257 x 257 points is 0.35 to 0.71 % of Ai for S > 1 and up to 1.9 % below; here with half of them."""
-        for slip, limit in ((1.1, 0.01), (1.5, 0.01), (0.5, 0.02)):
+        """The misfit on 257 x 257 points is 0.16 to 0.85 % of Ai for S > 1 and up to 1.3 % below; here with half of them."""
+        for slip, limit in ((1.1, 0.01), (1.5, 0.01), (0.9, 0.02), (0.5, 0.02)):
             for wavelength in (0.5, 1):
                 with self.subTest(slip=slip, wavelength=wavelength):
                     result = self.solve(wavelength, slip, grid={"cells_x": 128, "cells_y": 128})
                     self.assertLess(result["two_wave_misfit"], limit)
                     a, formula = waves(result, "attenuated"), waves(result, "attenuated_formula")
-                    self.assertLess(abs(abs(a) - abs(formula)), 0.015)
+                    self.assertLess(abs(abs(a) - abs(formula)), 0.01)
                     whole = waves(result, "harmonic")
                     self.assertLess(abs(a + waves(result, "complementary") - whole), 2*limit)
                     report(f"S = {slip}, {wavelength} a: misfit {result['two_wave_misfit']:.4f}, |a| {abs(a):.4f}, "
