@@ -6,12 +6,16 @@ import xarray as xr
 
 import ehlwave
 from ehlwave.atlas.atlas import Atlas, load_atlas, shipped
+from ehlwave.atlas.committee import Committee
 from ehlwave.atlas.kinds import KINDS, Kind
-from ehlwave.atlas.process import Process, Scales, Scattered, likelihood
 from ehlwave.atlas.shape import Shape
-from ehlwave.atlas.stored import checksum
+from ehlwave.atlas.stored import checksum, committee_of
 from ehlwave.deform import trace_surface
 from ehlwave.deform.atlas_transfer import AtlasTransfer, with_atlas_film
+from studies.atlas.fit import OF_ERRORS
+from studies.atlas.losses import Errors, Films, Waves
+from studies.atlas.store import variables_of, write_atlas
+from studies.atlas.train import Recipe, fitted, joined
 
 MOES = {"load_parameter_m": 100, "lubricant_parameter_l": 12.05, "radius_ratio_d": 1}
 BALL = {
@@ -26,39 +30,71 @@ BALL = {
 LENGTHS = {"semi_axis_a_m": 0.2e-3, "radius_x_m": 12.5e-3}
 
 
-def test_a_process_returns_what_it_was_given_and_falls_to_zero_far_away() -> None:
+def test_a_committee_learns_a_function_and_is_written_as_it_was_learned(tmp_path: Path) -> None:
     random = np.random.default_rng(3)
-    contacts, waves = random.random((6, 2)), random.random((40, 1))
-    points = Scattered(contacts, np.arange(40) % 6, waves)
-    values = np.sin(3 * waves) + contacts[points.of_contact].sum(axis=1)[:, None]
-    process = Process(points, values, Scales(np.full(2, 1.0), np.full(1, 0.5), 1e-4))
-    own = np.flatnonzero(points.of_contact == 2)
-    found = process.at_waves(process.at_contact(contacts[2]), waves[own])
-    np.testing.assert_allclose(found, values[own], atol=1e-3)
-    assert np.abs(process.at_waves(process.at_contact(contacts[2] + 50), waves)).max() < 1e-6
+    places = random.uniform(-1, 1, (300, 2))
+    truth = np.stack([np.sin(3 * places[:, 0]) * places[:, 1], places[:, 0] ** 2], axis=1)
+    films = Films(places, truth)
+    everything = np.arange(300)
+    found = fitted(places, films.loss(everything), films.scales, Recipe(2, 16, 400, 1e-7), [0, 1])
+    assert np.quantile(np.abs(found(places) - truth), 0.95) < 0.01
+    alone = [Committee(found.centre, found.scatter, [w[[k]] for w in found.layers]) for k in (0, 1)]
+    np.testing.assert_allclose(
+        np.mean([one(places) for one in alone], axis=0), found(places), atol=1e-6
+    )
+    data = xr.Dataset(variables_of("films", joined(*alone)))
+    write_atlas(data, tmp_path / "some.nc")
+    with xr.open_dataset(tmp_path / "some.nc") as opened:
+        again = committee_of(opened.load(), "films")
+    np.testing.assert_allclose(again(places), found(places), atol=1e-3)
 
 
-def test_the_slopes_of_the_likelihood_are_its_differences() -> None:
+def learned() -> dict[str, Waves | Films | Errors]:
+    """Return one of each of what networks learn, of 30 points."""
     random = np.random.default_rng(4)
-    points = Scattered(random.random((6, 2)), np.arange(30) % 6, random.random((30, 2)))
-    values, logs = random.random((30, 2)), np.log([0.5, 0.7, 0.4, 0.9, 0.1])
-    slopes = likelihood(points, values, Scales.of_logs(logs, 2))[1]
-    for k, slope in enumerate(slopes):
-        step = 1e-5 * (np.arange(5) == k)
-        up, down = (
-            likelihood(points, values, Scales.of_logs(logs + s, 2))[0] for s in (step, -step)
-        )
-        assert slope == pytest.approx((up - down) / 2e-5, rel=1e-4)
+    shape = Shape(*(random.uniform(*limits, 30) for limits in ((30, 900), (3, 15), (0.1, 1))))
+    seen = shape.seen(random.uniform(0.2, 3, 30), random.uniform(0, 90, 30))
+    film, left = (random.normal(size=30) + 1j * random.normal(size=30) for _ in range(2))
+    rise = np.where(random.random(30) < 0.5, np.nan, random.random(30))
+    return {
+        "waves": Waves(seen.coordinates, seen, film, left, rise),
+        "films": Films(seen.coordinates, random.normal(size=(30, 2))),
+        "errors": Errors(seen.coordinates, random.random((30, 2))),
+    }
 
 
-def test_numbers_that_are_interpolated_give_the_responses_back() -> None:
+@pytest.mark.parametrize("name", ["waves", "films", "errors"])
+def test_the_slopes_of_a_loss_are_its_differences(name: str) -> None:
+    task = learned()[name]
+    rows = np.arange(5, 25)
+    loss = task.loss(rows)
+    numbers = 0.1 * np.random.default_rng(5).normal(size=(rows.size, task.scales.size))
+    slopes = loss(numbers)[1]
+    for k in range(task.scales.size):
+        step = np.zeros_like(numbers)
+        step[3, k] = 1e-6
+        change = (loss(numbers + step)[0] - loss(numbers - step)[0]) / 2e-6
+        assert slopes[3, k] == pytest.approx(change, rel=1e-4, abs=1e-9)
+
+
+def test_bars_follow_the_size_of_errors() -> None:
+    random = np.random.default_rng(4)
+    places = np.linspace(-1, 1, 600)[:, None]
+    errors = Errors(places, np.abs(random.normal(size=(600, 1))) * np.exp(2 * places))
+    found = fitted(places, errors.loss(np.arange(600)), errors.scales, OF_ERRORS, [0])(places)[:, 0]
+    assert np.corrcoef(found, places[:, 0])[0, 1] > 0.95
+    assert found[-60:].mean() - found[:60].mean() == pytest.approx(3.6, abs=0.7)
+
+
+def test_numbers_give_the_responses_back() -> None:
     shape = Shape([50.0, 900.0], [4.0, 15.0], [1.0, 0.1])
     wave, angle = np.array([0.3, 2.0]), np.array([30.0, 90.0])
     film, pressure = np.array([0.8 + 0.3j, 0.2 + 0j]), np.array([-1 + 2j, -3 + 0j])
     seen = shape.seen(wave, angle)
-    numbers = seen.reduced(film, pressure)
+    ratio, left = film / seen.law - 1, seen.pressure_left(film, pressure)
+    numbers = np.stack([ratio.real, ratio.imag, left.real, left.imag], axis=1)
     np.testing.assert_allclose(seen.film(numbers), film, rtol=1e-12)
-    np.testing.assert_allclose(seen.pressure(film, numbers[:, 2:]), pressure, rtol=1e-12)
+    np.testing.assert_allclose(seen.pressure(film, numbers), pressure, rtol=1e-12)
 
 
 def test_a_response_is_that_of_the_program() -> None:
@@ -106,16 +142,17 @@ def test_waves_raise_the_mean_film_as_computed() -> None:
         (1.5, 0, 0.053),
         (0.7, 90, 0.081),
     ):
-        rise = chart.rise(wave, angle)
-        assert rise is not None
-        assert rise == pytest.approx(computed, abs=0.08)  # 95 % of rises are within 0.15
+        rise = chart.responses(wave, angle).rise
+        assert rise == pytest.approx(computed, abs=0.03)  # 95 % of rises are within 0.07
     a = contact.conditions.semi_axis_a_m
     x = np.arange(400) * a / 40
     amplitude = 30e-9
     surface = trace_surface(amplitude * np.cos(2 * np.pi * 2 * x / a), a / 40)
     found = contact.deform(surface, form="none", ends="none").statistics
     film = found.mean_film_m - found.mean_rise_m
-    assert found.mean_rise_m == pytest.approx(chart.rise(0.5, 0) * amplitude**2 / film, rel=0.02)
+    assert found.mean_rise_m == pytest.approx(
+        chart.responses(0.5, 0).rise * amplitude**2 / film, rel=0.02
+    )
 
 
 def test_under_slip_the_law_of_the_two_waves_answers() -> None:
@@ -184,8 +221,8 @@ def test_the_file_has_units_provenance_and_a_checksum(tmp_path: Path, kind: Kind
     assert data.attrs["checksum"] == checksum(data)
     assert "revision" in data.attrs["program"]
     assert all("long_name" in data[name].attrs for name in data.variables)
-    assert data["pressure_viscosity_per_pa"].attrs["units"] == "1/Pa"
-    data["film_ratio"][3] += 0.1
+    assert data["waves_w1"].attrs["units"] == "1"
+    data["waves_b3"][0] += 0.1
     data.to_netcdf(tmp_path / "damaged.nc", engine="scipy")
     with pytest.raises(ehlwave.ResultsError, match="damaged"):
         load_atlas(tmp_path / "damaged.nc")

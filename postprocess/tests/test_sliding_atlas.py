@@ -5,12 +5,9 @@ import pytest
 
 import ehlwave
 from ehlwave.atlas.kinds import SLIDING
-from ehlwave.atlas.process import Correlation
-from ehlwave.atlas.sliding_shape import FILM_NUMBERS, INSTALLED, SlidingShape
+from ehlwave.atlas.sliding_shape import SlidingShape
 from ehlwave.deform import TwoWaveTransfer, trace_surface
 from ehlwave.deform.atlas_transfer import AtlasTransfer
-from studies.atlas.correct import PRIOR, fitted_error, fitted_film
-from studies.atlas.kernels import Basis, chosen_centres, kernel_scales
 
 MOES = {"load_parameter_m": 100, "lubricant_parameter_l": 12.05, "radius_ratio_d": 1}
 OIL = {"reduced_modulus_pa": 226e9, "eyring_stress_pa": 5e6}
@@ -91,78 +88,33 @@ def shape_of_ends() -> SlidingShape:
     """Return that of the two contacts at the ends of all ranges."""
     keys = {name: np.array([low, high]) for name, (low, high) in SLIDING.ranges.items()}
     state = {"central_film": np.array([0.9, 0.02]), "pressure_ratio": np.array([-0.8, 0.0])}
-    return SlidingShape.of_keys(keys | state, {}).with_rolling(np.array([0.5 + 0.1j, 0.9 + 0j]))
+    return SlidingShape.of_keys(keys | state).with_rolling(np.array([0.5 + 0.1j, 0.9 + 0j]))
 
 
 def test_numbers_give_the_responses_back() -> None:
     shape = shape_of_ends()
     wave, angle = np.array([0.3, 2.0]), np.array([30.0, 0.0])
     film, pressure = np.array([0.8 + 0.3j, 0.2 + 0j]), np.array([-1 + 2j, -3 + 0j])
-    seen = shape.seen_under_slip(wave, angle)
+    seen = shape.seen(wave, angle)
     assert seen.coordinates.shape == (2, 15)
-    none = np.zeros((2, FILM_NUMBERS))
-    np.testing.assert_allclose(seen.film(none), seen.film_by_law(), rtol=1e-12)
-    left = film - seen.film_by_law()
-    none[:, 5], none[:, 6] = left.real, left.imag
-    np.testing.assert_allclose(seen.film(none), film, rtol=1e-12)
-    left = seen.pressure_left(film, pressure)
-    numbers = np.stack([left.real, left.imag], axis=1)
+    left, pressed = film - seen.law, seen.pressure_left(film, pressure)
+    none = np.zeros(2)
+    numbers = np.stack([none, none, left.real, left.imag, pressed.real, pressed.imag], axis=1)
+    np.testing.assert_allclose(seen.film(numbers), film, rtol=1e-12)
     np.testing.assert_allclose(seen.pressure(film, numbers), pressure, rtol=1e-12)
-    law = shape.with_law(0.9 * INSTALLED).seen_under_slip(wave, angle).film_by_law()
-    assert not np.allclose(law, seen.film_by_law())
-    again = shape.seen_under_slip(wave, angle).film_by_law()
-    np.testing.assert_array_equal(again, seen.film_by_law())
+    np.testing.assert_allclose(seen.slopes[:, 1], 1j * seen.slopes[:, 0])
 
 
 def test_without_slip_the_pressure_is_that_of_plane_waves() -> None:
     """The film of long waves that roll: 1 + W P with the wave number of the oil's wave."""
     keys = {name: np.array([(low * high) ** 0.5]) for name, (low, high) in SLIDING.ranges.items()}
     keys |= {"slip_parameter": np.ones(1), "central_film": np.full(1, 0.1)}
-    shape = SlidingShape.of_keys(keys | {"pressure_ratio": np.zeros(1)}, {})
-    seen = shape.with_rolling(np.array([0.6 + 0.2j])).seen_under_slip([0.5], [20.0])
-    assert seen.launch.attenuated == pytest.approx(1)
-    film = seen.film_by_law()
+    shape = SlidingShape.of_keys(keys | {"pressure_ratio": np.zeros(1)})
+    seen = shape.with_rolling(np.array([0.6 + 0.2j])).seen([0.5], [20.0])
+    film = seen.film(np.zeros((1, 6)))
     assert film == pytest.approx(0.6 + 0.2j)
-    psi = seen.kx + seen.launch.mismatch_rolling
-    k, own = np.hypot(seen.kx, seen.ky), np.sqrt(psi**2 + seen.ky**2)
-    pressure = seen.pressure(film, np.zeros((1, 2)))
-    np.testing.assert_allclose(pressure * seen.compliance, (film - 1) * own / k, rtol=1e-12)
-
-
-def test_corrections_are_fitted_to_responses() -> None:
-    random = np.random.default_rng(2)
-    ranges = SLIDING.ranges.items()
-    keys = {name: low * (high / low) ** random.random(60) for name, (low, high) in ranges}
-    state = {
-        "central_film": random.uniform(0.05, 0.5, 60),
-        "pressure_ratio": random.uniform(-0.5, 0, 60),
-    }
-    rolling = random.uniform(0.3, 0.9, 60) * np.exp(0.4j * random.random(60))
-    shape = SlidingShape.of_keys(keys | state, {}).with_rolling(rolling)
-    seen = shape.seen_under_slip(random.uniform(0.3, 2, 60), random.uniform(0, 80, 60))
-    truth = np.zeros((60, FILM_NUMBERS))
-    truth[:, 1] = 0.4 * np.tanh(seen.coordinates[:, 0])
-    truth[:, 2] = 0.3 * np.sin(seen.coordinates[:, 9])
-    film = seen.film(truth)
-    scales = kernel_scales(seen.coordinates)
-    basis = Basis(seen.coordinates[chosen_centres(seen.coordinates, scales, 40)], scales)
-    kernels = basis(seen.coordinates)
-    found = fitted_film(seen, film, kernels, np.arange(60)) * PRIOR
-    error = np.abs(seen.film(kernels @ found) - film)
-    assert np.median(error) < 0.2 * np.median(np.abs(seen.film_by_law() - film))
-    near = Correlation(seen.coordinates[chosen_centres(seen.coordinates, scales, 40)], scales)
-    same = near(seen.coordinates) @ basis.of_kernels(found)
-    np.testing.assert_allclose(same, kernels @ found, atol=1e-8)
-
-
-def test_errors_are_found_where_they_are_large() -> None:
-    random = np.random.default_rng(4)
-    place = np.linspace(-1, 1, 600)[:, None]
-    basis = Basis(place[::60], np.ones(1))(place)
-    usual, part = fitted_error(np.exp(place[:, 0]) * np.abs(random.normal(size=600)), basis)
-    log = usual + basis @ part
-    assert np.corrcoef(log, place[:, 0])[0, 1] > 0.9
-    assert 0.7 < log[-60:].mean() - log[:60].mean() < 2.5
+    pressure = seen.pressure(film, np.zeros((1, 6)))
+    np.testing.assert_allclose(pressure * seen.compliance, (film - 1) * seen.gain, rtol=1e-12)
 
 
 def test_a_surface_under_slip_is_deformed_by_its_responses() -> None:

@@ -84,8 +84,6 @@ class Launch:
     slip, along, load, length, thinning : ndarray
         S, above 0; cos^2 of the angle between wave vector and X; gamma M; d of
         :func:`launch_length`; B0.
-    more : ndarray of complex
-        What is known to be missing in the power of S.
     """
 
     attenuated: Complex
@@ -96,7 +94,6 @@ class Launch:
     load: Floats
     length: Floats
     thinning: Floats
-    more: Complex | float = 0.0
 
 
 def launched(rolling: Complex, launch: Launch, powers: Sequence[float] = SLIP_POWERS) -> Complex:
@@ -114,7 +111,6 @@ def launched(rolling: Complex, launch: Launch, powers: Sequence[float] = SLIP_PO
     p, p1, p2, q, q1, q2, r = powers
     load, along, a = launch.load / USUAL_LOAD, launch.along, launch.attenuated
     power = p * load**p1 * along**p2 * (1 - np.abs(a) ** 2) + 1j * q * load**q1 * along**q2
-    power = power + launch.more
     thinned = -r * along * np.maximum(1 - np.abs(rolling) ** 2, 0)
     change = power * np.log(launch.slip) + thinned * np.log1p(INLET_VISCOSITY * launch.thinning)
     entering = np.exp(change)

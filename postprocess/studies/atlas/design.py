@@ -9,14 +9,12 @@ import xarray as xr
 from numpy.typing import NDArray
 from scipy.stats import qmc
 
-from ehlwave.atlas import Atlas
 from ehlwave.atlas.kinds import ROLLING, SLIDING, Kind
-from ehlwave.atlas.process import correlation
 from ehlwave.atlas.ranges import CONTACT_RANGES, WAVE_RANGE
 from ehlwave.atlas.sliding import MODULUS_PA
-from ehlwave.atlas.stored import contact_of
 from ehlwave.deform.conditions import ellipticity
 from studies import sweeps
+from studies.atlas.points import contact_of
 from studies.programs import Groups
 
 Floats = NDArray[np.float64]
@@ -25,14 +23,11 @@ Ranges = Mapping[str, tuple[float, float]]
 CONTACTS = 32
 """Of one batch."""
 
-CANDIDATES = 512
-"""Contacts of which a batch is chosen by the errors of the atlas so far."""
-
 SLENDER = {"load_parameter_m": (20.0, 70.0), "radius_ratio_d": (0.04, 0.2)}
 """Where bodies are nearly rigid along rolling and not across it."""
 
-SLENDER_BATCH = 6
-"""The first batch of them."""
+SLENDER_BATCHES = (8, 10, 12, 14)
+"""Batches of them, of contacts that roll: there responses change most from one to the next."""
 
 MARGIN = 1.15
 """By which wavelengths go beyond the range, so that its ends are not ends of the data."""
@@ -67,8 +62,9 @@ class Design:
         Angles, degrees, and how many patterns of a contact have them; None: any in between.
     fewest_points : int
         Mesh sizes in a wave.
-    validated : int
-        Random contacts that the atlas is judged by.
+    validated, validation_seed : int
+        Random contacts that the atlas is judged by. A set that was looked at while the networks
+        were chosen is no judge: take another seed then.
     groups : mapping
         What all cases share.
     """
@@ -78,6 +74,7 @@ class Design:
     directions: tuple[tuple[float | None, int], ...]
     fewest_points: int
     validated: int
+    validation_seed: int
     groups: Groups
 
     def grid(self, contact: Mapping[str, float]) -> tuple[int, int]:
@@ -98,13 +95,14 @@ class Design:
         return along, across
 
 
-ROLLING_DESIGN = Design(ROLLING, 2000, ((0.0, 3), (90.0, 2), (None, 4)), 12, 150, GROUPS)
+ROLLING_DESIGN = Design(ROLLING, 2000, ((0.0, 3), (90.0, 2), (None, 4)), 12, 150, 1997, GROUPS)
 SLIDING_DESIGN = Design(
     SLIDING,
     2100,
     ((0.0, 3), (90.0, 1), (None, 4)),
     10,
     100,
+    2026,
     GROUPS
     | {
         "conditions": {"reduced_modulus_pa": MODULUS_PA},
@@ -123,33 +121,10 @@ def contacts(design: Design, batch: int, count: int = CONTACTS) -> list[dict[str
 
 
 def slender_contacts(seed: int, count: int = CONTACTS) -> list[dict[str, float]]:
-    """Return slender contacts under low loads, whose responses change most from one to the next."""
+    """Return slender contacts under low loads."""
     sequence = qmc.Sobol(len(CONTACT_RANGES), seed=seed)
     ranges = {**CONTACT_RANGES, **SLENDER}
     return [contact_at(shares.tolist(), ranges) for shares in sequence.random(count)]
-
-
-def worst_contacts(
-    atlas: Atlas, seed: int, count: int = CONTACTS, of: int = CANDIDATES
-) -> list[dict[str, float]]:
-    """Return contacts where the atlas knows least: of many, those with the largest error bars.
-
-    One that was taken makes its neighbours less wanted, by its correlation with them.
-    """
-    ranges = atlas.kind.ranges
-    sequence = qmc.Sobol(len(ranges), seed=seed)
-    candidates = [contact_at(shares.tolist(), ranges) for shares in sequence.random(of)]
-    waves, angles = np.meshgrid([0.15, 0.4, 1.0, 2.5], [0.0, 40.0, 90.0])
-    errors = [np.mean(atlas.at(one).responses(waves, angles).error ** 2) for one in candidates]
-    places = atlas.kind.coordinates(
-        {key: np.array([one[key] for one in candidates]) for key in ranges}
-    )
-    wanted, chosen = np.array(errors), []
-    for _ in range(count):
-        best = int(np.argmax(wanted))
-        chosen.append(candidates[best])
-        wanted *= 1 - correlation(places, places[[best]], atlas.contact_scales)[:, 0]
-    return chosen
 
 
 def contact_at(shares: Sequence[float], ranges: Ranges = CONTACT_RANGES) -> dict[str, float]:
@@ -189,28 +164,10 @@ def pattern(wavelength_over_a: float, angle_deg: float) -> dict[str, float]:
     }
 
 
-def write_batch(
-    folder: Path, batch: int, design: Design = ROLLING_DESIGN, atlas: Atlas | None = None
-) -> Path:
-    """Write the sweep of a batch; return its path.
-
-    Of all contacts without an atlas, of those that it wants most with one; of rolling ones, in turn
-    with slender ones from the batch ``SLENDER_BATCH`` on.
-    """
-    is_rolling, later = design.kind is ROLLING, batch - SLENDER_BATCH
-    if is_rolling and later >= 0 and later % 2 == 0:
-        chosen = slender_contacts(4000 + batch)
-    elif atlas is None:
-        chosen = contacts(design, batch)
-    else:
-        chosen = worst_contacts(atlas, design.seed + 1000 + batch)
-    return write_chosen(folder, batch, design, chosen)
-
-
-def write_chosen(
-    folder: Path, batch: int, design: Design, chosen: Sequence[dict[str, float]]
-) -> Path:
-    """Write the sweep of a batch of some contacts; return its path."""
+def write_batch(folder: Path, batch: int, design: Design = ROLLING_DESIGN) -> Path:
+    """Write the sweep of a batch, which fills the ranges unless it is one of slender contacts."""
+    is_slender = design.kind is ROLLING and batch in SLENDER_BATCHES
+    chosen = slender_contacts(4000 + batch) if is_slender else contacts(design, batch)
     random = np.random.default_rng([batch, design.seed])
     name = f"{design.kind.name}-{batch:02d}"
     return sweeps.write_sweep(folder, name, rows(design, chosen, random), design.groups)
@@ -218,7 +175,7 @@ def write_chosen(
 
 def write_validation(folder: Path, design: Design = ROLLING_DESIGN, each: int = 2) -> Path:
     """Write the sweep that the atlas is judged by: random contacts and waves."""
-    random, ranges = np.random.default_rng(1997), design.kind.ranges
+    random, ranges = np.random.default_rng(design.validation_seed), design.kind.ranges
     found = []
     for _ in range(design.validated):
         contact = contact_at(random.random(len(ranges)).tolist(), ranges)
@@ -235,7 +192,7 @@ def as_keys(contact: dict[str, float]) -> dict[str, float]:
     return keys
 
 
-def write_rises(folder: Path, computed: xr.Dataset) -> Path:
+def write_rises(folder: Path, design: Design, computed: xr.Dataset) -> Path:
     """Write the sweep of mean films under oblique waves: those of the computed points, one by one.
 
     The points themselves are products of cosines, two waves, of which the mean film is not that
@@ -243,26 +200,27 @@ def write_rises(folder: Path, computed: xr.Dataset) -> Path:
     """
     found = []
     for contact in range(computed.sizes["contact"]):
-        keys = {name: float(computed[name].values[contact]) for name in CONTACT_RANGES}
+        keys = {name: float(computed[name].values[contact]) for name in design.kind.ranges}
         own = computed.isel(point=np.flatnonzero(contact_of(computed) == contact))
         for wave, angle in zip(
             own["wavelength_over_a"].values, own["angle_deg"].values, strict=True
         ):
             if STANDS_ACROSS < angle < 90 - STANDS_ACROSS:
-                cells = grid_for_rise(keys, float(wave), float(angle))
-                found.append(
-                    {**keys, **pattern(float(wave), float(angle)), "oblique": True, **cells}
-                )
-    return sweeps.write_sweep(folder, "rises", found, GROUPS)
+                waves = {**pattern(float(wave), float(angle)), "oblique": True}
+                cells = grid_for_rise(design, keys, float(wave), float(angle))
+                found.append({**as_keys(keys), **waves, **cells})
+    return sweeps.write_sweep(folder, f"{design.kind.name}-rises", found, design.groups)
 
 
-def grid_for_rise(contact: dict[str, float], wave: float, angle_deg: float) -> dict[str, int]:
+def grid_for_rise(
+    design: Design, contact: dict[str, float], wave: float, angle_deg: float
+) -> dict[str, int]:
     """Return half the cells of a contact, or as many more as the wave asks for."""
     theta = np.radians(angle_deg)
     extent = 4.0, 4 / ellipticity(contact["radius_ratio_d"])
     shares = np.cos(theta), np.sin(theta)
     cells = []
-    for whole, length, share in zip(ROLLING_DESIGN.grid(contact), extent, shares, strict=True):
+    for whole, length, share in zip(design.grid(contact), extent, shares, strict=True):
         least = max(whole // 2, FEWEST_FOR_RISES * length / wave * share)
         cells.append(next(n for n in (64, 96, *SIZES) if n >= least))
     return {"cells_x": cells[0], "cells_y": cells[1]}

@@ -1,118 +1,169 @@
-"""From points to the atlas: responses and films with their errors."""
+"""From points to the atlas: networks of films, responses and their errors."""
 
 import json
 from collections.abc import Sequence
+from concurrent.futures import Executor, ProcessPoolExecutor
+from itertools import repeat
 
 import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
 from ehlwave.atlas.atlas import FORMAT_NAME
-from ehlwave.atlas.kinds import LINE, SLIDING, kind_of
-from ehlwave.atlas.process import Process, Scales, correlation
-from ehlwave.atlas.stored import contacts_alone, film_numbers
-from studies.atlas.expand import expanded
-from studies.atlas.folds import FOLDS, folds, quantiles
-from studies.atlas.interpolate import OF_D, fitted_scales, interpolated
+from ehlwave.atlas.chart import with_contacts
+from ehlwave.atlas.committee import Committee
+from ehlwave.atlas.kinds import KINDS, Kind
+from studies.atlas.losses import Errors, Films, Waves
+from studies.atlas.points import (
+    contact_of,
+    film_discretisation,
+    film_numbers,
+    responses_of,
+    rolling_of,
+    waves_of,
+)
+from studies.atlas.store import variables_of
+from studies.atlas.train import Recipe, fitted, joined
 
 Floats = NDArray[np.float64]
+Rows = NDArray[np.intp]
+Task = Waves | Films | Errors
 
-FIRST_SMOOTH = np.array([1.0, 4.0, 4.0, 2.0, 2.0])
-FIRST_SLIDING = np.array([1.0, 4.0])
-"""Of S and of the stress, beside those of contacts that roll."""
+FOLDS = 5
+"""Parts of the contacts that are left out in turn."""
 
-FIRST_NOISE = 0.02
+JUDGED_NETWORKS = 2
+"""Where contacts are left out: bars are those of fewer networks than answer, which err more."""
 
-FILMS_COVERED = 0.975
-"""Share of cross-validated films that error bars hold."""
+COVERED = 0.975
+"""Share of what was predicted without its contact that error bars hold."""
 
-FILM_REACH = 0.5
-"""Of the scatter of each coordinate: how far errors of films are alike."""
+LEAST_MISS = 1e-5
+"""Misses that are smaller are no better: what is computed is not known better."""
+
+OF_WAVES = {
+    "rolling": Recipe(networks=5, hidden=64, steps=3000, decay=1e-6),
+    "sliding": Recipe(networks=7, hidden=64, steps=3000, decay=1e-5),
+    "line": Recipe(networks=5, hidden=32, steps=3000, decay=1e-6),
+}
+OF_FILMS = Recipe(networks=5, hidden=24, steps=1500, decay=1e-6)
+OF_ERRORS = Recipe(networks=5, hidden=12, steps=200, decay=1e-4)
 
 
-def finished(data: xr.Dataset) -> xr.Dataset:
-    """Return the atlas: length scales, errors, and what responses and films are found by."""
-    kind = kind_of(data)
-    contacts, films = contacts_alone(kind.coordinates(data)), film_numbers(data, kind)
-    more = FIRST_SLIDING if kind is SLIDING else np.empty(0)
-    rolling = np.delete(FIRST_SMOOTH, OF_D) if kind is LINE else FIRST_SMOOTH
-    first = Scales(np.append(rolling, more), np.empty(0), FIRST_NOISE)
-    centred = films - films.mean(axis=0)
-    scales = {
-        name: fitted_scales(contacts, values[:, None], first)
-        for name, values in zip(kind.films, centred.T, strict=True)
+def finished(data: xr.Dataset, workers: int = 1) -> xr.Dataset:
+    """Return the atlas of points of :func:`studies.atlas.points.read_points`.
+
+    Networks are fitted by `workers` processes.
+    """
+    kind = KINDS[data.attrs["kind"]]
+    of_contact = contact_of(data)
+    fold = np.random.default_rng(11).permutation(data.sizes["contact"]) % FOLDS
+    films = Films(kind.coordinates(data), film_numbers(data, kind))
+    with ProcessPoolExecutor(workers) as pool:
+        predicted = _left_out(pool, films, OF_FILMS, fold)
+        film_misses = np.abs(predicted - films.numbers)
+        waves = waves_in(data, kind, predicted)
+        numbers = _left_out(pool, waves, OF_WAVES[kind.name], fold[of_contact])
+        wave_misses = np.abs(waves.missed(numbers))
+        found = {
+            "films": _of_all(pool, films, OF_FILMS),
+            "waves": _of_all(pool, waves, OF_WAVES[kind.name]),
+        }
+        found["film_errors"], of_films = _bars(
+            pool,
+            films.inputs,
+            np.hypot(film_misses, film_discretisation(data, kind)),
+            fold,
+        )
+        found["wave_errors"], of_waves = _bars(
+            pool,
+            waves.inputs,
+            np.hypot(wave_misses, data["discretisation"].values)[:, None],
+            fold[of_contact],
+        )
+    rises = np.abs(numbers[:, -1] - waves.rise)
+    judged = {
+        "cross_validated": wave_misses,
+        "film_cross_validated": film_misses[:, 0],
+        "rise_cross_validated": rises[np.isfinite(rises)],
     }
-    left = films_left_out(contacts.contacts, films, list(scales.values()))
-    if kind is SLIDING:
-        data, misfit = expanded(data, as_predicted(data, left))
-    else:
-        data, more_scales, misfit = interpolated(data)
-        scales |= more_scales
-    data = with_film_errors(data, contacts.contacts, left)
-    data.attrs |= {
-        "format": FORMAT_NAME,
-        "length_scales": json.dumps({name: _rounded(one) for name, one in scales.items()}),
-        "cross_validated": json.dumps(quantiles(misfit)),
-        "film_cross_validated": json.dumps(quantiles(np.abs(left[:, 0]))),
-        "program": "ehlwave {program_version}, revision {git_revision}".format(**data.attrs),
-    }
+    attributes = {name: json.dumps(_quantiles(values)) for name, values in judged.items()}
+    data = xr.Dataset(
+        attrs=attributes
+        | {
+            "format": FORMAT_NAME,
+            "kind": kind.name,
+            "contacts": data.sizes["contact"],
+            "responses": data.sizes["point"],
+            "film_errors_factors": json.dumps(of_films),
+            "wave_errors_factors": json.dumps(of_waves),
+            "program": "ehlwave {program_version}, revision {git_revision}".format(**data.attrs),
+        }
+    )
+    for name, committee in found.items():
+        data = data.assign(variables_of(name, committee))
     return data
 
 
-def as_predicted(data: xr.Dataset, left: Floats) -> xr.Dataset:
-    """Return the same with film and pressure at the centres of contacts as others predict them."""
-    film, _, _, pressure = left.T
-    return data.assign(
-        central_film=data["central_film"] * np.exp(film),
-        pressure_ratio=data["pressure_ratio"] + pressure,
+def waves_in(data: xr.Dataset, kind: Kind, predicted: Floats) -> Waves:
+    """Return responses as the atlas sees them, where films of contacts are those `predicted`."""
+    of_contact = contact_of(data)
+    names = dict(zip(kind.films, predicted.T, strict=True))
+    columns = {name: data[name].values.astype(float) for name in kind.ranges}
+    shape = kind.shape(kind.state(columns, kind.references(columns), names))[of_contact]
+    rolling = rolling_of(data, kind)
+    seen = (shape if rolling is None else shape.with_rolling(rolling)).seen(*waves_of(data))
+    film, pressure = responses_of(data)
+    return Waves(
+        with_contacts(kind.coordinates(columns)[of_contact], seen.coordinates),
+        seen,
+        film,
+        seen.pressure_left(film, pressure),
+        data["mean_rise"].values,
     )
 
 
-def films_left_out(contacts: Floats, films: Floats, scales: Sequence[Scales]) -> Floats:
-    """Return the errors of film numbers, (contacts, films), each predicted without its contact."""
-    fold, found = folds(len(contacts)), np.zeros_like(films)
-    for one in range(FOLDS):
-        train, test = np.flatnonzero(fold != one), np.flatnonzero(fold == one)
-        mean = films[train].mean(axis=0)
-        for k, lengths in enumerate(scales):
-            values = films[train, k, None] - mean[k]
-            process = Process(contacts_alone(contacts[train]), values, lengths)
-            found[test, k] = [process.at_contact(contacts[i]).sum() + mean[k] for i in test]
-    return found - films
+def _left_out(pool: Executor, task: Task, recipe: Recipe, fold: Rows) -> Floats:
+    """Return numbers, each predicted by networks that have not seen its contact."""
+    folds = range(FOLDS)
+    parts = pool.map(
+        _of_part,
+        repeat(task),
+        repeat(recipe),
+        (np.flatnonzero(fold != one) for one in folds),
+        repeat(range(JUDGED_NETWORKS)),
+    )
+    found = np.empty((fold.size, task.scales.size))
+    for one, committee in zip(folds, parts, strict=True):
+        found[fold == one] = committee(task.inputs[fold == one])
+    return found
 
 
-def with_film_errors(data: xr.Dataset, contacts: Floats, left: Floats) -> xr.Dataset:
-    """Return the same with the errors of films, and what those of neighbours are multiplied by.
+def _of_all(pool: Executor, task: Task, recipe: Recipe) -> Committee:
+    """Return the networks of all points."""
+    everything = np.arange(len(task.inputs))
+    seeds = [[seed] for seed in range(recipe.networks)]
+    return joined(*pool.map(_of_part, repeat(task), repeat(recipe), repeat(everything), seeds))
 
-    The error of a contact is the rms of those of others near by, for each film times what holds
-    the wanted share of errors.
+
+def _of_part(task: Task, recipe: Recipe, rows: Rows, seeds: Sequence[int]) -> Committee:
+    return fitted(task.inputs[rows], task.loss(rows), task.scales, recipe, seeds)
+
+
+def _bars(
+    pool: Executor, inputs: Floats, misses: Floats, fold: Rows
+) -> tuple[Committee, list[float]]:
+    """Return networks of ln of some misses, and what makes bars that hold the wanted share.
+
+    The factors are of misses of contacts whose bars are found from others.
     """
-    films = kind_of(data).films
-    names = [f"{name}_discretisation" for name in films]
-    errors = np.hypot(left, np.stack([data[name].values for name in names], axis=1))
-    reach = np.array([float(f"{value:.4g}") for value in FILM_REACH * contacts.std(axis=0)])
-    near = correlation(contacts, contacts, reach)
-    np.fill_diagonal(near, 0)
-    local = np.sqrt(near @ errors**2 / near.sum(axis=1, keepdims=True))
-    factors = np.quantile(np.abs(left) / local, FILMS_COVERED, axis=0)
-    found = {
-        f"{name}_error": ("contact", errors[:, k].astype(np.float32))
-        for k, name in enumerate(films)
-    }
-    data = data.drop_vars(names).assign(found)
-    data.attrs |= {
-        "film_reach": json.dumps(reach.tolist()),
-        "film_error_factors": json.dumps([round(float(factor), 3) for factor in factors]),
-    }
-    return data
+    task = Errors(inputs, np.maximum(misses, LEAST_MISS))
+    logs = _left_out(pool, task, OF_ERRORS, fold)
+    factors = np.quantile(misses / np.exp(logs), COVERED, axis=0)
+    return _of_all(pool, task, OF_ERRORS), [round(float(factor), 3) for factor in factors]
 
 
-def _rounded(scales: Scales) -> dict[str, list[float] | float]:
-    def four(values: Floats) -> list[float]:
-        return [float(f"{value:.4g}") for value in values]
-
-    return {
-        "contact": four(scales.contacts),
-        "wave": four(scales.waves),
-        "noise": float(f"{scales.noise:.4g}"),
-    }
+def _quantiles(misses: Floats) -> dict[str, float]:
+    """Return median, 95th percentile and largest of some misses."""
+    shares = {"median": 0.5, "95 %": 0.95, "all": 1.0}
+    return {name: float(f"{np.quantile(misses, share):.3g}") for name, share in shares.items()}

@@ -1,19 +1,24 @@
 """What the sweeps of the atlas came to, as contacts and their responses."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pandas as pd
 import xarray as xr
+from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from ehlwave.atlas import load_atlas
-from ehlwave.atlas.kinds import LINE, ROLLING, SLIDING, Kind
+from ehlwave.atlas.kinds import ROLLING, SLIDING, Kind
 from ehlwave.atlas.ranges import CONTACT_RANGES
 from ehlwave.atlas.sliding import MODULUS_PA, conditions_of
 from ehlwave.formula import wave_and_direction
 from ehlwave.read import read_results
+
+Complex = NDArray[np.complex128]
+Floats = NDArray[np.float64]
 
 LARGEST_CORRECTION = 0.03
 """Of a response by extrapolation, in units of Ai: beyond it the grid was too coarse."""
@@ -41,12 +46,10 @@ def read_points(
     of the mean film, too; without them it is NaN.
     """
     results = read_results(paths)
-    table = results.to_dataframe().reset_index(drop=True)
+    table = _with_modulus(results.to_dataframe().reset_index(drop=True))
     film = table["harmonic_extrapolated_real"] + 1j * table["harmonic_extrapolated_imaginary"]
     table["correction"] = np.abs(film - table["harmonic_real"] - 1j * table["harmonic_imaginary"])
     table = table[np.isfinite(table["correction"]) & (table["correction"] < LARGEST_CORRECTION)]
-    if kind is SLIDING:
-        table["stress_modulus_pa2"] = table["eyring_stress_pa"] * MODULUS_PA
     keys = list(kind.ranges)
     groups = table.groupby(keys, sort=True)
     contacts = groups.first().reset_index()
@@ -55,31 +58,59 @@ def read_points(
     wave, along = wave_and_direction(table["wavelength_x_over_a"], table["wavelength_y_over_a"])
     angle = np.degrees(np.arccos(np.sqrt(along)))
     points = {
-        "wavelength_over_a": wave.astype(np.float32),
-        "angle_deg": angle.astype(np.float32),
-        "film_real": table["harmonic_extrapolated_real"].to_numpy(np.float32),
-        "film_imaginary": table["harmonic_extrapolated_imaginary"].to_numpy(np.float32),
-        "pressure_real": table["harmonic_pressure_extrapolated_real"].to_numpy(np.float32),
-        "pressure_imaginary": table["harmonic_pressure_extrapolated_imaginary"].to_numpy(
-            np.float32
-        ),
-        "discretisation": (LEFT_BY_EXTRAPOLATION * table["correction"]).to_numpy(np.float32),
+        "wavelength_over_a": wave,
+        "angle_deg": angle,
+        "film_real": table["harmonic_extrapolated_real"].to_numpy(float),
+        "film_imaginary": table["harmonic_extrapolated_imaginary"].to_numpy(float),
+        "pressure_real": table["harmonic_pressure_extrapolated_real"].to_numpy(float),
+        "pressure_imaginary": table["harmonic_pressure_extrapolated_imaginary"].to_numpy(float),
+        "discretisation": (LEFT_BY_EXTRAPOLATION * table["correction"]).to_numpy(float),
     }
     data = {name: ("point", values) for name, values in points.items()}
-    data["responses"] = "contact", counts.astype(np.int16)
-    if kind is LINE:
-        del data["angle_deg"]
-    if kind is not SLIDING:
-        data["mean_rise"] = "point", _rises(table, rises)
-    else:
+    data["responses"] = "contact", counts
+    data["mean_rise"] = "point", _rises(table, rises, keys)
+    if kind is SLIDING:
         rolling = _rolling(contacts, counts, wave, angle)
-        data["rolling_real"] = "point", rolling.real.astype(np.float32)
-        data["rolling_imaginary"] = "point", rolling.imag.astype(np.float32)
+        data["rolling_real"] = "point", rolling.real
+        data["rolling_imaginary"] = "point", rolling.imag
     data |= {name: ("contact", values) for name, values in _films(contacts, kind).items()}
     origin = {
         key: str(results[key].values[0]) for key in ("program_version", "git_revision", "compiler")
     }
     return xr.Dataset(data, attrs={"kind": kind.name, **origin})
+
+
+def contact_of(data: xr.Dataset) -> NDArray[np.intp]:
+    """Return the contact of each response: those of the first come first."""
+    return np.repeat(np.arange(data.sizes["contact"]), data["responses"].values.astype(np.intp))
+
+
+def waves_of(data: xr.Dataset) -> tuple[Floats, Floats]:
+    """Return wavelengths over a and angles, degrees."""
+    return tuple(data[name].values.astype(float) for name in ("wavelength_over_a", "angle_deg"))
+
+
+def responses_of(data: xr.Dataset) -> tuple[Complex, Complex]:
+    """Return the responses of film and pressure."""
+    film = data["film_real"].values + 1j * data["film_imaginary"].values
+    return film, data["pressure_real"].values + 1j * data["pressure_imaginary"].values
+
+
+def rolling_of(data: xr.Dataset, kind: Kind) -> Complex | None:
+    """Return the transfers of the same waves in pure rolling, of contacts that slide."""
+    if kind is not SLIDING:
+        return None
+    return np.asarray(data["rolling_real"].values + 1j * data["rolling_imaginary"].values)
+
+
+def film_numbers(data: xr.Dataset, kind: Kind) -> Floats:
+    """Return the logarithms of films, and what else is known of contacts, shape (contacts, k)."""
+    return np.stack([data[name].values.astype(float) for name in kind.films], axis=1)
+
+
+def film_discretisation(data: xr.Dataset, kind: Kind) -> Floats:
+    """Return the errors of the same by discretisation."""
+    return film_numbers(data, replace(kind, films=tuple(f"{k}_discretisation" for k in kind.films)))
 
 
 def _rolling(
@@ -95,26 +126,31 @@ def _rolling(
     return found
 
 
-def _rises(table: pd.DataFrame, oblique: Path | None) -> np.ndarray:
+def _rises(table: pd.DataFrame, oblique: Path | None, keys: Sequence[str]) -> np.ndarray:
     """Return what each wave adds to the mean film; of products of cosines, that of one wave."""
-    rise = (table["mean_film_rise"] / table["amplitude_over_film"]).to_numpy(np.float32)
+    rise = (table["mean_film_rise"] / table["amplitude_over_film"]).to_numpy(float, copy=True)
     is_product = (table["wavelength_x_over_a"] > 0) & (table["wavelength_y_over_a"] > 0)
     rise[is_product] = np.nan
     if oblique is not None:
-        single = read_results(oblique).to_dataframe()
+        single = _with_modulus(read_results(oblique).to_dataframe())
         single = single[np.isfinite(single["mean_film_rise"])]
-        distance, which = cKDTree(_places(single)).query(_places(table))
-        found = (single["mean_film_rise"] / single["amplitude_over_film"]).to_numpy(np.float32)
+        distance, which = cKDTree(_places(single, keys)).query(_places(table, keys))
+        found = (single["mean_film_rise"] / single["amplitude_over_film"]).to_numpy(float)
         matches = is_product.to_numpy() & (distance < SAME_CASE)
         rise[matches] = found[which[matches]]
     rise[np.abs(rise) > LARGEST_RISE] = np.nan
     return rise
 
 
-def _places(table: pd.DataFrame) -> np.ndarray:
+def _places(table: pd.DataFrame, contact: Sequence[str]) -> np.ndarray:
     """Return what tells cases apart."""
-    keys = [*CONTACT_RANGES, "wavelength_x_over_a", "wavelength_y_over_a"]
+    keys = [*contact, "wavelength_x_over_a", "wavelength_y_over_a"]
     return np.log(np.maximum(table[keys].to_numpy(float), 1e-9))
+
+
+def _with_modulus(table: pd.DataFrame) -> pd.DataFrame:
+    """Return cases with E' tau0 where they have an Eyring stress."""
+    return table.assign(stress_modulus_pa2=table.get("eyring_stress_pa", np.nan) * MODULUS_PA)
 
 
 def _films(contacts: pd.DataFrame, kind: Kind) -> dict[str, np.ndarray]:
@@ -129,31 +165,27 @@ def _films(contacts: pd.DataFrame, kind: Kind) -> dict[str, np.ndarray]:
     discretisation = (
         LEFT_BY_EXTRAPOLATION * contacts[["central_film_error", "minimum_film_error"]].to_numpy()
     )
-    numbers = {name: contacts[name].to_numpy(np.float32) for name in kind.ranges}
+    numbers = {name: contacts[name].to_numpy(float) for name in kind.ranges}
     if "pressure_ratio" in kind.films:
         numbers |= _centre(contacts)
     if "friction_ratio" in kind.films:
         numbers |= _frictions(contacts, base[:, 2], discretisation[:, 0])
     return numbers | {
-        "film_ratio": np.log(central / base[:, 0]).to_numpy(np.float32),
-        "minimum_ratio": np.log(smallest_moes / central * base[:, 0] / base[:, 1]).to_numpy(
-            np.float32
-        ),
-        "film_ratio_discretisation": np.hypot(
-            discretisation[:, 0], contacts["domain_error"]
-        ).astype(np.float32),
-        "minimum_ratio_discretisation": discretisation[:, 1].astype(np.float32),
+        "film_ratio": np.log(central / base[:, 0]).to_numpy(float),
+        "minimum_ratio": np.log(smallest_moes / central * base[:, 0] / base[:, 1]).to_numpy(float),
+        "film_ratio_discretisation": np.hypot(discretisation[:, 0], contacts["domain_error"]),
+        "minimum_ratio_discretisation": discretisation[:, 1],
     }
 
 
 def _centre(contacts: pd.DataFrame) -> dict[str, np.ndarray]:
     """Return film and pressure at the centre; of the latter the largest, but for a spike."""
-    pressure = np.log(np.minimum(contacts["max_pressure"], LARGEST_PRESSURE)).to_numpy(np.float32)
+    pressure = np.log(np.minimum(contacts["max_pressure"], LARGEST_PRESSURE)).to_numpy(float)
     film = contacts["central_film"] * (1 + contacts["central_film_error"])
     return {
-        "central_film": film.to_numpy(np.float32),
+        "central_film": film.to_numpy(float),
         "pressure_ratio": pressure,
-        "pressure_ratio_discretisation": np.zeros(pressure.size, np.float32),
+        "pressure_ratio_discretisation": np.zeros(pressure.size),
     }
 
 
@@ -169,6 +201,6 @@ def _frictions(
     )
     mean = contacts["friction_coefficient"] * hertz_pa / 1.5 / contacts["eyring_stress_pa"]
     return {
-        "friction_ratio": np.log(np.abs(mean) / expected).to_numpy(np.float32),
-        "friction_ratio_discretisation": film_error.astype(np.float32),
+        "friction_ratio": np.log(np.abs(mean) / expected).to_numpy(float),
+        "friction_ratio_discretisation": film_error,
     }

@@ -1,4 +1,4 @@
-"""The atlas: responses of smooth contacts to small waves, computed once and interpolated."""
+"""The atlas: responses of smooth contacts to small waves, computed once and learned by networks."""
 
 from ehlwave.atlas.atlas import Atlas, load_atlas
 

@@ -1,28 +1,23 @@
 """The atlas: read from its file, ready for contacts."""
 
-import json
 from collections.abc import Mapping
 from functools import lru_cache
 from pathlib import Path
 
-import numpy as np
 import xarray as xr
 
 from ehlwave.atlas.chart import Chart
-from ehlwave.atlas.coordinates import Floats
-from ehlwave.atlas.interpolated import scales_of
-from ehlwave.atlas.kinds import LINE, ROLLING, SLIDING, Kind, kind_of
-from ehlwave.atlas.process import Process, correlation
-from ehlwave.atlas.stored import checksum, contacts_alone, film_errors, film_numbers
+from ehlwave.atlas.kinds import KINDS, LINE, ROLLING, SLIDING, Kind
+from ehlwave.atlas.stored import checksum, committee_of, errors_of
 from ehlwave.deform.conditions import Conditions
 from ehlwave.deform.line_contact import ROLLS_ALONE
 from ehlwave.errors import RangeError, ResultsError
 
-FORMAT_NAME = "ehlwave-atlas"
+FORMAT_NAME = "ehlwave-atlas 2"
 
 
 class Atlas:
-    """Computed responses and films, interpolated between contacts and waves.
+    """Computed responses and films, as networks know them between contacts and waves.
 
     Parameters
     ----------
@@ -31,50 +26,26 @@ class Atlas:
     """
 
     def __init__(self, data: xr.Dataset) -> None:
-        """Solve for the weights of the films."""
+        """Take the networks."""
         if data.attrs.get("format") != FORMAT_NAME:
             raise ResultsError(f"not a file of scripts/atlas (format {data.attrs.get('format')!r})")
         self.data = data
-        self.kind: Kind = kind_of(data)
-        self.waves = self.kind.waves(data, self.kind)
-        scales = scales_of(data)
-        self._responses = int(data["responses"].sum())
-        self._contacts = self.kind.coordinates(data)
-        films = film_numbers(data, self.kind)
-        self._film_means = films.mean(axis=0)
-        of_films = contacts_alone(self._contacts)
-        self._films = [
-            Process(of_films, values[:, None], scales[name])
-            for name, values in zip(self.kind.films, (films - self._film_means).T, strict=True)
-        ]
-        self._film_misfit = film_errors(data, self.kind) ** 2
-        self._film_reach = np.array(json.loads(data.attrs["film_reach"]))
-        self.contact_scales = scales["film"].contacts if "film" in scales else self._film_reach
-        """Lengths over which responses, or errors of films, change from contact to contact."""
-        self._film_factors = np.array(json.loads(data.attrs["film_error_factors"]))
-
-    @property
-    def has_rises(self) -> bool:
-        """Whether it knows what waves add to the mean film."""
-        return "mean_rise" in self.data
-
-    def film_numbers(self, place: Floats) -> Floats:
-        """Return what the films of a contact are interpolated by, those that its kind names."""
-        found = [process.at_contact(place).sum() for process in self._films]
-        return np.array(found) + self._film_means
-
-    def film_errors(self, place: Floats) -> Floats:
-        """Return their errors: of contacts near by, times what holds the share that is wanted."""
-        near = correlation(place[None, :], self._contacts, self._film_reach)[0]
-        squares = near @ self._film_misfit / np.maximum(near.sum(), 1e-300)
-        return np.asarray(self._film_factors * np.sqrt(squares))
+        self.kind: Kind = KINDS[data.attrs["kind"]]
+        self.films = committee_of(data, "films")
+        """What is known of contacts, those that the kind names, by their coordinates."""
+        self.waves = committee_of(data, "waves")
+        """Numbers of waves, by their coordinates after those of their contacts."""
+        self.film_errors = errors_of(data, "film_errors")
+        """Errors of what is known of contacts, by their coordinates."""
+        self.errors = errors_of(data, "wave_errors")
+        """Errors of film responses, shape (n, 1), by the same as their numbers."""
 
     @property
     def name(self) -> str:
         """What it is and where it comes from."""
         data = self.data
         return (
-            f"atlas of {self._responses} responses of {data.sizes['contact']} contacts "
+            f"atlas of {data.attrs['responses']} responses of {data.attrs['contacts']} contacts "
             f"({data.attrs['program']}, {data.attrs['checksum'][:8]})"
         )
 

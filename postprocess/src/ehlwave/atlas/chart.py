@@ -51,28 +51,31 @@ class Responses:
         Amplitude of P over Ai, in units of ph/c.
     error : ndarray
         Of ``film``, absolute, in units of Ai; what 95 % of responses computed anew keep to.
+    rise : ndarray
+        What a wave adds to the mean film over the film, per (A/film)^2: second order in its
+        amplitude A.
     """
 
     film: Complex
     pressure: Complex
     error: Floats
+    rise: Floats
 
 
 class Chart:
     """The responses of one contact."""
 
     def __init__(self, atlas: "Atlas", keys: Mapping[str, float]) -> None:
-        """Find its films, and what its responses are interpolated by."""
+        """Find its films, and how it sees waves."""
         self._atlas = atlas
-        self._keys = keys
-        self._place = atlas.kind.coordinates(keys)[0]
-        self.film_numbers = atlas.film_numbers(self._place)
-        """What the films are interpolated by: those that the kind of the atlas names."""
         kind = atlas.kind
-        self._references = kind.references(keys)[0]
-        numbers = dict(zip(kind.films, self.film_numbers, strict=True))
-        state = kind.state(keys, self._references, numbers)
-        self._waves = atlas.waves.at(self._place, kind.shape(state, atlas.data.attrs))
+        self._place = kind.coordinates(keys)
+        self.film_numbers = atlas.films(self._place)[0]
+        """What the films are known by: those that the kind of the atlas names."""
+        references = kind.references(keys)
+        numbers = dict(zip(kind.films, self.film_numbers[:, None], strict=True))
+        self._shape = kind.shape(kind.state(keys, references, numbers))
+        self._references = references[0]
 
     @property
     def source(self) -> str:
@@ -82,7 +85,7 @@ class Chart:
     def film(self) -> SmoothFilm:
         """Return the smooth films, and the shear stress where the kind of the atlas has it."""
         base, ratios = self._references, np.exp(self.film_numbers)
-        errors = self._atlas.film_errors(self._place)
+        errors = self._atlas.film_errors(self._place)[0]
         has_stress = "friction_ratio" in self._atlas.kind.films
         return SmoothFilm(
             central_moes=float(base[0] * ratios[0]),
@@ -104,27 +107,34 @@ class Chart:
             Between wave vector and rolling direction, in metres, 0 to 90; shape of the wavelengths.
         """
         wave, angle, shape = _flattened(wavelength_over_a, angle_deg)
-        found = self._waves.responses(self._waves.seen(wave, angle))
-        film, pressure, error = (values.reshape(shape) for values in found)
-        return Responses(film, pressure, error)
+        seen = self._shape.seen(wave, angle)
+        numbers = self._numbers(seen)
+        film = seen.film(numbers)
+        error = self._atlas.errors(self._inputs(seen))[:, 0]
+        found = film, seen.pressure(film, numbers), error, numbers[:, -1]
+        return Responses(*(values.reshape(shape) for values in found))
 
     def film_response(self, wavelength_over_a: ArrayLike, angle_deg: ArrayLike) -> Complex:
         """Return film responses alone; arguments as of :meth:`responses`."""
         wave, angle, shape = _flattened(wavelength_over_a, angle_deg)
-        return self.film_of(self._waves.seen(wave, angle)).reshape(shape)
+        return self.film_of(self._shape.seen(wave, angle)).reshape(shape)
 
     def film_of(self, seen: Seen) -> Complex:
         """Return film responses alone, to waves as the contact sees them."""
-        return self._waves.film(seen)
+        return seen.film(self._numbers(seen))
 
-    def rise(self, wavelength_over_a: ArrayLike, angle_deg: ArrayLike) -> Floats | None:
-        """Return what waves add to the mean film over the film, per (A/film)^2; None: not known.
+    def _numbers(self, seen: Seen) -> Floats:
+        """Return the numbers of waves: of film, pressure and rise."""
+        return self._atlas.waves(self._inputs(seen))
 
-        Second order in the amplitude A of a single wave; arguments as of :meth:`responses`.
-        """
-        wave, angle, shape = _flattened(wavelength_over_a, angle_deg)
-        rise = self._waves.rise(self._waves.seen(wave, angle))
-        return None if rise is None else rise.reshape(shape)
+    def _inputs(self, seen: Seen) -> Floats:
+        return with_contacts(self._place, seen.coordinates)
+
+
+def with_contacts(contacts: Floats, waves: Floats) -> Floats:
+    """Return the coordinates of contacts, one or one a wave, before those of waves."""
+    shape = len(waves), contacts.shape[1]
+    return np.concatenate([np.broadcast_to(contacts, shape), waves], axis=1)
 
 
 def _flattened(wave: ArrayLike, angle_deg: ArrayLike) -> tuple[Floats, Floats, tuple[int, ...]]:

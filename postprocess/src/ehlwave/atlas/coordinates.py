@@ -18,8 +18,6 @@ from ehlwave.medium import log_viscosity
 Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
-CONTACT_COORDINATES = ("H^(1/2)", "ln L", "ln D", "ln ph", "ln B")
-
 
 def contact_coordinates(keys: Mapping[str, ArrayLike]) -> Floats:
     """Return the coordinates of contacts, shape (c, 5), by columns named as the input keys.

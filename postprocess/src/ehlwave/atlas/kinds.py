@@ -2,14 +2,10 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Any
 
-import xarray as xr
 from numpy.typing import ArrayLike
 
 from ehlwave.atlas.coordinates import Floats, contact_coordinates, rolling_references
-from ehlwave.atlas.expanded import Expanded
-from ehlwave.atlas.interpolated import Interpolated
 from ehlwave.atlas.line import LineShape, line_coordinates, line_references
 from ehlwave.atlas.ranges import CONTACT_RANGES, LINE_RANGES, SLIDING_RANGES
 from ehlwave.atlas.shape import Shape
@@ -17,10 +13,9 @@ from ehlwave.atlas.sliding import sliding_coordinates, sliding_references, slidi
 from ehlwave.atlas.sliding_shape import SlidingShape
 
 Keys = Mapping[str, ArrayLike]
-Waves = Interpolated | Expanded
 
 
-def _keys_alone(keys: Keys, _: Floats, __: Mapping[str, float]) -> Keys:
+def _keys_alone(keys: Keys, _: Floats, __: Mapping[str, Floats]) -> Keys:
     return keys
 
 
@@ -37,9 +32,9 @@ class Kind:
     coordinates : callable
         Coordinates of contacts, shape (c, k), by columns named as their keys.
     shape : callable
-        What turns responses into numbers, by the same and the attributes of the file.
+        What turns responses into numbers, by the same.
     films : tuple of str
-        What is interpolated of contacts: ln of the central film over its reference; ln of the
+        What is known of contacts: ln of the central film over its reference; ln of the
         smallest over the central film, less that of their references; ln of the mean shear stress
         over its reference; ln of the pressure at the centre over that of Hertz.
     references : callable
@@ -47,20 +42,17 @@ class Kind:
         of Moes' formula or, under slip, in pure rolling; the stress of
         :func:`ehlwave.atlas.sliding.mean_stress`.
     state : callable
-        What ``shape`` takes of one contact, from its keys, the references and the numbers of its
+        What ``shape`` takes of contacts, from their keys, the references and the numbers of their
         films.
-    waves : callable
-        What finds responses, from the file.
     """
 
     name: str
     ranges: Mapping[str, tuple[float, float]]
     coordinates: Callable[[Keys], Floats]
-    shape: Callable[[Keys, Mapping[str, Any]], Shape]
+    shape: Callable[[Keys], Shape]
     films: tuple[str, ...]
     references: Callable[[Keys], Floats]
-    state: Callable[[Keys, Floats, Mapping[str, float]], Keys] = _keys_alone
-    waves: Callable[[xr.Dataset, "Kind"], Waves] = Interpolated
+    state: Callable[[Keys, Floats, Mapping[str, Floats]], Keys] = _keys_alone
 
 
 _FILMS = ("film_ratio", "minimum_ratio")
@@ -75,12 +67,6 @@ SLIDING = Kind(
     (*_FILMS, "friction_ratio", "pressure_ratio"),
     sliding_references,
     sliding_state,
-    Expanded,
 )
 LINE = Kind("line", LINE_RANGES, line_coordinates, LineShape.of_keys, _FILMS, line_references)
 KINDS = {kind.name: kind for kind in (ROLLING, SLIDING, LINE)}
-
-
-def kind_of(data: xr.Dataset) -> Kind:
-    """Return the kind of an atlas; files without a word roll."""
-    return KINDS[data.attrs.get("kind", ROLLING.name)]

@@ -1,14 +1,13 @@
-"""The coordinates of line contacts, and what of their responses is interpolated."""
+"""The coordinates of line contacts, and their waves."""
 
 from collections.abc import Mapping
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ehlwave.atlas.coordinates import Floats, columns
 from ehlwave.atlas.ranges import LINE_RANGES
-from ehlwave.atlas.shape import INLET_SCALE, Seen, Shape
+from ehlwave.atlas.shape import INLET_SCALE, Seen, Shape, rolling_seen
 from ehlwave.deform.line_contact import (
     SLENDER_OVER_LINE,
     line_alphabar,
@@ -47,17 +46,17 @@ class LineShape(Shape):
         """Find what follows from M and L."""
         self.l = np.asarray(l, dtype=float)
         self.load = SLENDER_OVER_LINE * np.asarray(m, dtype=float) ** 1.5
-        self._inlet = INLET_SCALE * (line_film(m, l) / moes_per_line_film(m)) ** (-2 / 3)
+        film = line_film(m, l) / moes_per_line_film(m)
+        self._log_film, self._inlet = np.log(film), INLET_SCALE * film ** (-2 / 3)
 
     @classmethod
-    def of_keys(cls, keys: Mapping[str, ArrayLike], _: Mapping[str, Any]) -> "LineShape":
+    def of_keys(cls, keys: Mapping[str, ArrayLike]) -> "LineShape":
         """Return that of contacts given by columns named as the input keys."""
         return cls(*columns(keys, list(LINE_RANGES)[:2]))
 
     def seen(self, wavelength_over_a: ArrayLike, angle_deg: ArrayLike) -> Seen:
-        """Return waves by ln x, x = 0.18 (lambda/a) H^(-2/3) L^(1/6), and (lambda/a)^(1/2)."""
+        """Return waves by ln x, x = 0.18 (lambda/a) H^(-2/3) L^(1/6), ln(lambda/a) and ln H."""
         wave = np.asarray(wavelength_over_a, dtype=float)
         x = self._inlet * wave * self.l ** (1 / 6)
         law = transfer_along(self.load, self.l, wave, np.ones(wave.shape))
-        coordinates = np.stack(np.broadcast_arrays(np.log(x), np.sqrt(wave)), axis=-1)
-        return Seen(coordinates, law, law, wave / np.pi)
+        return rolling_seen((np.log(x), np.log(wave), self._log_film), law, wave / np.pi)

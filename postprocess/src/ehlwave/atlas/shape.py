@@ -1,8 +1,8 @@
-"""Waves as an atlas sees them: their coordinates, and what of responses is interpolated there."""
+"""Waves as an atlas sees them: their coordinates, and the numbers that make responses of a law."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, TypeVar
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,8 +13,6 @@ from ehlwave.deform.conditions import MOES_KEYS, ellipticity, pressure_factor
 from ehlwave.rolling import transfer_along
 
 SomeShape = TypeVar("SomeShape", bound="Shape")
-
-WAVE_COORDINATES = ("ln x", "angle, rad", "ln(lambda/b)", "ln(lambda/a)")
 
 INLET_SCALE = 0.18
 """Where loads are high, (lambda/a) H^(-2/3) is V times 1.46 (scatter 18 %): 0.263 over that."""
@@ -27,45 +25,58 @@ LEAST_SHARE = 1e-9
 class Seen:
     """Waves in contacts.
 
-    A film response T is taken less a law, over its spread; a pressure response P as
-    W P - (T - 1), 0 for plane waves in a contact without end: the film is the pattern and the
-    deflection under the pressure, T = 1 + W P, W = 2/(K (kx^2 + kappa^2 ky^2)^(1/2)).
+    A film response is a law and some numbers, each times what it changes: T = law + sum of
+    numbers times slopes. The pressure P that belongs to it is that of plane waves but for two
+    more numbers, p: W P = offset + gain T + p, W = 2/(K (kx^2 + kappa^2 ky^2)^(1/2)). In pure
+    rolling gain is 1 and offset -1: the film is the pattern and the deflection under the pressure.
 
     Attributes
     ----------
     coordinates : ndarray, shape (n, k)
-        In which what is left of responses hardly changes.
-    law, spread : ndarray of complex
-        Film responses by a law, and what they differ from it in proportion to.
-    compliance : ndarray
+        In which, with those of the contact, the numbers are smooth.
+    law : ndarray of complex, shape (n,)
+        Film responses where all numbers are 0.
+    slopes : ndarray of complex, shape (n, numbers)
+        What the numbers change of them.
+    gain, offset : ndarray of complex, shape (n,)
+        Of the deflection.
+    compliance : ndarray, shape (n,)
         W, in units of c/ph.
     """
 
     coordinates: Floats
     law: Complex
-    spread: Complex
+    slopes: Complex
+    gain: Complex
+    offset: Complex
     compliance: Floats
 
-    def reduced(self, film: Complex, pressure: Complex) -> Floats:
-        """Return the four numbers of responses, shape (n, 4)."""
-        ratio = (film - self.law) / self.spread
-        left = self.compliance * pressure - (film - 1)
-        return np.stack([ratio.real, ratio.imag, left.real, left.imag], axis=-1)
+    @property
+    def film_numbers(self) -> int:
+        """How many numbers are of film responses."""
+        return self.slopes.shape[1]
 
     def film(self, numbers: Floats) -> Complex:
-        """Return film responses by the first two of their numbers."""
-        return np.asarray(self.law + (numbers[..., 0] + 1j * numbers[..., 1]) * self.spread)
+        """Return film responses by the first of their numbers, shape (n, any)."""
+        own = numbers[:, : self.film_numbers]
+        return np.asarray(self.law + np.sum(own * self.slopes, axis=1))
 
     def pressure(self, film: Complex, numbers: Floats) -> Complex:
-        """Return pressure responses by those of the film and the last two of their numbers."""
-        return np.asarray((film - 1 + numbers[..., 0] + 1j * numbers[..., 1]) / self.compliance)
+        """Return pressure responses by those of the film and the two numbers after its own."""
+        real, imaginary = numbers[:, self.film_numbers : self.film_numbers + 2].T
+        deflection = self.offset + self.gain * film + real + 1j * imaginary
+        return np.asarray(deflection / self.compliance)
+
+    def pressure_left(self, film: Complex, pressure: Complex) -> Complex:
+        """Return the two numbers of pressure responses, as complex ones."""
+        return np.asarray(self.compliance * pressure - self.offset - self.gain * film)
 
 
 class Shape:
     """What turns responses of contacts that roll into numbers that hardly change, and back.
 
-    Law and spread are the law of pure rolling, amplitude and phase. Takes M, L and D as arrays of
-    one shape.
+    The law is that of pure rolling, amplitude and phase; two numbers change its ratio. Takes M, L
+    and D as arrays of one shape.
     """
 
     OF_ALL: tuple[str, ...] = ()
@@ -78,11 +89,12 @@ class Shape:
         self.kappa = np.vectorize(ellipticity, otypes=[float])(np.asarray(d, dtype=float))
         gamma = np.vectorize(pressure_factor, otypes=[float])(self.kappa)
         self.load = gamma * m
-        self._inlet = INLET_SCALE * hertz_film(m, l, d) ** (-2 / 3)
+        film = hertz_film(m, l, d)
+        self._log_film, self._inlet = np.log(film), INLET_SCALE * film ** (-2 / 3)
         self._pi_k = np.pi * ellipk(1 - self.kappa**2)
 
     @classmethod
-    def of_keys(cls, keys: Mapping[str, ArrayLike], _: Mapping[str, Any]) -> "Shape":
+    def of_keys(cls, keys: Mapping[str, ArrayLike]) -> "Shape":
         """Return that of contacts given by columns named as the input keys."""
         return cls(*columns(keys, MOES_KEYS))
 
@@ -96,17 +108,21 @@ class Shape:
     def seen(self, wavelength_over_a: ArrayLike, angle_deg: ArrayLike) -> Seen:
         """Return waves, of each contact one or all of the only contact.
 
-        Coordinates are ln x, x = 0.18 (lambda/a) H^(-2/3) L^(1/2 - cos^2(theta)/3), the angle and
-        the wavelength over b and a. x is that of the recommended formula where loads are high; at
-        low ones it is smaller.
+        Coordinates are ln x, x = 0.18 (lambda/a) H^(-2/3) L^(1/2 - cos^2(theta)/3), the angle, its
+        cos^2, the wavelength over b and a, and ln H. x is that of the recommended formula where
+        loads are high; at low ones it is smaller.
         """
         wave, theta = np.asarray(wavelength_over_a, dtype=float), np.radians(angle_deg)
         share = np.cos(theta)
         along = np.where(share > LEAST_SHARE, share**2, 0.0)
         x = self._inlet * wave * self.l ** (0.5 - along / 3)
-        parts = np.log(x), theta, np.log(wave * self.kappa), np.log(wave)
         law = transfer_along(self.load, self.l, wave, along)
-        coordinates = np.empty((*np.shape(law), len(parts)))
-        for place, part in enumerate(parts):
-            coordinates[..., place] = part
-        return Seen(coordinates, law, law, wave / self._pi_k)
+        logs = np.log(x), np.log(wave * self.kappa), np.log(wave), self._log_film
+        return rolling_seen((*logs, theta, along), law, wave / self._pi_k)
+
+
+def rolling_seen(coordinates: Sequence[ArrayLike], law: Complex, compliance: Floats) -> Seen:
+    """Return waves that roll, whose numbers change the ratio to a law."""
+    columns, one = np.broadcast_arrays(law, *coordinates)[1:], np.ones(law.shape)
+    slopes = np.stack([law, 1j * law], axis=-1)
+    return Seen(np.stack(columns, axis=-1), law, slopes, one, -one, compliance)

@@ -24,14 +24,16 @@ MODULUS_PA = 2.2e11
 
 
 def sliding_coordinates(keys: Mapping[str, ArrayLike]) -> Floats:
-    """Return the coordinates of contacts, shape (c, 7), by columns named as their keys.
+    """Return the coordinates of contacts, shape (c, 8), by columns named as their keys.
 
-    Those of contacts that roll, S, and ln of the Newtonian stress at S = 2 in the inlet over the
-    Eyring stress.
+    Those of contacts that roll; ln of the Newtonian stress in the inlet over the Eyring stress at
+    S = 2; and what is the same for S and 2 - S, as films are: (S - 1)^2 and, for the slip that
+    there is, ln(1 + (that stress ratio)^2)/2.
     """
-    stress = [np.log(INLET_VISCOSITY * one.medium(2.0).thinning) for one in conditions_of(keys)]
     slip = np.atleast_1d(np.asarray(keys["slip_parameter"], dtype=float))
-    return np.column_stack([contact_coordinates(keys), slip, stress])
+    stress = INLET_VISCOSITY * np.array([one.medium(2.0).thinning for one in conditions_of(keys)])
+    own = np.log1p((stress * (slip - 1)) ** 2) / 2
+    return np.column_stack([contact_coordinates(keys), np.log(stress), own, (slip - 1) ** 2])
 
 
 def conditions_of(keys: Mapping[str, ArrayLike]) -> list[Conditions]:
@@ -78,13 +80,12 @@ def _references(contact: Conditions) -> tuple[float, float, float, float]:
 
 
 def sliding_state(
-    keys: Mapping[str, ArrayLike], references: Floats, numbers: Mapping[str, float]
+    keys: Mapping[str, ArrayLike], references: Floats, numbers: Mapping[str, Floats]
 ) -> Mapping[str, ArrayLike]:
-    """Return the keys of a contact with H and ln P at its centre."""
-    (contact,) = conditions_of(keys)
-    moes = references[0] * np.exp(numbers["film_ratio"])
-    central = {"central_film": moes / moes_per_film(contact.m, contact.kappa)}
-    return {**keys, **central, "pressure_ratio": numbers["pressure_ratio"]}
+    """Return the keys of contacts with H and ln P at their centres."""
+    scales = np.array([moes_per_film(one.m, one.kappa) for one in conditions_of(keys)])
+    film = references[:, 0] * np.exp(numbers["film_ratio"]) / scales
+    return {**keys, "central_film": film, "pressure_ratio": numbers["pressure_ratio"]}
 
 
 def rolling_chart(contact: Conditions) -> "Chart":

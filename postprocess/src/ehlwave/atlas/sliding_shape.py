@@ -1,17 +1,16 @@
 """Waves under slip as the atlas of contacts that slide sees them."""
 
-import json
 from collections.abc import Mapping
 from copy import copy
-from dataclasses import astuple, dataclass, replace
+from dataclasses import astuple
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ehlwave.atlas.coordinates import Complex, Floats, columns
-from ehlwave.atlas.shape import Shape
+from ehlwave.atlas.shape import Seen, Shape
 from ehlwave.atlas.sliding import conditions_of, rolling_chart
 from ehlwave.deform.conditions import MOES_KEYS, Conditions
 from ehlwave.medium import INLET_VISCOSITY, Medium, hertz_medium
@@ -23,103 +22,26 @@ if TYPE_CHECKING:
 STANDING = 1e4
 """Wavelength along X, in units of a, of waves that hardly move: those of 90 degrees."""
 
-INSTALLED = np.array([*SLIP_POWERS, *LAUNCH_LENGTH])
-"""The coefficients of :mod:`ehlwave.two_waves`."""
-
-FILM_NUMBERS = 7
-"""How many numbers change a film response; a pressure response has two."""
-
-
-@dataclass(frozen=True)
-class SlidingSeen:
-    """Waves in contacts that slide.
-
-    The law of the two waves, T = a + c, knows them by seven numbers, 0 where it stands as it is:
-    what the power of S lacks (real and imaginary part, see :func:`ehlwave.two_waves.launched`), ln
-    of the factors of the launch's length and of the flow at the centre under slip and in pure
-    rolling, and what T lacks then (real and imaginary). The pressure is taken less that of the two
-    waves, (a - 1)/W(k) + c/W(psi), times W(k): two numbers.
-
-    Attributes
-    ----------
-    coordinates : ndarray, shape (n, 15)
-        In which the numbers are smooth.
-    kx, ky : ndarray
-        Wave numbers, 1/a.
-    media : ndarray, shape (c, 2, 7)
-        :class:`ehlwave.medium.Medium` under slip and in pure rolling, of each wave or of all.
-    rolling : ndarray of complex
-        R, the transfers in pure rolling.
-    law : ndarray
-        Coefficients of the law.
-    launch : Launch
-        Of the law as it stands.
-    compliance : ndarray
-        W(k), in units of c/ph.
-    """
-
-    coordinates: Floats
-    kx: Floats
-    ky: Floats
-    media: Floats
-    rolling: Complex
-    law: Floats
-    launch: Launch
-    compliance: Floats
-
-    def film(self, numbers: Floats) -> Complex:
-        """Return film responses by their numbers, shape (n, 7)."""
-        power, length, flow = numbers[:, 0] + 1j * numbers[:, 1], numbers[:, 2], numbers[:, 3:5]
-        media = self.media + np.zeros((len(numbers), 1, 1))
-        media[..., 3:5] *= np.exp(flow)[..., None]
-        further = {"length": self.launch.length * np.exp(length), "more": power}
-        launch = _launch(self.kx, self.ky, media, self.launch, **further)
-        left = numbers[:, 5] + 1j * numbers[:, 6]
-        return np.asarray(launch.attenuated + self._launched(launch) + left)
-
-    def film_by_law(self) -> Complex:
-        """Return film responses by the law as it stands."""
-        return np.asarray(self.launch.attenuated + self._launched(self.launch))
-
-    def pressure(self, film: Complex, numbers: Floats) -> Complex:
-        """Return pressure responses by those of the film and their numbers, shape (n, 2)."""
-        left = numbers[:, 0] + 1j * numbers[:, 1]
-        return np.asarray((self._deflection(film) + left) / self.compliance)
-
-    def pressure_left(self, film: Complex, pressure: Complex) -> Complex:
-        """Return what :meth:`pressure` takes as numbers, as complex ones."""
-        return np.asarray(self.compliance * pressure - self._deflection(film))
-
-    def _launched(self, launch: Launch) -> Complex:
-        return launched(self.rolling, launch, self.law[: len(SLIP_POWERS)])
-
-    def _deflection(self, film: Complex) -> Complex:
-        """Return W(k) times the pressure of the two waves that make up a film response."""
-        a, psi = self.launch.attenuated, self.kx + self.launch.mismatch
-        ratio = np.sqrt((psi**2 + self.ky**2) / (self.kx**2 + self.ky**2))
-        return np.asarray(a - 1 + (film - a) * ratio)
-
 
 class SlidingShape(Shape):
-    """What contacts that slide make of waves, by closed forms.
+    """What contacts that slide make of waves: the law of the two waves, T = a + c.
 
-    The state of the contact centre has the film and the pressure there as they were computed.
+    Two numbers change the ratio of c to the law, two are added to T. The pressure is that of the
+    two waves, W(k) P = a - 1 + c W(k)/W(psi). The state of the contact centre has the film and the
+    pressure there.
     """
 
-    OF_ALL = ("_law", "_rolling", "_chart")
+    OF_ALL = ("_rolling", "_chart")
     _contacts: NDArray[np.object_]
     _media: Floats
     _slip: Floats
     _alphabar: Floats
     _state: Floats
-    _law: Floats
     _rolling: Complex | None
 
     @classmethod
-    def of_keys(
-        cls, keys: Mapping[str, ArrayLike], attributes: Mapping[str, Any]
-    ) -> "SlidingShape":
-        """Return that of contacts, and of the atlas' law.
+    def of_keys(cls, keys: Mapping[str, ArrayLike]) -> "SlidingShape":
+        """Return that of contacts.
 
         Columns are named as the keys of contacts; besides ``central_film``, H, and
         ``pressure_ratio``, ln P, at the centre.
@@ -137,7 +59,6 @@ class SlidingShape(Shape):
         slip = np.log(shape._slip)
         parts = np.sqrt(film), np.log(shape.l), np.log(shape.kappa), thinned, slip, np.abs(slip)
         shape._state = np.stack([*parts, np.log(shape._alphabar), np.exp(log_p)], axis=-1)
-        shape._law = np.array(json.loads(attributes["law"])) if "law" in attributes else INSTALLED
         shape._rolling = None
         return shape
 
@@ -147,47 +68,52 @@ class SlidingShape(Shape):
         other._rolling = rolling
         return other
 
-    def with_law(self, law: Floats) -> "SlidingShape":
-        """Return the same with other coefficients: the powers, then those of the length."""
-        other = copy(self)
-        other._law = law
-        return other
-
-    def seen_under_slip(self, wavelength_over_a: ArrayLike, angle_deg: ArrayLike) -> SlidingSeen:
+    def seen(self, wavelength_over_a: ArrayLike, angle_deg: ArrayLike) -> Seen:
         """Return waves, of each contact one or all of the only contact.
 
         Coordinates are of the contact H^(1/2), ln L, ln kappa, ln(1 + 100 B0), ln S and its
         absolute value, ln(alpha ph) and P at the centre; of the wave cos^2 of its angle,
-        ln(lambda/a), |R|^2, psi - kx, each part bounded, |a|^2 and ln x of :class:`Shape`.
+        ln(lambda/a), ln x of :class:`Shape`, |R|^2, |a|^2 and psi - kx, each part bounded.
         """
-        rolled = self.seen(wavelength_over_a, angle_deg)
+        rolled = super().seen(wavelength_over_a, angle_deg)
         rolling = self._chart.film_of(rolled) if self._rolling is None else self._rolling
         number, theta = 2 * np.pi / np.asarray(wavelength_over_a, float), np.radians(angle_deg)
         kx = np.maximum(number * np.cos(theta), 2 * np.pi / STANDING)
         ky = number * np.sin(theta)
-        length = launch_length(self.load, self.l, self._alphabar, self._law[len(SLIP_POWERS) :])
-        none = np.zeros(1)
-        known = Launch(
-            none, none, none, self._slip, kx**2 / (kx**2 + ky**2), self.load, length, none
-        )
-        launch = _launch(kx, ky, self._media, known)
+        launch = self._launch(kx, ky)
+        a, c = launch.attenuated, launched(rolling, launch, SLIP_POWERS)
         loss, turn = launch.mismatch.imag, launch.mismatch.real
         parts = (
             launch.along,
-            rolled.coordinates[:, 3],
+            *rolled.coordinates[:, [2, 0]].T,
             np.abs(rolling) ** 2,
+            np.abs(a) ** 2,
             loss / (1 + np.abs(loss) / 2),
             turn / (1 + np.abs(turn) / 3),
-            np.abs(launch.attenuated) ** 2,
-            rolled.coordinates[:, 0],
         )
         states = self._state.shape[1]
         coordinates = np.empty((kx.size, states + len(parts)))
         coordinates[:, :states] = self._state
         for place, part in enumerate(parts, states):
             coordinates[:, place] = part
-        return SlidingSeen(
-            coordinates, kx, ky, self._media, rolling, self._law, launch, rolled.compliance
+        psi, one = kx + launch.mismatch, np.ones(kx.shape)
+        gain = np.sqrt((psi**2 + ky**2) / (kx**2 + ky**2))
+        slopes = np.stack([c, 1j * c, one, 1j * one], axis=-1)
+        return Seen(coordinates, a + c, slopes, gain, a - 1 - a * gain, rolled.compliance)
+
+    def _launch(self, kx: Floats, ky: Floats) -> Launch:
+        """Return what decides how much of waves the inlet launches."""
+        under_slip, both = Medium(*self._media[:, 0].T), Medium(*self._media.T)
+        psi = both.complementary_number(np.stack([kx * self._slip, kx + 0 * self._slip]), ky)
+        return Launch(
+            attenuated=under_slip.attenuated(kx, ky, self._slip),
+            mismatch=psi[0] - kx,
+            mismatch_rolling=psi[1] - kx,
+            slip=self._slip,
+            along=kx**2 / (kx**2 + ky**2),
+            load=self.load,
+            length=launch_length(self.load, self.l, self._alphabar, LAUNCH_LENGTH),
+            thinning=under_slip.thinning,
         )
 
     @cached_property
@@ -201,19 +127,3 @@ def _media(contact: Conditions, film: float, pressure: float) -> list[tuple[floa
     c = contact
     scales = c.oil, c.kappa, c.alphabar, c.lambdabar, film
     return [astuple(hertz_medium(*scales, slip, pressure)) for slip in (c.slip_parameter, 1.0)]
-
-
-def _launch(
-    kx: Floats, ky: Floats, media: Floats, known: Launch, **further: Complex | Floats
-) -> Launch:
-    """Return what the state of the centre decides on, beside what is known."""
-    under_slip, both = Medium(*media[:, 0].T), Medium(*media.T)
-    psi = both.complementary_number(np.stack([kx * known.slip, kx + 0 * known.slip]), ky)
-    return replace(
-        known,
-        attenuated=under_slip.attenuated(kx, ky, known.slip),
-        mismatch=psi[0] - kx,
-        mismatch_rolling=psi[1] - kx,
-        thinning=under_slip.thinning,
-        **further,
-    )

@@ -99,13 +99,13 @@ class AtlasTransfer:
         """Return the error of the transfer, absolute, in units of the amplitude before."""
         return self._find(per_length_x, per_length_y).error
 
-    def rise(self, per_length_x: Waves, per_length_y: Waves) -> Waves | None:
-        """Return what waves add to the mean film, to second order; None: the atlas has no rises.
+    def rise(self, per_length_x: Waves, per_length_y: Waves) -> Waves:
+        """Return what waves add to the mean film, to second order.
 
         Shorter waves than the atlas' add as much as its shortest; longer ones less, as the square
         of their response.
         """
-        return self._find(per_length_x, per_length_y).rise if self._atlas.has_rises else None
+        return self._find(per_length_x, per_length_y).rise
 
     def is_covered(self, per_length_x: Waves, per_length_y: Waves) -> NDArray[np.bool_]:
         """Return whether a wave lies within the wavelengths of the atlas."""
@@ -182,9 +182,8 @@ class AtlasTransfer:
             logs = np.linspace(*np.log(WAVE_RANGE), WAVES)
             angles = np.linspace(0, 90, ANGLES) if one is None else np.array([one])
             waves = np.exp(logs)[:, None], angles[None, :]
-            found, rise = self._chart.responses(*waves), self._chart.rise(*waves)
-            parts = [found.film.real, found.film.imag, found.error]
-            parts.append(np.zeros(found.error.shape) if rise is None else rise)
+            found = self._chart.responses(*waves)
+            parts = [found.film.real, found.film.imag, found.error, found.rise]
             if one is None:
                 self._lookups[key] = _between(logs, angles, parts)
             else:

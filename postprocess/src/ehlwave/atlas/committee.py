@@ -1,0 +1,52 @@
+"""Several small networks that know the same numbers: their mean is what an atlas answers.
+
+Each has two hidden layers, y = B3 + W3 tanh(B2 + W2 tanh(B1 + W1 x)), of inputs x in units of
+their scatter; they differ by what their weights were before they were fitted. Goodfellow, Bengio
+and Courville, *Deep Learning* (2016), 6.1 and 7.11.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+Singles = NDArray[np.float32]
+
+LAYERS = ("w1", "b1", "w2", "b2", "w3", "b3")
+"""Weights of some networks; the first axis of each is theirs."""
+
+Layers = tuple[Singles, ...]
+"""As LAYERS."""
+
+
+@dataclass(frozen=True)
+class Committee:
+    """Networks of the same inputs and outputs.
+
+    Attributes
+    ----------
+    centre, scatter : ndarray, shape (inputs,)
+        Of the inputs where the networks were fitted.
+    layers : tuple of ndarray
+        Shapes (networks, inputs, hidden), (networks, 1, hidden), (networks, hidden, hidden),
+        (networks, 1, hidden), (networks, hidden, outputs), (networks, 1, outputs).
+    """
+
+    centre: Floats
+    scatter: Floats
+    layers: Layers
+
+    def __call__(self, places: Floats) -> Floats:
+        """Return the outputs at places, shape (n, inputs): shape (n, outputs)."""
+        hidden = ((places - self.centre) / self.scatter).astype(np.float32)
+        return np.asarray(outputs_of(self.layers, hidden)[-1].mean(axis=0), dtype=float)
+
+
+def outputs_of(layers: Layers, scaled: Singles) -> Sequence[Singles]:
+    """Return the values of both hidden layers and the outputs, of inputs in units of scatter."""
+    w1, b1, w2, b2, w3, b3 = layers
+    first = np.tanh(scaled @ w1 + b1)
+    second = np.tanh(first @ w2 + b2)
+    return first, second, second @ w3 + b3
