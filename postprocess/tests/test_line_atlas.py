@@ -6,8 +6,11 @@ import numpy as np
 import pytest
 
 import ehlwave
+from ehlwave.atlas.atlas import load_atlas, shipped
+from ehlwave.atlas.kinds import LINE
 from ehlwave.cli import main
 from ehlwave.deform import map_surface, trace_surface
+from studies.atlas.design import contact_at, uncertain_contacts
 from studies.atlas.line_design import case, write_batch
 
 MOES = {"load_parameter_m": 100, "lubricant_parameter_l": 11, "radius_ratio_d": 0}
@@ -119,3 +122,18 @@ def test_the_sweep_of_a_batch_fills_the_ranges_and_resolves_the_inlet(tmp_path: 
     )
     assert light["x_min"] < heavy["x_min"]
     assert heavy["cells_x"] == 8192
+
+
+def test_later_batches_go_where_the_atlas_knows_least(tmp_path: Path) -> None:
+    atlas = load_atlas(shipped(LINE))
+
+    def bar(contacts: list[dict[str, float]]) -> float:
+        return float(np.mean([atlas.at(one).responses([0.3, 1.0], 0.0).error for one in contacts]))
+
+    shares = np.random.default_rng(1).random((48, 4)).tolist()
+    anywhere = [contact_at(one, LINE.ranges) for one in shares]
+    assert bar(uncertain_contacts(atlas, 3, 16, 64)) > 1.3 * bar(anywhere)
+    table = np.genfromtxt(
+        write_batch(tmp_path, 20, atlas).with_suffix(".csv"), names=True, delimiter=","
+    )
+    assert len(np.unique(table["load_parameter_m"])) == 16

@@ -8,9 +8,9 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from ehlwave.atlas import load_atlas
+from ehlwave.atlas import Atlas, load_atlas
 from ehlwave.atlas.atlas import shipped
-from ehlwave.atlas.kinds import KINDS, LINE
+from ehlwave.atlas.kinds import KINDS, LINE, Kind
 from studies.atlas import line_design
 from studies.atlas.design import DESIGNS, write_batch, write_rises, write_validation
 from studies.atlas.fit import finished
@@ -18,6 +18,12 @@ from studies.atlas.points import read_points
 from studies.atlas.store import write_atlas
 from studies.atlas.validate import judge
 from studies.sweeps import run_command
+
+FILLING = {"rolling": 24, "sliding": 64, "line": 20}
+"""Batches that fill the ranges; later ones go where the errors of those before are largest."""
+
+BLOCK = 16
+"""Of the later batches, those that follow from one fit, which takes as long as ten of them."""
 
 RISE_BATCHES = {"rolling": 24, "sliding": 24}
 """Batches of which the rise of the mean film under oblique waves is computed: that costs more."""
@@ -40,10 +46,11 @@ def _do(options: argparse.Namespace) -> None:
     atlas = options.atlas or shipped(kind)
     batches = sorted(folder.glob(f"{kind.name}-[0-9][0-9].h5"))
     if step == "batch":
+        known = _known_before(options.batch, folder, kind, options.ranks)
         if kind is LINE:
-            print(line_design.write_batch(folder, options.batch))
+            print(line_design.write_batch(folder, options.batch, known))
         else:
-            print(write_batch(folder, options.batch, DESIGNS[kind.name]))
+            print(write_batch(folder, options.batch, DESIGNS[kind.name], known))
     elif step == "rises":
         with_rises = read_points(batches[: RISE_BATCHES[kind.name]], kind=kind)
         print(write_rises(folder, DESIGNS[kind.name], with_rises))
@@ -60,6 +67,19 @@ def _do(options: argparse.Namespace) -> None:
     else:
         computed = read_points([folder / f"{kind.name}-validation.h5"], kind=kind)
         print(judge(load_atlas(atlas), computed).text())
+
+
+def _known_before(batch: int, folder: Path, kind: Kind, ranks: int) -> Atlas | None:
+    """Return the atlas of the batches before the block of one that follows from it."""
+    later = batch - FILLING[kind.name]
+    if later < 0:
+        return None
+    count = batch - later % BLOCK
+    path = folder / f"{kind.name}-before-{count}.nc"
+    if not path.is_file():
+        before = [folder / f"{kind.name}-{number:02d}.h5" for number in range(count)]
+        write_atlas(finished(read_points(before, kind=kind), ranks), path)
+    return load_atlas(path)
 
 
 if __name__ == "__main__":

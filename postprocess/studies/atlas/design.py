@@ -9,6 +9,7 @@ import xarray as xr
 from numpy.typing import NDArray
 from scipy.stats import qmc
 
+from ehlwave.atlas import Atlas
 from ehlwave.atlas.kinds import ROLLING, SLIDING, Kind
 from ehlwave.atlas.ranges import CONTACT_RANGES, WAVE_RANGE
 from ehlwave.atlas.sliding import MODULUS_PA
@@ -22,6 +23,9 @@ Ranges = Mapping[str, tuple[float, float]]
 
 CONTACTS = 32
 """Of one batch."""
+
+CANDIDATES = 512
+"""Contacts of which those of a batch are drawn by the errors of the atlas so far."""
 
 SLENDER = {"load_parameter_m": (20.0, 70.0), "radius_ratio_d": (0.04, 0.2)}
 """Where bodies are nearly rigid along rolling and not across it."""
@@ -127,6 +131,20 @@ def slender_contacts(seed: int, count: int = CONTACTS) -> list[dict[str, float]]
     return [contact_at(shares.tolist(), ranges) for shares in sequence.random(count)]
 
 
+def uncertain_contacts(
+    atlas: Atlas, seed: int, count: int = CONTACTS, of: int = CANDIDATES
+) -> list[dict[str, float]]:
+    """Return contacts where an atlas knows least: of many, drawn by the squares of error bars."""
+    ranges = atlas.kind.ranges
+    sequence = qmc.Sobol(len(ranges), seed=seed)
+    candidates = [contact_at(shares.tolist(), ranges) for shares in sequence.random(of)]
+    waves, angles = np.meshgrid([0.15, 0.4, 1.0, 2.5], [0.0, 40.0, 90.0])
+    wanted = [np.mean(atlas.at(one).responses(waves, angles).error ** 2) for one in candidates]
+    shares = np.array(wanted) / np.sum(wanted)
+    drawn = np.random.default_rng(seed).choice(of, count, replace=False, p=shares)
+    return [candidates[one] for one in drawn]
+
+
 def contact_at(shares: Sequence[float], ranges: Ranges = CONTACT_RANGES) -> dict[str, float]:
     """Return a contact by its place in the ranges, 0 to 1 in each of them."""
     found = {}
@@ -164,10 +182,19 @@ def pattern(wavelength_over_a: float, angle_deg: float) -> dict[str, float]:
     }
 
 
-def write_batch(folder: Path, batch: int, design: Design = ROLLING_DESIGN) -> Path:
-    """Write the sweep of a batch, which fills the ranges unless it is one of slender contacts."""
-    is_slender = design.kind is ROLLING and batch in SLENDER_BATCHES
-    chosen = slender_contacts(4000 + batch) if is_slender else contacts(design, batch)
+def write_batch(
+    folder: Path, batch: int, design: Design = ROLLING_DESIGN, atlas: Atlas | None = None
+) -> Path:
+    """Write the sweep of a batch: where the atlas so far knows least, if there is one.
+
+    Without one it fills the ranges unless it is one of slender contacts.
+    """
+    if atlas is not None:
+        chosen = uncertain_contacts(atlas, design.seed + 1000 + batch)
+    elif design.kind is ROLLING and batch in SLENDER_BATCHES:
+        chosen = slender_contacts(4000 + batch)
+    else:
+        chosen = contacts(design, batch)
     random = np.random.default_rng([batch, design.seed])
     name = f"{design.kind.name}-{batch:02d}"
     return sweeps.write_sweep(folder, name, rows(design, chosen, random), design.groups)

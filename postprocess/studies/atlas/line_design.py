@@ -6,12 +6,13 @@ from pathlib import Path
 import numpy as np
 from scipy.stats import qmc
 
+from ehlwave.atlas import Atlas
 from ehlwave.atlas.kinds import LINE
 from ehlwave.atlas.line import LineShape
 from ehlwave.atlas.ranges import WAVE_RANGE
 from ehlwave.deform.line_contact import SLENDER_OVER_LINE
 from studies import sweeps
-from studies.atlas.design import GROUPS, MARGIN, contact_at
+from studies.atlas.design import GROUPS, MARGIN, contact_at, uncertain_contacts
 
 CONTACTS = 16
 """Of one batch."""
@@ -32,15 +33,18 @@ LOW_LOAD = 40.0
 """The M below which the inlet is so long that the domain begins at X = -6.5, not -2.5."""
 
 
-def write_batch(folder: Path, batch: int) -> Path:
-    """Write the sweep of a batch, all over the ranges and a little below.
+def write_batch(folder: Path, batch: int, atlas: Atlas | None = None) -> Path:
+    """Write the sweep of a batch: where the atlas so far knows least, if there is one.
 
-    Responses change most at their lower ends.
+    Without one it fills the ranges and a little below: responses change most at their lower ends.
     """
     random = np.random.default_rng([batch, SEED])
-    ranges = {key: (low / MARGIN, high) for key, (low, high) in LINE.ranges.items()}
-    shares = qmc.Sobol(len(ranges), seed=SEED).random((batch + 1) * CONTACTS)[-CONTACTS:]
-    chosen = [contact_at(one.tolist(), ranges) for one in shares]
+    if atlas is not None:
+        chosen = uncertain_contacts(atlas, SEED + batch, CONTACTS)
+    else:
+        ranges = {key: (low / MARGIN, high) for key, (low, high) in LINE.ranges.items()}
+        shares = qmc.Sobol(len(ranges), seed=SEED).random((batch + 1) * CONTACTS)[-CONTACTS:]
+        chosen = [contact_at(one.tolist(), ranges) for one in shares]
     rows = (case(one, wave) for one in chosen for wave in waves(one, random))
     return sweeps.write_sweep(folder, f"line-{batch:02d}", rows, GROUPS)
 
