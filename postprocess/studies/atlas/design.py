@@ -20,6 +20,7 @@ from studies.programs import Groups
 
 Floats = NDArray[np.float64]
 Ranges = Mapping[str, tuple[float, float]]
+Contact = dict[str, float]
 
 CONTACTS = 32
 """Of one batch."""
@@ -116,28 +117,17 @@ SLIDING_DESIGN = Design(
 DESIGNS = {design.kind.name: design for design in (ROLLING_DESIGN, SLIDING_DESIGN)}
 
 
-def contacts(design: Design, batch: int, count: int = CONTACTS) -> list[dict[str, float]]:
-    """Return the contacts of a batch: a piece of a Sobol sequence over the ranges of the atlas."""
-    ranges = design.kind.ranges
-    sequence = qmc.Sobol(len(ranges), seed=design.seed)
-    shares = sequence.random((batch + 1) * count)[-count:]
+def spread_contacts(ranges: Ranges, seed: int, count: int, piece: int = 0) -> list[Contact]:
+    """Return contacts that fill ranges: a piece, counted from 0, of a Sobol sequence."""
+    shares = qmc.Sobol(len(ranges), seed=seed).random((piece + 1) * count)[-count:]
     return [contact_at(one.tolist(), ranges) for one in shares]
-
-
-def slender_contacts(seed: int, count: int = CONTACTS) -> list[dict[str, float]]:
-    """Return slender contacts under low loads."""
-    sequence = qmc.Sobol(len(CONTACT_RANGES), seed=seed)
-    ranges = {**CONTACT_RANGES, **SLENDER}
-    return [contact_at(shares.tolist(), ranges) for shares in sequence.random(count)]
 
 
 def uncertain_contacts(
     atlas: Atlas, seed: int, count: int = CONTACTS, of: int = CANDIDATES
-) -> list[dict[str, float]]:
+) -> list[Contact]:
     """Return contacts where an atlas knows least: of many, drawn by the squares of error bars."""
-    ranges = atlas.kind.ranges
-    sequence = qmc.Sobol(len(ranges), seed=seed)
-    candidates = [contact_at(shares.tolist(), ranges) for shares in sequence.random(of)]
+    candidates = spread_contacts(atlas.kind.ranges, seed, of)
     waves, angles = np.meshgrid([0.15, 0.4, 1.0, 2.5], [0.0, 40.0, 90.0])
     wanted = [np.mean(atlas.at(one).responses(waves, angles).error ** 2) for one in candidates]
     shares = np.array(wanted) / np.sum(wanted)
@@ -192,9 +182,9 @@ def write_batch(
     if atlas is not None:
         chosen = uncertain_contacts(atlas, design.seed + 1000 + batch)
     elif design.kind is ROLLING and batch in SLENDER_BATCHES:
-        chosen = slender_contacts(4000 + batch)
+        chosen = spread_contacts({**CONTACT_RANGES, **SLENDER}, 4000 + batch, CONTACTS)
     else:
-        chosen = contacts(design, batch)
+        chosen = spread_contacts(design.kind.ranges, design.seed, CONTACTS, batch)
     random = np.random.default_rng([batch, design.seed])
     name = f"{design.kind.name}-{batch:02d}"
     return sweeps.write_sweep(folder, name, rows(design, chosen, random), design.groups)

@@ -1,7 +1,7 @@
 """From points to the atlas: networks of films, responses and their errors."""
 
 import json
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from concurrent.futures import Executor, ProcessPoolExecutor
 from itertools import repeat
 
@@ -9,25 +9,20 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from ehlwave.atlas.atlas import FORMAT_NAME
+from ehlwave.atlas.atlas import FORMAT_NAME, load_atlas
 from ehlwave.atlas.chart import with_contacts
 from ehlwave.atlas.committee import Committee
 from ehlwave.atlas.kinds import KINDS, Kind
-from studies.atlas.losses import Errors, Films, Waves
-from studies.atlas.points import (
-    contact_of,
-    film_discretisation,
-    film_numbers,
-    responses_of,
-    rolling_of,
-    waves_of,
-)
+from ehlwave.atlas.ranges import CONTACT_RANGES
+from ehlwave.atlas.sliding_shape import SlidingShape
+from studies.atlas.losses import Errors, Films, Task, Waves, part
+from studies.atlas.points import contact_of, film_numbers, waves_of
 from studies.atlas.store import variables_of
 from studies.atlas.train import Recipe, fitted, joined
 
+Complex = NDArray[np.complex128]
 Floats = NDArray[np.float64]
 Rows = NDArray[np.intp]
-Task = Waves | Films | Errors
 
 FOLDS = 5
 """Parts of the contacts that are left out in turn."""
@@ -57,12 +52,13 @@ def finished(data: xr.Dataset, workers: int = 1) -> xr.Dataset:
     """
     kind = KINDS[data.attrs["kind"]]
     of_contact = contact_of(data)
+    discretised = [f"{name}_discretisation" for name in kind.films]
     fold = np.random.default_rng(11).permutation(data.sizes["contact"]) % FOLDS
-    films = Films(kind.coordinates(data), film_numbers(data, kind))
+    films = Films(kind.coordinates(data), film_numbers(data, kind.films))
     with ProcessPoolExecutor(workers) as pool:
         predicted = _left_out(pool, films, OF_FILMS, fold)
         film_misses = np.abs(predicted - films.numbers)
-        waves = waves_in(data, kind, predicted)
+        waves = waves_in(data, kind, films, predicted)
         numbers = _left_out(pool, waves, OF_WAVES[kind.name], fold[of_contact])
         wave_misses = np.abs(waves.missed(numbers))
         found = {
@@ -72,7 +68,7 @@ def finished(data: xr.Dataset, workers: int = 1) -> xr.Dataset:
         found["film_errors"], of_films = _bars(
             pool,
             films.inputs,
-            np.hypot(film_misses, film_discretisation(data, kind)),
+            np.hypot(film_misses, film_numbers(data, discretised)),
             fold,
         )
         found["wave_errors"], of_waves = _bars(
@@ -105,49 +101,56 @@ def finished(data: xr.Dataset, workers: int = 1) -> xr.Dataset:
     return data
 
 
-def waves_in(data: xr.Dataset, kind: Kind, predicted: Floats) -> Waves:
+def waves_in(data: xr.Dataset, kind: Kind, films: Films, predicted: Floats) -> Waves:
     """Return responses as the atlas sees them, where films of contacts are those `predicted`."""
-    of_contact = contact_of(data)
+    of_contact, waves = contact_of(data), waves_of(data)
     names = dict(zip(kind.films, predicted.T, strict=True))
-    columns = {name: data[name].values.astype(float) for name in kind.ranges}
-    shape = kind.shape(kind.state(columns, kind.references(columns), names))[of_contact]
-    rolling = rolling_of(data, kind)
-    seen = (shape if rolling is None else shape.with_rolling(rolling)).seen(*waves_of(data))
-    film, pressure = responses_of(data)
+    columns = {name: data[name].values for name in kind.ranges}
+    shape = kind.shape(kind.state(columns, data["references"].values, names))[of_contact]
+    if isinstance(shape, SlidingShape):
+        shape = shape.with_rolling(rolling_transfers(columns, of_contact, *waves))
+    seen, film = shape.seen(*waves), data["film"].values
     return Waves(
-        with_contacts(kind.coordinates(columns)[of_contact], seen.coordinates),
+        with_contacts(films.inputs[of_contact], seen.coordinates),
         seen,
         film,
-        seen.pressure_left(film, pressure),
+        seen.pressure_left(film, data["pressure"].values),
         data["mean_rise"].values,
     )
 
 
+def rolling_transfers(
+    contacts: Mapping[str, Floats], of_contact: Rows, wave: Floats, angle: Floats
+) -> Complex:
+    """Return the transfers in pure rolling that the atlas of rolling contacts has."""
+    atlas, found = load_atlas(), np.empty(wave.size, dtype=complex)
+    for contact in range(of_contact[-1] + 1):
+        own = of_contact == contact
+        chart = atlas.at({key: float(contacts[key][contact]) for key in CONTACT_RANGES})
+        found[own] = chart.film_response(wave[own], angle[own])
+    return found
+
+
 def _left_out(pool: Executor, task: Task, recipe: Recipe, fold: Rows) -> Floats:
     """Return numbers, each predicted by networks that have not seen its contact."""
-    folds = range(FOLDS)
-    parts = pool.map(
-        _of_part,
-        repeat(task),
-        repeat(recipe),
-        (np.flatnonzero(fold != one) for one in folds),
-        repeat(range(JUDGED_NETWORKS)),
-    )
+    left = [fold == one for one in range(FOLDS)]
+    parts = (part(task, ~out) for out in left)
+    seeds = repeat(range(JUDGED_NETWORKS))
+    committees = pool.map(_of_part, parts, repeat(task.scales), repeat(recipe), seeds)
     found = np.empty((fold.size, task.scales.size))
-    for one, committee in zip(folds, parts, strict=True):
-        found[fold == one] = committee(task.inputs[fold == one])
+    for out, committee in zip(left, committees, strict=True):
+        found[out] = committee(task.inputs[out])
     return found
 
 
 def _of_all(pool: Executor, task: Task, recipe: Recipe) -> Committee:
     """Return the networks of all points."""
-    everything = np.arange(len(task.inputs))
-    seeds = [[seed] for seed in range(recipe.networks)]
-    return joined(*pool.map(_of_part, repeat(task), repeat(recipe), repeat(everything), seeds))
+    seeds = ([seed] for seed in range(recipe.networks))
+    return joined(*pool.map(_of_part, repeat(task), repeat(task.scales), repeat(recipe), seeds))
 
 
-def _of_part(task: Task, recipe: Recipe, rows: Rows, seeds: Sequence[int]) -> Committee:
-    return fitted(task.inputs[rows], task.loss(rows), task.scales, recipe, seeds)
+def _of_part(task: Task, scales: Floats, recipe: Recipe, seeds: Sequence[int]) -> Committee:
+    return fitted(task.inputs, task.loss, scales, recipe, seeds)
 
 
 def _bars(

@@ -4,7 +4,6 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 import numpy as np
-from scipy.stats import qmc
 
 from ehlwave.atlas import Atlas
 from ehlwave.atlas.kinds import LINE
@@ -12,7 +11,7 @@ from ehlwave.atlas.line import LineShape
 from ehlwave.atlas.ranges import WAVE_RANGE
 from ehlwave.deform.line_contact import SLENDER_OVER_LINE
 from studies import sweeps
-from studies.atlas.design import GROUPS, MARGIN, contact_at, uncertain_contacts
+from studies.atlas.design import GROUPS, MARGIN, contact_at, spread_contacts, uncertain_contacts
 
 CONTACTS = 16
 """Of one batch."""
@@ -43,8 +42,7 @@ def write_batch(folder: Path, batch: int, atlas: Atlas | None = None) -> Path:
         chosen = uncertain_contacts(atlas, SEED + batch, CONTACTS)
     else:
         ranges = {key: (low / MARGIN, high) for key, (low, high) in LINE.ranges.items()}
-        shares = qmc.Sobol(len(ranges), seed=SEED).random((batch + 1) * CONTACTS)[-CONTACTS:]
-        chosen = [contact_at(one.tolist(), ranges) for one in shares]
+        chosen = spread_contacts(ranges, SEED, CONTACTS, batch)
     rows = (case(one, wave) for one in chosen for wave in waves(one, random))
     return sweeps.write_sweep(folder, f"line-{batch:02d}", rows, GROUPS)
 

@@ -1,16 +1,17 @@
 """What networks of an atlas make small: what responses, films and their errors lack."""
 
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, fields
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ehlwave.atlas.shape import Seen
-from studies.atlas.train import Loss
 
 Complex = NDArray[np.complex128]
 Floats = NDArray[np.float64]
-Rows = NDArray[np.intp]
+
+Record = TypeVar("Record", "Waves", "Films", "Errors", Seen)
 
 CLOSE = 0.003
 """Misses of responses, units of Ai, below which they count by their square, above by their size."""
@@ -59,18 +60,8 @@ class Waves:
         """Return what film responses lack."""
         return self.seen.film(numbers) - self.film
 
-    def loss(self, rows: Rows) -> Loss:
-        """Return the loss of some of the points."""
-        own = replace(
-            self,
-            seen=Seen(*(getattr(self.seen, field.name)[rows] for field in fields(Seen))),
-            film=self.film[rows],
-            left=self.left[rows],
-            rise=self.rise[rows],
-        )
-        return own._loss
-
-    def _loss(self, numbers: Floats) -> tuple[float, Floats]:
+    def loss(self, numbers: Floats) -> tuple[float, Floats]:
+        """Return what the numbers lack, and its slopes."""
         count, films = numbers.shape[0], self.seen.film_numbers
         slopes = np.zeros_like(numbers)
         value, back = robust(self.missed(numbers), CLOSE)
@@ -98,15 +89,10 @@ class Films:
         """Usual sizes of the numbers."""
         return self.numbers.std(axis=0)
 
-    def loss(self, rows: Rows) -> Loss:
-        """Return the loss of some of the contacts."""
-        wanted = self.numbers[rows]
-
-        def loss(numbers: Floats) -> tuple[float, Floats]:
-            value, slopes = robust(numbers - wanted, CLOSE_FILM)
-            return value / len(wanted), slopes / len(wanted)
-
-        return loss
+    def loss(self, numbers: Floats) -> tuple[float, Floats]:
+        """Return what the numbers lack, and its slopes."""
+        value, slopes = robust(numbers - self.numbers, CLOSE_FILM)
+        return value / len(numbers), slopes / len(numbers)
 
 
 @dataclass(frozen=True)
@@ -121,16 +107,22 @@ class Errors:
         """Usual sizes of the logarithms."""
         return np.full(self.misses.shape[1], 3.0)
 
-    def loss(self, rows: Rows) -> Loss:
-        """Return minus the logarithm of the likelihood of some of the misses."""
-        squares = self.misses[rows] ** 2
+    def loss(self, logs: Floats) -> tuple[float, Floats]:
+        """Return minus the logarithm of the likelihood of the misses, and its slopes."""
+        ratio = self.misses**2 * np.exp(-2 * logs) / FREEDOM
+        value = np.sum(logs + (FREEDOM + 1) / 2 * np.log1p(ratio))
+        return float(value) / logs.size, (1 - (FREEDOM + 1) * ratio / (1 + ratio)) / logs.size
 
-        def loss(logs: Floats) -> tuple[float, Floats]:
-            ratio = squares * np.exp(-2 * logs) / FREEDOM
-            value = np.sum(logs + (FREEDOM + 1) / 2 * np.log1p(ratio))
-            return float(value) / logs.size, (1 - (FREEDOM + 1) * ratio / (1 + ratio)) / logs.size
 
-        return loss
+Task = Waves | Films | Errors
+"""What networks learn."""
+
+
+def part(record: Record, rows: NDArray[np.bool_]) -> Record:
+    """Return some of the rows of all arrays that a record holds, itself or in other records."""
+    values = (getattr(record, field.name) for field in fields(record))
+    chosen = (one[rows] if isinstance(one, np.ndarray) else part(one, rows) for one in values)
+    return type(record)(*chosen)
 
 
 def robust(miss: NDArray, close: float) -> tuple[float, NDArray]:

@@ -1,7 +1,6 @@
 """What the sweeps of the atlas came to, as contacts and their responses."""
 
 from collections.abc import Sequence
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -10,14 +9,11 @@ import xarray as xr
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from ehlwave.atlas import load_atlas
-from ehlwave.atlas.kinds import ROLLING, SLIDING, Kind
-from ehlwave.atlas.ranges import CONTACT_RANGES
+from ehlwave.atlas.kinds import ROLLING, Kind
 from ehlwave.atlas.sliding import MODULUS_PA, conditions_of
 from ehlwave.formula import wave_and_direction
 from ehlwave.read import read_results
 
-Complex = NDArray[np.complex128]
 Floats = NDArray[np.float64]
 
 LARGEST_CORRECTION = 0.03
@@ -48,6 +44,10 @@ def read_points(
     results = read_results(paths)
     table = _with_modulus(results.to_dataframe().reset_index(drop=True))
     film = table["harmonic_extrapolated_real"] + 1j * table["harmonic_extrapolated_imaginary"]
+    pressure = (
+        table["harmonic_pressure_extrapolated_real"]
+        + 1j * table["harmonic_pressure_extrapolated_imaginary"]
+    )
     table["correction"] = np.abs(film - table["harmonic_real"] - 1j * table["harmonic_imaginary"])
     table = table[np.isfinite(table["correction"]) & (table["correction"] < LARGEST_CORRECTION)]
     keys = list(kind.ranges)
@@ -60,20 +60,17 @@ def read_points(
     points = {
         "wavelength_over_a": wave,
         "angle_deg": angle,
-        "film_real": table["harmonic_extrapolated_real"].to_numpy(float),
-        "film_imaginary": table["harmonic_extrapolated_imaginary"].to_numpy(float),
-        "pressure_real": table["harmonic_pressure_extrapolated_real"].to_numpy(float),
-        "pressure_imaginary": table["harmonic_pressure_extrapolated_imaginary"].to_numpy(float),
+        "film": film[table.index].to_numpy(complex),
+        "pressure": pressure[table.index].to_numpy(complex),
+        "mean_rise": _rises(table, rises, keys),
         "discretisation": (LEFT_BY_EXTRAPOLATION * table["correction"]).to_numpy(float),
     }
     data = {name: ("point", values) for name, values in points.items()}
     data["responses"] = "contact", counts
-    data["mean_rise"] = "point", _rises(table, rises, keys)
-    if kind is SLIDING:
-        rolling = _rolling(contacts, counts, wave, angle)
-        data["rolling_real"] = "point", rolling.real
-        data["rolling_imaginary"] = "point", rolling.imag
-    data |= {name: ("contact", values) for name, values in _films(contacts, kind).items()}
+    references = kind.references(contacts)
+    data["references"] = ("contact", "reference"), references
+    films = _films(contacts, kind, references)
+    data |= {name: ("contact", values) for name, values in films.items()}
     origin = {
         key: str(results[key].values[0]) for key in ("program_version", "git_revision", "compiler")
     }
@@ -82,48 +79,17 @@ def read_points(
 
 def contact_of(data: xr.Dataset) -> NDArray[np.intp]:
     """Return the contact of each response: those of the first come first."""
-    return np.repeat(np.arange(data.sizes["contact"]), data["responses"].values.astype(np.intp))
+    return np.repeat(np.arange(data.sizes["contact"]), data["responses"].values)
 
 
 def waves_of(data: xr.Dataset) -> tuple[Floats, Floats]:
     """Return wavelengths over a and angles, degrees."""
-    return tuple(data[name].values.astype(float) for name in ("wavelength_over_a", "angle_deg"))
+    return data["wavelength_over_a"].values, data["angle_deg"].values
 
 
-def responses_of(data: xr.Dataset) -> tuple[Complex, Complex]:
-    """Return the responses of film and pressure."""
-    film = data["film_real"].values + 1j * data["film_imaginary"].values
-    return film, data["pressure_real"].values + 1j * data["pressure_imaginary"].values
-
-
-def rolling_of(data: xr.Dataset, kind: Kind) -> Complex | None:
-    """Return the transfers of the same waves in pure rolling, of contacts that slide."""
-    if kind is not SLIDING:
-        return None
-    return np.asarray(data["rolling_real"].values + 1j * data["rolling_imaginary"].values)
-
-
-def film_numbers(data: xr.Dataset, kind: Kind) -> Floats:
-    """Return the logarithms of films, and what else is known of contacts, shape (contacts, k)."""
-    return np.stack([data[name].values.astype(float) for name in kind.films], axis=1)
-
-
-def film_discretisation(data: xr.Dataset, kind: Kind) -> Floats:
-    """Return the errors of the same by discretisation."""
-    return film_numbers(data, replace(kind, films=tuple(f"{k}_discretisation" for k in kind.films)))
-
-
-def _rolling(
-    contacts: pd.DataFrame, counts: np.ndarray, wave: np.ndarray, angle: np.ndarray
-) -> np.ndarray:
-    """Return the transfers in pure rolling that the atlas of rolling contacts has."""
-    atlas, ends = load_atlas(), np.cumsum(counts)
-    found = np.empty(wave.size, dtype=complex)
-    for index, end in enumerate(ends):
-        own = slice(end - counts[index], end)
-        chart = atlas.at({key: float(contacts[key][index]) for key in CONTACT_RANGES})
-        found[own] = chart.film_response(wave[own], angle[own])
-    return found
+def film_numbers(data: xr.Dataset, names: Sequence[str]) -> Floats:
+    """Return what is known of contacts by these names, shape (contacts, names)."""
+    return np.stack([data[name].values for name in names], axis=1)
 
 
 def _rises(table: pd.DataFrame, oblique: Path | None, keys: Sequence[str]) -> np.ndarray:
@@ -153,12 +119,11 @@ def _with_modulus(table: pd.DataFrame) -> pd.DataFrame:
     return table.assign(stress_modulus_pa2=table.get("eyring_stress_pa", np.nan) * MODULUS_PA)
 
 
-def _films(contacts: pd.DataFrame, kind: Kind) -> dict[str, np.ndarray]:
+def _films(contacts: pd.DataFrame, kind: Kind, base: Floats) -> dict[str, np.ndarray]:
     """Return the keys of contacts and the logarithms of their films, and of friction.
 
     Films grow with finer grids, smallest ones too; the estimated error is what is missing.
     """
-    base = kind.references(contacts)
     central = contacts["central_film_moes"] * (1 + contacts["central_film_error"])
     smallest = contacts["minimum_film"] * (1 + contacts["minimum_film_error"])
     smallest_moes = smallest * contacts["central_film_moes"] / contacts["central_film"]
@@ -179,14 +144,9 @@ def _films(contacts: pd.DataFrame, kind: Kind) -> dict[str, np.ndarray]:
 
 
 def _centre(contacts: pd.DataFrame) -> dict[str, np.ndarray]:
-    """Return film and pressure at the centre; of the latter the largest, but for a spike."""
+    """Return ln of the pressure at the centre: the largest, but for a spike."""
     pressure = np.log(np.minimum(contacts["max_pressure"], LARGEST_PRESSURE)).to_numpy(float)
-    film = contacts["central_film"] * (1 + contacts["central_film_error"])
-    return {
-        "central_film": film.to_numpy(float),
-        "pressure_ratio": pressure,
-        "pressure_ratio_discretisation": np.zeros(pressure.size),
-    }
+    return {"pressure_ratio": pressure, "pressure_ratio_discretisation": np.zeros(pressure.size)}
 
 
 def _frictions(

@@ -1,6 +1,6 @@
 """Networks of an atlas fitted to its points: by their gradients, with a quasi-Newton method."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
@@ -59,15 +59,18 @@ def fitted(
 
     sizes = [places.shape[1], recipe.hidden, recipe.hidden, scales.size]
     found = [_network(scaled, of_scaled, sizes, recipe, seed) for seed in seeds]
-    *hidden, w3, b3 = (np.concatenate(parts) for parts in zip(*found, strict=True))
+    *hidden, w3, b3 = _stacked(found)
     factors = scales.astype(np.float32)
     return Committee(centre, scatter, (*hidden, w3 * factors, b3 * factors))
 
 
 def joined(*committees: Committee) -> Committee:
     """Return the networks of several committees of the same inputs."""
-    layers = zip(*(one.layers for one in committees), strict=True)
-    return replace(committees[0], layers=tuple(np.concatenate(parts) for parts in layers))
+    return replace(committees[0], layers=_stacked(one.layers for one in committees))
+
+
+def _stacked(layers: Iterable[Layers]) -> Layers:
+    return tuple(np.concatenate(parts) for parts in zip(*layers, strict=True))
 
 
 def _network(

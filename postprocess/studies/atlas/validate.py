@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from ehlwave.atlas import Atlas
 from ehlwave.atlas.chart import Chart
-from studies.atlas.points import contact_of, film_numbers, responses_of, waves_of
+from studies.atlas.points import contact_of, film_numbers, waves_of
 
 Floats = NDArray[np.float64]
 
@@ -47,7 +47,7 @@ class Judged:
 def judge(atlas: Atlas, computed: xr.Dataset) -> Judged:
     """Return the errors of an atlas at points of :func:`studies.atlas.points.read_points`."""
     of_contact, (wave, angle) = contact_of(computed), waves_of(computed)
-    response, films = responses_of(computed)[0], film_numbers(computed, atlas.kind)
+    response, films = computed["film"].values, film_numbers(computed, atlas.kind.films)
     error, bar = np.zeros(of_contact.size), np.zeros(of_contact.size)
     film_error, film_bar = [], []
     for contact in range(computed.sizes["contact"]):

@@ -108,9 +108,10 @@ class Chart:
         """
         wave, angle, shape = _flattened(wavelength_over_a, angle_deg)
         seen = self._shape.seen(wave, angle)
-        numbers = self._numbers(seen)
+        inputs = self._inputs(seen)
+        numbers = self._atlas.waves(inputs)
         film = seen.film(numbers)
-        error = self._atlas.errors(self._inputs(seen))[:, 0]
+        error = self._atlas.errors(inputs)[:, 0]
         found = film, seen.pressure(film, numbers), error, numbers[:, -1]
         return Responses(*(values.reshape(shape) for values in found))
 
@@ -121,11 +122,7 @@ class Chart:
 
     def film_of(self, seen: Seen) -> Complex:
         """Return film responses alone, to waves as the contact sees them."""
-        return seen.film(self._numbers(seen))
-
-    def _numbers(self, seen: Seen) -> Floats:
-        """Return the numbers of waves: of film, pressure and rise."""
-        return self._atlas.waves(self._inputs(seen))
+        return seen.film(self._atlas.waves(self._inputs(seen)))
 
     def _inputs(self, seen: Seen) -> Floats:
         return with_contacts(self._place, seen.coordinates)

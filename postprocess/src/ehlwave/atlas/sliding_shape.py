@@ -14,7 +14,7 @@ from ehlwave.atlas.shape import Seen, Shape
 from ehlwave.atlas.sliding import conditions_of, rolling_chart
 from ehlwave.deform.conditions import MOES_KEYS, Conditions
 from ehlwave.medium import INLET_VISCOSITY, Medium, hertz_medium
-from ehlwave.two_waves import LAUNCH_LENGTH, SLIP_POWERS, Launch, launch_length, launched
+from ehlwave.two_waves import Launch, launch_length, launched
 
 if TYPE_CHECKING:
     from ehlwave.atlas.chart import Chart
@@ -81,7 +81,7 @@ class SlidingShape(Shape):
         kx = np.maximum(number * np.cos(theta), 2 * np.pi / STANDING)
         ky = number * np.sin(theta)
         launch = self._launch(kx, ky)
-        a, c = launch.attenuated, launched(rolling, launch, SLIP_POWERS)
+        a, c = launch.attenuated, launched(rolling, launch)
         loss, turn = launch.mismatch.imag, launch.mismatch.real
         parts = (
             launch.along,
@@ -112,7 +112,7 @@ class SlidingShape(Shape):
             slip=self._slip,
             along=kx**2 / (kx**2 + ky**2),
             load=self.load,
-            length=launch_length(self.load, self.l, self._alphabar, LAUNCH_LENGTH),
+            length=launch_length(self.load, self.l, self._alphabar),
             thinning=under_slip.thinning,
         )
 
