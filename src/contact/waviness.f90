@@ -18,6 +18,7 @@ module ehlwave_waviness
       type(surface_t), allocatable :: surface   !! the measured surface, if it is one
    contains
       procedure :: moves
+      procedure :: is_longitudinal
       procedure :: is_symmetric
       procedure :: period
       procedure :: shape_at
@@ -69,6 +70,12 @@ contains
       class(waviness_t), intent(in) :: self
       moves = self%is_present .and. self%wavelength_x > 0 .and. abs(self%slip) > 0
    end function moves
+
+   !> Whether the pattern varies along Y only.
+   pure logical function is_longitudinal(self)
+      class(waviness_t), intent(in) :: self
+      is_longitudinal = self%wavelength_y > 0 .and. .not. self%wavelength_x > 0
+   end function is_longitudinal
 
    !> Whether the pattern is even in Y.
    pure logical function is_symmetric(self)

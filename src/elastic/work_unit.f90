@@ -11,6 +11,14 @@ module ehlwave_work_unit
    include 'fftw3.f03'
 
    integer, parameter :: repeats = 3
+   real(dp), parameter :: valid_s = 10   !! a measured unit is used again for so long
+
+   type :: measured_unit_t
+      integer :: cells(2) = 0
+      real(dp) :: seconds = 0, at = 0    ! at: `wall_seconds`
+   end type measured_unit_t
+
+   type(measured_unit_t) :: last         ! measured
 
    !> What is counted besides transforms, which count with their usual number of operations (`transform_operations`), in operations that
    !> take as long: for each node or each entry of a node's row. From `perf record` of a march and of a linear response (M = 100, D = 1,
@@ -49,7 +57,8 @@ contains
 
    !> Seconds of one work unit (WU) here and now: the plain deformation convolution of a grid, that is
    !> a zero-padded real transform of 2 cells_x by 2 cells_y points, a product, and the inverse transform.
-   !> The fastest of a few, so that a busy machine does not flatter the counts.
+   !> The fastest of a few, so that a busy machine does not flatter the counts. Asked for again soon, as by the cases of a sweep, it is
+   !> not measured anew.
    function work_unit_seconds(cells_x, cells_y) result(seconds)
       integer, intent(in) :: cells_x, cells_y   !! cells over the whole domain
       real(dp) :: seconds
@@ -59,6 +68,10 @@ contains
       real(dp) :: start
       integer :: i, n
 
+      if (all(last%cells == [cells_x, cells_y]) .and. wall_seconds() - last%at < valid_s) then
+         seconds = last%seconds
+         return
+      end if
       plane_memory = fftw_alloc_real(4_c_size_t*cells_x*cells_y)
       modes_memory = fftw_alloc_complex(2_c_size_t*(cells_x + 1)*cells_y)
       call c_f_pointer(plane_memory, plane, [2*cells_x, 2*cells_y])
@@ -80,6 +93,7 @@ contains
       call fftw_destroy_plan(backward)
       call fftw_free(plane_memory)
       call fftw_free(modes_memory)
+      last = measured_unit_t([cells_x, cells_y], seconds, wall_seconds())
    end function work_unit_seconds
 
 end module ehlwave_work_unit

@@ -75,7 +75,7 @@ contains
 
       if (.not. has_mean(plan%waviness)) return
       associate (amplitude => case%amplitude_over_film*result%central_film)
-         call find_mean_change(steady%tangent, steady%multigrid%levels, response, plan%waviness, amplitude, change)
+         call find_mean_change(steady%response%tangent, steady%multigrid%levels, response, plan%waviness, amplitude, change)
          if (change%status == status_converged) call result%harmonic%take_mean(change, amplitude)
       end associate
    end subroutine find_mean

@@ -39,8 +39,7 @@ contains
 
       do x = 1, size(steady%by_oil)
          if (steady%by_oil(x)%status /= status_converged) cycle
-         call differentiate_response(steady%tangent, steady%response, steady%multigrid%levels, response, x, steady%by_oil(x), &
-                                     derivative)
+         call differentiate_response(steady%response, steady%multigrid%levels, response, x, steady%by_oil(x), derivative)
          if (derivative%status /= status_converged) cycle
          result%by_oil(x)%response_real = real(derivative%film, dp)
          result%by_oil(x)%response_imaginary = aimag(derivative%film)

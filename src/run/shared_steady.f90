@@ -12,7 +12,7 @@ module ehlwave_shared_steady
    use ehlwave_solve_report, only: solve_limits_t, solve_report_t
    use ehlwave_solver_choice, only: init_multigrid, method_t
    use ehlwave_status, only: status_converged
-   use ehlwave_steady_tangent, only: steady_tangent_t, tangent_change_t
+   use ehlwave_steady_tangent, only: tangent_change_t
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
@@ -23,18 +23,16 @@ module ehlwave_shared_steady
       type(full_multigrid_t) :: multigrid
       type(rescue_t) :: rescue                       !! as the steady state left it, for what follows in a case
       type(harmonic_solver_t) :: response            !! about the finest level
-      type(steady_tangent_t) :: tangent              !! about the finest level
       type(tangent_change_t) :: by_oil(2)            !! of its state, by ln(alpha) and by ln(stress), see `differentiate`
       type(harmonic_solver_t) :: coarse_response     !! about the next coarser one, if `has_coarse`
       logical :: has_coarse = .false.
       real(dp) :: work = 0                           !! operations that the steady state took
-      logical, private :: is_linearised = .false., has_tangent = .false., is_differentiated = .false.
+      logical, private :: is_linearised = .false., is_differentiated = .false.
       character(len=:), allocatable, private :: key  ! of the steady state held, if it may be used again
    contains
       procedure :: prepare
       procedure :: linearise
       procedure :: differentiate
-      procedure, private :: find_tangent
    end type shared_steady_t
 
    ! Of the levels below the finest. As a first guess 1e-3 would do; the error estimate wants the discretisation error
@@ -80,7 +78,8 @@ contains
       end if
       self%key = key
       self%is_linearised = .false.
-      self%has_tangent = .false.
+      if (allocated(self%response%tangent)) deallocate (self%response%tangent)
+      if (allocated(self%coarse_response%tangent)) deallocate (self%coarse_response%tangent)
       self%is_differentiated = .false.
       call init_multigrid(self%multigrid, plan%conditions, plan%rheology, grid_of(case, plan), &
                           method_t(case%method, case%cycle, case%deformation))
@@ -126,7 +125,7 @@ contains
       self%response%tolerance = case%response_tolerance
       self%coarse_response%tolerance = case%response_tolerance
       call self%response%init(self%multigrid%levels)
-      call self%find_tangent()
+      call self%response%find_tangent(self%multigrid%levels)
       if (self%has_coarse) call self%coarse_response%init(self%multigrid%levels(:n - 1))
       self%is_linearised = .true.
    end subroutine linearise
@@ -138,22 +137,16 @@ contains
 
       if (self%is_differentiated) return
       self%by_oil = tangent_change_t()
-      call self%find_tangent()
+      call self%response%find_tangent(self%multigrid%levels)
       associate (levels => self%multigrid%levels, oil => self%multigrid%levels(size(self%multigrid%levels))%problem%rheology, &
                  tolerance => min(tangent_tolerance, case%tolerance))
          if (oil%depends_on_alpha()) &
-            call differentiate_steady(self%tangent, levels, by_alpha, tolerance, self%by_oil(by_alpha))
+            call differentiate_steady(self%response%tangent, levels, by_alpha, tolerance, self%by_oil(by_alpha))
          if (.not. oil%is_newtonian()) &
-            call differentiate_steady(self%tangent, levels, by_stress, tolerance, self%by_oil(by_stress))
+            call differentiate_steady(self%response%tangent, levels, by_stress, tolerance, self%by_oil(by_stress))
       end associate
       self%is_differentiated = .true.
    end subroutine differentiate
-
-   subroutine find_tangent(self)
-      class(shared_steady_t), intent(inout) :: self
-      if (.not. self%has_tangent) call self%tangent%init(self%multigrid%levels)
-      self%has_tangent = .true.
-   end subroutine find_tangent
 
    !> The finest grid.
    pure function grid_of(case, plan) result(grid)

@@ -10,7 +10,8 @@ module ehlwave_sweep_queue
    private
    public :: new_queue
 
-   !> Linear responses about one steady state form a group; every other case is a group of its own. A rank stays with
+   !> Linear responses about one steady state form a group, those of the same frequency one after the other, as they share factors;
+   !> every other case is a group of its own. A rank stays with
    !> its group as long as there is something left in it, then takes the longest group that nobody has begun, and in the
    !> end helps with the group that has most left, at the price of one more steady state. So no rank idles while there
    !> are cases, and the numbers depend on none of this.
@@ -51,7 +52,7 @@ contains
       integer, intent(in) :: ranks
       real(dp), intent(in), optional :: planned(:)   !! seconds that the plans expect, NaN: no model
       type(queue_t) :: self
-      integer :: g, groups, i
+      integer :: g, groups, i, n, order(size(plans))
 
       allocate (self%features(feature_count, size(plans)))
       do i = 1, size(plans)
@@ -64,7 +65,9 @@ contains
       allocate (self%first(groups), self%next(size(plans)), source=0)
       allocate (self%left(groups), self%expected(size(plans)), source=0.0_dp)
       allocate (self%held(0:ranks - 1), source=0)
-      do i = size(plans), 1, -1
+      order = longest_first(frequency_of(plans))
+      do n = size(plans), 1, -1
+         i = order(n)
          if (.not. to_run(i)) cycle
          g = self%group(i)
          self%next(i) = self%first(g)
@@ -76,6 +79,13 @@ contains
       if (present(planned)) self%planned = planned
       call self%sort()
    end function new_queue
+
+   !> Number of waves that pass in a unit of T, 0: none.
+   elemental real(dp) function frequency_of(plan)
+      type(case_plan_t), intent(in) :: plan
+      frequency_of = 0
+      if (plan%waviness%moves()) frequency_of = 1/plan%waviness%period()
+   end function frequency_of
 
    !> Number of the group of each case, in the order in which they appear.
    function steady_groups(cases, plans) result(group)

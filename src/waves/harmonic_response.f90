@@ -10,6 +10,7 @@ module ehlwave_harmonic_response
    use ehlwave_load_balance, only: harmonic_inertia
    use ehlwave_state, only: state_t
    use ehlwave_status, only: status_converged, status_not_finite, status_stalled
+   use ehlwave_steady_tangent, only: steady_tangent_t, tangent_change_t
    use ehlwave_transport, only: harmonic_wedge, steady_transport
    use ehlwave_waviness, only: waviness_t
    implicit none (type, external)
@@ -37,16 +38,22 @@ module ehlwave_harmonic_response
       procedure :: add_to
    end type harmonic_response_t
 
-   !> The contact linearised about a steady state.
+   !> The contact linearised about a steady state, for changes of one frequency at a time.
    type, public :: harmonic_solver_t
       real(dp) :: tolerance = response_tolerance   !! of the linear residual
       type(linearised_contact_t) :: linear
+      type(steady_tangent_t), allocatable :: tangent   !! for real changes that do not turn, see `find_tangent`
       type(gmres_t), private :: gmres
+      complex(dp), private :: inertia = 0
+      real(dp), private :: frequency = 0           ! that of the operator
+      logical, private :: is_real = .false.        ! what is asked for: a real change that does not turn
+      logical, private :: has_factors = .false.    ! of the frequency
    contains
       procedure :: init
+      procedure :: find_tangent
+      procedure :: set_frequency
       procedure :: respond
       procedure :: respond_to
-      procedure :: set_frequency
    end type harmonic_solver_t
 
 contains
@@ -69,6 +76,7 @@ contains
       integer :: n
 
       n = size(levels)
+      self%has_factors = .false.
       call self%linear%init(levels, response_cycle)
       call self%linear%start(n)
       state = levels(n)%state
@@ -79,23 +87,45 @@ contains
       end associate
    end subroutine init
 
-   !> Operator for changes of one frequency.
-   subroutine set_frequency(self, frequency, inertia)
+   !> Have the real linear system about the same state; it stays until it is deallocated.
+   subroutine find_tangent(self, levels)
+      class(harmonic_solver_t), intent(inout) :: self
+      type(level_t), intent(inout) :: levels(:)   !! those of `init`, which may come later
+      if (allocated(self%tangent)) return
+      allocate (self%tangent)
+      call self%tangent%init(levels)
+   end subroutine find_tangent
+
+   !> Operator for changes of one frequency, and its factors unless they are there, while `levels` are borrowed. Those of a real change
+   !> that does not turn are the tangent's.
+   subroutine set_frequency(self, frequency, inertia, is_real)
       class(harmonic_solver_t), intent(inout) :: self
       real(dp), intent(in) :: frequency       !! w in units of 1/T
       complex(dp), intent(in) :: inertia      !! weight of Delta in the load row, 0: force balance
+      logical, intent(in) :: is_real
       integer :: l
+
+      self%is_real = is_real
       associate (linear => self%linear)
+         if (self%has_factors .and. abs(frequency - self%frequency) <= 0 .and. abs(inertia - self%inertia) <= 0) then
+            if (.not. is_real) call linear%count_factors()
+            return
+         end if
          do l = 1, linear%finest
             linear%levels(l)%wedge = harmonic_wedge(linear%levels(l)%equations%mesh%grid, frequency, &
                                                     linear%levels(linear%finest)%equations%mesh%grid%hx)
          end do
          linear%inertia = inertia
          call linear%weigh(linear%finest)
+         if (.not. is_real) call linear%factorise(1)
       end associate
+      self%frequency = frequency
+      self%inertia = inertia
+      self%has_factors = .not. is_real
    end subroutine set_frequency
 
-   !> Response to one pattern. It depends on nothing but the steady state and the pattern.
+   !> Response to one pattern. It depends on nothing but the steady state and the pattern: factors of the one before are used again where
+   !> its frequency is the same. Of a pattern that varies along Y only all is real.
    subroutine respond(self, levels, waviness, natural_frequency, steps_per_cell, response)
       class(harmonic_solver_t), intent(inout) :: self
       type(level_t), intent(inout), target :: levels(:)   !! those of `init`: their deformation is used
@@ -117,9 +147,9 @@ contains
          if (waviness%moves()) frequency = 2*pi*waviness%slip/waviness%wavelength_x
          inertia = 0
          if (natural_frequency > 0) inertia = harmonic_inertia(natural_frequency, grid%hx/steps_per_cell, frequency)
+         if (waviness%is_longitudinal()) call self%find_tangent(levels)
          call linear%borrow(levels)
-         call self%set_frequency(frequency, inertia)
-         call linear%factorise(1)
+         call self%set_frequency(frequency, inertia, waviness%is_longitudinal())
          dr(0:grid%nx, 0:grid%ny) => b(:linear%n - 1)
          call linear%gap_change(g, dr)
          associate (edges => linear%levels(linear%finest)%equations%edges)
@@ -130,12 +160,13 @@ contains
          dr = -dr
          b(linear%n) = 0
          call self%respond_to(levels, b, response)
+         call linear%release()
          response%h = response%h + g
          response%film = at_centre(grid, response%h)
       end associate
    end subroutine respond
 
-   !> Response of another right side, with the factors of the pattern that was the last.
+   !> Response of another right side, with the operator of the pattern that was the last.
    subroutine respond_to(self, levels, b, response)
       class(harmonic_solver_t), intent(inout) :: self
       type(level_t), intent(inout), target :: levels(:)   !! those of `init`
@@ -145,6 +176,10 @@ contains
       complex(dp), pointer, contiguous :: q(:, :)
 
       associate (linear => self%linear, grid => self%linear%levels(self%linear%finest)%equations%mesh%grid)
+         if (self%is_real) then
+            call respond_really(self, levels, real(b, dp), response)
+            return
+         end if
          allocate (x(linear%n), response%p(0:grid%nx, 0:grid%ny), response%h(0:grid%nx, 0:grid%ny))
          call linear%borrow(levels)
          call self%gmres%solve(linear, b, x, self%tolerance)
@@ -164,6 +199,27 @@ contains
          response%film = at_centre(grid, response%h)
       end associate
    end subroutine respond_to
+
+   !> Response of a real right side that does not turn.
+   subroutine respond_really(self, levels, b, response)
+      class(harmonic_solver_t), intent(inout) :: self
+      type(level_t), intent(inout), target :: levels(:)
+      real(dp), intent(in), contiguous :: b(:)
+      type(harmonic_response_t), intent(inout) :: response
+      type(tangent_change_t) :: change
+
+      call self%tangent%solve(levels, b, self%tolerance, change)
+      response%status = change%status
+      response%linear_steps = change%linear_steps
+      response%reduction = change%reduction
+      response%p = change%state%p
+      response%h = change%state%h
+      response%approach = change%state%delta
+      associate (grid => levels(size(levels))%problem%grid)
+         response%film = at_centre(grid, response%h)
+         response%pressure = at_centre(grid, response%p)
+      end associate
+   end subroutine respond_really
 
    !> Value of a complex field at X = Y = 0.
    pure complex(dp) function at_centre(grid, field)

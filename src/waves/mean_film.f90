@@ -40,7 +40,7 @@ contains
    !> Whether a pattern has a mean in this sense: it moves, or varies along Y only.
    pure logical function has_mean(waviness)
       type(waviness_t), intent(in) :: waviness
-      has_mean = waviness%moves() .or. .not. waviness%wavelength_x > 0
+      has_mean = waviness%moves() .or. waviness%is_longitudinal()
    end function has_mean
 
    !> Mean change by a pattern that `has_mean`.

@@ -69,9 +69,8 @@ contains
    end subroutine differentiate_steady
 
    !> du1/dx of the response that `harmonic` found last.
-   subroutine differentiate_response(tangent, harmonic, levels, response, x, change, derivative)
-      type(steady_tangent_t), intent(inout) :: tangent
-      type(harmonic_solver_t), intent(inout) :: harmonic   !! about the same levels
+   subroutine differentiate_response(harmonic, levels, response, x, change, derivative)
+      type(harmonic_solver_t), intent(inout) :: harmonic   !! about `levels`, with its tangent
       type(level_t), intent(inout), target :: levels(:)
       type(harmonic_response_t), intent(in) :: response    !! u1, converged
       integer, intent(in) :: x
@@ -83,7 +82,8 @@ contains
       type(state_t) :: state
       integer :: side
 
-      associate (equations => tangent%linear%levels(tangent%linear%finest)%equations, n => size(levels), &
+      associate (tangent => harmonic%tangent, n => size(levels), &
+                 equations => harmonic%tangent%linear%levels(size(levels))%equations, &
                  finest => harmonic%linear%levels(harmonic%linear%finest))
          allocate (b(harmonic%linear%n), source=(0.0_dp, 0.0_dp))
          allocate (dr, mold=response%p)

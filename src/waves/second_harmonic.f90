@@ -42,8 +42,7 @@ contains
          inertia = 0
          if (natural_frequency > 0) inertia = harmonic_inertia(natural_frequency, dt, 2*frequency)
          call linear%borrow(levels)
-         call solver%set_frequency(2*frequency, inertia)
-         call linear%factorise(1)
+         call solver%set_frequency(2*frequency, inertia, is_real=.false.)
          call second_residual(solver, levels(size(levels)), first, frequency*dt, steps_per_cell, b)
          call solver%respond_to(levels, b, second)
       end associate

@@ -17,6 +17,7 @@ module ehlwave_steady_tangent
       type(state_t) :: state               !! change of P, H and Delta
       integer :: status = status_stalled   !! converged, stalled or not finite
       integer :: linear_steps = 0          !! GMRES steps
+      real(dp) :: reduction = 0            !! of the linear residual
    end type tangent_change_t
 
    !> The linear system about a steady state, whose factors are kept from one right side to the next.
@@ -25,7 +26,6 @@ module ehlwave_steady_tangent
       type(state_t) :: state                        !! the steady state of smooth surfaces
       type(gmres_t), private :: gmres
       logical, private :: is_factorised = .false.   ! without a diagonal shift
-      real(dp), private :: factor_work = 0          ! operations of that, counted again where factors are used again
    contains
       procedure :: init
       procedure :: stand
@@ -78,11 +78,17 @@ contains
          allocate (x(linear%n))
          call linear%borrow(levels)
          do rung = 1, size(diagonal_shift)
-            call use_factors(self, levels, rung)
+            if (rung == 1 .and. self%is_factorised) then
+               call linear%count_factors()
+            else
+               call linear%factorise(rung)
+               self%is_factorised = rung == 1
+            end if
             call self%gmres%solve(linear, b, x, tolerance)
             change%linear_steps = change%linear_steps + self%gmres%steps
             if (self%gmres%steps > 0 .and. self%gmres%reduction <= tolerance) exit
          end do
+         change%reduction = self%gmres%reduction
          if (self%gmres%steps == 0) then
             change%status = status_not_finite
          else if (self%gmres%reduction <= tolerance) then
@@ -96,25 +102,5 @@ contains
          call linear%release()
       end associate
    end subroutine solve
-
-   !> Have factors of a rung of `diagonal_shift`, made now or kept. Their work counts either way: what is counted of a case does
-   !> not depend on the cases before it.
-   subroutine use_factors(self, levels, rung)
-      class(steady_tangent_t), intent(inout) :: self
-      type(level_t), intent(inout) :: levels(:)
-      integer, intent(in) :: rung
-      integer :: l
-
-      if (rung == 1 .and. self%is_factorised) then
-         associate (deformation => levels(size(levels))%problem%deformation)
-            deformation%work = deformation%work + self%factor_work
-         end associate
-         return
-      end if
-      self%factor_work = -sum([(levels(l)%problem%deformation%work, l=1, size(levels))])
-      call self%linear%factorise(rung)
-      self%factor_work = self%factor_work + sum([(levels(l)%problem%deformation%work, l=1, size(levels))])
-      self%is_factorised = rung == 1
-   end subroutine use_factors
 
 end module ehlwave_steady_tangent

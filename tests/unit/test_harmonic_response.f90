@@ -99,7 +99,7 @@ contains
       associate (level => multigrid%levels(size(multigrid%levels)), grid => multigrid%levels(size(multigrid%levels))%problem%grid, &
                  system => solver%linear, linearised => solver%linear%levels(solver%linear%finest))
          call system%borrow(multigrid%levels)
-         call solver%set_frequency(frequency, (0.0_dp, 0.0_dp))
+         call solver%set_frequency(frequency, (0.0_dp, 0.0_dp), is_real=.false.)
          allocate (x(system%n), y(system%n), b(0:grid%nx, 0:grid%ny), g(0:grid%nx, 0:grid%ny))
          allocate (up(0:grid%nx, 0:grid%ny), down(0:grid%nx, 0:grid%ny))
          x = 0
