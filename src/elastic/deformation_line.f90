@@ -3,7 +3,7 @@ module ehlwave_deformation_line
    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_double_complex, c_f_pointer, c_int, &
       c_int32_t, c_intptr_t, c_char, c_float, c_float_complex, c_funptr, c_null_ptr, c_ptr, c_size_t
    use ehlwave_deformation, only: deformation_t
-   use ehlwave_deformation_fft, only: fast_length
+   use ehlwave_kernel_transform, only: fast_length
    use ehlwave_grid, only: grid_t
    use ehlwave_kernel, only: cell_influence
    use ehlwave_kinds, only: dp
