@@ -18,7 +18,8 @@ module ehlwave_mean_film
    private
    public :: find_mean_change, has_mean
 
-   real(dp), parameter :: tolerance = 1e-4_dp   !! of the linear residual
+   !> Of the linear residual: 1e-4 leaves up to 3 % of the rise (0.1 % in the median of 48 cases), 1e-5 a fifth of that for one step more.
+   real(dp), parameter :: tolerance = 1e-5_dp
 
    !> Amplitude over H(0,0) at which the mean residual is taken, before it is scaled with the square of the amplitude. At the
    !> steep end of the pressure large waves leave the range of the second order: M = 100, D = 1, transverse, 0.5 a, 65 x 65
@@ -60,7 +61,7 @@ contains
          probe = probe_over_film*grid%value_at_centre(tangent%state%h)
          call mean_residual(tangent, levels(size(levels)), response, merge(4, 2, waviness%moves()), probe, b)
          b = (amplitude/probe)**2*b
-         call tangent%solve(levels, b, tolerance, second)
+         call tangent%solve(levels, b, tolerance, second, in_single=.true.)
          change%status = second%status
          change%linear_steps = second%linear_steps
          change%state = second%state

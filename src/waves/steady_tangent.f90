@@ -64,19 +64,20 @@ contains
    end subroutine stand
 
    !> Change of the state whose weighted residuals change by b, with the cavitated nodes as they are.
-   subroutine solve(self, levels, b, tolerance, change)
+   subroutine solve(self, levels, b, tolerance, change, in_single)
       class(steady_tangent_t), intent(inout) :: self
       type(level_t), intent(inout), target :: levels(:)   !! those of `init`: their deformation is used
       real(dp), intent(in), contiguous :: b(:)            !! (linear%n), 0 at cavitated nodes; at flooded edges in units of P
       real(dp), intent(in) :: tolerance                   !! of the linear residual
       type(tangent_change_t), intent(out) :: change
+      logical, intent(in), optional :: in_single          !! products, whose convolutions are good to 1e-7 then
       real(dp), allocatable, target :: x(:)
       real(dp), pointer, contiguous :: q(:, :)
       integer :: rung
 
       associate (linear => self%linear, grid => levels(size(levels))%problem%grid)
          allocate (x(linear%n))
-         call linear%borrow(levels)
+         call linear%borrow(levels, in_single)
          do rung = 1, size(diagonal_shift)
             if (rung == 1 .and. self%is_factorised) then
                call linear%count_factors()
