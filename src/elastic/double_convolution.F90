@@ -1,5 +1,5 @@
 #define KIND dp
-#define PLAN_MANY fftw_plan_many_dft
+#define PLAN fftw_plan_dft_1d
 #define EXECUTE fftw_execute_dft
 #define DESTROY fftw_destroy_plan
 #define ALLOCATE_COMPLEX fftw_alloc_complex

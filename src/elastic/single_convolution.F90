@@ -1,5 +1,5 @@
 #define KIND sp
-#define PLAN_MANY fftwf_plan_many_dft
+#define PLAN fftwf_plan_dft_1d
 #define EXECUTE fftwf_execute_dft
 #define DESTROY fftwf_destroy_plan
 #define ALLOCATE_COMPLEX fftwf_alloc_complex
