@@ -30,8 +30,8 @@ module ehlwave_deformation
          import :: deformation_t, dp
          implicit none (type, external)
          class(deformation_t), intent(inout) :: self
-         real(dp), intent(in) :: p(0:, 0:)    !! pressure at the nodes, (0:nx, 0:ny), zero on the outer boundary
-         real(dp), intent(out) :: d(0:, 0:)   !! deformation, (0:nx, 0:ny)
+         real(dp), intent(in), contiguous :: p(0:, 0:)    !! pressure at the nodes, (0:nx, 0:ny), zero on the outer boundary
+         real(dp), intent(out), contiguous :: d(0:, 0:)   !! deformation, (0:nx, 0:ny)
       end subroutine apply_deformation
    end interface
 
@@ -40,16 +40,16 @@ contains
    !> The same, of a change that need not be exact: in single precision where there is one.
    subroutine apply_single(self, p, d)
       class(deformation_t), intent(inout) :: self
-      real(dp), intent(in) :: p(0:, 0:)
-      real(dp), intent(out) :: d(0:, 0:)
+      real(dp), intent(in), contiguous :: p(0:, 0:)
+      real(dp), intent(out), contiguous :: d(0:, 0:)
       call self%apply(p, d)
    end subroutine apply_single
 
    !> The one or the other.
    subroutine deform(self, p, d, in_single)
       class(deformation_t), intent(inout) :: self
-      real(dp), intent(in) :: p(0:, 0:)
-      real(dp), intent(out) :: d(0:, 0:)
+      real(dp), intent(in), contiguous :: p(0:, 0:)
+      real(dp), intent(out), contiguous :: d(0:, 0:)
       logical, intent(in) :: in_single
       if (in_single) then
          call self%apply_single(p, d)

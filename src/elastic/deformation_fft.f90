@@ -42,8 +42,8 @@ contains
    !> Deformation D = sum over cells of influence times P, theory eq. (9), at all nodes.
    subroutine apply(self, p, d)
       class(deformation_fft_t), intent(inout) :: self
-      real(dp), intent(in) :: p(0:, 0:)    !! pressure at the nodes, (0:nx, 0:ny), zero on the outer boundary
-      real(dp), intent(out) :: d(0:, 0:)   !! deformation, (0:nx, 0:ny)
+      real(dp), intent(in), contiguous :: p(0:, 0:)    !! pressure at the nodes, (0:nx, 0:ny), zero on the outer boundary
+      real(dp), intent(out), contiguous :: d(0:, 0:)   !! deformation, (0:nx, 0:ny)
       self%work = self%work + self%operations
       call self%double%apply(p, d)
    end subroutine apply
@@ -51,8 +51,8 @@ contains
    !> The same in single precision: to about 1e-7 of the largest.
    subroutine apply_single(self, p, d)
       class(deformation_fft_t), intent(inout) :: self
-      real(dp), intent(in) :: p(0:, 0:)
-      real(dp), intent(out) :: d(0:, 0:)
+      real(dp), intent(in), contiguous :: p(0:, 0:)
+      real(dp), intent(out), contiguous :: d(0:, 0:)
       self%work = self%work + anint(single_share*self%operations)
       call self%single%apply(p, d)
    end subroutine apply_single

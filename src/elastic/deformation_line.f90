@@ -55,8 +55,8 @@ contains
    !> Deformation at all nodes of the line, D = sum over cells of influence times P.
    subroutine apply(self, p, d)
       class(deformation_line_t), intent(inout) :: self
-      real(dp), intent(in) :: p(0:, 0:)    !! pressure at the nodes, (0:nx, 0:0)
-      real(dp), intent(out) :: d(0:, 0:)   !! deformation, (0:nx, 0:0)
+      real(dp), intent(in), contiguous :: p(0:, 0:)    !! pressure at the nodes, (0:nx, 0:0)
+      real(dp), intent(out), contiguous :: d(0:, 0:)   !! deformation, (0:nx, 0:0)
 
       self%work = self%work + 2*transform_operations(real(size(self%row), dp))
       self%row(1:self%nx + 1) = p(:, 0)

@@ -26,8 +26,8 @@ module ehlwave_complex_linearised_contact
    !> (w = 0) costs one convolution, any other two.
    subroutine deform(level, q, d, in_single)
       type(linear_level_t), intent(inout) :: level
-      complex(dp), intent(in) :: q(0:, 0:)
-      complex(dp), intent(out) :: d(0:, 0:)
+      complex(dp), intent(in), contiguous :: q(0:, 0:)
+      complex(dp), intent(out), contiguous :: d(0:, 0:)
       logical, intent(in) :: in_single
       real(dp), allocatable :: part(:, :), film(:, :)
 

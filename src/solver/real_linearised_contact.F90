@@ -40,8 +40,8 @@ module ehlwave_real_linearised_contact
    !> Deformation under a change of pressure.
    subroutine deform(level, q, d, in_single)
       type(linear_level_t), intent(inout) :: level
-      real(dp), intent(in) :: q(0:, 0:)
-      real(dp), intent(out) :: d(0:, 0:)
+      real(dp), intent(in), contiguous :: q(0:, 0:)
+      real(dp), intent(out), contiguous :: d(0:, 0:)
       logical, intent(in) :: in_single
       call level%deformation%deform(q, d, in_single)
    end subroutine deform
