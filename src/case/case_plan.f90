@@ -6,7 +6,6 @@ module ehlwave_case_plan
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_lubricant, only: case_lubricant
    use ehlwave_conditions, only: conditions_t
-   use ehlwave_deformation_choice, only: chosen_deformation
    use ehlwave_domain_choice, only: choose_domain, expected_domain_errors
    use ehlwave_error_parts, only: error_parts_t
    use ehlwave_errors, only: error_t, raise
@@ -108,7 +107,7 @@ contains
       call choose_grid(copy, plan%conditions, plan%waviness, plan%cells_x, plan%cells_y, plan%grid_reason)
       plan%hx = (plan%x_max - plan%x_min)/plan%cells_x
       if (.not. plan%conditions%is_line()) plan%hy = 2*plan%y_max/plan%cells_y
-      plan%deformation = chosen_deformation(case%deformation, plan%cells_x, plan%cells_y, plan%is_half, kappa)
+      plan%deformation = trim(merge('mlmi', 'fft ', case%deformation == 'mlmi'))   ! 'auto': the FFT, measured
 
       plan%is_periodic = plan%waviness%moves() .and. case%response == 'periodic'
       plan%responds = plan%waviness%is_present .and. (case%response == 'harmonic' .or. case%response == 'both')

@@ -252,8 +252,8 @@ contains
          "with PETSc)", choices='newton fas petsc'))
       call list%see(case%cycle, key_t('cycle', 'multigrid cycle', choices='f v w', default="'f'", applies=case%method == 'fas', &
          when="method = 'fas'"))
-      call list%see(case%deformation, key_t('deformation', "how the deformation is computed; 'auto': by the faster one of "// &
-         "'fft' and 'mlmi', multilevel multi-integration, whose error is far below that of the discretisation", &
+      call list%see(case%deformation, key_t('deformation', "how the deformation is computed; 'auto': by the faster one, "// &
+         "'fft'; 'mlmi': multilevel multi-integration, whose error is far below that of the discretisation", &
          choices='auto fft mlmi'))
       call list%see(case%error_estimate, key_t('error_estimate', "estimate of the error of Ad/Ai; 'coarse_grid': from the "// &
          "same case on 2 and 4 times the mesh size (5 to 15 % of the time), 'model': the error that the plan expects", &

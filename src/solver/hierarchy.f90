@@ -2,7 +2,6 @@
 module ehlwave_hierarchy
    use ehlwave_conditions, only: conditions_t
    use ehlwave_contact_problem, only: contact_problem_t
-   use ehlwave_deformation_choice, only: chosen_deformation
    use ehlwave_deformation_mlmi, only: deformation_mlmi_t
    use ehlwave_formula, only: moes_film_formula
    use ehlwave_grid, only: grid_t
@@ -43,7 +42,7 @@ contains
       type(conditions_t), intent(in) :: conditions
       type(rheology_t), intent(in) :: rheology
       type(grid_t), intent(in) :: finest
-      character(len=*), intent(in) :: deformation   !! 'fft', 'mlmi' or 'auto', level by level
+      character(len=*), intent(in) :: deformation   !! 'mlmi', else the FFT
       type(grid_t) :: grid
       integer :: l, n
 
@@ -58,9 +57,7 @@ contains
       grid = finest
       do l = n, 1, -1
          associate (level => self%levels(l))
-            if (chosen_deformation(deformation, grid%nx, grid%ny*merge(2, 1, grid%is_half), grid%is_half, &
-                                   conditions%elliptic%kappa) == 'mlmi') &
-               allocate (deformation_mlmi_t :: level%problem%deformation)
+            if (deformation == 'mlmi') allocate (deformation_mlmi_t :: level%problem%deformation)
             call level%problem%init(grid, conditions, rheology)
             level%state = new_state(grid)
          end associate

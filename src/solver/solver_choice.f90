@@ -16,7 +16,7 @@ module ehlwave_solver_choice
    type, public :: method_t
       character(len=6) :: solver = 'newton'       !! 'newton', 'fas', or 'petsc' for the finest level
       character(len=1) :: cycle = 'f'             !! of FAS: 'v', 'w' or 'f'
-      character(len=4) :: deformation = 'fft'     !! 'fft', 'mlmi' or 'auto', level by level
+      character(len=4) :: deformation = 'fft'     !! 'mlmi', else the FFT
    end type method_t
 
 contains
