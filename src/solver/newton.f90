@@ -29,7 +29,7 @@ module ehlwave_newton
    !> It owns the contact linearised on every level, of which the coarser ones precondition the finer.
    type, extends(level_solver_t), public :: newton_t
       type(step_limit_t) :: limit
-      real(dp) :: loosest = 0.05_dp              !! linear tolerance far from the solution
+      real(dp) :: loosest = 0.035_dp             !! linear tolerance far from the solution
       real(dp) :: tightest = 1e-4_dp             !! and close to it
       integer :: largest_krylov = 60
       class(local_solver_t), allocatable :: local   !! takes what is large in a small part of the domain only
