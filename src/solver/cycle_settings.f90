@@ -14,7 +14,7 @@ module ehlwave_cycle_settings
    type(cycle_settings_t), parameter, public :: newton_cycle = cycle_settings_t(near=near_settings_t(taper=0.5_dp))
 
    type(cycle_settings_t), parameter, public :: response_cycle = cycle_settings_t( &
-      near=near_settings_t(least_x=3, stretch_x=2.0_dp, stretch_y=1.5_dp, taper=0.75_dp), checks_factors=.true.)
+      near=near_settings_t(least_x=3, taper=0.75_dp), checks_factors=.true.)
 
    real(dp), parameter, public :: diagonal_shift(4) = [0.0_dp, 0.1_dp, 0.3_dp, 1.0_dp]   !! of factors, tried in turn
 

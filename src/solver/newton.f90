@@ -161,15 +161,14 @@ contains
    end subroutine pose
 
    !> Linear tolerance after a step that changed the residual by `ratio`: tighter the closer to the
-   !> solution (choice 2 of Eisenstat and Walker 1996 with gamma = 0.3 and alpha = 1: a higher power asks for more than the next
-   !> step can use), and tighter also when a loose solve gained little.
+   !> solution (Eisenstat and Walker 1996), and tighter also when a loose solve gained little.
    pure real(dp) function next_forcing(self, forcing, ratio)
       class(newton_t), intent(in) :: self
       real(dp), intent(in) :: forcing, ratio
       if (ratio > 0.5_dp) then
          next_forcing = max(self%tightest, 0.1_dp*forcing)
       else
-         next_forcing = min(self%loosest, max(self%tightest, 0.3_dp*ratio))
+         next_forcing = min(self%loosest, max(self%tightest, 0.5_dp*ratio**1.5_dp))
       end if
    end function next_forcing
 

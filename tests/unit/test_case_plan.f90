@@ -133,10 +133,14 @@ contains
       call test%check(plan%deformation == 'fft', 'half of a large domain: FFT')
       case%radius_ratio_d = 0.04_dp
       plan = plan_of(case)
-      call test%check(plan%deformation == 'mlmi', 'of a slender contact: MLMI')
+      call test%check(plan%deformation == 'fft', 'of a slender contact, too')
+      case%deformation = 'mlmi'
+      plan = plan_of(case)
+      call test%check(plan%deformation == 'mlmi', 'MLMI where it is asked for')
+      case%deformation = 'auto'
       case%domain = 'whole'
       plan = plan_of(case)
-      call test%check(plan%deformation == 'fft', 'whole domain: FFT')
+      call test%check(plan%deformation == 'fft', 'whole domain: FFT, too')
       case%domain = 'auto'
       case%deformation = 'fft'
       plan = plan_of(case)
