@@ -68,7 +68,7 @@ module ehlwave_case_plan
    real(dp), parameter :: share_of_steps = 0.2_dp    !! of the accuracy, for steps longer than hX
    real(dp), parameter :: fewest_long_steps = 32     !! time steps per wave that steps longer than hX must leave
    real(dp), parameter :: cost_of_estimate = 1.15_dp !! of a case with its coarser grids over that without
-   real(dp), parameter :: response_work_units = 50   !! of a linear response on half a domain; measured: 34 to 78
+   real(dp), parameter :: response_work_units = 50   !! of a linear response on half a domain and the change of the mean; measured: 35 to 80
    real(dp), parameter :: periodic_share = 0.4_dp    !! of a march that starts in the waves, of one from rest; measured: 0.2 to 0.6
    real(dp), parameter :: outlet_end = 1             !! X of the outlet end of the Hertzian contact
 
