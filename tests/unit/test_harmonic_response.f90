@@ -23,6 +23,7 @@ program test_harmonic_response
    call against_residual(test, 'whole domain', .false., 4.0_dp)
    call against_residual(test, 'standing', .true., 0.0_dp)
    call independent_of_history(test)
+   call real_and_complex(test)
    call test%finish()
 
 contains
@@ -184,6 +185,31 @@ contains
       call test%check(maxval(abs(oblique%h - first%h)) > 0.1_dp, 'but not elsewhere')
       call solver%respond(multigrid%levels, new_waviness(1.2_dp, 1.0_dp, .false., -2.5_dp, 1.0_dp), 0.3_dp, 1, again)
       call test%check(abs(again%approach) < 0.5_dp*abs(first%approach), 'inertia holds the approach back')
+      call solver%respond(multigrid%levels, new_waviness(1.2_dp, 1.0_dp, .false., -2.5_dp, 1.0_dp), 0.0_dp, 1, again)
+      call test%check(abs(first%film - again%film) <= 0 .and. all(abs(first%p - again%p) <= 0), 'force balance again')
+      call solver%respond(multigrid%levels, new_waviness(1.2_dp, 0.0_dp, .false., -2.5_dp, 1.0_dp), 0.0_dp, 1, other)
+      call solver%init(multigrid%levels)
+      call solver%respond(multigrid%levels, new_waviness(1.2_dp, 0.0_dp, .false., -2.5_dp, 1.0_dp), 0.0_dp, 1, again)
+      call test%check(abs(other%film - again%film) <= 0 .and. all(abs(other%p - again%p) <= 0), &
+                      'factors of another pattern are its own')
+      call solver%respond(multigrid%levels, new_waviness(1.2_dp, 0.0_dp, .false., -2.5_dp, 0.5_dp), 0.0_dp, 1, again)
+      call test%check(abs(other%film - again%film) > 1e-3_dp, 'not those of half the speed')
    end subroutine independent_of_history
+
+   !> Waves along Y are answered in real numbers; those that vary very slowly along X, in complex ones, are nearly the same.
+   subroutine real_and_complex(test)
+      type(test_t), intent(inout) :: test
+      type(full_multigrid_t) :: multigrid
+      type(harmonic_solver_t) :: solver
+      type(harmonic_response_t) :: exact, slow
+      call steady(multigrid, .true.)
+      call solver%init(multigrid%levels)
+      solver%tolerance = 1e-9_dp
+      call solver%respond(multigrid%levels, new_waviness(0.0_dp, 0.8_dp, .false., -2.5_dp, 1.5_dp), 0.0_dp, 1, exact)
+      call solver%respond(multigrid%levels, new_waviness(1e7_dp, 0.8_dp, .false., -2.5_dp, 1.5_dp), 0.0_dp, 1, slow)
+      call test%check_close(maxval(abs(slow%p - exact%p)), 0.0_dp, 'pressure of longitudinal waves', absolute=1e-5_dp)
+      call test%check_close(maxval(abs(slow%h - exact%h)), 0.0_dp, 'film of longitudinal waves', absolute=1e-5_dp)
+      call test%check(maxval(abs(exact%p)) > 0.1_dp .and. exact%linear_steps > 0, 'which are not nothing')
+   end subroutine real_and_complex
 
 end program test_harmonic_response
