@@ -194,8 +194,8 @@ contains
       call on_whole%init(whole, s%kappa, s%k)
       n = half%ny
       allocate (p(0:whole%nx, 0:whole%ny), v(0:half%nx, 0:half%ny), w(0:whole%nx, 0:whole%ny), source=0.0_dp)
-      do j = 1, whole%ny - 1
-         do i = 1, whole%nx - 1
+      do j = 0, whole%ny                   ! at the edges, too, as where they are flooded
+         do i = 0, whole%nx
             p(i, j) = noise(i, abs(j - n))
          end do
       end do
