@@ -196,7 +196,7 @@ contains
    !> computed. Measured on 64 to 384 cells along each side: within a tenth.
    pure real(dp) function expected_memory_mib(self)
       class(case_plan_t), intent(in) :: self
-      real(dp), parameter :: program_mib = 13, bytes_smooth = 720, bytes_wavy = 850, bytes_response = 1690, bytes_line = 2600, &
+      real(dp), parameter :: program_mib = 16, bytes_smooth = 720, bytes_wavy = 900, bytes_response = 1830, bytes_line = 2600, &
                              bytes_periodic = 1900
       real(dp) :: bytes, cells
       cells = real(self%cells_x, dp)*self%cells_y
