@@ -44,7 +44,7 @@ module ehlwave_case_plan
       integer :: cells_x = 0, cells_y = 0            !! of the whole domain; cells_y = 1 of a line contact
       character(len=:), allocatable :: grid_reason
       real(dp) :: hx = 0, hy = 0                     !! hy = 0 of a line contact
-      character(len=4) :: deformation = ''           !! 'fft' or 'mlmi' on the finest grid
+      character(len=4) :: deformation = ''           !! 'fft' or 'mlmi'
       integer :: cells_per_step = 1, steps_per_cell = 1
       real(dp) :: dt = 0                             !! time step, 0 without march
       integer :: steps = 0                           !! time steps
@@ -107,7 +107,7 @@ contains
       call choose_grid(copy, plan%conditions, plan%waviness, plan%cells_x, plan%cells_y, plan%grid_reason)
       plan%hx = (plan%x_max - plan%x_min)/plan%cells_x
       if (.not. plan%conditions%is_line()) plan%hy = 2*plan%y_max/plan%cells_y
-      plan%deformation = trim(merge('mlmi', 'fft ', case%deformation == 'mlmi'))   ! 'auto': the FFT, measured
+      plan%deformation = merge('mlmi', 'fft ', case%deformation == 'mlmi')   ! 'auto': the FFT, measured
 
       plan%is_periodic = plan%waviness%moves() .and. case%response == 'periodic'
       plan%responds = plan%waviness%is_present .and. (case%response == 'harmonic' .or. case%response == 'both')

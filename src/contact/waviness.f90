@@ -21,6 +21,7 @@ module ehlwave_waviness
       procedure :: is_longitudinal
       procedure :: is_symmetric
       procedure :: period
+      procedure :: frequency
       procedure :: shape_at
       procedure :: shape_fixed
       procedure :: amplitude_at
@@ -83,6 +84,13 @@ contains
       is_symmetric = .not. (self%is_present .and. self%is_oblique)
       if (allocated(self%surface)) is_symmetric = self%surface%is_even()
    end function is_symmetric
+
+   !> Angular frequency w = kx S of a pattern, in units of 1/T; 0 where it does not move.
+   elemental real(dp) function frequency(self)
+      class(waviness_t), intent(in) :: self
+      frequency = 0
+      if (self%moves()) frequency = 2*pi*self%slip/self%wavelength_x
+   end function frequency
 
    !> Time after which a moving pattern repeats, in T.
    pure real(dp) function period(self)

@@ -38,8 +38,8 @@ contains
       real(dp), intent(in) :: kappa   !! ellipticity a/b
       real(dp), intent(in) :: k       !! complete elliptic integral of the first kind
       type(kernel_transform_t) :: self
-      real(dp), allocatable :: column(:, :)
-      integer :: i, j, reach
+      real(dp), allocatable :: column(:, :), padded(:, :)
+      integer :: j, reach
 
       self%px = fast_length(2*grid%nx)
       self%py = fast_length(2*grid%ny)
@@ -51,8 +51,9 @@ contains
          self%direct = real(spectra(column([(min(j, py - j), j=0, py - 1)], :)), dp)/py
          if (.not. grid%is_half) return
          allocate (self%mirrored(0:py/2, 0:px/2), self%corner(0:px/2))
-         self%mirrored = spectra(reshape([((merge(column(min(j, reach), i), 0.0_dp, j <= reach), j=0, py - 1), i=0, px/2)], &
-                                         [py, px/2 + 1]))/py
+         allocate (padded(0:py - 1, 0:px/2), source=0.0_dp)
+         padded(:min(reach, py - 1), :) = column(:min(reach, py - 1), :)
+         self%mirrored = spectra(padded)/py
          self%corner = 0
          if (py == reach) self%corner = column(reach, :) - column(0, :)
       end associate

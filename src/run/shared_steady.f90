@@ -82,7 +82,7 @@ contains
       if (allocated(self%coarse_response%tangent)) deallocate (self%coarse_response%tangent)
       self%is_differentiated = .false.
       call init_multigrid(self%multigrid, plan%conditions, plan%rheology, grid_of(case, plan), &
-                          method_t(case%method, case%cycle, case%deformation))
+                          method_t(case%method, case%cycle, plan%deformation))
       self%rescue = rescue_t(is_ready=climbs(plan), steps_left=plan%largest_total_steps)
       call self%rescue%solve_steady(self%multigrid, limits_of(case), coarse_tolerance)
       self%work = self%multigrid%work()

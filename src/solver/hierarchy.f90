@@ -42,7 +42,7 @@ contains
       type(conditions_t), intent(in) :: conditions
       type(rheology_t), intent(in) :: rheology
       type(grid_t), intent(in) :: finest
-      character(len=*), intent(in) :: deformation   !! 'mlmi', else the FFT
+      character(len=*), intent(in) :: deformation   !! 'fft' or 'mlmi'
       type(grid_t) :: grid
       integer :: l, n
 

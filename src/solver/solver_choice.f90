@@ -16,7 +16,7 @@ module ehlwave_solver_choice
    type, public :: method_t
       character(len=6) :: solver = 'newton'       !! 'newton', 'fas', or 'petsc' for the finest level
       character(len=1) :: cycle = 'f'             !! of FAS: 'v', 'w' or 'f'
-      character(len=4) :: deformation = 'fft'     !! 'mlmi', else the FFT
+      character(len=4) :: deformation = 'fft'     !! 'fft' or 'mlmi'
    end type method_t
 
 contains

@@ -65,7 +65,7 @@ contains
       allocate (self%first(groups), self%next(size(plans)), source=0)
       allocate (self%left(groups), self%expected(size(plans)), source=0.0_dp)
       allocate (self%held(0:ranks - 1), source=0)
-      order = longest_first(frequency_of(plans))
+      order = longest_first(plans%waviness%frequency())
       do n = size(plans), 1, -1
          i = order(n)
          if (.not. to_run(i)) cycle
@@ -79,13 +79,6 @@ contains
       if (present(planned)) self%planned = planned
       call self%sort()
    end function new_queue
-
-   !> Number of waves that pass in a unit of T, 0: none.
-   elemental real(dp) function frequency_of(plan)
-      type(case_plan_t), intent(in) :: plan
-      frequency_of = 0
-      if (plan%waviness%moves()) frequency_of = 1/plan%waviness%period()
-   end function frequency_of
 
    !> Number of the group of each case, in the order in which they appear.
    function steady_groups(cases, plans) result(group)

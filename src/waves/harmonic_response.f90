@@ -6,7 +6,7 @@ module ehlwave_harmonic_response
    use ehlwave_given, only: given_t
    use ehlwave_grid, only: grid_t
    use ehlwave_hierarchy, only: level_t
-   use ehlwave_kinds, only: dp, pi
+   use ehlwave_kinds, only: dp
    use ehlwave_load_balance, only: harmonic_inertia
    use ehlwave_state, only: state_t
    use ehlwave_status, only: status_converged, status_not_finite, status_stalled
@@ -44,8 +44,7 @@ module ehlwave_harmonic_response
       type(linearised_contact_t) :: linear
       type(steady_tangent_t), allocatable :: tangent   !! for real changes that do not turn, see `find_tangent`
       type(gmres_t), private :: gmres
-      complex(dp), private :: inertia = 0
-      real(dp), private :: frequency = 0           ! that of the operator
+      real(dp), private :: frequency = 0           ! of the operator
       logical, private :: is_real = .false.        ! what is asked for: a real change that does not turn
       logical, private :: has_factors = .false.    ! of the frequency
    contains
@@ -96,10 +95,11 @@ contains
       call self%tangent%init(levels)
    end subroutine find_tangent
 
-   !> Operator for changes of one frequency, and its factors unless they are there, while `levels` are borrowed. Those of a real change
-   !> that does not turn are the tangent's.
-   subroutine set_frequency(self, frequency, inertia, is_real)
+   !> Operator for changes of one frequency, and its factors unless they are there. Those of a real change that does not turn are the
+   !> tangent's.
+   subroutine set_frequency(self, levels, frequency, inertia, is_real)
       class(harmonic_solver_t), intent(inout) :: self
+      type(level_t), intent(inout), target :: levels(:)   !! those of `init`
       real(dp), intent(in) :: frequency       !! w in units of 1/T
       complex(dp), intent(in) :: inertia      !! weight of Delta in the load row, 0: force balance
       logical, intent(in) :: is_real
@@ -107,21 +107,22 @@ contains
 
       self%is_real = is_real
       associate (linear => self%linear)
-         if (self%has_factors .and. abs(frequency - self%frequency) <= 0 .and. abs(inertia - self%inertia) <= 0) then
+         call linear%borrow(levels)
+         if (self%has_factors .and. abs(frequency - self%frequency) <= 0 .and. abs(inertia - linear%inertia) <= 0) then
             if (.not. is_real) call linear%count_factors()
-            return
+         else
+            do l = 1, linear%finest
+               linear%levels(l)%wedge = harmonic_wedge(linear%levels(l)%equations%mesh%grid, frequency, &
+                                                       linear%levels(linear%finest)%equations%mesh%grid%hx)
+            end do
+            linear%inertia = inertia
+            call linear%weigh(linear%finest)
+            if (.not. is_real) call linear%factorise(1)
+            self%frequency = frequency
+            self%has_factors = .not. is_real
          end if
-         do l = 1, linear%finest
-            linear%levels(l)%wedge = harmonic_wedge(linear%levels(l)%equations%mesh%grid, frequency, &
-                                                    linear%levels(linear%finest)%equations%mesh%grid%hx)
-         end do
-         linear%inertia = inertia
-         call linear%weigh(linear%finest)
-         if (.not. is_real) call linear%factorise(1)
+         call linear%release()
       end associate
-      self%frequency = frequency
-      self%inertia = inertia
-      self%has_factors = .not. is_real
    end subroutine set_frequency
 
    !> Response to one pattern. It depends on nothing but the steady state and the pattern: factors of the one before are used again where
@@ -143,13 +144,11 @@ contains
       associate (linear => self%linear, grid => self%linear%levels(self%linear%finest)%equations%mesh%grid)
          allocate (b(linear%n), g(0:grid%nx, 0:grid%ny))
          g = waviness%amplitude_at(grid%x, grid%y)
-         frequency = 0
-         if (waviness%moves()) frequency = 2*pi*waviness%slip/waviness%wavelength_x
+         frequency = waviness%frequency()
          inertia = 0
          if (natural_frequency > 0) inertia = harmonic_inertia(natural_frequency, grid%hx/steps_per_cell, frequency)
          if (waviness%is_longitudinal()) call self%find_tangent(levels)
-         call linear%borrow(levels)
-         call self%set_frequency(frequency, inertia, waviness%is_longitudinal())
+         call self%set_frequency(levels, frequency, inertia, waviness%is_longitudinal())
          dr(0:grid%nx, 0:grid%ny) => b(:linear%n - 1)
          call linear%gap_change(g, dr)
          associate (edges => linear%levels(linear%finest)%equations%edges)
@@ -160,7 +159,6 @@ contains
          dr = -dr
          b(linear%n) = 0
          call self%respond_to(levels, b, response)
-         call linear%release()
          response%h = response%h + g
          response%film = at_centre(grid, response%h)
       end associate

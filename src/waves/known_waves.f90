@@ -4,7 +4,7 @@ module ehlwave_known_waves
    use ehlwave_grid, only: grid_t
    use ehlwave_harmonic_response, only: harmonic_response_t, harmonic_solver_t
    use ehlwave_hierarchy, only: level_t
-   use ehlwave_kinds, only: dp, pi
+   use ehlwave_kinds, only: dp
    use ehlwave_lagrange, only: lagrange_weights
    use ehlwave_mean_film, only: find_mean_change, mean_change_t
    use ehlwave_neighbour_range, only: held, neighbour_range
@@ -60,7 +60,7 @@ contains
       type(steady_tangent_t), allocatable :: tangent
       type(mean_change_t) :: mean
 
-      self%frequency = 2*pi*waviness%slip/waviness%wavelength_x
+      self%frequency = waviness%frequency()
       allocate (solver, tangent)
       call solver%init(levels)
       associate (first => self%turning(1), second => self%turning(2))

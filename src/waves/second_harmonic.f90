@@ -41,8 +41,7 @@ contains
          allocate (b(linear%n))
          inertia = 0
          if (natural_frequency > 0) inertia = harmonic_inertia(natural_frequency, dt, 2*frequency)
-         call linear%borrow(levels)
-         call solver%set_frequency(2*frequency, inertia, is_real=.false.)
+         call solver%set_frequency(levels, 2*frequency, inertia, is_real=.false.)
          call second_residual(solver, levels(size(levels)), first, frequency*dt, steps_per_cell, b)
          call solver%respond_to(levels, b, second)
       end associate

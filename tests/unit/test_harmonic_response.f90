@@ -99,8 +99,8 @@ contains
       call solver%init(multigrid%levels)
       associate (level => multigrid%levels(size(multigrid%levels)), grid => multigrid%levels(size(multigrid%levels))%problem%grid, &
                  system => solver%linear, linearised => solver%linear%levels(solver%linear%finest))
+         call solver%set_frequency(multigrid%levels, frequency, (0.0_dp, 0.0_dp), is_real=.false.)
          call system%borrow(multigrid%levels)
-         call solver%set_frequency(frequency, (0.0_dp, 0.0_dp), is_real=.false.)
          allocate (x(system%n), y(system%n), b(0:grid%nx, 0:grid%ny), g(0:grid%nx, 0:grid%ny))
          allocate (up(0:grid%nx, 0:grid%ny), down(0:grid%nx, 0:grid%ny))
          x = 0
