@@ -1,7 +1,9 @@
 """What the parts of the study hand to the report: sections of text, tables and figures."""
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, field
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass, field, replace
+from multiprocessing import get_context
 from pathlib import Path
 
 import pandas as pd
@@ -31,11 +33,11 @@ class Table:
 
 @dataclass(frozen=True)
 class Picture:
-    """A figure of the report, also written as ``<name>.pdf`` and ``<name>.png``."""
+    """A figure of the report, None once it is written as ``<name>.pdf`` and ``<name>.png``."""
 
     name: str
     caption: str
-    figure: Figure
+    figure: Figure | None
 
 
 @dataclass
@@ -46,19 +48,47 @@ class Section:
     text: list[str] = field(default_factory=list)
     tables: list[Table] = field(default_factory=list)
     pictures: list[Picture] = field(default_factory=list)
+    files: list[Path] = field(default_factory=list)
+    """What :func:`write_section` wrote."""
 
 
 Parts = Sequence[tuple[str, Callable[[Path], Section]]]
 """Names of the parts of a report, and what makes each of the files in a folder."""
 
 
-def make_sections(parts: Parts, folder: Path, note: Callable[[str], None]) -> list[Section]:
-    """Return the section of every part; `note` is told what is being made."""
+def make_sections(
+    parts: Parts, folder: Path, output: Path, note: Callable[[str], None], processes: int = 1
+) -> list[Section]:
+    """Return the section of every part, written to `output`; `note` is told what is being made.
+
+    Parts that only read may be made in several processes, side by side.
+    """
     sections = []
-    for name, make in parts:
-        note(f"{name} ...")
-        sections.append(make(folder))
+    if processes == 1:
+        for name, make in parts:
+            note(f"{name} ...")
+            sections.append(_make(make, folder, output))
+        return sections
+    with ProcessPoolExecutor(processes, mp_context=get_context("fork")) as pool:
+        waiting = [(name, pool.submit(_make, make, folder, output)) for name, make in parts]
+        for name, section in waiting:
+            note(f"{name} ...")
+            sections.append(section.result())
     return sections
+
+
+def _make(make: Callable[[Path], Section], folder: Path, output: Path) -> Section:
+    return write_section(make(folder), output)
+
+
+def write_section(section: Section, output: Path) -> Section:
+    """Write ``tables/*.csv`` and ``figures/*`` into `output`; return what is left of a section."""
+    tables, figures = output / "tables", output / "figures"
+    for place in (tables, figures):
+        place.mkdir(parents=True, exist_ok=True)
+    files = write_parts(section, tables, figures)
+    pictures = [replace(picture, figure=None) for picture in section.pictures]
+    return replace(section, pictures=pictures, files=files)
 
 
 def comparison_row(
@@ -90,5 +120,6 @@ def write_parts(section: Section, tables: Path, figures: Path) -> list[Path]:
         written.append(tables / f"{table.name}.csv")
         table.data.to_csv(written[-1], index=False, lineterminator="\n")
     for picture in section.pictures:
+        assert picture.figure is not None
         written += write_figure(picture.figure, figures, picture.name, dots_per_inch=150)
     return written

@@ -156,18 +156,21 @@ def test_seconds_of_several_starts_are_added(tmp_path: Path) -> None:
     assert stages["revision"][0] == "r2"
 
 
-def test_the_report_stands_alone_and_keeps_all_digits(tmp_path: Path) -> None:
-    value = 1 / 3
+def films_section(_: Path) -> Section:
     figure = Figure()
     figure.subplots().plot([0, 1])
-    part = Section(
+    return Section(
         "Films & <waves>",
         ["a < b"],
-        [comparison("films", "Films", [comparison_row("h", "um", 0.25, value, 0.01)])],
+        [comparison("films", "Films", [comparison_row("h", "um", 0.25, 1 / 3, 0.01)])],
         [Picture("curve", "A curve", figure)],
     )
+
+
+def test_the_report_stands_alone_and_keeps_all_digits(tmp_path: Path) -> None:
+    value = 1 / 3
     notes: list[str] = []
-    written = write_report(tmp_path, tmp_path / "out", notes.append, [("films", lambda _: part)])
+    written = write_report(tmp_path, tmp_path / "out", notes.append, [("films", films_section)])
     page = written[0].read_text(encoding="utf-8")
     assert "Films &amp; &lt;waves&gt;" in page
     assert "a &lt; b" in page

@@ -18,6 +18,7 @@ module ehlwave_eyring_law
    real(dp), parameter :: c(0:6) = 1/[1.0_dp, 6.0_dp, 120.0_dp, 5040.0_dp, 362880.0_dp, 39916800.0_dp, 6227020800.0_dp]
                                    ! sinh(r)/r = sum c_n r^(2n)
    real(dp), parameter :: joint = 0.25_dp     ! r^2 where the closed form takes over: rounding is 2e-15 of the slope there
+   real(dp), parameter :: short_reach = 1e-3_dp   ! r^2 up to which four terms of the series are enough
    real(dp), parameter :: s_at_joint = 2*sinh(0.5_dp), slope_at_joint = 2*(cosh(0.5_dp) - s_at_joint)
 
 contains
@@ -32,6 +33,14 @@ contains
       real(dp) :: grown, inverse, largest2, r, s_beyond, x
       integer :: i
 
+      if (all(stress2 <= short_reach)) then
+         do i = 1, n
+            x = stress2(i)
+            s(i) = c(0) + x*(c(1) + x*(c(2) + x*c(3)))
+            slope(i) = c(1) + x*(2*c(2) + x*(3*c(3) + x*4*c(4)))
+         end do
+         return
+      end if
       s = s_at_joint
       slope = slope_at_joint
       if (any(stress2 < joint)) then

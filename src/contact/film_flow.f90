@@ -12,16 +12,17 @@ module ehlwave_film_flow
    use ehlwave_flow_law, only: flow_law_t
    use ehlwave_gauss_legendre, only: gauss_rule_t, new_gauss_rule
    use ehlwave_kinds, only: dp
-   use ehlwave_film_stress, only: block_size, film_stress_t
+   use ehlwave_film_stress, only: block_size, film_stress_t, slight_stress
    implicit none (type, external)
    private
    public :: new_film_flow
 
-   integer, parameter :: rule_points(*) = [2, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256]
+   ! Gauss points across the film; the second rule is for stresses so slight that the oil hardly thins
+   integer, parameter :: rule_points(*) = [2, 4, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256]
    real(dp), parameter :: largest_rate = 1e100_dp      ! of |B|: exp(230)
 
    integer, parameter, public :: along_x = 1, along_y = 2   !! components of the flow
-   integer, parameter, public :: flow_values = 5            !! columns of what `evaluate` returns:
+   integer, parameter, public :: flow_values = 5            !! what `evaluate` returns of a place:
    integer, parameter, public :: flow_q = 1                 !! Qhat,
    integer, parameter, public :: flow_by_ln_eta = 2         !! its derivatives by ln(eta), H, g_x and g_y
    integer, parameter, public :: flow_by_h = 3
@@ -38,7 +39,7 @@ module ehlwave_film_flow
    contains
       procedure :: evaluate
       procedure :: mean_stress
-      procedure, private :: choose_rules
+      procedure, private :: sort
    end type film_flow_t
 
 contains
@@ -70,33 +71,25 @@ contains
       real(dp), intent(in) :: fluidity(:)       !! eta0/eta, (n)
       real(dp), intent(in) :: h(:)              !! H > 0, (n)
       real(dp), intent(in) :: gx(:), gy(:)      !! dP/dX and kappa dP/dY, (n)
-      real(dp), intent(out) :: flow(:, :)       !! (n, flow_values)
+      real(dp), intent(out) :: flow(:, :)       !! (flow_values, n)
       integer, intent(out), optional :: points  !! across the film at which the oil was asked, in all: the cost
       type(film_stress_t) :: stress
-      integer :: first(size(rule_points) + 1), i, j, k, last, m, order(size(h)), start
-      real(dp) :: b, by_b, by_sigma(2), scale
+      integer :: first(size(rule_points) + 1), j, k, last, order(size(h)), start
+      real(dp), dimension(size(h)) :: b, fluid, film   ! in that order
+      real(dp) :: block(block_size, flow_values), sigma(size(h), 2)
 
-      call self%choose_rules(h, gx, gy, order, first)
+      call self%sort(fluidity, h, gx, gy, order, first, sigma, b)
+      fluid = fluidity(order)
+      film = h(order)
       if (present(points)) points = 0
       do k = 1, size(rule_points)
          do start = first(k), first(k + 1) - 1, block_size
             last = min(start + block_size, first(k + 1)) - 1
-            m = last - start + 1
-            call load(self, order(start:last), fluidity, h, gx, gy, stress)
-            call stress%solve(self%law, self%rule(k))
+            call stress%solve(self%law, self%rule(k), sigma(start:last, :), b(start:last))
             if (present(points)) points = points + stress%points
-            do j = 1, m
-               i = order(start + j - 1)
-               scale = 3*h(i)**2*fluidity(i)/(self%lambdabar*self%n0)
-               b = stress%b(j)
-               by_b = stress%flow_by_b(j, component)
-               by_sigma = stress%flow_by_sigma(j, component, :)
-               flow(i, flow_q) = scale*stress%flow(j, component)
-               flow(i, flow_by_ln_eta) = scale*(by_b*b - stress%flow(j, component))
-               flow(i, flow_by_h) = scale*((2*stress%flow(j, component) - by_b*b)/h(i) &
-                                           + self%n0*(by_sigma(1)*gx(i) + by_sigma(2)*gy(i)))
-               flow(i, flow_by_gx) = scale*self%n0*h(i)*by_sigma(1)
-               flow(i, flow_by_gy) = scale*self%n0*h(i)*by_sigma(2)
+            call unload(self, component, stress, fluid(start:last), film(start:last), block)
+            do j = start, last
+               flow(:, order(j)) = block(j - start + 1, :)
             end do
          end do
       end do
@@ -114,39 +107,46 @@ contains
       real(dp), intent(out) :: factor(:, :)       !! (2, n) along X, along Y
       type(film_stress_t) :: stress
       integer :: first(size(rule_points) + 1), k, last, m, order(size(h)), start
+      real(dp) :: rate(size(h)), sigma(size(h), 2)
 
-      call self%choose_rules(h, gx, gy, order, first)
+      call self%sort(fluidity, h, gx, gy, order, first, sigma, rate)
+      b(order) = rate
       do k = 1, size(rule_points)
          do start = first(k), first(k + 1) - 1, block_size
             last = min(start + block_size, first(k + 1)) - 1
             m = last - start + 1
-            call load(self, order(start:last), fluidity, h, gx, gy, stress)
-            call stress%solve(self%law, self%rule(k))
+            call stress%solve(self%law, self%rule(k), sigma(start:last, :), rate(start:last))
             sigma_x(order(start:last)) = stress%mean(:m, 1)
-            b(order(start:last)) = stress%b(:m)
             factor(1, order(start:last)) = 3*stress%flow_by_sigma(:m, 1, 1)
             factor(2, order(start:last)) = 3*stress%flow_by_sigma(:m, 2, 2)
          end do
       end do
    end subroutine mean_stress
 
-   !> Sort the places by the number of Gauss points that each needs.
-   pure subroutine choose_rules(self, h, gx, gy, order, first)
+   !> Dimensionless stress variation and shear rate of places, sorted by the number of Gauss points that each needs.
+   pure subroutine sort(self, fluidity, h, gx, gy, order, first, sigma, b)
       class(film_flow_t), intent(in) :: self
-      real(dp), intent(in) :: h(:), gx(:), gy(:)
-      integer, intent(out) :: order(:)                         !! places, those of rule 1 first
+      real(dp), intent(in) :: fluidity(:), h(:), gx(:), gy(:)
+      integer, intent(out) :: order(size(h))                   !! places, those of rule 1 first
       integer, intent(out) :: first(size(rule_points) + 1)     !! where those of each rule begin
-      real(dp) :: variation
+      real(dp), intent(out) :: sigma(size(h), 2), b(size(h))   !! Sigma and B, in that order
+      real(dp), dimension(size(h)) :: rate, sigma_x, sigma_y, variation
       integer :: i, k, needed(size(h)), place(size(rule_points) + 1)
 
+      do i = 1, size(h)
+         sigma_x(i) = self%n0*h(i)*gx(i)
+         sigma_y(i) = self%n0*h(i)*gy(i)
+         rate(i) = sign(min(abs(self%rate)/(h(i)*max(fluidity(i), tiny(h))), largest_rate), self%rate)
+         variation(i) = sqrt(sigma_x(i)**2 + sigma_y(i)**2)
+         needed(i) = merge(merge(3, 2, variation(i) + abs(rate(i)) > slight_stress), 1, variation(i) > self%reach(1))
+      end do
+      do k = 3, size(self%reach)
+         if (.not. any(variation > self%reach(k))) exit
+         where (variation > self%reach(k)) needed = k + 1
+      end do
       first = 0
       do i = 1, size(h)
-         variation = self%n0*h(i)*sqrt(gx(i)**2 + gy(i)**2)
-         do k = 1, size(rule_points) - 1
-            if (.not. variation > self%reach(k)) exit
-         end do
-         needed(i) = k
-         first(k) = first(k) + 1
+         first(needed(i)) = first(needed(i)) + 1
       end do
       first(size(first)) = size(h) + 1
       do k = size(rule_points), 1, -1
@@ -157,24 +157,34 @@ contains
          order(place(needed(i))) = i
          place(needed(i)) = place(needed(i)) + 1
       end do
-   end subroutine choose_rules
+      sigma(:, 1) = sigma_x(order)
+      sigma(:, 2) = sigma_y(order)
+      b = rate(order)
+   end subroutine sort
 
-   !> Dimensionless stress variation and shear rate of some places.
-   pure subroutine load(self, place, fluidity, h, gx, gy, stress)
+   !> Flow and its derivatives at the places of a block.
+   pure subroutine unload(self, component, stress, fluidity, h, flow)
       class(film_flow_t), intent(in) :: self
-      integer, intent(in) :: place(:)
-      real(dp), intent(in) :: fluidity(:), h(:), gx(:), gy(:)
-      type(film_stress_t), intent(inout) :: stress
+      integer, intent(in) :: component                          !! along_x or along_y
+      type(film_stress_t), intent(in) :: stress
+      real(dp), intent(in) :: fluidity(stress%n), h(stress%n)
+      real(dp), intent(out) :: flow(block_size, flow_values)
+      real(dp) :: b_by_b, scale, unit
       integer :: j
 
-      stress%n = size(place)
-      do j = 1, size(place)
-         associate (i => place(j))
-            stress%sigma(j, 1) = self%n0*h(i)*gx(i)
-            stress%sigma(j, 2) = self%n0*h(i)*gy(i)
-            stress%b(j) = sign(min(abs(self%rate)/(h(i)*max(fluidity(i), tiny(h))), largest_rate), self%rate)
-         end associate
-      end do
-   end subroutine load
+      unit = 3/(self%lambdabar*self%n0)
+      associate (s => stress, by_sigma => stress%flow_by_sigma)
+         do j = 1, stress%n
+            scale = unit*h(j)**2*fluidity(j)
+            b_by_b = s%b(j)*s%flow_by_b(j, component)
+            flow(j, flow_q) = scale*s%flow(j, component)
+            flow(j, flow_by_ln_eta) = scale*(b_by_b - s%flow(j, component))
+            flow(j, flow_by_h) = scale/h(j)*(2*s%flow(j, component) - b_by_b &
+                                             + by_sigma(j, component, 1)*s%sigma(j, 1) + by_sigma(j, component, 2)*s%sigma(j, 2))
+            flow(j, flow_by_gx) = scale*self%n0*h(j)*by_sigma(j, component, 1)
+            flow(j, flow_by_gy) = scale*self%n0*h(j)*by_sigma(j, component, 2)
+         end do
+      end associate
+   end subroutine unload
 
 end module ehlwave_film_flow

@@ -16,14 +16,16 @@ module ehlwave_film_stress
 
    integer, parameter, public :: block_size = 64     !! places solved at once
    integer, parameter :: most_steps = 60             ! of Newton; 15 were the most met for |B| to 1e6, |Sigma| to 60
-   real(dp), parameter :: newton_tolerance = 1e-6_dp ! of the last step, which is still made: an error of its square
+   real(dp), parameter :: newton_tolerance = 1e-6_dp ! of the last step, which is still made: an error of its square, times
+                                                     ! the stress where that is small
+   real(dp), parameter, public :: slight_stress = 0.03_dp   !! |sigma| up to which B itself is a good first guess of it
    real(dp), parameter :: small_variation = 2.5_dp   ! |Sigma| up to which a few points across the film make a first guess
    ! Rules of Gauss for that: the positive nodes, and half their weights
    real(dp), parameter :: node_of_two(1) = 1/sqrt(3.0_dp), half_weight_of_two(1) = 0.5_dp
    real(dp), parameter :: nodes_of_four(2) = sqrt([3 - sqrt(4.8_dp), 3 + sqrt(4.8_dp)]/7), &
                           half_weights_of_four(2) = (18 + [1, -1]*sqrt(30.0_dp))/72
 
-   !> Places 1..n of a block. Set n, sigma and b, then `solve`. The last index is the component along X or Y.
+   !> Places 1..n of a block. The last index is the component along X or Y.
    type, public :: film_stress_t
       integer :: n = 0
       integer :: points = 0                          !! across the film at which the oil was asked, over all places and steps
@@ -45,28 +47,37 @@ module ehlwave_film_stress
 contains
 
    !> Newton for sigma_m; the flow is corrected to second order by the last step.
-   pure subroutine solve(self, law, rule)
+   pure subroutine solve(self, law, rule, sigma, b)
       class(film_stress_t), intent(inout) :: self
       class(flow_law_t), intent(in) :: law
       type(gauss_rule_t), intent(in) :: rule
+      real(dp), intent(in) :: sigma(:, :)   !! Sigma, (places, 2), at most block_size of them
+      real(dp), intent(in) :: b(:)          !! B, (places)
       type(moments_t) :: moments
       real(dp) :: change(block_size, 2), t0(block_size, 3)
-      real(dp), dimension(block_size) :: length, range
+      real(dp), dimension(block_size) :: length2, range2, stress2
       integer :: i, step
 
+      self%n = size(b)
+      self%sigma(:self%n, :) = sigma
+      self%b(:self%n) = b
       self%points = 0
       call start(self, law, rule)
       do step = 1, most_steps
          call integrate_by(self, law, rule, moments)
          call newton_step(self, moments, change, t0)
          do i = 1, self%n
-            range(i) = 1
-            if (law%is_power) range(i) = max(1.0_dp, sqrt(self%mean(i, 1)**2 + self%mean(i, 2)**2))
-            length(i) = sqrt(change(i, 1)**2 + change(i, 2)**2)
+            stress2(i) = self%mean(i, 1)**2 + self%mean(i, 2)**2
+            range2(i) = 1
+            if (law%is_power) range2(i) = max(1.0_dp, stress2(i))
+            stress2(i) = stress2(i) + self%sigma(i, 1)**2 + self%sigma(i, 2)**2
+            length2(i) = change(i, 1)**2 + change(i, 2)**2
          end do
-         if (all(length(:self%n) <= newton_tolerance*range(:self%n))) exit
+         associate (n => self%n)
+            if (all(length2(:n)*min(1.0_dp, sqrt(stress2(:n))) <= newton_tolerance**2*range2(:n))) exit
+         end associate
          do i = 1, self%n
-            self%mean(i, :) = self%mean(i, :) + min(1.0_dp, range(i)/max(length(i), tiny(length)))*change(i, :)
+            self%mean(i, :) = self%mean(i, :) + min(1.0_dp, sqrt(range2(i)/max(length2(i), tiny(length2))))*change(i, :)
          end do
       end do
       call finish(self, moments, change, t0)
@@ -84,8 +95,10 @@ contains
       integer :: i
 
       associate (n => self%n, m => self%mean, s => self%sigma, a => moments%a, e => moments%e)
-         m(:n, :) = 0
-         if (maxval(abs(self%b(:n))) <= 0) return
+         m(:n, 1) = self%b(:n)
+         m(:n, 2) = 0
+         if (all(abs(self%b(:n)) <= 0)) return
+         if (all(abs(self%b(:n)) + sqrt(s(:n, 1)**2 + s(:n, 2)**2) <= slight_stress)) return
          rate(:n) = max(abs(self%b(:n)), tiny(rate))
          call law%first_stress(n, rate, stress)
          m(:n, 1) = sign(stress(:n), self%b(:n))
@@ -196,6 +209,7 @@ contains
       real(dp), intent(in) :: half_weight(:)   !! half the weight of each
       type(moments_t), intent(out) :: moments
       real(dp), dimension(2*block_size) :: s, slope, stress2   ! those of zeta, then those of -zeta
+      real(dp), dimension(block_size) :: mean2, both, sigma2
       real(dp) :: by_even, by_odd, even, odd, w, z, z2
       integer :: i, k
 
@@ -203,11 +217,16 @@ contains
          self%points = self%points + 2*n*size(node)
          a(:n, :) = 0
          e(:n, :) = 0
+         do i = 1, n
+            mean2(i) = m(i, 1)**2 + m(i, 2)**2
+            both(i) = 2*(m(i, 1)*sigma(i, 1) + m(i, 2)*sigma(i, 2))
+            sigma2(i) = sigma(i, 1)**2 + sigma(i, 2)**2
+         end do
          do k = 1, size(node)
             z = node(k)
             do i = 1, n
-               stress2(i) = (m(i, 1) + z*sigma(i, 1))**2 + (m(i, 2) + z*sigma(i, 2))**2
-               stress2(n + i) = (m(i, 1) - z*sigma(i, 1))**2 + (m(i, 2) - z*sigma(i, 2))**2
+               stress2(i) = abs(mean2(i) + z*both(i) + z**2*sigma2(i))   ! of rounding alone below 0
+               stress2(n + i) = abs(mean2(i) - z*both(i) + z**2*sigma2(i))
             end do
             call law%shear_factor(2*n, stress2, s, slope)
             w = half_weight(k)

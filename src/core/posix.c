@@ -20,6 +20,17 @@
 
 enum { NOT_REGULAR = 10000 };   /* beside the system's error numbers: a folder, a pipe or a device where a file should be */
 
+#ifdef EHLWAVE_NEEDS_AVX2
+/* Before a program starts: say what it would die of. Exit status 2. */
+__attribute__((constructor)) static void need_avx2(void)
+{
+   __builtin_cpu_init();
+   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return;
+   fputs("ehlwave was built for processors with AVX2 and FMA, which this one lacks: build it with -DEHLWAVE_AVX2=OFF\n", stderr);
+   _exit(2);
+}
+#endif
+
 /* Place of the first or last byte of a kind in a text, counted from 1; 0: there is none. */
 long ehlwave_find(const char *text, long length, int byte, int backward)
 {

@@ -24,8 +24,8 @@ module ehlwave_work_unit
    !> take as long: for each node or each entry of a node's row. From `perf record` of a march and of a linear response (M = 100, D = 1,
    !> transverse, 0.5 a, 257 x 257 nodes), whose transforms took 30 and 33 % of the time.
    integer, parameter, public :: evaluation_operations = 450    !! a node: flow, residual and its right side
-   integer, parameter, public :: place_operations = 450   !! a place (two a face) of a flow that is not Newtonian; Ree-Eyring measured
-   integer, parameter, public :: point_operations = 150   !! a point across the film there, each time the oil is asked; Carreau's takes 200
+   integer, parameter, public :: place_operations = 500   !! a place (two a face) of a flow that is not Newtonian; Ree-Eyring measured
+   integer, parameter, public :: point_operations = 60    !! a point across the film there, each time the oil is asked; Carreau's takes 150
    integer, parameter, public :: relaxation_operations = 1000   !! a node: one sweep over lines and what follows
    integer, parameter, public :: mlmi_operations = 450          !! a node: about that of FFT on 257 x 257 nodes
 

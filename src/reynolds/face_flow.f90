@@ -152,7 +152,8 @@ contains
       integer, intent(in) :: node(2)             !! first node of the first face
       real(dp), intent(in) :: gx(:), gy(:)       !! dP/dX and kappa dP/dY, (faces)
       real(dp), intent(in) :: weight(2)          !! half of 2 hX or of 2 hY/kappa; the same of `cross`
-      real(dp) :: flow(2*size(gx), flow_values)  ! Qhat at the first nodes, then at those beyond, of faces with a gradient
+      real(dp) :: flow(flow_values, 2*size(gx))  ! Qhat at the first nodes, then at those beyond, of faces with a gradient
+      real(dp), dimension(2*size(gx)) :: fluidity, grad_x, grad_y, h     ! there
       integer :: across, along, driven(size(gx)), f, i, i2, j2, k, l, n, points
 
       n = 0
@@ -165,25 +166,32 @@ contains
       j2 = node(2) + merge(1, 0, direction == along_y)
       along = merge(flow_by_gx, flow_by_gy, direction == along_x)
       across = flow_by_gx + flow_by_gy - along
-      associate (j1 => node(2), some => driven(:n), first => node(1) - 1 + driven(:n), second => node(1) - 1 + i2 + driven(:n))
-         call film%evaluate(direction, [oil%fluidity(first, j1), oil%fluidity(second, j2)], &
-                            [oil%h(first, j1), oil%h(second, j2)], [gx(some), gx(some)], [gy(some), gy(some)], &
-                            flow(:2*n, :), points)
-      end associate
+      do k = 1, n
+         f = node(1) + driven(k) - 1
+         fluidity(k) = oil%fluidity(f, node(2))
+         fluidity(n + k) = oil%fluidity(f + i2, j2)
+         h(k) = oil%h(f, node(2))
+         h(n + k) = oil%h(f + i2, j2)
+         grad_x(k) = gx(driven(k))
+         grad_y(k) = gy(driven(k))
+      end do
+      grad_x(n + 1:2*n) = grad_x(:n)
+      grad_y(n + 1:2*n) = grad_y(:n)
+      call film%evaluate(direction, fluidity(:2*n), h(:2*n), grad_x(:2*n), grad_y(:2*n), flow(:, :2*n), points)
       self%work = self%work + real(point_operations, dp)*points + real(place_operations, dp)*2*n
-      call self%rest(oil, film%lambdabar, node, [i2, j2 - node(2)], size(gx))
+      if (n < size(gx)) call self%rest(oil, film%lambdabar, node, [i2, j2 - node(2)], size(gx))
       associate (j1 => node(2), rho => oil%rho, drho => oil%drho, dln_eta => oil%dln_eta)
          do k = 1, n
             f = node(1) + driven(k) - 1
             i = f + i2
             l = k + n
-            self%flux(f, j1) = weight(1)*(rho(f, j1)*flow(k, flow_q) + rho(i, j2)*flow(l, flow_q))
-            self%by_p1(f, j1) = weight(1)*(drho(f, j1)*flow(k, flow_q) + rho(f, j1)*dln_eta(f, j1)*flow(k, flow_by_ln_eta))
-            self%by_p2(f, j1) = weight(1)*(drho(i, j2)*flow(l, flow_q) + rho(i, j2)*dln_eta(i, j2)*flow(l, flow_by_ln_eta))
-            self%by_h1(f, j1) = weight(1)*rho(f, j1)*flow(k, flow_by_h)
-            self%by_h2(f, j1) = weight(1)*rho(i, j2)*flow(l, flow_by_h)
-            self%own(f, j1) = rho(f, j1)*flow(k, along) + rho(i, j2)*flow(l, along)
-            self%cross(f, j1) = weight(2)*(rho(f, j1)*flow(k, across) + rho(i, j2)*flow(l, across))
+            self%flux(f, j1) = weight(1)*(rho(f, j1)*flow(flow_q, k) + rho(i, j2)*flow(flow_q, l))
+            self%by_p1(f, j1) = weight(1)*(drho(f, j1)*flow(flow_q, k) + rho(f, j1)*dln_eta(f, j1)*flow(flow_by_ln_eta, k))
+            self%by_p2(f, j1) = weight(1)*(drho(i, j2)*flow(flow_q, l) + rho(i, j2)*dln_eta(i, j2)*flow(flow_by_ln_eta, l))
+            self%by_h1(f, j1) = weight(1)*rho(f, j1)*flow(flow_by_h, k)
+            self%by_h2(f, j1) = weight(1)*rho(i, j2)*flow(flow_by_h, l)
+            self%own(f, j1) = rho(f, j1)*flow(along, k) + rho(i, j2)*flow(along, l)
+            self%cross(f, j1) = weight(2)*(rho(f, j1)*flow(across, k) + rho(i, j2)*flow(across, l))
          end do
       end associate
    end subroutine set_row

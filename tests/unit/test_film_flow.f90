@@ -31,9 +31,9 @@ contains
       integer, intent(in) :: component
       real(dp), intent(in) :: b, h, g(2)
       real(dp), intent(out) :: values(flow_values)
-      real(dp) :: row(1, flow_values)
+      real(dp) :: row(flow_values, 1)
       call flow%evaluate(component, [fluidity_for(flow, b, h)], [h], g(1:1), g(2:2), row)
-      values = row(1, :)
+      values = row(:, 1)
    end subroutine at
 
    pure real(dp) function fluidity_for(flow, b, h)
@@ -136,7 +136,7 @@ contains
    subroutine check_newtonian()
       real(dp), parameter :: h = 0.15_dp, g(2) = [3.0_dp, -2.0_dp], fluidity = 1e-5_dp
       type(film_flow_t) :: flow
-      real(dp) :: q, row(1, flow_values)
+      real(dp) :: q, row(flow_values, 1)
       integer :: component, i
 
       do i = 1, 2
@@ -145,9 +145,9 @@ contains
          do component = along_x, along_y
             call flow%evaluate(component, [fluidity], [h], g(1:1), g(2:2), row)
             q = h**3*fluidity/lambdabar*g(component)
-            call test%check_close(row(1, :3), [q, -q, 3*q/h], 'Newtonian flow', relative=1e-9_dp)
-            call test%check_close(row(1, flow_by_gx - 1 + component), q/g(component), 'by its gradient', relative=1e-9_dp)
-            call test%check_close(row(1, flow_by_gy + 1 - component), 0.0_dp, 'by the other', absolute=1e-9_dp*abs(q))
+            call test%check_close(row(:3, 1), [q, -q, 3*q/h], 'Newtonian flow', relative=1e-9_dp)
+            call test%check_close(row(flow_by_gx - 1 + component, 1), q/g(component), 'by its gradient', relative=1e-9_dp)
+            call test%check_close(row(flow_by_gy + 1 - component, 1), 0.0_dp, 'by the other', absolute=1e-9_dp*abs(q))
          end do
       end do
    end subroutine check_newtonian
@@ -157,7 +157,7 @@ contains
       real(dp), parameter :: h(3) = 0.15_dp, gx(3) = [3.0_dp, -1.0_dp, 30.0_dp], gy(3) = [-2.0_dp, 0.5_dp, 8.0_dp], &
                              fluidity(3) = [1e-5_dp, 1e-3_dp, 1e-2_dp]
       type(film_flow_t) :: fast, slow
-      real(dp), dimension(3, flow_values) :: one, other, reverse
+      real(dp), dimension(flow_values, 3) :: one, other, reverse
       integer :: component
 
       fast = new_film_flow(eyring_law_t(), n0, lambdabar, 1.4_dp)
@@ -167,8 +167,8 @@ contains
          call slow%evaluate(component, fluidity, h, gx, gy, other)
          call fast%evaluate(component, fluidity, h, -gx, -gy, reverse)
          call test%check_close([one], [other], 'S and 2 - S', relative=1e-11_dp)
-         call test%check_close([one(:, :3)], [-reverse(:, :3)], 'odd in the gradient', relative=1e-11_dp)
-         call test%check_close([one(:, 4:)], [reverse(:, 4:)], 'derivatives even in it', relative=1e-11_dp)
+         call test%check_close([one(:3, :)], [-reverse(:3, :)], 'odd in the gradient', relative=1e-11_dp)
+         call test%check_close([one(4:, :)], [reverse(4:, :)], 'derivatives even in it', relative=1e-11_dp)
       end do
    end subroutine check_symmetry
 
@@ -180,7 +180,7 @@ contains
       real(dp), parameter :: points(4, 4) = reshape([-11.0_dp, 0.15_dp, 1.0_dp, 0.7_dp, -4.0_dp, 0.2_dp, -9.0_dp, 6.0_dp, &
                                                      -9.0_dp, 0.1_dp, 2.0_dp, 30.0_dp, 0.5_dp, 0.3_dp, 12.0_dp, -3.0_dp], [4, 4])
       type(film_flow_t) :: flow
-      real(dp) :: remainder(2), step, x(4), here(1, flow_values), there(1, flow_values)
+      real(dp) :: remainder(2), step, x(4), here(flow_values, 1), there(flow_values, 1)
       integer :: component, i, k, n
 
       flow = new_film_flow(law, n0, lambdabar, 1.5_dp)
@@ -193,9 +193,9 @@ contains
                   call flow%evaluate(component, exp(points(1:1, i)), points(2:2, i), points(3:3, i), points(4:4, i), here)
                   call flow%evaluate(component, exp(points(1:1, i) - x(1)), points(2:2, i) + x(2), points(3:3, i) + x(3), &
                                      points(4:4, i) + x(4), there)
-                  remainder(n) = there(1, flow_q) - here(1, flow_q) - dot_product(here(1, 2:), x)
+                  remainder(n) = there(flow_q, 1) - here(flow_q, 1) - dot_product(here(2:, 1), x)
                end do
-               if (abs(remainder(2)) < 1e-13_dp*abs(here(1, flow_q))) cycle   ! linear in it
+               if (abs(remainder(2)) < 1e-13_dp*abs(here(flow_q, 1))) cycle   ! linear in it
                call test%check_close(log(remainder(1)/remainder(2))/log(2.0_dp), 2.0_dp, name//': observed order', absolute=0.1_dp)
             end do
          end do
@@ -207,7 +207,7 @@ contains
       real(dp), parameter :: fluidity(4) = [1e-260_dp, 1e-260_dp, 1.0_dp, 1e-10_dp], h(4) = [0.1_dp, 1e-6_dp, 30.0_dp, 0.1_dp], &
                              gx(4) = [1e4_dp, 0.0_dp, 1e3_dp, 1e-200_dp], gy(4) = [1e3_dp, 1.0_dp, -1e4_dp, 0.0_dp]
       type(film_flow_t) :: flow
-      real(dp) :: values(4, flow_values)
+      real(dp) :: values(flow_values, 4)
       integer :: component, law
 
       do law = 1, 2

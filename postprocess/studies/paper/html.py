@@ -1,12 +1,11 @@
 """Sections as one self-contained HTML page: tables as text, figures inside the file."""
 
 import base64
-import io
 from collections.abc import Sequence
 from html import escape
 from pathlib import Path
 
-from studies.section import Cell, Picture, Section, Table, write_parts
+from studies.section import Cell, Picture, Section, Table
 
 _STYLE = """
 body { font: 15px/1.5 Georgia, serif; color: #1a1a1a; max-width: 62rem; margin: 2rem auto;
@@ -27,25 +26,21 @@ summary { cursor: pointer; font-size: 13px; }
 
 
 def write_page(output: Path, name: str, title: str, sections: Sequence[Section]) -> list[Path]:
-    """Write ``<name>.html``, ``tables/*.csv`` and ``figures/*`` into `output`; return the paths."""
-    tables, figures = output / "tables", output / "figures"
-    for place in (tables, figures):
-        place.mkdir(parents=True, exist_ok=True)
-    written = []
-    for section in sections:
-        written += write_parts(section, tables, figures)
+    """Write ``<name>.html`` beside what the sections wrote into `output`; return all paths."""
     path = output / f"{name}.html"
-    path.write_text(page(title, sections), encoding="utf-8")
-    return [path, *written]
+    path.write_text(page(title, sections, output / "figures"), encoding="utf-8")
+    return [path, *(file for section in sections for file in section.files)]
 
 
-def page(title: str, sections: Sequence[Section]) -> str:
-    """Return the whole page: a list of contents, then the sections."""
+def page(title: str, sections: Sequence[Section], figures: Path) -> str:
+    """Return the whole page: contents, then the sections, whose pictures are in `figures`."""
     contents = "\n".join(
         f'<a href="#part{number}">{number}. {escape(section.title)}</a>'
         for number, section in enumerate(sections, 1)
     )
-    body = "\n".join(_section(number, section) for number, section in enumerate(sections, 1))
+    body = "\n".join(
+        _section(number, section, figures) for number, section in enumerate(sections, 1)
+    )
     return (
         f'<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
         f"<title>{escape(title)}</title>\n<style>{_STYLE}</style>\n</head>\n<body>\n"
@@ -63,11 +58,11 @@ def cell_text(cell: Cell) -> str:
     return str(cell)
 
 
-def _section(number: int, section: Section) -> str:
+def _section(number: int, section: Section, figures: Path) -> str:
     parts = [f'<h2 id="part{number}">{number}. {escape(section.title)}</h2>']
     parts += [f"<p>{escape(paragraph)}</p>" for paragraph in section.text]
     parts += [_table(table) for table in section.tables]
-    parts += [_picture(picture) for picture in section.pictures]
+    parts += [_picture(picture, figures) for picture in section.pictures]
     return "\n".join(parts)
 
 
@@ -90,10 +85,8 @@ def _cell(cell: Cell) -> str:
     return f"<td{kind}>{escape(cell_text(cell))}</td>"
 
 
-def _picture(picture: Picture) -> str:
-    memory = io.BytesIO()
-    picture.figure.savefig(memory, format="png", dpi=130)
-    data = base64.b64encode(memory.getvalue()).decode("ascii")
+def _picture(picture: Picture, figures: Path) -> str:
+    data = base64.b64encode((figures / f"{picture.name}.png").read_bytes()).decode("ascii")
     caption = f"{escape(picture.caption)} ({escape(picture.name)}.pdf)"
     return (
         f'<figure><img alt="{escape(picture.name)}" src="data:image/png;base64,{data}">\n'

@@ -1,6 +1,8 @@
 """The report on a full study: one HTML page, tables as CSV, figures as PDF and PNG."""
 
+import os
 from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 
 import pandas as pd
@@ -15,7 +17,7 @@ from studies.paper import (
     provenance,
     refitted,
 )
-from studies.section import COMPARISON, Parts, Section, Table, make_sections
+from studies.section import COMPARISON, Parts, Section, Table, make_sections, write_section
 from studies.two_waves import section as two_waves
 
 TITLE = "Waviness in elliptical EHL contacts: the study of Venner, Kaneta and Lubrecht (2000) again"
@@ -30,7 +32,7 @@ PARTS: Parts = (
     ("line contact", line_contact.section),
     ("experiment", experiment.section),
     ("two waves", two_waves.section),
-    ("provenance", lambda folder: provenance.section(folder, SWEEPS)),
+    ("provenance", partial(provenance.section, sweeps=SWEEPS)),
 )
 
 
@@ -58,8 +60,9 @@ def write_report(
     ResultsError
         If a stage of the study is missing or not finished.
     """
-    sections = make_sections(parts, folder, note)
-    return html.write_page(output, "report", TITLE, [summary(sections), *sections])
+    sections = make_sections(parts, folder, output, note, processes=len(os.sched_getaffinity(0)))
+    first = write_section(summary(sections), output)
+    return html.write_page(output, "report", TITLE, [first, *sections])
 
 
 def summary(sections: Sequence[Section]) -> Section:

@@ -29,4 +29,4 @@ def write_validation(
     """
     runs.mkdir(parents=True, exist_ok=True)
     chosen = [part for part in PARTS if part[0] in names]
-    return write_page(output, "validation", TITLE, make_sections(chosen, runs, note))
+    return write_page(output, "validation", TITLE, make_sections(chosen, runs, output, note))
