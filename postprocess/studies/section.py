@@ -30,6 +30,11 @@ class Table:
     data: pd.DataFrame
     is_long: bool = False
 
+    def __post_init__(self) -> None:
+        """Raise ValueError if two columns share a heading: readers would take one for the other."""
+        if not self.data.columns.is_unique:
+            raise ValueError(f"{self.name}: {list(self.data.columns)}")
+
 
 @dataclass(frozen=True)
 class Picture:

@@ -77,7 +77,7 @@ def point_table(found: pd.DataFrame) -> Table:
     data = found.assign(
         central_error=100 * found.central_error, smallest_error=100 * found.smallest_error
     )
-    headings = ["M", "L", "D", "central", "error, %", "smallest", "error, %"]
+    headings = ["M", "L", "D", "central", "error of it, %", "smallest", "error of that, %"]
     off = deviations(found)
     headings += [f"{kind}: {name}, %" for kind, name in off]
     return Table(

@@ -22,11 +22,11 @@ HEADINGS = {
     AMPLITUDE: "Ai/Hc",
     "published": "published",
     "march": "march",
-    "march_difference": "difference",
-    "march_error": "error bar",
+    "march_difference": "its difference",
+    "march_error": "its error bar",
     "linear": "linear response",
-    "linear_difference": "difference",
-    "linear_error": "error bar",
+    "linear_difference": "difference of it",
+    "linear_error": "error bar of it",
 }
 
 SHORT = 0.5
