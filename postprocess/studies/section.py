@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, field, replace
+from functools import partial
 from multiprocessing import get_context
 from pathlib import Path
 
@@ -68,17 +69,13 @@ def make_sections(
 
     Parts that only read may be made in several processes, side by side.
     """
-    sections = []
-    if processes == 1:
-        for name, make in parts:
-            note(f"{name} ...")
-            sections.append(_make(make, folder, output))
-        return sections
+    work = partial(_make, folder=folder, output=output)
     with ProcessPoolExecutor(processes, mp_context=get_context("fork")) as pool:
-        waiting = [(name, pool.submit(_make, make, folder, output)) for name, make in parts]
-        for name, section in waiting:
+        made = (map if processes == 1 else pool.map)(work, [make for _, make in parts])
+        sections = []
+        for name, _ in parts:
             note(f"{name} ...")
-            sections.append(section.result())
+            sections.append(next(made))
     return sections
 
 

@@ -12,13 +12,14 @@ module ehlwave_film_flow
    use ehlwave_flow_law, only: flow_law_t
    use ehlwave_gauss_legendre, only: gauss_rule_t, new_gauss_rule
    use ehlwave_kinds, only: dp
-   use ehlwave_film_stress, only: block_size, film_stress_t, slight_stress
+   use ehlwave_film_stress, only: block_size, film_stress_t
    implicit none (type, external)
    private
    public :: new_film_flow
 
-   ! Gauss points across the film; the second rule is for stresses so slight that the oil hardly thins
-   integer, parameter :: rule_points(*) = [2, 4, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256]
+   integer, parameter :: rule_points(*) = [2, 4, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256]   ! across the film
+   integer, parameter :: slight_rule = 2               ! of two with four points: for places where the oil hardly thins,
+   real(dp), parameter :: slight_stress = 0.03_dp      ! with |Sigma| + |B| up to this
    real(dp), parameter :: largest_rate = 1e100_dp      ! of |B|: exp(230)
 
    integer, parameter, public :: along_x = 1, along_y = 2   !! components of the flow
@@ -85,7 +86,7 @@ contains
       do k = 1, size(rule_points)
          do start = first(k), first(k + 1) - 1, block_size
             last = min(start + block_size, first(k + 1)) - 1
-            call stress%solve(self%law, self%rule(k), sigma(start:last, :), b(start:last))
+            call stress%solve(self%law, self%rule(k), k == slight_rule, sigma(start:last, :), b(start:last))
             if (present(points)) points = points + stress%points
             call unload(self, component, stress, fluid(start:last), film(start:last), block)
             do j = start, last
@@ -106,7 +107,7 @@ contains
       real(dp), intent(out) :: b(:)               !! B, (n)
       real(dp), intent(out) :: factor(:, :)       !! (2, n) along X, along Y
       type(film_stress_t) :: stress
-      integer :: first(size(rule_points) + 1), k, last, m, order(size(h)), start
+      integer :: first(size(rule_points) + 1), k, last, order(size(h)), start
       real(dp) :: rate(size(h)), sigma(size(h), 2)
 
       call self%sort(fluidity, h, gx, gy, order, first, sigma, rate)
@@ -114,11 +115,10 @@ contains
       do k = 1, size(rule_points)
          do start = first(k), first(k + 1) - 1, block_size
             last = min(start + block_size, first(k + 1)) - 1
-            m = last - start + 1
-            call stress%solve(self%law, self%rule(k), sigma(start:last, :), rate(start:last))
-            sigma_x(order(start:last)) = stress%mean(:m, 1)
-            factor(1, order(start:last)) = 3*stress%flow_by_sigma(:m, 1, 1)
-            factor(2, order(start:last)) = 3*stress%flow_by_sigma(:m, 2, 2)
+            call stress%solve(self%law, self%rule(k), k == slight_rule, sigma(start:last, :), rate(start:last))
+            sigma_x(order(start:last)) = stress%mean(:stress%n, 1)
+            factor(1, order(start:last)) = 3*stress%flow_by_sigma(:stress%n, 1, 1)
+            factor(2, order(start:last)) = 3*stress%flow_by_sigma(:stress%n, 2, 2)
          end do
       end do
    end subroutine mean_stress
@@ -138,12 +138,13 @@ contains
          sigma_y(i) = self%n0*h(i)*gy(i)
          rate(i) = sign(min(abs(self%rate)/(h(i)*max(fluidity(i), tiny(h))), largest_rate), self%rate)
          variation(i) = sqrt(sigma_x(i)**2 + sigma_y(i)**2)
-         needed(i) = merge(merge(3, 2, variation(i) + abs(rate(i)) > slight_stress), 1, variation(i) > self%reach(1))
       end do
-      do k = 3, size(self%reach)
+      needed = 1
+      do k = 1, size(self%reach)
          if (.not. any(variation > self%reach(k))) exit
          where (variation > self%reach(k)) needed = k + 1
       end do
+      where (needed == slight_rule .and. variation + abs(rate) > slight_stress) needed = slight_rule + 1
       first = 0
       do i = 1, size(h)
          first(needed(i)) = first(needed(i)) + 1

@@ -18,7 +18,6 @@ module ehlwave_film_stress
    integer, parameter :: most_steps = 60             ! of Newton; 15 were the most met for |B| to 1e6, |Sigma| to 60
    real(dp), parameter :: newton_tolerance = 1e-6_dp ! of the last step, which is still made: an error of its square, times
                                                      ! the stress where that is small
-   real(dp), parameter, public :: slight_stress = 0.03_dp   !! |sigma| up to which B itself is a good first guess of it
    real(dp), parameter :: small_variation = 2.5_dp   ! |Sigma| up to which a few points across the film make a first guess
    ! Rules of Gauss for that: the positive nodes, and half their weights
    real(dp), parameter :: node_of_two(1) = 1/sqrt(3.0_dp), half_weight_of_two(1) = 0.5_dp
@@ -47,10 +46,11 @@ module ehlwave_film_stress
 contains
 
    !> Newton for sigma_m; the flow is corrected to second order by the last step.
-   pure subroutine solve(self, law, rule, sigma, b)
+   pure subroutine solve(self, law, rule, is_slight, sigma, b)
       class(film_stress_t), intent(inout) :: self
       class(flow_law_t), intent(in) :: law
       type(gauss_rule_t), intent(in) :: rule
+      logical, intent(in) :: is_slight      !! whether stresses are so small that B itself is a good first guess of them
       real(dp), intent(in) :: sigma(:, :)   !! Sigma, (places, 2), at most block_size of them
       real(dp), intent(in) :: b(:)          !! B, (places)
       type(moments_t) :: moments
@@ -62,7 +62,9 @@ contains
       self%sigma(:self%n, :) = sigma
       self%b(:self%n) = b
       self%points = 0
-      call start(self, law, rule)
+      self%mean(:self%n, 1) = b
+      self%mean(:self%n, 2) = 0
+      if (.not. (is_slight .or. all(abs(b) <= 0))) call start(self, law, rule)
       do step = 1, most_steps
          call integrate_by(self, law, rule, moments)
          call newton_step(self, moments, change, t0)
@@ -95,10 +97,6 @@ contains
       integer :: i
 
       associate (n => self%n, m => self%mean, s => self%sigma, a => moments%a, e => moments%e)
-         m(:n, 1) = self%b(:n)
-         m(:n, 2) = 0
-         if (all(abs(self%b(:n)) <= 0)) return
-         if (all(abs(self%b(:n)) + sqrt(s(:n, 1)**2 + s(:n, 2)**2) <= slight_stress)) return
          rate(:n) = max(abs(self%b(:n)), tiny(rate))
          call law%first_stress(n, rate, stress)
          m(:n, 1) = sign(stress(:n), self%b(:n))
