@@ -25,3 +25,7 @@ class RangeError(ResultsError, ValueError):
 
 class ProgramError(ResultsError):
     """A program is not there, or refused its input; the message has what it said."""
+
+
+class ExtrapolationWarning(UserWarning):
+    """A number lies beyond what predictions were compared with; its error says by how much."""

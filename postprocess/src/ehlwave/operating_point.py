@@ -1,6 +1,8 @@
 """The one call: a contact, its film, its responses to waves, surfaces inside it."""
 
 import math
+import sys
+import warnings
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -18,7 +20,7 @@ from ehlwave.deform.read import ReadOptions, read_surface
 from ehlwave.deform.sliding import TwoWaveTransfer
 from ehlwave.deform.surface import Surface
 from ehlwave.deform.transfer import FormulaTransfer, RecommendedTransfer, Transfer
-from ehlwave.errors import RangeError, SurfaceError
+from ehlwave.errors import ExtrapolationWarning, RangeError, SurfaceError
 from ehlwave.two_waves import two_waves
 
 SLIPS = SLIDING_RANGES["slip_parameter"]
@@ -171,7 +173,10 @@ class Contact:
         )
 
     def response(
-        self, wavelength_over_a: float, angle_deg: float = 0.0, slip_parameter: float = 1.0
+        self,
+        wavelength_over_a: float,
+        angle_deg: float = 0.0,
+        slip_parameter: float | None = None,
     ) -> Response:
         """Return the response at the contact centre to small waves, from the atlas.
 
@@ -182,9 +187,9 @@ class Contact:
         angle_deg : float
             Between wave vector and rolling direction, in metres: 0 transverse, 90 longitudinal.
             Line contacts answer for 0 alone, in pure rolling.
-        slip_parameter : float
-            S of the surface that carries the waves, 0.5 to 1.5. Other than 1 the atlas has it for a
-            Ree-Eyring oil, of ``eyring_stress_pa``; outside that, for a Carreau oil, where
+        slip_parameter : float, optional
+            S of the surface that carries the waves, 0.5 to 1.5; that of the contact if absent.
+            Other than 1 the atlas has it for a Ree-Eyring oil, of ``eyring_stress_pa``; outside that, for a Carreau oil, where
             ``carreau_modulus_pa`` and ``carreau_exponent`` were given, and for a Newtonian one the
             law of the two waves answers, with an error to match and without pressure (NaN), of
             longitudinal waves, which stand still, the atlas of pure rolling.
@@ -205,6 +210,8 @@ class Contact:
             raise RangeError(
                 f"angle_deg = {angle_deg:.5g} lies outside 0 to 90 (waves at -angle are the same)"
             )
+        if slip_parameter is None:
+            slip_parameter = self.conditions.slip_parameter
         conditions = replace(self.conditions, slip_parameter=slip_parameter)
         if conditions.is_line and (angle_deg > 1e-9 or not conditions.has_atlas):
             raise RangeError(TRANSVERSE_ALONE if angle_deg > 1e-9 else ROLLS_ALONE)
@@ -292,6 +299,12 @@ class Contact:
             A ValueError: the contact lies outside the atlas and `by` is ``"atlas"``.
         SurfaceError
             If the surface cannot be used, or the contact was given without lengths.
+
+        Warns
+        -----
+        ExtrapolationWarning
+            If the amplitude lies above those that predictions were compared with, or the surfaces
+            touch.
         """
         if not math.isfinite(self.conditions.semi_axis_a_m):
             raise SurfaceError(
@@ -309,13 +322,32 @@ class Contact:
         except RangeError:
             if by == "atlas":
                 raise
-        return deform_surface(measured, conditions, transfer, form, ends, cutoffs_m)
+        found = deform_surface(measured, conditions, transfer, form, ends, cutoffs_m)
+        for doubt in found.doubts:
+            warnings.warn(doubt, ExtrapolationWarning, stacklevel=_callers())
+        return found
 
     def lambda_ratio(self, surface: Surface | str | Path, **options: Any) -> float:  # noqa: ANN401
-        """Return the mean film over Rq of the deformed surface; options as of :meth:`deform`."""
-        ratio = self.deform(surface, **options).statistics.lambda_ratio_after
-        if ratio is None:
+        """Return the mean film over Rq of the deformed surface; options as of :meth:`deform`.
+
+        Its error is ``deform(...).statistics.lambda_error``.
+
+        Warns
+        -----
+        ExtrapolationWarning
+            If the amplitude lies above those that predictions were compared with.
+        """
+        statistics = self.deform(surface, **options).statistics
+        if statistics.lambda_ratio_after is None:
             raise SurfaceError(
                 "Contact: the film in metres needs radius_x_m besides semi_axis_a_m, M, L and D"
             )
-        return ratio
+        return statistics.lambda_ratio_after
+
+
+def _callers() -> int:
+    """Return the stack level, for a warning, of the line outside this module that led here."""
+    level, frame = 1, sys._getframe(1)
+    while frame is not None and frame.f_globals.get("__name__") == __name__:
+        level, frame = level + 1, frame.f_back
+    return level

@@ -231,4 +231,5 @@ def with_atlas_film(conditions: Conditions, atlas: Atlas | None = None) -> Condi
         conditions,
         central_film_m=film.central_moes * conditions.metres_per_moes,
         film_source=source,
+        central_film_error=film.central_error,
     )

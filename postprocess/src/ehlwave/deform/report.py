@@ -46,16 +46,8 @@ def report_text(result: Deformed, others: Sequence[Deformed] = ()) -> str:
             f"Error        {result.error_m * UM:.2g} um rms of the deformed heights, "
             f"{100 * share:.2g} % of Rq before: by the error bars of the responses"
         )
-    if s.mean_film_m is not None and s.minimum_film_m is not None:
-        rise = "its rise by the roughness is not known"
-        if s.mean_rise_m is not None:
-            rise = f"{s.mean_rise_m * UM:.3g} um of it by the roughness, to second order"
-        lines += [
-            f"Film         mean {s.mean_film_m * UM:.4g} um ({c.film_source}; {rise}), minimum "
-            f"{s.minimum_film_m * UM:.4g} um",
-            f"             lambda ratio {s.lambda_ratio_before:.4g} with the undeformed roughness, "
-            f"{s.lambda_ratio_after:.4g} with the deformed one (of this surface alone)",
-        ]
+    if s.mean_film_m is not None:
+        lines += _film_lines(result)
     for other in others:
         t = other.statistics
         ratio = "" if t.lambda_ratio_after is None else f", lambda ratio {t.lambda_ratio_after:.4g}"
@@ -72,6 +64,35 @@ def report_text(result: Deformed, others: Sequence[Deformed] = ()) -> str:
         lines += [f"             {_component_text(component)}" for component in named]
     lines += [f"Warning      {warning}" for warning in result.warnings]
     return "\n".join(lines)
+
+
+def _film_lines(result: Deformed) -> list[str]:
+    """Return mean and smallest film, and the lambda ratios with their error."""
+    c, s = result.conditions, result.statistics
+    rise = "its rise by the roughness is not known"
+    if s.mean_rise_m is not None:
+        rise = f"{s.mean_rise_m * UM:.3g} um of it by the roughness, to second order"
+    elif s.extrapolated:
+        rise = "its rise by the roughness is not used at this amplitude"
+    least = "the surfaces touch: no smallest film"
+    if s.minimum_film_m is not None:
+        least = f"minimum {s.minimum_film_m * UM:.4g} um"
+    lines = [
+        f"Film         mean {s.mean_film_m * UM:.4g} um (smooth: {c.film_source}; {rise}), {least}",
+        f"             lambda ratio {s.lambda_ratio_before:.4g} with the undeformed roughness, "
+        f"{s.lambda_ratio_after:.4g} with the deformed one (of this surface alone)",
+    ]
+    if s.lambda_error is None or s.lambda_errors is None:
+        return [*lines, "             error of the latter: not known, this transfer has none"]
+    parts = ", ".join(f"{name} {_percent(error)}" for name, error in s.lambda_errors.items())
+    lines.append(f"             error of the latter {_percent(s.lambda_error)}: {parts}")
+    if s.extrapolated:
+        lines[-1] += " (extrapolated)"
+    return lines
+
+
+def _percent(share: float) -> str:
+    return f"{100 * share:.2g} %" if share < 1 else "above 100 %"
 
 
 def report_json(result: Deformed) -> str:
@@ -149,7 +170,8 @@ def _write_trace(result: Deformed, path: Path) -> None:
         }
     )
     if film is not None:
-        table["film_um"] = (film - after) * UM
+        film_um = (film - after) * UM
+        table["film_um"] = np.where(film_um > 0, film_um, np.nan)  # nothing where they touch
     table.to_csv(path, **CSV_FORMAT)
 
 

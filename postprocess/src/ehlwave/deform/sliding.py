@@ -177,6 +177,8 @@ def film_profile(
 ) -> Floats:
     """Return the film, m, along the contact at one time: the smooth one and the waves of surfaces.
 
+    It is NaN where the surfaces touch.
+
     Parameters
     ----------
     movers : sequence of Mover
@@ -198,7 +200,8 @@ def film_profile(
     if film is None:
         raise SurfaceError("the film thickness is unknown: give central_film_m or radius_x_m")
     changes = [mover.film_change(place_m, rolled_m, line_m) for mover in movers]
-    return np.asarray(film + np.sum(changes, axis=0))
+    found = film + np.sum(changes, axis=0)
+    return np.where(found > 0, found, np.nan)
 
 
 def second_conditions(conditions: Conditions) -> Conditions:

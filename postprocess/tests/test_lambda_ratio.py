@@ -1,0 +1,185 @@
+"""The lambda ratio where films vanish: it falls, says when it is extrapolated, and never lies."""
+
+import csv
+import dataclasses
+import json
+import re
+import warnings
+from pathlib import Path
+
+import numpy as np
+import pytest
+from contact import EXPERIMENT, experiment
+
+import ehlwave
+from ehlwave.deform import (
+    Deformed,
+    Mover,
+    TwoWaveTransfer,
+    deform_surface,
+    film_of_two,
+    film_profile,
+    report_json,
+    report_text,
+    trace_surface,
+    write_results,
+)
+from ehlwave.deform import amplitude as amplitudes
+from ehlwave.deform.amplitude import VALIDATED_ROLLING, VALIDATED_SLIDING, expected_nonlinearity
+from ehlwave.deform.surface import Surface
+from ehlwave.deform.sliding import second_conditions
+
+ROOT = Path(__file__).parents[2]
+STEP = 0.5e-6
+BALL = {"radius_x_m": 12.7e-3, "radius_y_m": 12.7e-3, "reduced_modulus_pa": 226e9}
+BALL |= {"load_n": 40.0, "viscosity_pa_s": 0.05}
+
+
+def noise(rng: np.random.Generator, rq_m: float = 1e-7, length_m: float = 20e-6) -> Surface:
+    """Return a trace of correlated noise of this Rq, 2 mm long."""
+    waves = np.fft.rfftfreq(4000, STEP)
+    size = 1 / np.hypot(1, np.pi * waves * length_m)
+    parts = size * (rng.standard_normal(waves.size) + 1j * rng.standard_normal(waves.size))
+    parts[0] = 0
+    height = np.fft.irfft(parts, 4000)
+    return trace_surface(height * (rq_m / height.std()), STEP)
+
+
+def deformed(surface: Surface, **keys: float) -> Deformed:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ehlwave.ExtrapolationWarning)
+        return ehlwave.Contact(**keys).deform(surface)
+
+
+def test_it_falls_with_the_film_of_a_ball() -> None:
+    surface = noise(np.random.default_rng(1))
+    speeds = (4, 1, 0.5, 0.3, 0.1, 0.05, 0.03)
+    found = [deformed(surface, **BALL, mean_speed_m_per_s=u).statistics for u in speeds]
+    ratios = [one.lambda_ratio_after for one in found]
+    assert ratios == sorted(ratios, reverse=True)
+    assert ratios[-1] < 0.6
+    errors = [one.lambda_error for one in found]
+    assert errors[2:] == sorted(errors[2:])
+    assert [one.extrapolated for one in found] == [False] * 2 + [True] * 5
+    assert all((one.mean_rise_m is None) == one.extrapolated for one in found)
+
+
+def test_it_falls_with_the_film_of_random_contacts() -> None:
+    rng = np.random.default_rng(5)
+    seen = 0
+    for _ in range(12):
+        surface = noise(rng, 10 ** rng.uniform(-8, -6.5), 10 ** rng.uniform(-5.5, -4.3))
+        keys = {**BALL, "radius_y_m": 12.7e-3 * 10 ** rng.uniform(0, 1)}
+        keys |= {"load_n": 10 ** rng.uniform(0.5, 2.5), "viscosity_pa_s": 10 ** rng.uniform(-2, 0)}
+        before = np.inf
+        for speed in np.geomspace(10, 0.01, 16):
+            try:
+                found = deformed(surface, **keys, mean_speed_m_per_s=speed).statistics
+            except ehlwave.RangeError:  # outside the atlas
+                continue
+            ratio, seen = found.lambda_ratio_after, seen + 1
+            assert ratio < before, (keys, speed)
+            before = ratio
+    assert seen > 60
+
+
+def test_where_it_is_extrapolated_python_warns_at_the_line_of_the_call() -> None:
+    surface = noise(np.random.default_rng(1))
+    contact = ehlwave.Contact(**BALL, mean_speed_m_per_s=0.1)
+    for call in (contact.lambda_ratio, contact.deform):
+        with pytest.warns(ehlwave.ExtrapolationWarning, match="the smooth one, without its rise") as w:
+            call(surface)
+        assert {one.filename for one in w} == {__file__}
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        ehlwave.Contact(**BALL, mean_speed_m_per_s=4).lambda_ratio(surface)
+
+
+def test_report_and_json_say_so_with_an_error_that_includes_it(tmp_path: Path) -> None:
+    result = deformed(noise(np.random.default_rng(1)), **BALL, mean_speed_m_per_s=0.3)
+    said = report_text(result)
+    assert re.search(r"error of the latter \d\d %: film .*, rise \d+ % \(extrapolated\)", said)
+    assert "surfaces touch: no smallest film" in said
+    assert "not used at this amplitude" in said
+    document = json.loads(report_json(result))["statistics"]
+    assert document["extrapolated"] is True
+    assert document["surfaces_touch"] is True
+    assert document["minimum_film_m"] is None
+    assert document["lambda_error"] == pytest.approx(sum(document["lambda_errors"].values()))
+    assert document["lambda_errors"]["rise"] > 0.2
+    write_results(result, tmp_path)
+    with (tmp_path / "deformed.csv").open(encoding="utf-8") as file:
+        films = [row["film_um"] for row in csv.DictReader(file)]
+    assert "" in films
+    assert all(float(film) > 0 for film in films if film)
+
+
+def test_transfers_without_errors_promise_none() -> None:
+    surface = noise(np.random.default_rng(1))
+    result = deform_surface(surface, experiment())
+    assert result.statistics.lambda_error is None
+    assert "not known, this transfer has none" in report_text(result)
+
+
+def test_a_film_between_two_surfaces_is_never_negative() -> None:
+    conditions = experiment(slip_parameter=1.3)
+    high = trace_surface(2e-6 * np.cos(np.arange(400) * 0.1), 1e-6)
+    film = film_of_two(
+        *(
+            deform_surface(high, one, TwoWaveTransfer(one))
+            for one in (conditions, second_conditions(conditions))
+        )
+    )
+    assert film.surfaces_touch
+    assert film.smallest_film_m is None
+    assert film.summary()["smallest_film_m"] is None
+    assert "the surfaces touch" in film.text()
+    assert np.nanmin(film.film_m) > 0
+    profile = film_profile([Mover(high, TwoWaveTransfer(conditions))], np.linspace(0, 1e-4, 50), 0.0)
+    assert np.isnan(profile).any()
+    assert np.nanmin(profile) > 0
+
+
+def test_recorded_marches_keep_to_the_errors() -> None:
+    """Rq marched and predicted (``record/microgeometry``), as the record has them."""
+    with (ROOT / "postprocess/record/microgeometry/table.csv").open(encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    for row in rows:
+        amplitude = float(row["amplitude_over_film"])
+        assert amplitude < VALIDATED_ROLLING
+        contact = experiment(mean_speed_m_per_s=float(row["speed_m_per_s"]))
+        allowed = expected_nonlinearity(contact, amplitude) + 0.03  # of table and grid
+        assert float(row["rq_table_nm"]) == pytest.approx(
+            float(row["rq_simulated_nm"]), rel=allowed
+        )
+    assert max(float(row["amplitude_over_film"]) for row in rows) > VALIDATED_ROLLING - 0.02
+
+
+def test_the_factors_are_those_of_the_program() -> None:
+    source = (ROOT / "src/case/linear_range.f90").read_text(encoding="utf-8")
+    rolling = re.search(r":: rolling_factor = ([\d.]+)_dp", source)
+    slip = re.search(r":: slip_factor\(2\) = \[([\d.]+)_dp, ([\d.]+)_dp\]", source)
+    assert rolling and slip
+    assert float(rolling[1]) == amplitudes.ROLLING_FACTOR
+    assert tuple(map(float, slip.groups())) == amplitudes.SLIP_FACTORS
+
+
+def test_under_slip_less_was_compared_and_more_is_expected() -> None:
+    sliding = experiment(slip_parameter=1.5)
+    assert amplitudes.validated_amplitude(sliding) == VALIDATED_SLIDING < VALIDATED_ROLLING
+    assert expected_nonlinearity(sliding, 0.1) == pytest.approx((0.05 + 68 * 0.25) * 0.01)
+    thin = dataclasses.replace(sliding, slip_parameter=0.5)
+    assert expected_nonlinearity(thin, 0.1) == pytest.approx((0.05 + 18 * 0.25) * 0.01)
+
+
+def test_a_rise_that_is_half_the_film_is_not_used() -> None:
+    class Rising(TwoWaveTransfer):
+        def rise(self, per_length_x, per_length_y):  # noqa: ANN001, ANN202
+            return 40.0 + 0 * np.abs(per_length_x + per_length_y)
+
+    contact = ehlwave.Contact(**EXPERIMENT).conditions
+    surface = noise(np.random.default_rng(1), 0.1 * contact.central_film_m)
+    found = deform_surface(surface, contact, Rising(contact)).statistics
+    assert found.extrapolated is False
+    assert found.mean_rise_m is None
+    assert found.mean_film_m == contact.central_film_m
