@@ -14,6 +14,10 @@ KNOWN_LAWS = {"viscosity_law": "roelands", "density_law": "dowson_higginson"}
 """What :class:`ehlwave.medium.Oil` has; files may ask for others."""
 
 
+FLOW_LAWS = {"newtonian": "Newtonian", "eyring": "Ree-Eyring", "carreau": "Carreau"}
+"""Oils by the ``flow_law`` of files."""
+
+
 def read_conditions(words: Sequence[str]) -> Conditions:
     """Return conditions from words as given to ``--conditions``.
 
@@ -30,19 +34,27 @@ def read_conditions(words: Sequence[str]) -> Conditions:
     """
     keys: dict[str, Any] = {}
     others: list[str] = []
+    law: str | None = None
     for word in words:
         name, separator, value = word.partition("=")
         if separator and not Path(word).exists():
             keys[name.strip()] = value.strip()
         else:
-            found, others = _from_file(Path(word))
+            found, others, law = _from_file(Path(word))
             keys |= found
-    conditions = conditions_from_keys(keys, place=f"conditions {' '.join(words)}")
+    place = f"conditions {' '.join(words)}"
+    conditions = conditions_from_keys(keys, place=place)
+    if law is not None and FLOW_LAWS.get(law) != conditions.oil.name:
+        raise SurfaceError(
+            f"{place}: flow_law = '{law}', but the keys are those of a {conditions.oil.name} oil: "
+            "give the stress of the law that is meant (eyring_stress_pa, or carreau_modulus_pa and "
+            "carreau_exponent), or change flow_law"
+        )
     return replace(conditions, oil=replace(conditions.oil, other_laws=tuple(others)))
 
 
-def _from_file(path: Path) -> tuple[dict[str, Any], list[str]]:
-    """Return the keys of a file, and its laws of the oil that have no place in them."""
+def _from_file(path: Path) -> tuple[dict[str, Any], list[str], str | None]:
+    """Return the keys of a file, its laws of the oil that have no place in them, its flow law."""
     if not path.is_file():
         raise SurfaceError(
             f"conditions {path}: no such file; give an input file of ehlwave-case or KEY=VALUE"
@@ -61,4 +73,6 @@ def _from_file(path: Path) -> tuple[dict[str, Any], list[str]]:
         for key, known in KNOWN_LAWS.items()
         if str(lubricant.get(key, known)).lower() != known
     ]
-    return keys | {key: lubricant[key] for key in OIL_KEYS if key in lubricant}, others
+    law = lubricant.get("flow_law")
+    oil = {key: lubricant[key] for key in OIL_KEYS if key in lubricant}
+    return keys | oil, others, None if law is None else str(law).lower()
