@@ -24,7 +24,7 @@ study = ehlwave.Study(
 )
 results = study.run(Path(sys.argv[1]) if len(sys.argv) > 1 else None)
 contact = ehlwave.Contact(**moes)
-print("lambda/a   computed          its error   atlas             its error   difference   status")
+print("lambda/a   computed          error    atlas             error    difference   status")
 for one in range(results.sizes["case"]):
     row = results.isel(case=one)
     wave = float(row["wavelength_x_over_a"])
@@ -32,6 +32,6 @@ for one in range(results.sizes["case"]):
     own_error = float(row["error_estimate"]) * abs(computed)  # the estimate is relative
     atlas = contact.response(wavelength_over_a=wave)
     print(
-        f"{wave:8g}   {computed:.4f}    {own_error:.4f}   {atlas.film:.4f}    {atlas.error:.4f}      "
-        f"{abs(computed - atlas.film):.4f}   {row['status'].item()}"
+        f"{wave:8g}   {computed:.4f}    {own_error:.4f}   {atlas.film:.4f}    {atlas.error:.4f}"
+        f"   {abs(computed - atlas.film):.4f}   {row['status'].item()}"
     )

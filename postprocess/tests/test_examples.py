@@ -65,7 +65,9 @@ def test_what_the_engineer_is_told_agrees_with_the_programs() -> None:
     wave = re.search(rf"waves of 0.5 a keep {NUMBER} of their height, error {NUMBER}", said)
     film = re.search(rf"central film {NUMBER} um within {NUMBER} %", said)
     ratio = re.search(rf"lambda ratio {NUMBER} within {NUMBER} %", said)
-    assert wave and film and ratio
+    assert wave is not None
+    assert film is not None
+    assert ratio is not None
     case = ehlwave.Case(
         **ENGINEER,
         orientation="transverse",

@@ -189,10 +189,10 @@ class Contact:
             Line contacts answer for 0 alone, in pure rolling.
         slip_parameter : float, optional
             S of the surface that carries the waves, 0.5 to 1.5; that of the contact if absent.
-            Other than 1 the atlas has it for a Ree-Eyring oil, of ``eyring_stress_pa``; outside that, for a Carreau oil, where
-            ``carreau_modulus_pa`` and ``carreau_exponent`` were given, and for a Newtonian one the
-            law of the two waves answers, with an error to match and without pressure (NaN), of
-            longitudinal waves, which stand still, the atlas of pure rolling.
+            Other than 1 the atlas has it for a Ree-Eyring oil, of ``eyring_stress_pa``. Outside
+            that, for a Carreau oil (``carreau_modulus_pa``, ``carreau_exponent``) and for a
+            Newtonian one the law of the two waves answers, with an error to match and without
+            pressure (NaN). Longitudinal waves stand still: the atlas of pure rolling answers.
 
         Raises
         ------
