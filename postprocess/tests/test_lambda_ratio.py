@@ -12,6 +12,8 @@ import pytest
 from contact import EXPERIMENT, experiment
 
 import ehlwave
+from ehlwave.atlas.atlas import load_atlas, shipped
+from ehlwave.atlas.kinds import KINDS
 from ehlwave.deform import (
     Deformed,
     Mover,
@@ -28,8 +30,18 @@ from ehlwave.deform import amplitude as amplitudes
 from ehlwave.deform.amplitude import VALIDATED_ROLLING, VALIDATED_SLIDING, expected_nonlinearity
 from ehlwave.deform.sliding import second_conditions
 from ehlwave.deform.surface import Surface
+from ehlwave.programs import find_program
 
 ROOT = Path(__file__).parents[2]
+
+
+def has_programs() -> bool:
+    try:
+        return bool(find_program("ehlwave-case"))
+    except ehlwave.ProgramError:
+        return False
+
+
 STEP = 0.5e-6
 BALL = {"radius_x_m": 12.7e-3, "radius_y_m": 12.7e-3, "reduced_modulus_pa": 226e9}
 BALL |= {"load_n": 40.0, "viscosity_pa_s": 0.05}
@@ -159,6 +171,56 @@ def test_recorded_marches_keep_to_the_errors() -> None:
     assert max(float(row["amplitude_over_film"]) for row in rows) > VALIDATED_ROLLING - 0.02
 
 
+MARCHES = (
+    # M, L, D, lambda/a, Ai over film, S
+    (100, 12.05, 1, 1.2, 0.6, 1),
+    (100, 12.05, 1, 0.5, 0.9, 1),
+    (200, 6, 0.5, 0.7, 0.9, 1),
+    (40, 10, 1, 1.0, 0.5, 1),
+    (100, 12.05, 1, 1.2, 0.1, 1.5),
+    (60, 8, 1, 1.0, 0.2, 0.7),
+)
+
+
+@pytest.mark.skipif(not has_programs(), reason="the programs are not built")
+@pytest.mark.parametrize(("m", "l", "d", "wave", "amplitude", "slip"), MARCHES)
+def test_marches_keep_to_the_error_beyond_what_was_validated_too(
+    m: float,
+    l: float,  # noqa: E741
+    d: float,
+    wave: float,
+    amplitude: float,
+    slip: float,
+) -> None:
+    keys = {"load_parameter_m": m, "lubricant_parameter_l": l, "radius_ratio_d": d}
+    oil = {"slip_parameter": slip, "reduced_modulus_pa": 2.26e11, "eyring_stress_pa": 5e6}
+    keys |= {} if slip == 1 else oil
+    march = ehlwave.Case(
+        **keys,
+        **({} if slip == 1 else {"flow_law": "eyring"}),
+        orientation="transverse",
+        wavelength_over_a=wave,
+        amplitude_over_film=amplitude,
+        cells_x=96,
+        cells_y=64,
+    ).run()
+    assert march.attrs["status"] == "converged"
+    time, film = march["time"].values, march["film_at_centre"].values
+    last = np.interp(np.linspace(time[-1] - wave / slip, time[-1], 400, False), time, film)
+    marched = last.mean() / last.std()
+
+    lengths = {"semi_axis_a_m": 2e-4, "radius_x_m": 12.5e-3}
+    contact = ehlwave.Contact(**keys, **lengths)
+    place = np.arange(640) * wave * 2e-4 / 64
+    height = amplitude * contact.film().central_m * np.cos(2 * np.pi * place / (wave * 2e-4))
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ehlwave.ExtrapolationWarning)
+        found = contact.deform(trace_surface(height, place[1]), form="none", ends="none").statistics
+    assert found.extrapolated == (amplitude > (VALIDATED_ROLLING if slip == 1 else 0.3))
+    assert found.lambda_ratio_after == pytest.approx(marched, rel=found.lambda_error)
+    assert found.lambda_error < 0.5
+
+
 def test_the_factors_are_those_of_the_program() -> None:
     source = (ROOT / "src/case/linear_range.f90").read_text(encoding="utf-8")
     rolling = re.search(r":: rolling_factor = ([\d.]+)_dp", source)
@@ -167,6 +229,12 @@ def test_the_factors_are_those_of_the_program() -> None:
     assert slip is not None
     assert float(rolling[1]) == amplitudes.ROLLING_FACTOR
     assert tuple(map(float, slip.groups())) == amplitudes.SLIP_FACTORS
+
+
+def test_errors_of_rises_are_those_of_the_atlas() -> None:
+    for kind, error in amplitudes.RISE_ERRORS.items():
+        said = json.loads(load_atlas(shipped(KINDS[kind])).data.attrs["rise_cross_validated"])
+        assert error == pytest.approx(said["95 %"], rel=0.04)
 
 
 def test_under_slip_less_was_compared_and_more_is_expected() -> None:
