@@ -140,7 +140,7 @@ def test_the_errors_of_film_formulas_are_those_against_the_atlas() -> None:
     over = {}
     for kind, fit in (("rolling", moes_film), ("line", lambda *moes: line_film(*moes[:2]))):
         atlas, found = load_atlas(shipped(KINDS[kind])), []
-        for _ in range(500):
+        for _ in range(1000):
             m = np.exp(rng.uniform(*np.log((20, 2000))))
             l, d = rng.uniform(2, 20), np.exp(rng.uniform(np.log(0.04), 0))  # noqa: E741
             keys = {"load_parameter_m": m, "lubricant_parameter_l": l, "radius_ratio_d": d}
@@ -148,9 +148,9 @@ def test_the_errors_of_film_formulas_are_those_against_the_atlas() -> None:
             found.append(float(fit(m, l, d)) / atlas.at(keys).film().central_moes - 1)
         over[kind] = np.percentile(found, [2.5, 97.5, 100])
     low, most, largest = over["rolling"]
-    assert low == pytest.approx(-0.09, abs=0.015)
+    assert low == pytest.approx(-0.075, abs=0.015)
     assert most == pytest.approx(FIT_ERROR, abs=0.03)
-    assert largest < 0.40
+    assert largest < 0.41
     assert over["line"][2] == pytest.approx(LINE_FIT_ERROR, abs=0.01)
     ball = conditions_from_keys(EXPERIMENT)
     assert ball.central_film_error == FIT_ERROR
