@@ -238,7 +238,7 @@ def atlas():
                    "in units of (A/film)^2 of the film, and {}, {} and {} at 95 % of the waves",
                    [one["median"] for one in three] + [one["95 %"] for one in three]))
     slip = [float(one) for one in re.findall(r'"(?:Ree-Eyring|Newtonian|Carreau)": ([\d.]+)',
-                                             (ROOT/"postprocess/src/ehlwave/operating_point.py").read_text())]
+                                             (ROOT/"postprocess/src/ehlwave/two_waves.py").read_text())]
     return [*claims, ("have the law alone, within {}, {} and {} of Ai", [slip[1], slip[2], slip[0]])]
 
 

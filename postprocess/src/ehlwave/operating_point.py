@@ -21,15 +21,10 @@ from ehlwave.deform.sliding import TwoWaveTransfer
 from ehlwave.deform.surface import Surface
 from ehlwave.deform.transfer import FormulaTransfer, RecommendedTransfer, Transfer
 from ehlwave.errors import ExtrapolationWarning, RangeError, SurfaceError
-from ehlwave.two_waves import two_waves
+from ehlwave.two_waves import SLIP_ERRORS, two_waves
 
 SLIPS = SLIDING_RANGES["slip_parameter"]
 """Slip parameters that :meth:`Contact.response` answers for."""
-
-SLIP_ERRORS = {"Ree-Eyring": 0.11, "Newtonian": 0.17, "Carreau": 0.18}
-"""Of the law of the two waves, units of Ai, by oil: twice the rms error in conditions held out of
-its fit (``record/two_waves/errors.csv``). No Carreau oil is in the fit: twice the rms error of 33
-waves at 12 conditions (G 1 to 30 MPa, n 0.3 to 0.8)."""
 
 
 @dataclass(frozen=True)

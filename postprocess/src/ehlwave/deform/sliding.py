@@ -18,7 +18,7 @@ from ehlwave.deform.surface import Surface
 from ehlwave.deform.transfer import Waves
 from ehlwave.errors import SurfaceError
 from ehlwave.rolling import rolling_transfer
-from ehlwave.two_waves import FITTED_RANGES, TwoWaves, two_waves
+from ehlwave.two_waves import FITTED_RANGES, SLIP_ERRORS, TwoWaves, two_waves
 
 Complex = NDArray[np.complex128]
 Floats = NDArray[np.float64]
@@ -75,8 +75,12 @@ class TwoWaveTransfer:
     def rise(self, per_length_x: Waves, per_length_y: Waves) -> None:
         """Return None: the law is linear."""
 
-    def error(self, per_length_x: Waves, per_length_y: Waves) -> None:
-        """Return None: what the law is off by depends on the contact."""
+    def error(self, per_length_x: Waves, per_length_y: Waves) -> Waves | None:
+        """Return the error of the law for this oil; None outside the conditions of its fit."""
+        if not self.covers_all:
+            return None
+        shape = np.broadcast_shapes(np.shape(per_length_x), np.shape(per_length_y))
+        return np.full(shape, SLIP_ERRORS[self.conditions.oil.name])
 
     @property
     def covers_all(self) -> bool:
