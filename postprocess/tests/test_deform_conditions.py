@@ -8,7 +8,13 @@ from contact import EXPERIMENT, experiment
 from ehlwave.atlas.atlas import load_atlas, shipped
 from ehlwave.atlas.kinds import KINDS
 from ehlwave.deform import conditions_from_keys, read_conditions
-from ehlwave.deform.conditions import FIT_ERROR, LINE_FIT_ERROR, ellipticity, moes_film
+from ehlwave.deform.conditions import (
+    FIT_ERROR,
+    LINE_FIT_ERROR,
+    THINNING_ERROR,
+    ellipticity,
+    moes_film,
+)
 from ehlwave.deform.line_contact import line_film
 from ehlwave.errors import SurfaceError
 
@@ -155,3 +161,6 @@ def test_the_errors_of_film_formulas_are_those_against_the_atlas() -> None:
     ball = conditions_from_keys(EXPERIMENT)
     assert ball.central_film_error == FIT_ERROR
     assert conditions_from_keys(EXPERIMENT | {"central_film_m": 1e-7}).central_film_error == 0
+    sliding = EXPERIMENT | {"slip_parameter": 1.2, "eyring_stress_pa": 5e6}
+    thinned = conditions_from_keys(sliding).central_film_error
+    assert thinned == pytest.approx(FIT_ERROR + THINNING_ERROR)

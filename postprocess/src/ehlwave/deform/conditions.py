@@ -356,6 +356,7 @@ def _complete(values: Mapping[str, float], place: str) -> Conditions:
     """Add what follows from M, L, D and the lengths, eq. (1) to (6)."""
     m, l, d = (values[key] for key in MOES_KEYS)  # noqa: E741
     semi_axis_a_m, film_m = values["semi_axis_a_m"], values.get("central_film_m")
+    slip, oil = values.get("slip_parameter", 1.0), _oil(values, place)
     _check_ratio(d, place)
     kappa = ellipticity(d) if d > 0 else 0.0
     approach, metres_per_moes = None, None
@@ -369,6 +370,8 @@ def _complete(values: Mapping[str, float], place: str) -> Conditions:
         if film_m is None:
             film_m = moes_film(m, l, d) * metres_per_moes
             source, error = (_FIT_TEXT, FIT_ERROR) if d > 0 else (_LINE_FIT_TEXT, LINE_FIT_ERROR)
+            if slip != 1 and oil.name != "Newtonian":  # the formulas are of oils that nothing thins
+                error += THINNING_ERROR
     if film_m is None:
         source = "unknown: give central_film_m or radius_x_m"
     return Conditions(
@@ -377,12 +380,12 @@ def _complete(values: Mapping[str, float], place: str) -> Conditions:
         d=d,
         kappa=kappa,
         gamma=pressure_factor(kappa) if d > 0 else math.sqrt(m),
-        slip_parameter=values.get("slip_parameter", 1.0),
+        slip_parameter=slip,
         semi_axis_a_m=semi_axis_a_m,
         hertz_approach_c_m=approach,
         central_film_m=film_m,
         film_source=source,
-        oil=_oil(values, place),
+        oil=oil,
         metres_per_moes=metres_per_moes,
         central_film_error=None if film_m is None else error,
     )
