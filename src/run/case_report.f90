@@ -199,6 +199,7 @@ contains
          write (unit, '(a)') '             f(r) V = '//to_text(result%f_r*result%v, 5)//', f(r) V2 = '// &
             to_text(result%f_r*result%v2, 5)//', f(r) = '//to_text(result%f_r, 5)
       end if
+      call print_sensitivities()
       if (ieee_is_finite(result%central_film_error)) write (unit, '(a)') 'Estimated    relative errors of the grid: H(0,0) '// &
          to_text(result%central_film_error, 2)//', smallest H '//to_text(result%minimum_film_error, 2)//amplitude_error()
       if (plan%waviness%is_present .and. ieee_is_finite(result%ratio_errors%mesh)) then
@@ -253,6 +254,21 @@ contains
                ' work units'
          end associate
       end subroutine print_response
+
+      !> Exponents of the oil's coefficient and stress in laws of H(0,0) and Ad/Ai.
+      subroutine print_sensitivities()
+         character(len=6), parameter :: by(2) = [character(len=6) :: 'alpha', 'stress']
+         character(len=:), allocatable :: response
+         integer :: x
+         do x = 1, size(by)
+            associate (r => result%by_oil(x))
+               response = ''
+               if (ieee_is_finite(r%response)) response = ', Ad/Ai with '//to_text(r%response, 4)
+               if (ieee_is_finite(r%film)) write (unit, '(a)') 'Sensitivity  H(0,0) goes with the power '//to_text(r%film, 4)// &
+                  ' of '//trim(by(x))//response
+            end associate
+         end do
+      end subroutine print_sensitivities
 
       subroutine print_shear()
          associate (r => result%shear)

@@ -1,6 +1,7 @@
 """The key `response`: fields, refusals, and sweeps that share steady states."""
 
 import math
+import re
 import tempfile
 import unittest
 from pathlib import Path
@@ -40,6 +41,21 @@ class Response(TestCase):
                                harmonic["harmonic_ratio"], delta=1e-12)
         self.assertAlmostEqual(math.atan2(harmonic["harmonic_imaginary"], harmonic["harmonic_real"]),
                                harmonic["harmonic_phase"], delta=1e-12)
+
+    def test_the_report_has_the_sensitivities_of_the_result(self):
+        groups = {"conditions": {**CONTACT, "reduced_modulus_pa": 2.26e11, "slip_parameter": 1.2}, "grid": GRID, "waviness": WAVES,
+                  "lubricant": {"flow_law": "eyring", "eyring_stress_pa": 5e6}}
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder, "case.nml")
+            path.write_text(namelist({**groups, "output": {"sensitivities": True}}))
+            outcome = run("case", path, "--json")
+            path.write_text(namelist(groups))
+            self.assertNotIn("Sensitivity", run("case", path).stdout)
+        result = last_line(outcome)
+        for name in ("alpha", "stress"):
+            printed = re.search(rf"Sensitivity  H\(0,0\) goes with the power (\S+) of {name}, Ad/Ai with (\S+)", outcome.stdout)
+            for number, quantity in zip(printed.groups(), ("film", "response"), strict=True):
+                self.assertAlmostEqual(float(number)/result[f"{quantity}_sensitivity_{name}"], 1, delta=1e-3)
 
     def test_plan(self):
         with tempfile.TemporaryDirectory() as folder:
