@@ -14,7 +14,7 @@ from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
-from ehlwave_program import last_line, report, run
+from ehlwave_program import last_line, report, run, solve
 
 ROOT = Path(__file__).resolve().parents[2]
 RECORD = ROOT/"postprocess/record"
@@ -342,6 +342,14 @@ class Numbers(unittest.TestCase):
             values = [eyring[f"{key}"] for key in ("load_parameter_m", "lubricant_parameter_l", "radius_ratio_d", "slip_parameter")]
             for one, value in zip(printed, [*values, 226, 5], strict=True):
                 self.assertTrue(agrees(one, value), (one, value))
+
+    def test_edges_thin_films_as_the_first_readme_says(self):
+        printed = found_in(words("README.md"), "by {} % for M = {} and D = {}, by {} % for M = {} and D = {}, by {} % for M = {} and D = {}.")
+        for first in range(0, len(printed), 3):
+            thinner, m, d = map(float, printed[first:first + 3])
+            films = [solve(m=m, d=d, grid={"cells_x": 128, "cells_y": 128, "edges": edges})["central_film"]
+                     for edges in ("truncated", "flooded")]
+            self.assertAlmostEqual(100*(1 - films[0]/films[1]), thinner, delta=0.06)
 
     def solved(self, folder, name, change):
         text = (ROOT/f"inputs/{name}.nml").read_text(encoding="utf-8")
