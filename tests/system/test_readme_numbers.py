@@ -280,8 +280,48 @@ def speeds():
     ]
 
 
+def errors_and_costs():
+    """The table of errors, how far models of errors and costs are off, and what results say of their own errors."""
+    def error(cells, quantity, m, d, wave="0"):
+        return 100*cell("error-vs-time/estimates.csv", "error", m=m, d=d, wavelength=wave, quantity=quantity, cells=cells, slip="1",
+                        orientation="transverse" if wave != "0" else "none", lubricant_l="12.05")
+
+    def estimates(quantity):
+        rows = [row for row in table("error-vs-time/estimates.csv")
+                if row["quantity"] == quantity and row["status"] == "converged" and float(row["error"]) > 1e-3]
+        found = [float(row["estimate_over_error"]) for row in rows if row["estimate_over_error"] != "nan"]
+        return [min(found), max(found)]
+
+    contacts = (("100", "1"), ("100", "0.12"), ("1000", "1"), ("1000", "0.12"))
+    film = {n: [error(n, "central_film", *contact) for contact in contacts] for n in ("64", "128", "256", "512")}
+    ratio = {n: [[error(n, "amplitude_ratio_fit", *contact, wave) for wave in ("0.5", "2")] for contact in contacts]
+             for n in ("64", "128", "256")}
+    model = lambda name, column: cell("error-vs-time/models.csv", column, model=name)  # noqa: E731
+    cost = [[model(name, f"coefficient_{i}") for i in (1, 2, 3)] for name in ("steady_cost", "step_cost")]
+    return [
+        ("central film, 64 x 64 | {} % | {} % | not resolved | {} % | | 128 x 128 | {} % | {} % | not resolved | {} %",
+         [film[n][i] for n in ("64", "128") for i in (0, 1, 3)]),
+        ("| 256 x 256 | {} % | {} % | {} % | {} % | | 512 x 512 | {} % | {} % | {} % | {} % |", film["256"] + film["512"]),
+        ("lambda = 0.5 a / 2 a, 64 x 64 | {} / {} % | below 0.1 / {} % | not resolved | {} / {} % |",
+         [*ratio["64"][0], ratio["64"][1][1], *ratio["64"][3]]),
+        ("| 128 x 128 | {} / {} % | below 0.1 / {} % | not resolved | {} / {} % |",
+         [*ratio["128"][0], ratio["128"][1][1], *ratio["128"][3]]),
+        ("| 256 x 256 | {} / {} % | below 0.1 / below 0.1 % | {} / {} % | {} / {} % |",
+         [*ratio["256"][0], *ratio["256"][2], *ratio["256"][3]]),
+        ("were within a factor {} in half of the runs, {} in the worst",
+         [model("moving_ratio", "typical_factor"), model("moving_ratio", "largest_factor")]),
+        ("Where errors are above 0.1 % these were {} to {} times the error of H(0,0), {} to {} times that of the smallest H and "
+         "{} to {} times that of Ad/Ai", [*estimates("central_film"), *estimates("minimum_film"), *estimates("amplitude_ratio_fit")]),
+        ("the error is about {} hX^2 gamma M of H(0,0) and {} hX^2", [model("film", "coefficient_1"), model("moving_ratio", "coefficient_1")]),
+        ("takes {} (cells/128)^{} (gamma M/100)^{} of them (within a factor {} in {} contacts and grids)",
+         [*cost[0], model("steady_cost", "largest_factor"), model("steady_cost", "points")]),
+        ("a time step {} (cells/128)^{} (within {} in {} runs)",
+         [*cost[1][:2], model("step_cost", "largest_factor"), model("step_cost", "points")]),
+    ]
+
+
 CLAIMS = {"README.md": top_level, "postprocess/README.md": postprocess, "postprocess/record/README.md": record,
-          "src/case/README.md": speeds}
+          "src/case/README.md": lambda: [*speeds(), *errors_and_costs()]}
 
 
 def words(path):
