@@ -44,7 +44,7 @@ contains
       self%cy = 0.5_dp*kappa**2/grid%hy**2
    end function new_mesh
 
-   !> Residual of theory eq. (7), eps averaged between nodes:
+   !> Residual of theory eq. (7), eps averaged between nodes, (D1):
    !>
    !>     R = [eps_(i+1/2) (P_(i+1) - P_i) - eps_(i-1/2) (P_i - P_(i-1))]/hX^2 + kappa^2 (same in Y)/hY^2
    !>         - wedge and squeeze of `transport`
