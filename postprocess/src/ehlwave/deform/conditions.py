@@ -1,7 +1,7 @@
 """Operating conditions of a contact: the one place in this package that computes Moes parameters.
 
-The keys are those of the input files of ``ehlwave-case``; equation numbers are those of the
-project's model description (see :mod:`ehlwave.formula`).
+The keys are those of the input files of ``ehlwave-case``; equation numbers are those of
+``src/theory.md``.
 """
 
 import math
