@@ -18,7 +18,7 @@ module ehlwave_case_plan
    use ehlwave_surface_plan, only: read_case_surface, surface_times
    use ehlwave_text, only: to_text
    use ehlwave_waviness, only: new_waviness, no_waviness, waviness_t
-   use ehlwave_work_unit, only: work_unit_seconds
+   use ehlwave_work_unit, only: expected_unit_seconds
    implicit none (type, external)
    private
    public :: make_plan
@@ -186,10 +186,10 @@ contains
          plan%work_with_estimates = cost_of_estimate*plan%expected_work_units
    end subroutine expect
 
-   !> Run time to expect here and now, from the model of the work and a work unit measured on the spot.
+   !> Run time to expect here and now, from the model of the work and a work unit timed on the spot.
    real(dp) function expected_seconds(self)
       class(case_plan_t), intent(in) :: self
-      expected_seconds = self%work_with_estimates*work_unit_seconds(self%cells_x, self%cells_y)
+      expected_seconds = self%work_with_estimates*expected_unit_seconds(self%cells_x, self%cells_y)
    end function expected_seconds
 
    !> Peak memory of the process to expect, in MiB, without what MPI takes: a constant and so much for each cell that is

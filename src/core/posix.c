@@ -290,8 +290,15 @@ void ehlwave_catch_signals(void)
    sigaction(SIGINT, &action, NULL);
 }
 
-/* From now on it is an error of writing, and not the end of the process, that nobody reads its output any more. */
-void ehlwave_ignore_broken_pipes(void) { signal(SIGPIPE, SIG_IGN); }
+/* From now on it is an error of writing, and not the end of the process, that nobody reads its output any more (EPIPE) or
+   that a file would be longer than allowed (EFBIG, as of a full disk). */
+void ehlwave_ignore_write_signals(void)
+{
+   signal(SIGPIPE, SIG_IGN);
+   signal(SIGXFSZ, SIG_IGN);
+}
+
+int ehlwave_is_broken_pipe(int status) { return status == EPIPE; }
 
 int ehlwave_signal_caught(void) { return caught; }
 

@@ -1,8 +1,9 @@
 !> Surfaces written by `ehlwave surface`: HDF5 with heights over x and y in metres.
 module ehlwave_surface_file
-   use, intrinsic :: iso_c_binding, only: c_funloc, c_long
+   use, intrinsic :: iso_c_binding, only: c_funloc, c_long, c_size_t
    use ehlwave_errors, only: error_t, raise
    use ehlwave_kinds, only: dp
+   use ehlwave_memory, only: can_allocate
    use ehlwave_posix, only: close_file, guarded, open_file, reason_text
    use ehlwave_text, only: to_text
    use h5lt, only: h5ltget_dataset_info_f, h5ltget_dataset_ndims_f, h5ltread_dataset_double_f
@@ -100,7 +101,8 @@ contains
       integer(hsize_t) :: stored
       integer(size_t) :: bytes
       real(dp) :: points
-      integer :: ignored, kind, rank, status
+      integer :: kind, rank, status
+      logical :: fits
 
       allocate (extent(0), values(0))
       call h5ltget_dataset_ndims_f(file, name, rank, status)
@@ -120,9 +122,10 @@ contains
          if (status >= 0) call h5dget_storage_size_f(id, stored, status)
          if (status >= 0) call h5dclose_f(id, status)
          deallocate (values)
-         allocate (values(product(extent)), stat=ignored)
-         if (stored > 0 .and. ignored == 0) call h5ltread_dataset_double_f(file, name, values, extent, status)
-         if (stored == 0 .or. ignored /= 0 .or. status < 0) call raise(error, '&surface file = '''//path//''': the numbers of '// &
+         fits = can_allocate(int(8*points, c_size_t))
+         if (fits) allocate (values(product(extent)))
+         if (stored > 0 .and. fits) call h5ltread_dataset_double_f(file, name, values, extent, status)
+         if (stored == 0 .or. .not. fits .or. status < 0) call raise(error, '&surface file = '''//path//''': the numbers of '// &
             name//' cannot be read: the file is damaged or was not written to its end')
       end if
    end subroutine read_numbers

@@ -12,7 +12,7 @@ module ehlwave_case_account
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
-   public :: blank_result, end_early, keep_history, take_report, worse
+   public :: blank_result, end_early, keep_history, refused_result, take_report, worse
 
 contains
 
@@ -31,6 +31,17 @@ contains
          result%formula_ratio = amplitude_formula(result%f_r*result%v)
       end if
    end function blank_result
+
+   !> Result of a case that is not begun.
+   function refused_result(case, plan, reason) result(result)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      character(len=*), intent(in) :: reason
+      type(case_result_t) :: result
+      result = blank_result(case, plan)
+      result%status = status_over_budget
+      result%message = reason
+   end function refused_result
 
    !> Add one solution to the account of the case.
    subroutine take_report(report, what, result)

@@ -7,6 +7,7 @@ module ehlwave_case_report
    use ehlwave_error_account, only: errors_text, validity_text
    use ehlwave_kinds, only: dp
    use ehlwave_linear_range, only: linear_limit
+   use ehlwave_memory_plan, only: memory_shortage
    use ehlwave_resolution, only: flooded_inlet_gap
    use ehlwave_status, only: is_solved, status_name
    use ehlwave_surface_plan, only: surface_text
@@ -22,6 +23,8 @@ contains
       integer, intent(in) :: unit
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
+
+      character(len=:), allocatable :: shortage
 
       associate (c => plan%conditions)
          write (unit, '(a)') 'Conditions   M = '//to_text(c%m, 6)//', L = '//to_text(c%l, 6)//', D = '//to_text(c%d, 6)// &
@@ -79,6 +82,8 @@ contains
                '             ACCURACY '//to_text(case%accuracy, 3)//' NOT TO BE REACHED with largest_cells = '// &
                to_text(case%largest_cells)//': expect '//to_text(plan%expected_error, 2)
          end if
+         shortage = memory_shortage(plan)
+         if (shortage /= '') write (unit, '(a)') '             TOO LITTLE MEMORY: '//shortage
       end associate
    end subroutine print_plan
 

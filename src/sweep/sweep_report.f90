@@ -3,6 +3,7 @@ module ehlwave_sweep_report
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_case_plan, only: case_plan_t, run_harmonic, run_march, run_smooth
    use ehlwave_kinds, only: dp
+   use ehlwave_memory, only: memory_limit_mib
    use ehlwave_status, only: last_status, status_name, status_pending
    use ehlwave_sweep_cases, only: sweep_t
    use ehlwave_sweep_expectation, only: expected_seconds
@@ -45,19 +46,22 @@ contains
       integer, intent(in) :: unit
       type(case_plan_t), intent(in) :: plans(:)
       character(len=:), allocatable :: text
-      real(dp) :: errors(size(plans)), memory_mib, seconds(size(plans))
+      real(dp) :: errors(size(plans)), memory_mib(size(plans)), seconds(size(plans))
       integer :: i, line_contacts, worst
 
       seconds = expected_seconds(plans)
       line_contacts = count(.not. ieee_is_finite(seconds))
-      memory_mib = maxval([(plans(i)%expected_memory_mib(), i=1, size(plans))])
+      memory_mib = [(plans(i)%expected_memory_mib(), i=1, size(plans))]
       errors = merge(plans%expected_error, 0.0_dp, ieee_is_finite(plans%expected_error))
       worst = maxloc(errors, 1, mask=errors > 0)
       text = 'Expected     '
       if (worst > 0) text = text//duration(sum(seconds, mask=ieee_is_finite(seconds)))//' of computing on this machine (a '// &
          'model, usually right within a factor 2), errors up to '//to_text(errors(worst), 2)//' (case '// &
          to_text(worst)//'), '
-      write (unit, '(a)') text//to_text(memory_mib, 2)//' MiB a rank, and what MPI takes'
+      write (unit, '(a)') text//to_text(maxval(memory_mib), 2)//' MiB a rank, and what MPI takes'
+      if (any(memory_mib > memory_limit_mib())) write (unit, '(a)') '             TOO LITTLE MEMORY for '// &
+         to_text(count(memory_mib > memory_limit_mib()))//' cases: a rank here can have '// &
+         to_text(nint(memory_limit_mib()))//' MiB. They will be over_budget'
       if (line_contacts > 0) write (unit, '(a)') '             '//to_text(line_contacts)// &
          ' line contacts besides, which have no model of time and error'
    end subroutine print_expectation
