@@ -92,11 +92,14 @@ contains
       allocate (to_run(size(sweep%cases)), status(size(sweep%cases)), seconds(size(sweep%cases)))
       call choose_cases(sweep, store, contents, options%retry, to_run, status, seconds)
       call refuse_changed_surfaces(sweep, contents, to_run, error)
+      if (allocated(error)) return
       call store%open_log(error)
+      self%is_store_broken = allocated(error)
       if (allocated(error)) return
       call print_notices(sweep, contents, to_run, options%retry)
       call list_cases(sweep, folder, error)
       call set_aside_crashed(sweep, contents, store, to_run, status, error)
+      self%is_store_broken = allocated(error)
       if (allocated(error)) return
       flush (output_unit)
 

@@ -8,6 +8,7 @@ from studies.programs import MPI_ENVIRONMENT, is_open_mpi, last_line, mpi_comman
 
 __all__ = [
     "EIGHT_CASES",
+    "HANGS_S",
     "IS_LONG",
     "MPI_ENVIRONMENT",
     "SKIPPED",
@@ -22,6 +23,7 @@ __all__ = [
     "solve",
 ]
 
+HANGS_S = 1800   # after which a program hangs: many times what it takes on a slow machine at work; see tests/CMakeLists.txt
 SKIPPED = 77
 IS_LONG = os.environ.get("EHLWAVE_LONG_TESTS", "0") != "0"   # scripts/test --long: more of the same
 EIGHT_CASES = {
