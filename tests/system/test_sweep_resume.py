@@ -8,7 +8,7 @@ import time
 import unittest
 from pathlib import Path
 
-from ehlwave_program import MPI_ENVIRONMENT, is_open_mpi, mpi_command, namelist, run
+from ehlwave_program import HANGS_S, MPI_ENVIRONMENT, is_open_mpi, mpi_command, namelist, run
 from hdf5_reading import h5py, read
 from store_reading import count_records, finished
 from torture import CIRCUMSTANCES
@@ -53,7 +53,7 @@ class SweepResume(unittest.TestCase):
         return process
 
     def wait_for(self, condition):
-        end = time.monotonic() + 60
+        end = time.monotonic() + HANGS_S
         while not condition():
             self.assertLess(time.monotonic(), end, "nothing happens")
             time.sleep(0.02)
@@ -218,7 +218,7 @@ class SweepResume(unittest.TestCase):
             process = self.start("--output", output + ".h5", ranks=ranks)
             self.wait_for(lambda: count_records(self.folder/(output + ".store"), "start") == 1)
             process.send_signal(number)
-            text = process.communicate(timeout=60)[0]
+            text = process.communicate(timeout=HANGS_S)[0]
             # MPICH's mpiexec ends with 0 after SIGUSR1 whatever its ranks say; scripts/run-sweep asks the store.
             self.assertIn(process.returncode, [UNFINISHED, 0] if ranks and not is_open_mpi() else [UNFINISHED], text)
             self.assertIn("a signal asked for it", text)
@@ -310,7 +310,7 @@ class SweepResume(unittest.TestCase):
             self.wait_for(lambda: count_records(self.store(), "start") == deaths)
             header = next(record for record in self.records(deaths) if record.startswith("run "))
             os.kill(int(header.split("]],[")[1].split(",")[4]), signal.SIGKILL)
-        text = process.communicate(timeout=60)[0]
+        text = process.communicate(timeout=HANGS_S)[0]
         self.assertEqual(process.returncode, 4, text)
         self.assertIn("start 1 of at most 1 again", text)
         self.assertIn("ranks died 2 times", text)
