@@ -71,6 +71,13 @@ class Files(Ends):
                 self.assertEqual(again.returncode, 0, again.stdout + again.stderr)
                 self.assertEqual(len(finished(self.folder/f"{bytes_}.store")), 8)
 
+    @unittest.skipUnless(is_open_mpi(), "another MPI starts")
+    def test_a_limit_under_which_mpi_cannot_start(self):
+        outcome = self.call(RUN_SWEEP, "--ranks", 2, "sweep.nml", before=limited("RLIMIT_FSIZE", MIB))
+        self.assertEqual(outcome.returncode, NOT_WRITTEN, outcome.stdout + outcome.stderr)
+        self.assertRegex(outcome.stdout, r"run-sweep: MPI cannot start [^\n]*ulimit -f[^\n]*\n$")
+        self.assertNotIn("again", outcome.stdout)
+
 
 @unittest.skipIf(IS_DEBUG, "the address sanitizer takes all addresses")
 class Memory(Ends):
