@@ -22,17 +22,19 @@ program ehlwave_case
    use ehlwave_quantity_output, only: json_object
    use ehlwave_refined_case, only: run_refined_case
    use ehlwave_status, only: is_success
+   use ehlwave_store_folder, only: refuse_inside_store
    use ehlwave_terminal, only: complain, print_last
    implicit none (type, external)
 
-   character(len=*), parameter :: usage(18) = [character(len=96) :: &
-      'Usage: ehlwave-case INPUT.nml [--plan] [--json] [--output FILE.h5] [--quiet]', &
+   character(len=*), parameter :: usage(19) = [character(len=96) :: &
+      'Usage: ehlwave-case INPUT.nml [--plan] [--json] [--output FILE.h5 [--overwrite]] [--quiet]', &
       '', &
       'Solves one elastohydrodynamic contact, smooth or wavy, described by a namelist file.', &
       '', &
       '  --plan           say what would be computed, on which grid and why; compute nothing', &
       '  --json           last line of the output: plan or result as one JSON object', &
       '  --output FILE    write result, history at the contact centre and fields to an HDF5 file', &
+      '  --overwrite      even where FILE exists and is no result of ehlwave', &
       '  --quiet          no progress lines', &
       '  --keys           all keys of an input, with defaults and meaning', &
       '  --version        version of the program; --verbose: with build, libraries, processor', &
@@ -57,8 +59,8 @@ program ehlwave_case
    logical :: is_written
 
    call ignore_write_signals()
-   call read_arguments(['--plan   ', '--json   ', '--quiet  ', '--keys   ', '--help   ', '--version', '--verbose'], &
-                       ['--output'], arguments, error)
+   call read_arguments(['--plan     ', '--json     ', '--overwrite', '--quiet    ', '--keys     ', '--help     ', &
+                        '--version  ', '--verbose  '], ['--output'], arguments, error)
    if (allocated(error)) call fail(error%message//'; see ehlwave-case --help', 2)
    if (arguments%has('--help')) then
       write (output_unit, '(a)') (trim(usage(i)), i=1, size(usage) - 1)
@@ -75,7 +77,9 @@ program ehlwave_case
    if (allocated(error)) call fail(error%message, 2)
    if (arguments%has('--output')) then
       case%fields = .true.
-      call check_output_path(arguments%value('--output'), error)
+      call refuse_inside_store(arguments%value('--output'), error)
+      call check_output_path(arguments%value('--output'), [character(len=len(arguments%files)) :: arguments%files(1), &
+                                                           case%surface_file], arguments%has('--overwrite'), error)
       if (allocated(error)) call fail(error%message, 2)
    end if
 

@@ -15,7 +15,7 @@ program ehlwave_sweep
    use ehlwave_sweep_leader, only: exit_bad_input, exit_done, exit_failed, exit_not_written, exit_unfinished, job_options_t
    use ehlwave_sweep_report, only: print_sweep_plan
    use ehlwave_sweep_status, only: print_status
-   use ehlwave_terminal, only: complain, print_last
+   use ehlwave_terminal, only: complain, print_last, say_lines
    use ehlwave_time_text, only: read_time
    use mpi_f08, only: mpi_bcast, mpi_comm_rank, mpi_comm_world, mpi_finalize, mpi_init, mpi_logical
    implicit none (type, external)
@@ -82,7 +82,7 @@ program ehlwave_sweep
       call read_sweep(trim(arguments%files(1)), sweep, error, begins_anew=options%overwrite)
    end if
    call refuse_together()
-   if (rank == 0) write (output_unit, '(a)', advance='no') sweep%notice
+   if (rank == 0) call say_lines(output_unit, sweep%notice)
    if (arguments%has('--plan')) then
       if (rank == 0) call print_sweep_plan(output_unit, sweep)
       call conclude(exit_done)

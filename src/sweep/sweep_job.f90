@@ -107,18 +107,19 @@ contains
       type(sweep_t), intent(in) :: sweep
       type(store_t), intent(inout) :: store
       type(case_limits_t), intent(out) :: limits
-      integer :: numbers(2), rank
+      integer :: numbers(3), rank
 
       call mpi_comm_rank(comm, rank)
       if (rank == 0) then
          limits = sweep%limits
-         numbers = [store%run, len(store%folder)]
+         numbers = [store%run, store%defaults, len(store%folder)]
       end if
       call mpi_bcast(limits, storage_size(limits)/8, mpi_byte, 0, comm)
-      call mpi_bcast(numbers, 2, mpi_integer, 0, comm)
+      call mpi_bcast(numbers, size(numbers), mpi_integer, 0, comm)
       store%run = numbers(1)
-      if (rank /= 0) store%folder = repeat(' ', numbers(2))
-      call mpi_bcast(store%folder, numbers(2), mpi_character, 0, comm)
+      store%defaults = numbers(2)
+      if (rank /= 0) store%folder = repeat(' ', numbers(3))
+      call mpi_bcast(store%folder, numbers(3), mpi_character, 0, comm)
    end subroutine share
 
    !> Whether something is true on some rank.

@@ -13,6 +13,7 @@ module ehlwave_sweep_start
    use ehlwave_store, only: store_t
    use ehlwave_store_contents, only: contents_t
    use ehlwave_sweep_cases, only: sweep_t
+   use ehlwave_terminal, only: say
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
@@ -95,7 +96,7 @@ contains
                            time_stamp(), store, error)
          to_run(case) = .false.
          status(case) = status_crashed
-         write (output_unit, '(a)') 'NOTICE: case '//to_text(case)//' is set aside: '//result%message
+         call say(output_unit, 'NOTICE: case '//to_text(case)//' is set aside: '//result%message)
       end do
    end subroutine set_aside_crashed
 
