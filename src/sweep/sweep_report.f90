@@ -21,7 +21,7 @@ contains
       integer, intent(in) :: unit
       type(sweep_t), intent(in) :: sweep
       character(len=24) :: run
-      character(len=400) :: line
+      character(len=105) :: line
       integer :: i
 
       call say(unit, '   case        M       L        D  orientation   lambda/a        grid       '// &
@@ -32,11 +32,10 @@ contains
             if (plan%kind /= run_march) run = to_text(1 + plan%phases)//' steady states'
             if (plan%kind == run_smooth) run = '1 steady state'
             if (plan%kind == run_harmonic) run = 'linear response'
-            write (line, '(i7,f9.1,f8.3,f9.4,2x,a12,f11.4,i7,a,i0,t76,a,t97,a,t106,a)') i, plan%conditions%m, plan%conditions%l, &
+            write (line, '(i7,f9.1,f8.3,f9.4,2x,a12,f11.4,i7,a,i0,t76,a,t97,a)') i, plan%conditions%m, plan%conditions%l, &
                plan%conditions%d, case%orientation, case%wavelength_over_a, plan%cells_x, ' x ', plan%cells_y, &
-               trim(run), merge('yes', 'NO ', plan%resolution%is_resolved), &
-               sweep%variation(i)
-            call say(unit, trim(line))
+               trim(run), merge('yes', 'NO ', plan%resolution%is_resolved)
+            call say(unit, line//sweep%variation(i))
          end associate
       end do
       call say(unit, to_text(size(sweep%cases))//' cases, '//to_text(count(sweep%plans%resolution%is_resolved))// &
