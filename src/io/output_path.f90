@@ -31,8 +31,8 @@ contains
       end if
       select case (file_kind(path))
       case (kind_none, kind_file)
-         call refuse_suffix(path, slash, error)
          call refuse_inputs(path, inputs, error)
+         if (.not. allocated(error)) call refuse_suffix(path, slash, error)
          call refuse_foreign(path, overwrites, error)
          if (allocated(error)) return
          call refuse_unwritable(path, error)

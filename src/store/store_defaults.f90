@@ -6,7 +6,7 @@ module ehlwave_store_defaults
    use ehlwave_layout, only: layout_t, new_layout, values_t
    use ehlwave_posix, only: file_kind, kind_none, list_folder
    use ehlwave_record_reader, only: record_reader_t
-   use ehlwave_store_folder, only: refuse_lost_records
+   use ehlwave_store_folder, only: check_store, refuse_links, refuse_lost_records
    use ehlwave_store_names, only: defaults_name, defaults_text, newest_defaults, read_log_name, records_name
    use ehlwave_text, only: next_line, to_text
    use ehlwave_text_file, only: read_whole_file
@@ -28,16 +28,20 @@ module ehlwave_store_defaults
 
 contains
 
-   !> Read it. Fails where the file is damaged, and where the store has lost its records.
+   !> Read it. Fails where the folder is no store or has links for parts, where the file is damaged, and where the records are lost.
    subroutine read_origin(folder, origin, error)
       character(len=*), intent(in) :: folder
       type(origin_t), intent(out) :: origin
       type(error_t), allocatable, intent(inout) :: error
       character(len=:), allocatable :: names
       integer :: first, last, next, now, rank, run
+      logical :: is_there
 
       if (allocated(error)) return
-      call read_file(folder//'/'//defaults_name, origin%filed, error)
+      call check_store(folder, is_there, error)
+      if (allocated(error) .or. .not. is_there) return
+      call refuse_links(folder, error)
+      if (.not. allocated(error)) call read_file(folder//'/'//defaults_name, origin%filed, error)
       call refuse_lost_records(folder, error)
       call list_folder(folder//'/'//records_name, names)
       if (.not. allocated(names)) return

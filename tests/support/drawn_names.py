@@ -163,11 +163,16 @@ class Scene:
                 "double": (parent + "//" if parent else ".//") + last, "absolute": str(self.folder/name),
                 "case": name.swapcase()}[spelling]
 
-    def damage(self):
-        """What existed and is not a result, and is not as it was: lines that name it."""
+    def damage(self, allowed=None):
+        """What existed and is not a result, and is not as it was: lines that name it. A file `allowed` may be replaced."""
         after = snapshot(self.folder)
+        if allowed is not None:
+            allowed = os.path.relpath(os.path.join(os.path.realpath(self.folder/os.path.dirname(allowed)), os.path.basename(allowed)),
+                                      os.path.realpath(self.folder))
+            if not stat.S_ISREG(self._before.get(allowed, (0,))[0]):
+                allowed = None
         return [f"{name!r}: {'changed' if name in after else 'gone'}" for name, facts in self._before.items()
-                if name not in self.ours and after.get(name) != facts]
+                if name not in self.ours and name != allowed and after.get(name) != facts]
 
     def listing(self):
         """The scene in lines, for the message of a test that fails."""
