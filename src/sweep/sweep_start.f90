@@ -9,6 +9,7 @@ module ehlwave_sweep_start
    use ehlwave_errors, only: error_t, raise
    use ehlwave_json_reader, only: json_string
    use ehlwave_kinds, only: dp
+   use ehlwave_own_result, only: is_own_result
    use ehlwave_status, only: is_success, status_crashed, status_pending
    use ehlwave_store, only: store_t
    use ehlwave_store_contents, only: contents_t
@@ -46,7 +47,7 @@ contains
          to_run(i) = status(i) == status_pending .or. (retry == 'failed' .and. .not. is_success(status(i))) .or. &
                      (retry == 'version' .and. .not. contents%logs(contents%cases(place)%log)%is_by_this_build)
          if (sweep%cases(i)%fields .and. .not. to_run(i)) then
-            inquire (file=store%fields_path(sweep%identity(i)), exist=has_fields)
+            has_fields = is_own_result(store%fields_path(sweep%identity(i)))   ! and whole
             to_run(i) = is_success(status(i)) .and. .not. has_fields
          end if
       end do
