@@ -75,8 +75,8 @@ contains
       type(error_t), allocatable, intent(inout) :: error
       if (allocated(error) .or. overwrites) return
       if (file_kind(path) == kind_none) return
-      if (.not. is_own_result(path)) call raise(error, 'cannot write '//path//': it exists and is no result of ehlwave; '// &
-         'move it away, give another name, or --overwrite')
+      if (.not. is_own_result(path)) call raise(error, 'cannot write '//path//': it exists and is no result of ehlwave, or '// &
+         'a damaged one; move it away or give another name (--overwrite replaces it and, of a sweep, drops the store, too)')
    end subroutine refuse_foreign
 
    subroutine refuse_unwritable(path, error)
