@@ -10,7 +10,9 @@ module ehlwave_sweep_leader
    use ehlwave_errors, only: error_t, raise
    use ehlwave_kinds, only: dp
    use ehlwave_output_path, only: check_output_path
+   use ehlwave_own_result, only: is_own_result
    use ehlwave_paths, only: is_within
+   use ehlwave_posix, only: reason_text, remove_file
    use ehlwave_provenance, only: program_version
    use ehlwave_results_writer, only: results_writer_t
    use ehlwave_scheduler, only: leader_t
@@ -87,6 +89,7 @@ contains
          sweep%output//' exists but not its store '//folder//': move it away, name another with --output, or give --overwrite')
       store%defaults = sweep%defaults
       call prepare_store(folder, store, warning, error)
+      if (options%overwrite) call drop_foreign_results(sweep%output, error)
       call read_store(folder, input_identity, contents, error)
       if (.not. allocated(error)) call read_text(sweep_path, self%writer%sweep_text, error)
       if (allocated(error)) return
@@ -150,6 +153,17 @@ contains
             ', which --overwrite would drop: move it')
       end do
    end subroutine refuse_dropped_inputs
+
+   !> Remove what overwriting was asked for and is no result: a run that goes on without being asked would refuse it.
+   subroutine drop_foreign_results(path, error)
+      character(len=*), intent(in) :: path       !! a regular file, or nothing
+      type(error_t), allocatable, intent(inout) :: error
+      integer :: status
+      if (allocated(error)) return
+      if (is_own_result(path)) return
+      call remove_file(path, status)
+      if (status /= 0) call raise(error, 'cannot remove '//path//': '//reason_text(status))
+   end subroutine drop_foreign_results
 
    !> The list of all cases, for `--status`.
    subroutine list_cases(sweep, folder, store, error)

@@ -10,7 +10,7 @@ from pathlib import Path
 from drawn_names import Scene, snapshot
 from ehlwave_program import IS_LONG, namelist, run
 
-REFUSED = 2
+REFUSED, UNFINISHED = 2, 85
 GRID = {"cells_x": 16, "cells_y": 16}
 CONTACT = {"load_parameter_m": 20, "lubricant_parameter_l": 5, "radius_ratio_d": 1}
 ROWS = "load_parameter_m,lubricant_parameter_l,radius_ratio_d\n20,5,1\n"
@@ -110,6 +110,10 @@ class Destruction(unittest.TestCase):
             self.refuse(["ends in .h5"], "case", "in.nml", "--quiet", "--output", name)
             self.refuse(["ends in .h5"], "sweep", "sweep.nml", "--output", name)
         self.assertEqual(run("case", "in.nml", "--quiet", "--output", "thesis.h5", "--overwrite", folder=self.folder).returncode, 0)
+        (self.folder/"mine.h5").write_text("chapter 1")
+        words = ["sweep", "sweep.nml", "--output", "mine.h5", "--overwrite"]
+        self.assertEqual(run(*words, "--time-limit", "1e-6", folder=self.folder).returncode, UNFINISHED)
+        self.assertEqual(run(*words[:-1], folder=self.folder).returncode, 0)
         self.assertEqual(run("case", "in.nml", "--quiet", "--output", "out.h5", folder=self.folder).returncode, 0)
 
     def test_results_in_a_store(self):
