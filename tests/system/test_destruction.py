@@ -112,7 +112,7 @@ class Destruction(unittest.TestCase):
         self.assertEqual(run("case", "in.nml", "--quiet", "--output", "thesis.h5", "--overwrite", folder=self.folder).returncode, 0)
         (self.folder/"mine.h5").write_text("chapter 1")
         words = ["sweep", "sweep.nml", "--output", "mine.h5", "--overwrite"]
-        self.assertEqual(run(*words, "--time-limit", "1e-6", folder=self.folder).returncode, UNFINISHED)
+        self.assertEqual(run(*words, "--time-limit", "0.001", folder=self.folder).returncode, UNFINISHED)
         self.assertEqual(run(*words[:-1], folder=self.folder).returncode, 0)
         self.assertEqual(run("case", "in.nml", "--quiet", "--output", "out.h5", folder=self.folder).returncode, 0)
 
