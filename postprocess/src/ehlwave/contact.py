@@ -11,9 +11,13 @@ from matplotlib.layout_engine import ConstrainedLayoutEngine
 
 from ehlwave.errors import ResultsError
 from ehlwave.figures import COLOURS
+from ehlwave.hdf5 import read_dataset
 
 FORMAT_NAME = "ehlwave-case"
 FIELDS = ("pressure", "film")
+NEEDED = {"x": ("x",), "y": ("y",), "central_film": ()} | dict.fromkeys(FIELDS, ("y", "x"))
+"""What pictures are drawn from, with its dimensions."""
+
 FILM_SHOWN = 2.0
 """Thickest film that is shown, over that of the smooth contact's centre: the inlet is far above."""
 
@@ -37,16 +41,63 @@ def read_contact(path: str | Path) -> xr.Dataset:
     ResultsError
         If it cannot be read, is not the file of a case, or has no fields.
     """
-    try:
-        with xr.open_dataset(path, engine="h5netcdf", decode_times=False) as opened:
-            contact = opened.load()
-    except (OSError, ValueError, KeyError) as error:
-        raise ResultsError(f"{path}: cannot be read as HDF5 ({error})") from error
+    contact = read_dataset(path)
     if contact.attrs.get("format") != FORMAT_NAME:
         raise ResultsError(f"{path}: not a file of ehlwave-case --output")
-    if any(name not in contact for name in FIELDS):
+    if all(name not in contact for name in FIELDS):
         raise ResultsError(f"{path}: no pressure and film (status {contact.attrs.get('status')})")
-    return whole_domain(contact)
+    contact.encoding["source"] = str(path)
+    _check_fields(contact)
+    whole = whole_domain(contact)
+    whole.encoding["source"] = str(path)
+    return whole
+
+
+def _check_fields(contact: xr.Dataset) -> None:
+    """Refuse fields that nothing can be drawn from."""
+    for name, dims in NEEDED.items():
+        check_field(contact, name, dims)
+    if positive(number(contact, "central_film"), "central_film", contact) and contact["x"].size < 2:
+        raise ResultsError(f"{_place(contact)}: has one point along x: nothing to draw")
+    for name in ("x", "y"):
+        if (np.diff(contact[name].values) <= 0).any():
+            raise ResultsError(f"{_place(contact)}: dataset {name} does not increase")
+    for name in FIELDS:
+        if not (contact[name].values > 0).any():
+            raise ResultsError(f"{_place(contact)}: {name} is nowhere above 0: nothing to draw")
+
+
+def check_field(case: xr.Dataset, name: str, dims: tuple[str, ...]) -> None:
+    """Raise ResultsError unless a dataset is there and holds finite numbers over its dimensions."""
+    if name not in case:
+        raise ResultsError(f"{_place(case)}: dataset {name} is missing: the file is damaged")
+    values = case[name]
+    if values.dims != dims or values.dtype.kind not in "fiu" or values.size == 0:
+        over = f"numbers over ({', '.join(dims)})" if dims else "a number"
+        raise ResultsError(f"{_place(case)}: dataset {name} does not hold {over}")
+    if not np.isfinite(values.values).all():
+        raise ResultsError(f"{_place(case)}: dataset {name} has missing or infinite values")
+
+
+def number(case: xr.Dataset, name: str) -> float:
+    """Return a number of a case; ResultsError if it is not there, or not finite."""
+    check_field(case, name, ())
+    return float(case[name])
+
+
+def positive(value: str | float, name: str, case: xr.Dataset) -> float:
+    """Return a number above 0; ResultsError if it is none."""
+    try:
+        found = float(value)
+    except ValueError:
+        found = np.nan
+    if not (np.isfinite(found) and found > 0):
+        raise ResultsError(f"{_place(case)}: {name} = {value} must be a number above 0")
+    return found
+
+
+def _place(case: xr.Dataset) -> str:
+    return str(case.encoding.get("source", "case"))
 
 
 def whole_domain(contact: xr.Dataset) -> xr.Dataset:

@@ -8,6 +8,7 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from ehlwave.deform.conditions import ellipticity
+from ehlwave.writing import Writer
 
 
 def harmonic_table(points: xr.Dataset) -> pd.DataFrame:
@@ -66,8 +67,8 @@ def _mean_rise(points: xr.Dataset) -> NDArray[np.float64]:
     return np.where(is_product.values, np.nan, rise)
 
 
-def write_harmonic_table(path: Path, points: xr.Dataset) -> int:
+def write_harmonic_table(path: Path, points: xr.Dataset, writer: Writer | None = None) -> int:
     """Write :func:`harmonic_table` as CSV; return the number of waves."""
     table = harmonic_table(points)
-    table.to_csv(path, index=False, float_format="%.10g")
+    (writer or Writer()).table(path, table, float_format="%.10g")
     return len(table)

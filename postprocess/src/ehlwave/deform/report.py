@@ -13,6 +13,7 @@ import xarray as xr
 
 from ehlwave.deform.predict import Deformed
 from ehlwave.deform.spectrum import Component
+from ehlwave.writing import Writer
 
 FORMAT_NAME = "ehlwave-deformed"
 UM = 1e6
@@ -141,24 +142,24 @@ def to_dataset(result: Deformed) -> xr.Dataset:
     return xr.Dataset(variables, coords=coordinates, attrs=attributes)
 
 
-def write_results(result: Deformed, directory: Path) -> list[Path]:
+def write_results(result: Deformed, directory: Path, writer: Writer | None = None) -> list[Path]:
     """Write ``deformed.h5``, ``spectrum.csv``, ``deformed.json``, for a trace ``deformed.csv`` too.
 
     Returns the paths.
     """
-    directory.mkdir(parents=True, exist_ok=True)
-    names = ["deformed.h5", "spectrum.csv", "deformed.json"]
-    paths = [directory / name for name in names]
-    to_dataset(result).to_netcdf(paths[0], engine="h5netcdf")
-    _write_spectrum(result, paths[1])
-    paths[2].write_text(report_json(result) + "\n", encoding="utf-8")
+    chosen = writer or Writer()
+    paths = [
+        chosen.dataset(directory / "deformed.h5", to_dataset(result)),
+        chosen.table(directory / "spectrum.csv", _spectrum_table(result), **CSV_FORMAT),
+        chosen.text(directory / "deformed.json", report_json(result) + "\n"),
+    ]
     if result.surface.is_trace:
-        paths.append(directory / "deformed.csv")
-        _write_trace(result, paths[-1])
+        table = _trace_table(result)
+        paths.append(chosen.table(directory / "deformed.csv", table, **CSV_FORMAT))
     return paths
 
 
-def _write_trace(result: Deformed, path: Path) -> None:
+def _trace_table(result: Deformed) -> pd.DataFrame:
     step = max(result.surface.step_x_m, result.surface.step_y_m)
     before, after = result.surface.height.ravel(), result.height.ravel()
     film = result.statistics.mean_film_m
@@ -172,10 +173,10 @@ def _write_trace(result: Deformed, path: Path) -> None:
     if film is not None:
         film_um = (film - after) * UM
         table["film_um"] = np.where(film_um > 0, film_um, np.nan)  # nothing where they touch
-    table.to_csv(path, **CSV_FORMAT)
+    return table
 
 
-def _write_spectrum(result: Deformed, path: Path) -> None:
+def _spectrum_table(result: Deformed) -> pd.DataFrame:
     parts = []
     for name, spectrum in result.spectra.items():
         if spectrum.waves.size == 1:
@@ -188,7 +189,7 @@ def _write_spectrum(result: Deformed, path: Path) -> None:
                 "mean_square_after_um2": spectrum.after * UM**2,
             }
         parts.append(pd.DataFrame(columns))
-    pd.concat(parts).to_csv(path, **CSV_FORMAT)
+    return pd.concat(parts)
 
 
 def _size_text(result: Deformed) -> str:

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from ehlwave.deform.decimals import Decimal, settled, unquoted
 from ehlwave.deform.units import METRES, unit_in_heading
 from ehlwave.errors import SurfaceError
 
@@ -45,6 +46,8 @@ class TextTable:
         Of each column, where the file says so.
     names : list of str
         Headings, or none.
+    has_decimal_commas : bool
+        Whether commas were taken as decimal ones.
     step, length_unit, height_unit
         From lines such as ``Spacing: 0.5 um`` and ``Z-Unit: nm``; None if there are none.
     extent : dict
@@ -54,19 +57,21 @@ class TextTable:
     numbers: np.ndarray
     units: list[str | None]
     names: list[str]
+    has_decimal_commas: bool = False
     step: float | None = None
     length_unit: str | None = None
     height_unit: str | None = None
     extent: dict[str, tuple[float, str]] = field(default_factory=dict)
 
 
-def read_text_table(file: Path) -> TextTable:
+def read_text_table(file: Path, decimal: Decimal | None = None) -> TextTable:
     """Return a table of numbers, and the units and steps that the file states.
 
     Lines that begin with ``#`` and empty lines are skipped. Numbers begin with the first of three
     lines that have as many of them; above them may stand anything, the last lines of it headings,
     from which units are taken (``x [um]``, ``height (nm)``, ``x/mm``, ``x_m``), or a row of units.
-    Numbers may have decimal commas.
+    Numbers may have decimal commas; what commas mean is found by :mod:`ehlwave.deform.decimals`,
+    or said by `decimal`.
 
     Raises
     ------
@@ -88,22 +93,22 @@ def read_text_table(file: Path) -> TextTable:
             f"{file}: holds no numbers; write positions and heights as two columns with headings "
             "such as x_um;z_um"
         )
+    content = unquoted(content)
     start, separator = _first_numbers(content)
     above, body = content[:start], content[start:]
     while len(body) > 1 and not any(_is_number(cell) for cell in body[-1].split(separator)):
         body.pop()  # what stands below
     if not body or (start == 0 and not any(_is_number(cell) for cell in body[0].split(separator))):
         raise SurfaceError(f"{file}: has headings but no numbers")
-    text = "\n".join(body)
-    if "," in text and separator != "," and "." not in text:
-        text = text.replace(",", ".")  # decimal commas
-    numbers = _numbers(file, text, separator)
+    headings = len(above[-1].split(",")) if above else 0
+    body, separator, has_decimal_commas = settled(file, body, separator, headings, decimal)
+    numbers = _numbers(file, "\n".join(body), separator)
     ends_rows = numbers.shape[1] > 1 and np.isnan(numbers[:, -1]).all()
     if ends_rows:
         numbers = numbers[:, :-1]  # separators end the rows
     names, units = _headings(file, above, separator, numbers.shape[1])
     said = "\n".join([*above, *(line for line in lines if line.lstrip().startswith("#"))])
-    return TextTable(numbers, units, names, **_stated(said))
+    return TextTable(numbers, units, names, has_decimal_commas, **_stated(said))
 
 
 def _first_numbers(lines: list[str]) -> tuple[int, str | None]:

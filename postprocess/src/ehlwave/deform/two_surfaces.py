@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from ehlwave.deform.predict import Deformed
 from ehlwave.errors import SurfaceError
+from ehlwave.writing import Writer
 
 Floats = NDArray[np.float64]
 
@@ -61,11 +62,11 @@ class FilmOfTwo:
             "rolled_m": float(self.rolled_m[-1]),
         }
 
-    def write(self, path: Path) -> Path:
+    def write(self, path: Path, writer: Writer | None = None) -> Path:
         """Write it as CSV, um."""
         table = pd.DataFrame({"rolled_um": self.rolled_m * UM, "film_um": self.film_m * UM})
-        table.to_csv(path, index=False, float_format="%.9g", lineterminator="\r\n")
-        return path
+        options = {"float_format": "%.9g", "lineterminator": "\r\n"}
+        return (writer or Writer()).table(path, table, **options)
 
 
 def film_of_two(first: Deformed, second: Deformed) -> FilmOfTwo:
