@@ -180,10 +180,8 @@ def undeformed_history(case: xr.Dataset) -> Floats | None:
     central, slip = number(case, "central_film"), number(case, "slip_parameter")
     place = -number(case, "domain_x_min") - slip * case["time"].values
     front = 10.0 ** (-10 * np.minimum(np.maximum(place / wave, 0) ** 2, 30))
-    return central * (
-        1
-        + positive(given[1], "amplitude_over_film", case) * front * np.cos(2 * np.pi * place / wave)
-    )
+    amplitude = positive(given[1], "amplitude_over_film", case)
+    return central * (1 + amplitude * front * np.cos(2 * np.pi * place / wave))
 
 
 def _summary(case: xr.Dataset, units: Units) -> str:

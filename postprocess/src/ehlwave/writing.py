@@ -1,8 +1,8 @@
 """The one place of this package that writes files: what is not a result of ours is never lost.
 
 A file is written under a temporary name in its own folder and renamed when it is whole. Results are
-known by the list ``.ehlwave-results`` in their folder, which has the SHA-256 digest of each: the same
-command may replace them. Everything else is left as it is: files of others, results that were
+known by the list ``.ehlwave-results`` in their folder, which has the SHA-256 digest of each: a
+command may replace them again. Everything else is left as it is: files of others, results that were
 changed since, links, folders, and what the command reads, by whatever name.
 """
 
@@ -161,21 +161,15 @@ def _remember(path: Path, digest: str) -> None:
     place = path.parent / LIST_NAME
     if os.path.lexists(place) and not _is_list(place):
         return
-    listed = {name: known for name, known in _listed(path.parent).items() if _is_there(path, name)}
-    document = {
-        "format": LIST_FORMAT,
-        "files": dict(sorted((listed | {path.name: digest}).items())),
-    }
+    listed = _listed(path.parent) | {path.name: digest}
+    there = {name: listed[name] for name in sorted(listed) if os.path.lexists(path.parent / name)}
+    document = {"format": LIST_FORMAT, "files": there}
     descriptor, name = tempfile.mkstemp(".part", ".ehlwave-", path.parent)
     with os.fdopen(descriptor, "w", encoding="utf-8") as file:
         file.write(json.dumps(document, indent=1) + "\n")
     part = Path(name)
     part.chmod(0o666 & ~_file_mask())
     part.replace(place)
-
-
-def _is_there(path: Path, name: str) -> bool:
-    return os.path.lexists(path.parent / name)
 
 
 def _listed(folder: Path) -> dict[str, str]:

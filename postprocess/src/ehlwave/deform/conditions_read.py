@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import f90nml
 
@@ -12,6 +12,9 @@ from ehlwave.errors import SurfaceError
 
 KNOWN_LAWS = {"viscosity_law": "roelands", "density_law": "dowson_higginson"}
 """What :class:`ehlwave.medium.Oil` has; files may ask for others."""
+
+LAW_PREFIXES = ("mcewen_", "yasutomi_", "doolittle_", "tait_")
+"""Of the parameters of other laws."""
 
 
 FLOW_LAWS = {"newtonian": "Newtonian", "eyring": "Ree-Eyring", "carreau": "Carreau"}
@@ -35,13 +38,15 @@ def read_conditions(words: Sequence[str]) -> Conditions:
     keys: dict[str, Any] = {}
     others: list[str] = []
     law: str | None = None
+    parameters: dict[str, float] = {}
     for word in words:
         name, separator, value = word.partition("=")
         if separator and not Path(word).exists():
             keys[name.strip()] = value.strip()
         else:
-            found, others, law = _from_file(Path(word))
-            keys |= found
+            file = _from_file(Path(word))
+            keys |= file.keys
+            others, parameters, law = file.other_laws, file.parameters, file.flow_law
     place = f"conditions {' '.join(words)}"
     conditions = conditions_from_keys(keys, place=place)
     if law is not None and FLOW_LAWS.get(law) != conditions.oil.name:
@@ -50,11 +55,20 @@ def read_conditions(words: Sequence[str]) -> Conditions:
             "give the stress of the law that is meant (eyring_stress_pa, or carreau_modulus_pa and "
             "carreau_exponent), or change flow_law"
         )
-    return replace(conditions, oil=replace(conditions.oil, other_laws=tuple(others)))
+    oil = replace(conditions.oil, other_laws=tuple(others), other_keys=tuple(parameters.items()))
+    return replace(conditions, oil=oil)
 
 
-def _from_file(path: Path) -> tuple[dict[str, Any], list[str], str | None]:
-    """Return the keys of a file, its laws of the oil that have no place in them, its flow law."""
+class _FileKeys(NamedTuple):
+    """What a file says: known keys, laws of the oil without a place in them, their numbers."""
+
+    keys: dict[str, Any]
+    other_laws: list[str]
+    parameters: dict[str, float]
+    flow_law: str | None
+
+
+def _from_file(path: Path) -> _FileKeys:
     if not path.is_file():
         raise SurfaceError(
             f"conditions {path}: no such file; give an input file of ehlwave-case or KEY=VALUE"
@@ -73,6 +87,11 @@ def _from_file(path: Path) -> tuple[dict[str, Any], list[str], str | None]:
         for key, known in KNOWN_LAWS.items()
         if str(lubricant.get(key, known)).lower() != known
     ]
+    parameters = {
+        key: float(value)
+        for key, value in lubricant.items()
+        if key.startswith(LAW_PREFIXES) and isinstance(value, (int, float))
+    }
+    known = {key: lubricant[key] for key in OIL_KEYS if key in lubricant}
     law = lubricant.get("flow_law")
-    oil = {key: lubricant[key] for key in OIL_KEYS if key in lubricant}
-    return keys | oil, others, None if law is None else str(law).lower()
+    return _FileKeys(keys | known, others, parameters, None if law is None else str(law).lower())

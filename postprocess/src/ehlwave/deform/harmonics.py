@@ -8,6 +8,8 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from ehlwave.deform.conditions import ellipticity
+from ehlwave.deform.table_keys import carried_columns
+from ehlwave.deform.table_read import table_rows
 from ehlwave.writing import Writer
 
 
@@ -38,10 +40,13 @@ def harmonic_table(points: xr.Dataset) -> pd.DataFrame:
         "lambda_x_over_a": points["wavelength_x_over_a"].values,
         "lambda_y_over_b": points["wavelength_y_over_a"].values * kappa,
     }
-    columns = keys | {"transfer_real": transfer.real, "transfer_imag": transfer.imag}
+    carried = carried_columns(points)
+    columns = keys | carried | {"transfer_real": transfer.real, "transfer_imag": transfer.imag}
     if "mean_film_rise" in points:
         columns["mean_rise"] = _mean_rise(points)
-    return pd.DataFrame(columns).sort_values(list(keys), ignore_index=True)
+    table = pd.DataFrame(columns).sort_values(list(keys), ignore_index=True)
+    table_rows(table, "results")  # refuses what deform --table would
+    return table
 
 
 def _transfer(points: xr.Dataset) -> NDArray[np.complex128]:
