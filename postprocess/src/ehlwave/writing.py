@@ -125,7 +125,10 @@ class Writer:
 
     def text(self, path: str | Path, text: str) -> Path:
         """Write text as it is, in UTF-8; what has no place there by its number."""
-        data = text.encode("utf-8", "backslashreplace")
+        return self.data(path, text.encode("utf-8", "backslashreplace"))
+
+    def data(self, path: str | Path, data: bytes) -> Path:
+        """Write bytes."""
         return self.file(path, lambda part: part.write_bytes(data))
 
     def table(self, path: str | Path, table: pd.DataFrame, **options: Any) -> Path:  # noqa: ANN401
