@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 from numpy.typing import NDArray
 
-from ehlwave.contact import check_field, number, positive
+from ehlwave.contact import central_film, check_field, number, positive
 from ehlwave.figures import COLOURS
 
 Floats = NDArray[np.float64]
@@ -80,7 +80,7 @@ def case_figure(case: xr.Dataset) -> Figure:
             figure = Figure(figsize=(10.6, 5.6), layout=ConstrainedLayoutEngine(w_pad=0.15))
             panels = figure.subplots(2, 3)
             (film_map, pressure_map, history), (lengthwise, crosswise, spare) = panels
-            central = number(case, "central_film")
+            central = central_film(case)
             _draw_map(film_map, case["film"].clip(max=FILM_SHOWN * central), units, units.film)
             film_map.set_title(f"film, {units.names[2]}")
             _draw_map(pressure_map, case["pressure"], units, units.pressure, "magma")
@@ -120,7 +120,7 @@ def _frame(axes: Axes, field: xr.DataArray, units: Units) -> None:
 
 def _draw_contours(axes: Axes, case: xr.Dataset, units: Units) -> None:
     """Draw films by lines of equal thickness, as an interferogram shows them."""
-    central = number(case, "central_film")
+    central = central_film(case)
     film = case["film"] / central
     x, y = case["x"] * units.x, case["y"] * units.y
     lines = axes.contour(x, y, film, np.arange(0.2, 2.01, 0.2), cmap="viridis", linewidths=0.8)
@@ -136,7 +136,7 @@ def _draw_midplane(axes: Axes, case: xr.Dataset, units: Units, along: str) -> No
     place = line[along].values * scale
     axes.plot(place, line["film"].values * units.film, color=COLOURS[0])
     axes.set(xlabel=units.names[0 if along == "x" else 1])
-    axes.set_ylim(0, FILM_SHOWN * number(case, "central_film") * units.film)
+    axes.set_ylim(0, FILM_SHOWN * central_film(case) * units.film)
     axes.set_xlim(*(scale * np.clip([line[along].min(), line[along].max()], -REACH, REACH)))
     axes.set_ylabel(units.names[2], color=COLOURS[0])
     right = axes.twinx()
@@ -150,7 +150,7 @@ def _draw_history(axes: Axes, case: xr.Dataset, units: Units) -> None:
     film = case["film_at_centre"].values * units.film
     scale = 1 if units.time is None else units.time
     axes.plot(case["time"].values * scale, film, color=COLOURS[0], label="in the contact")
-    central = number(case, "central_film") * units.film
+    central = central_film(case) * units.film
     undeformed = undeformed_history(case)
     low, high = film.min(), film.max()
     if undeformed is not None:
@@ -177,7 +177,7 @@ def undeformed_history(case: xr.Dataset) -> Floats | None:
     wave = number(case, "wavelength_x_over_a") if "wavelength_x_over_a" in case else 0.0
     if given is None or not wave > 0 or case.attrs.get("orientation") == "none":
         return None
-    central, slip = number(case, "central_film"), number(case, "slip_parameter")
+    central, slip = central_film(case), number(case, "slip_parameter")
     place = -number(case, "domain_x_min") - slip * case["time"].values
     front = 10.0 ** (-10 * np.minimum(np.maximum(place / wave, 0) ** 2, 30))
     amplitude = positive(given[1], "amplitude_over_film", case)

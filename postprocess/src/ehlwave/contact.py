@@ -15,7 +15,7 @@ from ehlwave.hdf5 import read_dataset
 
 FORMAT_NAME = "ehlwave-case"
 FIELDS = ("pressure", "film")
-NEEDED = {"x": ("x",), "y": ("y",), "central_film": ()} | dict.fromkeys(FIELDS, ("y", "x"))
+NEEDED = {"x": ("x",), "y": ("y",)} | dict.fromkeys(FIELDS, ("y", "x"))
 """What pictures are drawn from, with its dimensions."""
 
 FILM_SHOWN = 2.0
@@ -57,14 +57,25 @@ def _check_fields(contact: xr.Dataset) -> None:
     """Refuse fields that nothing can be drawn from."""
     for name, dims in NEEDED.items():
         check_field(contact, name, dims)
-    if positive(number(contact, "central_film"), "central_film", contact) and contact["x"].size < 2:
-        raise ResultsError(f"{_place(contact)}: has one point along x: nothing to draw")
     for name in ("x", "y"):
         if (np.diff(contact[name].values) <= 0).any():
             raise ResultsError(f"{_place(contact)}: dataset {name} does not increase")
+
+
+def central_film(case: xr.Dataset) -> float:
+    """Return H of the centre, which pictures are scaled by.
+
+    Raises
+    ------
+    ResultsError
+        If it is not there or not above 0, or if there is nothing that could be drawn.
+    """
+    if case["x"].size < 2:
+        raise ResultsError(f"{_place(case)}: has one point along x: nothing to draw")
     for name in FIELDS:
-        if not (contact[name].values > 0).any():
-            raise ResultsError(f"{_place(contact)}: {name} is nowhere above 0: nothing to draw")
+        if not (case[name].values > 0).any():
+            raise ResultsError(f"{_place(case)}: {name} is nowhere above 0: nothing to draw")
+    return positive(number(case, "central_film"), "central_film", case)
 
 
 def check_field(case: xr.Dataset, name: str, dims: tuple[str, ...]) -> None:
@@ -115,7 +126,7 @@ def contact_figure(contact: xr.Dataset) -> Figure:
     A line contact has the latter alone. Film is over the central film of the smooth contact.
     """
     is_line = contact["y"].size == 1
-    film = (contact["film"] / contact["central_film"]).clip(max=FILM_SHOWN)
+    film = (contact["film"] / central_film(contact)).clip(max=FILM_SHOWN)
     with rc_context(_STYLE):
         width, panels = (4.4, 1) if is_line else (9.4, 3)
         figure = Figure(figsize=(width, 2.8), layout=ConstrainedLayoutEngine(w_pad=0.12))
