@@ -34,15 +34,17 @@ def report_text(result: Deformed, others: Sequence[Deformed] = ()) -> str:
         + ("line contact" if c.is_line else f"b = {c.semi_axis_b_m * 1e3:.5g} mm"),
         f"Reduced by   {result.transfer_name}",
         f"Roughness    Rq {s.rq_before_m * UM:.4g} um before, {s.rq_after_m * UM:.4g} um after "
-        f"(ratio {_ratio(s.rq_after_m, s.rq_before_m):.4g}); from lowest to highest "
+        f"({_ratio_text(s.rq_after_m, s.rq_before_m)}); from lowest to highest "
         f"{s.rz_before_m * UM:.4g} and {s.rz_after_m * UM:.4g} um",
     ]
     for name, after in result.parameters["after"].items():
         if name[1:] in ("a", "z", "sk", "ku"):
             before, unit = result.parameters["before"][name], 1 if name[1:] in ("sk", "ku") else UM
+            if not math.isfinite(before):
+                continue  # of a smooth surface it is not defined
             lines[-1] += f"; {name} {before * unit:.4g}, {after * unit:.4g}"
     if result.error_m is not None:
-        share = _ratio(result.error_m, s.rq_before_m)
+        share = result.error_m / s.rq_before_m if s.rq_before_m > 0 else 0.0
         lines.append(
             f"Error        {result.error_m * UM:.2g} um rms of the deformed heights, "
             f"{100 * share:.2g} % of Rq before: by the error bars of the responses"
@@ -213,8 +215,8 @@ def _length(value: float) -> str:
     return f"{value * UM:.4g} um" if math.isfinite(value) else "infinite"
 
 
-def _ratio(part: float, whole: float) -> float:
-    return part / whole if whole > 0 else math.nan
+def _ratio_text(part: float, whole: float) -> str:
+    return f"ratio {part / whole:.4g}" if whole > 0 else "smooth"
 
 
 def _plain(value: Any) -> Any:  # noqa: ANN401

@@ -113,6 +113,10 @@ def _check_numbers(raw: pd.DataFrame, needed: list[str], place: str) -> None:
     for column in ("slip_parameter", "mean_rise"):
         if column in raw and raw[column].dtype.kind not in "fiu":
             raise SurfaceError(f"{place}: column {column} does not hold numbers")
+    slip = raw.get("slip_parameter", pd.Series(1.0)).to_numpy(float)
+    if not ((slip >= 0) & (slip <= 2)).all():
+        wrong_slip = slip[~((slip >= 0) & (slip <= 2))][0]
+        raise SurfaceError(f"{place}: slip_parameter = {wrong_slip:g} must lie in 0 to 2")
     least = {name: 0.0 for name in needed if name.startswith("lambda_") or name == "r"}
     above = {"M": np.inf, "L": np.inf, "D": 1.0}
     for column, most in above.items():

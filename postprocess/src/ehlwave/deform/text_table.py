@@ -15,7 +15,11 @@ from ehlwave.errors import SurfaceError
 _SEPARATORS = (";", "\t", ",", None)
 
 
-_NUMBER = re.compile(r"[-+]?(\d+([.,]\d*)?|[.,]\d+)([eE][-+]?\d+)?$|nan$", re.IGNORECASE)
+_NUMBER = re.compile(
+    r"[-+]?(\d+([.,]\d*)?|[.,]\d+)([eE][-+]?\d+)?$|nan$"
+    r"|[-+]?\d{1,3}(,\d{3})+(\.\d*)?$|[-+]?\d{1,3}(\.\d{3})+(,\d*)?$",  # marks of thousands
+    re.IGNORECASE,
+)
 _DECIMAL_COMMA = re.compile(r"[-+]?\d*,\d+([eE][-+]?\d+)?$|[-+]?\d+$")
 _POSITION = re.compile(r"(x|pos|length|distance|traverse|lateral|path|weg)", re.IGNORECASE)
 _HEIGHT = re.compile(r"(z|height|profil|amplitude|level|h(oe|\u00f6)he|roughness)", re.IGNORECASE)
