@@ -157,9 +157,9 @@ def test_tables_with_impossible_numbers_are_refused(
     rows[column] = rows[column].astype(object)
     rows.loc[1, column] = value
     rows.to_csv(tmp_path / "t.csv", index=False)
-    try:
-        found = read_table(tmp_path / "t.csv")
-    except SurfaceError as error:
-        assert column in str(error)
-    else:
-        assert value == 7.0 or len(found) == 2
+    is_possible = value == 7.0 and column in ("M", "L", "lambda_over_a")
+    if is_possible or (column == "lambda_over_a" and value not in ("x", -1.0)):
+        assert len(read_table(tmp_path / "t.csv")) == 3 - (not is_possible)
+        return
+    with pytest.raises(SurfaceError, match=column):
+        read_table(tmp_path / "t.csv")

@@ -121,7 +121,7 @@ def _check_numbers(raw: pd.DataFrame, needed: list[str], place: str) -> None:
     above = {"M": np.inf, "L": np.inf, "D": 1.0}
     for column, most in above.items():
         values = raw[column].to_numpy(float)
-        wrong = ~((values > 0) & (values <= most))
+        wrong = ~((values > 0) & (values <= most) & np.isfinite(values))
         wrong |= (values < SMALLEST_RADIUS_RATIO) & (column == "D")
         if wrong.any():
             raise SurfaceError(

@@ -91,13 +91,13 @@ def read_text_table(file: Path, decimal: Decimal | None = None) -> TextTable:
     content = [line for line in lines if line.strip() and not line.lstrip().startswith("#")]
     if not content:
         raise SurfaceError(f"{file}: is empty")
+    content = unquoted(content)
     cells = (cell for line in content for cell in re.split(r"[;,\t ]+", line.strip()))
     if not any(map(_NUMBER.match, cells)):
         raise SurfaceError(
             f"{file}: holds no numbers; write positions and heights as two columns with headings "
             "such as x_um;z_um"
         )
-    content = unquoted(content)
     start, separator = _first_numbers(content)
     above, body = content[:start], content[start:]
     while len(body) > 1 and not any(_is_number(cell) for cell in body[-1].split(separator)):
