@@ -17,7 +17,7 @@ from ehlwave.refit import RefitRow
 from ehlwave.writing import LIST_NAME, OutputError, Writer
 
 Capture = pytest.CaptureFixture[str]
-DEFAULT = "2000" if os.environ.get("EHLWAVE_LONG_TESTS") else "200"
+DEFAULT = "2000" if os.environ.get("EHLWAVE_LONG_TESTS") else "100"
 DRAWS = int(os.environ.get("EHLWAVE_DRAWS", DEFAULT))
 """Folders, in each of which two commands run, and once more where they succeed."""
 
@@ -93,7 +93,7 @@ def test_nothing_that_is_no_result_of_ours_ever_changes(
                 is_ours = ours.get(path) == before[path]
                 may = "--overwrite" in command and path not in inputs
                 assert is_ours or (may and before[path][0] == "file"), (command, path)
-            if status == 0:
+            if status == 0 and not drawn.has_lists_of_others():
                 # The same again is no matter: everything is ours now.
                 again = [word for word in command if word != "--overwrite"]
                 assert main(again) == 0, " ".join(again) + capsys.readouterr().err
