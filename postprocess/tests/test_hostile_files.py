@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 import xarray as xr
 from contact import EXPERIMENT
+from matplotlib.figure import Figure
 from synthetic import make_columns, write_results
 
 from ehlwave.cli import main
@@ -104,8 +105,20 @@ def mutate(path: Path, random: Random) -> None:
             file.create_group(name)
 
 
+@pytest.fixture
+def coarse_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Draw all of every figure, with few dots."""
+    draw = Figure.savefig
+
+    def coarse(figure: Figure, part: Path, **_: object) -> None:
+        draw(figure, part, format="png", dpi=20)
+
+    monkeypatch.setattr(Figure, "savefig", coarse)
+
+
 @pytest.mark.parametrize("kind", ["results", "case", "surface"])
 @pytest.mark.filterwarnings("ignore::RuntimeWarning")
+@pytest.mark.usefixtures("coarse_pictures")
 def test_mutations_of_results_have_an_answer_or_a_reason(
     tmp_path: Path, capsys: Capture, kind: str
 ) -> None:
