@@ -3,8 +3,11 @@
 A file is written under a temporary name in its own folder and renamed when it is whole. Results are
 known by the list ``.ehlwave-results`` in their folder, which has the SHA-256 digest of each: a
 command may replace them again. Everything else is left as it is: files of others, results that were
-changed since, links, folders, and what the command reads, by whatever name.
+changed since, links, folders, and what the command reads, by whatever name. Needs the standard
+library alone.
 """
+
+from __future__ import annotations
 
 import hashlib
 import json
@@ -13,13 +16,14 @@ import stat
 import tempfile
 from collections.abc import Callable, Iterable
 from pathlib import Path
-from typing import Any
-
-import pandas as pd
-import xarray as xr
-from matplotlib.figure import Figure
+from typing import TYPE_CHECKING, Any
 
 from ehlwave.errors import OutputError
+
+if TYPE_CHECKING:
+    import pandas as pd
+    import xarray as xr
+    from matplotlib.figure import Figure
 
 LIST_NAME = ".ehlwave-results"
 LIST_FORMAT = "ehlwave-list-of-results"
