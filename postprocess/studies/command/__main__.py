@@ -16,7 +16,7 @@ An interrupted study goes on with the same command. EHLWAVE_CASE and EHLWAVE_SWE
 programs than those that are built.
 """
 _STATUS = "Options of a study: scripts/study NAME --help. Exit status: as said there; 2 bad usage."
-_SHAPE = partial(argparse.RawDescriptionHelpFormatter, max_help_position=20, width=100)
+_SHAPE = partial(argparse.RawDescriptionHelpFormatter, max_help_position=22, width=100)
 
 
 def parser() -> argparse.ArgumentParser:

@@ -21,7 +21,7 @@ BATCHES = {"rolling": 24, "sliding": 80, "line": 20}
     at_once(),
 )
 def atlas(options: argparse.Namespace) -> int:
-    """Compute anew, or judge, the atlas of responses that the package ehlwave answers from.
+    """Compute anew, or judge, the atlas that the package ehlwave answers from.
 
     Computes smooth contacts and nine small waves in each, batch by batch of 32 contacts: 24 batches
     fill the ranges of M, L, D and the oil, of which four are slender contacts under low loads;
