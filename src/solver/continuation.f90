@@ -85,7 +85,6 @@ contains
       type(conditions_t) :: conditions
       type(error_t), allocatable :: error
       type(rheology_t) :: rheology
-      integer :: n
 
       conditions = self%goal
       rheology = self%goal_rheology
@@ -96,9 +95,7 @@ contains
          rheology = self%goal_rheology%at_pressure(conditions%alphabar, conditions%hertz_pressure_pa)
          rheology = rheology%with_stress(self%stress**(1 - place))
       end if
-      do n = 1, size(hierarchy%levels)
-         call hierarchy%levels(n)%problem%set_conditions(conditions, rheology)
-      end do
+      call hierarchy%set_conditions(conditions, rheology)
    end subroutine impose
 
 end module ehlwave_continuation

@@ -5,7 +5,7 @@ module ehlwave_newton
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_cycle_settings, only: diagonal_shift, newton_cycle
    use ehlwave_given, only: given_t
-   use ehlwave_hierarchy, only: hierarchy_t, level_t
+   use ehlwave_hierarchy, only: hierarchy_t, level_t, work_of
    use ehlwave_kinds, only: dp
    use ehlwave_level_solver, only: level_solver_t
    use ehlwave_local_solver, only: local_solver_t
@@ -86,13 +86,14 @@ contains
       type(solve_limits_t), intent(in) :: limits
       type(solve_report_t), intent(out) :: report
       type(state_t) :: before
-      real(dp) :: best, forcing, worth, worth_before, step
+      real(dp) :: best, forcing, work_before, worth, worth_before, step
       integer :: k, last_gain
       logical :: asks_local
 
       call pose(self, levels, given)
       allocate (report%history(0))
       worth_before = 0
+      work_before = work_of(levels)
       forcing = self%loosest
       asks_local = allocated(self%local)
       associate (problem => levels(size(levels))%problem, equations => self%linear%levels(size(levels))%equations)
@@ -116,6 +117,7 @@ contains
             report%history = [report%history, report%residual]
             if (report%status /= status_stalled .or. k == limits%largest_steps) exit
             if (allocated(problem%film_flow) .and. k > last_gain + patience) exit
+            if (work_of(levels) - work_before >= limits%largest_work) exit
 
             if (k > 0) forcing = next_forcing(self, forcing, worth/worth_before)
             forcing = min(self%loosest, max(forcing, last_step_share*limits%tolerance/report%residual))
