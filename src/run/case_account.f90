@@ -12,7 +12,7 @@ module ehlwave_case_account
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
-   public :: blank_result, end_early, keep_history, take_report, worse
+   public :: blank_result, end_early, keep_history, take_report, warn, worse
 
 contains
 
@@ -47,6 +47,14 @@ contains
          to_text(report%nonlinear_steps)//' steps, residual '//to_text(report%residual, 3)// &
          ', load error '//to_text(report%load_error, 3)
    end subroutine take_report
+
+   !> Add a warning to those of a result.
+   subroutine warn(text, result)
+      character(len=*), intent(in) :: text
+      type(case_result_t), intent(inout) :: result
+      if (len(result%warning) > 0) result%warning = result%warning//'; '
+      result%warning = result%warning//text
+   end subroutine warn
 
    !> Keep the residuals of a solution that failed, if it took a step at all.
    subroutine keep_history(report, result)

@@ -2,9 +2,9 @@
 module ehlwave_case_runner
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_amplitude, only: fitted_harmonic, sampled_amplitude
-   use ehlwave_case_account, only: blank_result, end_early, take_report
+   use ehlwave_case_account, only: blank_result, end_early, take_report, warn
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_plan, only: case_plan_t, run_march, run_standing
+   use ehlwave_case_plan, only: case_plan_t, most_work, run_march, run_standing
    use ehlwave_case_result, only: case_result_t
    use ehlwave_clock, only: peak_memory_mib, wall_seconds
    use ehlwave_error_estimate, only: estimate_error, observed_order
@@ -12,7 +12,7 @@ module ehlwave_case_runner
    use ehlwave_given, only: given_t
    use ehlwave_harmonic_case, only: run_response
    use ehlwave_hierarchy, only: hierarchy_t, level_t
-   use ehlwave_kinds, only: dp, pi
+   use ehlwave_kinds, only: dp, no_value, pi
    use ehlwave_march_case, only: run_moving
    use ehlwave_march_keeper, only: march_keeper_t
    use ehlwave_monitor, only: go_on, monitor_t
@@ -21,7 +21,7 @@ module ehlwave_case_runner
    use ehlwave_rescue, only: rescue_t, rung_name
    use ehlwave_sensitivity_case, only: find_film_sensitivities
    use ehlwave_shared_steady, only: limits_of, shared_steady_t
-   use ehlwave_shear_result, only: mean_shear_stress
+   use ehlwave_shear_result, only: mean_shear_stress, shear_result_t
    use ehlwave_state, only: state_t
    use ehlwave_status, only: is_success, status_converged, status_unresolved
    use ehlwave_text, only: to_text
@@ -29,6 +29,9 @@ module ehlwave_case_runner
    implicit none (type, external)
    private
    public :: run_case
+
+   !> Of errors by the model, which is right within a factor of 2 or 3, and has none for the smallest film and friction.
+   real(dp), parameter :: film_margin = 2, minimum_margin = 2, friction_margin = 4
 
 contains
 
@@ -61,7 +64,7 @@ contains
       type(rescue_t) :: rescue
       logical :: is_found
       character(len=:), allocatable :: unresolved
-      real(dp) :: start
+      real(dp) :: besides, start
 
       start = wall_seconds()
       result = blank_result(case, plan)
@@ -73,10 +76,12 @@ contains
          call monitor%step_done('steady state', 1, 1)
          if (result%status == status_converged) then
             call take_smooth_film(case, plan, level, result)
-            call estimate_film_errors(steady%multigrid%hierarchy_t, result)
+            call estimate_film_errors(case, plan, steady%multigrid%hierarchy_t, result)
             if (case%sensitivities) call find_film_sensitivities(case, steady, result)
             if (plan%responds) call run_response(case, plan, steady, result)
          end if
+         besides = steady%work_so_far() - result%work
+         rescue%work_left = min(rescue%work_left, plan%largest_work - steady%work_so_far())
          if (result%status == status_converged) then
             select case (plan%kind)
             case (run_march)
@@ -104,8 +109,7 @@ contains
       result%is_resolved = len(unresolved) == 0
       result%rung = rung_name(rescue%rung)
       result%rescued_solutions = rescue%rescued
-      if (.not. is_success(result%status) .and. rescue%steps_left <= 0) result%message = result%message// &
-         '; the cap of '//to_text(plan%largest_total_steps)//' steps (&solver largest_total_steps) is used up'
+      if (.not. is_success(result%status)) result%message = result%message//spent_text(plan, rescue)
       if (.not. result%is_resolved) then
          if (.not. is_success(result%status)) result%message = result%message//'; not resolved: '
          if (is_success(result%status)) result%status = status_unresolved
@@ -115,8 +119,24 @@ contains
       if (present(keeper)) result%seconds = result%seconds + keeper%seconds_before
       result%work_units = result%seconds/work_unit_seconds(plan%cells_x, plan%cells_y)
       result%counted_work_units = result%work/work_unit_operations(plan%cells_x, plan%cells_y)
+      result%all_work = result%work + besides
+      result%total_work_units = result%all_work/work_unit_operations(plan%cells_x, plan%cells_y)
       result%peak_memory_mib = peak_memory_mib()
    end subroutine run_about
+
+   !> What of its caps a case has used up; '' where nothing.
+   function spent_text(plan, rescue) result(text)
+      type(case_plan_t), intent(in) :: plan
+      type(rescue_t), intent(in) :: rescue
+      character(len=:), allocatable :: text
+      text = ''
+      if (rescue%steps_left <= 0) then
+         text = '; the cap of '//to_text(plan%largest_total_steps)//' steps (&solver largest_total_steps) is used up'
+      else if (rescue%work_left <= 0) then
+         text = '; the cap of '//to_text(plan%largest_work/work_unit_operations(plan%cells_x, plan%cells_y), 3)// &
+                ' work units, '//to_text(most_work, 3)//' times the plan, is used up: &solver largest_total_steps sets another'
+      end if
+   end function spent_text
 
    !> Warn where waves in time and small ones, both computed, do not respond alike.
    subroutine compare_with_small_waves(case, result)
@@ -125,10 +145,9 @@ contains
       real(dp), parameter :: largest_difference = 0.05_dp
       if (.not. (ieee_is_finite(result%amplitude_ratio_fit) .and. ieee_is_finite(result%harmonic%ratio))) return
       if (abs(result%amplitude_ratio_fit/result%harmonic%ratio - 1) <= largest_difference) return
-      if (len(result%warning) > 0) result%warning = result%warning//'; '
-      result%warning = result%warning//'waves of '//to_text(100*case%amplitude_over_film, 3)// &
-         ' % of the film do not respond as small ones: Ad/Ai = '//to_text(result%amplitude_ratio_fit, 3)//' against '// &
-         to_text(result%harmonic%ratio, 3)//' of the linear response'
+      call warn('waves of '//to_text(100*case%amplitude_over_film, 3)//' % of the film do not respond as small ones: Ad/Ai = '// &
+                to_text(result%amplitude_ratio_fit, 3)//' against '//to_text(result%harmonic%ratio, 3)// &
+                ' of the linear response', result)
    end subroutine compare_with_small_waves
 
    !> Film, pressure and friction of the smooth contact.
@@ -145,15 +164,36 @@ contains
       result%warning = result%shear%warning(case%limiting_stress_over_pressure)
    end subroutine take_smooth_film
 
-   !> Discretisation errors of the smooth film from the levels that the multigrid start solved on its way.
-   subroutine estimate_film_errors(multigrid, result)
+   !> Discretisation errors of smooth film and friction from the levels that the multigrid start solved on its way; where there is
+   !> no level to compare with from the model, with a margin.
+   subroutine estimate_film_errors(case, plan, multigrid, result)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
       type(hierarchy_t), intent(in) :: multigrid
       type(case_result_t), intent(inout) :: result
-      integer :: n
+      type(shear_result_t) :: shear
+      real(dp) :: friction(size(multigrid%levels))
+      integer :: l, n
+
       n = size(multigrid%levels)
+      friction = no_value
+      do l = 1, n
+         if (.not. multigrid%levels(l)%has_film()) cycle
+         call shear%take(multigrid%levels(l)%problem, multigrid%levels(l)%state, case%slip_parameter, &
+                         case%limiting_stress_over_pressure)
+         friction(l) = shear%friction_coefficient
+      end do
       result%central_film_error = estimate_error(multigrid%levels(n:1:-1)%central_film)
       result%minimum_film_error = estimate_error(multigrid%levels(n:1:-1)%minimum_film)
+      result%friction_error = estimate_error(friction(n:1:-1))
       result%film_order = observed_order(multigrid%levels(n:1:-1)%central_film)
+      result%film_error_basis = 'coarse_grid'
+      if (ieee_is_finite(result%central_film_error)) return
+      result%film_error_basis = 'model'
+      result%central_film_error = film_margin*plan%expected_film_mesh_error()
+      result%minimum_film_error = minimum_margin*result%central_film_error
+      if (ieee_is_finite(result%shear%friction_coefficient)) &
+         result%friction_error = friction_margin*result%central_film_error
    end subroutine estimate_film_errors
 
    !> Pattern that stands still: one steady state for each phase, no time stepping.

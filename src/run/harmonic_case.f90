@@ -1,5 +1,6 @@
 !> The linear response of a case: no time steps.
 module ehlwave_harmonic_case
+   use ehlwave_case_account, only: warn
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_result, only: case_result_t
@@ -76,7 +77,11 @@ contains
       if (.not. has_mean(plan%waviness)) return
       associate (amplitude => case%amplitude_over_film*result%central_film)
          call find_mean_change(steady%response%tangent, steady%multigrid%levels, response, plan%waviness, amplitude, change)
-         if (change%status == status_converged) call result%harmonic%take_mean(change, amplitude)
+         if (change%status /= status_converged) return
+         call result%harmonic%take_mean(change, amplitude)
+         if (result%harmonic%waves_touch) call warn('waves of '//to_text(100*case%amplitude_over_film, 3)// &
+            ' % of the film would touch the other surface at X = '//to_text(change%smallest_at(1), 3)//', Y = '// &
+            to_text(change%smallest_at(2), 3)//', to second order: there is no smallest film', result)
       end associate
    end subroutine find_mean
 

@@ -18,6 +18,7 @@ module ehlwave_quantities
    use ehlwave_quantity, only: quantity_list_t
    use ehlwave_status, only: status_name
    use ehlwave_two_wave_result, only: wave_row_t
+   use ehlwave_work_unit, only: work_unit_operations
    implicit none (type, external)
    private
    public :: add_case, add_key, add_plan, add_result
@@ -97,6 +98,8 @@ contains
       call add_key(list, keys, 'accuracy')
       call list%add('expected_seconds', 'time expected by the plan', plan%expected_seconds(), unit='s')
       call list%add('expected_memory_mib', 'peak memory expected by the plan', plan%expected_memory_mib(), unit='MiB')
+      call list%add('largest_work_units', 'work at which the case ends, in plain FFT convolutions of the grid', &
+                    plan%largest_work/work_unit_operations(plan%cells_x, plan%cells_y), exists=plan%has_work_cap())
       call add_key(list, keys, 'step_tolerance')
       call add_key(list, keys, 'tolerance')
    end subroutine add_plan
@@ -141,6 +144,8 @@ contains
       call list%add('march_from', "what the march that Ad/Ai is from started in: 'rest' or 'waves'", trim(result%route))
       call list%add('central_film_error', 'estimated relative error of central_film', result%central_film_error)
       call list%add('minimum_film_error', 'estimated relative error of minimum_film', result%minimum_film_error)
+      call list%add('friction_error', 'estimated relative error of friction_coefficient', result%friction_error)
+      call list%add('film_error_basis', 'what the errors of film and friction are from', trim(result%film_error_basis))
       call list%add('film_order', 'observed order of central_film on three levels', result%film_order)
       call list%add('amplitude_ratio_error', 'estimated relative error of Ad/Ai', result%amplitude_ratio_error)
       call list%add('amplitude_error_basis', 'what amplitude_ratio_error is from', &
@@ -237,8 +242,10 @@ contains
       call list%add('mean_film_rise', 'mean film less smooth film over Ai, second order, linear response', harmonic%mean_rise)
       call list%add('smallest_film', 'smallest film with waves of Ai anywhere at any time, second order', &
                     harmonic%smallest_film)
-      call list%add('smallest_film_x', 'X of the smallest film with waves', harmonic%smallest_film_x)
-      call list%add('smallest_film_y', 'Y of the smallest film with waves', harmonic%smallest_film_y)
+      call list%add('smallest_film_x', 'X of the smallest film with waves, or of where they would touch', harmonic%smallest_film_x)
+      call list%add('smallest_film_y', 'Y of the smallest film with waves, or of where they would touch', harmonic%smallest_film_y)
+      call list%add('waves_touch', '1 when waves of Ai would touch the other surface, second order: there is no smallest_film', &
+                    harmonic%waves_touch)
       call add_waves(list, harmonic%waves%centre)
       call list%add('harmonic_linear_steps', 'GMRES steps of the linear response', harmonic%linear_steps)
       call list%add('harmonic_work_units', 'processor time of the linear response in plain FFT convolutions of the grid', &
@@ -301,6 +308,7 @@ contains
       call list%add('seconds', 'wall time of the case', result%seconds, unit='s')
       call list%add('work_units', 'wall time in plain FFT convolutions of the grid', result%work_units)
       call list%add('counted_work_units', 'the same counted, without error estimates and sensitivities', result%counted_work_units)
+      call list%add('total_work_units', 'the same with them, and with runs on coarser and finer grids', result%total_work_units)
       call list%add('peak_memory_mib', 'peak memory of the process so far', result%peak_memory_mib, unit='MiB')
       call list%add_list('residual_history', 'mass residual of the solution that failed, before each step and at the end', &
                          result%residual_history)

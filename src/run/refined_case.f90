@@ -2,7 +2,7 @@
 module ehlwave_refined_case
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_plan, only: case_plan_t
+   use ehlwave_case_plan, only: case_plan_t, most_work
    use ehlwave_case_result, only: case_result_t
    use ehlwave_error_account, only: errors_text, take_errors
    use ehlwave_error_parts, only: error_parts_t
@@ -39,26 +39,38 @@ contains
       class(march_keeper_t), intent(inout), optional :: keeper
       type(case_plan_t) :: finer
       type(case_result_t) :: again
-      logical :: is_finer
+      real(dp) :: largest_work
+      logical :: is_finer, is_within   ! of a finer run: there is one, and the work that is left is enough for it
 
       call run_estimated_case(case, plan, monitor, result, shared, keeper)
       call take_errors(case, plan, result)
+      is_within = .true.
       if (.not. case%accuracy > 0 .or. case%edges == 'truncated' .or. result%status /= status_converged) return
+      largest_work = plan%largest_work
       do while (result%error_estimate > case%accuracy .and. result%refinements < most_refinements)
          if (monitor%request /= go_on) exit
          call refine_plan(case, plan, parts_of(case, result), finer, is_finer)
          if (.not. is_finer) exit
+         finer%largest_work = largest_work - result%all_work
+         is_within = finer%expected_work() <= finer%largest_work
+         if (.not. is_within) exit
          call run_estimated_case(case, finer, monitor, again, shared)
          if (again%status == status_interrupted) then
             result%status = status_interrupted
             if (present(keeper)) call keeper%save()
             return
          end if
-         if (.not. is_success(again%status)) exit
+         if (.not. is_success(again%status)) then
+            result%all_work = result%all_work + again%all_work
+            result%total_work_units = result%all_work/work_unit_operations(plan%cells_x, plan%cells_y)
+            exit
+         end if
          call take_errors(case, finer, again)
          again%work_units = again%work_units*(1 + result%seconds/again%seconds)
          again%work = again%work + result%work
          again%counted_work_units = again%work/work_unit_operations(finer%cells_x, finer%cells_y)
+         again%all_work = again%all_work + result%all_work
+         again%total_work_units = again%all_work/work_unit_operations(finer%cells_x, finer%cells_y)
          again%seconds = again%seconds + result%seconds
          again%refinements = result%refinements + 1
          result = again
@@ -70,6 +82,8 @@ contains
       result%message = 'estimated relative error '//to_text(result%error_estimate, 2)//' ('// &
                        errors_text(parts_of(case, result))//') above the accuracy of '//to_text(case%accuracy, 2)// &
                        advice(case, result)
+      if (.not. is_within) result%message = result%message//'; a finer run would take more than '//to_text(most_work, 3)// &
+         ' times the planned work: &solver largest_total_steps sets another cap'
    end subroutine run_refined_case
 
    !> Errors of what the case is about.

@@ -43,20 +43,19 @@ contains
       class(full_multigrid_t), intent(inout) :: self
       type(solve_limits_t), intent(in) :: limits        !! for the finest level
       real(dp), intent(in) :: coarse_tolerance          !! for the others
-      type(solve_limits_t) :: coarse_limits
+      type(solve_limits_t) :: here
       type(solve_report_t) :: report
+      real(dp) :: work_before
       integer :: l, n
 
       n = size(self%levels)
-      coarse_limits = limits
-      coarse_limits%tolerance = max(limits%tolerance, coarse_tolerance)
+      work_before = self%work()
       do l = 1, n
          call self%start_level(l)
-         if (l == n) then
-            call self%solve_level(l, limits, report)
-         else
-            call self%solve_level(l, coarse_limits, report)
-         end if
+         here = limits
+         if (l < n) here%tolerance = max(limits%tolerance, coarse_tolerance)
+         here%largest_work = limits%largest_work - (self%work() - work_before)
+         call self%solve_level(l, here, report)
          associate (level => self%levels(l))
             level%report = report
             if (l < n .and. report%status /= status_converged) call hertz_guess(level%problem, level%state)

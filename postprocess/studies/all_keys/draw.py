@@ -13,7 +13,7 @@ import h5py
 import numpy as np
 
 MODULUS_PA = 2.26e11
-CELLS = (16, 24, 32, 40, 48, 50, 64, 64, 72, 80, 96, 96)
+CELLS = (24, 32, 48, 50, 64, 64, 72, 80, 96, 96, 96, 112)
 LARGEST_CELLS = (64, 96, 128)
 ONE_LENGTH = ("transverse", "isotropic", "longitudinal")
 SPECIAL_LAWS = ("mcewen", "yasutomi", "doolittle")
@@ -32,8 +32,8 @@ class Contact:
 
     def __post_init__(self) -> None:
         """Draw the contact."""
-        self.m = self.power(3, 500)
-        self.l = 0.0 if self.chance(0.03) else self.between(0.3, 18)
+        self.m = self.power(6, 300)
+        self.l = 0.0 if self.chance(0.03) else self.between(1, 18)
         self.is_line = self.chance(0.12)
         self.d = 0.0 if self.is_line else self.power(0.01 if self.chance(0.1) else 0.05, 1)
         self.has_surface = self.chance(0.04) and not self.is_line
@@ -150,7 +150,7 @@ def _response(c: Contact, row: Row) -> Value:
 def _cells(c: Contact, row: Row) -> Value:
     if c.accuracy:
         return None if c.chance(0.9) else 96
-    return 0 if c.chance(0.25) else c.one_of(*CELLS) * (2 if c.is_line else 1)
+    return 0 if c.chance(0.25) else c.one_of(*CELLS) * (3 if c.is_line else 1)
 
 
 def _step(c: Contact, row: Row) -> Value:
@@ -225,7 +225,7 @@ DRAWS: dict[str, Draw] = {
     "tait_modulus_pa": _tait(lambda c, row: c.power(8e8, 2e9)),
     "tait_modulus_rate": _tait(lambda c, row: c.between(9, 12)),
     "orientation": _orientation,
-    "wavelength_over_a": _where("orientation", *ONE_LENGTH)(lambda c, row: c.power(0.4, 3)),
+    "wavelength_over_a": _where("orientation", *ONE_LENGTH)(lambda c, row: c.power(0.5, 3)),
     "wavelength_x_over_a": _custom(lambda c, row: 0.0 if c.chance(0.15) else c.power(0.4, 3)),
     "wavelength_y_over_a": _wave_y,
     "oblique": _custom(
@@ -239,7 +239,7 @@ DRAWS: dict[str, Draw] = {
     "y_max": _share(0.15, lambda c, row: None if c.is_line else c.between(1.5, 3)),
     "cells_x": _cells,
     "cells_y": lambda c, row: None if c.is_line else _cells(c, row),
-    "largest_cells": lambda c, row: c.one_of(*LARGEST_CELLS) * (2 if c.is_line else 1),
+    "largest_cells": lambda c, row: c.one_of(*LARGEST_CELLS) * (4 if c.is_line else 1),
     "domain": _share(0.08, lambda c, row: None if c.is_line else c.one_of("auto", "whole")),
     "edges": _share(0.4, lambda c, row: c.one_of("truncated", "flooded")),
     "tolerance": _tolerance(1e-6),
