@@ -71,7 +71,10 @@ module ehlwave_case_plan
 
    integer, parameter :: most_steps = 1000000
    integer, parameter :: steps_per_time_step = 40    !! nonlinear steps that a time step may take on average
-   real(dp), parameter, public :: most_work = 10     !! of a case over that of its plan, where it has no cap of its own
+   !> Work of a case over that of its plan, where it has no cap of its own; it ends at a share of that, since the step at which it does
+   !> is finished.
+   real(dp), parameter, public :: most_work = 10
+   real(dp), parameter :: share_of_most = 0.8_dp
    real(dp), parameter :: share_of_steps = 0.2_dp    !! of the accuracy, for steps longer than hX
    real(dp), parameter :: fewest_long_steps = 32     !! time steps per wave that steps longer than hX must leave
    real(dp), parameter :: cost_of_estimate = 1.15_dp !! of a case with its coarser grids over that without
@@ -203,7 +206,7 @@ contains
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(inout) :: plan
       plan%largest_work = huge(1.0_dp)
-      if (case%largest_total_steps == 0) plan%largest_work = most_work*plan%expected_work()
+      if (case%largest_total_steps == 0) plan%largest_work = share_of_most*most_work*plan%expected_work()
    end subroutine cap_work
 
    !> Whether it is the plan that says how much a case may take.

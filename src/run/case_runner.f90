@@ -7,12 +7,13 @@ module ehlwave_case_runner
    use ehlwave_case_plan, only: case_plan_t, most_work, run_march, run_standing
    use ehlwave_case_result, only: case_result_t
    use ehlwave_clock, only: peak_memory_mib, wall_seconds
-   use ehlwave_error_estimate, only: estimate_error, observed_order
+   use ehlwave_error_estimate, only: estimate_error, model_margin, observed_order
+   use ehlwave_friction_error, only: estimate_friction_error
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_given, only: given_t
    use ehlwave_harmonic_case, only: run_response
    use ehlwave_hierarchy, only: hierarchy_t, level_t
-   use ehlwave_kinds, only: dp, no_value, pi
+   use ehlwave_kinds, only: dp, pi
    use ehlwave_march_case, only: run_moving
    use ehlwave_march_keeper, only: march_keeper_t
    use ehlwave_monitor, only: go_on, monitor_t
@@ -21,7 +22,7 @@ module ehlwave_case_runner
    use ehlwave_rescue, only: rescue_t, rung_name
    use ehlwave_sensitivity_case, only: find_film_sensitivities
    use ehlwave_shared_steady, only: limits_of, shared_steady_t
-   use ehlwave_shear_result, only: mean_shear_stress, shear_result_t
+   use ehlwave_shear_result, only: mean_shear_stress
    use ehlwave_state, only: state_t
    use ehlwave_status, only: is_success, status_converged, status_unresolved
    use ehlwave_text, only: to_text
@@ -30,8 +31,8 @@ module ehlwave_case_runner
    private
    public :: run_case
 
-   !> Of errors by the model, which is right within a factor of 2 or 3, and has none for the smallest film and friction.
-   real(dp), parameter :: film_margin = 2, minimum_margin = 2, friction_margin = 4
+   !> Errors of the smallest film and of friction over that of the film, where the model stands in for an estimate.
+   real(dp), parameter :: minimum_margin = 2, friction_margin = 4
 
 contains
 
@@ -134,7 +135,8 @@ contains
          text = '; the cap of '//to_text(plan%largest_total_steps)//' steps (&solver largest_total_steps) is used up'
       else if (rescue%work_left <= 0) then
          text = '; the cap of '//to_text(plan%largest_work/work_unit_operations(plan%cells_x, plan%cells_y), 3)// &
-                ' work units, '//to_text(most_work, 3)//' times the plan, is used up: &solver largest_total_steps sets another'
+                ' work units, which keeps a case within '//to_text(most_work, 3)//' times its plan, is used up: &solver '// &
+                'largest_total_steps sets another'
       end if
    end function spent_text
 
@@ -171,26 +173,18 @@ contains
       type(case_plan_t), intent(in) :: plan
       type(hierarchy_t), intent(in) :: multigrid
       type(case_result_t), intent(inout) :: result
-      type(shear_result_t) :: shear
-      real(dp) :: friction(size(multigrid%levels))
-      integer :: l, n
+      integer :: n
 
       n = size(multigrid%levels)
-      friction = no_value
-      do l = 1, n
-         if (.not. multigrid%levels(l)%has_film()) cycle
-         call shear%take(multigrid%levels(l)%problem, multigrid%levels(l)%state, case%slip_parameter, &
-                         case%limiting_stress_over_pressure)
-         friction(l) = shear%friction_coefficient
-      end do
       result%central_film_error = estimate_error(multigrid%levels(n:1:-1)%central_film)
       result%minimum_film_error = estimate_error(multigrid%levels(n:1:-1)%minimum_film)
-      result%friction_error = estimate_error(friction(n:1:-1))
+      if (ieee_is_finite(result%shear%friction_coefficient)) &
+         result%friction_error = estimate_friction_error(multigrid%levels(n:1:-1), case%slip_parameter)
       result%film_order = observed_order(multigrid%levels(n:1:-1)%central_film)
       result%film_error_basis = 'coarse_grid'
       if (ieee_is_finite(result%central_film_error)) return
       result%film_error_basis = 'model'
-      result%central_film_error = film_margin*plan%expected_film_mesh_error()
+      result%central_film_error = model_margin*plan%expected_film_mesh_error()
       result%minimum_film_error = minimum_margin*result%central_film_error
       if (ieee_is_finite(result%shear%friction_coefficient)) &
          result%friction_error = friction_margin*result%central_film_error

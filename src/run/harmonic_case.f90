@@ -4,6 +4,7 @@ module ehlwave_harmonic_case
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_result, only: case_result_t
+   use ehlwave_error_estimate, only: likely_order, model_margin
    use ehlwave_harmonic_response, only: harmonic_response_t
    use ehlwave_kinds, only: dp
    use ehlwave_mean_film, only: find_mean_change, has_mean, mean_change_t
@@ -59,10 +60,14 @@ contains
          result%harmonic%p = response%p
          result%harmonic%h = response%h
       end if
+      result%harmonic%error = model_margin*plan%expected%mesh   ! unless a coarser grid tells more
+      result%harmonic%error_basis = 'model'
       if (.not. steady%has_coarse) return
       call steady%coarse_response%respond(steady%multigrid%levels(:n - 1), plan%waviness, case%natural_frequency, &
                                           plan%steps_per_cell, coarse)
-      if (coarse%status == status_converged) call result%harmonic%extrapolate(coarse%film, coarse%pressure)
+      if (coarse%status /= status_converged) return
+      call result%harmonic%extrapolate(coarse%film, coarse%pressure, likely_order(result%film_order, plan%resolution%inlet))
+      result%harmonic%error_basis = 'coarse_grid'
    end subroutine run_response
 
    !> What waves of the amplitude of the case change in the mean, where they have a mean.

@@ -19,6 +19,7 @@ module ehlwave_harmonic_result
       complex(dp) :: film_limit = (no_value, no_value), &   !! transfer functions at mesh size 0
                      pressure_limit = (no_value, no_value)
       real(dp) :: error = no_value           !! estimated discretisation error of `ratio` and bound for `extrapolated`, relative
+      character(len=12) :: error_basis = ''  !! what that is from: 'coarse_grid' or 'model'
       integer :: linear_steps = 0            !! GMRES steps on the grid of the case
       real(dp) :: work_units = no_value      !! of the response on the grid of the case, without the steady state
       real(dp) :: counted_work_units = no_value   !! the same, counted
@@ -63,10 +64,11 @@ contains
    end subroutine take_mean
 
    !> Richardson extrapolation of the complex transfer functions from the grid of the case and one with twice the mesh
-   !> size: T + (T - T_coarse)/3. The size of the correction is the error estimate.
-   pure subroutine extrapolate(self, coarse_film, coarse_pressure)
+   !> size: T + (T - T_coarse)/3. The size of a correction of that order, 2 or less, is the error estimate.
+   pure subroutine extrapolate(self, coarse_film, coarse_pressure, order)
       class(harmonic_result_t), intent(inout) :: self
       complex(dp), intent(in) :: coarse_film, coarse_pressure
+      real(dp), intent(in) :: order
       complex(dp) :: correction, film
       film = cmplx(self%real_part, self%imaginary_part, dp)
       if (.not. ieee_is_finite(abs(coarse_film))) return
@@ -74,7 +76,7 @@ contains
       self%film_limit = film + correction
       self%pressure_limit = self%pressure + (self%pressure - coarse_pressure)/(error_ratio - 1)
       self%extrapolated = abs(self%film_limit)
-      self%error = abs(correction)/abs(film)
+      self%error = abs(film - coarse_film)/((2**order - 1)*abs(film))
    end subroutine extrapolate
 
 end module ehlwave_harmonic_result

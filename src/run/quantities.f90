@@ -98,6 +98,7 @@ contains
       call add_key(list, keys, 'accuracy')
       call list%add('expected_seconds', 'time expected by the plan', plan%expected_seconds(), unit='s')
       call list%add('expected_memory_mib', 'peak memory expected by the plan', plan%expected_memory_mib(), unit='MiB')
+      call list%add('expected_total_work_units', 'the same with error estimates', plan%work_with_estimates)
       call list%add('largest_work_units', 'work at which the case ends, in plain FFT convolutions of the grid', &
                     plan%largest_work/work_unit_operations(plan%cells_x, plan%cells_y), exists=plan%has_work_cap())
       call add_key(list, keys, 'step_tolerance')
@@ -239,6 +240,7 @@ contains
       call add_complex(list, 'harmonic_pressure_extrapolated', 'transfer function pattern (in c) to P(0,0) at mesh size 0', &
                        harmonic%pressure_limit)
       call list%add('harmonic_error', 'estimated relative error of harmonic_ratio', harmonic%error)
+      call list%add('harmonic_error_basis', 'what harmonic_error is from', trim(harmonic%error_basis))
       call list%add('mean_film_rise', 'mean film less smooth film over Ai, second order, linear response', harmonic%mean_rise)
       call list%add('smallest_film', 'smallest film with waves of Ai anywhere at any time, second order', &
                     harmonic%smallest_film)

@@ -10,7 +10,7 @@ module ehlwave_shear_result
    use ehlwave_thermal_estimate, only: film_rise_k, inlet_film_factor, inlet_rise_k, surface_rise_k, thermal_data_t
    implicit none (type, external)
    private
-   public :: mean_shear_stress
+   public :: friction_above, mean_shear_stress
 
    !> What is not known is NaN: friction without E' or pressure, temperatures without lengths.
    type, public :: shear_result_t
@@ -59,6 +59,17 @@ contains
          if (c%has_dimensions) call self%estimate_temperatures(c, slip_parameter, grid%value_at_centre(state%h))
       end associate
    end subroutine take
+
+   !> The part of the friction coefficient that is borne above a pressure P, 0: all of it; where stresses are known.
+   real(dp) function friction_above(problem, state, slip_parameter, p)
+      type(contact_problem_t), intent(in) :: problem
+      type(state_t), intent(in) :: state
+      real(dp), intent(in) :: slip_parameter, p
+      real(dp), allocatable, dimension(:, :) :: b, factor_x, factor_y, stress
+
+      call shear(problem, state, slip_parameter, stress, b, factor_x, factor_y)
+      friction_above = load_factor*problem%grid%integral(merge(stress, 0.0_dp, state%p > max(p, least_pressure)))
+   end function friction_above
 
    !> Mean of the shear stresses at the two surfaces along X, tau in Pa, (0:nx, 0:ny); unallocated where it is not known.
    subroutine mean_shear_stress(problem, state, slip_parameter, stress_pa)

@@ -123,7 +123,7 @@ contains
             forcing = min(self%loosest, max(forcing, last_step_share*limits%tolerance/report%residual))
             worth_before = worth
             if (allocated(problem%film_flow)) before = state
-            call linear_solve(self, forcing, report)
+            call linear_solve(self, levels, forcing, work_before + limits%largest_work, report)
             step = 1
             if (alternates(self, k)) step = 0.5_dp
             if (.not. take_step(self, problem, state, step)) then
@@ -266,9 +266,11 @@ contains
    !> Newton direction in `change`. The factors are made afresh: that costs about one GMRES step and a half, and factors
    !> of the step before need two more on average, many more where the pattern moves the edge of the film. Where the
    !> factors do not serve (incomplete ones can be unstable), they are made again with a stronger diagonal.
-   subroutine linear_solve(self, forcing, report)
+   subroutine linear_solve(self, levels, forcing, largest_work, report)
       class(newton_t), intent(inout) :: self
+      type(level_t), intent(in) :: levels(:)
       real(dp), intent(in) :: forcing
+      real(dp), intent(in) :: largest_work   !! on these levels, from which on nothing is tried again
       type(solve_report_t), intent(inout) :: report
       integer :: rung
 
@@ -278,6 +280,7 @@ contains
          call self%gmres%solve(self%linear, self%rhs, self%change, forcing)
          report%linear_steps = report%linear_steps + self%gmres%steps
          if (self%gmres%steps > 0 .and. self%gmres%reduction < 0.5_dp) exit
+         if (work_of(levels) >= largest_work) exit
       end do
    end subroutine linear_solve
 

@@ -78,9 +78,14 @@ def negative_films(found: Row) -> list[str]:
 
 def work_over_plan(found: Row, plan: Row) -> float:
     """Return all the work of a case over that of its plan, in operations."""
-    cells = found["cells_x"] * found["cells_y"] / (plan["cells_x"] * plan["cells_y"])
     done = _number(found.get("total_work_units", found["counted_work_units"]))
-    return done * cells / _number(plan["expected_work_units"])
+    return done * _unit(found) / _unit(plan) / _number(plan.get("expected_total_work_units", plan["expected_work_units"]))
+
+
+def _unit(row: Row) -> float:
+    """Return the operations of a work unit, but for a factor: two padded transforms of the grid."""
+    points = 4.0 * row["cells_x"] * row["cells_y"]
+    return points * math.log2(points)
 
 
 def _number(value: Any) -> float:  # noqa: ANN401 - of JSON
