@@ -31,8 +31,7 @@ module ehlwave_case_runner
    private
    public :: run_case
 
-   !> Errors of the smallest film and of friction over that of the film, where the model stands in for an estimate.
-   real(dp), parameter :: minimum_margin = 2, friction_margin = 4
+   real(dp), parameter :: minimum_margin = 2   !! error of the smallest film over that of the film, where the model stands in
 
 contains
 
@@ -178,16 +177,15 @@ contains
       n = size(multigrid%levels)
       result%central_film_error = estimate_error(multigrid%levels(n:1:-1)%central_film)
       result%minimum_film_error = estimate_error(multigrid%levels(n:1:-1)%minimum_film)
-      if (ieee_is_finite(result%shear%friction_coefficient)) &
-         result%friction_error = estimate_friction_error(multigrid%levels(n:1:-1), case%slip_parameter)
       result%film_order = observed_order(multigrid%levels(n:1:-1)%central_film)
       result%film_error_basis = 'coarse_grid'
-      if (ieee_is_finite(result%central_film_error)) return
-      result%film_error_basis = 'model'
-      result%central_film_error = model_margin*plan%expected_film_mesh_error()
-      result%minimum_film_error = minimum_margin*result%central_film_error
-      if (ieee_is_finite(result%shear%friction_coefficient)) &
-         result%friction_error = friction_margin*result%central_film_error
+      if (.not. ieee_is_finite(result%central_film_error)) then
+         result%film_error_basis = 'model'
+         result%central_film_error = model_margin*plan%expected_film_mesh_error()
+         result%minimum_film_error = minimum_margin*result%central_film_error
+      end if
+      if (ieee_is_finite(result%shear%friction_coefficient)) result%friction_error = &
+         estimate_friction_error(multigrid%levels(n:1:-1), case%slip_parameter, result%central_film_error)
    end subroutine estimate_film_errors
 
    !> Pattern that stands still: one steady state for each phase, no time stepping.

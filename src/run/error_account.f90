@@ -30,7 +30,6 @@ contains
       else if (ieee_is_finite(result%harmonic%ratio)) then
          result%ratio_errors = error_parts_t(mesh=result%harmonic%error, domain=plan%domain_error, &
                                              algebraic=case%response_tolerance)
-         if (.not. ieee_is_finite(result%harmonic%error)) result%ratio_errors%mesh = plan%expected%mesh
       end if
       result%error_estimate = asked(case, merge(result%ratio_errors, result%film_errors, case%orientation /= 'none'))
    end subroutine take_errors

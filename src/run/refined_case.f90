@@ -76,8 +76,14 @@ contains
          result = again
          plan = finer
       end do
-      if (ieee_is_finite(result%error_estimate) .and. result%error_estimate <= case%accuracy) return
       if (result%status /= status_converged) return
+      if (ieee_is_finite(result%error_estimate) .and. result%error_estimate <= case%accuracy) then
+         if (is_measured(case, result)) return
+         result%status = status_inaccurate
+         result%message = 'no coarser grid tells the error: the '//to_text(result%error_estimate, 2)// &
+                          ' that the plan expects is no promise of the accuracy asked for; take other cells'
+         return
+      end if
       result%status = status_inaccurate
       result%message = 'estimated relative error '//to_text(result%error_estimate, 2)//' ('// &
                        errors_text(parts_of(case, result))//') above the accuracy of '//to_text(case%accuracy, 2)// &
@@ -85,6 +91,19 @@ contains
       if (.not. is_within) result%message = result%message//'; a finer run would take more than '//to_text(most_work, 3)// &
          ' times the planned work: &solver largest_total_steps sets another cap'
    end subroutine run_refined_case
+
+   !> Whether the error of what the case is about was found on coarser grids, if that was not left to the model.
+   pure logical function is_measured(case, result)
+      type(case_t), intent(in) :: case
+      type(case_result_t), intent(in) :: result
+      if (case%orientation == 'none') then
+         is_measured = result%film_error_basis /= 'model'
+      else if (ieee_is_finite(result%amplitude_ratio_fit)) then
+         is_measured = result%amplitude_error_basis /= 'model' .or. case%error_estimate == 'model'
+      else
+         is_measured = result%harmonic%error_basis /= 'model'
+      end if
+   end function is_measured
 
    !> Errors of what the case is about.
    type(error_parts_t) function parts_of(case, result)

@@ -95,6 +95,7 @@ contains
       worth_before = 0
       work_before = work_of(levels)
       forcing = self%loosest
+      before = state
       asks_local = allocated(self%local)
       associate (problem => levels(size(levels))%problem, equations => self%linear%levels(size(levels))%equations)
          call problem%film_of_guess(given, state)
