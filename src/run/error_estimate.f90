@@ -2,6 +2,7 @@
 module ehlwave_error_estimate
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_kinds, only: dp, no_value
+   use ehlwave_resolution, only: coarsest_inlet, fewest_points_per_wave, resolution_t, wanted_points_per_wave
    implicit none (type, external)
    private
    public :: estimate_error, likely_order, observed_order
@@ -39,16 +40,21 @@ contains
       estimate_error = abs(values(1) - values(2))/((2**order - 1)*abs(values(1)))
    end function estimate_error
 
-   !> Order to expect of what follows the film, from the observed order of the film where three levels show one. With two levels by
-   !> what the mesh leaves of the inlet: 2 up to 0.15 of its length, less where it is barely resolved (M = 1000, D = 1: 1.1 at 0.25).
-   pure real(dp) function likely_order(film_order, inlet)
+   !> Order to expect of the response to waves with two grids, by what the mesh leaves of inlet and waves: 2 where it resolves them
+   !> well, 1 where it barely does (M = 1000, D = 1: 1.1 with hX = 0.25 inlet lengths), and not above that of the film where three levels
+   !> show it.
+   pure real(dp) function likely_order(film_order, resolution)
       real(dp), intent(in) :: film_order   !! NaN: not known
-      real(dp), intent(in) :: inlet        !! hX over the inlet length
-      real(dp), parameter :: fine = 0.15_dp, coarse = 0.25_dp
-      likely_order = film_order
-      if (.not. ieee_is_finite(film_order)) &
-         likely_order = formal_order - (formal_order - lowest_order)*max(0.0_dp, inlet - fine)/(coarse - fine)
-      likely_order = min(max(likely_order, lowest_order), formal_order)
+      type(resolution_t), intent(in) :: resolution
+      real(dp), parameter :: fine_inlet = 0.15_dp
+      real(dp) :: points(3), well
+
+      points = [resolution%points_x, resolution%points_y, resolution%samples]
+      well = (coarsest_inlet - resolution%inlet)/(coarsest_inlet - fine_inlet)
+      if (any(points > 0)) well = min(well, (minval(points, mask=points > 0) - fewest_points_per_wave) &
+                                      /(wanted_points_per_wave - fewest_points_per_wave))
+      likely_order = lowest_order + (formal_order - lowest_order)*min(max(well, 0.0_dp), 1.0_dp)
+      if (ieee_is_finite(film_order)) likely_order = min(likely_order, max(film_order, lowest_order))
    end function likely_order
 
    !> log2 of |v(2h) - v(4h)|/|v(h) - v(2h)|; NaN without three finite values or where they do not differ.

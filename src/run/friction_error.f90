@@ -2,7 +2,8 @@
 !>
 !> Of a Newtonian oil under high pressure much of the friction is borne in the pressure spike, which grows with every grid: the
 !> coefficients of three grids may differ little, and that of the fourth be twice as large (Roelands, alphabar = 14: 1.20, 1.45, 2.16,
-!> 5.19 on 16 to 128 cells, with largest P of 1.00, 1.15, 1.38, 1.71).
+!> 5.19 on 16 to 128 cells, with largest P of 1.00, 1.15, 1.38, 1.71). Two grids may even have no spike where the next has one (Barus,
+!> alphabar = 20: largest P of 0.998, 0.998, 1.185, and twice the friction).
 module ehlwave_friction_error
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_error_estimate, only: estimate_error
@@ -15,7 +16,8 @@ module ehlwave_friction_error
 
    real(dp), parameter :: usual_order = 1        !! with two levels
    real(dp), parameter :: largest_growth = 3     !! of the logarithm of the viscosity in the spike, from grid to grid
-   real(dp), parameter :: usual_growth = 0.1_dp  !! of the largest pressure, where no coarser level tells; measured: 0 to 0.2
+   real(dp), parameter :: usual_growth = 0.1_dp  !! of the largest pressure, at least, where d ln(eta)/dP is `steep`; measured: 0 to 0.2
+   real(dp), parameter :: steep = 15
    real(dp), parameter :: film_share = 4         !! of the relative error of the film, the same
 
 contains
@@ -47,11 +49,11 @@ contains
       real(dp), dimension(1) :: dln_eta, drho, fluidity, rho
 
       associate (finest => levels(1), highest => maxval(levels(1)%state%p))
-         before = (1 - usual_growth)*highest
-         if (size(levels) > 1) then
-            if (levels(2)%has_film()) before = maxval(levels(2)%state%p)
-         end if
          call finest%problem%rheology%evaluate(1, [highest], rho, drho, fluidity, dln_eta)
+         before = (1 - usual_growth*min(1.0_dp, dln_eta(1)/steep))*highest
+         if (size(levels) > 1) then
+            if (levels(2)%has_film()) before = min(before, maxval(levels(2)%state%p))
+         end if
          growth = min(largest_growth, dln_eta(1)*max(0.0_dp, highest - before))
          by_growth = (exp(growth) - 1)*abs(friction_above(finest%problem, finest%state, slip_parameter, before))
       end associate
