@@ -1,1 +1,1 @@
-"""Whether numbers are what they say they are: random inputs over every key, and again on twice the cells."""
+"""Whether numbers are what they say they are: random inputs, again on twice the cells."""

@@ -20,9 +20,7 @@ MOST_WORK = 10
 
 # What both runs share is no part of their difference: the domain, and the size of the waves.
 FILM_PARTS = ("film_error_mesh", "film_error_algebraic")
-RATIO_PARTS = tuple(
-    f"ratio_error_{part}" for part in ("mesh", "time", "settling", "algebraic")
-)
+RATIO_PARTS = tuple(f"ratio_error_{part}" for part in ("mesh", "time", "settling", "algebraic"))
 NUMBERS = {
     "H(0,0)": (("central_film",), FILM_PARTS),
     "smallest H": (("minimum_film",), ("minimum_film_error", "film_error_algebraic")),
@@ -79,7 +77,8 @@ def negative_films(found: Row) -> list[str]:
 def work_over_plan(found: Row, plan: Row) -> float:
     """Return all the work of a case over that of its plan, in operations."""
     done = _number(found.get("total_work_units", found["counted_work_units"]))
-    return done * _unit(found) / _unit(plan) / _number(plan.get("expected_total_work_units", plan["expected_work_units"]))
+    expected = _number(plan.get("expected_total_work_units", plan["expected_work_units"]))
+    return done * _unit(found) / (expected * _unit(plan))
 
 
 def _unit(row: Row) -> float:

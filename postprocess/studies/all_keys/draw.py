@@ -205,13 +205,17 @@ DRAWS: dict[str, Draw] = {
     "pressure_viscosity_per_pa": _has_alpha(lambda c, row: c.alpha),
     "roelands_index": _has_alpha(_share(0.4, lambda c, row: c.between(0.4, 0.9))),
     "viscosity_law": _law,
-    "density_law": _share(0.4, lambda c, row: c.one_of("incompressible", "tait", "dowson_higginson")),
+    "density_law": _share(
+        0.4, lambda c, row: c.one_of("incompressible", "tait", "dowson_higginson")
+    ),
     "flow_law": _share(0.5, lambda c, row: c.one_of("eyring", "eyring", "carreau", "newtonian")),
     "eyring_stress_pa": _where("flow_law", "eyring")(lambda c, row: c.power(1e5, 2e7)),
     "carreau_modulus_pa": _where("flow_law", "carreau")(lambda c, row: c.power(1e5, 1e7)),
     "carreau_exponent": _where("flow_law", "carreau")(lambda c, row: c.between(0.35, 1)),
     "limiting_stress_over_pressure": _share(0.2, lambda c, row: c.between(0.03, 0.15)),
-    "mcewen_coefficient_per_pa": _where("viscosity_law", "mcewen")(lambda c, row: c.power(8e-9, 3e-8)),
+    "mcewen_coefficient_per_pa": _where("viscosity_law", "mcewen")(
+        lambda c, row: c.power(8e-9, 3e-8)
+    ),
     "mcewen_exponent": _where("viscosity_law", "mcewen")(lambda c, row: c.between(4, 16)),
     "yasutomi_c1": _yasutomi(lambda c, row: c.between(15.5, 16.5)),
     "yasutomi_c2_k": _yasutomi(lambda c, row: c.between(15, 27)),
@@ -251,13 +255,17 @@ DRAWS: dict[str, Draw] = {
     "largest_total_steps": _share(0.05, lambda c, row: int(c.power(200, 5000))),
     "method": _method,
     "cycle": _where("method", "fas")(_share(0.6, lambda c, row: c.one_of("v", "f", "w"))),
-    "deformation": _share(0.2, lambda c, row: "fft" if c.is_line else c.one_of("auto", "mlmi", "fft")),
+    "deformation": _share(
+        0.2, lambda c, row: "fft" if c.is_line else c.one_of("auto", "mlmi", "fft")
+    ),
     "error_estimate": _share(0.1, lambda c, row: c.one_of("model", "coarse_grid")),
     "accuracy": lambda c, row: c.accuracy,
     "load_balance": _share(
         0.08, lambda c, row: "force_balance" if c.is_line else "equation_of_motion"
     ),
-    "natural_frequency": _where("load_balance", "equation_of_motion")(lambda c, row: c.power(1, 30)),
+    "natural_frequency": _where("load_balance", "equation_of_motion")(
+        lambda c, row: c.power(1, 30)
+    ),
     "load_factor": _share(0.03, lambda c, row: c.between(0.8, 1.2)),
     "end_time": _end,
     "fields": _share(0.1, lambda c, row: True),
