@@ -63,6 +63,7 @@ module ehlwave_case_plan
       real(dp) :: cost = 0                           !! expected effort, node updates of the finest grid
    contains
       procedure :: expected_film_mesh_error
+      procedure :: model_margin
       procedure :: expected_work
       procedure :: expected_seconds
       procedure :: has_work_cap
@@ -220,6 +221,14 @@ contains
       class(case_plan_t), intent(in) :: self
       expected_film_mesh_error = self%thinning%steepness*expected_film_error(self%conditions, self%hx)
    end function expected_film_mesh_error
+
+   !> What errors that the plan expects are to be multiplied with where they stand in for an estimate: models are right within a factor
+   !> of 2 or 3, and were fitted to grids with hY up to 2 hX.
+   pure real(dp) function model_margin(self)
+      class(case_plan_t), intent(in) :: self
+      real(dp), parameter :: usual_margin = 2, usual_ratio = 2
+      model_margin = usual_margin*max(1.0_dp, (self%hy/(usual_ratio*self%hx))**2)
+   end function model_margin
 
    !> Operations to expect, error estimates included.
    elemental real(dp) function expected_work(self)

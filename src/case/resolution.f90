@@ -117,12 +117,13 @@ contains
       real(dp), intent(in) :: y_max    !! half the width of the domain
       real(dp), intent(in) :: hx, hy   !! mesh sizes in X and Y, hY of a line contact 0
       real(dp), intent(in) :: dt       !! time step, 0 in steady cases
-      real(dp), intent(in) :: steepness   !! of the oil, see `thinning_t`: its inlet is shorter by the root of it
+      real(dp), intent(in), optional :: steepness   !! of the oil, see `thinning_t`: its inlet is shorter by the root of it
       type(resolution_t) :: self
       real(dp) :: length
 
       self%reason = ''
-      length = inlet_length(conditions)/sqrt(steepness)
+      length = inlet_length(conditions)
+      if (present(steepness)) length = length/sqrt(steepness)
       self%inlet = hx/length
       if (self%inlet > coarsest_inlet) self%reason = self%reason//'hX over the inlet length = '//to_text(self%inlet, 3)// &
          ' is above '//to_text(coarsest_inlet, 3)//': use hX <= '//to_text(coarsest_inlet*length, 3)//'; '

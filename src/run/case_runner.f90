@@ -7,7 +7,7 @@ module ehlwave_case_runner
    use ehlwave_case_plan, only: case_plan_t, most_work, run_march, run_standing
    use ehlwave_case_result, only: case_result_t
    use ehlwave_clock, only: peak_memory_mib, wall_seconds
-   use ehlwave_error_estimate, only: estimate_error, model_margin, observed_order
+   use ehlwave_error_estimate, only: estimate_error, observed_order
    use ehlwave_friction_error, only: estimate_friction_error
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_given, only: given_t
@@ -181,7 +181,7 @@ contains
       result%film_error_basis = 'coarse_grid'
       if (.not. ieee_is_finite(result%central_film_error)) then
          result%film_error_basis = 'model'
-         result%central_film_error = model_margin*plan%expected_film_mesh_error()
+         result%central_film_error = plan%model_margin()*plan%expected_film_mesh_error()
          result%minimum_film_error = minimum_margin*result%central_film_error
       end if
       if (ieee_is_finite(result%shear%friction_coefficient)) result%friction_error = &

@@ -5,7 +5,6 @@ module ehlwave_error_account
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_result, only: case_result_t
-   use ehlwave_error_estimate, only: model_margin
    use ehlwave_error_parts, only: error_parts_t
    use ehlwave_kinds, only: dp
    use ehlwave_linear_range, only: linear_limit
@@ -45,7 +44,7 @@ contains
       parts = plan%expected
       parts%settling = result%settling
       if (plan%steps > 0) parts%algebraic = expected_step_error(case%step_tolerance)
-      if (result%amplitude_error_basis == 'model') parts%mesh = model_margin*parts%mesh
+      if (result%amplitude_error_basis == 'model') parts%mesh = plan%model_margin()*parts%mesh
       if (result%amplitude_error_basis == 'coarse_grid') &
          parts%mesh = max(0.0_dp, result%amplitude_ratio_error - parts%algebraic - parts%time)   ! coarser grids take longer steps
       if (ieee_is_finite(result%harmonic%ratio)) &

@@ -7,9 +7,6 @@ module ehlwave_error_estimate
    private
    public :: estimate_error, likely_order, observed_order
 
-   !> Errors by the models of plans are right within a factor of 2 or 3: so much of them, where they stand in for an estimate.
-   real(dp), parameter, public :: model_margin = 2
-
    real(dp), parameter :: formal_order = 2     !! of the discretisation in space and time
    real(dp), parameter :: lowest_order = 1     !! assumed where the values do not converge monotonically
 

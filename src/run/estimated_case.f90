@@ -7,7 +7,7 @@ module ehlwave_estimated_case
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_runner, only: run_case
    use ehlwave_clock, only: wall_seconds
-   use ehlwave_error_estimate, only: estimate_error, likely_order, model_margin
+   use ehlwave_error_estimate, only: estimate_error, likely_order
    use ehlwave_errors, only: error_t
    use ehlwave_kinds, only: dp
    use ehlwave_march_keeper, only: march_keeper_t
@@ -71,7 +71,7 @@ contains
       result%seconds = result%seconds + seconds
       result%total_work_units = result%all_work/work_unit_operations(plan%cells_x, plan%cells_y)
       estimate = estimate_error([result%amplitude_ratio_fit, ratios], likely_order(result%film_order, plan%resolution))
-      result%amplitude_ratio_error = model_margin*plan%expected_error
+      result%amplitude_ratio_error = plan%model_margin()*plan%expected_error
       if (ieee_is_finite(estimate)) then
          result%amplitude_ratio_error = estimate
          if (plan%steps > 0) result%amplitude_ratio_error = estimate + expected_step_error(case%step_tolerance)

@@ -4,7 +4,7 @@ module ehlwave_harmonic_case
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_result, only: case_result_t
-   use ehlwave_error_estimate, only: likely_order, model_margin
+   use ehlwave_error_estimate, only: likely_order
    use ehlwave_harmonic_response, only: harmonic_response_t
    use ehlwave_kinds, only: dp
    use ehlwave_mean_film, only: find_mean_change, has_mean, mean_change_t
@@ -60,7 +60,7 @@ contains
          result%harmonic%p = response%p
          result%harmonic%h = response%h
       end if
-      result%harmonic%error = model_margin*plan%expected%mesh   ! unless a coarser grid tells more
+      result%harmonic%error = plan%model_margin()*plan%expected%mesh   ! unless a coarser grid tells more
       result%harmonic%error_basis = 'model'
       if (.not. steady%has_coarse) return
       call steady%coarse_response%respond(steady%multigrid%levels(:n - 1), plan%waviness, case%natural_frequency, &

@@ -88,7 +88,9 @@ contains
       call make_multigrid(multigrid, 1000.0_dp, 1.0_dp, 64, .true.)
       rescue%work_left = 0.1_dp*enough
       call rescue%solve_steady(multigrid, solve_limits_t(tolerance, 5), 1e-3_dp)
-      call test%check(multigrid%levels(size(multigrid%levels))%report%status /= status_converged, 'too little work for this contact')
+      associate (report => multigrid%levels(size(multigrid%levels))%report)
+         call test%check(report%status /= status_converged, 'too little work for this contact')
+      end associate
       call test%check(rescue%is_spent() .and. rescue%work_left <= 0, 'the work is used up')
       call test%check(multigrid%work() < 0.2_dp*enough, 'and little more than that')
    end subroutine check_work_cap
