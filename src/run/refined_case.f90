@@ -40,20 +40,16 @@ contains
       type(case_plan_t) :: finer
       type(case_result_t) :: again
       real(dp) :: largest_work
-      logical :: is_finer, is_within   ! of a finer run: there is one, and the work that is left is enough for it
+      logical :: is_finer
 
       call run_estimated_case(case, plan, monitor, result, shared, keeper)
       call take_errors(case, plan, result)
-      is_within = .true.
       if (.not. case%accuracy > 0 .or. case%edges == 'truncated' .or. result%status /= status_converged) return
       largest_work = plan%largest_work
       do while (result%error_estimate > case%accuracy .and. result%refinements < most_refinements)
          if (monitor%request /= go_on) exit
-         call refine_plan(case, plan, parts_of(case, result), finer, is_finer)
+         call refine_plan(case, plan, parts_of(case, result), largest_work - result%all_work, finer, is_finer)
          if (.not. is_finer) exit
-         finer%largest_work = largest_work - result%all_work
-         is_within = finer%expected_work() <= finer%largest_work
-         if (.not. is_within) exit
          call run_estimated_case(case, finer, monitor, again, shared)
          if (again%status == status_interrupted) then
             result%status = status_interrupted
@@ -88,8 +84,6 @@ contains
       result%message = 'estimated relative error '//to_text(result%error_estimate, 2)//' ('// &
                        errors_text(parts_of(case, result))//') above the accuracy of '//to_text(case%accuracy, 2)// &
                        advice(case, result)
-      if (.not. is_within) result%message = result%message//'; a finer run would take more than '//to_text(most_work, 3)// &
-         ' times the planned work: &solver largest_total_steps sets another cap'
    end subroutine run_refined_case
 
    !> Whether the error of what the case is about was found on coarser grids, if that was not left to the model.
@@ -122,7 +116,8 @@ contains
 
       parts = parts_of(case, result)
       others = max(parts%mesh, parts%domain, parts%time, parts%algebraic)
-      text = ': ask for less, or leave cells and domain to the plan with a larger largest_cells'
+      text = ': ask for less, or leave cells and domain to the plan with a larger largest_cells '// &
+         '(and &solver largest_total_steps, where a finer run would take a case beyond '//to_text(most_work, 3)//' times its plan)'
       if (parts%amplitude > others) text = ': take amplitude_over_film below '//to_text(linear_limit(case), 2)// &
          ", or response = 'harmonic'"
       if (parts%settling > max(others, parts%amplitude)) text = ': take more settling_periods'

@@ -76,8 +76,8 @@ def negative_films(found: Row) -> list[str]:
 
 def work_over_plan(found: Row, plan: Row) -> float:
     """Return all the work of a case over that of its plan, in operations."""
-    done = _number(found.get("total_work_units", found["counted_work_units"]))
-    expected = _number(plan.get("expected_total_work_units", plan["expected_work_units"]))
+    done = _number(found["total_work_units"])
+    expected = _number(plan["expected_total_work_units"])
     return done * _unit(found) / (expected * _unit(plan))
 
 
