@@ -22,8 +22,8 @@ module ehlwave_friction_error
 
 contains
 
-   !> The larger one of Richardson's estimate and, of a Newtonian oil, what the growth of the spike since the next coarser level changes
-   !> in the friction that the finest has above the largest pressure there.
+   !> Richardson's estimate; of a Newtonian oil, whose stress goes with the rate of shear, at least the error of the film, and at least
+   !> what the growth of the spike since the next coarser level changes in the friction that the finest has above the pressure there.
    real(dp) function estimate_friction_error(levels, slip_parameter, film_error) result(error)
       type(level_t), intent(in) :: levels(:)     !! finest first, solved but for some
       real(dp), intent(in) :: slip_parameter     !! S
@@ -38,7 +38,7 @@ contains
       error = estimate_error(friction, usual_order)
       if (.not. ieee_is_finite(error)) error = film_share*film_error
       if (allocated(levels(1)%problem%film_flow) .or. abs(friction(1)) <= 0) return
-      error = max(error, by_growth(levels, slip_parameter)/abs(friction(1)))
+      error = max(error, film_error, by_growth(levels, slip_parameter)/abs(friction(1)))
    end function estimate_friction_error
 
    !> What another growth of the spike would add to the friction.
