@@ -245,8 +245,9 @@ contains
       call list%see(case%settling_periods, key_t('settling_periods', 'periods to wait before the amplitude is measured; once '// &
          'the pattern has reached the outlet end', minimum=0.0_dp, maximum=1000.0_dp))
       call list%see(case%largest_total_steps, key_t('largest_total_steps', 'largest number of Newton steps of a case on the '// &
-         'finest grid; rescues included; 0: 600, and 40 for each time step, 300 for each phase of a standing pattern', &
-         minimum=0.0_dp, maximum=1e9_dp, is_written=case%largest_total_steps > 0))
+         'finest grid; rescues included; 0: 600, and 40 for each time step, 300 for each phase of a standing pattern, and no '// &
+         'more work than keeps a case within ten times its plan', minimum=0.0_dp, maximum=1e9_dp, &
+         is_written=case%largest_total_steps > 0))
       call list%see(case%method, key_t('method', "method of solution; 'fas': FAS multigrid with hybrid line relaxation, the "// &
          "paper's method, 'petsc': the finest level by PETSc's variational inequality solver, an independent check (builds "// &
          "with PETSc)", choices='newton fas petsc'))

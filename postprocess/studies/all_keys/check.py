@@ -14,7 +14,7 @@ LARGEST_COST = 1.5e8
 """Of the finer run: planned work times cells. About ten seconds."""
 LONGEST_S = 1800
 UNRESOLVED = 0.3
-"""Share of the inputs that are kept of those whose plan says that the grid does not resolve them."""
+"""Share that is kept of the inputs that their grid does not resolve, as the plan says."""
 USUAL_DOMAIN = {"x_min": -2.5, "x_max": 1.5, "y_max": 2.0}
 USUAL_TOLERANCES = {"tolerance": 1e-6, "step_tolerance": 1e-4, "response_tolerance": 1e-5}
 TOLD = ("status", "rung", "cells_x", "cells_y", "load_parameter_m", "lubricant_parameter_l")
