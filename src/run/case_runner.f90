@@ -7,12 +7,11 @@ module ehlwave_case_runner
    use ehlwave_case_plan, only: case_plan_t, most_work, run_march, run_standing
    use ehlwave_case_result, only: case_result_t
    use ehlwave_clock, only: peak_memory_mib, wall_seconds
-   use ehlwave_error_estimate, only: estimate_error, observed_order
-   use ehlwave_friction_error, only: estimate_friction_error
+   use ehlwave_film_errors, only: estimate_film_errors
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_given, only: given_t
    use ehlwave_harmonic_case, only: run_response
-   use ehlwave_hierarchy, only: hierarchy_t, level_t
+   use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp, pi
    use ehlwave_march_case, only: run_moving
    use ehlwave_march_keeper, only: march_keeper_t
@@ -30,8 +29,6 @@ module ehlwave_case_runner
    implicit none (type, external)
    private
    public :: run_case
-
-   real(dp), parameter :: minimum_margin = 2   !! error of the smallest film over that of the film, where the model stands in
 
 contains
 
@@ -164,29 +161,6 @@ contains
       call result%shear%take(level%problem, level%state, case%slip_parameter, case%limiting_stress_over_pressure)
       result%warning = result%shear%warning(case%limiting_stress_over_pressure)
    end subroutine take_smooth_film
-
-   !> Discretisation errors of smooth film and friction from the levels that the multigrid start solved on its way; where there is
-   !> no level to compare with from the model, with a margin.
-   subroutine estimate_film_errors(case, plan, multigrid, result)
-      type(case_t), intent(in) :: case
-      type(case_plan_t), intent(in) :: plan
-      type(hierarchy_t), intent(in) :: multigrid
-      type(case_result_t), intent(inout) :: result
-      integer :: n
-
-      n = size(multigrid%levels)
-      result%central_film_error = estimate_error(multigrid%levels(n:1:-1)%central_film)
-      result%minimum_film_error = estimate_error(multigrid%levels(n:1:-1)%minimum_film)
-      result%film_order = observed_order(multigrid%levels(n:1:-1)%central_film)
-      result%film_error_basis = 'coarse_grid'
-      if (.not. ieee_is_finite(result%central_film_error)) then
-         result%film_error_basis = 'model'
-         result%central_film_error = plan%model_margin()*plan%expected_film_mesh_error()
-         result%minimum_film_error = minimum_margin*result%central_film_error
-      end if
-      if (ieee_is_finite(result%shear%friction_coefficient)) result%friction_error = &
-         estimate_friction_error(multigrid%levels(n:1:-1), case%slip_parameter, result%central_film_error)
-   end subroutine estimate_film_errors
 
    !> Pattern that stands still: one steady state for each phase, no time stepping.
    subroutine run_standing_pattern(case, plan, multigrid, rescue, monitor, result)
