@@ -81,6 +81,7 @@ module ehlwave_case_plan
    real(dp), parameter :: cost_of_estimate = 1.15_dp !! of a case with its coarser grids over that without
    real(dp), parameter :: response_work_units = 50   !! of a linear response on half a domain and the change of the mean; measured: 35 to 80
    real(dp), parameter :: line_response_work_units = 250   !! the same of a line contact
+   real(dp), parameter :: load_step_cost = 4         !! time steps after a load step over others; measured at M = 300, L = 30, D = 1: 9
    real(dp), parameter :: periodic_share = 0.4_dp    !! of a march that starts in the waves, of one from rest; measured: 0.2 to 0.6
    real(dp), parameter :: outlet_end = 1             !! X of the outlet end of the Hertzian contact
 
@@ -135,8 +136,7 @@ contains
          plan%phases = merge(8, 2, plan%waviness%wavelength_x > 0)
       end if
       if (allocated(error)) return
-      plan%resolution = judge_resolution(plan%conditions, plan%waviness, plan%x_min, plan%y_max, plan%hx, plan%hy, plan%dt, &
-                                         plan%thinning%steepness)
+      plan%resolution = judge_resolution(plan%conditions, plan%waviness, plan%x_min, plan%y_max, plan%hx, plan%hy, plan%dt)
       call expect(case, plan)
       if (case%accuracy > 0) call check_accuracy(case, plan, error)
       plan%cost = real(plan%cells_x, dp)*plan%cells_y*(15 + 6*plan%phases + 4*plan%steps + merge(8, 0, plan%responds))
@@ -167,10 +167,11 @@ contains
    subroutine expect(case, plan)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(inout) :: plan
-      real(dp) :: samples, step_tolerance
+      real(dp) :: samples, step_tolerance, steps_cost
       logical :: is_newtonian
 
       is_newtonian = case%flow_law == 'newtonian'
+      steps_cost = 1
       samples = plan%resolution%samples
       step_tolerance = case%step_tolerance
       if (plan%kind == run_harmonic) then     ! has the frequency of steps dT = hX, and no tolerance of its own
@@ -190,8 +191,9 @@ contains
       plan%expected_error = plan%expected%mesh + plan%expected%time + plan%expected%algebraic
       associate (steady => steady_work_units(plan%conditions, plan%cells_x, is_newtonian, plan%thinning%cost), &
                  step => step_work_units(plan%conditions, plan%cells_x, is_newtonian, plan%thinning%cost))
+         if (abs(case%load_factor - 1) > 0) steps_cost = load_step_cost
          plan%expected_work_units = (1 + 0.5_dp*plan%phases)*steady &
-                                    + merge(periodic_share, 1.0_dp, plan%is_periodic)*plan%steps*step
+                                    + merge(periodic_share, 1.0_dp, plan%is_periodic)*plan%steps*step*steps_cost
       end associate
       if (plan%responds) plan%expected_work_units = plan%expected_work_units &
          + merge(line_response_work_units, response_work_units, plan%conditions%is_line())

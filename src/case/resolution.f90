@@ -110,20 +110,18 @@ contains
    end function has_room
 
    !> Points per wave and per inlet sweep, the length of the inlet, and the verdict on them.
-   pure function judge_resolution(conditions, waviness, x_min, y_max, hx, hy, dt, steepness) result(self)
+   pure function judge_resolution(conditions, waviness, x_min, y_max, hx, hy, dt) result(self)
       type(conditions_t), intent(in) :: conditions
       type(waviness_t), intent(in) :: waviness
       real(dp), intent(in) :: x_min    !! X of the inlet boundary
       real(dp), intent(in) :: y_max    !! half the width of the domain
       real(dp), intent(in) :: hx, hy   !! mesh sizes in X and Y, hY of a line contact 0
       real(dp), intent(in) :: dt       !! time step, 0 in steady cases
-      real(dp), intent(in), optional :: steepness   !! of the oil, see `thinning_t`: its inlet is shorter by the root of it
       type(resolution_t) :: self
       real(dp) :: length
 
       self%reason = ''
       length = inlet_length(conditions)
-      if (present(steepness)) length = length/sqrt(steepness)
       self%inlet = hx/length
       if (self%inlet > coarsest_inlet) self%reason = self%reason//'hX over the inlet length = '//to_text(self%inlet, 3)// &
          ' is above '//to_text(coarsest_inlet, 3)//': use hX <= '//to_text(coarsest_inlet*length, 3)//'; '

@@ -37,16 +37,18 @@ contains
       estimate_error = abs(values(1) - values(2))/((2**order - 1)*abs(values(1)))
    end function estimate_error
 
-   !> Order to expect of the response to waves with two grids, by what the mesh leaves of the inlet and of waves along Y: 2 where it
+   !> Order to expect of the response to waves with two grids, by what the mesh leaves of the inlet and of waves: 2 where it
    !> resolves them well, 1 where it barely does (M = 1000, D = 1: 1.1 with hX = 0.25 inlet lengths), and not above that of the film where
    !> three levels show it.
-   pure real(dp) function likely_order(film_order, resolution)
+   pure real(dp) function likely_order(film_order, resolution, steepness)
       real(dp), intent(in) :: film_order   !! NaN: not known
       type(resolution_t), intent(in) :: resolution
-      real(dp), parameter :: fine_inlet = 0.15_dp
+      real(dp), intent(in) :: steepness    !! of the oil, see `thinning_t`: its inlet is shorter by the root of it
+      real(dp), parameter :: fine_inlet = 0.15_dp, enough_along_x = 4   ! points on a wave above the fewest
       real(dp) :: well
 
-      well = (coarsest_inlet - resolution%inlet)/(coarsest_inlet - fine_inlet)
+      well = (coarsest_inlet - sqrt(steepness)*resolution%inlet)/(coarsest_inlet - fine_inlet)
+      if (resolution%points_x > 0) well = min(well, (resolution%points_x - fewest_points_per_wave)/enough_along_x)
       if (resolution%points_y > 0) well = min(well, (resolution%points_y - fewest_points_per_wave) &
                                               /(wanted_points_per_wave - fewest_points_per_wave))
       likely_order = lowest_order + (formal_order - lowest_order)*min(max(well, 0.0_dp), 1.0_dp)

@@ -4,7 +4,7 @@ module ehlwave_film_errors
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_result, only: case_result_t
-   use ehlwave_error_estimate, only: estimate_error, observed_order
+   use ehlwave_error_estimate, only: estimate_error, likely_order, observed_order
    use ehlwave_friction_error, only: estimate_friction_error
    use ehlwave_hierarchy, only: hierarchy_t
    use ehlwave_kinds, only: dp
@@ -26,8 +26,9 @@ contains
 
       n = size(multigrid%levels)
       result%central_film_error = estimate_error(multigrid%levels(n:1:-1)%central_film)
-      result%minimum_film_error = estimate_error(multigrid%levels(n:1:-1)%minimum_film)
       result%film_order = observed_order(multigrid%levels(n:1:-1)%central_film)
+      result%minimum_film_error = estimate_error(multigrid%levels(n:1:-1)%minimum_film, &
+                                                 likely_order(result%film_order, plan%resolution, plan%thinning%steepness))
       result%film_error_basis = 'coarse_grid'
       if (.not. ieee_is_finite(result%central_film_error)) then
          result%film_error_basis = 'model'

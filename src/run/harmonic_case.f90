@@ -66,7 +66,8 @@ contains
       call steady%coarse_response%respond(steady%multigrid%levels(:n - 1), plan%waviness, case%natural_frequency, &
                                           plan%steps_per_cell, coarse)
       if (coarse%status /= status_converged) return
-      call result%harmonic%extrapolate(coarse%film, coarse%pressure, likely_order(result%film_order, plan%resolution))
+      call result%harmonic%extrapolate(coarse%film, coarse%pressure, &
+                                       likely_order(result%film_order, plan%resolution, plan%thinning%steepness))
       result%harmonic%error_basis = 'coarse_grid'
    end subroutine run_response
 

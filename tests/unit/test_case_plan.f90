@@ -35,7 +35,7 @@ contains
       case%cells_y = 64
    end function sample
 
-   !> Oils that thin: more error, more work, a shorter inlet; Newtonian ones and those that hardly do: none of it.
+   !> Oils that thin: more error, more work; Newtonian ones and those that hardly do: none of it.
    subroutine check_thinning()
       type(case_plan_t) :: newtonian, plan
       type(case_t) :: case
@@ -53,8 +53,6 @@ contains
       associate (stress => plan%conditions%hertz_pressure_pa**2/(2.26e11_dp*2e5_dp))
          call test%check_close(plan%expected%mesh, (1 + 0.15_dp*stress)*newtonian%expected%mesh, 'thins', relative=1e-10_dp)
       end associate
-      call test%check_close(plan%resolution%inlet, sqrt(plan%thinning%steepness)*newtonian%resolution%inlet, 'its inlet', &
-                            relative=1e-10_dp)
       call test%check(plan%expected_work_units > plan%thinning%steepness*newtonian%expected_work_units, 'its work')
       case%flow_law = 'carreau'
       case%carreau_modulus_pa = 2e5_dp
