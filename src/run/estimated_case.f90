@@ -23,7 +23,7 @@ module ehlwave_estimated_case
    integer, parameter :: fewest_cells = 24   !! of a coarser grid that is worth running
    !> Estimate over the error that the plan expects of the mesh, at least. Of 17 random cases the expected error was 0.65 to 3 times the
    !> error, the estimate 0.02 to 3 times.
-   real(dp), parameter :: least_share = 0.7_dp
+   real(dp), parameter :: least_share = 0.8_dp
 
    !> Asked to stop, the coarse runs are finished if that takes no longer.
    real(dp), parameter :: largest_delay_s = 10
