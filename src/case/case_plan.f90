@@ -80,22 +80,23 @@ contains
       type(case_plan_t), intent(out) :: plan
       type(error_t), allocatable, intent(inout) :: error
       type(case_t) :: copy
-      real(dp) :: errors(2), kappa
+      real(dp) :: errors(2), kappa, thickening
 
       copy = case
       call case_conditions(copy, plan%conditions, error)
       if (allocated(error)) return
+      plan%rheology = case_lubricant(case, plan%conditions)
+      thickening = plan%rheology%thickening()
       copy = case
-      call choose_domain(copy, plan%conditions, plan%domain_scale)
+      call choose_domain(copy, plan%conditions, thickening, plan%domain_scale)
       plan%x_min = copy%x_min
       plan%x_max = copy%x_max
       plan%y_max = copy%y_max
-      errors = expected_domain_errors(case, plan%conditions, plan%domain_scale)
+      errors = expected_domain_errors(case, plan%conditions, thickening, plan%domain_scale)
       plan%film_domain_error = errors(1)
       plan%domain_error = errors(2)
       if (case%edges == 'flooded') copy%accuracy = case%accuracy - min(0.5_dp*case%accuracy, plan%domain_error)
       kappa = plan%conditions%elliptic%kappa
-      plan%rheology = case_lubricant(case, plan%conditions)
       plan%waviness = no_waviness()
       if (case%orientation /= 'none') &
          plan%waviness = new_waviness(case%wavelength_x_over_a, kappa*case%wavelength_y_over_a, case%oblique, &
@@ -155,7 +156,7 @@ contains
       real(dp) :: samples, step_tolerance
       logical :: is_newtonian
 
-      is_newtonian = case%flow_law == 'newtonian'
+      is_newtonian = plan%rheology%is_newtonian()
       samples = plan%resolution%samples
       step_tolerance = case%step_tolerance
       if (plan%kind == run_harmonic) then     ! has the frequency of steps dT = hX, and no tolerance of its own

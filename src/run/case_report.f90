@@ -39,8 +39,8 @@ contains
             write (unit, '(a)') '             a = '//to_text(c%a_m*1e3_dp, 5)//' mm, b = '// &
                to_text(c%b_m*1e3_dp, 5)//' mm, c = '//to_text(c%c_m*1e6_dp, 5)//' um'
          end if
-         write (unit, '(a)') 'Lubricant    '//trim(case%viscosity_law)//', '//trim(case%density_law)//', '//trim(case%flow_law)// &
-            ', alpha = '//to_text(c%alpha_per_pa*1e9_dp, 5)//' 1/GPa'
+         write (unit, '(a)') 'Lubricant    '//trim(case%oil%viscosity_law)//', '//trim(case%oil%density_law)//', '// &
+            trim(case%oil%flow_law)//', alpha = '//to_text(c%alpha_per_pa*1e9_dp, 5)//' 1/GPa'
          if (allocated(plan%waviness%surface)) then
             write (unit, '(a)') 'Waviness     '//surface_text(case, plan%waviness, c)
          else

@@ -95,7 +95,7 @@ contains
             allocate (result%p, source=level%state%p)
             allocate (result%h, source=level%state%h)
             if (is_success(result%status)) &
-               call mean_shear_stress(level%problem, level%state, case%slip_parameter, result%shear_stress_pa)
+               call mean_shear_stress(level%problem, level%state, result%shear_stress_pa)
          end if
       end associate
 
@@ -141,8 +141,8 @@ contains
       result%minimum_film = minval(level%state%h)
       result%central_film_moes = result%central_film*plan%conditions%moes_film_factor
       result%max_pressure = maxval(level%state%p)
-      call result%shear%take(level%problem, level%state, case%slip_parameter, case%limiting_stress_over_pressure)
-      result%warning = result%shear%warning(case%limiting_stress_over_pressure)
+      call result%shear%take(level%problem, level%state, case%oil%limiting_stress_over_pressure)
+      result%warning = result%shear%warning(case%oil%limiting_stress_over_pressure)
    end subroutine take_smooth_film
 
    !> Discretisation errors of the smooth film from the levels that the multigrid start solved on its way.
