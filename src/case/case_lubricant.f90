@@ -1,24 +1,32 @@
 !> The lubricant of a case: what it needs, and its laws as the equations take them.
 module ehlwave_case_lubricant
    use ehlwave_case_definition, only: case_t
+   use ehlwave_case_files, only: case_file_t, case_files
    use ehlwave_conditions, only: conditions_t
    use ehlwave_errors, only: error_t, raise
    use ehlwave_key_applicability, only: check_needed
    use ehlwave_kinds, only: dp
+   use ehlwave_number_file, only: read_number_table
+   use ehlwave_number_table, only: number_table_t
    use ehlwave_rheology, only: new_rheology, rheology_t
+   use ehlwave_text, only: to_text
    use ehlwave_viscosity_law, only: viscosity_law_t
    implicit none (type, external)
    private
-   public :: case_lubricant, check_lubricant, pressure_viscosity
+   public :: case_lubricant, check_lubricant, extrapolation_text, pressure_viscosity
+
+   real(dp), parameter :: largest_difference = 0.01_dp   ! relative, of two values of one viscosity
 
 contains
 
-   !> Refuse a law that lacks its parameters, or a flow law that lacks what makes it dimensionless.
+   !> Read the file of the oil, unless that is done. Refuse a law that lacks its parameters or contradicts the
+   !> conditions, or a flow law that lacks what makes it dimensionless.
    subroutine check_lubricant(case, error)
-      type(case_t), intent(in) :: case
+      type(case_t), intent(inout) :: case
       type(error_t), allocatable, intent(inout) :: error
 
       call check_needed(case, 'lubricant', error)
+      if (.not. allocated(error)) call check_viscosity(case, error)
       if (allocated(error) .or. case%oil%is_newtonian() .or. case%is_dimensional) return
       if (.not. case%data%reduced_modulus_pa > 0) then
          call raise(error, "&conditions reduced_modulus_pa is missing: &lubricant flow_law = '"//trim(case%oil%flow_law)// &
@@ -30,6 +38,72 @@ contains
                     "'isoviscous' the viscosity is constant all the same), or dimensional data")
       end if
    end subroutine check_lubricant
+
+   !> Read the measured viscosities of an oil that has some. Refuse such of which no law can be made, or which
+   !> contradict the viscosity of the case.
+   subroutine check_viscosity(case, error)
+      type(case_t), intent(inout) :: case
+      type(error_t), allocatable, intent(inout) :: error
+      class(viscosity_law_t), allocatable :: law
+      character(len=:), allocatable :: key
+
+      key = ''
+      if (case%oil%viscosity_file /= '') key = file_key(case, trim(case%oil%viscosity_file))
+      associate (oil => case%oil)
+         if (key == '') then
+            oil%measured = number_table_t()
+         else if (.not. oil%measured%is_from(trim(oil%viscosity_file))) then
+            call read_number_table(trim(oil%viscosity_file), oil%measured, error)
+         end if
+         if (.not. allocated(error)) call oil%make_viscosity(law, error)
+      end associate
+      if (allocated(error)) then
+         if (key /= '') error%message = key//': '//error%message
+      else if (case%is_dimensional .and. law%ambient_pa_s > 0) then
+         if (abs(case%data%viscosity_pa_s/law%ambient_pa_s - 1) <= largest_difference) return
+         if (.not. case%data%viscosity_pa_s > 0) return   ! is missing, which is said of the conditions
+         call raise(error, key//" = '"//trim(case%oil%viscosity_file)//"' has "//to_text(law%ambient_pa_s, 6)// &
+                    ' Pa s at ambient pressure, which &conditions viscosity_pa_s = '// &
+                    to_text(case%data%viscosity_pa_s, 6)//' contradicts: give the same')
+      end if
+   end subroutine check_viscosity
+
+   !> '&group key' of the file of a path, '' where the case reads no such file.
+   function file_key(case, path) result(key)
+      type(case_t), intent(in) :: case
+      character(len=*), intent(in) :: path
+      character(len=:), allocatable :: key
+      type(case_file_t), allocatable :: files(:)
+      integer :: i
+
+      allocate (files, source=case_files(case))
+      key = ''
+      do i = 1, size(files)
+         if (files(i)%path == path) key = files(i)%key
+      end do
+   end function file_key
+
+   !> What is to be said where pressures go beyond those that the viscosity law is known up to, else ''.
+   function extrapolation_text(case, rheology, pressure) result(text)
+      type(case_t), intent(in) :: case
+      type(rheology_t), intent(in) :: rheology
+      real(dp), intent(in) :: pressure   !! largest P
+      character(len=:), allocatable :: text
+
+      text = ''
+      if (pressure > rheology%largest_pressure()) text = 'pressures reach '//gigapascals(pressure)// &
+         " and viscosity_law = '"//trim(case%oil%viscosity_law)//"' is known up to "// &
+         gigapascals(rheology%largest_pressure())//': beyond that it is extrapolated'
+
+   contains
+
+      function gigapascals(p) result(text)
+         real(dp), intent(in) :: p   !! P
+         character(len=:), allocatable :: text
+         text = to_text(1e-9_dp*rheology%in_pascals(p), 4)//' GPa'
+      end function gigapascals
+
+   end function extrapolation_text
 
    !> Pressure-viscosity coefficient alpha of the case, 1/Pa.
    real(dp) function pressure_viscosity(case)

@@ -4,6 +4,7 @@ module ehlwave_case_plan
       steady_work_units, step_work_units
    use ehlwave_case_completion, only: case_conditions
    use ehlwave_case_definition, only: case_t
+   use ehlwave_case_files, only: case_file_t, case_files, note_digest
    use ehlwave_case_lubricant, only: case_lubricant
    use ehlwave_conditions, only: conditions_t
    use ehlwave_domain_choice, only: choose_domain, expected_domain_errors
@@ -32,7 +33,7 @@ module ehlwave_case_plan
       type(conditions_t) :: conditions
       type(rheology_t) :: rheology
       type(waviness_t) :: waviness
-      character(len=identity_length) :: surface_digest = ''   !! of the content of a measured surface
+      type(case_file_t), allocatable :: files(:)     !! that cases may read; with digests where this one does
       integer :: kind = run_smooth
       logical :: responds = .false.                  !! the linear response is computed
       logical :: is_periodic = .false.               !! the periodic state is sought first; the march is what else there is
@@ -80,12 +81,17 @@ contains
       type(case_plan_t), intent(out) :: plan
       type(error_t), allocatable, intent(inout) :: error
       type(case_t) :: copy
+      character(len=identity_length) :: digest
       real(dp) :: errors(2), kappa, thickening
 
       copy = case
       call case_conditions(copy, plan%conditions, error)
       if (allocated(error)) return
-      plan%rheology = case_lubricant(case, plan%conditions)
+      plan%rheology = case_lubricant(copy, plan%conditions)
+      plan%files = case_files(case)
+      associate (measured => copy%oil%measured)
+         if (allocated(measured%path)) call note_digest(plan%files, measured%path, measured%digest())
+      end associate
       thickening = plan%rheology%thickening()
       copy = case
       call choose_domain(copy, plan%conditions, thickening, plan%domain_scale)
@@ -101,8 +107,10 @@ contains
       if (case%orientation /= 'none') &
          plan%waviness = new_waviness(case%wavelength_x_over_a, kappa*case%wavelength_y_over_a, case%oblique, &
                                       case%x_min, case%slip_parameter)
-      if (len_trim(case%surface_file) > 0) &
-         call read_case_surface(case, plan%conditions, plan%waviness, plan%surface_digest, error)
+      if (len_trim(case%surface_file) > 0) then
+         call read_case_surface(case, plan%conditions, plan%waviness, digest, error)
+         call note_digest(plan%files, trim(case%surface_file), digest)
+      end if
       if (allocated(error)) return
       plan%is_half = (case%domain == 'auto' .or. plan%conditions%is_line()) .and. plan%waviness%is_symmetric()
       call choose_grid(copy, plan%conditions, plan%waviness, plan%cells_x, plan%cells_y, plan%grid_reason)

@@ -1,19 +1,22 @@
 !> The oil of a case: the one list of viscosity, density and flow laws, by name, and their parameters.
 !>
 !> A new law is a module that extends `viscosity_law_t`, `density_law_t` or `flow_law_t`. Here it has its name, its parameters (a
-!> component of `oil_t`) and its `case`; its keys stand in `input/oil_keys`.
+!> component of `oil_t`) and its `case`; its keys stand in `input/oil_keys`. Measured values come from `viscosity_file`,
+!> which `case/case_lubricant` reads.
 module ehlwave_oil
    use ehlwave_barus_law, only: barus_law_t
    use ehlwave_carreau_law, only: new_carreau_law
    use ehlwave_density_law, only: density_law_t
    use ehlwave_doolittle_law, only: doolittle_law_t
    use ehlwave_dowson_higginson_density, only: dowson_higginson_density_t
+   use ehlwave_errors, only: error_t, raise
    use ehlwave_eyring_law, only: eyring_law_t
    use ehlwave_flow_law, only: flow_law_t
    use ehlwave_incompressible_density, only: incompressible_density_t
    use ehlwave_isoviscous_law, only: isoviscous_law_t
    use ehlwave_kinds, only: dp
    use ehlwave_mcewen_law, only: mcewen_law_t
+   use ehlwave_number_table, only: number_table_t, path_length
    use ehlwave_roelands_law, only: roelands_law_t
    use ehlwave_tait_density, only: tait_density_t
    use ehlwave_viscosity_law, only: viscosity_law_t
@@ -38,6 +41,8 @@ module ehlwave_oil
       character(len=name_length) :: viscosity_law = roelands
       character(len=name_length) :: density_law = dowson_higginson
       character(len=name_length) :: flow_law = newtonian
+      character(len=path_length) :: viscosity_file = ''             !! measured values, of laws that are made from them,
+      type(number_table_t) :: measured                              !! and the values, once they are read
       real(dp) :: pressure_viscosity_per_pa = 2.2e-8_dp             !! alpha, where it is given
       type(roelands_law_t) :: roelands
       type(mcewen_law_t) :: mcewen
@@ -48,6 +53,7 @@ module ehlwave_oil
       real(dp) :: carreau_modulus_pa = 0, carreau_exponent = 0      !! G, n
       real(dp) :: limiting_stress_over_pressure = 0.08_dp
    contains
+      procedure :: make_viscosity
       procedure :: viscosity
       procedure :: density
       procedure :: flow
@@ -58,10 +64,11 @@ module ehlwave_oil
 
 contains
 
-   !> The viscosity law that the oil follows.
-   pure function viscosity(self) result(law)
+   !> The viscosity law that the oil follows. Fails on measured values of which no law can be made.
+   pure subroutine make_viscosity(self, law, error)
       class(oil_t), intent(in) :: self
-      class(viscosity_law_t), allocatable :: law
+      class(viscosity_law_t), allocatable, intent(inout) :: law   !! unallocated before
+      type(error_t), allocatable, intent(out) :: error
       type(roelands_law_t) :: with_alpha
       type(doolittle_law_t) :: with_volume
 
@@ -82,7 +89,17 @@ contains
          with_volume = self%doolittle
          with_volume%tait = self%tait
          allocate (law, source=with_volume)
+      case default
+         call raise(error, "no viscosity_law is called '"//trim(self%viscosity_law)//"': write one of "//viscosity_laws)
       end select
+   end subroutine make_viscosity
+
+   !> The same of an oil that is known to have one.
+   pure function viscosity(self) result(law)
+      class(oil_t), intent(in) :: self
+      class(viscosity_law_t), allocatable :: law
+      type(error_t), allocatable :: error
+      call self%make_viscosity(law, error)
    end function viscosity
 
    !> The density law that the oil follows.

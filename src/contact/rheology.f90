@@ -25,6 +25,8 @@ module ehlwave_rheology
       procedure :: evaluate
       procedure :: density
       procedure :: thickening
+      procedure :: largest_pressure
+      procedure :: in_pascals
       procedure :: at_pressure
       procedure :: depends_on_alpha
       procedure :: with_alpha
@@ -146,6 +148,20 @@ contains
       call self%evaluate(1, [0.0_dp], rho, drho, fluidity, slope)
       thickening = slope(1)
    end function thickening
+
+   !> P up to which the viscosity is known; beyond it the law is extrapolated.
+   pure real(dp) function largest_pressure(self) result(largest)
+      class(rheology_t), intent(in) :: self
+      largest = huge(largest)
+      if (self%viscosity%largest_pressure_pa < huge(largest)) largest = self%viscosity%largest_pressure_pa/self%ph_pa
+   end function largest_pressure
+
+   !> A pressure P in pascals.
+   pure real(dp) function in_pascals(self, p)
+      class(rheology_t), intent(in) :: self
+      real(dp), intent(in) :: p   !! P
+      in_pascals = self%ph_pa*p
+   end function in_pascals
 
    !> Density at pressures P >= 0.
    pure function density(self, p) result(rho)

@@ -10,6 +10,8 @@ module ehlwave_viscosity_law
 
    !> Viscosity against pressure and temperature. eta0 is the viscosity at ambient pressure and the reference temperature T0.
    type, abstract, public :: viscosity_law_t
+      real(dp) :: ambient_pa_s = 0                           !! eta0 where the law knows it, Pa s; else 0
+      real(dp) :: largest_pressure_pa = huge(1.0_dp)         !! beyond it the law is extrapolated
    contains
       procedure(evaluate), deferred :: evaluate
       procedure :: coefficient => film_forming_coefficient

@@ -3,12 +3,11 @@ module ehlwave_case_definition
    use ehlwave_case_key, only: name_length => choice_length
    use ehlwave_conditions, only: contact_data_t
    use ehlwave_kinds, only: dp
+   use ehlwave_number_table, only: path_length
    use ehlwave_oil, only: oil_t
    implicit none (type, external)
    private
-   public :: name_length
-
-   integer, parameter, public :: path_length = 512   !! longest name of a file
+   public :: name_length, path_length
 
    !> All keys, in the order of the groups.
    type, public :: case_t

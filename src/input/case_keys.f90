@@ -3,7 +3,8 @@
 !> A new key is a component of case_t and its statement here; reading, sweeping, effective input, identity, messages
 !> and the printed reference follow. What keys in a row have in common is said once before them (`common`). Give a key
 !> that is added `is_late=.true.`: then cases that do not use it keep their identity, and stores their results. Where its
-!> default is not what cases were before, see `case_text`. What contradicts what stands in `case_completion`.
+!> default is not what cases were before, see `case_text`. What contradicts what stands in `case_completion`. A key that
+!> names a file to be read has a `file`, by which `case/case_files` and the results know it.
 module ehlwave_case_keys
    use ehlwave_case_definition, only: case_t, path_length
    use ehlwave_case_key, only: key_t
@@ -128,7 +129,8 @@ contains
       call list%see(case%surface_file, key_t('file', 'surface written by `ehlwave surface`; it enters at x_min, moves '// &
          'with S and is followed until its trailing end is at the contact centre, or end_time; needs dimensional conditions. '// &
          'The whole domain is computed unless it is even in Y. With --output, surface_position_m says which x of the surface '// &
-         'was at the centre for each film_at_centre', maximum=real(path_length, dp), is_written=case%surface_file /= ''))
+         'was at the centre for each film_at_centre', maximum=real(path_length, dp), file='surface', &
+         is_written=case%surface_file /= ''))
    end subroutine visit_waviness
 
    subroutine visit_grid(case, list)

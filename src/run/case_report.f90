@@ -2,6 +2,7 @@
 module ehlwave_case_report
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_case_definition, only: case_t
+   use ehlwave_case_lubricant, only: extrapolation_text
    use ehlwave_case_plan, only: case_plan_t, run_harmonic, run_march, run_smooth, run_standing
    use ehlwave_case_result, only: case_result_t
    use ehlwave_error_account, only: errors_text, validity_text
@@ -41,6 +42,8 @@ contains
          end if
          write (unit, '(a)') 'Lubricant    '//trim(case%oil%viscosity_law)//', '//trim(case%oil%density_law)//', '// &
             trim(case%oil%flow_law)//', alpha = '//to_text(c%alpha_per_pa*1e9_dp, 5)//' 1/GPa'
+         if (extrapolation_text(case, plan%rheology, 1.0_dp) /= '') write (unit, '(a)') '             WARNING: '// &
+            extrapolation_text(case, plan%rheology, 1.0_dp)
          if (allocated(plan%waviness%surface)) then
             write (unit, '(a)') 'Waviness     '//surface_text(case, plan%waviness, c)
          else

@@ -2,8 +2,9 @@
 module ehlwave_case_runner
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_amplitude, only: fitted_harmonic, sampled_amplitude
-   use ehlwave_case_account, only: blank_result, end_early, take_report
+   use ehlwave_case_account, only: add_warning, blank_result, end_early, take_report
    use ehlwave_case_definition, only: case_t
+   use ehlwave_case_lubricant, only: extrapolation_text
    use ehlwave_case_plan, only: case_plan_t, run_march, run_standing
    use ehlwave_case_result, only: case_result_t
    use ehlwave_clock, only: peak_memory_mib, wall_seconds
@@ -89,6 +90,7 @@ contains
             end select
          end if
          call compare_with_small_waves(case, result)
+         call add_warning(result, extrapolation_text(case, plan%rheology, max(result%max_pressure, rescue%highest)))
          if (case%fields) then
             allocate (result%x, source=level%problem%grid%x)
             allocate (result%y, source=level%problem%grid%y)
@@ -125,10 +127,10 @@ contains
       real(dp), parameter :: largest_difference = 0.05_dp
       if (.not. (ieee_is_finite(result%amplitude_ratio_fit) .and. ieee_is_finite(result%harmonic%ratio))) return
       if (abs(result%amplitude_ratio_fit/result%harmonic%ratio - 1) <= largest_difference) return
-      if (len(result%warning) > 0) result%warning = result%warning//'; '
-      result%warning = result%warning//'waves of '//to_text(100*case%amplitude_over_film, 3)// &
-         ' % of the film do not respond as small ones: Ad/Ai = '//to_text(result%amplitude_ratio_fit, 3)//' against '// &
-         to_text(result%harmonic%ratio, 3)//' of the linear response'
+      call add_warning(result, 'waves of '//to_text(100*case%amplitude_over_film, 3)// &
+                       ' % of the film do not respond as small ones: Ad/Ai = '// &
+                       to_text(result%amplitude_ratio_fit, 3)//' against '// &
+                       to_text(result%harmonic%ratio, 3)//' of the linear response')
    end subroutine compare_with_small_waves
 
    !> Film, pressure and friction of the smooth contact.

@@ -128,6 +128,7 @@ contains
          call bytes%numbers(given%load%carried)
          call bytes%numbers(given%load%force)
          call bytes%numbers(rescue%thinnest)
+         call bytes%numbers(rescue%highest)
          call bytes%count(r%steps)
          call bytes%count(r%nonlinear_steps)
          call bytes%count(r%linear_steps)

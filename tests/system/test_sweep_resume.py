@@ -76,7 +76,7 @@ class SweepResume(unittest.TestCase):
                   "surface": {"file": "s.h5"}, "grid": {"cells_x": 32, "cells_y": 32}, "dynamics": {"end_time": 0.25},
                   "sweep": {"slip_parameter": [1, 1.2]}}
         for height, status, needle in [(1e-8, 0, ""), (1e-8, 0, "2 of 2 cases are in the store already"),
-                                       (1.1e-8, 2, "'s.h5' has other heights than when case 1 was stored")]:
+                                       (1.1e-8, 2, "'s.h5' has other numbers than when case 1 was stored")]:
             with h5py.File(self.folder/"s.h5", "w") as file:
                 file["x"] = [8e-6*i for i in range(65)]
                 file["y"] = [0.0]
