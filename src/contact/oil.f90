@@ -18,6 +18,7 @@ module ehlwave_oil
    use ehlwave_mcewen_law, only: mcewen_law_t
    use ehlwave_number_table, only: number_table_t, path_length
    use ehlwave_roelands_law, only: roelands_law_t
+   use ehlwave_table_law, only: new_table_law, table_law_t
    use ehlwave_tait_density, only: tait_density_t
    use ehlwave_viscosity_law, only: viscosity_law_t
    use ehlwave_yasutomi_law, only: yasutomi_law_t
@@ -27,9 +28,9 @@ module ehlwave_oil
    integer, parameter :: name_length = 20
 
    character(len=*), parameter, public :: roelands = 'roelands', barus = 'barus', isoviscous = 'isoviscous', mcewen = 'mcewen', &
-                                          yasutomi = 'yasutomi', doolittle = 'doolittle'
+                                          yasutomi = 'yasutomi', doolittle = 'doolittle', tabulated = 'table'
    character(len=*), parameter, public :: viscosity_laws = roelands//' '//barus//' '//isoviscous//' '//mcewen//' '//yasutomi// &
-                                                           ' '//doolittle
+                                                           ' '//doolittle//' '//tabulated
 
    character(len=*), parameter, public :: dowson_higginson = 'dowson_higginson', incompressible = 'incompressible', tait = 'tait'
    character(len=*), parameter, public :: density_laws = dowson_higginson//' '//incompressible//' '//tait
@@ -43,6 +44,7 @@ module ehlwave_oil
       character(len=name_length) :: flow_law = newtonian
       character(len=path_length) :: viscosity_file = ''             !! measured values, of laws that are made from them,
       type(number_table_t) :: measured                              !! and the values, once they are read
+      real(dp) :: temperature_k = 0                                 !! T0, of laws that take it; 0: not given
       real(dp) :: pressure_viscosity_per_pa = 2.2e-8_dp             !! alpha, where it is given
       type(roelands_law_t) :: roelands
       type(mcewen_law_t) :: mcewen
@@ -59,6 +61,7 @@ module ehlwave_oil
       procedure :: flow
       procedure :: is_newtonian
       procedure :: takes_alpha
+      procedure :: takes_temperature
       procedure :: stress_pa
    end type oil_t
 
@@ -71,6 +74,7 @@ contains
       type(error_t), allocatable, intent(out) :: error
       type(roelands_law_t) :: with_alpha
       type(doolittle_law_t) :: with_volume
+      type(table_law_t) :: with_values
 
       select case (self%viscosity_law)
       case (roelands)
@@ -89,6 +93,9 @@ contains
          with_volume = self%doolittle
          with_volume%tait = self%tait
          allocate (law, source=with_volume)
+      case (tabulated)
+         call new_table_law(self%measured, self%temperature_k, with_values, error)
+         if (.not. allocated(error)) allocate (law, source=with_values)
       case default
          call raise(error, "no viscosity_law is called '"//trim(self%viscosity_law)//"': write one of "//viscosity_laws)
       end select
@@ -141,6 +148,12 @@ contains
       class(oil_t), intent(in) :: self
       takes_alpha = any(self%viscosity_law == [character(len=name_length) :: roelands, barus, isoviscous])
    end function takes_alpha
+
+   !> Whether a law of the oil asks for the temperature T0.
+   pure logical function takes_temperature(self)
+      class(oil_t), intent(in) :: self
+      takes_temperature = any(self%viscosity_law == [character(len=name_length) :: tabulated])
+   end function takes_temperature
 
    !> The stress by which the flow law is made dimensionless: tau0 of Ree-Eyring's law, G of Carreau's; 0 for a Newtonian oil.
    pure real(dp) function stress_pa(self)

@@ -3,8 +3,9 @@ module ehlwave_oil_keys
    use ehlwave_case_key, only: key_t
    use ehlwave_key_list, only: key_list_t
    use ehlwave_kinds, only: dp
-   use ehlwave_oil, only: barus, carreau, density_laws, doolittle, eyring, flow_laws, isoviscous, mcewen, oil_t, roelands, tait, &
-      viscosity_laws, yasutomi
+   use ehlwave_number_table, only: path_length
+   use ehlwave_oil, only: barus, carreau, density_laws, doolittle, eyring, flow_laws, isoviscous, mcewen, oil_t, &
+      roelands, tabulated, tait, viscosity_laws, yasutomi
    implicit none (type, external)
    private
    public :: visit_oil_keys
@@ -28,6 +29,7 @@ contains
       call visit_flow_law(oil, list)
       call visit_viscosity_laws(oil, list)
       call visit_free_volume(oil, list)
+      call visit_table(oil, list)
    end subroutine visit_oil_keys
 
    !> The keys that follow belong to a law.
@@ -93,5 +95,19 @@ contains
       call list%see(oil%tait%modulus_rate, key_t('tait_modulus_rate', "rate of change of the bulk modulus with pressure, K0'; "// &
          'near 11', above=0.0_dp))
    end subroutine visit_free_volume
+
+   !> Measured viscosities, and the temperature at which the oil has them.
+   subroutine visit_table(oil, list)
+      type(oil_t), intent(inout) :: oil
+      type(key_list_t), intent(inout) :: list
+
+      call belong(list, 'viscosity_law', tabulated, oil%viscosity_law)
+      call list%see(oil%viscosity_file, key_t('viscosity_table', 'CSV file of measured viscosities; columns '// &
+         'pressure_pa, viscosity_pa_s and, of more than one temperature, temperature_k', minimum=1.0_dp, &
+         maximum=real(path_length, dp), file='viscosity'))
+      list%common%applies = oil%takes_temperature()
+      call list%see(oil%temperature_k, key_t('temperature_k', 'temperature T0 of the oil; may be left out with '// &
+         'a table of one temperature', unit='K', minimum=0.0_dp, default='none'))
+   end subroutine visit_table
 
 end module ehlwave_oil_keys

@@ -2,6 +2,7 @@
 program test_rheology
    use ehlwave_case_key, only: words_of
    use ehlwave_kinds, only: dp
+   use ehlwave_number_table, only: number_table_t
    use ehlwave_oil, only: barus, density_laws, dowson_higginson, incompressible, isoviscous, mcewen, oil_t, roelands, tait, &
       viscosity_laws
    use ehlwave_rheology, only: new_rheology, rheology_t
@@ -40,6 +41,8 @@ contains
       oil%doolittle%occupied_fraction = 0.6568_dp
       oil%tait%modulus_pa = 1.2e9_dp
       oil%tait%modulus_rate = 11
+      oil%measured = number_table_t('', [character(len=64) :: 'pressure_pa', 'viscosity_pa_s'], [2, 3, 4, 5], &
+                                    reshape([0.0_dp, 2e8_dp, 5e8_dp, 9e8_dp, 0.05_dp, 0.9_dp, 70.0_dp, 1e4_dp], [4, 2]))
    end function oil_of
 
    function rheology_of(viscosity_law, density_law, hertz_pressure_pa) result(rheology)
@@ -84,7 +87,7 @@ contains
          do k = 1, size(laws)
             call check_derivatives(trim(laws(k)), rheology_of(laws(k), dowson_higginson, ph))
          end do
-         call test%check(size(laws) >= 6, 'all viscosity laws')
+         call test%check(size(laws) >= 7, 'all viscosity laws')
       end associate
       associate (laws => words_of(density_laws))
          do k = 1, size(laws)
