@@ -1,4 +1,4 @@
-!> Whether a grid, its domain and the time step resolve a case: theory section 7.
+!> Whether a grid, its domain and the time step resolve a case: theory eq. (E6).
 module ehlwave_resolution
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use ehlwave_conditions, only: conditions_t, slender_over_line
@@ -11,7 +11,7 @@ module ehlwave_resolution
    public :: judge_resolution, inlet_length, inlet_gap, touching_reason
 
    ! Points per wave, in each direction and in time.
-   real(dp), parameter, public :: fewest_points_per_wave = 8        !! that resolve it, theory section 7
+   real(dp), parameter, public :: fewest_points_per_wave = 8        !! that resolve it, see theory eq. (E6)
    real(dp), parameter, public :: wanted_points_per_wave = 16       !! of a chosen grid, unless an accuracy decides
    real(dp), parameter, public :: telling_points_per_wave = 4       !! of a coarser grid that still tells an error
 

@@ -7,7 +7,7 @@ module ehlwave_surface_plan
    use ehlwave_kinds, only: dp
    use ehlwave_surface, only: new_surface, surface_t
    use ehlwave_surface_file, only: read_surface_file
-   use ehlwave_text, only: to_text
+   use ehlwave_text, only: harmless, to_text
    use ehlwave_waviness, only: surface_waviness, waviness_t
    implicit none (type, external)
    private
@@ -71,7 +71,7 @@ contains
       type(conditions_t), intent(in) :: conditions
       character(len=:), allocatable :: text
       associate (surface => waviness%surface)
-         text = 'surface '//trim(case%surface_file)//', '//to_text(size(surface%height, 1))//' x '// &
+         text = 'surface '//harmless(trim(case%surface_file))//', '//to_text(size(surface%height, 1))//' x '// &
                 to_text(size(surface%height, 2))//' points, '//to_text(surface%length, 4)//' a long, Rq = '// &
                 to_text(surface%rq*conditions%c_m*1e6_dp, 4)//' um, RMS average wavelength '// &
                 to_text(surface%wavelength_x, 4)//' a'

@@ -33,19 +33,19 @@ module ehlwave_thinning
 contains
 
    !> That of an oil; 1 of a Newtonian one.
-   pure function new_thinning(rheology, conditions, slip_parameter, exponent) result(self)
+   pure function new_thinning(rheology, conditions, exponent) result(self)
       type(rheology_t), intent(in) :: rheology
       type(conditions_t), intent(in) :: conditions
-      real(dp), intent(in) :: slip_parameter   !! S
       real(dp), intent(in) :: exponent         !! n of the Carreau law, else 0
       type(thinning_t) :: self
       type(film_flow_t) :: flow
       real(dp) :: rate, stress                 ! B, ph^2/(E' tau0)
 
       if (rheology%is_newtonian()) return
-      flow = rheology%film_flow(conditions%elliptic%k, conditions%hertz_pressure_pa, conditions%lambdabar)
+      flow = rheology%film_flow(conditions%elliptic%k, conditions%lambdabar, conditions%slip_parameter)
       stress = flow%n0/conditions%elliptic%k
-      rate = conditions%lambdabar/3*abs(slip_parameter - 1)*stress*conditions%moes_film_factor/moes_film_formula(conditions)
+      rate = conditions%lambdabar/3*abs(conditions%slip_parameter - 1)*stress &
+             *conditions%moes_film_factor/moes_film_formula(conditions)
       self%steepness = 1 + factor*(1 - exponent)*stress
       self%cost = 1 + factor*stress*(1 + rate) + rescue_factor*max(0.0_dp, stress - rescue_stress)
    end function new_thinning

@@ -24,7 +24,7 @@ contains
       end if
    end function anisotropy_factor
 
-   !> V = (lambda/a)(gamma M/L)^(1/2), theory eq. (17), lambda = min(lambda_x, lambda_y); of a line contact
+   !> V = (lambda/a)(gamma M/L)^(1/2), theory eq. (17), lambda = min(lambda_x, lambda_y); of a line, eq. (L8),
    !> (lambda/a) M^(3/4) L^(-1/2).
    pure function wave_parameter_v(conditions, wavelength_over_a) result(v)
       type(conditions_t), intent(in) :: conditions
@@ -54,7 +54,7 @@ contains
    end function amplitude_formula
 
    !> Central film thickness of a smooth contact in the Moes scale of eq. (6):
-   !> Nijenbanning, Venner and Moes (1994), theory section 8. A fit, good to 10 or 20 per cent.
+   !> Nijenbanning, Venner and Moes (1994), theory eq. (H1). A fit, good to 10 or 20 per cent.
    pure function moes_film_formula(conditions) result(film)
       type(conditions_t), intent(in) :: conditions
       real(dp) :: film
@@ -83,7 +83,7 @@ contains
       film = (rigid_elastic + piezo)**(1/s)
    end function moes_film_formula
 
-   !> Central film thickness of a line contact in the scale (h/Rx)(2U)^(-1/2): Moes (1992).
+   !> Central film thickness of a line contact in the scale (h/Rx)(2U)^(-1/2): Moes (1992), theory eq. (H2).
    pure function moes_line_formula(m, l) result(film)
       real(dp), intent(in) :: m, l   !! Moes parameters of a line contact
       real(dp) :: film

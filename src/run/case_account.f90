@@ -12,7 +12,7 @@ module ehlwave_case_account
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
-   public :: blank_result, end_early, keep_history, take_report, warn, worse
+   public :: add_warning, blank_result, end_early, keep_history, refused_result, take_report, worse
 
 contains
 
@@ -32,6 +32,17 @@ contains
       end if
    end function blank_result
 
+   !> Result of a case that is not begun.
+   function refused_result(case, plan, reason) result(result)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      character(len=*), intent(in) :: reason
+      type(case_result_t) :: result
+      result = blank_result(case, plan)
+      result%status = status_over_budget
+      result%message = reason
+   end function refused_result
+
    !> Add one solution to the account of the case.
    subroutine take_report(report, what, result)
       type(solve_report_t), intent(in) :: report
@@ -47,14 +58,6 @@ contains
          to_text(report%nonlinear_steps)//' steps, residual '//to_text(report%residual, 3)// &
          ', load error '//to_text(report%load_error, 3)
    end subroutine take_report
-
-   !> Add a warning to those of a result.
-   subroutine warn(text, result)
-      character(len=*), intent(in) :: text
-      type(case_result_t), intent(inout) :: result
-      if (len(result%warning) > 0) result%warning = result%warning//'; '
-      result%warning = result%warning//text
-   end subroutine warn
 
    !> Keep the residuals of a solution that failed, if it took a step at all.
    subroutine keep_history(report, result)
@@ -82,5 +85,14 @@ contains
          result%message = 'the time of the case was up at '//reached
       end if
    end subroutine end_early
+
+   !> Append to the warnings of a result; '' adds none.
+   subroutine add_warning(result, text)
+      type(case_result_t), intent(inout) :: result
+      character(len=*), intent(in) :: text
+      if (text == '') return
+      if (len(result%warning) > 0) result%warning = result%warning//'; '
+      result%warning = result%warning//text
+   end subroutine add_warning
 
 end module ehlwave_case_account

@@ -2,11 +2,13 @@
 module ehlwave_case_report
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_case_definition, only: case_t
+   use ehlwave_case_lubricant, only: extrapolation_text
    use ehlwave_case_plan, only: case_plan_t, run_harmonic, run_march, run_smooth, run_standing
    use ehlwave_case_result, only: case_result_t
    use ehlwave_error_account, only: errors_text, validity_text
    use ehlwave_kinds, only: dp
    use ehlwave_linear_range, only: linear_limit
+   use ehlwave_memory_plan, only: memory_shortage
    use ehlwave_resolution, only: flooded_inlet_gap
    use ehlwave_status, only: is_solved, status_name
    use ehlwave_surface_plan, only: surface_text
@@ -24,6 +26,8 @@ contains
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
 
+      character(len=:), allocatable :: shortage
+
       associate (c => plan%conditions)
          write (unit, '(a)') 'Conditions   M = '//to_text(c%m, 6)//', L = '//to_text(c%l, 6)//', D = '//to_text(c%d, 6)// &
             ', S = '//to_text(case%slip_parameter, 6)
@@ -37,8 +41,10 @@ contains
             write (unit, '(a)') '             a = '//to_text(c%a_m*1e3_dp, 5)//' mm, b = '// &
                to_text(c%b_m*1e3_dp, 5)//' mm, c = '//to_text(c%c_m*1e6_dp, 5)//' um'
          end if
-         write (unit, '(a)') 'Lubricant    '//trim(case%viscosity_law)//', '//trim(case%density_law)//', '//trim(case%flow_law)// &
-            ', alpha = '//to_text(c%alpha_per_pa*1e9_dp, 5)//' 1/GPa'
+         write (unit, '(a)') 'Lubricant    '//trim(case%oil%viscosity_law)//', '//trim(case%oil%density_law)//', '// &
+            trim(case%oil%flow_law)//', alpha = '//to_text(c%alpha_per_pa*1e9_dp, 5)//' 1/GPa'
+         if (extrapolation_text(case, plan%rheology, 1.0_dp) /= '') write (unit, '(a)') '             WARNING: '// &
+            extrapolation_text(case, plan%rheology, 1.0_dp)
          if (allocated(plan%waviness%surface)) then
             write (unit, '(a)') 'Waviness     '//surface_text(case, plan%waviness, c)
          else
@@ -76,6 +82,8 @@ contains
          if (case%accuracy > 0 .and. plan%expected_error > case%accuracy) write (unit, '(a)') &
             '             ACCURACY '//to_text(case%accuracy, 3)//' NOT TO BE REACHED with largest_cells = '// &
             to_text(case%largest_cells)//': expect '//to_text(plan%expected_error, 2)
+         shortage = memory_shortage(plan)
+         if (shortage /= '') write (unit, '(a)') '             TOO LITTLE MEMORY: '//shortage
       end associate
    end subroutine print_plan
 
@@ -207,6 +215,7 @@ contains
          write (unit, '(a)') '             f(r) V = '//to_text(result%f_r*result%v, 5)//', f(r) V2 = '// &
             to_text(result%f_r*result%v2, 5)//', f(r) = '//to_text(result%f_r, 5)
       end if
+      call print_sensitivities()
       if (ieee_is_finite(result%central_film_error)) write (unit, '(a)') 'Estimated    relative errors of the grid: H(0,0) '// &
          to_text(result%central_film_error, 2)//', smallest H '//to_text(result%minimum_film_error, 2)// &
          friction_error()//trim(merge(' (from a model)', '               ', result%film_error_basis == 'model'))// &
@@ -269,6 +278,21 @@ contains
                ' work units'
          end associate
       end subroutine print_response
+
+      !> Exponents of the oil's coefficient and stress in laws of H(0,0) and Ad/Ai.
+      subroutine print_sensitivities()
+         character(len=6), parameter :: by(2) = [character(len=6) :: 'alpha', 'stress']
+         character(len=:), allocatable :: response
+         integer :: x
+         do x = 1, size(by)
+            associate (r => result%by_oil(x))
+               response = ''
+               if (ieee_is_finite(r%response)) response = ', Ad/Ai with '//to_text(r%response, 4)
+               if (ieee_is_finite(r%film)) write (unit, '(a)') 'Sensitivity  H(0,0) goes with the power '//to_text(r%film, 4)// &
+                  ' of '//trim(by(x))//response
+            end associate
+         end do
+      end subroutine print_sensitivities
 
       subroutine print_shear()
          associate (r => result%shear)

@@ -2,8 +2,9 @@
 module ehlwave_case_runner
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_amplitude, only: fitted_harmonic, sampled_amplitude
-   use ehlwave_case_account, only: blank_result, end_early, take_report, warn
+   use ehlwave_case_account, only: add_warning, blank_result, end_early, take_report
    use ehlwave_case_definition, only: case_t
+   use ehlwave_case_lubricant, only: extrapolation_text
    use ehlwave_case_plan, only: case_plan_t, most_work, run_march, run_standing
    use ehlwave_case_result, only: case_result_t
    use ehlwave_clock, only: peak_memory_mib, wall_seconds
@@ -91,13 +92,14 @@ contains
             end select
          end if
          call compare_with_small_waves(case, result)
+         call add_warning(result, extrapolation_text(case, plan%rheology, max(result%max_pressure, rescue%highest)))
          if (case%fields) then
             allocate (result%x, source=level%problem%grid%x)
             allocate (result%y, source=level%problem%grid%y)
             allocate (result%p, source=level%state%p)
             allocate (result%h, source=level%state%h)
             if (is_success(result%status)) &
-               call mean_shear_stress(level%problem, level%state, case%slip_parameter, result%shear_stress_pa)
+               call mean_shear_stress(level%problem, level%state, result%shear_stress_pa)
          end if
       end associate
 
@@ -143,9 +145,10 @@ contains
       real(dp), parameter :: largest_difference = 0.05_dp
       if (.not. (ieee_is_finite(result%amplitude_ratio_fit) .and. ieee_is_finite(result%harmonic%ratio))) return
       if (abs(result%amplitude_ratio_fit/result%harmonic%ratio - 1) <= largest_difference) return
-      call warn('waves of '//to_text(100*case%amplitude_over_film, 3)//' % of the film do not respond as small ones: Ad/Ai = '// &
-                to_text(result%amplitude_ratio_fit, 3)//' against '//to_text(result%harmonic%ratio, 3)// &
-                ' of the linear response', result)
+      call add_warning(result, 'waves of '//to_text(100*case%amplitude_over_film, 3)// &
+                       ' % of the film do not respond as small ones: Ad/Ai = '// &
+                       to_text(result%amplitude_ratio_fit, 3)//' against '// &
+                       to_text(result%harmonic%ratio, 3)//' of the linear response')
    end subroutine compare_with_small_waves
 
    !> Film, pressure and friction of the smooth contact.
@@ -158,8 +161,8 @@ contains
       result%minimum_film = minval(level%state%h)
       result%central_film_moes = result%central_film*plan%conditions%moes_film_factor
       result%max_pressure = maxval(level%state%p)
-      call result%shear%take(level%problem, level%state, case%slip_parameter, case%limiting_stress_over_pressure)
-      result%warning = result%shear%warning(case%limiting_stress_over_pressure)
+      call result%shear%take(level%problem, level%state, case%oil%limiting_stress_over_pressure)
+      result%warning = result%shear%warning(case%oil%limiting_stress_over_pressure)
    end subroutine take_smooth_film
 
    !> Pattern that stands still: one steady state for each phase, no time stepping.

@@ -3,6 +3,7 @@ module ehlwave_error_account
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_accuracy_model, only: expected_step_error
    use ehlwave_case_definition, only: case_t
+   use ehlwave_case_lubricant, only: extrapolation_text
    use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_result, only: case_result_t
    use ehlwave_error_parts, only: error_parts_t
@@ -77,7 +78,7 @@ contains
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       character(len=*), intent(in), optional :: warning   !! of the result
-      character(len=:), allocatable :: text
+      character(len=:), allocatable :: ahead, text
 
       text = 'edges '//trim(case%edges)
       if (case%edges == 'truncated') text = text//' (P = 0, film '//to_text(100*plan%film_domain_error, 2)//' % too thin)'
@@ -87,8 +88,12 @@ contains
             to_text(100*case%amplitude_over_film, 3)//' %'
       end if
       if (.not. plan%resolution%is_resolved) text = text//'; not resolved'
-      if (.not. present(warning)) return
-      if (warning /= '') text = text//'; '//warning
+      if (present(warning)) then
+         ahead = warning
+      else
+         ahead = extrapolation_text(case, plan%rheology, 1.0_dp)   ! under the Hertz pressure
+      end if
+      if (ahead /= '') text = text//'; '//ahead
    end function validity_text
 
 end module ehlwave_error_account

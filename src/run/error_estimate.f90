@@ -1,4 +1,4 @@
-!> Discretisation error from the values of the same quantity on grids of mesh size h, 2h and 4h (Richardson).
+!> Discretisation error from values of one quantity on grids of mesh size h, 2h and 4h: Richardson, theory eq. (E1).
 module ehlwave_error_estimate
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_kinds, only: dp, no_value

@@ -21,9 +21,6 @@ module ehlwave_estimated_case
    public :: run_estimated_case
 
    integer, parameter :: fewest_cells = 24   !! of a coarser grid that is worth running
-   !> Estimate over the error that the plan expects of the mesh, at least. Of 17 random cases the expected error was 0.65 to 3 times the
-   !> error, the estimate 0.02 to 3 times.
-   real(dp), parameter :: least_share = 0.8_dp
 
    !> Asked to stop, the coarse runs are finished if that takes no longer.
    real(dp), parameter :: largest_delay_s = 10
@@ -77,8 +74,7 @@ contains
                                 likely_order(result%film_order, plan%resolution, plan%thinning%steepness))
       result%amplitude_ratio_error = plan%model_margin()*plan%expected_error
       if (ieee_is_finite(estimate)) then
-         ! Ad/Ai of two grids can agree by chance where it is neither large nor small: that tells nothing of either
-         estimate = max(estimate, least_share*plan%expected%mesh)
+         estimate = max(estimate, plan%least_ratio_error())
          result%amplitude_ratio_error = estimate
          if (plan%steps > 0) result%amplitude_ratio_error = estimate + expected_step_error(case%step_tolerance)
          result%amplitude_error_basis = 'coarse_grid'

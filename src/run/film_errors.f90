@@ -36,7 +36,7 @@ contains
          result%minimum_film_error = minimum_margin*result%central_film_error
       end if
       if (ieee_is_finite(result%shear%friction_coefficient)) result%friction_error = &
-         estimate_friction_error(multigrid%levels(n:1:-1), case%slip_parameter, result%central_film_error)
+         estimate_friction_error(multigrid%levels(n:1:-1), result%central_film_error)
    end subroutine estimate_film_errors
 
 end module ehlwave_film_errors

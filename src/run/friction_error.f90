@@ -16,6 +16,7 @@ module ehlwave_friction_error
    public :: estimate_friction_error
 
    real(dp), parameter :: usual_order = 1        !! with two levels
+   real(dp), parameter :: blunt_share = 0.5_dp   !! of the relative error of the film, at least: grids can agree by chance,
    real(dp), parameter :: newtonian_share = 2    !! of the relative error of the film, at least, of a Newtonian oil
    real(dp), parameter :: next_growth = 3        !! growth of the spike on finer grids over that since the last one; measured: 1 to 3
    real(dp), parameter :: largest_growth = 7     !! of the logarithm of the viscosity in the spike, from grid to grid
@@ -27,21 +28,21 @@ contains
 
    !> Richardson's estimate; of oils whose stress goes with the rate of shear at least twice the error of the film, and at least
    !> what the growth of the spike since the next coarser level changes in the friction that the finest has above the pressure there.
-   real(dp) function estimate_friction_error(levels, slip_parameter, film_error) result(error)
+   real(dp) function estimate_friction_error(levels, film_error) result(error)
       type(level_t), intent(in) :: levels(:)     !! finest first, solved but for some
-      real(dp), intent(in) :: slip_parameter     !! S
       real(dp), intent(in) :: film_error         !! of H(0,0), relative
       real(dp) :: friction(size(levels))
       integer :: l
 
       friction = no_value
       do l = 1, size(levels)
-         if (levels(l)%has_film()) friction(l) = friction_above(levels(l)%problem, levels(l)%state, slip_parameter, 0.0_dp)
+         if (levels(l)%has_film()) friction(l) = friction_above(levels(l)%problem, levels(l)%state, 0.0_dp)
       end do
       error = estimate_error(friction, usual_order)
       if (.not. ieee_is_finite(error)) error = film_share*film_error
+      error = max(error, blunt_share*film_error)
       if (is_blunt(levels(1)) .or. abs(friction(1)) <= 0) return
-      error = max(error, newtonian_share*film_error, by_growth(levels, slip_parameter)/abs(friction(1)))
+      error = max(error, newtonian_share*film_error, by_growth(levels)/abs(friction(1)))
    end function estimate_friction_error
 
    !> Whether the stress of an oil hardly grows with its viscosity: Ree-Eyring's with the logarithm. That of Carreau's with a power.
@@ -56,9 +57,8 @@ contains
    end function is_blunt
 
    !> What another growth of the spike would add to the friction.
-   real(dp) function by_growth(levels, slip_parameter)
+   real(dp) function by_growth(levels)
       type(level_t), intent(in) :: levels(:)     !! finest first
-      real(dp), intent(in) :: slip_parameter
       real(dp) :: before, growth
       real(dp), dimension(1) :: dln_eta, drho, fluidity, rho
 
@@ -69,7 +69,7 @@ contains
             if (levels(2)%has_film()) before = min(before, maxval(levels(2)%state%p))
          end if
          growth = min(largest_growth, next_growth*dln_eta(1)*max(0.0_dp, highest - before))
-         by_growth = (exp(growth) - 1)*abs(friction_above(finest%problem, finest%state, slip_parameter, before))
+         by_growth = (exp(growth) - 1)*abs(friction_above(finest%problem, finest%state, before))
       end associate
    end function by_growth
 

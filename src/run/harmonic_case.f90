@@ -1,6 +1,6 @@
 !> The linear response of a case: no time steps.
 module ehlwave_harmonic_case
-   use ehlwave_case_account, only: warn
+   use ehlwave_case_account, only: add_warning
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_result, only: case_result_t
@@ -68,6 +68,7 @@ contains
       if (coarse%status /= status_converged) return
       call result%harmonic%extrapolate(coarse%film, coarse%pressure, &
                                        likely_order(result%film_order, plan%resolution, plan%thinning%steepness))
+      result%harmonic%error = max(result%harmonic%error, plan%least_ratio_error())
       result%harmonic%error_basis = 'coarse_grid'
    end subroutine run_response
 
@@ -85,9 +86,10 @@ contains
          call find_mean_change(steady%response%tangent, steady%multigrid%levels, response, plan%waviness, amplitude, change)
          if (change%status /= status_converged) return
          call result%harmonic%take_mean(change, amplitude)
-         if (result%harmonic%waves_touch) call warn('waves of '//to_text(100*case%amplitude_over_film, 3)// &
+         if (result%harmonic%surfaces_touch) call add_warning(result, 'waves of '// &
+            to_text(100*case%amplitude_over_film, 3)// &
             ' % of the film would touch the other surface at X = '//to_text(change%smallest_at(1), 3)//', Y = '// &
-            to_text(change%smallest_at(2), 3)//', to second order: there is no smallest film', result)
+            to_text(change%smallest_at(2), 3)//', to second order: there is no smallest film')
       end associate
    end subroutine find_mean
 

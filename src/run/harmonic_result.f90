@@ -25,7 +25,7 @@ module ehlwave_harmonic_result
       real(dp) :: counted_work_units = no_value   !! the same, counted
       real(dp) :: mean_rise = no_value       !! change of the mean of H(0,0) over Ai, second order, for the Ai of the case
       real(dp) :: smallest_film = no_value   !! smallest H with waves of that Ai, to second order; none where they would touch
-      logical :: waves_touch = .false.       !! mean film and rise do not exceed the amplitude somewhere
+      logical :: surfaces_touch = .false.       !! mean film and rise do not exceed the amplitude somewhere
       real(dp) :: smallest_film_x = no_value, smallest_film_y = no_value   !! where it is
       type(two_wave_result_t) :: waves       !! of which the film consists under slip
       complex(dp), allocatable :: p(:, :), h(:, :)   !! amplitudes of P and H over Ai, if asked for
@@ -57,8 +57,8 @@ contains
       type(mean_change_t), intent(in) :: change
       real(dp), intent(in) :: amplitude
       self%mean_rise = change%film/amplitude
-      self%waves_touch = .not. change%smallest_film > 0
-      if (.not. self%waves_touch) self%smallest_film = change%smallest_film
+      self%surfaces_touch = .not. change%smallest_film > 0
+      if (.not. self%surfaces_touch) self%smallest_film = change%smallest_film
       self%smallest_film_x = change%smallest_at(1)
       self%smallest_film_y = change%smallest_at(2)
    end subroutine take_mean

@@ -1,6 +1,6 @@
 !> The periodic state of a case with moving waves, in place of a march from rest.
 module ehlwave_periodic_case
-   use ehlwave_case_account, only: warn, worse
+   use ehlwave_case_account, only: add_warning, worse
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_result, only: case_result_t
@@ -28,7 +28,7 @@ contains
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       type(full_multigrid_t), intent(inout) :: multigrid  !! with a converged steady state
-      type(rescue_t), intent(inout) :: rescue             !! as that left it; on return less the work of the search
+      type(rescue_t), intent(inout) :: rescue             !! as that left it; on return less the work of the search, with its pressures
       class(monitor_t), intent(inout) :: monitor
       type(case_result_t), intent(inout) :: result
       logical, intent(out) :: is_found
@@ -50,6 +50,7 @@ contains
       result%linear_steps = result%linear_steps + periodic%linear_steps
       is_found = periodic%is_found
       if (is_found) then
+         rescue%highest = max(rescue%highest, periodic%march%rescue%highest)
          ! The amplitude is a fit to samples of one period and depends on where in it they begin, as the film of large waves has higher
          ! harmonics: they are taken where the march from rest has its own. The pattern is at X = 0 at T = 0, that of the march at its start.
          associate (waviness => plan%waviness, dt => plan%dt)
@@ -67,8 +68,8 @@ contains
          return
       end if
       if (monitor%request /= go_on) return
-      call warn('the periodic state was not found (change in a period '//to_text(periodic%change, 3)// &
-                ' Ai): marched in its place', result)
+      call add_warning(result, 'the periodic state was not found (change in a period '//to_text(periodic%change, 3)// &
+                       ' Ai): marched in its place')
    end subroutine find_periodic_state
 
 end module ehlwave_periodic_case

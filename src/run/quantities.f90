@@ -33,6 +33,7 @@ contains
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       type(key_list_t) :: keys
+      integer :: i
 
       keys = case_key_list(case)
       associate (c => plan%conditions)
@@ -48,10 +49,13 @@ contains
       end associate
       call add_key(list, keys, 'orientation')
       call add_key(list, keys, 'response')
-      call list%add('surface_file', 'measured surface in place of waviness', trim(case%surface_file), &
-                    exists=allocated(plan%waviness%surface))
-      call list%add('surface_digest', 'digest of the heights of the measured surface', plan%surface_digest, &
-                    exists=allocated(plan%waviness%surface))
+      do i = 1, size(plan%files)
+         associate (file => plan%files(i))
+            call list%add(trim(file%name)//'_file', file%long_name, file%path, exists=file%path /= '')
+            call list%add(trim(file%name)//'_digest', 'digest of the numbers in '//trim(file%name)//'_file', &
+                          file%digest, exists=file%path /= '')
+         end associate
+      end do
       call add_key(list, keys, 'wavelength_x_over_a')
       call add_key(list, keys, 'wavelength_y_over_a')
       call list%add('deformation', 'fft or mlmi on the finest grid', trim(plan%deformation))
@@ -246,8 +250,8 @@ contains
                     harmonic%smallest_film)
       call list%add('smallest_film_x', 'X of the smallest film with waves, or of where they would touch', harmonic%smallest_film_x)
       call list%add('smallest_film_y', 'Y of the smallest film with waves, or of where they would touch', harmonic%smallest_film_y)
-      call list%add('waves_touch', '1 when waves of Ai would touch the other surface, second order: there is no smallest_film', &
-                    harmonic%waves_touch)
+      call list%add('surfaces_touch', '1 when waves of Ai would touch the other surface, second order: there is no smallest_film', &
+                    harmonic%surfaces_touch)
       call add_waves(list, harmonic%waves%centre)
       call list%add('harmonic_linear_steps', 'GMRES steps of the linear response', harmonic%linear_steps)
       call list%add('harmonic_work_units', 'processor time of the linear response in plain FFT convolutions of the grid', &

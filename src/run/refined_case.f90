@@ -9,6 +9,7 @@ module ehlwave_refined_case
    use ehlwave_estimated_case, only: run_estimated_case
    use ehlwave_kinds, only: dp
    use ehlwave_linear_range, only: linear_limit
+   use ehlwave_memory_plan, only: memory_shortage
    use ehlwave_march_keeper, only: march_keeper_t
    use ehlwave_monitor, only: go_on, monitor_t
    use ehlwave_plan_refinement, only: refine_plan
@@ -50,6 +51,7 @@ contains
          if (monitor%request /= go_on) exit
          call refine_plan(case, plan, parts_of(case, result), largest_work - result%all_work, finer, is_finer)
          if (.not. is_finer) exit
+         if (memory_shortage(finer) /= '') exit
          call run_estimated_case(case, finer, monitor, again, shared)
          if (again%status == status_interrupted) then
             result%status = status_interrupted

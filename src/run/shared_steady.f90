@@ -73,6 +73,7 @@ contains
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       character(len=:), allocatable :: key
+      integer :: n
 
       key = ''
       if (plan%kind == run_harmonic) key = steady_key(case, plan)
@@ -80,6 +81,9 @@ contains
          if (self%key == key .and. serves(self, plan)) then
             self%kept_work = self%work
             self%mark = self%multigrid%work()
+            do n = 1, size(self%multigrid%levels)   ! the film of a Newtonian oil does not depend on sliding, its friction does
+               self%multigrid%levels(n)%problem%conditions%slip_parameter = plan%conditions%slip_parameter
+            end do
             return
          end if
       end if

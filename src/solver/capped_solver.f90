@@ -13,7 +13,8 @@ module ehlwave_capped_solver
    type, public :: capped_solver_t
       integer :: steps_left = huge(1)      !! nonlinear steps of the finest level that the case may still take
       real(dp) :: work_left = huge(1.0_dp) !! operations that it may still take, but for those of the step that passes it
-      real(dp) :: thinnest = huge(1.0_dp)  !! smallest H of all that `attempt` solved, places of a continuation too
+      real(dp) :: thinnest = huge(1.0_dp)  !! smallest H of all that `attempt` solved, places of a continuation too,
+      real(dp) :: highest = 0              !! and largest P
    contains
       procedure :: attempt
       procedure :: attempt_from_coarsest
@@ -47,7 +48,10 @@ contains
       self%work_left = self%work_left - (multigrid%work() - work_before)
       associate (level => multigrid%levels(n))
          call close_attempt(self, level%state, report, level%report)
-         if (report%status == status_converged) self%thinnest = min(self%thinnest, minval(level%state%h))
+         if (report%status == status_converged) then
+            self%thinnest = min(self%thinnest, minval(level%state%h))
+            self%highest = max(self%highest, maxval(level%state%p))
+         end if
          level%report = report
       end associate
    end subroutine attempt

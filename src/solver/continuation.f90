@@ -92,7 +92,8 @@ contains
          call conditions_from_moes(self%m*(self%goal%m/self%m)**place, self%l + (self%goal%l - self%l)*place, &
                                    self%goal%d, self%goal%alpha_per_pa, conditions, error)
          if (allocated(error)) return   ! cannot be: M and L lie within those of accepted contacts
-         rheology = self%goal_rheology%at_pressure(conditions%alphabar, conditions%hertz_pressure_pa)
+         conditions%slip_parameter = self%goal%slip_parameter
+         rheology = self%goal_rheology%at_pressure(conditions%hertz_pressure_pa)
          rheology = rheology%with_stress(self%stress**(1 - place))
       end if
       call hierarchy%set_conditions(conditions, rheology)

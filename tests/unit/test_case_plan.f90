@@ -43,20 +43,20 @@ contains
       case = sample('none', 0.0_dp)
       case%data%reduced_modulus_pa = 2.26e11_dp
       case%slip_parameter = 0.5_dp
-      case%flow_law = 'eyring'
-      case%eyring_stress_pa = 1e12_dp
+      case%oil%flow_law = 'eyring'
+      case%oil%eyring_stress_pa = 1e12_dp
       plan = plan_of(case)
       call test%check_close([newtonian%thinning%steepness, newtonian%thinning%cost], [1.0_dp, 1.0_dp], 'Newtonian', relative=0.0_dp)
       call test%check_close(plan%expected%mesh, newtonian%expected%mesh, 'hardly thins', relative=1e-4_dp)
-      case%eyring_stress_pa = 2e5_dp
+      case%oil%eyring_stress_pa = 2e5_dp
       plan = plan_of(case)
       associate (stress => plan%conditions%hertz_pressure_pa**2/(2.26e11_dp*2e5_dp))
          call test%check_close(plan%expected%mesh, (1 + 0.15_dp*stress)*newtonian%expected%mesh, 'thins', relative=1e-10_dp)
       end associate
       call test%check(plan%expected_work_units > plan%thinning%steepness*newtonian%expected_work_units, 'its work')
-      case%flow_law = 'carreau'
-      case%carreau_modulus_pa = 2e5_dp
-      case%carreau_exponent = 1
+      case%oil%flow_law = 'carreau'
+      case%oil%carreau_modulus_pa = 2e5_dp
+      case%oil%carreau_exponent = 1
       plan = plan_of(case)
       call test%check_close(plan%expected%mesh, newtonian%expected%mesh, 'n = 1 is Newtonian', relative=1e-10_dp)
    end subroutine check_thinning

@@ -2,7 +2,7 @@
 
 Answers in one call: :class:`Contact`. The programs from Python: :class:`Case`, :class:`Study`.
 Their results: :func:`read_results`, :func:`read_case`, and what draws, fits and tabulates them.
-Measured surfaces: :mod:`ehlwave.deform`. What is asked for is imported when it is.
+Measured surfaces: :mod:`ehlwave.deform`. Modules are imported on first use.
 """
 
 from importlib import import_module
@@ -13,7 +13,13 @@ if TYPE_CHECKING:
     from ehlwave.contact import read_contact as read_case
     from ehlwave.deform import deform_surface, read_surface
     from ehlwave.driver import Case, Study
-    from ehlwave.errors import ProgramError, RangeError, ResultsError, SurfaceError
+    from ehlwave.errors import (
+        ExtrapolationWarning,
+        ProgramError,
+        RangeError,
+        ResultsError,
+        SurfaceError,
+    )
     from ehlwave.figures import collapse_figure, write_figure
     from ehlwave.fit import (
         FitError,
@@ -34,7 +40,13 @@ _HOMES = {
     "atlas": ("Atlas", "load_atlas"),
     "deform": ("deform_surface", "read_surface"),
     "driver": ("Case", "Study"),
-    "errors": ("ProgramError", "RangeError", "ResultsError", "SurfaceError"),
+    "errors": (
+        "ExtrapolationWarning",
+        "ProgramError",
+        "RangeError",
+        "ResultsError",
+        "SurfaceError",
+    ),
     "figures": ("collapse_figure", "write_figure"),
     "fit": (
         "FitError",
@@ -57,6 +69,7 @@ __all__ = [
     "Atlas",
     "Case",
     "Contact",
+    "ExtrapolationWarning",
     "Film",
     "FitError",
     "FormulaFit",

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import f90nml
 
@@ -12,6 +12,13 @@ from ehlwave.errors import SurfaceError
 
 KNOWN_LAWS = {"viscosity_law": "roelands", "density_law": "dowson_higginson"}
 """What :class:`ehlwave.medium.Oil` has; files may ask for others."""
+
+LAW_PREFIXES = ("mcewen_", "yasutomi_", "doolittle_", "tait_")
+"""Of the parameters of other laws."""
+
+
+FLOW_LAWS = {"newtonian": "Newtonian", "eyring": "Ree-Eyring", "carreau": "Carreau"}
+"""Oils by the ``flow_law`` of files."""
 
 
 def read_conditions(words: Sequence[str]) -> Conditions:
@@ -30,19 +37,38 @@ def read_conditions(words: Sequence[str]) -> Conditions:
     """
     keys: dict[str, Any] = {}
     others: list[str] = []
+    law: str | None = None
+    parameters: dict[str, float] = {}
     for word in words:
         name, separator, value = word.partition("=")
         if separator and not Path(word).exists():
             keys[name.strip()] = value.strip()
         else:
-            found, others = _from_file(Path(word))
-            keys |= found
-    conditions = conditions_from_keys(keys, place=f"conditions {' '.join(words)}")
-    return replace(conditions, oil=replace(conditions.oil, other_laws=tuple(others)))
+            file = _from_file(Path(word))
+            keys |= file.keys
+            others, parameters, law = file.other_laws, file.parameters, file.flow_law
+    place = f"conditions {' '.join(words)}"
+    conditions = conditions_from_keys(keys, place=place)
+    if law is not None and FLOW_LAWS.get(law) != conditions.oil.name:
+        raise SurfaceError(
+            f"{place}: flow_law = '{law}', but the keys are those of a {conditions.oil.name} oil: "
+            "give the stress of the law that is meant (eyring_stress_pa, or carreau_modulus_pa and "
+            "carreau_exponent), or change flow_law"
+        )
+    oil = replace(conditions.oil, other_laws=tuple(others), other_keys=tuple(parameters.items()))
+    return replace(conditions, oil=oil)
 
 
-def _from_file(path: Path) -> tuple[dict[str, Any], list[str]]:
-    """Return the keys of a file, and its laws of the oil that have no place in them."""
+class _FileKeys(NamedTuple):
+    """What a file says: known keys, laws of the oil without a place in them, their numbers."""
+
+    keys: dict[str, Any]
+    other_laws: list[str]
+    parameters: dict[str, float]
+    flow_law: str | None
+
+
+def _from_file(path: Path) -> _FileKeys:
     if not path.is_file():
         raise SurfaceError(
             f"conditions {path}: no such file; give an input file of ehlwave-case or KEY=VALUE"
@@ -61,4 +87,11 @@ def _from_file(path: Path) -> tuple[dict[str, Any], list[str]]:
         for key, known in KNOWN_LAWS.items()
         if str(lubricant.get(key, known)).lower() != known
     ]
-    return keys | {key: lubricant[key] for key in OIL_KEYS if key in lubricant}, others
+    parameters = {
+        key: float(value)
+        for key, value in lubricant.items()
+        if key.startswith(LAW_PREFIXES) and isinstance(value, (int, float))
+    }
+    known = {key: lubricant[key] for key in OIL_KEYS if key in lubricant}
+    law = lubricant.get("flow_law")
+    return _FileKeys(keys | known, others, parameters, None if law is None else str(law).lower())
