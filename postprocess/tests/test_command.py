@@ -73,7 +73,7 @@ def test_every_study_says_what_it_does(capsys: pytest.CaptureFixture[str]) -> No
     for name, study in STUDIES.items():
         about = (inspect.getdoc(study.run) or "").split("\n")[0]
         assert len(about) < 79
-        assert re.search(f"^    {name} +{re.escape(about)}$", said, re.MULTILINE)
+        assert re.search(f"^  {name} +{re.escape(about)}$", said, re.MULTILINE)
 
 
 def test_values_that_make_no_sense(capsys: pytest.CaptureFixture[str]) -> None:
@@ -154,6 +154,7 @@ def test_programs_that_are_named_are_not_built(started: Started) -> None:
         (["transients"], {"studies.transients": 1}, 1),
         (["accuracy"], {"finer.nml": 2}, 2),
         (["accuracy"], {"report": 1}, 1),
+        (["accuracy", "--all-keys", "--count", "3"], {"studies.all_keys": 1}, 1),
         (["periodic", "--first", "2"], {"studies.periodic": 1}, 1),
         (["validation", "--part", "line"], {"studies.validation": 1}, 1),
         (["microgeometry"], {"report": 1}, 1),

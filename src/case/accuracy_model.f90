@@ -18,6 +18,8 @@ module ehlwave_accuracy_model
    real(dp), parameter :: step_tolerance_factor = 1.26_dp  !! model 'step_tolerance': four of five runs are below
    real(dp), parameter :: steady_cost(3) = [66.7_dp, -0.265_dp, 0.0870_dp]   !! model 'steady_cost'
    real(dp), parameter :: step_cost(3) = [19.8_dp, -0.351_dp, 0.0229_dp]      !! model 'step_cost'
+   ! Of line contacts: steady states measured for M = 20 to 1000, L = 5 to 20, 256 to 2048 cells, within a factor of 2; steps 70 to 85.
+   real(dp), parameter :: line_steady_cost(3) = [483.0_dp, -0.5_dp, 0.467_dp], line_step_cost = 80
    !> Times as much of a steady state and of a step with a Ree-Eyring oil, M = 100, D = 1, S = 1.5, 5 MPa, counted on 64, 128 and
    !> 256 cells: 1.7, 1.5, 1.6 and 1.8, 1.7, 1.8. Linear responses take less, for they need fewer GMRES steps.
    real(dp), parameter :: film_flow_cost(2) = [1.6_dp, 1.8_dp]
@@ -100,19 +102,25 @@ contains
    end function points_for
 
    !> Counted work units of a steady state on a half domain, all levels included.
-   pure real(dp) function steady_work_units(conditions, cells, is_newtonian)
+   pure real(dp) function steady_work_units(conditions, cells, is_newtonian, thinning_cost)
       type(conditions_t), intent(in) :: conditions
       integer, intent(in) :: cells            !! along X
       logical, intent(in) :: is_newtonian     !! the oil
-      steady_work_units = cost(steady_cost, conditions, cells)*merge(1.0_dp, film_flow_cost(1), is_newtonian)
+      real(dp), intent(in) :: thinning_cost   !! see `thinning_t`
+      steady_work_units = cost(steady_cost, conditions, cells)
+      if (conditions%is_line()) steady_work_units = cost(line_steady_cost, conditions, cells)
+      steady_work_units = steady_work_units*merge(1.0_dp, film_flow_cost(1)*thinning_cost, is_newtonian)
    end function steady_work_units
 
    !> Counted work units of one time step on a half domain.
-   pure real(dp) function step_work_units(conditions, cells, is_newtonian)
+   pure real(dp) function step_work_units(conditions, cells, is_newtonian, thinning_cost)
       type(conditions_t), intent(in) :: conditions
       integer, intent(in) :: cells            !! along X
       logical, intent(in) :: is_newtonian     !! the oil
-      step_work_units = cost(step_cost, conditions, cells)*merge(1.0_dp, film_flow_cost(2), is_newtonian)
+      real(dp), intent(in) :: thinning_cost   !! see `thinning_t`
+      step_work_units = cost(step_cost, conditions, cells)
+      if (conditions%is_line()) step_work_units = line_step_cost
+      step_work_units = step_work_units*merge(1.0_dp, film_flow_cost(2)*thinning_cost, is_newtonian)
    end function step_work_units
 
    !> c1 (cells/128)^c2 (gamma M/100)^c3

@@ -21,10 +21,11 @@ module ehlwave_grid_choice
 contains
 
    !> Cells of the whole domain; one along Y for a line contact.
-   subroutine choose_grid(case, conditions, waviness, cells_x, cells_y, reason)
+   subroutine choose_grid(case, conditions, waviness, steepness, cells_x, cells_y, reason)
       type(case_t), intent(in) :: case
       type(conditions_t), intent(in) :: conditions
       type(waviness_t), intent(in) :: waviness
+      real(dp), intent(in) :: steepness        !! see `thinning_t`
       integer, intent(out) :: cells_x, cells_y
       character(len=:), allocatable, intent(out) :: reason   !! why so many, for people
       real(dp) :: points
@@ -52,7 +53,7 @@ contains
          length = case%x_max - case%x_min
          inlet = merge(coarsest_inlet, wanted_inlet, case%accuracy > 0)
          if (conditions%is_line() .and. .not. case%accuracy > 0) inlet = wanted_line_inlet
-         wanted = length/(inlet*inlet_length(conditions))
+         wanted = length/(inlet*inlet_length(conditions)/sqrt(steepness))
          why_x = 'for hX over the inlet length <= '//to_text(inlet, 2)
          if (waviness%wavelength_x > 0) then
             if (points*length*max(1.0_dp, waviness%slip)/waviness%wavelength_x > wanted) then
@@ -65,6 +66,7 @@ contains
             if (waviness%is_present .and. .not. allocated(waviness%surface)) &
                mesh = largest_mesh(conditions, share_of_mesh*case%accuracy, &
                                    formula_ratio(case, conditions, waviness%moves()), waviness%moves())
+            mesh = mesh/sqrt(steepness)
             if (length/mesh > wanted) then
                wanted = length/mesh
                why_x = 'for an accuracy of '//to_text(case%accuracy, 3)

@@ -118,16 +118,17 @@ contains
       real(dp), intent(in) :: hx, hy   !! mesh sizes in X and Y, hY of a line contact 0
       real(dp), intent(in) :: dt       !! time step, 0 in steady cases
       type(resolution_t) :: self
+      real(dp) :: length
 
       self%reason = ''
-      self%inlet = hx/inlet_length(conditions)
+      length = inlet_length(conditions)
+      self%inlet = hx/length
       if (self%inlet > coarsest_inlet) self%reason = self%reason//'hX over the inlet length = '//to_text(self%inlet, 3)// &
-         ' is above '//to_text(coarsest_inlet, 3)//': use hX <= '//to_text(coarsest_inlet*inlet_length(conditions), 3)//'; '
+         ' is above '//to_text(coarsest_inlet, 3)//': use hX <= '//to_text(coarsest_inlet*length, 3)//'; '
       ! Measured at M = 3000, D = 1: with hY = 0.5 inlet lengths no solution is found where 0.25 has one (L = 12.05); with
       ! 0.31 the central film is 0.1 per cent off, but the smallest, in the side lobes, by a factor of two (L = 30).
-      if (hy > coarsest_side*inlet_length(conditions)) self%reason = self%reason//'hY over the inlet length = '// &
-         to_text(hy/inlet_length(conditions), 3)//' is above '//to_text(coarsest_side, 3)//': use hY <= '// &
-         to_text(coarsest_side*inlet_length(conditions), 3)//'; '
+      if (hy > coarsest_side*length) self%reason = self%reason//'hY over the inlet length = '//to_text(hy/length, 3)// &
+         ' is above '//to_text(coarsest_side, 3)//': use hY <= '//to_text(coarsest_side*length, 3)//'; '
       self%inlet_gap = inlet_gap(conditions, x_min)
       if (.not. self%inlet_gap >= narrowest_inlet_gap) self%reason = self%reason//'the film is as thick as the gap at x_min'// &
          ' (ratio '//to_text(self%inlet_gap, 3)//', at least '//to_text(narrowest_inlet_gap, 3)// &

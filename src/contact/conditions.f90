@@ -34,6 +34,7 @@ module ehlwave_conditions
       real(dp) :: lambdabar = 0                     !! dimensionless speed, eq. (4)
       real(dp) :: s = 0.5_dp                        !! shape factor, eq. (5)
       real(dp) :: moes_film_factor = 0              !! (h/Rx)(2U)^(-1/2) per unit H, eq. (6)
+      real(dp) :: slip_parameter = 1                !! S = u1/ubar
       real(dp) :: alpha_per_pa = 0                  !! alpha, 1/Pa
       real(dp) :: hertz_pressure_pa = 0             !! ph, Pa
       logical :: has_dimensions = .false.           !! whether the lengths below are known

@@ -92,7 +92,7 @@ contains
       self%edges = new_edge_values(self%grid, conditions, rheology)
       if (allocated(self%film_flow)) deallocate (self%film_flow)
       if (rheology%is_newtonian()) return
-      self%film_flow = rheology%film_flow(conditions%elliptic%k, conditions%hertz_pressure_pa, conditions%lambdabar)
+      self%film_flow = rheology%film_flow(conditions%elliptic%k, conditions%lambdabar, conditions%slip_parameter)
    end subroutine set_conditions
 
    !> Film thickness H = -Delta + S X^2 + (1 - S) Y^2 + Rough + Dbar(P), theory eq. (8).

@@ -2,6 +2,7 @@
 module ehlwave_case_report
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_case_definition, only: case_t
+   use ehlwave_case_lubricant, only: extrapolation_text
    use ehlwave_case_plan, only: case_plan_t, run_harmonic, run_march, run_smooth, run_standing
    use ehlwave_case_result, only: case_result_t
    use ehlwave_error_account, only: errors_text, validity_text
@@ -12,6 +13,7 @@ module ehlwave_case_report
    use ehlwave_status, only: is_solved, status_name
    use ehlwave_surface_plan, only: surface_text
    use ehlwave_text, only: to_text
+   use ehlwave_work_unit, only: work_unit_operations
    implicit none (type, external)
    private
    public :: print_plan, print_result
@@ -39,8 +41,10 @@ contains
             write (unit, '(a)') '             a = '//to_text(c%a_m*1e3_dp, 5)//' mm, b = '// &
                to_text(c%b_m*1e3_dp, 5)//' mm, c = '//to_text(c%c_m*1e6_dp, 5)//' um'
          end if
-         write (unit, '(a)') 'Lubricant    '//trim(case%viscosity_law)//', '//trim(case%density_law)//', '//trim(case%flow_law)// &
-            ', alpha = '//to_text(c%alpha_per_pa*1e9_dp, 5)//' 1/GPa'
+         write (unit, '(a)') 'Lubricant    '//trim(case%oil%viscosity_law)//', '//trim(case%oil%density_law)//', '// &
+            trim(case%oil%flow_law)//', alpha = '//to_text(c%alpha_per_pa*1e9_dp, 5)//' 1/GPa'
+         if (extrapolation_text(case, plan%rheology, 1.0_dp) /= '') write (unit, '(a)') '             WARNING: '// &
+            extrapolation_text(case, plan%rheology, 1.0_dp)
          if (allocated(plan%waviness%surface)) then
             write (unit, '(a)') 'Waviness     '//surface_text(case, plan%waviness, c)
          else
@@ -71,17 +75,13 @@ contains
          else
             write (unit, '(a)') '             NOT RESOLVED: '//plan%resolution%reason//'the result will be flagged'
          end if
-         if (c%is_line()) then
-            write (unit, '(a)') 'Expected     '//expected_text(plan)//'; no model of the cost of line contacts'
-         else
-            write (unit, '(a)') 'Expected     '//expected_text(plan)
-            write (unit, '(a)') '             about '//to_text(plan%expected_seconds(), 2)//' s, '// &
-               to_text(plan%expected_work_units, 2)//' work units (models; usually right within a factor 2), '// &
-               to_text(plan%expected_memory_mib(), 2)//' MiB'
-            if (case%accuracy > 0 .and. plan%expected_error > case%accuracy) write (unit, '(a)') &
-               '             ACCURACY '//to_text(case%accuracy, 3)//' NOT TO BE REACHED with largest_cells = '// &
-               to_text(case%largest_cells)//': expect '//to_text(plan%expected_error, 2)
-         end if
+         write (unit, '(a)') 'Expected     '//expected_text(plan)
+         write (unit, '(a)') '             about '//to_text(plan%expected_seconds(), 2)//' s, '// &
+            to_text(plan%expected_work_units, 2)//' work units (models; usually right within a factor 2), '// &
+            to_text(plan%expected_memory_mib(), 2)//' MiB; '//cap_text(plan)
+         if (case%accuracy > 0 .and. plan%expected_error > case%accuracy) write (unit, '(a)') &
+            '             ACCURACY '//to_text(case%accuracy, 3)//' NOT TO BE REACHED with largest_cells = '// &
+            to_text(case%largest_cells)//': expect '//to_text(plan%expected_error, 2)
          shortage = memory_shortage(plan)
          if (shortage /= '') write (unit, '(a)') '             TOO LITTLE MEMORY: '//shortage
       end associate
@@ -95,6 +95,17 @@ contains
          trim(merge('Ad/Ai ', 'H(0,0)', plan%waviness%is_present .and. .not. allocated(plan%waviness%surface)))// &
          ' about '//to_text(plan%expected%total(), 2)//' ('//errors_text(plan%expected)//')'
    end function expected_text
+
+   !> Where a case ends that does not converge.
+   function cap_text(plan) result(text)
+      type(case_plan_t), intent(in) :: plan
+      character(len=:), allocatable :: text
+      if (plan%has_work_cap()) then
+         text = 'at most '//to_text(plan%largest_work/work_unit_operations(plan%cells_x, plan%cells_y), 2)//' work units'
+      else
+         text = 'at most '//to_text(plan%largest_total_steps)//' steps (largest_total_steps)'
+      end if
+   end function cap_text
 
    function edges_text(case, plan) result(text)
       type(case_t), intent(in) :: case
@@ -206,7 +217,9 @@ contains
       end if
       call print_sensitivities()
       if (ieee_is_finite(result%central_film_error)) write (unit, '(a)') 'Estimated    relative errors of the grid: H(0,0) '// &
-         to_text(result%central_film_error, 2)//', smallest H '//to_text(result%minimum_film_error, 2)//amplitude_error()
+         to_text(result%central_film_error, 2)//', smallest H '//to_text(result%minimum_film_error, 2)// &
+         friction_error()//trim(merge(' (from a model)', '               ', result%film_error_basis == 'model'))// &
+         amplitude_error()
       if (plan%waviness%is_present .and. ieee_is_finite(result%ratio_errors%mesh)) then
          write (unit, '(a)') '             of Ad/Ai in all '//to_text(result%error_estimate, 2)//': '// &
             errors_text(result%ratio_errors)
@@ -238,6 +251,12 @@ contains
             text = to_text(result%nonlinear_steps)//' Newton and '//to_text(result%linear_steps)//' GMRES steps'
          end if
       end function iterations
+
+      function friction_error() result(text)
+         character(len=:), allocatable :: text
+         text = ''
+         if (ieee_is_finite(result%friction_error)) text = ', friction '//to_text(result%friction_error, 2)
+      end function friction_error
 
       function amplitude_error() result(text)
          character(len=:), allocatable :: text

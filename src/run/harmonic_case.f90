@@ -1,8 +1,10 @@
 !> The linear response of a case: no time steps.
 module ehlwave_harmonic_case
+   use ehlwave_case_account, only: add_warning
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_result, only: case_result_t
+   use ehlwave_error_estimate, only: likely_order
    use ehlwave_harmonic_response, only: harmonic_response_t
    use ehlwave_kinds, only: dp
    use ehlwave_mean_film, only: find_mean_change, has_mean, mean_change_t
@@ -58,10 +60,16 @@ contains
          result%harmonic%p = response%p
          result%harmonic%h = response%h
       end if
+      result%harmonic%error = plan%model_margin()*plan%expected%mesh   ! unless a coarser grid tells more
+      result%harmonic%error_basis = 'model'
       if (.not. steady%has_coarse) return
       call steady%coarse_response%respond(steady%multigrid%levels(:n - 1), plan%waviness, case%natural_frequency, &
                                           plan%steps_per_cell, coarse)
-      if (coarse%status == status_converged) call result%harmonic%extrapolate(coarse%film, coarse%pressure)
+      if (coarse%status /= status_converged) return
+      call result%harmonic%extrapolate(coarse%film, coarse%pressure, &
+                                       likely_order(result%film_order, plan%resolution, plan%thinning%steepness))
+      result%harmonic%error = max(result%harmonic%error, plan%least_ratio_error())
+      result%harmonic%error_basis = 'coarse_grid'
    end subroutine run_response
 
    !> What waves of the amplitude of the case change in the mean, where they have a mean.
@@ -76,7 +84,12 @@ contains
       if (.not. has_mean(plan%waviness)) return
       associate (amplitude => case%amplitude_over_film*result%central_film)
          call find_mean_change(steady%response%tangent, steady%multigrid%levels, response, plan%waviness, amplitude, change)
-         if (change%status == status_converged) call result%harmonic%take_mean(change, amplitude)
+         if (change%status /= status_converged) return
+         call result%harmonic%take_mean(change, amplitude)
+         if (result%harmonic%surfaces_touch) call add_warning(result, 'waves of '// &
+            to_text(100*case%amplitude_over_film, 3)// &
+            ' % of the film would touch the other surface at X = '//to_text(change%smallest_at(1), 3)//', Y = '// &
+            to_text(change%smallest_at(2), 3)//', to second order: there is no smallest film')
       end associate
    end subroutine find_mean
 

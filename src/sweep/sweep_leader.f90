@@ -28,7 +28,7 @@ module ehlwave_sweep_leader
    use ehlwave_sweep_progress, only: progress_t
    use ehlwave_sweep_queue, only: new_queue
    use ehlwave_sweep_report, only: print_sweep_result
-   use ehlwave_sweep_start, only: choose_cases, refuse_changed_surfaces, set_aside_crashed
+   use ehlwave_sweep_start, only: choose_cases, refuse_changed_files, set_aside_crashed
    use ehlwave_terminal, only: complain, print_last, say
    use ehlwave_text, only: shown, to_text
    use ehlwave_text_file, only: read_text
@@ -100,7 +100,7 @@ contains
       if (sweep%skipped > 0) call say(output_unit, to_text(sweep%skipped)//' unresolved cases are left out as asked')
       allocate (to_run(size(sweep%cases)), status(size(sweep%cases)), seconds(size(sweep%cases)))
       call choose_cases(sweep, store, contents, options%retry, to_run, status, seconds)
-      call refuse_changed_surfaces(sweep, contents, to_run, error)
+      call refuse_changed_files(sweep, contents, to_run, error)
       if (allocated(error)) return
       call store%open_log(error)
       self%is_store_broken = allocated(error)

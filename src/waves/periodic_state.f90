@@ -67,13 +67,14 @@ contains
       self%march%rescue = rescue
       do l = first_level(multigrid%levels, settings%waviness), n
          associate (level => multigrid%levels(l))
-            call waves%find(multigrid%levels(:l), settings%waviness, settings%amplitude, settings%natural_frequency, &
-                            settings%steps_per_cell, is_known)
-            self%linear_steps = self%linear_steps + waves%linear_steps
+            is_known = level%has_film()
+            if (is_known) call waves%find(multigrid%levels(:l), settings%waviness, settings%amplitude, &
+                                          settings%natural_frequency, settings%steps_per_cell, is_known)
             if (.not. is_known) then
                has_rest = .false.
                cycle
             end if
+            self%linear_steps = self%linear_steps + waves%linear_steps
             if (has_rest) call hand_up(self%march, coarse_waves, multigrid%levels(l - 1)%problem%grid, level%problem%grid, waves)
             here = settings
             here%steps = ceiling(settings%steps*0.5_dp**(n - l))
@@ -140,7 +141,7 @@ contains
          associate (grid => levels(first)%problem%grid)
             if (waviness%wavelength_x < fewest_points*grid%hx) cycle
             if (waviness%wavelength_y > 0 .and. waviness%wavelength_y < fewest_points*grid%hy) cycle
-            if (levels(first)%report%status == status_converged) return
+            if (levels(first)%has_film()) return
          end associate
       end do
    end function first_level

@@ -79,7 +79,7 @@ class Scripts(unittest.TestCase):
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["stubs", "tree"])
 
     def test_former_names_are_studies(self):
-        studies = re.findall(r"^    ([a-z-]+)\b", self.call("study", "--help").stdout, re.MULTILINE)
+        studies = re.findall(r"^  ([a-z][a-z-]+) +[A-Z]", self.call("study", "--help").stdout, re.MULTILINE)
         former = {script: study_of(script) for script in all_scripts() if study_of(script)}
         self.assertEqual(sorted(former.values()), studies)
         for script, name in former.items():

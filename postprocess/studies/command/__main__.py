@@ -16,26 +16,22 @@ An interrupted study goes on with the same command. EHLWAVE_CASE and EHLWAVE_SWE
 programs than those that are built.
 """
 _STATUS = "Options of a study: scripts/study NAME --help. Exit status: as said there; 2 bad usage."
-_SHAPE = partial(argparse.RawDescriptionHelpFormatter, max_help_position=22, width=100)
+_SHAPE = partial(argparse.RawDescriptionHelpFormatter, max_help_position=20, width=100)
 
 
 def parser() -> argparse.ArgumentParser:
     """Return the parser with all studies."""
+    helps = {name: inspect.getdoc(study.run) or "" for name, study in sorted(STUDIES.items())}
+    listed = "\n".join(f"{name:14} {text.splitlines()[0]}" for name, text in helps.items())
     top = argparse.ArgumentParser(
         "scripts/study", "%(prog)s NAME [OPTIONS]", _ABOUT, _STATUS, formatter_class=_SHAPE
     )
-    names = top.add_subparsers(dest="study", metavar="NAME", title="studies", required=True)
-    for name, study in sorted(STUDIES.items()):
-        about = inspect.getdoc(study.run) or ""
-        one = names.add_parser(
-            name,
-            prog=f"scripts/study {name}",
-            help=about.split("\n")[0].replace("%", "%%"),
-            description=about,
-            formatter_class=_SHAPE,
-            allow_abbrev=False,
-        )
-        for option, keywords in study.options:
+    shown = {"title": "studies", "description": listed, "help": argparse.SUPPRESS}
+    names = top.add_subparsers(dest="study", metavar="NAME", required=True, **shown)
+    for name, text in helps.items():
+        words = {"prog": f"scripts/study {name}", "description": text, "allow_abbrev": False}
+        one = names.add_parser(name, formatter_class=_SHAPE, **words)
+        for option, keywords in STUDIES[name].options:
             one.add_argument(option, **keywords)
     return top
 
