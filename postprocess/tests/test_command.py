@@ -221,3 +221,10 @@ def test_a_signal_is_for_the_step_that_runs() -> None:
         assert process.stdout.readline() == "ready\n"
         process.send_signal(signal.SIGUSR1)
         assert process.wait(20) == 85
+
+
+def test_a_signal_between_steps_stops_the_next(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(steps, "_waiting", [signal.SIGTERM])
+    with pytest.raises(steps.StoppedError) as stopped:
+        steps.call("sleep", "20")
+    assert stopped.value.status == 128 + signal.SIGTERM

@@ -23,6 +23,8 @@ Stream = int | IO[str] | None
 """Where standard output of a step goes, as :mod:`subprocess` has it."""
 
 _running: list[subprocess.Popen[str]] = []
+_waiting: list[int] = []
+"""Signals that came between two steps: the next one is given them."""
 
 
 class StoppedError(Exception):
@@ -56,6 +58,8 @@ def call(
     words = list(map(str, command))
     with subprocess.Popen(words, cwd=folder, stdout=stdout, text=True) as process:
         _running.append(process)
+        while _waiting:
+            process.send_signal(_waiting.pop())
         said, _ = process.communicate()
         _running.clear()
     status = process.returncode if process.returncode >= 0 else 128 - process.returncode
@@ -68,9 +72,10 @@ def pass_signals_on() -> None:
     """Leave it to the step that runs what a signal does, so that a sweep stops in good order."""
 
     def pass_on(number: int, _: object) -> None:
-        if not _running:
-            sys.exit(128 + number)
-        _running[0].send_signal(number)
+        if _running:
+            _running[0].send_signal(number)
+        else:
+            _waiting.append(number)
 
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGUSR1):
         if signal.getsignal(number) is not signal.SIG_IGN:
