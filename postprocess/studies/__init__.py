@@ -2,7 +2,11 @@
 
 ``programs`` runs the programs of the build, for the tests too; the others are one study each:
 
-- ``paper``: cases, formulas and report of ``scripts/reproduce --full``, with ``experiment``;
-- ``error_time``, ``speed``, ``stability``, ``linearity``, ``microgeometry``, ``validation``: the
-  scripts of the same names. ``section`` holds what a report is made of.
+- ``paper``: cases, formulas and report of ``scripts/reproduce --full``, with ``experiment`` and
+  ``two_waves``;
+- ``error_time``, ``speed``, ``stability``, ``linearity``, ``microgeometry``, ``validation``,
+  ``accuracy``, ``all_keys``, ``periodic``, ``transients``, ``atlas``, ``many_ranks``: one each.
+
+``command`` is ``scripts/study``, which runs them all. ``section`` holds what a report is made of,
+``sweeps`` writes and reads sweeps, ``work_unit`` has the unit of counted work.
 """

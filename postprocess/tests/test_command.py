@@ -12,6 +12,7 @@ from pathlib import Path
 
 import pytest
 
+import studies
 from studies.command import steps
 from studies.command.__main__ import main, parser
 from studies.command.options import COUNT, KINDS, STUDIES
@@ -74,6 +75,14 @@ def test_every_study_says_what_it_does(capsys: pytest.CaptureFixture[str]) -> No
         about = (inspect.getdoc(study.run) or "").split("\n")[0]
         assert len(about) < 79
         assert re.search(f"^  {name} +{re.escape(about)}$", said, re.MULTILINE)
+
+
+def test_texts_name_every_study() -> None:
+    readme = (steps.ROOT / "postprocess" / "README.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| ((?:`[a-z-]+`(?:, )?)+) \|.*\|.*\|.*\|$", readme, re.MULTILINE)
+    assert sorted(re.findall("`(.*?)`", ", ".join(rows))) == sorted(STUDIES)
+    there = {path.stem for path in Path(studies.__file__).parent.glob("[a-z]*")}
+    assert there == set(re.findall(r"``([a-z_]+)``", studies.__doc__ or ""))
 
 
 def test_values_that_make_no_sense(capsys: pytest.CaptureFixture[str]) -> None:

@@ -96,6 +96,11 @@ class Scripts(unittest.TestCase):
         self.assertEqual(outcome.returncode, 2)
         self.assertIn("EHLWAVE_PYTHON", outcome.stderr)
 
+    def test_the_readme_names_every_script(self):
+        row = re.search(r"^\| \[`scripts`\]\(scripts\) \|.*$", (ROOT/"README.md").read_text(), re.MULTILINE)[0]
+        names = {str(script) for script in all_scripts() if len(script.parts) == 1 and not study_of(script)}
+        self.assertEqual(names - set(re.findall("`(.*?)`", row)), set())
+
     def test_values_that_make_no_sense(self):
         tried = 0
         for script in own_scripts():
