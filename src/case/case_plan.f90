@@ -121,6 +121,11 @@ contains
          plan%phases = merge(8, 2, plan%waviness%wavelength_x > 0)
       end if
       if (allocated(error)) return
+      if (case%fields_every > 0 .and. (plan%kind /= run_march .or. plan%is_periodic)) then
+         call raise(error, '&output fields_every = '//to_text(case%fields_every)//': this case takes no time steps whose '// &
+                    "fields could be kept: remove it, or give waves or a surface that move, with response = 'transient' or 'both'")
+         return
+      end if
       plan%resolution = judge_resolution(plan%conditions, plan%waviness, plan%x_min, plan%y_max, plan%hx, plan%hy, plan%dt)
       call expect(case, plan)
       if (case%accuracy > 0) call check_accuracy(case, plan, error)

@@ -98,6 +98,7 @@ contains
       relay%whole => monitor
       coarse_case = case
       coarse_case%fields = .false.
+      coarse_case%fields_every = 0
       coarse_case%sensitivities = .false.
       coarse_case%domain_scale = plan%domain_scale
       coarse_case%accuracy = 0                    ! is that of the case itself

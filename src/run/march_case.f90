@@ -73,24 +73,31 @@ contains
       type(march_t) :: march
       type(march_result_t) :: history
       integer :: finest
+      logical :: keeps
 
       finest = size(multigrid%levels)
       call march%begin(multigrid%levels, march_settings(case, plan, result%central_film), rescue)
-      if (present(keeper)) call keeper%load(march)
+      associate (level => multigrid%levels(finest))
+         if (case%fields_every > 0) call result%history%begin(level, case%fields_every, plan%steps, case%slip_parameter)
+         call result%history%see(level, 0, 0.0_dp)
+      end associate
+      keeps = present(keeper) .and. case%fields_every == 0   ! fields of steps before are not kept
+      if (keeps) call keeper%load(march)
       if (march%result%steps > 0) call march%restore(multigrid%levels(finest))
       do while (march%result%steps < plan%steps)
-         call march%advance(multigrid, step_limits(case, plan, result%central_film), monitor)
+         call march%advance(multigrid, step_limits(case, plan, result%central_film), monitor, result%history)
          if (march%result%status /= status_converged) exit
-         if (present(keeper) .and. modulo(march%result%steps, steps_per_stretch) == 0) call keeper%keep(march)
+         if (keeps .and. modulo(march%result%steps, steps_per_stretch) == 0) call keeper%keep(march)
          if (monitor%request /= go_on) exit
       end do
+      call result%history%finish()
       history = march%result
       result%work = result%work + history%work
       rescue = march%rescue
       result%status = history%status
       if (history%status == status_converged .and. history%steps < plan%steps) &
          call end_early(monitor%request, 'time step '//to_text(history%steps)//' of '//to_text(plan%steps), result)
-      if (result%status == status_interrupted .and. present(keeper)) call keeper%save()
+      if (result%status == status_interrupted .and. keeps) call keeper%save()
       result%time_steps = history%steps
       result%residual = worse(worse(result%residual, history%worst_residual), multigrid%levels(finest)%report%residual)
       result%load_error = worse(worse(result%load_error, history%worst_load_error), multigrid%levels(finest)%report%load_error)

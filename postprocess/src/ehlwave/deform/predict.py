@@ -52,6 +52,8 @@ class Deformed:
     error_m : float or None
         Root mean square error of the deformed heights by the errors of the responses, m; None: the
         transfer has none.
+    transfer : Transfer or None
+        What it was predicted with.
     """
 
     surface: Surface
@@ -66,6 +68,22 @@ class Deformed:
     warnings: list[str] = field(default_factory=list)
     error_m: float | None = None
     cutoffs_m: Cutoffs = (None, None)
+    transfer: Transfer | None = field(default=None, repr=False, compare=False)
+
+    @cached_property
+    def pressure_pa(self) -> Heights:
+        """Pressure ripple, Pa: that of the contact centre as each point of the surface passes it.
+
+        Shape of the heights. It adds to the pressure of the smooth contact.
+
+        Raises
+        ------
+        StressError
+            If the contact was given without the lengths that pressures need.
+        """
+        from ehlwave.stress.centre import centre_pressure
+
+        return centre_pressure(self)
 
     @cached_property
     def parameters(self) -> dict[str, dict[str, float]]:
@@ -152,6 +170,7 @@ def deform_surface(
         warnings=warnings_of(statistics, conditions),
         error_m=cover.error_m(),
         cutoffs_m=cutoffs_m,
+        transfer=chosen,
     )
 
 
