@@ -28,6 +28,13 @@ def read_conditions(words: Sequence[str]) -> Conditions:
     SurfaceError
         If a file cannot be read or a key is unknown, missing or meaningless.
     """
+    keys, others = read_keys(words)
+    conditions = conditions_from_keys(keys, place=f"conditions {' '.join(words)}")
+    return replace(conditions, oil=replace(conditions.oil, other_laws=tuple(others)))
+
+
+def read_keys(words: Sequence[str]) -> tuple[dict[str, Any], list[str]]:
+    """Return the keys of words as :func:`read_conditions` takes them, and laws without a key."""
     keys: dict[str, Any] = {}
     others: list[str] = []
     for word in words:
@@ -37,8 +44,7 @@ def read_conditions(words: Sequence[str]) -> Conditions:
         else:
             found, others = _from_file(Path(word))
             keys |= found
-    conditions = conditions_from_keys(keys, place=f"conditions {' '.join(words)}")
-    return replace(conditions, oil=replace(conditions.oil, other_laws=tuple(others)))
+    return keys, others
 
 
 def _from_file(path: Path) -> tuple[dict[str, Any], list[str]]:

@@ -61,12 +61,17 @@ class BodyStress:
         Largest factor over the body; of the smooth contact; error of the former.
     dang_van_depth_m, dang_van_point_m : float
         Where it is.
+    near_m, dang_van_near, dang_van_near_smooth : float
+        Depth that the ripple reaches, and the largest factors down to it: what micropitting is
+        about. The largest of all is often that of the smooth contact, deeper.
     share_at_risk : float
-        Share of the surface where the factor is 1 or more at some depth.
+        Share of the surface where the factor is 1 or more down to that depth.
     life_ratio : float
         Life over that of the smooth contact, by Ioannides and Harris.
     risk : DataArray
         Dang Van's factor over depth and points, even ones alone.
+    smooth_over_depth, ripple_over_depth_pa : ndarray
+        Factor of the smooth contact, and largest shear of the ripple, over the depths of ``risk``.
     path : Path
         Of the point of the largest factor, over its passage.
     """
@@ -82,9 +87,14 @@ class BodyStress:
     dang_van_error: float
     dang_van_depth_m: float
     dang_van_point_m: float
+    near_m: float
+    dang_van_near: float
+    dang_van_near_smooth: float
     share_at_risk: float
     life_ratio: float
     risk: xr.DataArray
+    smooth_over_depth: Floats
+    ripple_over_depth_pa: Floats
     path: Path
 
 
@@ -95,6 +105,7 @@ def judge_body(
     histories: Histories,
     semi_axis_m: float,
     fatigue_pa: float,
+    near_m: float,
     errors: tuple[float, float],
     cycle_power: float,
 ) -> BodyStress:
@@ -108,8 +119,8 @@ def judge_body(
         Of its points.
     semi_axis_m : float
         Of the contact along rolling.
-    fatigue_pa : float
-        tau_f of Dang Van's criterion.
+    fatigue_pa, near_m : float
+        tau_f of Dang Van's criterion; depth that the ripple reaches.
     errors : pair of float
         Relative errors of the ripple, and of the smooth stress.
     cycle_power : float
@@ -124,9 +135,11 @@ def judge_body(
     }
     inner = np.abs(histories.places_m) <= INNER * semi_axis_m
     ripple = {key: values * inner[:, None, None] for key, values in histories.ripple.items()}
-    shear = _peak(largest_shear(ripple), histories)
+    sheared = largest_shear(ripple)
+    shear = _peak(sheared, histories)
     factor = dang_van_factor(total, fatigue_pa)
-    smooth_factor = float(np.max(dang_van_factor(smooth, fatigue_pa)))
+    smooth_factor = np.asarray(dang_van_factor(smooth, fatigue_pa))
+    near = histories.depths_m <= near_m
     z, point = np.unravel_index(int(np.argmax(factor)), factor.shape)
     worst = {key: values[:, z, point] for key, values in total.items()}
     larger = {key: worst[key] + errors[0] * histories.ripple[key][:, z, point] for key in worst}
@@ -143,13 +156,18 @@ def judge_body(
         ripple_shear=shear,
         ripple_shear_error_pa=errors[0] * shear.value_pa,
         dang_van=float(factor[z, point]),
-        dang_van_smooth=smooth_factor,
-        dang_van_error=float(np.hypot(change, errors[1] * smooth_factor)),
+        dang_van_smooth=float(smooth_factor.max()),
+        dang_van_error=float(np.hypot(change, errors[1] * smooth_factor.max())),
         dang_van_depth_m=float(histories.depths_m[z]),
         dang_van_point_m=float(histories.points_m[point]),
-        share_at_risk=share_at_risk(risk),
+        near_m=float(histories.depths_m[near].max()),
+        dang_van_near=float(factor[near].max()),
+        dang_van_near_smooth=float(smooth_factor[near].max()),
+        share_at_risk=share_at_risk(risk.isel(z=np.flatnonzero(near))),
         life_ratio=life_ratio(life_integral_ratio(passed, passed_smooth), cycle_power),
         risk=risk,
+        smooth_over_depth=smooth_factor[:, 0],
+        ripple_over_depth_pa=sheared.max(axis=(0, 2)),
         path=dang_van_path(worst),
     )
 

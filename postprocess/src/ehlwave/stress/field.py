@@ -94,8 +94,14 @@ def stress_below(
     )
 
 
-def stress_planes(load: Load, depths_m: Floats, workers: int = 1) -> Iterator[dict[str, Floats]]:
-    """Yield the stresses at one depth after the other, [x, y]; one plane is held at a time."""
+def stress_planes(
+    load: Load, depths_m: Floats, workers: int = 1, *, corrected: bool = True
+) -> Iterator[dict[str, Floats]]:
+    """Yield the stresses at one depth after the other, [x, y]; one plane is held at a time.
+
+    Not ``corrected``, what images of loads that end do is left in: loads that are nothing as a
+    whole do not need it.
+    """
     ends = tuple(not endless and count > 1 for endless, count in load.directions)
     is_endless = not ends[0], not ends[1]
     factor = tuple(coarse_factor(n) if end else 1 for n, end in zip(load.shape, ends, strict=True))
@@ -105,7 +111,11 @@ def stress_planes(load: Load, depths_m: Floats, workers: int = 1) -> Iterator[di
     )
     scales = load.steps_m, load.poisson_ratio
     near = RepeatedLoad(load.fields, *scales, periods, is_endless, workers=workers)
-    images = ImageCorrection(load.fields, *scales, periods, factor, ends) if any(ends) else None
+    images = (
+        ImageCorrection(load.fields, *scales, periods, factor, ends)
+        if any(ends) and corrected
+        else None
+    )
     for depth in depths_m:
         plane = near.at(float(depth))
         if images is not None:

@@ -30,6 +30,9 @@ LINEAR_LIMIT = 0.3
 AMPLITUDE_ERROR = 0.15
 """Relative error of the ripple at that amplitude; it grows with the amplitude."""
 
+REACH = 2.0
+"""Over the mean wave number of the pressure: depth where a third of the shear of a wave is left."""
+
 DEPTHS = 10
 """That are chosen where none are given."""
 
@@ -112,6 +115,7 @@ def rough_stress(
         )
     ripples = tuple(ripple_of(surface) for surface in surfaces)
     depths = _depths(conditions, ripples) if depths_m is None else checked_depths(depths_m)
+    near = max(REACH / _mean_number(conditions, ripples), float(depths.min()))
     hertz, rq = hertz_pressure_of(conditions), _rq(ripples)
     amplitude = max(surface.statistics.amplitude_over_film or 0.0 for surface in surfaces)
     bar = _bar(ripples)
@@ -132,6 +136,7 @@ def rough_stress(
                 histories,
                 conditions.semi_axis_a_m,
                 tau_f,
+                near,
                 (error, MODEL_ERROR),
                 power,
             )
@@ -175,17 +180,23 @@ def _depths(conditions: Conditions, ripples: Sequence[Ripple]) -> Floats:
     """Return depths from the surface over those of the ripple to those of the contact, m.
 
     The stress of a wave is largest at 0.15 wavelengths, that of the contact at 0.5 to 0.8 of the
-    shorter semi-axis. The mean wavelength is that of the pressure.
+    shorter semi-axis.
     """
+    largest = min(conditions.semi_axis_a_m, conditions.semi_axis_b_m)
+    first = 0.25 / _mean_number(conditions, ripples)
+    first = min(max(first, 1e-3 * largest), 0.1 * largest)
+    return np.concatenate([[0.0], np.geomspace(first, 1.2 * largest, DEPTHS - 1)])
+
+
+def _mean_number(conditions: Conditions, ripples: Sequence[Ripple]) -> float:
+    """Return the mean wave number of the pressure ripple at the centre, 1/m."""
     square, weight = 0.0, 0.0
     for one in ripples:
         power = _weights(one) * np.abs(one.waves.at(0.0)) ** 2
         square += float((power * np.hypot(one.waves.number_x, one.waves.number_y)).sum())
         weight += float(power.sum())
-    largest = min(conditions.semi_axis_a_m, conditions.semi_axis_b_m)
-    number = square / weight if square > 0 else 20 / largest
-    first = min(max(0.25 / number, 1e-3 * largest), 0.1 * largest)
-    return np.concatenate([[0.0], np.geomspace(first, 1.2 * largest, DEPTHS - 1)])
+    usual = 20 / min(conditions.semi_axis_a_m, conditions.semi_axis_b_m)
+    return square / weight if square > 0 else usual
 
 
 def _warnings(
