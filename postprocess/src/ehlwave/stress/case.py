@@ -12,7 +12,7 @@ from scipy.interpolate import CubicSpline
 
 from ehlwave.contact import read_contact
 from ehlwave.errors import StressError
-from ehlwave.stress.field import checked_depths, stress_below, stress_planes
+from ehlwave.stress.field import checked_depths, stress_below, stress_line
 from ehlwave.stress.loads import checked_load
 from ehlwave.stress.waves import COMPONENTS
 
@@ -186,9 +186,8 @@ def line_stress_over_time(
             for kind in ("pressure_pa", "traction_x_pa")
         ]
         load = checked_load(*change, None, contact.steps_m, poisson_ratio)
-        for z, plane in enumerate(stress_planes(load, depths, corrected=False)):
-            for name, field in plane.items():
-                values[name][index, z] = smooth[name].values[z] + field[:, row]
+        for name, line in stress_line(load, depths, row).items():
+            values[name][index] = smooth[name].values + line
     way = data["field_time"].values * contact.scales_m[0]
     over = {name: (("time", "z", "x"), field, {"units": "Pa"}) for name, field in values.items()}
     steady = {f"{name}_smooth": (("z", "x"), smooth[name].values) for name in COMPONENTS}

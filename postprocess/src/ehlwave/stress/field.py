@@ -94,14 +94,8 @@ def stress_below(
     )
 
 
-def stress_planes(
-    load: Load, depths_m: Floats, workers: int = 1, *, corrected: bool = True
-) -> Iterator[dict[str, Floats]]:
-    """Yield the stresses at one depth after the other, [x, y]; one plane is held at a time.
-
-    Not ``corrected``, what images of loads that end do is left in: loads that are nothing as a
-    whole do not need it.
-    """
+def stress_planes(load: Load, depths_m: Floats, workers: int = 1) -> Iterator[dict[str, Floats]]:
+    """Yield the stresses at one depth after the other, [x, y]; one plane is held at a time."""
     ends = tuple(not endless and count > 1 for endless, count in load.directions)
     is_endless = not ends[0], not ends[1]
     factor = tuple(coarse_factor(n) if end else 1 for n, end in zip(load.shape, ends, strict=True))
@@ -111,17 +105,25 @@ def stress_planes(
     )
     scales = load.steps_m, load.poisson_ratio
     near = RepeatedLoad(load.fields, *scales, periods, is_endless, workers=workers)
-    images = (
-        ImageCorrection(load.fields, *scales, periods, factor, ends)
-        if any(ends) and corrected
-        else None
-    )
+    images = ImageCorrection(load.fields, *scales, periods, factor, ends) if any(ends) else None
     for depth in depths_m:
         plane = near.at(float(depth))
         if images is not None:
             for name, correction in images.at(float(depth)).items():
                 plane[name] += correction
         yield plane
+
+
+def stress_line(load: Load, depths_m: Floats, row: int) -> dict[str, Floats]:
+    """Return the stresses along x at one row of y, (z, x), of loads that are nothing as a whole.
+
+    What images of such loads do is too little to be taken away.
+    """
+    periods = tuple(n if n == 1 else fft.next_fast_len(2 * n, real=True) for n in load.shape)
+    is_endless = load.shape[0] == 1, load.shape[1] == 1
+    waves = RepeatedLoad(load.fields, load.steps_m, load.poisson_ratio, periods, is_endless)
+    lines = [waves.line_at(float(depth), row) for depth in depths_m]
+    return {name: np.array([line[name] for line in lines]) for name in COMPONENTS}
 
 
 def checked_depths(depths_m: ArrayLike) -> Floats:

@@ -1,6 +1,6 @@
 """Stresses below loads that repeat in x and y, depth by depth: Fourier transform times factors."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 import numpy as np
 from numpy.typing import NDArray
@@ -61,12 +61,26 @@ class RepeatedLoad:
 
     def at(self, depth: float) -> dict[str, Floats]:
         """Return the stresses at one depth, m, over the points of the arrays; tension positive."""
+        return {name: self._plane(waves) for name, waves in self._below(depth)}
+
+    def line_at(self, depth: float, row: int) -> dict[str, Floats]:
+        """Return the same along x at one row of y, without those of the other rows."""
+        last = self._periods[1] // 2
+        weight = np.where(np.arange(last + 1) % (self._periods[1] / 2) == 0, 1, 2)
+        turn = weight * np.exp(2j * np.pi * row * np.arange(last + 1) / self._periods[1])
+        lines = {name: fft.ifft(waves @ turn).real for name, waves in self._below(depth)}
+        count = self._shape[0]
+        return {name: line[:count] / self._periods[1] for name, line in lines.items()}
+
+    def _below(self, depth: float) -> Iterator[tuple[str, Complex]]:
+        """Yield the transforms of the stresses at a depth, component by component."""
         s = self._number * depth
         decay = -np.exp(-s)
         falling = {kind: spectrum * decay for kind, spectrum in self._spectra.items()}
-        return {name: self._component(name, s, falling) for name in COMPONENTS}
+        for name in COMPONENTS:
+            yield name, self._component(name, s, falling)
 
-    def _component(self, name: str, s: Floats, falling: Mapping[str, Complex]) -> Floats:
+    def _component(self, name: str, s: Floats, falling: Mapping[str, Complex]) -> Complex:
         total = np.zeros(s.shape, dtype=complex)
         for kind, spectrum in falling.items():
             is_odd, factor = LOADS[kind][name]
@@ -74,8 +88,11 @@ class RepeatedLoad:
             if is_odd:
                 part *= -1j
             total += part
+        return total
+
+    def _plane(self, waves: Complex) -> Floats:
         # Rows and columns outside the arrays are left out as early as can be.
-        along = fft.ifft(total, axis=0, overwrite_x=True, workers=self._workers)
+        along = fft.ifft(waves, axis=0, overwrite_x=True, workers=self._workers)
         part = fft.irfft(along[: self._shape[0]], n=self._periods[1], axis=1, workers=self._workers)
         return part[:, : self._shape[1]]
 
