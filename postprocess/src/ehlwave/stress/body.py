@@ -14,8 +14,8 @@ from ehlwave.stress.life import life_integral_ratio, life_ratio, share_at_risk
 
 Floats = NDArray[np.float64]
 
-INNER = 0.7
-"""In semi-axes: the ripple is judged where it is that of the centre, short of the edges."""
+INNER = 0.5
+"""In semi-axes: the ripple is judged where it is that of the centre, short of edges and spike."""
 
 
 @dataclass(frozen=True)
@@ -54,7 +54,7 @@ class BodyStress:
     peaks : dict of Peak
         By criterion, of the whole stress.
     ripple_shear : Peak
-        Largest shear of the ripple alone within 0.7 semi-axes of the centre.
+        Largest shear of the ripple alone within half a semi-axis of the centre.
     ripple_shear_error_pa : float
         Its error.
     dang_van, dang_van_smooth, dang_van_error : float

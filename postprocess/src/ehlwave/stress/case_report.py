@@ -9,6 +9,7 @@ import xarray as xr
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
+from ehlwave.stress.body import INNER
 from ehlwave.stress.case import (
     SolvedContact,
     line_stress_over_time,
@@ -74,7 +75,7 @@ def _over_time(
 ) -> dict[str, Any]:
     """Return what the fields over time come to: shear of the ripple, Dang Van's factor."""
     over = line_stress_over_time(contact.case, depths, body, poisson_ratio)
-    inner = slice(-0.7 * contact.scales_m[0], 0.7 * contact.scales_m[0])
+    inner = slice(-INNER * contact.scales_m[0], INNER * contact.scales_m[0])
     change = {name: (over[name] - over[f"{name}_smooth"]).sel(x=inner) for name in COMPONENTS}
     shear = largest_shear(change)
     found: dict[str, Any] = {"ripple_shear_pa": float(shear.max())}
@@ -116,7 +117,7 @@ def case_text(document: dict[str, Any]) -> str:
             ]
         if "ripple_shear_pa" in entry:
             text = f"  {'ripple, largest shear':26}{entry['ripple_shear_pa'] * MPA:10.4g}"
-            lines += [f"{text}   over time, |x| < 0.7 a, y = 0"]
+            lines += [f"{text}   over time, |x| < {INNER:g} a, y = 0"]
         if "dang_van" in entry:
             lines += [
                 f"  {DANG_VAN:26}{entry['dang_van']:9.3f} at "

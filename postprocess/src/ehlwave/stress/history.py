@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from ehlwave.deform.conditions import Conditions
 from ehlwave.stress.midplane import hertz_midplane_stress
-from ehlwave.stress.passage import Ripple, edge_factor
+from ehlwave.stress.passage import Ripple, edge_factor_below
 from ehlwave.stress.ripple import hertz_pressure_of
 from ehlwave.stress.waves import COMPONENTS
 
@@ -17,6 +17,9 @@ Stresses = dict[str, Floats]
 
 INSIDE = 40
 """Places inside the contact, one in each of so many parts of it: no wave is in step with them."""
+
+REACH = 1.3
+"""In semi-axes: beyond it nothing is felt of the ripple."""
 
 OUTSIDE = (1.0, 1.08, 1.25, 1.6, 2.5)
 """Places before and behind it, in semi-axes."""
@@ -104,15 +107,15 @@ def follow(
     points = at * step * slip / leader.slip if leader.moves else leader.lines_m[lines]
     shape = (places.size, depths_m.size, at.size)
     ripple = {name: np.zeros(shape) for name in COMPONENTS}
-    inside = np.abs(places) < a
+    fall = edge_factor_below(places / a, depths_m / a, b / a)
+    near = np.abs(places) < REACH * a
     for one in ripples:
         meets = at if one is leader else _met(one, points * one.slip / slip)
         rows = lines % one.lines_m.size
-        found = one.stresses(places[inside], depths_m, one.slip / slip, friction, poisson_ratio)
-        for time, stresses in zip(np.flatnonzero(inside), found, strict=True):
-            fall = edge_factor(places[time] / a)
+        found = one.stresses(places[near], depths_m, one.slip / slip, friction, poisson_ratio)
+        for time, stresses in zip(np.flatnonzero(near), found, strict=True):
             for name, values in stresses.items():
-                ripple[name][time] += fall * _picked(values, meets, rows)
+                ripple[name][time] += fall[time][:, None] * _picked(values, meets, rows)
     hertz = hertz_pressure_of(conditions)
     smooth = hertz_midplane_stress(places, depths_m, (a, b), hertz, friction, poisson_ratio)
     over_time = {name: np.asarray(smooth[name]).T[..., None] for name in COMPONENTS}

@@ -34,10 +34,32 @@ EDGE_POWER = 1 / 8
 """Power of the smooth pressure, over its largest, with which the ripple falls to the edge."""
 
 
+SLICES = 400
+"""Of the contact along rolling, where the ripple is added up."""
+
+
 def edge_factor(x_over_a: Floats, y_over_b: Floats | float = 0.0) -> Floats:
     """Return by how much the ripple is smaller than at the centre; 0 outside the contact."""
     inside = np.maximum(1 - np.square(x_over_a) - np.square(y_over_b), 0)
     return np.asarray(np.where(inside > 0, inside ** (EDGE_POWER / 2), 0.0))
+
+
+def edge_factor_below(x_over_a: Floats, z_over_a: Floats, b_over_a: float) -> Floats:
+    """Return the same below the surface at y = 0, (x, z): what of the ripple a place feels.
+
+    A place below the edge has the ripple on one side of it. It counts as the normal stress below a
+    pressure that falls like the ripple, int f 3 z^3/(2 pi R^5) dx dy, does: the integral over y, as
+    far as the contact is wide, is closed, that over x a sum.
+    """
+    step = 2 / SLICES
+    place = -1 + step * (np.arange(SLICES) + 0.5)
+    width = b_over_a * np.sqrt(1 - place**2)
+    deep = np.maximum(z_over_a, step)[None, :, None]
+    square = (x_over_a[:, None, None] - place) ** 2 + deep**2
+    far = np.isinf(b_over_a)
+    across = 2.0 if far else width * (3 * square + 2 * width**2) / (square + width**2) ** 1.5
+    found = (edge_factor(place) * deep**3 / (np.pi * square**2) * across).sum(axis=2) * step
+    return np.where(z_over_a < 2 * step, edge_factor(x_over_a)[:, None], found)
 
 
 @dataclass(frozen=True)
