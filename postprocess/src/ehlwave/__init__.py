@@ -2,7 +2,7 @@
 
 Answers in one call: :class:`Contact`. The programs from Python: :class:`Case`, :class:`Study`.
 Their results: :func:`read_results`, :func:`read_case`, and what draws, fits and tabulates them.
-Measured surfaces: :mod:`ehlwave.deform`. What is asked for is imported when it is.
+Measured surfaces: :mod:`ehlwave.deform`. Stresses below: :mod:`ehlwave.stress`. What is asked for is imported when it is.
 """
 
 from importlib import import_module
@@ -13,7 +13,13 @@ if TYPE_CHECKING:
     from ehlwave.contact import read_contact as read_case
     from ehlwave.deform import deform_surface, read_surface
     from ehlwave.driver import Case, Study
-    from ehlwave.errors import ProgramError, RangeError, ResultsError, SurfaceError
+    from ehlwave.errors import (
+        ProgramError,
+        RangeError,
+        ResultsError,
+        StressError,
+        SurfaceError,
+    )
     from ehlwave.figures import collapse_figure, write_figure
     from ehlwave.fit import (
         FitError,
@@ -34,7 +40,7 @@ _HOMES = {
     "atlas": ("Atlas", "load_atlas"),
     "deform": ("deform_surface", "read_surface"),
     "driver": ("Case", "Study"),
-    "errors": ("ProgramError", "RangeError", "ResultsError", "SurfaceError"),
+    "errors": ("ProgramError", "RangeError", "ResultsError", "StressError", "SurfaceError"),
     "figures": ("collapse_figure", "write_figure"),
     "fit": (
         "FitError",
@@ -51,6 +57,7 @@ _HOMES = {
     "read": ("read_results",),
     "refit": ("RefitRow", "RefitSettings", "refit_groups"),
 }
+_PACKAGES = ("atlas", "deform", "stress")
 _HOME = {name: home for home, names in _HOMES.items() for name in names}
 
 __all__ = [
@@ -66,6 +73,7 @@ __all__ = [
     "RefitSettings",
     "Response",
     "ResultsError",
+    "StressError",
     "Study",
     "SurfaceError",
     "amplitude_ratio_formula",
@@ -94,6 +102,8 @@ def __getattr__(name: str) -> Any:  # noqa: ANN401
     """Import what is asked for."""
     if name == "read_case":
         return import_module("ehlwave.contact").read_contact
+    if name in _PACKAGES:
+        return import_module(f"ehlwave.{name}")
     if name in _HOME:
         return getattr(import_module(f"ehlwave.{_HOME[name]}"), name)
     raise AttributeError(f"module 'ehlwave' has no attribute {name!r}")
