@@ -103,6 +103,25 @@ def test_a_wave_stands_still_for_the_body_that_carries_it(tmp_path: Path) -> Non
     np.testing.assert_allclose(share[1], -0.1 * passing, atol=4e-3)
 
 
+def test_a_solved_smooth_contact_stands_for_hertz(tmp_path: Path) -> None:
+    a = contact().conditions.semi_axis_a_m
+    hertz = contact().conditions.alphabar / 2.2e-8
+    path = case_file(tmp_path)
+    with xr.open_dataset(path, engine="h5netcdf") as opened:
+        case = opened.load()
+    case["length_a_m"], case["length_b_m"], case["hertz_pressure_pa"] = a, a, hertz
+    case = case.drop_vars("mean_shear_stress_pa")
+    case.to_netcdf(tmp_path / "smooth.h5", engine="h5netcdf")
+    options = {"form": "none", "ends": "none", "depths_m": np.array([0.1, 0.3, 0.5]) * a}
+    closed = contact().stress(rough(), **options).bodies[0]
+    solved = contact().stress(rough(), smooth=tmp_path / "smooth.h5", **options).bodies[0]
+    assert solved.dang_van == pytest.approx(closed.dang_van, rel=5e-3)
+    assert solved.dang_van != closed.dang_van
+    assert solved.ripple_shear == closed.ripple_shear
+    with pytest.raises(StressError, match="no lengths"):
+        contact().stress(rough(), smooth=case.drop_vars(["length_a_m", "length_b_m"]), **options)
+
+
 def test_a_file_without_fields_over_time_is_refused(tmp_path: Path) -> None:
     with pytest.raises(StressError, match="fields_every"):
         line_stress_over_time(case_file(tmp_path), 0.0)

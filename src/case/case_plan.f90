@@ -35,6 +35,7 @@ module ehlwave_case_plan
       character(len=identity_length) :: surface_digest = ''   !! of the content of a measured surface
       integer :: kind = run_smooth
       logical :: responds = .false.                  !! the linear response is computed
+      integer :: field_sets = 0                      !! fields over time that are kept
       logical :: is_periodic = .false.               !! the periodic state is sought first; the march is what else there is
       logical :: is_half = .true.                    !! only Y >= 0 is computed
       real(dp) :: x_min = 0, x_max = 0, y_max = 0    !! domain; the pattern starts at the x_min of the case whatever it is
@@ -126,6 +127,7 @@ contains
                     "fields could be kept: remove it, or give waves or a surface that move, with response = 'transient' or 'both'")
          return
       end if
+      if (case%fields_every > 0) plan%field_sets = plan%steps/case%fields_every + 1
       plan%resolution = judge_resolution(plan%conditions, plan%waviness, plan%x_min, plan%y_max, plan%hx, plan%hy, plan%dt)
       call expect(case, plan)
       if (case%accuracy > 0) call check_accuracy(case, plan, error)
@@ -202,7 +204,7 @@ contains
    pure real(dp) function expected_memory_mib(self)
       class(case_plan_t), intent(in) :: self
       real(dp), parameter :: program_mib = 16, bytes_smooth = 720, bytes_wavy = 900, bytes_response = 1830, bytes_line = 2600, &
-                             bytes_periodic = 1900
+                             bytes_periodic = 1900, bytes_set = 48   ! three fields, and their file
       real(dp) :: bytes, cells
       cells = real(self%cells_x, dp)*self%cells_y
       if (self%is_half) cells = cells/2
@@ -214,7 +216,7 @@ contains
          bytes = bytes_line
          cells = self%cells_x
       end if
-      expected_memory_mib = program_mib + bytes*cells/2.0_dp**20
+      expected_memory_mib = program_mib + (bytes + bytes_set*self%field_sets)*cells/2.0_dp**20
    end function expected_memory_mib
 
    !> Refuse keys that contradict the accuracy asked for. A grid that only `largest_cells` limits is no contradiction:

@@ -2,7 +2,8 @@
 
 Answers in one call: :class:`Contact`. The programs from Python: :class:`Case`, :class:`Study`.
 Their results: :func:`read_results`, :func:`read_case`, and what draws, fits and tabulates them.
-Measured surfaces: :mod:`ehlwave.deform`. Stresses below: :mod:`ehlwave.stress`. What is asked for is imported when it is.
+Measured surfaces: :mod:`ehlwave.deform`. Stresses below: :mod:`ehlwave.stress`. What is asked for
+is imported when it is.
 """
 
 from importlib import import_module

@@ -328,7 +328,7 @@ class Contact:
             Of the first body, whose slip parameter is that of the contact, and of the other one;
             without, that one is smooth.
         **options
-            ``friction``, ``cycles``, ``poisson_ratio`` and ``depths_m`` of
+            ``friction``, ``cycles``, ``poisson_ratio``, ``depths_m`` and ``smooth`` of
             :func:`ehlwave.stress.stress_of_contact`; those of :meth:`deform`.
         """
         from ehlwave.stress.contact_stress import stress_of_contact

@@ -62,6 +62,12 @@ def add_stress_command(commands: Any) -> None:  # noqa: ANN401 - argparse does n
     )
     parser.add_argument("--second", type=Path, metavar="PROFILE", help="surface of the other body")
     parser.add_argument(
+        "--smooth",
+        type=Path,
+        metavar="FILE",
+        help="ehlwave-case --output of the smooth contact, in place of Hertz' pressure",
+    )
+    parser.add_argument(
         "--friction", type=float, metavar="MU", help="traction over pressure; default: the atlas'"
     )
     parser.add_argument(
@@ -124,6 +130,7 @@ def _of_surface(options: argparse.Namespace, depths: Any) -> list[Path]:  # noqa
         cycles=options.cycles,
         poisson_ratio=options.poisson_ratio,
         depths_m=depths,
+        smooth=options.smooth,
         form=options.form,
         ends=options.ends,
         **reading,

@@ -4,6 +4,7 @@ from copy import copy
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import xarray as xr
 from numpy.typing import ArrayLike
 
 from ehlwave.deform.sliding import second_conditions
@@ -29,6 +30,7 @@ def stress_of_contact(
     cycles: float = 1e8,
     poisson_ratio: float = 0.3,
     depths_m: ArrayLike | None = None,
+    smooth: xr.Dataset | str | Path | None = None,
     **deforming: Any,  # noqa: ANN401
 ) -> RoughStress:
     """Return the stresses below both bodies of a contact with one measured surface, or two.
@@ -41,7 +43,7 @@ def stress_of_contact(
         Rough surface of the first body, and of the other one, which is smooth without.
     friction : float, optional
         Traction over pressure; otherwise that of the atlas where it is known.
-    cycles, poisson_ratio, depths_m
+    cycles, poisson_ratio, depths_m, smooth
         As of :func:`ehlwave.stress.rough.rough_stress`.
     **deforming
         As of :meth:`ehlwave.Contact.deform`.
@@ -56,7 +58,7 @@ def stress_of_contact(
         friction = _friction(contact)
         if friction is None:
             notes.append(UNKNOWN_FRICTION)
-    result = rough_stress(deformed, friction or 0.0, cycles, poisson_ratio, depths_m)
+    result = rough_stress(deformed, friction or 0.0, cycles, poisson_ratio, depths_m, smooth)
     result.warnings.extend(notes)
     return result
 

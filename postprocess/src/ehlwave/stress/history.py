@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+import xarray as xr
 from numpy.typing import NDArray
 
 from ehlwave.deform.conditions import Conditions
@@ -81,6 +82,7 @@ def follow(
     depths_m: Floats,
     friction: float,
     poisson_ratio: float,
+    smooth: xr.Dataset | None = None,
 ) -> Histories:
     """Return the histories of points of one body.
 
@@ -98,6 +100,8 @@ def follow(
         Depths.
     friction, poisson_ratio : float
         Traction on the body along +x over the pressure; Poisson's ratio.
+    smooth : Dataset, optional
+        Stresses of the smooth contact in the plane y = 0, over (z, x), 0 the centre; else Hertz'.
     """
     a, b = conditions.semi_axis_a_m, conditions.semi_axis_b_m
     places = places_of(a)
@@ -116,9 +120,16 @@ def follow(
         for time, stresses in zip(np.flatnonzero(near), found, strict=True):
             for name, values in stresses.items():
                 ripple[name][time] += fall[time][:, None] * _picked(values, meets, rows)
-    hertz = hertz_pressure_of(conditions)
-    smooth = hertz_midplane_stress(places, depths_m, (a, b), hertz, friction, poisson_ratio)
-    over_time = {name: np.asarray(smooth[name]).T[..., None] for name in COMPONENTS}
+    if smooth is None:
+        hertz = hertz_pressure_of(conditions)
+        known = hertz_midplane_stress(places, depths_m, (a, b), hertz, friction, poisson_ratio)
+    else:
+        x = smooth["x"].values
+        known = {
+            name: np.array([np.interp(places, x, line) for line in smooth[name].values])
+            for name in COMPONENTS
+        }
+    over_time = {name: np.asarray(known[name]).T[..., None] for name in COMPONENTS}
     return Histories(places, depths_m, points, even, ripple, over_time)
 
 

@@ -3,14 +3,17 @@
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from pathlib import Path
 
 import numpy as np
+import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
 from ehlwave.deform.conditions import Conditions
 from ehlwave.deform.predict import Deformed
 from ehlwave.errors import StressError
 from ehlwave.stress.body import BodyStress, judge_body
+from ehlwave.stress.case import stress_of_case
 from ehlwave.stress.dang_van import fatigue_shear
 from ehlwave.stress.field import checked_depths
 from ehlwave.stress.history import follow
@@ -82,6 +85,7 @@ def rough_stress(
     cycles: float = 1e8,
     poisson_ratio: float = 0.3,
     depths_m: ArrayLike | None = None,
+    smooth: xr.Dataset | str | Path | None = None,
 ) -> RoughStress:
     """Return the stresses of both bodies of a contact with one rough surface or two.
 
@@ -98,6 +102,9 @@ def rough_stress(
         Of both bodies.
     depths_m : array_like, optional
         Depths; otherwise chosen by the waves of the pressure and by the contact.
+    smooth : Dataset or path, optional
+        File of ehlwave-case of the smooth contact, whose pressure stands for that of Hertz, and its
+        shear stress for the friction below it.
 
     Raises
     ------
@@ -127,7 +134,8 @@ def rough_stress(
     for index, own_slip in enumerate((slip, 2 - slip)):
         own = ripples[index] if index < len(ripples) else None
         pull = -abs(friction) * float(np.sign(own_slip - 1))
-        histories = follow(conditions, ripples, own, own_slip, depths, pull, poisson_ratio)
+        below = None if smooth is None else _midplane(smooth, depths, index + 1, poisson_ratio)
+        histories = follow(conditions, ripples, own, own_slip, depths, pull, poisson_ratio, below)
         bodies.append(
             judge_body(
                 f"{names[index]}, {'rough' if own else 'smooth'}",
@@ -154,6 +162,16 @@ def rough_stress(
         poisson_ratio=poisson_ratio,
         warnings=_warnings(surfaces, ripples, amplitude, bar),
     )
+
+
+def _midplane(
+    smooth: xr.Dataset | str | Path, depths: Floats, body: int, poisson_ratio: float
+) -> xr.Dataset:
+    """Return the stresses of a solved smooth contact in the plane y = 0."""
+    below = stress_of_case(smooth, depths, body, poisson_ratio)
+    if below.attrs["length_unit"] != "m":
+        raise StressError("smooth: the case has no lengths: give it dimensional conditions")
+    return below.isel(y=int(np.argmin(np.abs(below["y"].values))))
 
 
 def _weights(ripple: Ripple) -> Floats:
