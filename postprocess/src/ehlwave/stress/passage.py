@@ -27,8 +27,8 @@ Stresses = dict[str, Floats]
 LINES = 5
 """Lines along rolling on which a map is judged, evenly spread."""
 
-LEAST_SHARE = 1e-7
-"""Of the mean square of amplitude times wave number, a wave: those below it are left out."""
+LEAST_SHARE = 1e-6
+"""Of the mean square of amplitude times wave number: what is left out of it, the smallest waves."""
 
 EDGE_POWER = 1 / 8
 """Power of the smooth pressure, over its largest, with which the ripple falls to the edge."""
@@ -188,9 +188,18 @@ def ripple_of(deformed: Deformed, *, every_line: bool = False) -> Ripple:
 def _large(spectrum: Complex, number: Floats) -> NDArray[np.bool_]:
     """Return which waves could make pressure that counts: it goes as amplitude times number."""
     squares = np.abs(spectrum * number) ** 2
-    large = squares > LEAST_SHARE * squares.sum() / max(1, squares.size)
-    large[0, 0] = True  # so that there is something to add up
-    return np.asarray(large)
+    whole = squares.sum()
+    if whole == 0:
+        return np.asarray(number == 0)
+    tails = [whole - np.cumsum(np.sort(squares.sum(axis=axis))[::-1]) for axis in (1, 0)]
+    kept = [1 + int(np.sum(tail > LEAST_SHARE * whole)) for tail in tails]
+    chosen = np.zeros(squares.shape, dtype=bool)
+    rows, columns = (
+        np.argsort(-squares.sum(axis=axis), kind="stable")[:count]
+        for axis, count in zip((1, 0), kept, strict=True)
+    )
+    chosen[np.ix_(rows, columns)] = True
+    return chosen
 
 
 def _below(
