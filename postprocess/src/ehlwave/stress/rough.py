@@ -20,15 +20,9 @@ from ehlwave.stress.history import follow
 from ehlwave.stress.life import CYCLE_POWER, LINE_CYCLE_POWER
 from ehlwave.stress.passage import Ripple, ripple_of
 from ehlwave.stress.ripple import hertz_pressure_of
+from ehlwave.stress.trust import LINEAR_LIMIT, MODEL_ERROR, doubts
 
 Floats = NDArray[np.float64]
-
-MODEL_ERROR = 0.05
-"""Relative: waves of the centre stand for those of the whole contact, and Hertz for its pressure;
-against linear responses and marches of whole contacts."""
-
-LINEAR_LIMIT = 0.3
-"""Amplitude over film up to which the prediction is held to marches."""
 
 AMPLITUDE_ERROR = 0.15
 """Relative error of the ripple at that amplitude; it grows with the amplitude."""
@@ -160,7 +154,7 @@ def rough_stress(
         ripple_error=error,
         cycles=cycles,
         poisson_ratio=poisson_ratio,
-        warnings=_warnings(surfaces, ripples, amplitude, bar),
+        warnings=doubts(surfaces, ripples, amplitude, bar),
     )
 
 
@@ -215,39 +209,3 @@ def _mean_number(conditions: Conditions, ripples: Sequence[Ripple]) -> float:
         weight += float(power.sum())
     usual = 20 / min(conditions.semi_axis_a_m, conditions.semi_axis_b_m)
     return square / weight if square > 0 else usual
-
-
-def _warnings(
-    surfaces: Sequence[Deformed], ripples: Sequence[Ripple], amplitude: float, bar: float
-) -> list[str]:
-    """Return where the prediction is not to be trusted."""
-    conditions = surfaces[0].conditions
-    found = [text for surface in surfaces for text in surface.warnings if "slip is" not in text]
-    if amplitude > LINEAR_LIMIT:
-        found.append(
-            f"the amplitude is {amplitude:.2g} of the film, above {LINEAR_LIMIT}: pressures are "
-            "linear in it and only a first estimate"
-        )
-    ratios = [surface.statistics.lambda_ratio_after for surface in surfaces]
-    known = [ratio for ratio in ratios if ratio is not None]
-    if known and 1 / math.sqrt(sum(ratio**-2 for ratio in known if ratio > 0) or 1e-9) < 3:
-        found.append(
-            "the film is less than three times the deformed roughness: asperities may touch, where "
-            "the pressure is that of dry contacts"
-        )
-    lowest = min(float(ripple.pressure().min()) for ripple in ripples)
-    hertz = hertz_pressure_of(conditions)
-    if -lowest > hertz:
-        found.append(
-            f"the ripple falls to {lowest * 1e-9:.3g} GPa, below -ph: the oil cannot bear tension, "
-            "and what is left does not follow from small waves"
-        )
-    elif -lowest > 0:
-        reach = math.sqrt(max(0.0, 1 - (lowest / hertz) ** 2))
-        found.append(
-            f"the pressure is above 0 everywhere within {reach:.2f} semi-axes of the centre; the "
-            "edge of the contact, with the pressure spike, is not predicted"
-        )
-    if bar > MODEL_ERROR:
-        found.append(f"the error bars of the responses are {100 * bar:.2g} % of the ripple")
-    return found
