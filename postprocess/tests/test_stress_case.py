@@ -103,6 +103,23 @@ def test_a_wave_stands_still_for_the_body_that_carries_it(tmp_path: Path) -> Non
     np.testing.assert_allclose(share[1], -0.1 * passing, atol=4e-3)
 
 
+def test_a_case_without_lengths_counts_in_semi_axes(tmp_path: Path, capsys: Capture) -> None:
+    with xr.open_dataset(case_file(tmp_path), engine="h5netcdf") as opened:
+        case = opened.load()
+    bare = case.drop_vars(["length_a_m", "length_b_m", "hertz_pressure_pa", "mean_shear_stress_pa"])
+    bare["alphabar"], bare["kappa"] = 22.0, 1.0
+    with pytest.raises(StressError, match="no pressure in Pa"):
+        stress_of_case(bare, 0.5)
+    text = bare.attrs["effective_input"] + "\n  pressure_viscosity_per_pa = 2.2E-8"
+    bare.attrs["effective_input"] = text
+    bare.to_netcdf(tmp_path / "bare.h5", engine="h5netcdf")
+    found = stress_of_case(tmp_path / "bare.h5", 0.5)
+    full = stress_of_case(case.drop_vars("mean_shear_stress_pa"), 0.5 * A)
+    np.testing.assert_allclose(found["sxx"], full["sxx"], rtol=1e-6, atol=1e-3)
+    assert main(["stress", str(tmp_path / "bare.h5"), "--depths", "0.3", "0.48", "0.7"]) == 0
+    assert "depth a" in capsys.readouterr().out
+
+
 def test_a_solved_smooth_contact_stands_for_hertz(tmp_path: Path) -> None:
     a = contact().conditions.semi_axis_a_m
     hertz = contact().conditions.alphabar / 2.2e-8

@@ -10,7 +10,7 @@ import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 from scipy.interpolate import CubicSpline
 
-from ehlwave.contact import read_contact
+from ehlwave.contact import read_contact, whole_domain
 from ehlwave.errors import StressError
 from ehlwave.stress.field import checked_depths, stress_below, stress_line
 from ehlwave.stress.loads import checked_load
@@ -81,9 +81,7 @@ def solved_contact(case: xr.Dataset | str | Path) -> SolvedContact:
     ResultsError
         If the file cannot be read, or has no fields.
     """
-    data = case if isinstance(case, xr.Dataset) else read_contact(case)
-    if "hertz_pressure_pa" not in data:
-        raise StressError("the case has no hertz_pressure_pa: was its oil isoviscous?")
+    data = whole_domain(case) if isinstance(case, xr.Dataset) else read_contact(case)
     has_lengths = "length_a_m" in data
     a = float(data["length_a_m"]) if has_lengths else 1.0
     b = float(data["length_b_m"]) if "length_b_m" in data else a * _width_over_length(data)
@@ -91,16 +89,35 @@ def solved_contact(case: xr.Dataset | str | Path) -> SolvedContact:
         float(data[letter][1] - data[letter][0]) * scale if data[letter].size > 1 else 1.0
         for letter, scale in (("x", a), ("y", b))
     ]
-    text = str(data.attrs.get("effective_input", ""))
-    slip = re.search(r"slip_parameter = ([-+.0-9eE]+)", text)
+    slip = _key(data, "slip_parameter")
     return SolvedContact(
-        data,
-        (steps[0], steps[1]),
-        (a, b),
-        has_lengths,
-        float(data["hertz_pressure_pa"]),
-        1.0 if slip is None else float(slip[1]),
+        case=data,
+        steps_m=(steps[0], steps[1]),
+        scales_m=(a, b),
+        has_lengths=has_lengths,
+        hertz_pa=_hertz_pressure(data),
+        slip=1.0 if slip is None else slip,
     )
+
+
+def _key(data: xr.Dataset, key: str) -> float | None:
+    """Return a number of the input that the case was computed from."""
+    text = str(data.attrs.get("effective_input", ""))
+    found = re.search(rf"\b{key} = ([-+.0-9eE]+)", text)
+    return None if found is None else float(found[1])
+
+
+def _hertz_pressure(data: xr.Dataset) -> float:
+    """Return ph, Pa; of a case without dimensions alphabar over alpha."""
+    if "hertz_pressure_pa" in data:
+        return float(data["hertz_pressure_pa"])
+    alpha = _key(data, "pressure_viscosity_per_pa")
+    if alpha is None or "alphabar" not in data or not float(data["alphabar"]) > 0:
+        raise StressError(
+            "the case has no pressure in Pa: give it dimensional conditions, or an oil with "
+            "pressure_viscosity_per_pa"
+        )
+    return float(data["alphabar"]) / alpha
 
 
 def _width_over_length(data: xr.Dataset) -> float:

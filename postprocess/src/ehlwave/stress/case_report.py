@@ -43,11 +43,17 @@ def usual_depths(contact: SolvedContact) -> Floats:
 
 
 def judge_case(
-    path: Path | str, depths_m: Floats | None, cycles: float, poisson_ratio: float
+    path: Path | str, depths: Floats | None, cycles: float, poisson_ratio: float
 ) -> tuple[dict[str, Any], list[xr.Dataset]]:
-    """Return the numbers of both bodies of a solved contact, and their stresses."""
+    """Return the numbers of both bodies of a solved contact, and their stresses.
+
+    Depths are in um, of a case without lengths in units of a.
+    """
     contact = solved_contact(path)
-    depths = usual_depths(contact) if depths_m is None else depths_m
+    if depths is None:
+        depths = usual_depths(contact)
+    elif contact.has_lengths:
+        depths = depths / UM
     stresses, bodies = [], []
     for body in (1, 2):
         stress = stress_of_case(contact.case, depths, body, poisson_ratio)

@@ -77,7 +77,11 @@ def add_stress_command(commands: Any) -> None:  # noqa: ANN401 - argparse does n
         "--poisson-ratio", type=float, default=0.3, metavar="NU", help="of both bodies; 0.3"
     )
     parser.add_argument(
-        "--depths", nargs="+", type=float, metavar="UM", help="depths, um; otherwise chosen"
+        "--depths",
+        nargs="+",
+        type=float,
+        metavar="UM",
+        help="depths, um (of files without lengths: in units of a)",
     )
     parser.add_argument(
         "--body", type=int, choices=(1, 2), default=1, help="whose stress is drawn and written"
@@ -92,7 +96,7 @@ def add_stress_command(commands: Any) -> None:  # noqa: ANN401 - argparse does n
 
 
 def _stress(options: argparse.Namespace) -> None:
-    depths = None if options.depths is None else np.array(options.depths) * 1e-6
+    depths = None if options.depths is None else np.array(options.depths)
     written = (
         _of_case(options, depths) if options.conditions is None else _of_surface(options, depths)
     )
@@ -129,7 +133,7 @@ def _of_surface(options: argparse.Namespace, depths: Any) -> list[Path]:  # noqa
         friction=options.friction,
         cycles=options.cycles,
         poisson_ratio=options.poisson_ratio,
-        depths_m=depths,
+        depths_m=None if depths is None else depths * 1e-6,
         smooth=options.smooth,
         form=options.form,
         ends=options.ends,
