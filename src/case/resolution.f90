@@ -4,8 +4,8 @@ module ehlwave_resolution
    use ehlwave_conditions, only: conditions_t, slender_over_line
    use ehlwave_formula, only: moes_film_formula
    use ehlwave_kinds, only: dp
+   use ehlwave_surfaces, only: surfaces_t
    use ehlwave_text, only: to_text
-   use ehlwave_waviness, only: waviness_t
    implicit none (type, external)
    private
    public :: judge_resolution, inlet_length, inlet_gap, touching_reason
@@ -110,15 +110,16 @@ contains
    end function has_room
 
    !> Points per wave and per inlet sweep, the length of the inlet, and the verdict on them.
-   pure function judge_resolution(conditions, waviness, x_min, y_max, hx, hy, dt) result(self)
+   pure function judge_resolution(conditions, surfaces, x_min, y_max, hx, hy, dt) result(self)
       type(conditions_t), intent(in) :: conditions
-      type(waviness_t), intent(in) :: waviness
+      type(surfaces_t), intent(in) :: surfaces
       real(dp), intent(in) :: x_min    !! X of the inlet boundary
       real(dp), intent(in) :: y_max    !! half the width of the domain
       real(dp), intent(in) :: hx, hy   !! mesh sizes in X and Y, hY of a line contact 0
       real(dp), intent(in) :: dt       !! time step, 0 in steady cases
       type(resolution_t) :: self
       real(dp) :: length
+      integer :: n
 
       self%reason = ''
       length = inlet_length(conditions)
@@ -136,26 +137,26 @@ contains
       if (.not. has_room(conditions, x_min, y_max)) self%reason = self%reason//'the film, H = '// &
          to_text(expected_film(conditions), 3)//' by the formula, is thicker than the Hertzian approach and needs a gap of '// &
          to_text(thick_film_gap, 3)//' times that at x_min and y_max: such a contact is better solved as rigid; '
-      if (waviness%is_present .and. waviness%wavelength_x > 0) then
-         ! with slip the pattern also excites waves of length lambda/S that travel with the mean speed
-         self%points_x = waviness%wavelength_x/hx/max(1.0_dp, abs(waviness%slip))
-         call judge(self%points_x, 'points per wave along X')
-      end if
-      if (waviness%is_present .and. waviness%wavelength_y > 0) then
-         self%points_y = waviness%wavelength_y/hy
-         call judge(self%points_y, 'points per wave along Y')
-      end if
-      if (dt > 0 .and. waviness%moves()) then
-         self%samples = waviness%period()/dt
-         call judge(self%samples, 'time steps per wave')
-      end if
+      do n = 1, size(surfaces%list)
+         associate (wave => surfaces%list(n))
+            ! with slip the pattern also excites waves of length lambda/S that travel with the mean speed
+            if (wave%is_present .and. wave%wavelength_x > 0) &
+               call judge(wave%wavelength_x/hx/max(1.0_dp, abs(wave%slip)), 'points per wave along X', self%points_x)
+            if (wave%is_present .and. wave%wavelength_y > 0) &
+               call judge(wave%wavelength_y/hy, 'points per wave along Y', self%points_y)
+            if (dt > 0 .and. wave%moves()) call judge(wave%period()/dt, 'time steps per wave', self%samples)
+         end associate
+      end do
       self%is_resolved = len(self%reason) == 0
 
    contains
 
-      pure subroutine judge(points, what)
+      !> Note the fewest of all surfaces.
+      pure subroutine judge(points, what, fewest)
          real(dp), intent(in) :: points
          character(len=*), intent(in) :: what
+         real(dp), intent(inout) :: fewest   !! so far, 0: none
+         fewest = merge(min(points, fewest), points, fewest > 0)
          if (points < fewest_points_per_wave - 1e-9_dp) self%reason = self%reason//to_text(points, 3)//' '//what// &
             ', at least '//to_text(fewest_points_per_wave, 3)//' needed; '
       end subroutine judge

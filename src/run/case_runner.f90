@@ -76,7 +76,8 @@ contains
             call take_smooth_film(case, plan, level, result)
             call estimate_film_errors(case, plan, steady%multigrid%hierarchy_t, result)
             if (case%sensitivities) call find_film_sensitivities(case, steady, result)
-            if (plan%responds) call run_response(case, plan, steady, result)
+            if (plan%responds) &
+               call run_response(case, plan, plan%surfaces%list(plan%surfaces%main), steady, result)
          end if
          besides = steady%work_so_far() - result%work
          rescue%work_left = min(rescue%work_left, plan%largest_work - steady%work_so_far())
@@ -104,7 +105,7 @@ contains
       end associate
 
       unresolved = plan%resolution%reason
-      if (plan%waviness%is_present) unresolved = unresolved//touching_reason(rescue%thinnest, result%central_film)
+      if (plan%surfaces%is_rough()) unresolved = unresolved//touching_reason(rescue%thinnest, result%central_film)
       result%is_resolved = len(unresolved) == 0
       result%rung = rung_name(rescue%rung)
       result%rescued_solutions = rescue%rescued
@@ -181,11 +182,12 @@ contains
       finest = size(multigrid%levels)
       smooth = multigrid%levels(finest)%state
       given_smooth = multigrid%levels(finest)%problem%given_t
-      amplitude = case%amplitude_over_film*result%central_film
+      amplitude = plan%surfaces%list(plan%surfaces%main)%amplitude(result%central_film)
       do n = 1, plan%phases
          turn(n) = real(n - 1, dp)/plan%phases
          associate (problem => multigrid%levels(finest)%problem)
-            call problem%set_rough(amplitude*plan%waviness%shape_fixed(problem%grid%x, problem%grid%y, 2*pi*turn(n)))
+            call problem%set_rough(plan%surfaces%rough_fixed(problem%grid%x, problem%grid%y, 2*pi*turn(n), &
+                                                           result%central_film))
          end associate
          multigrid%levels(finest)%state = smooth
          work_before = multigrid%work()

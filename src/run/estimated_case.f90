@@ -55,7 +55,7 @@ contains
       integer :: status
 
       call run_case(case, plan, monitor, result, shared, keeper)
-      if (.not. plan%waviness%is_present .or. .not. is_success(result%status)) return
+      if (.not. plan%surfaces%is_rough() .or. .not. is_success(result%status)) return
       if (.not. ieee_is_finite(result%amplitude_ratio_fit)) return
       result%amplitude_ratio_error = plan%expected_error
       result%amplitude_error_basis = 'model'
