@@ -22,7 +22,7 @@ module ehlwave_case_runner
    use ehlwave_rescue, only: rescue_t, rung_name
    use ehlwave_sensitivity_case, only: find_film_sensitivities
    use ehlwave_shared_steady, only: limits_of, shared_steady_t
-   use ehlwave_shear_result, only: mean_shear_stress
+   use ehlwave_shear_stress, only: mean_shear_stress
    use ehlwave_state, only: state_t
    use ehlwave_status, only: is_success, status_converged, status_unresolved
    use ehlwave_text, only: to_text
