@@ -4,7 +4,7 @@ module ehlwave_case_plan
       steady_work_units, step_work_units
    use ehlwave_case_completion, only: case_conditions
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_files, only: case_file_t, case_files
+   use ehlwave_case_files, only: case_file_t, case_files, note_digest
    use ehlwave_case_lubricant, only: case_lubricant
    use ehlwave_conditions, only: conditions_t
    use ehlwave_domain_choice, only: choose_domain, expected_domain_errors
