@@ -11,34 +11,37 @@ program ehlwave_case
    use ehlwave_field_file, only: write_case_file
    use ehlwave_key_reference, only: case_key_reference
    use ehlwave_log, only: log_monitor_t
+   use ehlwave_memory_plan, only: memory_shortage
    use ehlwave_output_path, only: check_output_path
    use ehlwave_petsc_library, only: finish_petsc
-   use ehlwave_posix, only: end_program, ignore_broken_pipes
+   use ehlwave_posix, only: end_program, ignore_write_signals
    use ehlwave_provenance, only: git_revision, program_version
-   use ehlwave_provenance_list, only: print_version
+   use ehlwave_provenance_list, only: version_text
    use ehlwave_quantities, only: add_plan, add_result
    use ehlwave_quantity, only: quantity_list_t
    use ehlwave_quantity_output, only: json_object
    use ehlwave_refined_case, only: run_refined_case
    use ehlwave_status, only: is_success
+   use ehlwave_store_folder, only: refuse_inside_store
    use ehlwave_terminal, only: complain, print_last
    implicit none (type, external)
 
-   character(len=*), parameter :: usage(18) = [character(len=96) :: &
-      'Usage: ehlwave-case INPUT.nml [--plan] [--json] [--output FILE.h5] [--quiet]', &
+   character(len=*), parameter :: usage(19) = [character(len=96) :: &
+      'Usage: ehlwave-case INPUT.nml [--plan] [--json] [--output FILE.h5 [--overwrite]] [--quiet]', &
       '', &
       'Solves one elastohydrodynamic contact, smooth or wavy, described by a namelist file.', &
       '', &
       '  --plan           say what would be computed, on which grid and why; compute nothing', &
       '  --json           last line of the output: plan or result as one JSON object', &
       '  --output FILE    write result, history at the contact centre and fields to an HDF5 file', &
+      '  --overwrite      even where FILE exists and is no result of ehlwave', &
       '  --quiet          no progress lines', &
       '  --keys           all keys of an input, with defaults and meaning', &
       '  --version        version of the program; --verbose: with build, libraries, processor', &
       '  --help           this text', &
       '', &
       'Exit status: 0 converged (or unresolved, flagged in the result); 1 not converged, or inaccurate;', &
-      '             2 bad input or usage; 3 output could not be written', &
+      '             2 bad input or usage; 3 output could not be written; 4 too little memory', &
       '', &
       'A minimal input:   &conditions load_parameter_m = 100, lubricant_parameter_l = 12.05,', &
       '                   radius_ratio_d = 1 /', &
@@ -51,22 +54,21 @@ program ehlwave_case
    type(error_t), allocatable :: error
    type(log_monitor_t) :: monitor
    type(quantity_list_t) :: quantities
+   character(len=:), allocatable :: shortage
    integer :: i
    logical :: is_written
 
-   call ignore_broken_pipes()
-   call read_arguments(['--plan   ', '--json   ', '--quiet  ', '--keys   ', '--help   ', '--version', '--verbose'], &
-                       ['--output'], arguments, error)
+   call ignore_write_signals()
+   call read_arguments(['--plan     ', '--json     ', '--overwrite', '--quiet    ', '--keys     ', '--help     ', &
+                        '--version  ', '--verbose  '], ['--output'], arguments, error)
    if (allocated(error)) call fail(error%message//'; see ehlwave-case --help', 2)
    if (arguments%has('--help')) then
       write (output_unit, '(a)') (trim(usage(i)), i=1, size(usage) - 1)
       call finish(trim(usage(size(usage))), 0)
    else if (arguments%has('--keys')) then
-      write (output_unit, '(a)', advance='no') case_key_reference(is_markdown=.false.)
-      call end_program(0)
+      call finish(case_key_reference(is_markdown=.false.), 0)
    else if (arguments%has('--version')) then
-      call print_version(output_unit, arguments%has('--verbose'))
-      call end_program(0)
+      call finish(version_text(arguments%has('--verbose')), 0)
    end if
    if (size(arguments%files) /= 1) call fail('give one input file; see ehlwave-case --help', 2)
 
@@ -75,7 +77,9 @@ program ehlwave_case
    if (allocated(error)) call fail(error%message, 2)
    if (arguments%has('--output')) then
       case%fields = .true.
-      call check_output_path(arguments%value('--output'), error)
+      call refuse_inside_store(arguments%value('--output'), error)
+      call check_output_path(arguments%value('--output'), [character(len=len(arguments%files)) :: arguments%files(1), &
+                                                           case%surface_file], arguments%has('--overwrite'), error)
       if (allocated(error)) call fail(error%message, 2)
    end if
 
@@ -84,6 +88,8 @@ program ehlwave_case
       call add_plan(quantities, case, plan)
       call conclude(0)
    end if
+   shortage = memory_shortage(plan)
+   if (shortage /= '') call fail(shortage, 4)
 
    monitor%is_quiet = arguments%has('--quiet')
    flush (output_unit)

@@ -5,9 +5,9 @@ program ehlwave_sweep
    use ehlwave_case_table, only: read_output_name, read_sweep
    use ehlwave_errors, only: error_t
    use ehlwave_petsc_library, only: finish_petsc
-   use ehlwave_posix, only: catch_signals, end_program, ignore_broken_pipes
+   use ehlwave_posix, only: catch_signals, end_program, ignore_write_signals
    use ehlwave_provenance, only: git_revision, program_version
-   use ehlwave_provenance_list, only: print_version
+   use ehlwave_provenance_list, only: version_text
    use ehlwave_refined_case, only: run_refined_case
    use ehlwave_sweep_cases, only: sweep_t
    use ehlwave_sweep_job, only: mpi_library, run_job
@@ -15,7 +15,7 @@ program ehlwave_sweep
    use ehlwave_sweep_leader, only: exit_bad_input, exit_done, exit_failed, exit_not_written, exit_unfinished, job_options_t
    use ehlwave_sweep_report, only: print_sweep_plan
    use ehlwave_sweep_status, only: print_status
-   use ehlwave_terminal, only: complain, print_last
+   use ehlwave_terminal, only: complain, print_last, say_lines
    use ehlwave_time_text, only: read_time
    use mpi_f08, only: mpi_bcast, mpi_comm_rank, mpi_comm_world, mpi_finalize, mpi_init, mpi_logical
    implicit none (type, external)
@@ -48,7 +48,7 @@ program ehlwave_sweep
       'sweep again when a rank died.', &
       '', &
       'Exit status: 0 all cases converged (or are flagged unresolved); 1 all cases ran, some did not converge;', &
-      '             2 bad input or usage; 3 results or output could not be written;', &
+      '             2 bad input or usage; 3 results or output could not be written; 4 too little memory;', &
       '             85 stopped before the end: the same command goes on (--status: cases are left)', &
       '', &
       'A minimal sweep:   &sweep load_parameter_m = 100, 200, lubricant_parameter_l = 12.05,', &
@@ -63,7 +63,7 @@ program ehlwave_sweep
 
    call read_arguments(['--plan     ', '--overwrite', '--keys     ', '--markdown ', '--help     ', '--version  ', &
                         '--verbose  '], ['--output    ', '--time-limit', '--retry     ', '--status    '], arguments, error)
-   call ignore_broken_pipes()
+   call ignore_write_signals()
    if (.not. allocated(error)) then
       call answer()
       ! as early as can be: MPI takes a while to start
@@ -82,7 +82,7 @@ program ehlwave_sweep
       call read_sweep(trim(arguments%files(1)), sweep, error, begins_anew=options%overwrite)
    end if
    call refuse_together()
-   if (rank == 0) write (output_unit, '(a)', advance='no') sweep%notice
+   if (rank == 0) call say_lines(output_unit, sweep%notice)
    if (arguments%has('--plan')) then
       if (rank == 0) call print_sweep_plan(output_unit, sweep)
       call conclude(exit_done)
@@ -98,7 +98,8 @@ contains
       character(len=*), parameter :: rank_variables(4) = [character(len=20) :: 'OMPI_COMM_WORLD_RANK', 'PMIX_RANK', &
                                                           'PMI_RANK', 'SLURM_PROCID']
       character(len=16) :: number
-      logical :: is_first
+      character(len=:), allocatable :: text
+      logical :: is_first, is_written
 
       if (.not. (arguments%has('--help') .or. arguments%has('--version') .or. arguments%has('--keys'))) return
       is_first = .true.
@@ -106,14 +107,18 @@ contains
          call get_environment_variable(trim(rank_variables(i)), number)
          is_first = is_first .and. (number == '' .or. number == '0')
       end do
-      if (is_first .and. arguments%has('--help')) then
-         write (output_unit, '(a)') (trim(usage(i)), i=1, size(usage))
-      else if (is_first .and. arguments%has('--version')) then
-         call print_version(output_unit, arguments%has('--verbose'), mpi_library())
-      else if (is_first) then
-         write (output_unit, '(a)', advance='no') sweep_key_reference(arguments%has('--markdown'))
+      if (.not. is_first) call end_program(exit_done)
+      if (arguments%has('--help')) then
+         write (output_unit, '(a)') (trim(usage(i)), i=1, size(usage) - 1)
+         text = trim(usage(size(usage)))
+      else if (arguments%has('--version')) then
+         text = version_text(arguments%has('--verbose'), mpi_library())
+      else
+         text = sweep_key_reference(arguments%has('--markdown'))
       end if
-      call end_program(exit_done)
+      call print_last(text, is_written)
+      if (.not. is_written) call complain('ehlwave-sweep', 'standard output could not be written')
+      call end_program(merge(exit_done, exit_not_written, is_written))
    end subroutine answer
 
    subroutine show_status()

@@ -20,16 +20,18 @@ study = ehlwave.Study(
     **moes,
     orientation="transverse",
     response="harmonic",
-    cells_x=64,
-    cells_y=64,
+    accuracy=0.01,
 )
 results = study.run(Path(sys.argv[1]) if len(sys.argv) > 1 else None)
 contact = ehlwave.Contact(**moes)
-print("lambda/a   computed           atlas              error bar   status")
+print("lambda/a   computed          error    atlas             error    difference   status")
 for one in range(results.sizes["case"]):
     row = results.isel(case=one)
     wave = float(row["wavelength_x_over_a"])
     computed = complex(row["harmonic_extrapolated_real"], row["harmonic_extrapolated_imaginary"])
+    own_error = float(row["error_estimate"]) * abs(computed)  # the estimate is relative
     atlas = contact.response(wavelength_over_a=wave)
-    numbers = f"{computed:.4f}   {atlas.film:.4f}   {atlas.error:.4f}"
-    print(f"{wave:8g}   {numbers}      {row['status'].item()}")
+    print(
+        f"{wave:8g}   {computed:.4f}    {own_error:.4f}   {atlas.film:.4f}    {atlas.error:.4f}"
+        f"   {abs(computed - atlas.film):.4f}   {row['status'].item()}"
+    )

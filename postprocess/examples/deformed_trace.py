@@ -11,10 +11,8 @@ from pathlib import Path
 
 import numpy as np
 
-from ehlwave import write_figure
+from ehlwave import Contact, write_figure
 from ehlwave.deform import (
-    conditions_from_keys,
-    deform_surface,
     deformed_figure,
     report_text,
     spectrum_figure,
@@ -23,16 +21,14 @@ from ehlwave.deform import (
 )
 
 # Dimensional data, SI units; the keys are those of the input files of ehlwave-case.
-conditions = conditions_from_keys(
-    {
-        "radius_x_m": 12.52e-3,
-        "radius_y_m": 12.52e-3,
-        "reduced_modulus_pa": 1.17e11,
-        "load_n": 39.2,
-        "mean_speed_m_per_s": 0.096,
-        "viscosity_pa_s": 1.22,
-        "pressure_viscosity_per_pa": 2.25e-8,
-    }
+contact = Contact(
+    radius_x_m=12.52e-3,
+    radius_y_m=12.52e-3,
+    reduced_modulus_pa=1.17e11,
+    load_n=39.2,
+    mean_speed_m_per_s=0.096,
+    viscosity_pa_s=1.22,
+    pressure_viscosity_per_pa=2.25e-8,
 )
 
 # A measured trace would come from read_surface("trace.csv"). Heights in m, peaks positive.
@@ -42,8 +38,8 @@ height += 0.02e-6 * np.cos(2 * np.pi * position / 17e-6 + 1)  # finer marks
 height += 0.10e-6 * position / position[-1]  # the specimen was tilted
 trace = trace_surface(height, step_m=0.5e-6, axis="x", name="synthetic trace")
 
-# The tilt is removed, the ends are mirrored, each harmonic is reduced by formula (18).
-result = deform_surface(trace, conditions, form="plane", window="mirror")
+# The tilt is removed, the ends are mirrored, each harmonic has its response from the atlas.
+result = contact.deform(trace, form="plane", ends="mirror")
 print(report_text(result))
 
 if len(sys.argv) > 1:

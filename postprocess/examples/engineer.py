@@ -49,8 +49,10 @@ else:
     head = "Roughness tester\nDate\t22.11.2026\n\nPosition\tProfile\n[mm]\t[um]\n"
     trace.write_text(head + "\n".join(lines) + "\n", encoding="utf-8")
 
+found = contact.deform(trace)
+ratio, error = found.statistics.lambda_ratio_after, found.statistics.lambda_error
 print(
-    f"\nlambda ratio {contact.lambda_ratio(trace):.3g}, by formula (18) "
+    f"\nlambda ratio {ratio:.3g} within {100 * error:.2g} %, by formula (18) "
     f"{contact.lambda_ratio(trace, by='paper'):.3g}\n"
 )
-print(report_text(contact.deform(trace)))
+print(report_text(found))

@@ -138,7 +138,6 @@ def _run(options: argparse.Namespace) -> int:
         print(line(rows[-1]), flush=True)
     if not rows:
         raise ResultsError("no case has converged")
-    options.output.mkdir(parents=True, exist_ok=True)
     write_rows(options.output / "periodic.csv", rows, digits=6)
     return 1 if bad else 0
 

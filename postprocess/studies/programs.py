@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from ehlwave.programs import Groups, namelist
+from ehlwave.writing import write_new_text
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -94,7 +95,7 @@ def run_case(groups: Groups, *options: str) -> Outcome:
     """Run ``case`` with an input file of these groups, see `paper_edges`."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder, "case.nml")
-        path.write_text(namelist(paper_edges(groups)), encoding="utf-8")
+        write_new_text(path, namelist(paper_edges(groups)))
         return run("case", path, *options)
 
 

@@ -11,6 +11,7 @@ import pandas as pd
 from matplotlib.figure import Figure
 
 from ehlwave.figures import write_figure
+from ehlwave.writing import Writer
 
 Cell = str | float | int | None
 
@@ -86,8 +87,6 @@ def _make(make: Callable[[Path], Section], folder: Path, output: Path) -> Sectio
 def write_section(section: Section, output: Path) -> Section:
     """Write ``tables/*.csv`` and ``figures/*`` into `output`; return what is left of a section."""
     tables, figures = output / "tables", output / "figures"
-    for place in (tables, figures):
-        place.mkdir(parents=True, exist_ok=True)
     files = write_parts(section, tables, figures)
     pictures = [replace(picture, figure=None) for picture in section.pictures]
     return replace(section, pictures=pictures, files=files)
@@ -117,10 +116,10 @@ def comparison(name: str, caption: str, rows: Iterable[Sequence[Cell]]) -> Table
 
 def write_parts(section: Section, tables: Path, figures: Path) -> list[Path]:
     """Write the tables, as CSV with all digits, and the figures, as PDF and PNG; return paths."""
-    written = []
+    written, writer = [], Writer()
     for table in section.tables:
-        written.append(tables / f"{table.name}.csv")
-        table.data.to_csv(written[-1], index=False, lineterminator="\n")
+        path = tables / f"{table.name}.csv"
+        written.append(writer.table(path, table.data, lineterminator="\n"))
     for picture in section.pictures:
         assert picture.figure is not None
         written += write_figure(picture.figure, figures, picture.name, dots_per_inch=150)

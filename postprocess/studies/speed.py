@@ -124,7 +124,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _run(options: argparse.Namespace) -> None:
     rows = measure(solved, options.repeats)
-    options.output.mkdir(parents=True, exist_ok=True)
     path = options.output / "speed.csv"
     write_rows(path, map(asdict, rows), digits=4)
     for row in rows:

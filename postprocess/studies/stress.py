@@ -25,6 +25,7 @@ from ehlwave.deform.transfer import FormulaBasis, Transfer
 from ehlwave.figures import COLOURS, write_figure
 from ehlwave.stress.figures import STYLE
 from ehlwave.stress.rough import RoughStress, rough_stress
+from ehlwave.writing import Writer
 
 Floats = NDArray[np.float64]
 
@@ -208,13 +209,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(prog="studies.stress", description=__doc__)
     parser.add_argument("--output", type=Path, default=Path("build/stress"), metavar="DIR")
     folder = parser.parse_args(arguments).output
-    folder.mkdir(parents=True, exist_ok=True)
+    writer = Writer()
+    writer.folder(folder)
     for name, table, draw in (
         ("waves", wave_table(), waves_figure),
         ("roughness", roughness_table(), ranking_figure),
     ):
-        table.to_csv(folder / f"{name}.csv", index=False, float_format="%.4g")
-        for path in write_figure(draw(table), folder, name, dots_per_inch=110):
+        writer.table(folder / f"{name}.csv", table, index=False, float_format="%.4g")
+        for path in write_figure(draw(table), folder, name, dots_per_inch=110, writer=writer):
             print(path)
     return 0
 

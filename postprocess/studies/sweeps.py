@@ -3,6 +3,7 @@
 import argparse
 import csv
 import hashlib
+import io
 import math
 import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -12,6 +13,7 @@ from typing import Any
 from ehlwave.deform import Surface, simulation_surface, write_simulation_surface
 from ehlwave.errors import ResultsError
 from ehlwave.read import read_results
+from ehlwave.writing import Writer
 from studies.programs import Groups, namelist, paper_edges
 
 Row = dict[str, Any]
@@ -35,7 +37,6 @@ def write_sweep(
     groups : mapping
         What all cases share, by group and key; ``sweep`` may hold further keys of that group.
     """
-    folder.mkdir(parents=True, exist_ok=True)
     write_rows(folder / f"{name}.csv", rows)
     # A relative path counts from the folder in which the program is started.
     files = {
@@ -44,8 +45,7 @@ def write_sweep(
     }
     path = folder / f"{name}.nml"
     text = namelist({**paper_edges(groups), "sweep": {**files, **groups.get("sweep", {})}})
-    path.write_text(text, encoding="utf-8")
-    return path
+    return Writer().text(path, text)
 
 
 def read_sweep(folder: Path, name: str, cases: int | None = None) -> list[Row]:
@@ -81,7 +81,6 @@ def surface_file(folder: Path, surface: Surface) -> Path:
 
 def write_surface(folder: Path, surface: Surface, repeats: int = 1) -> Path:
     """Write a surface, so many times one behind the other, and return its path."""
-    folder.mkdir(parents=True, exist_ok=True)
     path = surface_file(folder, surface)
     write_simulation_surface(simulation_surface(surface, "none", repeats), path)
     return path
@@ -98,11 +97,12 @@ def write_rows(path: Path, rows: Iterable[Mapping[str, object]], digits: int = 0
     Numbers have so many `digits`, or all of them.
     """
     rows = list(rows)
-    with path.open("w", newline="", encoding="utf-8") as file:
-        columns = dict.fromkeys(key for row in rows for key in row)
-        writer = csv.DictWriter(file, columns, lineterminator="\n")
-        writer.writeheader()
-        writer.writerows({key: _cell(cell, digits) for key, cell in row.items()} for row in rows)
+    columns = dict.fromkeys(key for row in rows for key in row)
+    file = io.StringIO(newline="")
+    writer = csv.DictWriter(file, columns, lineterminator="\n")
+    writer.writeheader()
+    writer.writerows({key: _cell(cell, digits) for key, cell in row.items()} for row in rows)
+    Writer().text(path, file.getvalue())
 
 
 def run_command(

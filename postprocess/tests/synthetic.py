@@ -7,6 +7,7 @@ import h5py
 import numpy as np
 
 from ehlwave.formula import amplitude_ratio_formula, f_of_r, v, v2, wavelength_ratio
+from ehlwave.writing import LIST_NAME
 
 Columns = dict[str, np.ndarray]
 
@@ -100,6 +101,11 @@ def write_results(
             dataset.attrs["units"] = np.bytes_("seconds" if name == "seconds" else "1")
             dataset.attrs["long_name"] = np.bytes_(name.replace("_", " "))
     return path
+
+
+def written_names(folder: Path) -> set[str]:
+    """Return the names in a folder but that of the list of results."""
+    return {path.name for path in folder.iterdir()} - {LIST_NAME}
 
 
 def _create(file: h5py.File, name: str, values: np.ndarray, pad: str) -> h5py.Dataset:

@@ -3,6 +3,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import xarray as xr
+from synthetic import written_names
 
 from ehlwave.cli import main
 from ehlwave.contact import contact_figure, read_contact
@@ -44,16 +45,16 @@ def test_a_line_contact_has_one_panel(tmp_path: Path) -> None:
 def test_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file = _write(tmp_path / "c.h5", np.linspace(0, 2, 5))
     assert main(["contact", str(file), "--output", str(tmp_path / "out")]) == 0
-    assert {path.name for path in (tmp_path / "out").iterdir()} == {"c.png", "c.pdf"}
+    assert written_names(tmp_path / "out") == {"c.png", "c.pdf"}
     other = _write(tmp_path / "r.h5", np.zeros(1), format="ehlwave-results")
-    assert main(["contact", str(other)]) == 1
+    assert main(["contact", str(other)]) == 2
     assert "not a file of ehlwave-case" in capsys.readouterr().err
 
 
 def test_what_cannot_be_read_is_named(tmp_path: Path) -> None:
     (tmp_path / "text.h5").write_text("no HDF5")
-    for name in ("text.h5", "absent.h5"):
-        with pytest.raises(ResultsError, match=f"{name}: cannot be read"):
+    for name, said in (("text.h5", "cannot be read"), ("absent.h5", "no such file")):
+        with pytest.raises(ResultsError, match=f"{name}: {said}"):
             read_contact(tmp_path / name)
     path = tmp_path / "empty.h5"
     attributes = {"format": "ehlwave-case", "status": "stalled"}

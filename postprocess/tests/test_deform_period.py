@@ -73,5 +73,5 @@ def test_command_cuts_after_removing_the_form_of_the_whole(
     slope, level = np.polyfit(x, height, 1)
     cut = cut_period(trace_surface(height - slope * x - level, 1e-6), WAVE, 100e-6).height[:, 0]
     np.testing.assert_allclose(written[300:360], cut, rtol=0, atol=1e-14)
-    assert main([*arguments, "--period-start", "100"]) == 1
+    assert main([*arguments, "--period-start", "100"]) == 2
     assert "without --period" in capsys.readouterr().err

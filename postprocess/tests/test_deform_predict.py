@@ -158,9 +158,16 @@ def test_slip_makes_every_component_unjudged() -> None:
 def test_large_amplitudes_and_contact_are_warned_of() -> None:
     surface = cosine_trace()
     high = dataclasses.replace(surface, height=20 * surface.height)
-    warnings = " ".join(deform_surface(high, CONTACT, form="none", window="none").warnings)
-    assert "linear in the amplitude" in warnings
-    assert "minimum film is negative" in warnings
+    found = deform_surface(high, CONTACT, form="none", window="none")
+    warnings = " ".join(found.warnings)
+    assert "extrapolated: the amplitude" in warnings
+    assert "the surfaces touch" in warnings
+    assert found.statistics.surfaces_touch is True
+    assert found.statistics.minimum_film_m is None
+    half = dataclasses.replace(surface, height=4 * surface.height)
+    found = deform_surface(half, CONTACT, form="none", window="none")
+    assert "linear in the amplitude" in " ".join(found.warnings)
+    assert (found.statistics.extrapolated, found.statistics.surfaces_touch) == (False, False)
 
 
 def test_coefficients_with_a_pole_are_refused() -> None:

@@ -226,7 +226,7 @@ def test_empty_cells_are_missing_heights(tmp_path: Path) -> None:
         ("t.csv", "z_um\n" + rows(HEIGHTS), "set --length-unit"),
         ("t.csv", "x_nm,z_um\n" + rows(np.arange(40), HEIGHTS), "root mean square slope"),
         ("t.npy", "nonsense", "cannot be read as npy"),
-        ("t.h5", "nonsense", "cannot be read as h5"),
+        ("t.h5", "nonsense", "cannot be read as HDF5"),
     ],
 )
 def test_bad_files_get_clear_messages(tmp_path: Path, name: str, text: str, message: str) -> None:

@@ -1,5 +1,3 @@
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
@@ -9,7 +7,6 @@ import ehlwave
 from ehlwave.case_figures import case_figure, undeformed_history, units_of
 from ehlwave.programs import find_program, namelist
 
-EXAMPLES = Path(__file__).parents[1] / "examples"
 MOES = {"load_parameter_m": 60, "lubricant_parameter_l": 6, "radius_ratio_d": 1}
 COARSE = {"cells_x": 32, "cells_y": 32}
 
@@ -39,20 +36,6 @@ def test_a_program_that_is_not_there_is_named(
 def test_input_files_have_fortran_values() -> None:
     text = namelist({"a": {"word": "x", "truth": True, "many": [1, 2.5]}})
     assert text == "&a\n  word = 'x'\n  truth = .true.\n  many = 1, 2.5\n/\n"
-
-
-def test_the_page_of_the_engineer_runs() -> None:
-    command = [sys.executable, str(EXAMPLES / "engineer.py")]
-    said = subprocess.run(command, capture_output=True, text=True, check=True).stdout
-    assert "lambda ratio" in said
-    assert "Reduced by   atlas" in said
-
-
-@needs_programs
-def test_the_page_of_the_academic_runs() -> None:
-    command = [sys.executable, str(EXAMPLES / "academic.py")]
-    said = subprocess.run(command, capture_output=True, text=True, check=True).stdout
-    assert said.count("converged") == 3
 
 
 @needs_programs

@@ -3,7 +3,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import xarray as xr
-from synthetic import Columns, make_columns, write_results
+from synthetic import Columns, make_columns, write_results, written_names
 
 from ehlwave import ResultsError, read_results
 from studies.linearity import linearity_figure, linearity_points, linearity_text, main
@@ -66,5 +66,5 @@ def test_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     results = write_results(tmp_path / "r.h5", _columns())
     assert main([str(results), "--output", str(tmp_path / "out")]) == 0
     assert "Ai/Hc" in capsys.readouterr().out
-    names = {path.name for path in (tmp_path / "out").iterdir()}
+    names = written_names(tmp_path / "out")
     assert names == {"linearity.csv", "linearity.png", "linearity.pdf"}

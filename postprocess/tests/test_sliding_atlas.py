@@ -8,6 +8,7 @@ from ehlwave.atlas.kinds import SLIDING
 from ehlwave.atlas.sliding_shape import SlidingShape
 from ehlwave.deform import TwoWaveTransfer, trace_surface
 from ehlwave.deform.atlas_transfer import AtlasTransfer
+from ehlwave.deform.conditions import THINNING_ERROR
 
 MOES = {"load_parameter_m": 100, "lubricant_parameter_l": 12.05, "radius_ratio_d": 1}
 OIL = {"reduced_modulus_pa": 226e9, "eyring_stress_pa": 5e6}
@@ -128,3 +129,24 @@ def test_a_surface_under_slip_is_deformed_by_its_responses() -> None:
     response = contact.response(0.5, slip_parameter=1.2)
     expected = 1e-8 * np.real(response.film * np.exp(2j * np.pi * x / wave))
     np.testing.assert_allclose(found.height[:, 0], expected, atol=1e-10)
+
+
+def test_films_of_oils_that_slip_thins_have_errors_to_match() -> None:
+    rng, thinned = np.random.default_rng(1), []
+    for _ in range(600):
+        moes = {
+            "load_parameter_m": float(np.exp(rng.uniform(*np.log((20, 2000))))),
+            "lubricant_parameter_l": float(rng.uniform(2, 20)),
+            "radius_ratio_d": float(np.exp(rng.uniform(*np.log((0.04, 1))))),
+        }
+        oil = {"reduced_modulus_pa": 2.2e11, "slip_parameter": float(rng.uniform(0.5, 1.5))}
+        oil["eyring_stress_pa"] = float(np.exp(rng.uniform(*np.log((0.9e6, 43e6)))))
+        films = [ehlwave.Contact(**moes, **of).film().central_moes for of in (oil, {})]
+        thinned.append(1 - films[0] / films[1])
+    assert np.percentile(thinned, 97.5) == pytest.approx(THINNING_ERROR, abs=0.03)
+    moes = {"load_parameter_m": 100, "lubricant_parameter_l": 10, "radius_ratio_d": 1}
+    carreau = {"carreau_modulus_pa": 5e6, "carreau_exponent": 0.5, "reduced_modulus_pa": 2.2e11}
+    rolling, sliding = (ehlwave.Contact(**moes, **carreau, slip_parameter=s) for s in (1, 1.3))
+    assert sliding.film().central_error == rolling.film().central_error + THINNING_ERROR
+    newtonian = ehlwave.Contact(**moes, slip_parameter=1.3)
+    assert newtonian.film().central_error == rolling.film().central_error

@@ -22,6 +22,7 @@
 ##PBS -A ACCOUNT
 ##PBS -q QUEUE
 set -uo pipefail
+case ${1:-} in -h | --help) sed -n '2,/^$/s/^# \{0,1\}//p' "$0"; exit 0 ;; esac
 # PBS starts in the home folder.
 cd "${PBS_O_WORKDIR:-.}" || exit 2
 

@@ -30,6 +30,7 @@
 ##SBATCH --account=ACCOUNT
 ##SBATCH --partition=PARTITION
 set -uo pipefail
+case ${1:-} in -h | --help) sed -n '2,/^$/s/^# \{0,1\}//p' "$0"; exit 0 ;; esac
 cd "${SLURM_SUBMIT_DIR:-.}" || exit 2
 
 # EDIT HERE: the same modules or Spack packages as for the build.

@@ -3,7 +3,8 @@
 #     bin/                            the programs, run-sweep, ehlwave-accept, ehlwave
 #     lib/libehlwave_petsc.so         PETSc's solver, which the programs load when it is asked for (petsc)
 #     share/ehlwave/                  scripts, scripts/batch and inputs, as in the source
-#     share/man, share/bash-completion, share/modulefiles, share/doc
+#     share/man, share/bash-completion, share/modulefiles
+#     share/doc/ehlwave               the READMEs and what they link to
 #     EHLWAVE_INSTALL_PYTHONDIR       the Python package (python)
 set(EHLWAVE_INSTALL_PYTHONDIR ${CMAKE_INSTALL_DATADIR}/ehlwave/python CACHE STRING
     "Folder of the Python package below the prefix, e.g. lib/python3.12/site-packages")
@@ -45,9 +46,10 @@ install(PROGRAMS ${made}/starters/run-sweep DESTINATION ${CMAKE_INSTALL_BINDIR} 
 install(PROGRAMS ${made}/starters/accept DESTINATION ${CMAKE_INSTALL_BINDIR} RENAME ehlwave-accept COMPONENT core)
 install(PROGRAMS scripts/run-sweep scripts/accept DESTINATION ${data}/scripts COMPONENT core)
 install(FILES scripts/environment scripts/accept.csv DESTINATION ${data}/scripts COMPONENT core)
-install(DIRECTORY scripts/batch DESTINATION ${data}/scripts USE_SOURCE_PERMISSIONS COMPONENT core)
+install(DIRECTORY scripts/batch DESTINATION ${data}/scripts USE_SOURCE_PERMISSIONS COMPONENT core
+        PATTERN "README.md" EXCLUDE)   # it is among the documents
 install(DIRECTORY inputs DESTINATION ${data} COMPONENT core)
-install(FILES README.md CHANGELOG.md LICENSE CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT core)
+include(documents)
 
 set(modules ${CMAKE_INSTALL_DATADIR}/modulefiles)
 file(RELATIVE_PATH prefix_of_module ${CMAKE_INSTALL_PREFIX}/${modules}/ehlwave ${CMAKE_INSTALL_PREFIX})
@@ -57,6 +59,9 @@ install(FILES ${made}/modulefile DESTINATION ${modules}/ehlwave RENAME ${PROJECT
 install(DIRECTORY postprocess/src/ehlwave postprocess/src/ehlwave_post DESTINATION ${EHLWAVE_INSTALL_PYTHONDIR} COMPONENT python
         FILES_MATCHING PATTERN "*.py" PATTERN "*.nc" PATTERN "py.typed" PATTERN "__pycache__" EXCLUDE)
 file(RELATIVE_PATH python_folder ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_PREFIX}/${EHLWAVE_INSTALL_PYTHONDIR})
+file(STRINGS postprocess/pyproject.toml python_packages REGEX "^  \"[A-Za-z0-9-]+>=")
+list(TRANSFORM python_packages REPLACE "^  \"([A-Za-z0-9-]+)>=.*" "\\1")
+list(JOIN python_packages " " python_packages)
 configure_file(${packaging}/ehlwave.in ${made}/starters/ehlwave @ONLY)
 install(PROGRAMS ${made}/starters/ehlwave DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT python)
 install(PROGRAMS ${made}/starters/ehlwave DESTINATION ${CMAKE_INSTALL_BINDIR} RENAME ehlwave-post COMPONENT python)

@@ -85,6 +85,7 @@ contains
                                    alpha_per_pa, conditions, error)
          conditions%data%reduced_modulus_pa = case%data%reduced_modulus_pa
       end if
+      conditions%slip_parameter = case%slip_parameter
    end subroutine case_conditions
 
    !> Wavelengths along X and Y from the orientation, and back.

@@ -11,7 +11,7 @@ module ehlwave_conditions
    real(dp), parameter, public :: smallest_radius_ratio = 0.005_dp
    real(dp), parameter :: largest_alphabar = 500      ! viscosity grows by exp(alphabar) under Barus' law
    !> gamma M of a slender elliptical contact over that of a line contact with the same alphabar and L: (2/3) pi^3/(2 pi)^(3/2)
-   real(dp), parameter, public :: slender_over_line = 2*pi**3/(3*(2*pi)**1.5_dp)
+   real(dp), parameter :: slender_over_line = 2*pi**3/(3*(2*pi)**1.5_dp)
 
    !> Dimensional data of a contact, SI units.
    type, public :: contact_data_t
@@ -25,7 +25,7 @@ module ehlwave_conditions
       real(dp) :: pressure_viscosity_per_pa = 0     !! alpha, 1/Pa
    end type contact_data_t
 
-   !> Everything that follows from (M, L, D) and alpha: theory section 2.
+   !> Everything that follows from (M, L, D) and alpha: theory eq. (1) to (6), of a line contact (L1) to (L9).
    type, public :: conditions_t
       real(dp) :: m = 0, l = 0, d = 1               !! Moes load and lubricant parameters, D = Rx/Ry; 0: line contact
       type(ellipticity_integrals_t) :: elliptic     !! kappa, K, E
@@ -34,6 +34,7 @@ module ehlwave_conditions
       real(dp) :: lambdabar = 0                     !! dimensionless speed, eq. (4)
       real(dp) :: s = 0.5_dp                        !! shape factor, eq. (5)
       real(dp) :: moes_film_factor = 0              !! (h/Rx)(2U)^(-1/2) per unit H, eq. (6)
+      real(dp) :: slip_parameter = 1                !! S = u1/ubar
       real(dp) :: alpha_per_pa = 0                  !! alpha, 1/Pa
       real(dp) :: hertz_pressure_pa = 0             !! ph, Pa
       logical :: has_dimensions = .false.           !! whether the lengths below are known
@@ -41,6 +42,7 @@ module ehlwave_conditions
       type(contact_data_t) :: data                  !! set when has_dimensions; E' also where it is known besides M, L and D
    contains
       procedure :: is_line
+      procedure :: steepness
    end type conditions_t
 
 contains
@@ -50,6 +52,14 @@ contains
       class(conditions_t), intent(in) :: self
       is_line = .not. self%d > 0
    end function is_line
+
+   !> gamma M, by which the inlet is steep; of a line contact that of slender contacts with the same alphabar and L, which have the
+   !> same inlet.
+   pure real(dp) function steepness(self)
+      class(conditions_t), intent(in) :: self
+      steepness = self%gamma*self%m
+      if (self%is_line()) steepness = slender_over_line*steepness
+   end function steepness
 
    !> Conditions from the Moes parameters, theory eq. (1) to (6); for D = 0 see `set_line`.
    !>
@@ -105,8 +115,8 @@ contains
       end associate
    end subroutine set_ellipse
 
-   !> Scales of a line contact of load w per length: M = w/(E' Rx) (2U)^(-1/2), a^2 = 8 w Rx/(pi E'), ph = 2 w/(pi a),
-   !> c = a^2/(2 Rx), so that
+   !> Scales of a line contact of load w per length, theory eq. (L1) to (L9): M = w/(E' Rx) (2U)^(-1/2),
+   !> a^2 = 8 w Rx/(pi E'), ph = 2 w/(pi a), c = a^2/(2 Rx), so that
    !>
    !>     alphabar = L (M/(2 pi))^(1/2),  lambdabar = 6 us eta0 a/(c^2 ph) = 3 pi^2/(2 M^2),  (h/Rx)(2U)^(-1/2) = 4 M H/pi.
    !>
@@ -123,8 +133,8 @@ contains
       self%moes_film_factor = 4*self%m/pi
    end subroutine set_line
 
-   !> Conditions from dimensional data, theory eq. (2) and the Hertz relations of section 2; of a line contact, which is given by a
-   !> load per length, those of `set_line`.
+   !> Conditions from dimensional data, theory eq. (2) and (20); of a line contact, which is given by a load per length,
+   !> those of `set_line`.
    !>
    !> Fails when a value is missing or not positive, naming its key, when there are two loads, or when D = Rx/Ry is out of range.
    subroutine conditions_from_dimensional(data, self, error)
@@ -151,7 +161,7 @@ contains
       call set_lengths(self)
    end subroutine conditions_from_dimensional
 
-   !> Hertz lengths and pressure from dimensional data.
+   !> Hertz lengths and pressure from dimensional data, theory eq. (20) and (L2).
    pure subroutine set_lengths(self)
       type(conditions_t), intent(inout) :: self   !! all else is set
       real(dp) :: r_m

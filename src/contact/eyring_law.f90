@@ -5,7 +5,7 @@ module ehlwave_eyring_law
    implicit none (type, external)
    private
 
-   !> s = sinh(|sigma|)/|sigma|; Ree and Eyring, Journal of Applied Physics 26, 1955, 793-800.
+   !> s = sinh(|sigma|)/|sigma|, theory eq. (S9); Ree and Eyring, Journal of Applied Physics 26, 1955, 793-800.
    type, extends(flow_law_t), public :: eyring_law_t
       private
       real(dp) :: largest_stress = 300   !! |sigma| beyond which s is continued: exp(300)^2 is finite

@@ -16,7 +16,7 @@
 !> The far field is one of the reduced pressure q = int dP/eta; q = P where the oil does not thicken.
 module ehlwave_far_field
    use ehlwave_conditions, only: conditions_t
-   use ehlwave_formula, only: moes_film_formula
+   use ehlwave_formula, only: expected_film
    use ehlwave_gauss_legendre, only: gauss_rule_t, new_gauss_rule
    use ehlwave_kinds, only: dp, pi
    use ehlwave_load_balance, only: load_factor
@@ -51,7 +51,7 @@ contains
       integer :: k
 
       self%conditions = conditions
-      self%film = moes_film_formula(conditions)/conditions%moes_film_factor
+      self%film = expected_film(conditions)
       self%rule = new_gauss_rule(24)
       r = [(farthest**(k/real(intervals, dp)), k=0, intervals)]
       h = [(self%film_at(r(k), 0.0_dp), k=0, intervals)]
@@ -117,7 +117,7 @@ contains
       film_at = hertz_gap(self%conditions, x, y, self%rule) + self%film
    end function film_at
 
-   !> Load over the nominal one that the far field bears beyond the inlet edge and the sides of a domain.
+   !> Load over the nominal one that the far field bears beyond the inlet edge and the sides of a domain, (F6).
    pure real(dp) function load_outside(self, x_min, y_max) result(load)
       class(far_field_t), intent(in) :: self
       real(dp), intent(in) :: x_min, y_max   !! X of the inlet edge, Y of the side; of line contacts y_max is the strip's width
@@ -161,12 +161,12 @@ contains
       end function beyond
    end function load_outside
 
-   !> Gap between the dry bodies outside the Hertz zone, 0 inside (Johnson, Contact Mechanics, 1985, section 4.2):
+   !> Gap between the dry bodies outside the Hertz zone, 0 inside (Johnson, Contact Mechanics, 1985, section 4.2), (F3):
    !>
    !>     S X^2 + (1 - S) Y^2 - 1 + 1/(2 kappa K) int_w0^inf (1 - X^2/(1 + w) - Y'^2/(c + w)) dw/((1 + w)(c + w) w)^(1/2),
    !>
    !> c = 1/kappa^2, Y' = Y/kappa, w0 where the first factor vanishes; by w = (1 + w0)/t^2 - 1 an integral from 0 to 1. Of a line
-   !> |X| (X^2 - 1)^(1/2) - arcosh |X|.
+   !> |X| (X^2 - 1)^(1/2) - arcosh |X|, (F4).
    pure real(dp) function hertz_gap(conditions, x, y, rule) result(gap)
       type(conditions_t), intent(in) :: conditions
       real(dp), intent(in) :: x, y

@@ -5,7 +5,7 @@
 !>
 !>     1/2 integral s(|sigma|) sigma dzeta = B e_x,        B = (lambdabar N0/6) 2 (S - 1) eta/H,
 !>
-!> two equations that are the gradient of a convex function, and the flow is
+!> theory eq. (S3), two equations that are the gradient of a convex function, and the flow is (S4)
 !>
 !>     Qhat = (H^2/(eta lambdabar)) (3/(2 N0)) integral zeta s sigma dzeta      -> (H^3/(eta lambdabar)) g as tau0 -> inf.
 module ehlwave_film_flow

@@ -6,7 +6,7 @@
 !>     flow  1/2 integral zeta s sigma dzeta = a_1 sigma_m + a_2 Sigma
 !>     T_k = a_k I + e_k mm + e_(k+1) (mS + Sm) + e_(k+2) SS     (dyads of m = sigma_m and S = Sigma)
 !>
-!> with T_0, T_1 the derivatives of the rate by sigma_m and Sigma, T_1, T_2 those of the flow.
+!> with T_0, T_1 the derivatives of the rate by sigma_m and Sigma, T_1, T_2 those of the flow: theory eq. (S11).
 module ehlwave_film_stress
    use ehlwave_flow_law, only: flow_law_t
    use ehlwave_gauss_legendre, only: gauss_rule_t

@@ -4,7 +4,7 @@ module ehlwave_formula
    use ehlwave_kinds, only: dp
    implicit none (type, external)
    private
-   public :: anisotropy_factor, wave_parameter_v, wave_parameter_v2, amplitude_formula, moes_film_formula
+   public :: anisotropy_factor, wave_parameter_v, wave_parameter_v2, amplitude_formula, expected_film, moes_film_formula
 
 contains
 
@@ -24,7 +24,7 @@ contains
       end if
    end function anisotropy_factor
 
-   !> V = (lambda/a)(gamma M/L)^(1/2), theory eq. (17), lambda = min(lambda_x, lambda_y); of a line contact
+   !> V = (lambda/a)(gamma M/L)^(1/2), theory eq. (17), lambda = min(lambda_x, lambda_y); of a line, eq. (L8),
    !> (lambda/a) M^(3/4) L^(-1/2).
    pure function wave_parameter_v(conditions, wavelength_over_a) result(v)
       type(conditions_t), intent(in) :: conditions
@@ -53,8 +53,14 @@ contains
       ratio = 1/(1 + 0.15_dp*f_v + 0.015_dp*f_v**2)
    end function amplitude_formula
 
+   !> H(0,0) of a smooth contact by the formula below.
+   pure real(dp) function expected_film(conditions)
+      type(conditions_t), intent(in) :: conditions
+      expected_film = moes_film_formula(conditions)/conditions%moes_film_factor
+   end function expected_film
+
    !> Central film thickness of a smooth contact in the Moes scale of eq. (6):
-   !> Nijenbanning, Venner and Moes (1994), theory section 8. A fit, good to 10 or 20 per cent.
+   !> Nijenbanning, Venner and Moes (1994), theory eq. (H1). A fit, good to 10 or 20 per cent.
    pure function moes_film_formula(conditions) result(film)
       type(conditions_t), intent(in) :: conditions
       real(dp) :: film
@@ -83,7 +89,7 @@ contains
       film = (rigid_elastic + piezo)**(1/s)
    end function moes_film_formula
 
-   !> Central film thickness of a line contact in the scale (h/Rx)(2U)^(-1/2): Moes (1992).
+   !> Central film thickness of a line contact in the scale (h/Rx)(2U)^(-1/2): Moes (1992), theory eq. (H2).
    pure function moes_line_formula(m, l) result(film)
       real(dp), intent(in) :: m, l   !! Moes parameters of a line contact
       real(dp) :: film

@@ -22,7 +22,7 @@ module ehlwave_load_balance
 
 contains
 
-   !> Quasi-static balance (11) under the relative load `force`.
+   !> Quasi-static balance, theory eq. (11), under the relative load `force`.
    pure function force_balance(force) result(self)
       real(dp), intent(in) :: force   !! load over the nominal one
       type(load_balance_t) :: self
@@ -39,7 +39,7 @@ contains
       self%force = load_factor*pressure_integral
    end function held_approach
 
-   !> Equation of motion (10), second-order backward difference in time:
+   !> Equation of motion, theory eq. (10), second-order backward difference in time, (D7):
    !>
    !>     (2 Delta_k - 5 Delta_(k-1) + 4 Delta_(k-2) - Delta_(k-3))/(Omega dT)^2
    pure function equation_of_motion(force, natural_frequency, dt) result(self)

@@ -47,7 +47,8 @@ module ehlwave_two_waves
 
 contains
 
-   !> Deflection under a unit pressure exp(i (kx X + ky Y)): W = 2/(K (kx^2 + kappa^2 ky^2)^(1/2)), of a line 2/|kx|.
+   !> Deflection under a unit pressure exp(i (kx X + ky Y)), theory eq. (W5): W = 2/(K (kx^2 + kappa^2 ky^2)^(1/2)), of
+   !> a line 2/|kx|.
    pure complex(dp) function deflection(self, kx, ky)
       class(wave_medium_t), intent(in) :: self
       complex(dp), intent(in) :: kx     !! wave number along X, 1/a
@@ -55,8 +56,8 @@ contains
       deflection = 2/(self%k*sqrt(kx**2 + (self%kappa*ky)**2))
    end function deflection
 
-   !> Attenuated wave over Ai. From the change of mass (kx - w)(rho' H p + rho h) = i (eps_x kx^2 + eps_y kappa^2 ky^2) p
-   !> and h = 1 + W p,
+   !> Attenuated wave over Ai, theory eq. (S5). From the change of mass
+   !> (kx - w)(rho' H p + rho h) = i (eps_x kx^2 + eps_y kappa^2 ky^2) p and h = 1 + W p,
    !>
    !>     a = 1/(1 + i (1 - S) kx rho W/(eps_x kx^2 + eps_y kappa^2 ky^2 + i (1 - S) kx rho' H)).
    pure complex(dp) function attenuated(self, kx, ky, slip)
@@ -69,7 +70,7 @@ contains
                       /(self%eps(1)*kx**2 + self%eps(2)*(self%kappa*ky)**2 + rate*self%drho*self%h))
    end function attenuated
 
-   !> Wave number of the complementary wave along X: the root that is w where nothing flows by pressure, of
+   !> Wave number of the complementary wave along X, theory eq. (S6): the root that is w without flow by pressure, of
    !>
    !>     eps_x psi^2 + eps_y kappa^2 ky^2 + i (psi - w)(rho W(psi) + rho' H) = 0,
    !>

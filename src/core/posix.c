@@ -135,7 +135,7 @@ long ehlwave_read(int file, char *buffer, long size)
    return length;
 }
 
-static const char temporary_mark[] = ".part-";
+static const char temporary_mark[] = ".part-", random_letters[] = "abcdefghijklmnopqrstuvwxyz012345";
 enum { RANDOM_LETTERS = 8 };
 
 /* A new file beside `path`, under a name that nothing had, locked as long as this process is at work on it. Its name is
@@ -151,7 +151,7 @@ static int make_temporary(const char *path, char *name, size_t size)
       if (length < 0 || (size_t)length + RANDOM_LETTERS >= size) return -ENAMETOOLONG;
       for (int i = 0; i < RANDOM_LETTERS; i++) {
          state = state*6364136223846793005ULL + 1442695040888963407ULL;
-         name[length++] = "abcdefghijklmnopqrstuvwxyz012345"[state >> 59];
+         name[length++] = random_letters[state >> 59];
       }
       name[length] = 0;
       int file = open(name, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
@@ -187,17 +187,24 @@ int ehlwave_try(const char *path)
    return status;
 }
 
-/* Remove what processes that died have left in a folder of `ehlwave_replace`, for files whose names begin with `prefix`. */
-void ehlwave_clear(const char *path, const char *prefix)
+/* Whether a name is one that `ehlwave_replace` gives to what it is at work on: 1, else 0. `of`: for this file; empty: for any. */
+int ehlwave_is_temporary(const char *name, const char *of)
 {
-   const size_t mark = sizeof temporary_mark - 1;
+   const size_t mark = sizeof temporary_mark - 1, n = strlen(name);
+   if (n <= mark + RANDOM_LETTERS) return 0;
+   const char *end = name + n - RANDOM_LETTERS;
+   return strncmp(end - mark, temporary_mark, mark) == 0 && strspn(end, random_letters) == RANDOM_LETTERS
+      && (!*of || (n - RANDOM_LETTERS - mark == strlen(of) && strncmp(name, of, strlen(of)) == 0));
+}
+
+/* Remove what processes that died have left in a folder of `ehlwave_replace`, for the file `of` of it; empty: for any. */
+void ehlwave_clear(const char *path, const char *of)
+{
    DIR *folder = opendir(path);
    if (!folder) return;
    for (struct dirent *entry; (entry = readdir(folder));) {
       const char *name = entry->d_name;
-      size_t n = strlen(name);
-      if (n <= mark + RANDOM_LETTERS || strncmp(name, prefix, strlen(prefix)) != 0
-          || strncmp(name + n - RANDOM_LETTERS - mark, temporary_mark, mark) != 0) continue;
+      if (!ehlwave_is_temporary(name, of)) continue;
       struct stat there;
       int file = openat(dirfd(folder), name, O_WRONLY | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC | O_NOCTTY);
       if (file < 0) continue;
@@ -290,8 +297,15 @@ void ehlwave_catch_signals(void)
    sigaction(SIGINT, &action, NULL);
 }
 
-/* From now on it is an error of writing, and not the end of the process, that nobody reads its output any more. */
-void ehlwave_ignore_broken_pipes(void) { signal(SIGPIPE, SIG_IGN); }
+/* From now on it is an error of writing, and not the end of the process, that nobody reads its output any more (EPIPE) or
+   that a file would be longer than allowed (EFBIG, as of a full disk). */
+void ehlwave_ignore_write_signals(void)
+{
+   signal(SIGPIPE, SIG_IGN);
+   signal(SIGXFSZ, SIG_IGN);
+}
+
+int ehlwave_is_broken_pipe(int status) { return status == EPIPE; }
 
 int ehlwave_signal_caught(void) { return caught; }
 

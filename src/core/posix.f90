@@ -6,10 +6,10 @@ module ehlwave_posix
    use, intrinsic :: iso_c_binding, only: c_char, c_funptr, c_int, c_int32_t, c_long, c_null_char
    implicit none (type, external)
    private
-   public :: append_text, catch_signals, checksum, clear_temporaries, close_file, create_file, end_program, file_kind, &
-      find_character, find_procedure, guarded, ignore_broken_pipes, is_locked, library_text, list_folder, lock_file, &
-      make_folder, open_file, process_id, read_bytes, reason_text, remove_file, replace_file, set_note, signal_caught, &
-      sync_file, try_file, watchdog
+   public :: append_text, catch_signals, checksum, clear_temporaries, close_file, create_file, end_program, &
+      file_kind, find_character, find_procedure, guarded, ignore_write_signals, is_broken_pipe, is_locked, &
+      is_temporary, library_text, list_folder, lock_file, make_folder, open_file, process_id, read_bytes, reason_text, &
+      remove_file, replace_file, set_note, signal_caught, sync_file, try_file, watchdog
 
    integer, parameter, public :: lock_taken = 0, lock_refused = 1, lock_absent = 2, lock_unwritable = -1
    integer, parameter, public :: kind_none = 0, kind_file = 1, kind_folder = 2, kind_link = 3, kind_other = 4   !! of a name
@@ -80,11 +80,16 @@ module ehlwave_posix
          character(kind=c_char), intent(inout) :: buffer(*)
          integer(c_long), value :: size
       end function c_read
-      subroutine c_clear(path, prefix) bind(c, name='ehlwave_clear')
+      subroutine c_clear(path, of) bind(c, name='ehlwave_clear')
          import :: c_char
          implicit none (type, external)
-         character(kind=c_char), intent(in) :: path(*), prefix(*)
+         character(kind=c_char), intent(in) :: path(*), of(*)
       end subroutine c_clear
+      integer(c_int) function c_is_temporary(name, of) bind(c, name='ehlwave_is_temporary')
+         import :: c_char, c_int
+         implicit none (type, external)
+         character(kind=c_char), intent(in) :: name(*), of(*)
+      end function c_is_temporary
       integer(c_int) function c_replace(path, text, length) bind(c, name='ehlwave_replace')
          import :: c_char, c_int, c_long
          implicit none (type, external)
@@ -114,10 +119,16 @@ module ehlwave_posix
          implicit none (type, external)
          type(c_funptr), value :: work     !! of a procedure without arguments
       end function guarded
-      !> From now on it is an error of writing, and not the end of the process, that nobody reads its output any more.
-      subroutine ignore_broken_pipes() bind(c, name='ehlwave_ignore_broken_pipes')
+      !> From now on it is an error of writing, and not the end of the process, that nobody reads its output any more or that
+      !> a file would be longer than `ulimit -f` allows.
+      subroutine ignore_write_signals() bind(c, name='ehlwave_ignore_write_signals')
          implicit none (type, external)
-      end subroutine ignore_broken_pipes
+      end subroutine ignore_write_signals
+      integer(c_int) function c_is_broken_pipe(status) bind(c, name='ehlwave_is_broken_pipe')
+         import :: c_int
+         implicit none (type, external)
+         integer(c_int), value :: status
+      end function c_is_broken_pipe
       !> End this process by SIGALRM unless called again within some seconds; 0: never.
       subroutine watchdog(seconds) bind(c, name='ehlwave_watchdog')
          import :: c_int
@@ -188,6 +199,12 @@ contains
       status = c_append(file, text, len(text, c_long))
    end subroutine append_text
 
+   !> Whether an error number says that nobody reads a pipe any more.
+   logical function is_broken_pipe(status)
+      integer, intent(in) :: status
+      is_broken_pipe = c_is_broken_pipe(status) /= 0
+   end function is_broken_pipe
+
    !> Give a file a new text, all of it or nothing. `status` is 0 or the system's error number.
    subroutine replace_file(path, text, status)
       character(len=*), intent(in) :: path, text
@@ -203,11 +220,17 @@ contains
    end subroutine try_file
 
    !> Remove what `replace_file` has left in a folder where its process died; what another process writes at the moment stays.
-   subroutine clear_temporaries(folder, prefix)
+   subroutine clear_temporaries(folder, of)
       character(len=*), intent(in) :: folder
-      character(len=*), intent(in) :: prefix   !! with which the names of the files begin, without their folder
-      call c_clear(folder//c_null_char, prefix//c_null_char)
+      character(len=*), intent(in) :: of       !! name of the file, without its folder; empty: all files
+      call c_clear(folder//c_null_char, of//c_null_char)
    end subroutine clear_temporaries
+
+   !> Whether a name, without its folder, is one that `replace_file` gives to what it is at work on.
+   logical function is_temporary(name)
+      character(len=*), intent(in) :: name
+      is_temporary = c_is_temporary(name//c_null_char, c_null_char) /= 0
+   end function is_temporary
 
    !> What has a name, links not followed: one of the kinds above. What cannot be looked at is `kind_other`.
    integer function file_kind(path)

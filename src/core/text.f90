@@ -3,7 +3,7 @@ module ehlwave_text
    use ehlwave_kinds, only: dp, i8
    implicit none (type, external)
    private
-   public :: count_lines, lower_case, next_line, shown, to_text
+   public :: count_lines, harmless, lower_case, next_line, shown, to_text
 
    integer, parameter :: most_shown = 60   ! characters of a text from outside that a message repeats
 
@@ -118,16 +118,46 @@ contains
       character(len=*), intent(in) :: text
       integer, intent(in), optional :: most   !! characters, in place of the usual number
       character(len=:), allocatable :: clean
-      integer :: code, i, n
+      integer :: n
       n = most_shown
       if (present(most)) n = most
-      clean = text(:min(len(text), n))
-      do i = 1, len(clean)
-         code = iachar(clean(i:i))
-         if (code == 194) code = iachar(clean(min(i + 1, len(clean)):min(i + 1, len(clean)))) - 128   ! of UTF-8 above 127
-         if ((code >= 0 .and. code < 32) .or. code == 127) clean(i:i) = '?'
-      end do
+      clean = harmless(text(:min(len(text), n)))
       if (len(text) > n) clean = clean//'...'
    end function shown
+
+   !> A text without bytes that a terminal would obey, or that are no letters of UTF-8: each is a question mark.
+   pure function harmless(text) result(clean)
+      character(len=*), intent(in) :: text
+      character(len=len(text)) :: clean
+      integer :: i, length
+      clean = text
+      i = 1
+      do while (i <= len(clean))
+         length = letter_length(clean(i:))
+         if (length == 0) clean(i:i) = '?'
+         i = i + max(1, length)
+      end do
+   end function harmless
+
+   !> Bytes of the letter, in ASCII or UTF-8, that a text begins with; 0: a control character, or none.
+   pure integer function letter_length(text) result(length)
+      character(len=*), intent(in) :: text   !! not empty
+      integer :: code, i
+      code = iachar(text(1:1))
+      select case (code)
+      case (32:126); length = 1
+      case (194:223); length = 2
+      case (224:239); length = 3
+      case (240:244); length = 4
+      case default; length = 0
+      end select
+      if (length > len(text)) length = 0
+      do i = 2, length
+         if (iand(iachar(text(i:i)), 192) /= 128) length = 0
+      end do
+      if (code == 194 .and. length == 2) then
+         if (iachar(text(2:2)) < 160) length = 0   ! a control character above 127
+      end if
+   end function letter_length
 
 end module ehlwave_text

@@ -3,6 +3,7 @@ module ehlwave_deformation_line
    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_double_complex, c_f_pointer, c_int, &
       c_int32_t, c_intptr_t, c_char, c_float, c_float_complex, c_funptr, c_null_ptr, c_ptr, c_size_t
    use ehlwave_deformation, only: deformation_t
+   use ehlwave_fftw_answer, only: obtained
    use ehlwave_kernel_transform, only: fast_length
    use ehlwave_grid, only: grid_t
    use ehlwave_kernel, only: cell_influence
@@ -36,17 +37,19 @@ contains
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: kappa   !! 0
       real(dp), intent(in) :: k       !! not used by the kernel of a line
+      integer(c_size_t) :: length
       integer :: i, n
 
       call release(self)
       self%nx = grid%nx
       n = fast_length(2*grid%nx)
-      self%real_memory = fftw_alloc_real(int(n, c_size_t))
-      self%mode_memory = fftw_alloc_complex(int(n/2 + 1, c_size_t))
+      length = n
+      self%real_memory = obtained(fftw_alloc_real(length), length)
+      self%mode_memory = obtained(fftw_alloc_complex(length/2 + 1), length/2 + 1)
       call c_f_pointer(self%real_memory, self%row, [n])
       call c_f_pointer(self%mode_memory, self%modes, [n/2 + 1])
-      self%forward = fftw_plan_dft_r2c_1d(n, self%row, self%modes, FFTW_ESTIMATE)
-      self%backward = fftw_plan_dft_c2r_1d(n, self%modes, self%row, FFTW_ESTIMATE)
+      self%forward = obtained(fftw_plan_dft_r2c_1d(n, self%row, self%modes, FFTW_ESTIMATE), length)
+      self%backward = obtained(fftw_plan_dft_c2r_1d(n, self%modes, self%row, FFTW_ESTIMATE), length)
       self%row = cell_influence([(min(i, n - i)*grid%hx, i=0, n - 1)], 0.0_dp, grid%hx, grid%hy, kappa, k)
       call fftw_execute_dft_r2c(self%forward, self%row, self%modes)
       self%spectrum = real(self%modes, dp)/n      ! the kernel is even, so its transform is real

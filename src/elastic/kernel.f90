@@ -12,11 +12,11 @@ module ehlwave_kernel
 contains
 
    !> Deformation at distance (dx, dy) from the centre of a cell of size hx by hy under P = 1, exact
-   !> integral of theory eq. (9) (Love 1929):
+   !> integral of theory eq. (9) (Love 1929), (D4):
    !>
    !>     1/(pi K) int int dX' dY' / sqrt(kappa^2 (X - X')^2 + (Y - Y')^2)
    !>
-   !> Of a line contact, kappa = 0, for any dy:
+   !> Of a line contact, kappa = 0, for any dy, that of (L7):
    !>
    !>     (2/pi) int ln(line_reference/|X - X'|) dX'
    elemental function cell_influence(dx, dy, hx, hy, kappa, k) result(d)

@@ -2,6 +2,7 @@
 module ehlwave_kernel_transform
    use, intrinsic :: iso_c_binding, only: c_double, c_double_complex, c_f_pointer, c_int, &
       c_int32_t, c_intptr_t, c_char, c_float, c_float_complex, c_funptr, c_ptr, c_size_t
+   use ehlwave_fftw_answer, only: obtained
    use ehlwave_grid, only: grid_t
    use ehlwave_kernel, only: cell_influence
    use ehlwave_kinds, only: dp
@@ -79,14 +80,16 @@ contains
       real(c_double), pointer, contiguous :: values(:)
       complex(c_double_complex), pointer, contiguous :: transform(:)
       type(c_ptr) :: plan, transform_memory, values_memory
+      integer(c_size_t) :: length
       integer :: m, n
 
       n = size(columns, 1)
-      values_memory = fftw_alloc_real(int(n, c_size_t))
-      transform_memory = fftw_alloc_complex(int(n/2 + 1, c_size_t))
+      length = n
+      values_memory = obtained(fftw_alloc_real(length), length)
+      transform_memory = obtained(fftw_alloc_complex(length/2 + 1), length/2 + 1)
       call c_f_pointer(values_memory, values, [n])
       call c_f_pointer(transform_memory, transform, [n/2 + 1])
-      plan = fftw_plan_dft_r2c_1d(n, values, transform, FFTW_ESTIMATE)
+      plan = obtained(fftw_plan_dft_r2c_1d(n, values, transform, FFTW_ESTIMATE), length)
       do m = 1, size(columns, 2)
          values = columns(:, m)
          call fftw_execute_dft_r2c(plan, values, transform)

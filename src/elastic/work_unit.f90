@@ -3,15 +3,19 @@ module ehlwave_work_unit
    use, intrinsic :: iso_c_binding, only: c_double, c_double_complex, c_f_pointer, c_ptr, c_size_t, &
       c_int, c_int32_t, c_intptr_t, c_char, c_float, c_float_complex, c_funptr
    use ehlwave_clock, only: wall_seconds
+   use ehlwave_fftw_answer, only: obtained
    use ehlwave_kinds, only: dp
    implicit none (type, external)
    private
-   public :: transform_operations, work_unit_operations, work_unit_seconds
+   public :: expected_unit_seconds, transform_operations, work_unit_operations, work_unit_seconds
 
    include 'fftw3.f03'
 
    integer, parameter :: repeats = 3
    real(dp), parameter :: valid_s = 10   !! a measured unit is used again for so long
+   integer, parameter :: planned_cells = 256   !! along each side of the grid on which plans measure a work unit
+   !> Times as long as there an operation takes on 512 cells and more; measured on 512, 1024, 2048: 2.4, 2.6, 2.8.
+   real(dp), parameter :: out_of_cache = 2.6_dp
 
    type :: measured_unit_t
       integer :: cells(2) = 0
@@ -55,6 +59,16 @@ contains
       transform_operations = anint(2.5_dp*n*log(n)/log(2.0_dp))
    end function transform_operations
 
+   !> Seconds to expect of the work of one unit on a grid, for plans. One small grid is timed, whatever is planned: that takes
+   !> some hundredths of a second and 8 MiB. It stays in cache, where finer grids do not.
+   impure elemental real(dp) function expected_unit_seconds(cells_x, cells_y) result(seconds)
+      integer, intent(in) :: cells_x, cells_y   !! cells over the whole domain
+      real(dp) :: doublings
+      doublings = log(real(cells_x, dp)*cells_y/planned_cells**2)/log(2.0_dp)
+      seconds = work_unit_seconds(planned_cells, planned_cells)/work_unit_operations(planned_cells, planned_cells) &
+                *work_unit_operations(cells_x, cells_y)*(1 + (out_of_cache - 1)*min(1.0_dp, max(0.0_dp, doublings/2)))
+   end function expected_unit_seconds
+
    !> Seconds of one work unit (WU) here and now: the plain deformation convolution of a grid, that is
    !> a zero-padded real transform of 2 cells_x by 2 cells_y points, a product, and the inverse transform.
    !> The fastest of a few, so that a busy machine does not flatter the counts. Asked for again soon, as by the cases of a sweep, it is
@@ -66,18 +80,21 @@ contains
       complex(c_double_complex), pointer, contiguous :: modes(:, :)
       type(c_ptr) :: forward, backward, plane_memory, modes_memory
       real(dp) :: start
+      integer(c_size_t) :: modes_count, plane_count
       integer :: i, n
 
       if (all(last%cells == [cells_x, cells_y]) .and. wall_seconds() - last%at < valid_s) then
          seconds = last%seconds
          return
       end if
-      plane_memory = fftw_alloc_real(4_c_size_t*cells_x*cells_y)
-      modes_memory = fftw_alloc_complex(2_c_size_t*(cells_x + 1)*cells_y)
+      plane_count = 4_c_size_t*cells_x*cells_y
+      modes_count = 2_c_size_t*(cells_x + 1)*cells_y
+      plane_memory = obtained(fftw_alloc_real(plane_count), plane_count)
+      modes_memory = obtained(fftw_alloc_complex(modes_count), modes_count)
       call c_f_pointer(plane_memory, plane, [2*cells_x, 2*cells_y])
       call c_f_pointer(modes_memory, modes, [cells_x + 1, 2*cells_y])
-      forward = fftw_plan_dft_r2c_2d(2*cells_y, 2*cells_x, plane, modes, FFTW_ESTIMATE)
-      backward = fftw_plan_dft_c2r_2d(2*cells_y, 2*cells_x, modes, plane, FFTW_ESTIMATE)
+      forward = obtained(fftw_plan_dft_r2c_2d(2*cells_y, 2*cells_x, plane, modes, FFTW_ESTIMATE), modes_count)
+      backward = obtained(fftw_plan_dft_c2r_2d(2*cells_y, 2*cells_x, modes, plane, FFTW_ESTIMATE), modes_count)
       plane = 0
       seconds = huge(seconds)
       n = repeats

@@ -1,20 +1,27 @@
 !> Whether a results file can be written under a name: found out before the computation, not after it.
 module ehlwave_output_path
    use ehlwave_errors, only: error_t, raise
+   use ehlwave_own_result, only: is_own_result
+   use ehlwave_paths, only: is_same_file
    use ehlwave_posix, only: clear_temporaries, file_kind, kind_file, kind_folder, kind_link, kind_none, reason_text, try_file
    use ehlwave_text, only: shown
    implicit none (type, external)
    private
    public :: check_output_path
 
+   character(len=*), parameter :: suffix = '.h5'
+
 contains
 
-   !> Refuse a name under which no file can be made, or under which there is something else than a regular file: that is
-   !> never replaced, also not where overwriting is asked for. Removes what a process that died has left of this file.
-   subroutine check_output_path(path, error)
+   !> Refuse a name under which no file can be made, under which there is something else than a regular file, or a file that the run
+   !> reads: those are never replaced. A file that is no result of the programs is replaced where overwriting is asked for. Removes
+   !> what a process that died has left of this file.
+   subroutine check_output_path(path, inputs, overwrites, error)
       character(len=*), intent(in) :: path
+      character(len=*), intent(in) :: inputs(:)   !! files that the run reads; blank: none
+      logical, intent(in) :: overwrites
       type(error_t), allocatable, intent(inout) :: error
-      integer :: slash, status
+      integer :: slash
 
       if (allocated(error)) return
       slash = index(path, '/', back=.true.)
@@ -24,9 +31,11 @@ contains
       end if
       select case (file_kind(path))
       case (kind_none, kind_file)
-         call try_file(path, status)
-         if (status /= 0) call raise(error, 'cannot write '//path//': '//reason_text(status)// &
-                                     '; does its folder exist and is it writable?')
+         call refuse_inputs(path, inputs, error)
+         if (.not. allocated(error)) call refuse_suffix(path, slash, error)
+         call refuse_foreign(path, overwrites, error)
+         if (allocated(error)) return
+         call refuse_unwritable(path, error)
          call clear_temporaries(path(:slash)//'.', path(slash + 1:))
       case (kind_folder)
          call raise(error, 'cannot write '//path//': it is a folder; give the name of a file')
@@ -36,5 +45,47 @@ contains
          call raise(error, 'cannot write '//path//': it is not a regular file; give the name of one')
       end select
    end subroutine check_output_path
+
+   !> Results are HDF5, and their names say so: no two of them have the same store then, either.
+   subroutine refuse_suffix(path, slash, error)
+      character(len=*), intent(in) :: path
+      integer, intent(in) :: slash                !! place of the last one, 0: none
+      type(error_t), allocatable, intent(inout) :: error
+      if (len(path) - slash > len(suffix)) then
+         if (path(len(path) - len(suffix) + 1:) == suffix) return
+      end if
+      call raise(error, 'cannot write '//path//': results are HDF5 files; give a name that ends in '//suffix// &
+                 ' (ehlwave export makes CSV of them)')
+   end subroutine refuse_suffix
+
+   subroutine refuse_inputs(path, inputs, error)
+      character(len=*), intent(in) :: path, inputs(:)
+      type(error_t), allocatable, intent(inout) :: error
+      integer :: i
+      do i = 1, size(inputs)
+         if (allocated(error) .or. inputs(i) == '') cycle
+         if (is_same_file(path, trim(inputs(i)))) call raise(error, 'cannot write '//path//': it is the same file as '// &
+            trim(inputs(i))//', which the run reads; give another name')
+      end do
+   end subroutine refuse_inputs
+
+   subroutine refuse_foreign(path, overwrites, error)
+      character(len=*), intent(in) :: path
+      logical, intent(in) :: overwrites
+      type(error_t), allocatable, intent(inout) :: error
+      if (allocated(error) .or. overwrites) return
+      if (file_kind(path) == kind_none) return
+      if (.not. is_own_result(path)) call raise(error, 'cannot write '//path//': it exists and is no result of ehlwave, or '// &
+         'a damaged one; move it away or give another name (--overwrite replaces it and, of a sweep, drops the store, too)')
+   end subroutine refuse_foreign
+
+   subroutine refuse_unwritable(path, error)
+      character(len=*), intent(in) :: path
+      type(error_t), allocatable, intent(inout) :: error
+      integer :: status
+      call try_file(path, status)
+      if (status /= 0) call raise(error, 'cannot write '//path//': '//reason_text(status)// &
+                                  '; does its folder exist and is it writable?')
+   end subroutine refuse_unwritable
 
 end module ehlwave_output_path

@@ -6,7 +6,7 @@ module ehlwave_provenance_list
    use hdf5, only: h5get_libversion_f
    implicit none (type, external)
    private
-   public :: add_provenance, print_version
+   public :: add_provenance, version_text
 
 contains
 
@@ -23,21 +23,21 @@ contains
    end subroutine add_provenance
 
    !> What `--version` says, and `--version --verbose`: the above and, of a program that has it, its MPI library.
-   subroutine print_version(unit, is_verbose, mpi_library)
-      integer, intent(in) :: unit
+   function version_text(is_verbose, mpi_library) result(text)
       logical, intent(in) :: is_verbose
       character(len=*), intent(in), optional :: mpi_library
+      character(len=:), allocatable :: text
       type(quantity_list_t) :: list
       integer :: i
 
-      write (unit, '(a)') 'ehlwave '//program_version
+      text = 'ehlwave '//program_version
       if (.not. is_verbose) return
       call add_provenance(list)
       if (present(mpi_library)) call list%add('mpi_library', 'MPI library, as it names itself', mpi_library)
       do i = 1, list%count
-         write (unit, '(a,": ",a)') list%items(i)%name, list%items(i)%text
+         text = text//new_line('a')//list%items(i)%name//': '//list%items(i)%text
       end do
-   end subroutine print_version
+   end function version_text
 
    !> Names and versions of the libraries that numbers depend on.
    function loaded_libraries() result(text)

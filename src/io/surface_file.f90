@@ -1,18 +1,22 @@
 !> Surfaces written by `ehlwave surface`: HDF5 with heights over x and y in metres.
 module ehlwave_surface_file
-   use, intrinsic :: iso_c_binding, only: c_funloc, c_long
+   use, intrinsic :: iso_c_binding, only: c_funloc, c_long, c_size_t
    use ehlwave_errors, only: error_t, raise
    use ehlwave_kinds, only: dp
+   use ehlwave_memory, only: can_allocate
    use ehlwave_posix, only: close_file, guarded, open_file, reason_text
    use ehlwave_text, only: to_text
    use h5lt, only: h5ltget_dataset_info_f, h5ltget_dataset_ndims_f, h5ltread_dataset_double_f
-   use hdf5, only: h5close_f, h5dclose_f, h5dget_storage_size_f, h5dopen_f, h5eset_auto_f, h5f_acc_rdonly_f, h5fclose_f, &
-      h5fopen_f, h5open_f, h5t_float_f, h5t_integer_f, hid_t, hsize_t, size_t
+   use hdf5, only: h5close_f, h5d_virtual_f, h5dclose_f, h5dget_create_plist_f, h5dget_storage_size_f, h5dopen_f, h5eset_auto_f, &
+      h5f_acc_rdonly_f, h5fclose_f, h5fopen_f, h5l_type_hard_f, h5lget_info_f, h5open_f, h5pclose_f, h5pget_external_count_f, &
+      h5pget_layout_f, h5pget_nfilters_f, h5t_float_f, h5t_integer_f, hid_t, hsize_t, size_t
    implicit none (type, external)
    private
    public :: read_surface_file
 
    real(dp), parameter :: most_points = 5e7_dp   !! of height: 400 MB
+   real(dp), parameter :: most_compressed = 1100 !! bytes that deflate makes one of, at most (1032), and a little
+   real(dp), parameter :: always_read = 1e5_dp   !! points, whatever the file holds of them
 
    !> What is being read, at module level for work that is guarded.
    type :: reading_t
@@ -96,15 +100,22 @@ contains
       real(dp), allocatable, intent(out) :: values(:)
       integer(hsize_t), allocatable, intent(out) :: extent(:)
       type(error_t), allocatable, intent(inout) :: error
-      integer(hid_t) :: id
       integer(hsize_t) :: stored
       integer(size_t) :: bytes
-      real(dp) :: points
-      integer :: ignored, kind, rank, status
+      real(dp) :: held, points
+      integer :: kind, rank, status
+      logical :: fits, is_elsewhere
 
       allocate (extent(0), values(0))
+      if (allocated(error)) return
+      call look_at_storage(file, name, stored, held, is_elsewhere)
+      if (is_elsewhere) then
+         call raise(error, '&surface file = '''//path//''': the numbers of '//name//' are not in the file itself '// &
+                    'but where a link, external storage or a virtual dataset leads: copy them into one file')
+         return
+      end if
       call h5ltget_dataset_ndims_f(file, name, rank, status)
-      if (status < 0 .or. rank < 1 .or. allocated(error)) return
+      if (status < 0 .or. rank < 1) return
       deallocate (extent)
       allocate (extent(rank))
       call h5ltget_dataset_info_f(file, name, extent, kind, bytes, status)
@@ -115,17 +126,56 @@ contains
          call raise(error, '&surface file = '''//path//''': '//name//' has '//to_text(points, 3)//' points, more than '// &
                     to_text(most_points, 3)//': cut or resample it')
       else
-         stored = 0
-         call h5dopen_f(file, name, id, status)
-         if (status >= 0) call h5dget_storage_size_f(id, stored, status)
-         if (status >= 0) call h5dclose_f(id, status)
-         deallocate (values)
-         allocate (values(product(extent)), stat=ignored)
-         if (stored > 0 .and. ignored == 0) call h5ltread_dataset_double_f(file, name, values, extent, status)
-         if (stored == 0 .or. ignored /= 0 .or. status < 0) call raise(error, '&surface file = '''//path//''': the numbers of '// &
+         if (points*bytes > held .and. points > always_read) stored = 0
+         fits = can_allocate(int(8*points, c_size_t))
+         if (stored > 0 .and. fits) then
+            deallocate (values)
+            allocate (values(product(extent)))
+            call h5ltread_dataset_double_f(file, name, values, extent, status)
+         end if
+         if (stored == 0 .or. .not. fits .or. status < 0) call raise(error, '&surface file = '''//path//''': the numbers of '// &
             name//' cannot be read: the file is damaged or was not written to its end')
       end if
    end subroutine read_numbers
+
+   !> How many bytes a file holds of a dataset, and whether its numbers are in other files: those are not read. A dataset that is not
+   !> there has no bytes.
+   subroutine look_at_storage(file, name, stored, held, is_elsewhere)
+      integer(hid_t), intent(in) :: file
+      character(len=*), intent(in) :: name
+      integer(hsize_t), intent(out) :: stored
+      real(dp), intent(out) :: held              !! bytes that these can be at most, once they are no longer compressed
+      logical, intent(out) :: is_elsewhere
+      integer(hid_t) :: id, properties
+      integer(size_t) :: value_size
+      integer :: corder, cset, external_files, filters, layout, link, status
+      integer(hid_t) :: address
+      logical :: corder_valid
+
+      stored = 0
+      held = 0
+      is_elsewhere = .false.
+      call h5lget_info_f(file, name, cset, corder, corder_valid, link, address, value_size, status)
+      if (status < 0) return
+      is_elsewhere = link /= h5l_type_hard_f
+      if (is_elsewhere) return
+      call h5dopen_f(file, name, id, status)
+      if (status < 0) return
+      call h5dget_create_plist_f(id, properties, status)
+      external_files = 0
+      filters = 0
+      layout = h5d_virtual_f
+      if (status >= 0) call h5pget_layout_f(properties, layout, status)
+      if (status >= 0) call h5pget_external_count_f(properties, external_files, status)
+      if (status >= 0) call h5pget_nfilters_f(properties, filters, status)
+      is_elsewhere = layout == h5d_virtual_f .or. external_files > 0
+      call h5pclose_f(properties, status)
+      call h5dget_storage_size_f(id, stored, status)
+      if (status < 0) stored = 0
+      held = stored
+      if (filters > 0) held = most_compressed*stored
+      call h5dclose_f(id, status)
+   end subroutine look_at_storage
 
    !> Step of equidistant positions.
    subroutine uniform_step(path, name, positions, step, error)

@@ -1,7 +1,8 @@
 !> Whole text files as they are.
 module ehlwave_text_file
-   use, intrinsic :: iso_c_binding, only: c_long
+   use, intrinsic :: iso_c_binding, only: c_long, c_size_t
    use ehlwave_errors, only: error_t, raise
+   use ehlwave_memory, only: can_allocate
    use ehlwave_posix, only: close_file, file_kind, kind_none, open_file, read_bytes, reason_text
    implicit none (type, external)
    private
@@ -52,8 +53,8 @@ contains
       if (present(most)) bytes = min(bytes, most)
       fits = .true.
       if (status == 0) then
-         allocate (character(len=bytes) :: text, stat=ignored)
-         fits = ignored == 0
+         fits = can_allocate(int(bytes, c_size_t))
+         if (fits) allocate (character(len=bytes) :: text)
          if (fits) call read_bytes(file, text, length, status)
          ignored = close_file(file)
       end if

@@ -1,8 +1,8 @@
 !> Pressure at the edges of a flooded domain: that of the far field for the film there.
 !>
-!> With the reduced pressure q = A/H^2 of the far field (`ehlwave_far_field`) and an oil that thickens by exp(alpha P) at these low
-!> pressures, P = -ln(1 - alpha q)/alpha: one more equation for each node of the edges. Edges of a truncated domain have no such
-!> nodes, P = 0 there.
+!> Theory eq. (F5): with the reduced pressure q = A/H^2 of the far field (`ehlwave_far_field`) and an oil that thickens
+!> by exp(alpha P) at these low pressures, P = -ln(1 - alpha q)/alpha: one more equation for each node of the edges.
+!> Edges of a truncated domain have no such nodes, P = 0 there.
 !>
 !> H counts without roughness: of waves that pass an edge the far field sees the mean (Ad/Ai, M = 20, L = 5, D = 1, on the paper's
 !> domain: 0.05 % off in place of 0.28 %).
@@ -46,13 +46,11 @@ contains
       type(rheology_t), intent(in) :: rheology
       type(edge_values_t) :: self
       type(far_field_t) :: far
-      real(dp) :: drho(1), fluidity(1), rho(1), slope(1)
       integer :: first, i, j, wet
 
       allocate (self%i(0), self%j(0), self%link(0), self%strength(0))
       if (.not. grid%is_flooded) return
-      call rheology%evaluate(1, [0.0_dp], rho, drho, fluidity, slope)
-      self%thickening = slope(1)
+      self%thickening = rheology%thickening()
       far = new_far_field(conditions, self%thickening)
       self%i = [(0, j=0, grid%ny)]
       self%j = [(j, j=0, grid%ny)]

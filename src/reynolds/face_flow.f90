@@ -1,9 +1,10 @@
 !> Flow of a generalised Newtonian oil through the faces between nodes, and its derivatives.
 !>
-!> At a face the pressure gradient along it is the difference of its two nodes, that across it the mean of the central differences of
-!> both. rho Qhat is evaluated at both nodes with their own P and H and this gradient, and averaged; with tau0 -> inf this is eps
-!> averaged between nodes. Fluxes are in the unit of (eps_1 + eps_2) (P_2 - P_1), 2 hX rho Qhat_x along X and
-!> (2 hY/kappa) rho Qhat_y along Y, so that 1/(2 hX^2) and kappa^2/(2 hY^2) weight them in the Reynolds equation.
+!> At a face the pressure gradient along it is the difference of its two nodes, that across it the mean of the central
+!> differences of both. rho Qhat, theory eq. (S4), is evaluated at both nodes with their own P and H and this gradient,
+!> and averaged; with tau0 -> inf this is eps averaged between nodes. Fluxes are in the unit of
+!> (eps_1 + eps_2) (P_2 - P_1), 2 hX rho Qhat_x along X and (2 hY/kappa) rho Qhat_y along Y, so that 1/(2 hX^2) and
+!> kappa^2/(2 hY^2) weight them in the Reynolds equation.
 module ehlwave_face_flow
    use ehlwave_film_flow, only: along_x, along_y, film_flow_t, flow_by_gx, flow_by_gy, flow_by_h, flow_by_ln_eta, flow_q, &
       flow_values

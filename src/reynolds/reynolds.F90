@@ -44,7 +44,7 @@ contains
       self%cy = 0.5_dp*kappa**2/grid%hy**2
    end function new_mesh
 
-   !> Residual of theory eq. (7), eps averaged between nodes:
+   !> Residual of theory eq. (7), eps averaged between nodes, (D1):
    !>
    !>     R = [eps_(i+1/2) (P_(i+1) - P_i) - eps_(i-1/2) (P_i - P_(i-1))]/hX^2 + kappa^2 (same in Y)/hY^2
    !>         - wedge and squeeze of `transport`
@@ -87,7 +87,7 @@ contains
       real(dp), intent(inout) :: flux(0:)      !! (0:nx), the last `shift` are left alone
       integer :: i
 
-      if (.not. flow%is_newtonian()) then
+      if (flow%has_face_fluxes()) then
          if (shift == 1) then
             flux = flow%along_x%flux(:, j1)
          else
@@ -132,7 +132,7 @@ contains
       real(dp) :: east, north, south, west
       integer :: i, j, jm, jp, k, shift
 
-      if (.not. flow%is_newtonian()) then
+      if (flow%has_face_fluxes()) then
          call general_links(mesh, flow, block, by_p, by_h)
          return
       end if
@@ -229,7 +229,7 @@ contains
       do j = mesh%grid%first_row, mesh%grid%last_row
          jm = mesh%grid%below(j)
          jp = mesh%grid%above(j)
-         if (.not. flow%is_newtonian()) then
+         if (flow%has_face_fluxes()) then
             do i = 1, mesh%grid%nx - 1
                scale(i, j) = 1/(mesh%cx*(flow%along_x%own(i - 1, j) + flow%along_x%own(i, j)) &
                                 + mesh%cy*(flow%along_y%own(i, min(j, jm)) + flow%along_y%own(i, j)) &
@@ -251,7 +251,7 @@ contains
       type(mesh_t), intent(in) :: mesh
       type(flow_t), intent(in) :: flow
       integer, intent(in) :: i, j   !! node
-      if (.not. flow%is_newtonian()) then
+      if (flow%has_face_fluxes()) then
          intake = intake_at_gradient(mesh, flow, i, j)
          return
       end if

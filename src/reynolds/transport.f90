@@ -26,7 +26,7 @@ module ehlwave_transport
 
 contains
 
-   !> Steady state: second-order upstream difference; first order at the first interior node.
+   !> Steady state: second-order upstream difference, theory eq. (D2); first order at the first interior node.
    pure function steady_transport(grid) result(self)
       type(grid_t), intent(in) :: grid
       type(transport_t) :: self
@@ -40,7 +40,7 @@ contains
    end function steady_transport
 
    !> Transient: second-order backward difference along the characteristic X - T = const, with the idea
-   !> of the narrow upstream scheme NU2 (Venner and others 1999): with dT = hX
+   !> of the narrow upstream scheme NU2 (Venner and others 1999), theory eq. (D5): with dT = hX
    !>
    !>     (1.5 f(i,k) - 2 f(i-1,k-1) + 0.5 f(i-2,k-2))/hX,
    !>
@@ -78,7 +78,7 @@ contains
 
    !> Weights for an amplitude f that varies as exp(-i w T): exact linearisation of the transient operator along the
    !> characteristic (`characteristic_transport` with a step of one mesh size), where f(i-l) at T - l dT becomes
-   !> z^l f(i-l), z = exp(i w dT):
+   !> z^l f(i-l), z = exp(i w dT), theory eq. (D6):
    !>
    !>     (1.5 f(i) - 2 z f(i-1) + 0.5 z^2 f(i-2))/dT,    at i = 1    (f(1) - z f(0))/dT.
    !>

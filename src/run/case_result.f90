@@ -31,6 +31,8 @@ module ehlwave_case_result
       ! estimated relative discretisation errors; NaN where there is no estimate
       real(dp) :: central_film_error = no_value      !! of H(0,0), from the multigrid levels
       real(dp) :: minimum_film_error = no_value      !! of the smallest H, likewise
+      real(dp) :: friction_error = no_value          !! of the friction coefficient, likewise
+      character(len=12) :: film_error_basis = ''     !! what they are from: 'coarse_grid' or 'model'
       real(dp) :: film_order = no_value              !! observed order of H(0,0) on the three finest levels
       real(dp) :: amplitude_ratio_error = no_value   !! of Ad/Ai
       character(len=12) :: amplitude_error_basis = ''   !! what that is from: 'coarse_grid', 'model', or no estimate
@@ -64,6 +66,8 @@ module ehlwave_case_result
       real(dp) :: work_units = 0                     !! the same in plain FFT convolutions of the whole grid
       real(dp) :: work = 0                           !! operations counted, without error estimates and sensitivities,
       real(dp) :: counted_work_units = no_value      !! and the same in those of a convolution
+      real(dp) :: all_work = 0                       !! operations with error estimates and sensitivities,
+      real(dp) :: total_work_units = no_value        !! and the same in those of a convolution
       real(dp) :: peak_memory_mib = 0                !! of the process so far
       real(dp), allocatable :: residual_history(:)   !! of the solution that failed: before each step and at the end
       ! history of the contact centre: times T, or phases over 2 pi for standing patterns

@@ -55,8 +55,8 @@ contains
       end do
    end subroutine relax
 
-   !> Pose the equations of this level so that their solution is the injected fine state when that state solves the fine
-   !> equations. The state is the injected one on return, and evaluated.
+   !> Pose the equations of this level, theory eq. (M2), so that their solution is the injected fine state when that
+   !> solves the fine equations. The state is the injected one on return, and evaluated.
    !>
    !> Right sides go where what is given has room for them: that of the film equation into the roughness, that of
    !> Reynolds into the carried terms, that of the load balance into its carried term:

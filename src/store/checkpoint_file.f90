@@ -7,12 +7,13 @@ module ehlwave_checkpoint_file
    use ehlwave_march_keeper, only: march_keeper_t
    use ehlwave_posix, only: checksum, reason_text, remove_file, replace_file
    use ehlwave_provenance, only: compiler, compiler_flags, git_revision, program_version
+   use ehlwave_terminal, only: say
    use ehlwave_text_file, only: read_whole_file
    use ehlwave_time_march, only: march_t
    implicit none (type, external)
    private
 
-   character(len=*), parameter :: format_line = 'ehlwave-checkpoint 4 '//program_version//' '//git_revision//' '// &
+   character(len=*), parameter :: format_line = 'ehlwave-checkpoint 5 '//program_version//' '//git_revision//' '// &
       compiler//' '//compiler_flags
 
    integer, parameter :: bytes_of_real = storage_size(1.0_dp)/8
@@ -91,7 +92,7 @@ contains
       text = heading(self)//bytes%text
       call replace_file(self%path, text//checksum(text), status)
       self%is_kept = status /= 0
-      if (status /= 0) write (error_unit, '(a)') 'checkpoint '//self%path//' not written: '//reason_text(status)
+      if (status /= 0) call say(error_unit, 'checkpoint '//self%path//' not written: '//reason_text(status))
    end subroutine save_kept
 
    !> Remove the file of a case that is done.
@@ -127,6 +128,8 @@ contains
          call bytes%numbers(given%load%carried)
          call bytes%numbers(given%load%force)
          call bytes%numbers(rescue%thinnest)
+         call bytes%numbers(rescue%work_left)
+         call bytes%numbers(rescue%highest)
          call bytes%count(r%steps)
          call bytes%count(r%nonlinear_steps)
          call bytes%count(r%linear_steps)

@@ -1,7 +1,7 @@
 !> The store of a sweep: a folder with everything that is known for sure, written so that nothing can spoil it.
 !>
 !>     store                     one line: format and its version
-!>     defaults                  generation of the defaults of keys that its cases have; not there: 0
+!>     defaults                  generation of the defaults of keys that its cases have; not there: as the records say
 !>     lock                      locked by the job at work
 !>     cases                     identity and expected cost of each case of the sweep
 !>     records/RUN-RANK.log      what each rank of each run (of the program) has done; see ehlwave_record_file
@@ -11,6 +11,7 @@
 !> A rank appends to files of its own only. Records are, in this order in each file,
 !>
 !>     run [columns, values]     who writes: program, build, host, rank, time
+!>     list CHECKSUM             the file `cases` is complete; of rank 0
 !>     input TEXT                effective input of the first case of the file; the others tell what differs
 !>     start IDENTITY            a case begins
 !>     stop IDENTITY             it was stopped from outside
@@ -28,7 +29,8 @@ module ehlwave_store
    use ehlwave_quantity, only: quantity_list_t
    use ehlwave_quantity_output, only: json_columns, json_values
    use ehlwave_record_file, only: record_writer_t
-   use ehlwave_store_folder, only: log_name, read_log_name, records_name, take_folder
+   use ehlwave_store_folder, only: take_folder
+   use ehlwave_store_names, only: log_name, newest_defaults, read_log_name, records_name
    use ehlwave_text, only: next_line
    use ehlwave_text_difference, only: text_difference
    implicit none (type, external)
@@ -41,11 +43,13 @@ module ehlwave_store
       character(len=256) :: host = '', job = '', mpi_library = ''
       integer :: run = 0                   !! number of this run of the program on the store
       integer :: rank = 0
+      integer :: defaults = newest_defaults   !! generation of the defaults of keys that its cases have
       type(record_writer_t), private :: log
       logical, private :: is_open = .false.
       character(len=:), allocatable, private :: columns, base_input
    contains
       procedure :: header
+      procedure :: note_list
       procedure :: start
       procedure :: stop => stop_case
       procedure :: keep
@@ -63,13 +67,13 @@ contains
    !> stands for it. Called on rank 0 only. Fails as `take_folder`.
    subroutine prepare_store(folder, store, warning, error)
       character(len=*), intent(in) :: folder
-      type(store_t), intent(inout) :: store              !! rank, host, job and MPI library are set
+      type(store_t), intent(inout) :: store              !! rank, host, job, MPI library, defaults are set
       character(len=:), allocatable, intent(out) :: warning   !! allocated: what the user should know
       type(error_t), allocatable, intent(inout) :: error
       character(len=:), allocatable :: names
       integer :: first, last, number, rank, status
 
-      call take_folder(folder, warning, error)
+      call take_folder(folder, store%defaults, warning, error)
       if (allocated(error)) return
       store%folder = folder
       call list_folder(folder//'/'//records_name, names, status)
@@ -113,9 +117,19 @@ contains
       call list%add('job', 'batch job the case ran in', trim(self%job))
       call list%add('process', 'number of the process', process_id())
       call list%add('opened', 'local time', time_stamp())
+      call list%add('defaults', 'generation of the defaults of keys', self%defaults)
       call add_provenance(list)
       call list%add('mpi_library', 'MPI library, as it names itself', trim(self%mpi_library))
    end function header
+
+   !> The file `cases` has been written: a copy of which bytes are lost is known by its checksum.
+   subroutine note_list(self, list_checksum, error)
+      class(store_t), intent(inout) :: self
+      character(len=*), intent(in) :: list_checksum
+      type(error_t), allocatable, intent(inout) :: error
+      call self%open_log(error)
+      call self%log%append('list '//list_checksum, error)
+   end subroutine note_list
 
    !> A case begins. Until it is done or stopped, a death of this process counts against it.
    subroutine start(self, identity, error)

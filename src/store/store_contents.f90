@@ -10,7 +10,8 @@ module ehlwave_store_contents
    use ehlwave_provenance, only: git_revision, program_version
    use ehlwave_record_reader, only: record_reader_t
    use ehlwave_status, only: status_of_name, status_pending
-   use ehlwave_store_folder, only: check_store, log_name, read_log_name, records_name
+   use ehlwave_store_folder, only: check_store
+   use ehlwave_store_names, only: log_name, read_log_name, records_name
    use ehlwave_text, only: count_lines, next_line
    use ehlwave_text_difference, only: text_from_difference
    implicit none (type, external)
@@ -47,6 +48,7 @@ module ehlwave_store_contents
       integer, private :: log_count = 0                ! while they are being read
       integer :: count = 0
       integer :: runs = 0                              !! number of the last run
+      character(len=8) :: list_checksum = ''           !! of the file `cases`, by the last run; blank: not said
       integer :: bad_lines = 0                         !! passed over
       type(identity_index_t) :: index                  !! from identity to place in `cases`
    contains
@@ -117,6 +119,7 @@ contains
       if (log%run < 0) return
       call reader%open(folder//'/'//records_name//'/'//name, error)
       if (allocated(error)) return
+      if (log%run > contents%runs) contents%list_checksum = ''
       contents%runs = max(contents%runs, log%run)
       contents%log_count = contents%log_count + 1
       log%columns = new_layout('[]')
@@ -153,6 +156,8 @@ contains
             log%is_by_this_build = log%build() == this_build
          case ('input')
             if (len(value) > 2) log%base_input = json_string(value(2:len(value) - 1))
+         case ('list')
+            if (log%run == contents%runs) contents%list_checksum = value
          case ('start')
             log%in_flight = value
          case ('stop')

@@ -10,16 +10,15 @@ module ehlwave_case_table
    use ehlwave_key_list, only: find_key, key_list_t
    use ehlwave_kinds, only: dp
    use ehlwave_namelist, only: namelist_t
-   use ehlwave_store_folder, only: defaults_of_store, store_path
+   use ehlwave_store_names, only: newest_defaults, store_path
    use ehlwave_sweep_cases, only: refuse_too_many, sweep_t
+   use ehlwave_sweep_defaults, only: choose_defaults, edges_of_old_stores
    use ehlwave_sweep_keys, only: sweep_group, sweep_settings_t, visit_sweep_keys
    use ehlwave_sweep_lists, only: read_lists, sweep_lists_t
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
    public :: read_output_name, read_sweep
-
-   character(len=*), parameter :: edges_of_old_stores = 'truncated'   !! the default of the key before the first generation
 
 contains
 
@@ -38,14 +37,19 @@ contains
       type(sweep_lists_t) :: lists
       type(csv_t) :: rows
       integer, allocatable :: columns(:)
-      logical :: is_old
+      character(len=:), allocatable :: found
+      logical :: goes_on, is_old
 
       call file%load(path, error)
       call read_settings(file, settings, error)
       sweep%output = trim(settings%output)
       if (present(output)) sweep%output = output
-      is_old = defaults_of_store(store_path(sweep%output), error) == 0
-      if (present(begins_anew)) is_old = is_old .and. .not. begins_anew
+      goes_on = .true.
+      if (present(begins_anew)) goes_on = .not. begins_anew
+      sweep%defaults = newest_defaults
+      found = ''
+      if (goes_on) call choose_defaults(store_path(sweep%output), sweep%defaults, found, error)
+      is_old = sweep%defaults == 0
       if (is_old) base%case%edges = edges_of_old_stores
       call base%read(file, error)
       table = case_key_list()
@@ -58,6 +62,7 @@ contains
       end if
       base%may_idle = base%is_given
       sweep%limits = settings%limits
+      sweep%files = [character(len=max(len(path), len_trim(settings%case_file))) :: path, settings%case_file]
       if (settings%case_file /= '') then
          call read_csv(trim(settings%case_file), rows, error)
          if (.not. allocated(error)) call refuse_too_many(rows%path//': has ', real(size(rows%line), dp), ' rows', error)
@@ -71,6 +76,7 @@ contains
       end if
       if (allocated(error)) return
       call sweep%finish()
+      sweep%notice = sweep%notice//found
       if (is_old .and. any(sweep%cases%edges == edges_of_old_stores) .and. .not. says(base, table, sweep, 'edges')) &
          sweep%notice = sweep%notice//"NOTICE: the store of "//sweep%output//" was begun when edges were '"// &
          edges_of_old_stores//"' by default: its cases go on so; &grid edges in the sweep file says otherwise"//new_line('a')

@@ -1,5 +1,6 @@
 !> Works through one case of a sweep: run it, store what it came to.
 module ehlwave_case_work
+   use ehlwave_case_account, only: refused_result
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t, run_march
    use ehlwave_case_record, only: store_result
@@ -10,6 +11,7 @@ module ehlwave_case_work
    use ehlwave_errors, only: error_t
    use ehlwave_kinds, only: dp
    use ehlwave_march_keeper, only: march_keeper_t
+   use ehlwave_memory_plan, only: memory_shortage
    use ehlwave_monitor, only: give_up, go_on, monitor_t, stop_now
    use ehlwave_outcome, only: message_length, outcome_t
    use ehlwave_posix, only: signal_caught, watchdog
@@ -66,6 +68,7 @@ contains
       type(checkpoint_t) :: checkpoint
       type(error_t), allocatable :: error
       character(len=24) :: started
+      character(len=:), allocatable :: shortage
       character(len=16) :: identity
 
       identity = input_identity(input)
@@ -81,7 +84,12 @@ contains
          checkpoint%start_s = watch%case_start_s
          ! A case that does not even notice that its time is up hangs: this process ends itself.
          if (watch%limits%largest_case_seconds > 0) call watchdog(ceiling(2*watch%limits%largest_case_seconds + 60))
-         call run(case, used, watch, result, shared, checkpoint)
+         shortage = memory_shortage(plan)
+         if (shortage == '') then
+            call run(case, used, watch, result, shared, checkpoint)
+         else
+            result = refused_result(case, plan, shortage)
+         end if
          call watchdog(0)
          if (result%status == status_interrupted) then
             call watch%store%stop(identity, error)

@@ -68,8 +68,8 @@ contains
       call file%finish(error)
    end subroutine write_results
 
-   !> Columns that follow from the sweep file; pending cases have them, too. Of a case that was run on finer grids for an accuracy
-   !> the record says what was used in the end.
+   !> Columns that follow from the sweep file; pending cases have them, too. Of a finished case its record says what was used: another
+   !> version can have planned it otherwise, and for an accuracy it can have been run on finer grids.
    subroutine write_inputs(file, sweep, contents, place)
       type(hdf5_file_t), intent(inout) :: file
       type(sweep_t), intent(in) :: sweep
@@ -77,21 +77,25 @@ contains
       integer, intent(in) :: place(:)
       type(column_t), allocatable :: columns(:)
       type(quantity_list_t) :: inputs
-      character(len=:), allocatable :: refinements
-      integer :: i, k
+      integer, allocatable :: number(:, :)        ! of a column, in each layout; 0: not there
+      integer :: i, k, l
 
       inputs = input_row(sweep, 1)
-      allocate (columns(inputs%count))
+      allocate (columns(inputs%count), number(inputs%count, size(contents%layouts)))
       do k = 1, size(columns)
          call columns(k)%init(inputs%items(k), size(sweep%cases))
+         do l = 1, size(contents%layouts)
+            number(k, l) = findloc(contents%layouts(l)%names == inputs%items(k)%name, .true., 1)
+         end do
       end do
       do i = 1, size(sweep%cases)
          inputs = input_row(sweep, i)
-         refinements = ''
-         if (place(i) > 0) refinements = contents%value(place(i), 'refinements')   ! '' in records of before
          do k = 1, size(columns)
-            if (scan(refinements, '123456789') > 0) &
-               call take_record(contents%value(place(i), trim(inputs%items(k)%name)), inputs%items(k))
+            if (place(i) > 0) then
+               associate (record => contents%cases(place(i)))
+                  call take_record(record%element(number(k, record%layout)), inputs%items(k))
+               end associate
+            end if
             call columns(k)%set(i, inputs%items(k))
          end do
       end do

@@ -8,6 +8,7 @@ module ehlwave_results_writer
    use ehlwave_results_file, only: write_results
    use ehlwave_store_contents, only: contents_t, read_store
    use ehlwave_sweep_cases, only: sweep_t
+   use ehlwave_terminal, only: say
    implicit none (type, external)
    private
 
@@ -41,7 +42,7 @@ contains
       if (done == self%done .or. now - self%last_s < self%interval_s) return
       self%done = done
       call self%write(contents, error)
-      if (allocated(error)) write (output_unit, '(a)') time_stamp()//' '//error%message
+      if (allocated(error)) call say(output_unit, time_stamp()//' '//error%message)
    end subroutine renew
 
    !> Write the file from what is in the store, which is handed back.

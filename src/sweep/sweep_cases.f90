@@ -11,6 +11,7 @@ module ehlwave_sweep_cases
    use ehlwave_input_completion, only: complete_input
    use ehlwave_key_list, only: find_key, key_list_t
    use ehlwave_kinds, only: dp
+   use ehlwave_store_names, only: newest_defaults
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
@@ -33,6 +34,8 @@ module ehlwave_sweep_cases
       type(case_plan_t), allocatable :: plans(:)
       character(len=identity_length), allocatable :: identity(:)
       type(case_limits_t) :: limits                !! what is asked of every case
+      integer :: defaults = newest_defaults        !! generation of the defaults of keys that its cases have
+      character(len=:), allocatable :: files(:)    !! that it was read from
       integer :: skipped = 0                       !! unresolved cases left out on request
       integer, allocatable :: varied(:)            !! numbers of the keys that its lists or columns give; unallocated: none
       character(len=:), allocatable :: notice      !! what the user should know about the sweep file, lines

@@ -7,7 +7,7 @@ module ehlwave_sweep_job
    use ehlwave_scheduler, only: follow, run_sweep
    use ehlwave_store, only: store_t
    use ehlwave_sweep_cases, only: case_limits_t, sweep_t
-   use ehlwave_sweep_leader, only: exit_bad_input, exit_done, job_options_t, job_t
+   use ehlwave_sweep_leader, only: exit_bad_input, exit_done, exit_not_written, job_options_t, job_t
    use ehlwave_terminal, only: complain
    use mpi_f08, only: mpi_allreduce, mpi_bcast, mpi_byte, mpi_character, mpi_comm, mpi_comm_rank, mpi_comm_size, &
       mpi_get_library_version, mpi_get_processor_name, mpi_ibarrier, mpi_integer, mpi_logical, mpi_lor, &
@@ -42,7 +42,7 @@ contains
       if (rank == 0) call job%prepare(sweep_path, sweep, options, ranks, store, error)
       if (is_anywhere(comm, allocated(error))) then
          if (rank == 0) call complain('ehlwave-sweep', error%message)
-         code = exit_bad_input
+         code = merge(exit_not_written, exit_bad_input, is_anywhere(comm, job%is_store_broken))
          return
       end if
       call share(comm, sweep, store, watch%limits)
@@ -107,18 +107,19 @@ contains
       type(sweep_t), intent(in) :: sweep
       type(store_t), intent(inout) :: store
       type(case_limits_t), intent(out) :: limits
-      integer :: numbers(2), rank
+      integer :: numbers(3), rank
 
       call mpi_comm_rank(comm, rank)
       if (rank == 0) then
          limits = sweep%limits
-         numbers = [store%run, len(store%folder)]
+         numbers = [store%run, store%defaults, len(store%folder)]
       end if
       call mpi_bcast(limits, storage_size(limits)/8, mpi_byte, 0, comm)
-      call mpi_bcast(numbers, 2, mpi_integer, 0, comm)
+      call mpi_bcast(numbers, size(numbers), mpi_integer, 0, comm)
       store%run = numbers(1)
-      if (rank /= 0) store%folder = repeat(' ', numbers(2))
-      call mpi_bcast(store%folder, numbers(2), mpi_character, 0, comm)
+      store%defaults = numbers(2)
+      if (rank /= 0) store%folder = repeat(' ', numbers(3))
+      call mpi_bcast(store%folder, numbers(3), mpi_character, 0, comm)
    end subroutine share
 
    !> Whether something is true on some rank.

@@ -35,7 +35,7 @@ contains
          'and the keys below. The other groups hold what all cases share.')
       call list%see(settings%case_file, key_t('case_file', 'CSV file of cases in place of lists; its columns are named as the '// &
          'keys above, or f_v', maximum=real(path_length, dp)))
-      call list%see(settings%output, key_t('output', 'results file', maximum=real(path_length, dp)))
+      call list%see(settings%output, key_t('output', 'results file; its name ends in .h5', maximum=real(path_length, dp)))
       call list%see(settings%unresolved, key_t('unresolved', "cases that their grid does not resolve; 'skip' leaves them out", &
          choices='run skip'))
       call list%see(settings%limits%largest_case_seconds, key_t('largest_case_seconds', 'wall time after which a case is given '// &

@@ -10,21 +10,26 @@ module ehlwave_sweep_leader
    use ehlwave_errors, only: error_t, raise
    use ehlwave_kinds, only: dp
    use ehlwave_output_path, only: check_output_path
+   use ehlwave_own_result, only: is_own_result
+   use ehlwave_paths, only: is_within
+   use ehlwave_posix, only: reason_text, remove_file
    use ehlwave_provenance, only: program_version
    use ehlwave_results_writer, only: results_writer_t
    use ehlwave_scheduler, only: leader_t
    use ehlwave_status, only: last_status
    use ehlwave_store, only: prepare_store, store_t
    use ehlwave_store_contents, only: contents_t, read_store
-   use ehlwave_store_folder, only: check_store, discard_store, store_path
+   use ehlwave_store_folder, only: check_store, refuse_inside_store
+   use ehlwave_store_names, only: store_path
+   use ehlwave_store_removal, only: discard_store
    use ehlwave_sweep_cases, only: sweep_t
    use ehlwave_sweep_expectation, only: expected_seconds
    use ehlwave_sweep_notices, only: print_notices
    use ehlwave_sweep_progress, only: progress_t
    use ehlwave_sweep_queue, only: new_queue
    use ehlwave_sweep_report, only: print_sweep_result
-   use ehlwave_sweep_start, only: choose_cases, refuse_changed_surfaces, set_aside_crashed
-   use ehlwave_terminal, only: complain, print_last
+   use ehlwave_sweep_start, only: choose_cases, refuse_changed_files, set_aside_crashed
+   use ehlwave_terminal, only: complain, print_last, say
    use ehlwave_text, only: shown, to_text
    use ehlwave_text_file, only: read_text
    implicit none (type, external)
@@ -74,29 +79,36 @@ contains
       has_store = .false.   ! results without a store were not made by this sweep: they are not replaced unasked
       if (folder == sweep%output) call raise(error, "results file '"//shown(folder)//"' has the name of a store: give one "// &
                                              "that ends in .h5")
-      call check_output_path(sweep%output, error)
+      call refuse_inside_store(sweep%output, error)
+      call check_output_path(sweep%output, files_read(sweep), options%overwrite, error)
+      if (options%overwrite) call refuse_dropped_inputs(folder, files_read(sweep), error)
       if (options%overwrite) call discard_store(folder, error)
       if (.not. (allocated(error) .or. options%overwrite)) call check_store(folder, has_store, error)
       inquire (file=sweep%output, exist=has_results)
       if (has_results .and. .not. (has_store .or. options%overwrite .or. allocated(error))) call raise(error, 'results file '// &
          sweep%output//' exists but not its store '//folder//': move it away, name another with --output, or give --overwrite')
+      store%defaults = sweep%defaults
       call prepare_store(folder, store, warning, error)
+      if (options%overwrite) call drop_foreign_results(sweep%output, error)
       call read_store(folder, input_identity, contents, error)
       if (.not. allocated(error)) call read_text(sweep_path, self%writer%sweep_text, error)
       if (allocated(error)) return
 
-      write (output_unit, '(a)') 'ehlwave-sweep '//program_version//': '//to_text(size(sweep%cases))//' cases on '// &
-         to_text(ranks)//' ranks, results in '//sweep%output
-      if (allocated(warning)) write (output_unit, '(a)') 'NOTICE: '//warning
-      if (sweep%skipped > 0) write (output_unit, '(a)') to_text(sweep%skipped)//' unresolved cases are left out as asked'
+      call say(output_unit, 'ehlwave-sweep '//program_version//': '//to_text(size(sweep%cases))//' cases on '// &
+         to_text(ranks)//' ranks, results in '//sweep%output)
+      if (allocated(warning)) call say(output_unit, 'NOTICE: '//warning)
+      if (sweep%skipped > 0) call say(output_unit, to_text(sweep%skipped)//' unresolved cases are left out as asked')
       allocate (to_run(size(sweep%cases)), status(size(sweep%cases)), seconds(size(sweep%cases)))
       call choose_cases(sweep, store, contents, options%retry, to_run, status, seconds)
-      call refuse_changed_surfaces(sweep, contents, to_run, error)
+      call refuse_changed_files(sweep, contents, to_run, error)
+      if (allocated(error)) return
       call store%open_log(error)
+      self%is_store_broken = allocated(error)
       if (allocated(error)) return
       call print_notices(sweep, contents, to_run, options%retry)
-      call list_cases(sweep, folder, error)
+      call list_cases(sweep, folder, store, error)
       call set_aside_crashed(sweep, contents, store, to_run, status, error)
+      self%is_store_broken = allocated(error)
       if (allocated(error)) return
       flush (output_unit)
 
@@ -113,10 +125,51 @@ contains
       self%queue = new_queue(sweep%cases, sweep%plans, to_run, seconds, ranks, expected_seconds(sweep%plans))
    end subroutine prepare
 
+   !> All files that a sweep has been made from: none of them is ever replaced.
+   function files_read(sweep) result(files)
+      type(sweep_t), intent(in) :: sweep
+      character(len=:), allocatable :: files(:)
+      integer :: i
+
+      allocate (character(len=0) :: files(0))
+      if (allocated(sweep%files)) files = sweep%files
+      do i = 1, size(sweep%cases)
+         associate (file => sweep%cases(i)%surface_file)
+            if (file == '' .or. any(files == file)) cycle
+            files = [character(len=max(len(files), len_trim(file))) :: files, file]
+         end associate
+      end do
+   end function files_read
+
+   !> Refuse to drop a store that holds a file which the sweep reads.
+   subroutine refuse_dropped_inputs(folder, files, error)
+      character(len=*), intent(in) :: folder     !! of the store
+      character(len=*), intent(in) :: files(:)
+      type(error_t), allocatable, intent(inout) :: error
+      integer :: i
+      do i = 1, size(files)
+         if (allocated(error)) return
+         if (is_within(trim(files(i)), folder)) call raise(error, trim(files(i))//', which the sweep reads, is in '//folder// &
+            ', which --overwrite would drop: move it')
+      end do
+   end subroutine refuse_dropped_inputs
+
+   !> Remove what overwriting was asked for and is no result: a run that goes on without being asked would refuse it.
+   subroutine drop_foreign_results(path, error)
+      character(len=*), intent(in) :: path       !! a regular file, or nothing
+      type(error_t), allocatable, intent(inout) :: error
+      integer :: status
+      if (allocated(error)) return
+      if (is_own_result(path)) return
+      call remove_file(path, status)
+      if (status /= 0) call raise(error, 'cannot remove '//path//': '//reason_text(status))
+   end subroutine drop_foreign_results
+
    !> The list of all cases, for `--status`.
-   subroutine list_cases(sweep, folder, error)
+   subroutine list_cases(sweep, folder, store, error)
       type(sweep_t), intent(in) :: sweep
       character(len=*), intent(in) :: folder     !! of the store
+      type(store_t), intent(inout) :: store
       type(error_t), allocatable, intent(inout) :: error
       type(case_list_t) :: list
       integer :: i
@@ -127,6 +180,7 @@ contains
          list%variation(i) = sweep%variation(i)
       end do
       call list%write(folder, error)
+      call store%note_list(list%checksum, error)
    end subroutine list_cases
 
    subroutine count_case(self, outcome)
@@ -165,8 +219,8 @@ contains
       code = merge(exit_failed, exit_done, self%progress%failed() > 0)
       if (self%progress%done() < self%progress%total) then
          code = exit_unfinished
-         write (output_unit, '(a)') time_stamp()//' stopped, because '//trim(self%reason)// &
-            '; the same command goes on with the rest'
+         call say(output_unit, time_stamp()//' stopped, because '//trim(self%reason)// &
+            '; the same command goes on with the rest')
       end if
       if (self%is_store_broken .or. allocated(error)) code = exit_not_written
       call print_last(time_stamp()//' the end, exit status '//to_text(code), is_written)

@@ -4,6 +4,7 @@ module ehlwave_sweep_notices
    use ehlwave_case_text, only: effective_input
    use ehlwave_store_contents, only: contents_t, this_build
    use ehlwave_sweep_cases, only: sweep_t
+   use ehlwave_terminal, only: say
    use ehlwave_text, only: next_line, to_text
    implicit none (type, external)
    private
@@ -19,11 +20,11 @@ contains
       character(len=*), intent(in) :: retry
       integer :: i, other, other_build, unlisted
 
-      if (contents%bad_lines > 0) write (output_unit, '(a)') to_text(contents%bad_lines)// &
-         ' records were cut off or damaged (killed while writing, full disk); they count as not written'
+      if (contents%bad_lines > 0) call say(output_unit, to_text(contents%bad_lines)// &
+         ' records were cut off or damaged (killed while writing, full disk); they count as not written')
       if (contents%count == 0) return
-      write (output_unit, '(a)') to_text(count(.not. to_run))//' of '//to_text(size(to_run))// &
-         ' cases are in the store already, '//to_text(count(to_run))//' to run'
+      call say(output_unit, to_text(count(.not. to_run))//' of '//to_text(size(to_run))// &
+         ' cases are in the store already, '//to_text(count(to_run))//' to run')
       other = 0
       unlisted = 0
       other_build = 0
@@ -36,13 +37,13 @@ contains
          end if
       end do
       if (unlisted > 0) then
-         write (output_unit, '(a)') 'NOTICE: the store also holds '//to_text(unlisted)//' finished cases that this sweep '// &
-            'file does not list; they stay in the store and out of the results file'
+         call say(output_unit, 'NOTICE: the store also holds '//to_text(unlisted)//' finished cases that this sweep '// &
+            'file does not list; they stay in the store and out of the results file')
          call print_changed_settings(sweep, contents)
       end if
-      if (other_build > 0 .and. retry /= 'version') write (output_unit, '(a)') 'NOTICE: '//to_text(other_build)// &
+      if (other_build > 0 .and. retry /= 'version') call say(output_unit, 'NOTICE: '//to_text(other_build)// &
          ' finished cases were computed by ehlwave '//contents%logs(other)%build()//', this is '//this_build// &
-         '; they are kept (each row of the results tells its version; --retry version computes them again)'
+         '; they are kept (each row of the results tells its version; --retry version computes them again)')
    end subroutine print_notices
 
    !> Lines of the effective input, beyond what a sweep varies, that differ from those of an earlier run.
@@ -60,7 +61,7 @@ contains
          last = -1
          do while (next_line(earlier, first, last))
             if (index(now, earlier(first:last)//new_line('a')) == 0) &
-               write (output_unit, '(a)') '   an earlier run had '//trim(adjustl(earlier(first:last)))
+               call say(output_unit, '   an earlier run had '//trim(adjustl(earlier(first:last))))
          end do
          exit
       end do

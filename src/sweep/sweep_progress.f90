@@ -5,10 +5,11 @@ module ehlwave_sweep_progress
    use ehlwave_clock, only: time_stamp, wall_seconds
    use ehlwave_kinds, only: dp
    use ehlwave_status, only: is_success, last_status, status_name
+   use ehlwave_terminal, only: say
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
-   public :: duration
+   public :: counted, duration
 
    type, public :: progress_t
       integer :: total = 0                           !! cases of the sweep
@@ -55,8 +56,8 @@ contains
       class(progress_t), intent(inout) :: self
       type(outcome_t), intent(in) :: outcome
       call self%count_case(outcome%status, outcome%seconds)
-      if (.not. is_success(outcome%status)) write (output_unit, '(a)') time_stamp()//' case '//to_text(outcome%case)//' '// &
-         status_name(outcome%status)//': '//trim(outcome%message)
+      if (.not. is_success(outcome%status)) call say(output_unit, time_stamp()//' case '//to_text(outcome%case)//' '// &
+         status_name(outcome%status)//': '//trim(outcome%message))
    end subroutine finished
 
    !> A line when it is time for one. Negative `seconds_left`: not known.
@@ -72,10 +73,19 @@ contains
       self%last_line_s = now
       left = 'unknown'
       if (seconds_left >= 0) left = duration(seconds_left/self%ranks)
-      write (output_unit, '(a)') time_stamp()//' '//to_text(self%done())//'/'//to_text(self%total)//' cases, '// &
-         to_text(self%failed())//' failed, '//duration(now - self%start_s)//' elapsed, '//left//' left'
+      call say(output_unit, time_stamp()//' '//to_text(self%done())//'/'//to_text(self%total)//' cases, '// &
+         to_text(self%failed())//' failed, '//duration(now - self%start_s)//' elapsed, '//left//' left')
       flush (output_unit)
    end subroutine tick
+
+   !> A number, to the right of a column, and what it counts.
+   pure function counted(number, width, what) result(text)
+      integer, intent(in) :: number, width
+      character(len=*), intent(in) :: what
+      character(len=:), allocatable :: text
+      text = to_text(number)
+      text = repeat(' ', max(0, width - len(text)))//text//' '//what
+   end function counted
 
    !> Time as h:mm:ss or m:ss.
    pure function duration(seconds) result(text)

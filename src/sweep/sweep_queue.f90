@@ -65,7 +65,7 @@ contains
       allocate (self%first(groups), self%next(size(plans)), source=0)
       allocate (self%left(groups), self%expected(size(plans)), source=0.0_dp)
       allocate (self%held(0:ranks - 1), source=0)
-      order = longest_first(plans%waviness%frequency())
+      order = longest_first(plans%surfaces%frequency())
       do n = size(plans), 1, -1
          i = order(n)
          if (.not. to_run(i)) cycle
@@ -147,6 +147,7 @@ contains
       real(dp), intent(in) :: seconds
       self%expected_left = self%expected_left - self%model%seconds(self%features(:, case))
       self%seconds(case) = seconds
+      self%to_run(case) = .false.
       self%known = self%known + 1
       if (self%known >= self%refit_at) call self%sort()
    end subroutine learn
@@ -161,7 +162,7 @@ contains
       do i = 1, size(self%expected)
          self%expected(i) = self%model%seconds(self%features(:, i))
       end do
-      self%expected_left = sum(self%expected, mask=self%to_run .and. .not. self%seconds > 0)
+      self%expected_left = sum(self%expected, mask=self%to_run)
       self%left = 0
       do g = 1, size(self%first)
          case = self%first(g)

@@ -3,10 +3,12 @@ module ehlwave_sweep_report
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_case_plan, only: case_plan_t, run_harmonic, run_march, run_smooth
    use ehlwave_kinds, only: dp
+   use ehlwave_memory, only: memory_limit_mib
    use ehlwave_status, only: last_status, status_name, status_pending
    use ehlwave_sweep_cases, only: sweep_t
    use ehlwave_sweep_expectation, only: expected_seconds
-   use ehlwave_sweep_progress, only: duration, progress_t
+   use ehlwave_sweep_progress, only: counted, duration, progress_t
+   use ehlwave_terminal, only: say
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
@@ -19,24 +21,25 @@ contains
       integer, intent(in) :: unit
       type(sweep_t), intent(in) :: sweep
       character(len=24) :: run
+      character(len=105) :: line
       integer :: i
 
-      write (unit, '(a)') '   case        M       L        D  orientation   lambda/a        grid       '// &
-         'run                  resolved   keys that vary besides'
+      call say(unit, '   case        M       L        D  orientation   lambda/a        grid       '// &
+         'run                  resolved   keys that vary besides')
       do i = 1, size(sweep%cases)
          associate (case => sweep%cases(i), plan => sweep%plans(i))
             run = to_text(plan%steps)//' time steps'
             if (plan%kind /= run_march) run = to_text(1 + plan%phases)//' steady states'
             if (plan%kind == run_smooth) run = '1 steady state'
             if (plan%kind == run_harmonic) run = 'linear response'
-            write (unit, '(i7,f9.1,f8.3,f9.4,2x,a12,f11.4,i7,a,i0,t76,a,t97,a,t106,a)') i, plan%conditions%m, plan%conditions%l, &
+            write (line, '(i7,f9.1,f8.3,f9.4,2x,a12,f11.4,i7,a,i0,t76,a,t97,a)') i, plan%conditions%m, plan%conditions%l, &
                plan%conditions%d, case%orientation, case%wavelength_over_a, plan%cells_x, ' x ', plan%cells_y, &
-               trim(run), merge('yes', 'NO ', plan%resolution%is_resolved), &
-               sweep%variation(i)
+               trim(run), merge('yes', 'NO ', plan%resolution%is_resolved)
+            call say(unit, line//sweep%variation(i))
          end associate
       end do
-      write (unit, '(i0,a,i0,a,i0,a)') size(sweep%cases), ' cases, ', count(sweep%plans%resolution%is_resolved), &
-         ' resolved, ', sweep%skipped, ' unresolved ones left out'
+      call say(unit, to_text(size(sweep%cases))//' cases, '//to_text(count(sweep%plans%resolution%is_resolved))// &
+         ' resolved, '//to_text(sweep%skipped)//' unresolved ones left out')
       call print_expectation(unit, sweep%plans)
    end subroutine print_sweep_plan
 
@@ -45,21 +48,24 @@ contains
       integer, intent(in) :: unit
       type(case_plan_t), intent(in) :: plans(:)
       character(len=:), allocatable :: text
-      real(dp) :: errors(size(plans)), memory_mib, seconds(size(plans))
+      real(dp) :: errors(size(plans)), memory_mib(size(plans)), seconds(size(plans))
       integer :: i, line_contacts, worst
 
       seconds = expected_seconds(plans)
       line_contacts = count(.not. ieee_is_finite(seconds))
-      memory_mib = maxval([(plans(i)%expected_memory_mib(), i=1, size(plans))])
+      memory_mib = [(plans(i)%expected_memory_mib(), i=1, size(plans))]
       errors = merge(plans%expected_error, 0.0_dp, ieee_is_finite(plans%expected_error))
       worst = maxloc(errors, 1, mask=errors > 0)
       text = 'Expected     '
       if (worst > 0) text = text//duration(sum(seconds, mask=ieee_is_finite(seconds)))//' of computing on this machine (a '// &
          'model, usually right within a factor 2), errors up to '//to_text(errors(worst), 2)//' (case '// &
          to_text(worst)//'), '
-      write (unit, '(a)') text//to_text(memory_mib, 2)//' MiB a rank, and what MPI takes'
-      if (line_contacts > 0) write (unit, '(a)') '             '//to_text(line_contacts)// &
-         ' line contacts besides, which have no model of time and error'
+      call say(unit, text//to_text(maxval(memory_mib), 2)//' MiB a rank, and what MPI takes')
+      if (any(memory_mib > memory_limit_mib())) call say(unit, '             TOO LITTLE MEMORY for '// &
+         to_text(count(memory_mib > memory_limit_mib()))//' cases: a rank here can have '// &
+         to_text(nint(memory_limit_mib()))//' MiB. They will be over_budget')
+      if (line_contacts > 0) call say(unit, '             '//to_text(line_contacts)// &
+         ' line contacts besides, which have no model of time and error')
    end subroutine print_expectation
 
    !> Counts by status and where the results are.
@@ -70,12 +76,12 @@ contains
       integer :: status
 
       do status = 0, last_status
-         if (progress%counts(status) > 0) write (unit, '(i7,1x,a)') progress%counts(status), status_name(status)
+         if (progress%counts(status) > 0) call say(unit, counted(progress%counts(status), 7, status_name(status)))
       end do
       if (progress%done() < progress%total) &
-         write (unit, '(i7,1x,a)') progress%total - progress%done(), status_name(status_pending)
-      write (unit, '(a)') to_text(progress%seconds, 4)//' s of computing, results in '//output
-      if (progress%failed() > 0) write (unit, '(a)') 'Cases that did not converge are rows with their status and message.'
+         call say(unit, counted(progress%total - progress%done(), 7, status_name(status_pending)))
+      call say(unit, to_text(progress%seconds, 4)//' s of computing, results in '//output)
+      if (progress%failed() > 0) call say(unit, 'Cases that did not converge are rows with their status and message.')
    end subroutine print_sweep_result
 
 end module ehlwave_sweep_report

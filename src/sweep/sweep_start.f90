@@ -9,14 +9,16 @@ module ehlwave_sweep_start
    use ehlwave_errors, only: error_t, raise
    use ehlwave_json_reader, only: json_string
    use ehlwave_kinds, only: dp
+   use ehlwave_own_result, only: is_own_result
    use ehlwave_status, only: is_success, status_crashed, status_pending
    use ehlwave_store, only: store_t
    use ehlwave_store_contents, only: contents_t
    use ehlwave_sweep_cases, only: sweep_t
+   use ehlwave_terminal, only: say
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
-   public :: choose_cases, refuse_changed_surfaces, set_aside_crashed
+   public :: choose_cases, refuse_changed_files, set_aside_crashed
 
    integer, parameter :: most_deaths = 2   !! of its process in a case, before it is set aside
 
@@ -45,31 +47,37 @@ contains
          to_run(i) = status(i) == status_pending .or. (retry == 'failed' .and. .not. is_success(status(i))) .or. &
                      (retry == 'version' .and. .not. contents%logs(contents%cases(place)%log)%is_by_this_build)
          if (sweep%cases(i)%fields .and. .not. to_run(i)) then
-            inquire (file=store%fields_path(sweep%identity(i)), exist=has_fields)
+            has_fields = is_own_result(store%fields_path(sweep%identity(i)))   ! and whole
             to_run(i) = is_success(status(i)) .and. .not. has_fields
          end if
       end do
    end subroutine choose_cases
 
-   !> Refuse to go on where a stored result is that of another content of the file of its surface: an identity holds the path.
-   subroutine refuse_changed_surfaces(sweep, contents, to_run, error)
+   !> Refuse to go on where a stored result is that of another content of a file that the case reads: an identity holds
+   !> the path.
+   subroutine refuse_changed_files(sweep, contents, to_run, error)
       type(sweep_t), intent(in) :: sweep
       type(contents_t), intent(in) :: contents
       logical, intent(in) :: to_run(:)
       type(error_t), allocatable, intent(inout) :: error
       character(len=:), allocatable :: stored
-      integer :: i
+      integer :: f, i
 
       do i = 1, size(sweep%cases)
-         if (allocated(error)) return
-         if (to_run(i) .or. sweep%plans(i)%surface_digest == '') cycle
-         stored = json_string(contents%value(contents%index%find(sweep%identity(i)), 'surface_digest'))
-         if (stored == '' .or. stored == sweep%plans(i)%surface_digest) cycle
-         call raise(error, "&surface file = '"//trim(sweep%cases(i)%surface_file)//"' has other heights than when case "// &
-                    to_text(i)//' was stored: put the old file back, give the new one another name, or begin anew with '// &
-                    '--overwrite')
+         if (to_run(i)) cycle
+         do f = 1, size(sweep%plans(i)%files)
+            if (allocated(error)) return
+            associate (file => sweep%plans(i)%files(f))
+               if (file%path == '') cycle
+               stored = json_string(contents%value(contents%index%find(sweep%identity(i)), trim(file%name)//'_digest'))
+               if (stored == '' .or. stored == file%digest) cycle
+               call raise(error, file%key//" = '"//file%path//"' has other numbers than when case "//to_text(i)// &
+                          ' was stored: put the old file back, give the new one another name, or begin anew with '// &
+                          '--overwrite')
+            end associate
+         end do
       end do
-   end subroutine refuse_changed_surfaces
+   end subroutine refuse_changed_files
 
    !> Cases whose process died in two runs are stored as `crashed` and not tried again; says so.
    subroutine set_aside_crashed(sweep, contents, store, to_run, status, error)
@@ -95,7 +103,7 @@ contains
                            time_stamp(), store, error)
          to_run(case) = .false.
          status(case) = status_crashed
-         write (output_unit, '(a)') 'NOTICE: case '//to_text(case)//' is set aside: '//result%message
+         call say(output_unit, 'NOTICE: case '//to_text(case)//' is set aside: '//result%message)
       end do
    end subroutine set_aside_crashed
 

@@ -9,9 +9,11 @@ module ehlwave_sweep_status
    use ehlwave_kinds, only: dp
    use ehlwave_posix, only: is_locked
    use ehlwave_status, only: is_success, last_status, status_name
-   use ehlwave_store_folder, only: check_store, lock_name, store_path
+   use ehlwave_store_folder, only: check_store, refuse_lost_records
+   use ehlwave_store_names, only: cases_name, lock_name, store_path
    use ehlwave_store_contents, only: contents_t, read_store
-   use ehlwave_sweep_progress, only: duration
+   use ehlwave_sweep_progress, only: counted, duration
+   use ehlwave_terminal, only: say
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
@@ -46,7 +48,13 @@ contains
       if (allocated(error)) return
       is_working = is_locked(folder//'/'//lock_name)
       call read_store(folder, input_identity, contents, error)
+      call refuse_lost_records(folder, error)
       call list%read(folder, error)
+      if (allocated(error)) return
+      ! a job that began in between has written another one
+      if (is_locked(folder//'/'//lock_name)) contents%list_checksum = ''
+      if (contents%list_checksum /= '' .and. contents%list_checksum /= list%checksum) call raise(error, folder//'/'// &
+         cases_name//' is not whole: the sweep, started again, writes it anew')
       if (allocated(error)) return
 
       n = size(list%identity)
@@ -54,19 +62,19 @@ contains
       found = pack(place, place > 0)
       is_finished = size(found) == n
       failed = count(.not. is_success(contents%cases(found)%status))
-      write (unit, '(a)') 'Store        '//folder//', '//trim(merge('a job is at work ', 'no job is at work', is_working))
-      write (unit, '(a)') 'Cases        '//to_text(n)//': '//to_text(size(found))//' finished, '//to_text(n - size(found))// &
-         ' left'
+      call say(unit, 'Store        '//folder//', '//trim(merge('a job is at work ', 'no job is at work', is_working)))
+      call say(unit, 'Cases        '//to_text(n)//': '//to_text(size(found))//' finished, '//to_text(n - size(found))// &
+         ' left')
       do status = 0, last_status
          if (any(contents%cases(found)%status == status)) &
-            write (unit, '(i16,1x,a)') count(contents%cases(found)%status == status), status_name(status)
+            call say(unit, counted(count(contents%cases(found)%status == status), 16, status_name(status)))
       end do
-      if (is_working) write (unit, '(a)') 'Under way    '//to_text(count(contents%logs%run == contents%runs .and. &
-         contents%logs%in_flight /= ''))//' cases on '//to_text(count(contents%logs%run == contents%runs))//' ranks'
-      if (contents%count > size(found)) write (unit, '(a)') 'Not listed   '//to_text(contents%count - size(found))// &
-         ' finished cases that the sweep file no longer lists'
-      if (contents%bad_lines > 0) write (unit, '(a)') 'Damaged      '//to_text(contents%bad_lines)// &
-         ' records were cut off; they count as not written'
+      if (is_working) call say(unit, 'Under way    '//to_text(count(contents%logs%run == contents%runs .and. &
+         contents%logs%in_flight /= ''))//' cases on '//to_text(count(contents%logs%run == contents%runs))//' ranks')
+      if (contents%count > size(found)) call say(unit, 'Not listed   '//to_text(contents%count - size(found))// &
+         ' finished cases that the sweep file no longer lists')
+      if (contents%bad_lines > 0) call say(unit, 'Damaged      '//to_text(contents%bad_lines)// &
+         ' records were cut off; they count as not written')
       call print_times(unit, contents, list, place, found)
       associate (variation => pack(list%variation, place > 0))
          call print_slowest(unit, contents, found, variation)
@@ -89,8 +97,8 @@ contains
       do i = 1, size(place)
          if (place(i) > 0) seconds(i) = contents%cases(place(i))%seconds
       end do
-      write (unit, '(a)') 'Time         '//duration(sum(contents%cases(found)%seconds))//' of computing in '// &
-         to_text(contents%runs)//' runs of the program'
+      call say(unit, 'Time         '//duration(sum(contents%cases(found)%seconds))//' of computing in '// &
+         to_text(contents%runs)//' runs of the program')
       if (size(found) == size(place)) return
       model = fit_cost_model(list%features, seconds)
       left = 0
@@ -99,10 +107,10 @@ contains
       end do
       ranks = max(1, count(contents%logs%run == contents%runs))
       if (model%is_fitted) then
-         write (unit, '(a)') 'Time left    '//duration(left/ranks)//' on '//to_text(ranks)//' ranks, '//duration(left)// &
-            ' of computing'
+         call say(unit, 'Time left    '//duration(left/ranks)//' on '//to_text(ranks)//' ranks, '//duration(left)// &
+            ' of computing')
       else
-         write (unit, '(a)') 'Time left    unknown until a case is finished'
+         call say(unit, 'Time left    unknown until a case is finished')
       end if
    end subroutine print_times
 
@@ -118,8 +126,8 @@ contains
       do k = 1, min(slowest_shown, size(found))
          place = maxloc(contents%cases(found)%seconds, 1, mask=.not. is_shown)
          is_shown(place) = .true.
-         write (unit, '(a)') merge('Slowest      ', '             ', k == 1)// &
-            one_case(contents, found(place), variation(place))//', '//to_text(contents%cases(found(place))%seconds, 4)//' s'
+         call say(unit, merge('Slowest      ', '             ', k == 1)// &
+            one_case(contents, found(place), variation(place))//', '//to_text(contents%cases(found(place))%seconds, 4)//' s')
       end do
    end subroutine print_slowest
 
@@ -136,12 +144,12 @@ contains
             if (is_success(record%status)) cycle
             shown = shown + 1
             if (shown > failed_shown) cycle
-            write (unit, '(a)') merge('Failed       ', '             ', shown == 1)// &
+            call say(unit, merge('Failed       ', '             ', shown == 1)// &
                one_case(contents, found(i), variation(i))//', '//status_name(record%status)//': '// &
-               json_string(contents%value(found(i), 'message'))
+               json_string(contents%value(found(i), 'message')))
          end associate
       end do
-      if (shown > failed_shown) write (unit, '(a)') '             and '//to_text(shown - failed_shown)//' more'
+      if (shown > failed_shown) call say(unit, '             and '//to_text(shown - failed_shown)//' more')
    end subroutine print_failed
 
    !> Identity, conditions and what else varies of a case.

@@ -1,4 +1,4 @@
-!> Response of a steady contact to small harmonic waviness: one linear system, no time stepping.
+!> Response of a steady contact to small harmonic waviness: one linear system, theory eq. (W2), no time stepping.
 module ehlwave_harmonic_response
    use ehlwave_complex_gmres, only: gmres_t
    use ehlwave_complex_linearised_contact, only: linearised_contact_t
@@ -20,7 +20,7 @@ module ehlwave_harmonic_response
    !> two steps more.
    real(dp), parameter :: response_tolerance = 1e-5_dp
 
-   !> What a pattern of amplitude A does to first order in A. The pattern is the real part of
+   !> What a pattern of amplitude A does to first order in A. The pattern is the real part of, theory eq. (W1),
    !>
    !>     A exp(i (kx X - w T)) cos(ky Y)   or   A exp(i (kx X + ky Y - w T))  (oblique),    w = kx S,
    !>

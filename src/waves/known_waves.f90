@@ -17,7 +17,7 @@ module ehlwave_known_waves
    implicit none (type, external)
    private
 
-   !> Waves of amplitude A about the steady state u0 of smooth surfaces, everywhere and for ever:
+   !> Waves of amplitude A about the steady state u0 of smooth surfaces, everywhere and for ever, theory eq. (W9):
    !>
    !>     u(T) = u0 + A^2 u20 + Re(A u1 exp(-i w T)) + Re(A^2 u22 exp(-2 i w T)),     u = P, H, Delta,
    !>

@@ -1,4 +1,4 @@
-!> How film and response answer to the oil: derivatives by alpha and by the stress of the flow law, by linear solves.
+!> How film and response answer to the oil: derivatives by alpha and stress of the flow law, theory eq. (W10), (W11).
 !>
 !> Load, speed, geometry, E', viscosity at ambient pressure and all else of the oil stay as they are, so that of the dimensionless
 !> numbers only these change:

@@ -212,9 +212,9 @@ contains
       real(dp), intent(in) :: t
       real(dp), allocatable :: rough(:, :)
       if (allocated(self%waves)) then
-         rough = self%settings%amplitude*self%settings%waviness%shape_fixed(grid%x, grid%y, -self%waves%frequency*t)
+         rough = self%settings%surfaces%rough_of_waves(grid%x, grid%y, t, self%settings%film)
       else
-         rough = self%settings%amplitude*self%settings%waviness%shape_at(grid%x, grid%y, t)
+         rough = self%settings%surfaces%rough_at(grid%x, grid%y, t, self%settings%film)
       end if
    end function rough_at
 

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from studies.programs import MPI_ENVIRONMENT, program
 
-LONGEST_S = float(os.environ.get("EHLWAVE_LONGEST", "10"))   # an idle machine is assumed
+LONGEST_S = float(os.environ.get("EHLWAVE_LONGEST", "10"))   # of the processor, whatever else the machine does
 LARGEST_MIB = 1024
 LONGEST_LINE = 2200
 REFUSED = 2
@@ -52,7 +52,7 @@ def attack(name, *arguments, folder, stdout=None, limit_s=None):
     """Run `case` or `sweep`; a pipe where no writer ever comes must not stop it for longer than the limit."""
     command = [str(program(name)), *map(str, arguments)]
     out, err = Path(folder, "attack.out"), Path(folder, "attack.err")
-    limit_s = limit_s or 6*LONGEST_S
+    limit_s = limit_s or 60*LONGEST_S
     with (open(stdout, "wb") if stdout else out.open("wb")) as output, err.open("wb") as errors:
         process = subprocess.Popen(command, cwd=folder, env={**os.environ, **MPI_ENVIRONMENT}, stdin=subprocess.DEVNULL,
                                    stdout=output, stderr=errors, preexec_fn=_small_stack)

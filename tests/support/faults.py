@@ -12,11 +12,10 @@ import shutil
 import subprocess
 from pathlib import Path
 
-from ehlwave_program import MPI_ENVIRONMENT, namelist
+from ehlwave_program import HANGS_S, MPI_ENVIRONMENT, namelist
 from hdf5_reading import read
 from store_reading import finished
 
-LIMIT_S = 120
 OWN_STATUS = (0, 1, 2, 3, 85)
 FINISHED = (0, 1)
 ERRORS = {"open": [errno.EIO, errno.EACCES, errno.ENOSPC, errno.EMFILE], "read": [errno.EIO, 0], "fsync": [errno.EIO, 0],
@@ -56,7 +55,7 @@ class Faults:
                 environment["EHLWAVE_FAULT_COUNT"] = str(count)
         try:
             outcome = subprocess.run([os.environ["EHLWAVE_SWEEP"], "sweep.nml"], cwd=place, env=environment, capture_output=True,
-                                     text=True, stdin=subprocess.DEVNULL, timeout=LIMIT_S, check=False)
+                                     text=True, stdin=subprocess.DEVNULL, timeout=HANGS_S, check=False)
         except subprocess.TimeoutExpired:
             return None, ""
         return outcome.returncode, outcome.stdout + outcome.stderr

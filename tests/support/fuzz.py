@@ -18,7 +18,8 @@ import time
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-LONGEST_S = float(os.environ.get("EHLWAVE_LONGEST", "10"))
+LONGEST_S = float(os.environ.get("EHLWAVE_LONGEST", "10"))   # of the processor, whatever else the machine does
+HANGS_S = 60*LONGEST_S   # by the clock
 LARGEST_MIB = int(os.environ.get("EHLWAVE_LARGEST_MIB", "1024"))
 FRESH = 5000   # inputs of a process: HDF5 keeps something of every damaged file, and takes longer over each
 PLACE = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None   # of the inputs
@@ -167,7 +168,7 @@ class Target:
         begin = self.cpu()
         self.process.stdin.write(" ".join(self.words).encode() + b"\n")
         self.process.stdin.flush()
-        ready, _, _ = select.select([self.process.stdout], [], [], 6*LONGEST_S)
+        ready, _, _ = select.select([self.process.stdout], [], [], HANGS_S)
         answer = self.process.stdout.readline() if ready else b""
         if not answer:
             self.process.kill()

@@ -18,7 +18,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from ehlwave_program import MPI_ENVIRONMENT, mpi_command, namelist
+from ehlwave_program import HANGS_S, MPI_ENVIRONMENT, mpi_command, namelist
 from faults import Faults
 from hdf5_reading import read
 from store_reading import finished
@@ -75,7 +75,7 @@ class Torture:
 
     def wait(self, process):
         """Exit status of a run. An mpirun that locks up when its ranks have died is killed, as `run-sweep` does, and counted."""
-        end, stuck = time.monotonic() + 600, None
+        end, stuck = time.monotonic() + HANGS_S, None
         while process.poll() is None:
             now = time.monotonic()
             stuck = (stuck or now) if _has_only_dead_children(process.pid) else None
@@ -84,7 +84,7 @@ class Torture:
                 self.counts["mpirun that locked up"] = self.counts.get("mpirun that locked up", 0) + 1
                 stuck = None
             if now > end:
-                raise subprocess.TimeoutExpired(process.args, 600)
+                raise subprocess.TimeoutExpired(process.args, HANGS_S)
             time.sleep(0.02)
         return process.returncode
 
@@ -95,13 +95,13 @@ class Torture:
 
     def wait_until_begun(self, process, before):
         """Wait for the first line of a run."""
-        end = time.monotonic() + 60
+        end = time.monotonic() + HANGS_S
         while self.log_length() <= before and process.poll() is None and time.monotonic() < end:
             time.sleep(0.02)
 
     def wait_for_cases(self, process, number):
         """Wait until a run has stored some more cases: on a fast machine sooner than on a busy one."""
-        end = time.monotonic() + 60
+        end = time.monotonic() + HANGS_S
         while len(finished(self.disk/"results.store")) < len(self.held) + number and process.poll() is None \
                 and time.monotonic() < end:
             time.sleep(0.01)

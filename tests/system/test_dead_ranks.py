@@ -6,7 +6,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from ehlwave_program import EIGHT_CASES, IS_LONG, MPI_ENVIRONMENT, SKIPPED, is_open_mpi, mpi_command, namelist
+from ehlwave_program import EIGHT_CASES, HANGS_S, IS_LONG, MPI_ENVIRONMENT, SKIPPED, is_open_mpi, mpi_command, namelist
 from hdf5_reading import read
 from store_reading import finished
 from torture import CIRCUMSTANCES
@@ -32,7 +32,7 @@ class DeadRanks(unittest.TestCase):
         folder.mkdir(exist_ok=True)
         (folder/"sweep.nml").write_text(namelist(EIGHT_CASES))
         return folder, subprocess.run([*command, os.environ["EHLWAVE_SWEEP"], "sweep.nml"], cwd=folder, capture_output=True,
-                                      env={**os.environ, **MPI_ENVIRONMENT, **variables}, text=True, timeout=100, check=False)
+                                      env={**os.environ, **MPI_ENVIRONMENT, **variables}, text=True, timeout=HANGS_S, check=False)
 
     def finish(self, name):
         """Columns of the results of a run that nothing disturbs, but for where and when."""

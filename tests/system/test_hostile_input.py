@@ -1,6 +1,7 @@
 """Inputs that are long, large, damaged or meant to harm: refused in a line, in linear time, in little memory."""
 
 import base64
+import struct
 import tempfile
 import unittest
 import zlib
@@ -104,12 +105,45 @@ class HostileInput(unittest.TestCase):
                 file["x"] = [8e-6*i for i in range(7)]
                 file["y"] = [8e-6*i for i in range(5)]
             self.judge(what, needle, "case", "case.nml", "--plan")
+        self.surfaces_elsewhere(h5py)
         whole = (self.folder/"s.h5").read_bytes()
         self.write("s.h5", whole[:len(whole)//2])
         self.judge("half a file", "s.h5", "case", "case.nml", "--plan")
         for number, data in enumerate(BROKEN):
             self.write("s.h5", zlib.decompress(data))
             self.judge(f"what the library breaks down on, {number}", "is damaged", "case", "case.nml", "--plan")
+
+    def surfaces_elsewhere(self, h5py):
+        """Heights that are in other files, which are not read, and many that are in none."""
+        heights = [[1e-8*(i*j % 5) for i in range(16)] for j in range(16)]
+        steps = [8e-6*i for i in range(16)]
+        with h5py.File(self.folder/"other.h5", "w") as file:
+            file["height"] = heights
+        self.write("raw", file_of(heights))
+        virtual = h5py.VirtualLayout(shape=(16, 16), dtype="f8")
+        virtual[:] = h5py.VirtualSource("other.h5", "height", shape=(16, 16))
+        for what, make in [
+                ("external link", lambda file: file.__setitem__("height", h5py.ExternalLink("other.h5", "/height"))),
+                ("soft link", lambda file: file.update({"g": h5py.ExternalLink("other.h5", "/"), "height": h5py.SoftLink("/g/height")})),
+                ("external storage", lambda file: file.create_dataset("height", (16, 16), "f8", external=[("raw", 0, 2048)])),
+                ("virtual dataset", lambda file: file.create_virtual_dataset("height", virtual))]:
+            with h5py.File(self.folder/"s.h5", "w") as file:
+                make(file)
+                file["x"] = file["y"] = steps
+            self.judge(what, "not in the file itself", "case", "case.nml", "--plan")
+        with h5py.File(self.folder/"s.h5", "w") as file:
+            for name, shape in [("height", (7000, 7000)), ("x", (7000,)), ("y", (7000,))]:
+                file.create_dataset(name, shape, "f8", chunks=(8,)*len(shape))[:1] = 1e-8 if name != "height" else [[1e-8]*7000]
+        self.assertLess((self.folder/"s.h5").stat().st_size, 10**6)
+        self.judge("49 million heights in 0.5 MB", "cannot be read", "case", "case.nml", "--plan")
+        (self.folder/"s.h5").unlink()
+        with h5py.File(self.folder/"s.h5", "w") as file:
+            file["height"], file["x"], file["y"] = heights, steps, steps
+
+
+def file_of(rows):
+    """The bytes of numbers, as external storage has them."""
+    return struct.pack(f"{sum(map(len, rows))}d", *(value for row in rows for value in row))
 
 
 if __name__ == "__main__":

@@ -129,6 +129,28 @@ class Install(unittest.TestCase):
         with (self.folder/"rows.csv").open(newline="") as table:
             self.assertEqual(len(list(csv.DictReader(table))), 2)
 
+    def test_a_python_without_packages_is_told_what_to_install(self):
+        """One line, whatever is asked for, and no exit status of success."""
+        bare = shutil.which("python3", path=os.defpath + ":/usr/local/bin") or "python3"
+        (self.folder/"bare").write_text(f'#!/bin/sh\nexec {bare} -S "$@"\n')   # without what is installed beside it
+        (self.folder/"bare").chmod(0o755)
+        for arguments in (["export", "results.h5", "--csv", "rows.csv"], ["--help"], []):
+            said = self.run_here(self.prefix/"bin"/"ehlwave", *arguments, status=2, EHLWAVE_PYTHON=str(self.folder/"bare")).stderr
+            self.assertRegex(said, r"^ehlwave: [^\n]* is missing: [^\n]* -m pip install numpy scipy h5py [^\n]*\n$")
+        said = self.run_here(self.prefix/"bin"/"ehlwave", status=2, EHLWAVE_PYTHON="/nowhere/python").stderr
+        self.assertRegex(said, r"^ehlwave: there is no /nowhere/python: [^\n]*\n$")
+
+    def test_links_of_documents_lead_somewhere(self):
+        documents = [path for path in self.prefix.rglob("*.md")]
+        self.assertIn(self.prefix/"share"/"doc"/"ehlwave"/"inputs"/"README.md", documents)
+        followed = 0
+        for path in documents:
+            for link in re.findall(r"\]\(([^)#\s]+)", path.read_text()):
+                if not re.match("[a-z]+:", link):
+                    self.assertTrue((path.parent/link).exists(), f"{path}: {link}")
+                    followed += 1
+        self.assertGreater(followed, 50)
+
     def test_the_python_package_is_whole(self):
         """What stands beside the modules, as the atlas, is installed with them, by CMake and by pip."""
         source = ROOT/"postprocess"/"src"

@@ -11,7 +11,7 @@ import unittest
 from pathlib import Path
 
 from attack import REFUSED, attack
-from ehlwave_program import MPI_ENVIRONMENT, mpi_command, namelist
+from ehlwave_program import HANGS_S, MPI_ENVIRONMENT, mpi_command, namelist
 from hdf5_reading import read
 from store_reading import finished
 
@@ -165,13 +165,13 @@ class OddFiles(unittest.TestCase):
         self.assertIn("pressure", read(self.folder/"case.h5")[1])
 
     def test_reader_that_leaves(self):
-        """The output goes into a pipe that nobody reads: what is computed is stored."""
+        """The output goes into a pipe that nobody reads: what is computed is stored, and nothing is wrong."""
         reading, writing = os.pipe()
         os.close(reading)
         process = subprocess.Popen([os.environ["EHLWAVE_SWEEP"], "sweep.nml"], cwd=self.folder, stdout=writing,
                                    stderr=subprocess.DEVNULL, env={**os.environ, **MPI_ENVIRONMENT})
         os.close(writing)
-        self.assertEqual(process.wait(timeout=60), NOT_WRITTEN)
+        self.assertEqual(process.wait(timeout=HANGS_S), 0)
         self.assertEqual(len(finished(self.folder/"results.store")), 3)
 
     def test_early_signal(self):
@@ -184,7 +184,7 @@ class OddFiles(unittest.TestCase):
                                            stderr=subprocess.STDOUT, text=True, env={**os.environ, **MPI_ENVIRONMENT})
                 wait_for_mpi(process.pid)
                 process.send_signal(number)
-                text = process.communicate(timeout=60)[0]
+                text = process.communicate(timeout=HANGS_S)[0]
                 self.assertEqual(process.returncode, UNFINISHED, text)
                 self.assertIn("stopped, because a signal asked for it", text)
                 self.assertEqual(finished(self.folder/"results.store"), {})
@@ -196,11 +196,11 @@ class OddFiles(unittest.TestCase):
         command = [*mpi_command(2), os.environ["EHLWAVE_SWEEP"], "sweep.nml"]
         process = subprocess.Popen(command, cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
                                    env={**os.environ, **MPI_ENVIRONMENT})
-        end = time.monotonic() + 60
+        end = time.monotonic() + HANGS_S
         while len(finished(self.folder/"results.store")) < 4 and time.monotonic() < end:
             time.sleep(0.01)
         process.terminate()
-        self.assertNotEqual(process.wait(timeout=60), 0)
+        self.assertNotEqual(process.wait(timeout=HANGS_S), 0)
         done = len(finished(self.folder/"results.store"))
         self.assertGreaterEqual(done, 4)
         self.assertIn(f"600: {done} finished", self.run_program("sweep", "--status", "results.h5", status=UNFINISHED))
@@ -208,7 +208,7 @@ class OddFiles(unittest.TestCase):
 
 def wait_for_mpi(pid):
     """Wait until a process begins to load the components of MPI."""
-    end = time.monotonic() + 20
+    end = time.monotonic() + HANGS_S
     while "/mca_" not in Path(f"/proc/{pid}/maps").read_text():
         if time.monotonic() > end:
             raise AssertionError("MPI is never started")

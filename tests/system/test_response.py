@@ -1,6 +1,7 @@
 """The key `response`: fields, refusals, and sweeps that share steady states."""
 
 import math
+import re
 import tempfile
 import unittest
 from pathlib import Path
@@ -41,6 +42,21 @@ class Response(TestCase):
         self.assertAlmostEqual(math.atan2(harmonic["harmonic_imaginary"], harmonic["harmonic_real"]),
                                harmonic["harmonic_phase"], delta=1e-12)
 
+    def test_the_report_has_the_sensitivities_of_the_result(self):
+        groups = {"conditions": {**CONTACT, "reduced_modulus_pa": 2.26e11, "slip_parameter": 1.2}, "grid": GRID, "waviness": WAVES,
+                  "lubricant": {"flow_law": "eyring", "eyring_stress_pa": 5e6}}
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder, "case.nml")
+            path.write_text(namelist({**groups, "output": {"sensitivities": True}}))
+            outcome = run("case", path, "--json")
+            path.write_text(namelist(groups))
+            self.assertNotIn("Sensitivity", run("case", path).stdout)
+        result = last_line(outcome)
+        for name in ("alpha", "stress"):
+            printed = re.search(rf"Sensitivity  H\(0,0\) goes with the power (\S+) of {name}, Ad/Ai with (\S+)", outcome.stdout)
+            for number, quantity in zip(printed.groups(), ("film", "response"), strict=True):
+                self.assertAlmostEqual(float(number)/result[f"{quantity}_sensitivity_{name}"], 1, delta=1e-3)
+
     def test_plan(self):
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder, "case.nml")
@@ -63,6 +79,21 @@ class Response(TestCase):
         self.assertTrue(0.005 < harmonic["expected_error"] < both["expected_error"] <= 0.02)
         self.assertAlmostEqual(both["time_step"], 4/both["cells_x"], delta=1e-12)
         self.assertLess(harmonic["expected_work_units"], 0.05*both["expected_work_units"])
+
+    def test_waves_that_touch(self):
+        """No negative film is a result: to second order these waves would go 0.005 into the other surface."""
+        waviness = {"orientation": "isotropic", "wavelength_over_a": 1.9, "response": "harmonic"}
+        films = {}
+        for amplitude in (0.5, 1):
+            films[amplitude] = solve(conditions={"load_parameter_m": 184, "lubricant_parameter_l": 15, "radius_ratio_d": 0.63},
+                                     grid={"cells_x": 96, "cells_y": 96, "edges": "flooded"},
+                                     waviness={**waviness, "amplitude_over_film": amplitude})
+        self.assertGreater(films[0.5]["smallest_film"], 0)
+        self.assertFalse(films[0.5]["surfaces_touch"])
+        self.assertIsNone(films[1]["smallest_film"])
+        self.assertTrue(films[1]["surfaces_touch"])
+        self.assertIn("would touch the other surface at X", films[1]["warning"])
+        self.assertIn("would touch", films[1]["validity"])
 
     def test_refusals(self):
         self.refuse("response", waviness={**WAVES, "response": "linear"})

@@ -12,7 +12,7 @@ import unittest
 from pathlib import Path
 
 import private_slurm
-from ehlwave_program import MPI_ENVIRONMENT, SKIPPED, namelist
+from ehlwave_program import HANGS_S, MPI_ENVIRONMENT, SKIPPED, namelist
 from hdf5_reading import read
 from store_reading import count_records, finished
 
@@ -45,7 +45,7 @@ class Slurm(unittest.TestCase):
         said = re.search(r"task \d+: exit status (\d+)$", self.log(task).rstrip())
         return said is not None and said.group(1) != "85"
 
-    def wait(self, is_done, seconds=780):
+    def wait(self, is_done, seconds=HANGS_S):
         """Wait for the jobs; one that is requeued starts again after some seconds, not after the two minutes of Slurm.
 
         Not at once: a start in the second of the requeue is refused, as its credential counts as revoked. An empty queue

@@ -9,7 +9,7 @@ import time
 import unittest
 from pathlib import Path
 
-from ehlwave_program import MPI_ENVIRONMENT, mpi_command, namelist
+from ehlwave_program import HANGS_S, MPI_ENVIRONMENT, mpi_command, namelist
 from store_reading import finished
 
 TABLE = """load_parameter_m,radius_ratio_d,orientation,wavelength_over_a,response,slip_parameter,method,end_time
@@ -42,17 +42,17 @@ class SmallSweep(unittest.TestCase):
 
     def test_it_is_stopped_and_goes_on(self):
         process = self.start()
-        end = time.monotonic() + 60
+        end = time.monotonic() + HANGS_S
         while not finished(self.folder/"results.store") and process.poll() is None and time.monotonic() < end:
             time.sleep(0.02)
         process.send_signal(signal.SIGUSR1)
-        said, _ = process.communicate(timeout=150)
+        said, _ = process.communicate(timeout=HANGS_S)
         self.assertNotRegex(said, COMPLAINTS)
         held = len(finished(self.folder/"results.store"))
         self.assertGreater(held, 0, said)
 
         process = self.start()
-        said, _ = process.communicate(timeout=150)
+        said, _ = process.communicate(timeout=HANGS_S)
         self.assertEqual(process.returncode, 0, said)
         self.assertNotRegex(said, COMPLAINTS)
         self.assertIn(f"{held} of {CASES} cases are in the store already", said)

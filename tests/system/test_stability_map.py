@@ -5,7 +5,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from ehlwave_program import SKIPPED, TestCase, last_line, namelist, run
+from ehlwave_program import HANGS_S, SKIPPED, TestCase, last_line, namelist, run
 
 try:
     from studies.stability.cases import quick_cases, sliding_cases
@@ -16,7 +16,7 @@ except ImportError as error:
     sys.exit(SKIPPED)
 
 EVERY = 11
-LIMIT = 60
+LIMIT = int(HANGS_S)   # seconds of a case
 
 
 def touching(orientation, **conditions):

@@ -1,5 +1,6 @@
 """A store that version 0.1.0 made is read, continued and computed anew; one of a later format is refused with a way out."""
 
+import json
 import os
 import shutil
 import subprocess
@@ -61,4 +62,39 @@ class StoreFormat(unittest.TestCase):
 
     def test_its_default_goes_with_it(self):
         """What it was begun with holds until it is dropped or the sweep file says otherwise."""
+        sweep = self.folder/"sweep.nml"
         self.assertIn("0 to run", self.run_sweep("sweep.nml"))
+        sweep.write_text(sweep.read_text().replace("&grid ", "&grid edges = 'flooded', "))
+        self.assertIn("2 to run", self.run_sweep("sweep.nml"))
+        self.assertEqual({row["edges"] for row in self.rows().values()}, {"flooded"})
+        shutil.copy(OLD/"sweep.nml", sweep)
+        said = self.run_sweep("sweep.nml", "--overwrite")
+        self.assertNotIn("by default", said)
+        self.assertEqual({row["edges"] for row in self.rows().values()}, {"flooded"})
+        self.assertIn("0 to run", self.run_sweep("sweep.nml"))
+
+    def test_it_can_be_computed_anew(self):
+        self.run_sweep("sweep.nml", "--retry", "version")
+        rows = self.rows()
+        for case, old in self.old.items():
+            self.assertNotEqual(rows[case]["git_revision"], "5f3acfed5bc9")
+            self.assertAlmostEqual(rows[case]["harmonic_ratio"]/old["harmonic_ratio"], 1, delta=1e-5)
+
+    def test_a_later_format_is_refused_and_left_alone(self):
+        (self.store/"store").write_text("ehlwave-store 9\n")
+        before = {path: path.read_bytes() for path in self.store.rglob("*") if path.is_file()}
+        for arguments in (["sweep.nml"], ["--status", "results.h5"], ["sweep.nml", "--overwrite"]):
+            said = self.run_sweep(*arguments, status=2)
+            for word in ("'ehlwave-store 9'", "'ehlwave-store 1'", "use the program that made it, or name another results file"):
+                self.assertIn(word, said)
+        self.assertEqual({path: path.read_bytes() for path in self.store.rglob("*") if path.is_file()}, before)
+
+    def test_the_old_store_is_of_its_own_format(self):
+        """So that nobody makes it anew with a later program: what it tests is that the old one is read."""
+        (log,) = (OLD/"results.store"/"records").iterdir()
+        header = json.loads(log.read_text().split("\n")[0].split(" ", 3)[3])
+        self.assertNotIn("build_type", [name for name, _ in header[0]])
+
+
+if __name__ == "__main__":
+    unittest.main()

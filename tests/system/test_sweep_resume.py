@@ -8,7 +8,7 @@ import time
 import unittest
 from pathlib import Path
 
-from ehlwave_program import MPI_ENVIRONMENT, is_open_mpi, mpi_command, namelist, run
+from ehlwave_program import HANGS_S, MPI_ENVIRONMENT, is_open_mpi, mpi_command, namelist, run
 from hdf5_reading import h5py, read
 from store_reading import count_records, finished
 from torture import CIRCUMSTANCES
@@ -53,7 +53,7 @@ class SweepResume(unittest.TestCase):
         return process
 
     def wait_for(self, condition):
-        end = time.monotonic() + 60
+        end = time.monotonic() + HANGS_S
         while not condition():
             self.assertLess(time.monotonic(), end, "nothing happens")
             time.sleep(0.02)
@@ -76,13 +76,30 @@ class SweepResume(unittest.TestCase):
                   "surface": {"file": "s.h5"}, "grid": {"cells_x": 32, "cells_y": 32}, "dynamics": {"end_time": 0.25},
                   "sweep": {"slip_parameter": [1, 1.2]}}
         for height, status, needle in [(1e-8, 0, ""), (1e-8, 0, "2 of 2 cases are in the store already"),
-                                       (1.1e-8, 2, "'s.h5' has other heights than when case 1 was stored")]:
+                                       (1.1e-8, 2, "'s.h5' has other numbers than when case 1 was stored")]:
             with h5py.File(self.folder/"s.h5", "w") as file:
                 file["x"] = [8e-6*i for i in range(65)]
                 file["y"] = [0.0]
                 file["height"] = [[height if 20 < i < 40 else 0.0 for i in range(65)]]
             self.assertIn(needle, self.sweep(groups, status=status))
         self.sweep(groups, "--overwrite")
+
+    def test_changed_viscosities_are_refused(self):
+        """Nor do they hold what is in a table of viscosities; cases of another law do not read it."""
+        table = "pressure_pa,viscosity_pa_s\n0,0.05\n1e8,0.3\n4e8,20\n"
+        groups = {"conditions": {"load_parameter_m": 100, "lubricant_parameter_l": 8, "radius_ratio_d": 1},
+                  "lubricant": {"viscosity_table": "oil.csv", "temperature_k": 320},
+                  "grid": {"cells_x": 32, "cells_y": 32}, "sweep": {"viscosity_law": ["roelands", "table"]}}
+        changed = "&lubricant viscosity_table = 'oil.csv' has other numbers than when case 2"
+        for last, status, needle in [("1e9,5e3", 0, ""), ("1e9,5000", 0, "2 of 2 cases are in the store already"),
+                                     ("1e9,5001", 2, changed)]:
+            (self.folder/"oil.csv").write_text(table + last)
+            self.assertIn(needle, self.sweep(groups, status=status))
+        _, data = read(self.folder/"results.h5")
+        self.assertEqual(list(data["viscosity_file"]), ["", "oil.csv"])
+        (self.folder/"oil.csv").unlink()
+        self.assertIn("oil.csv: no such file", self.sweep(groups, status=2))
+        self.sweep({**groups, "sweep": {"viscosity_law": ["roelands"]}, "lubricant": {}})
 
     def test_only_what_is_new_runs(self):
         self.sweep(QUICK)
@@ -218,7 +235,7 @@ class SweepResume(unittest.TestCase):
             process = self.start("--output", output + ".h5", ranks=ranks)
             self.wait_for(lambda: count_records(self.folder/(output + ".store"), "start") == 1)
             process.send_signal(number)
-            text = process.communicate(timeout=60)[0]
+            text = process.communicate(timeout=HANGS_S)[0]
             # MPICH's mpiexec ends with 0 after SIGUSR1 whatever its ranks say; scripts/run-sweep asks the store.
             self.assertIn(process.returncode, [UNFINISHED, 0] if ranks and not is_open_mpi() else [UNFINISHED], text)
             self.assertIn("a signal asked for it", text)
@@ -310,7 +327,7 @@ class SweepResume(unittest.TestCase):
             self.wait_for(lambda: count_records(self.store(), "start") == deaths)
             header = next(record for record in self.records(deaths) if record.startswith("run "))
             os.kill(int(header.split("]],[")[1].split(",")[4]), signal.SIGKILL)
-        text = process.communicate(timeout=60)[0]
+        text = process.communicate(timeout=HANGS_S)[0]
         self.assertEqual(process.returncode, 4, text)
         self.assertIn("start 1 of at most 1 again", text)
         self.assertIn("ranks died 2 times", text)

@@ -1,12 +1,13 @@
 """Many cases that take no time: size of the store, all of them there once, more ranks than cores, memory and handles."""
 
 import os
+import re
 import subprocess
 import tempfile
 import unittest
 from pathlib import Path
 
-from ehlwave_program import MPI_ENVIRONMENT, mpi_command, report, run
+from ehlwave_program import MPI_ENVIRONMENT, mpi_command, namelist, report, run
 from growth import LARGEST_GROWTH_KIB, growth, samples_of
 from hdf5_reading import read
 
@@ -32,6 +33,29 @@ class SweepScale(unittest.TestCase):
             outcome = run("sweep", "--status", "results.h5", folder=folder)
             self.assertEqual(outcome.returncode, 0, outcome.stderr)
             self.assertIn(f"{CASES} finished, 0 left", outcome.stdout)
+
+    def test_disk_of_a_case(self):
+        """What the README says of real cases; what is the same for any number of them falls out of the difference."""
+        text = (Path(__file__).parents[2]/"src"/"sweep"/"README.md").read_text()
+        said = re.search(r"smooth (\S+) and (\S+) kB a case, linear responses (\S+) and (\S+) kB", text)
+        patterns = {}, {"orientation": "transverse", "wavelength_over_a": 2, "response": "harmonic"}
+        for number, pattern in enumerate(patterns):
+            sizes = [self.disk(count, pattern) for count in (100, 200)]
+            for part, name in enumerate(("store", "results file")):
+                bytes_ = (sizes[1][part] - sizes[0][part])/100
+                report(f"{name}: {bytes_:.0f} bytes a case")
+                self.assertLess(abs(bytes_/(1000*float(said[1 + 2*number + part])) - 1), 0.1, name)
+
+    def disk(self, count, pattern):
+        """Bytes in the records of a store and in the results file of so many small cases."""
+        sweep = {"load_parameter_m": [20 + 90*i/count for i in range(count)], "lubricant_parameter_l": 5, "radius_ratio_d": 1,
+                 "output": "results.h5"}
+        with tempfile.TemporaryDirectory() as folder:
+            Path(folder, "sweep.nml").write_text(namelist({"sweep": sweep, "waviness": pattern, "grid": {"cells_x": 32, "cells_y": 32}}))
+            outcome = run("sweep", "sweep.nml", folder=folder)
+            self.assertIn(outcome.returncode, (0, 1), outcome.stderr)
+            return [sum(path.stat().st_size for path in Path(folder, "results.store", "records").iterdir()),
+                    Path(folder, "results.h5").stat().st_size]
 
     def test_more_ranks_than_cores(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -25,7 +25,7 @@ contains
       call test%check_no_error(error, 'conditions from M, L, D')
    end function from_moes
 
-   !> Steel ball on glass disc, section 6 of the theory.
+   !> Steel ball on glass disc: the experiment of Venner, Kaneta and Lubrecht (2000), section 4.
    function experiment(mean_speed) result(data)
       real(dp), intent(in) :: mean_speed
       type(contact_data_t) :: data

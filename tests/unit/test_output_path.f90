@@ -12,12 +12,14 @@ program test_output_path
 
    call execute_command_line('rm -rf '//folder//' && mkdir '//folder//' && cd '//folder//' && mkfifo pipe && echo kept >'// &
                              ' victim &&'// &
-                             ' ln -s victim link && ln -s nowhere dangling && : > file && ln -s victim new.h5.part && : > '// &
-                             'left.h5.part-abcdefgh && : > other.h5.part-abcdefgh')
-   call accept(folder//'/file')
+                             ' ln -s victim link && ln -s nowhere dangling && : > empty.h5 && echo data > data.h5 &&'// &
+                             ' ln data.h5 twin.h5 &&'// &
+                             ' mkdir sub && ln -s ../data.h5 sub/link.nml && ln -s victim new.h5.part && : > '// &
+                             'left.h5.part-abcdefgh && : > other.h5.part-abcdefgh && : > left.h5.part-HOLIDAYS')
    call accept(folder//'/new.h5')
    call accept(folder//'/left.h5')
-   call check_left('left.h5.part-*', 0, 'what a dead process left of this file is removed')
+   call check_left('left.h5.part-abc*', 0, 'what a dead process left of this file is removed')
+   call check_left('left.h5.part-HOL*', 1, 'what it cannot have left stays')
    call check_left('other.h5.part-*', 1, 'what is of another file stays')
    call refuse(folder//'/pipe', 'not a regular file')
    call test%check_equal(file_kind(folder//'/pipe'), kind_other, 'the pipe is still there')
@@ -27,6 +29,17 @@ program test_output_path
    call refuse(folder, 'it is a folder')
    call refuse(folder//'/', 'names no file')
    call refuse('  ', 'names no file')
+   call refuse(folder//'/empty.h5', 'no result of ehlwave')
+   call refuse(folder//'/data.h5', 'no result of ehlwave')
+   call accept(folder//'/data.h5', overwrites=.true.)
+   call refuse(folder//'/data.h5', 'which the run reads', input=folder//'/data.h5')
+   call refuse(folder//'/data.h5', 'which the run reads', input=folder//'/sub/../data.h5')
+   call refuse(folder//'/data.h5', 'which the run reads', input=folder//'/sub/link.nml')
+   call refuse(folder//'/data.h5', 'which the run reads', input=folder//'/twin.h5')
+   call refuse(folder//'/new', 'ends in .h5')
+   call refuse(folder//'/new.csv', 'ends in .h5')
+   call refuse(folder//'/new.H5', 'ends in .h5')
+   call refuse(folder//'/.h5', 'ends in .h5')
    call refuse('no-such-folder/file.h5', 'cannot write')
    call refuse(folder//'/'//repeat('x', 250), 'cannot write')
    call replace_file(folder//'/new.h5', 'results', status)
@@ -40,17 +53,24 @@ program test_output_path
 
 contains
 
-   subroutine accept(path)
+   subroutine accept(path, overwrites)
       character(len=*), intent(in) :: path
+      logical, intent(in), optional :: overwrites
       type(error_t), allocatable :: error
-      call check_output_path(path, error)
+      call check_output_path(path, [character(len=1) ::], present(overwrites), error)
       call test%check_no_error(error, path)
    end subroutine accept
 
-   subroutine refuse(path, needle)
+   !> Overwriting is asked for where there is an input: that is refused all the same.
+   subroutine refuse(path, needle, input)
       character(len=*), intent(in) :: path, needle
+      character(len=*), intent(in), optional :: input
       type(error_t), allocatable :: error
-      call check_output_path(path, error)
+      if (present(input)) then
+         call check_output_path(path, [input], .true., error)
+      else
+         call check_output_path(path, [character(len=1) ::], .false., error)
+      end if
       call test%check_error(error, needle, path)
    end subroutine refuse
 

@@ -11,7 +11,7 @@ program test_store
    use ehlwave_status, only: status_converged, status_stalled
    use ehlwave_store, only: prepare_store, store_t
    use ehlwave_store_contents, only: contents_t, read_store
-   use ehlwave_store_folder, only: log_name
+   use ehlwave_store_names, only: log_name
    use ehlwave_text, only: to_text
    use ehlwave_text_file, only: read_whole_file
    use testing, only: test_t

@@ -2,8 +2,9 @@
 program test_store_folder
    use ehlwave_errors, only: error_t
    use ehlwave_posix, only: make_folder, replace_file
-   use ehlwave_store_folder, only: check_store, defaults_of_store, discard_store, log_name, newest_defaults, store_path, &
-      take_folder
+   use ehlwave_store_folder, only: check_store, refuse_inside_store, take_folder
+   use ehlwave_store_names, only: log_name, newest_defaults, store_path
+   use ehlwave_store_removal, only: discard_store
    use testing, only: test_t
    implicit none (type, external)
 
@@ -15,6 +16,7 @@ program test_store_folder
    call check_file()
    call check_foreign_folder()
    call check_life()
+   call check_foreign_parts()
    call check_other_format()
    call test%finish()
 
@@ -33,7 +35,7 @@ contains
       character(len=:), allocatable :: warning
       integer :: status
       call replace_file(folder, 'a file', status)
-      call take_folder(folder, warning, error)
+      call take_folder(folder, newest_defaults, warning, error)
       call test%check_error(error, 'is not a folder', 'a file in place of a store')
       call execute_command_line('rm -rf '//folder)
    end subroutine check_file
@@ -45,7 +47,7 @@ contains
       logical :: is_there
       call make_folder(folder, status)
       call replace_file(file, 'of somebody else', status)
-      call take_folder(folder, warning, error)
+      call take_folder(folder, newest_defaults, warning, error)
       call test%check_error(error, 'not the store of a sweep', 'the folder of somebody else')
       deallocate (error)
       call discard_store(folder, error)
@@ -61,28 +63,61 @@ contains
       logical :: is_there
       call check_store(folder, is_there, error)
       call test%check(.not. is_there .and. .not. allocated(error), 'nothing')
-      call take_folder(folder, warning, error)
+      call take_folder(folder, newest_defaults, warning, error)
       call test%check_no_error(error, 'a new store')
       call check_store(folder, is_there, error)
       call test%check(is_there .and. .not. allocated(error), 'a store')
-      call test%check_equal(defaults_of_store(folder), newest_defaults, 'it has the defaults of today')
-      call execute_command_line('rm '//folder//'/defaults')
-      call test%check_equal(defaults_of_store(folder), 0, 'those of stores that do not say')
+      call refuse_inside_store(folder//'/r.h5', error)
+      call test%check_error(error, 'is the store of a sweep', 'results in a store')
+      deallocate (error)
+      call refuse_inside_store(folder//'/fields/../fields/r.h5', error)
+      call test%check_error(error, 'is the store of a sweep', 'results in a folder of a store')
+      deallocate (error)
+      call refuse_inside_store('r.h5', error)
+      call test%check_no_error(error, 'results beside a store')
       call discard_store(folder, error)
       call test%check_no_error(error, 'discard')
       call check_store(folder, is_there, error)
       call test%check(.not. is_there, 'nothing again')
-      call test%check_equal(defaults_of_store(folder), newest_defaults, 'of a store to be made')
-      call take_folder('no-such-folder/a.store', warning, error)
+      call take_folder('no-such-folder/a.store', newest_defaults, warning, error)
       call test%check_error(error, 'cannot write', 'in a folder that is not there')
    end subroutine check_life
+
+   !> What somebody has put into a store, and links in place of its parts, stay as they are.
+   subroutine check_foreign_parts()
+      character(len=*), parameter :: other = 'test_store_folder.other', identity = '0123456789ABCDEF'
+      type(error_t), allocatable :: error
+      character(len=:), allocatable :: warning
+      integer :: status
+      logical :: is_there
+
+      call take_folder(folder, newest_defaults, warning, error)
+      call replace_file(folder//'/fields/mine.h5', 'kept', status)
+      call replace_file(folder//'/fields/'//identity//'.h5', 'ours', status)
+      call discard_store(folder, error)
+      call test%check_error(error, "holds 'mine.h5'", 'a file of somebody among the fields')
+      deallocate (error)
+      inquire (file=folder//'/fields/'//identity//'.h5', exist=is_there)
+      call test%check(is_there, 'nothing is removed')
+      call execute_command_line('rm -rf '//other//' && mkdir '//other//' && mv '//folder//'/fields/* '//other//' && rmdir '// &
+                                folder//'/fields && ln -s ../'//other//' '//folder//'/fields')
+      call discard_store(folder, error)
+      call test%check_error(error, 'is a link', 'fields elsewhere')
+      deallocate (error)
+      call take_folder(folder, newest_defaults, warning, error)
+      call test%check_error(error, 'is a link', 'nor is it gone on with')
+      deallocate (error)
+      inquire (file=other//'/'//identity//'.h5', exist=is_there)
+      call test%check(is_there, 'what a link leads to stays')
+      call execute_command_line('rm -rf '//other//' '//folder)
+   end subroutine check_foreign_parts
 
    subroutine check_other_format()
       type(error_t), allocatable :: error
       character(len=:), allocatable :: warning
       integer :: status
       logical :: is_there
-      call take_folder(folder, warning, error)
+      call take_folder(folder, newest_defaults, warning, error)
       call replace_file(folder//'/store', 'ehlwave-store 99'//new_line('a'), status)
       call check_store(folder, is_there, error)
       call test%check_error(error, 'ehlwave-store 99', 'a store of another format')

@@ -43,6 +43,12 @@ program test_sweep_case_list
    call test%check_close(sum(abs(back%features(:, 1))), 0.0_dp, 'features that cannot be read are 0', absolute=0.0_dp)
    call test%check_close(back%features(:, 2), list%features(:, 2), 'those of the others stay', relative=1e-5_dp)
 
+   call replace_file(folder//'/cases', text(:len(text) - 20), status)
+   back = case_list_t()
+   call back%read(folder, error)
+   call test%check_error(error, 'is not whole', 'a list that is cut short')
+   deallocate (error)
+
    text = repeat('0', 16)//repeat('  1.00000E+00', feature_count)//new_line('a')
    call replace_file(folder//'/cases', text, status)
    back = case_list_t()

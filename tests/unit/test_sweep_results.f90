@@ -20,7 +20,7 @@ program test_sweep_results
    use ehlwave_status, only: status_stalled
    use ehlwave_store, only: prepare_store, store_t
    use ehlwave_store_contents, only: contents_t, read_store
-   use ehlwave_store_folder, only: log_name
+   use ehlwave_store_names, only: log_name
    use ehlwave_sweep_cases, only: sweep_t
    use hdf5_readback, only: attribute_of, numbers_of, text_of
    use testing, only: test_t

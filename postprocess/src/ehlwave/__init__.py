@@ -2,8 +2,8 @@
 
 Answers in one call: :class:`Contact`. The programs from Python: :class:`Case`, :class:`Study`.
 Their results: :func:`read_results`, :func:`read_case`, and what draws, fits and tabulates them.
-Measured surfaces: :mod:`ehlwave.deform`. Stresses below: :mod:`ehlwave.stress`. What is asked for
-is imported when it is.
+Measured surfaces: :mod:`ehlwave.deform`. Stresses below them: :mod:`ehlwave.stress`. Modules are
+imported on first use.
 """
 
 from importlib import import_module
@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from ehlwave.deform import deform_surface, read_surface
     from ehlwave.driver import Case, Study
     from ehlwave.errors import (
+        ExtrapolationWarning,
         ProgramError,
         RangeError,
         ResultsError,
@@ -41,7 +42,14 @@ _HOMES = {
     "atlas": ("Atlas", "load_atlas"),
     "deform": ("deform_surface", "read_surface"),
     "driver": ("Case", "Study"),
-    "errors": ("ProgramError", "RangeError", "ResultsError", "StressError", "SurfaceError"),
+    "errors": (
+        "ExtrapolationWarning",
+        "ProgramError",
+        "RangeError",
+        "ResultsError",
+        "StressError",
+        "SurfaceError",
+    ),
     "figures": ("collapse_figure", "write_figure"),
     "fit": (
         "FitError",
@@ -65,6 +73,7 @@ __all__ = [
     "Atlas",
     "Case",
     "Contact",
+    "ExtrapolationWarning",
     "Film",
     "FitError",
     "FormulaFit",

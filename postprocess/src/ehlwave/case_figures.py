@@ -11,6 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 from numpy.typing import NDArray
 
+from ehlwave.contact import central_film, check_field, number, positive
 from ehlwave.figures import COLOURS
 
 Floats = NDArray[np.float64]
@@ -43,12 +44,12 @@ def units_of(case: xr.Dataset) -> Units:
     """Return the units of a case read by :func:`ehlwave.read_case`."""
     if "length_a_m" not in case:
         return Units(1, 1, 1, 1, 1, ("$x/a$", "$y/b$", "$h/c$", "$p/p_h$", "$T$"))
-    a, c = (float(case[name]) * 1e6 for name in ("length_a_m", "length_c_m"))
-    b = float(case["length_b_m"]) * 1e6 if "length_b_m" in case else a
+    a, c = (number(case, name) * 1e6 for name in ("length_a_m", "length_c_m"))
+    b = number(case, "length_b_m") * 1e6 if "length_b_m" in case else a
     speed = re.search(r"mean_speed_m_per_s = (\S+)", str(case.attrs.get("effective_input", "")))
-    time = None if speed is None else a / float(speed[1])
+    time = None if speed is None else a / positive(speed[1], "mean_speed_m_per_s", case)
     names = (r"$x$ [$\mu$m]", r"$y$ [$\mu$m]", r"$h$ [$\mu$m]", "$p$ [GPa]", r"$t$ [$\mu$s]")
-    return Units(a, b, c, float(case["hertz_pressure_pa"]) * 1e-9, time, names)
+    return Units(a, b, c, number(case, "hertz_pressure_pa") * 1e-9, time, names)
 
 
 def case_figure(case: xr.Dataset) -> Figure:
@@ -68,6 +69,9 @@ def case_figure(case: xr.Dataset) -> Figure:
     units = units_of(case)
     is_line = case["y"].size == 1
     has_time = case["time"].size > 1 if "time" in case else False
+    if has_time:
+        check_field(case, "time", ("time",))
+        check_field(case, "film_at_centre", ("time",))
     with rc_context(_STYLE):
         if is_line:
             figure = Figure(figsize=(7.6, 3.0), layout=ConstrainedLayoutEngine(w_pad=0.15))
@@ -76,7 +80,7 @@ def case_figure(case: xr.Dataset) -> Figure:
             figure = Figure(figsize=(10.6, 5.6), layout=ConstrainedLayoutEngine(w_pad=0.15))
             panels = figure.subplots(2, 3)
             (film_map, pressure_map, history), (lengthwise, crosswise, spare) = panels
-            central = float(case["central_film"])
+            central = central_film(case)
             _draw_map(film_map, case["film"].clip(max=FILM_SHOWN * central), units, units.film)
             film_map.set_title(f"film, {units.names[2]}")
             _draw_map(pressure_map, case["pressure"], units, units.pressure, "magma")
@@ -116,7 +120,7 @@ def _frame(axes: Axes, field: xr.DataArray, units: Units) -> None:
 
 def _draw_contours(axes: Axes, case: xr.Dataset, units: Units) -> None:
     """Draw films by lines of equal thickness, as an interferogram shows them."""
-    central = float(case["central_film"])
+    central = central_film(case)
     film = case["film"] / central
     x, y = case["x"] * units.x, case["y"] * units.y
     lines = axes.contour(x, y, film, np.arange(0.2, 2.01, 0.2), cmap="viridis", linewidths=0.8)
@@ -132,7 +136,7 @@ def _draw_midplane(axes: Axes, case: xr.Dataset, units: Units, along: str) -> No
     place = line[along].values * scale
     axes.plot(place, line["film"].values * units.film, color=COLOURS[0])
     axes.set(xlabel=units.names[0 if along == "x" else 1])
-    axes.set_ylim(0, FILM_SHOWN * float(case["central_film"]) * units.film)
+    axes.set_ylim(0, FILM_SHOWN * central_film(case) * units.film)
     axes.set_xlim(*(scale * np.clip([line[along].min(), line[along].max()], -REACH, REACH)))
     axes.set_ylabel(units.names[2], color=COLOURS[0])
     right = axes.twinx()
@@ -146,7 +150,7 @@ def _draw_history(axes: Axes, case: xr.Dataset, units: Units) -> None:
     film = case["film_at_centre"].values * units.film
     scale = 1 if units.time is None else units.time
     axes.plot(case["time"].values * scale, film, color=COLOURS[0], label="in the contact")
-    central = float(case["central_film"]) * units.film
+    central = central_film(case) * units.film
     undeformed = undeformed_history(case)
     low, high = film.min(), film.max()
     if undeformed is not None:
@@ -170,20 +174,21 @@ def undeformed_history(case: xr.Dataset) -> Floats | None:
     """
     effective_input = str(case.attrs.get("effective_input", ""))
     given = re.search(r"amplitude_over_film = (\S+)", effective_input)
-    wave = float(case["wavelength_x_over_a"]) if "wavelength_x_over_a" in case else 0.0
+    wave = number(case, "wavelength_x_over_a") if "wavelength_x_over_a" in case else 0.0
     if given is None or not wave > 0 or case.attrs.get("orientation") == "none":
         return None
-    central, slip = float(case["central_film"]), float(case["slip_parameter"])
-    place = -float(case["domain_x_min"]) - slip * case["time"].values
+    central, slip = central_film(case), number(case, "slip_parameter")
+    place = -number(case, "domain_x_min") - slip * case["time"].values
     front = 10.0 ** (-10 * np.minimum(np.maximum(place / wave, 0) ** 2, 30))
-    return central * (1 + float(given[1]) * front * np.cos(2 * np.pi * place / wave))
+    amplitude = positive(given[1], "amplitude_over_film", case)
+    return central * (1 + amplitude * front * np.cos(2 * np.pi * place / wave))
 
 
 def _summary(case: xr.Dataset, units: Units) -> str:
-    lines = [str(case.attrs.get("status", "")), f"M = {float(case['load_parameter_m']):.5g}"]
-    lines.append(f"L = {float(case['lubricant_parameter_l']):.5g}")
+    lines = [str(case.attrs.get("status", "")), f"M = {number(case, 'load_parameter_m'):.5g}"]
+    lines.append(f"L = {number(case, 'lubricant_parameter_l'):.5g}")
     for name, text in (("central_film", "central film"), ("minimum_film", "smallest film")):
-        lines.append(f"{text}: {units.names[2]} {float(case[name]) * units.film:.4g}")
+        lines.append(f"{text}: {units.names[2]} {number(case, name) * units.film:.4g}")
     if "harmonic_ratio" in case and np.isfinite(case["harmonic_ratio"]):
-        lines.append(f"$A_d/A_i$ of small waves: {float(case['harmonic_ratio']):.3f}")
+        lines.append(f"$A_d/A_i$ of small waves: {number(case, 'harmonic_ratio'):.3f}")
     return "\n".join(lines)

@@ -3,22 +3,25 @@
 import argparse
 import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import xarray as xr
+from matplotlib.figure import Figure
 
 from ehlwave import figures, tables
 from ehlwave.case_figures import case_figure
 from ehlwave.contact import contact_figure, read_contact
-from ehlwave.deform.cli import add_commands
+from ehlwave.deform.cli import add_commands, add_overwrite
 from ehlwave.deform.harmonics import write_harmonic_table
-from ehlwave.errors import ResultsError
+from ehlwave.errors import ResultsError, printable
 from ehlwave.points import RATIO_COLUMNS, VARIABLES, remarks, resolved_only, select_points
 from ehlwave.read import read_results
 from ehlwave.refit import RefitSettings, refit_groups
 from ehlwave.schema import EDGES
 from ehlwave.stress.cli import add_stress_command
+from ehlwave.terminal import plain_text_only
+from ehlwave.writing import Writer
 
 COLLAPSE_COLUMNS = (
     "case_id",
@@ -46,21 +49,52 @@ COLLAPSE_COLUMNS = (
 )
 
 
+OUTPUTS = ("output", "csv")
+"""Options that name what is written; every other path is an input."""
+
+BAD_INPUT = 2
+NOT_WRITTEN = 3
+"""Exit statuses, as of the programs."""
+
+
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run the command; return 0, or 1 with a message on standard error."""
-    options = _parser().parse_args(arguments)
-    try:
-        options.run(options)
-        sys.stdout.flush()
-    except ResultsError as error:
-        return _fail(str(error))
-    except BrokenPipeError:
-        # The reader of our output has gone; keep Python from saying so again at exit.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return 1
-    except OSError as error:
-        return _fail(f"{error.filename or 'output'}: {error.strerror or error}")
+    """Run the command.
+
+    Returns
+    -------
+    int
+        0; with a message on standard error 2 for what cannot be used or must not be replaced, 3 for
+        output that cannot be written.
+    """
+    with plain_text_only():
+        options = _parser().parse_args(arguments)
+        try:
+            options.writer = Writer(
+                _inputs(options), overwrite=getattr(options, "overwrite", False)
+            )
+            options.run(options)
+            sys.stdout.flush()
+        except ResultsError as error:
+            return _fail(str(error), BAD_INPUT)
+        except MemoryError:
+            return _fail("not enough memory for what the files hold", BAD_INPUT)
+        except BrokenPipeError:
+            # The reader of our output has gone; keep Python from saying so again at exit.
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+            return 1
+        except OSError as error:
+            return _fail(f"{error.filename or 'output'}: {error.strerror or error}", NOT_WRITTEN)
     return 0
+
+
+def _inputs(options: argparse.Namespace) -> Iterator[str | Path]:
+    """Return every word of the command line that can name a file, but the outputs."""
+    for name, value in vars(options).items():
+        if name not in OUTPUTS:
+            if isinstance(value, list):
+                yield from (word for word in value if isinstance(word, (str, Path)))
+            elif isinstance(value, Path):
+                yield value
 
 
 def _collapse(options: argparse.Namespace) -> None:
@@ -73,16 +107,15 @@ def _collapse(options: argparse.Namespace) -> None:
         edges=options.edges,
     )
     _print_remarks(points)
-    options.output.mkdir(parents=True, exist_ok=True)
     table = options.output / "collapse.csv"
-    tables.write_dataset_csv(table, points, COLLAPSE_COLUMNS)
+    tables.write_dataset_csv(table, points, COLLAPSE_COLUMNS, options.writer)
     written = [table]
     for variable in VARIABLES:
         name = f"figure{figures.FIGURE_NUMBERS[variable]}"
         if hidden := figures.outside_axes(points, variable):
             _note(f"{hidden} point(s) lie outside the axes of {name}")
         figure = figures.collapse_figure(points, variable)
-        written += figures.write_figure(figure, options.output, name)
+        written += figures.write_figure(figure, options.output, name, writer=options.writer)
     resolved = int(points["is_point_resolved"].sum())
     print(f"{resolved} resolved and {points.sizes['case'] - resolved} unresolved points")
     print("\n".join(str(path) for path in sorted(written)))
@@ -99,9 +132,8 @@ def _refit(options: argparse.Namespace) -> None:
     settings = RefitSettings(replicates=options.replicates, seed=options.seed)
     rows = refit_groups(points, settings)
     document = tables.refit_json(rows, settings, points, options.ratio)
-    options.output.mkdir(parents=True, exist_ok=True)
-    tables.write_refit_csv(options.output / "refit.csv", rows)
-    (options.output / "refit.json").write_text(document + "\n", encoding="utf-8")
+    tables.write_refit_csv(options.output / "refit.csv", rows, options.writer)
+    options.writer.text(options.output / "refit.json", document + "\n")
     print(document if options.json else tables.refit_text(rows, settings))
 
 
@@ -111,27 +143,28 @@ def _table(options: argparse.Namespace) -> None:
 
 def _export(options: argparse.Namespace) -> None:
     results = read_results(options.results)
-    tables.write_dataset_csv(options.csv, results)
+    tables.write_dataset_csv(options.csv, results, writer=options.writer)
     print(f"{options.csv}: {results.sizes['case']} cases")
 
 
 def _contact(options: argparse.Namespace) -> None:
     figure = contact_figure(read_contact(options.case))
-    options.output.mkdir(parents=True, exist_ok=True)
-    written = figures.write_figure(figure, options.output, options.case.stem)
-    print("\n".join(str(path) for path in written))
+    _write_picture(options, figure, options.case.stem)
 
 
 def _plot(options: argparse.Namespace) -> None:
     figure = case_figure(read_contact(options.case))
-    options.output.mkdir(parents=True, exist_ok=True)
-    written = figures.write_figure(figure, options.output, f"{options.case.stem}-case")
+    _write_picture(options, figure, f"{options.case.stem}-case")
+
+
+def _write_picture(options: argparse.Namespace, figure: Figure, name: str) -> None:
+    written = figures.write_figure(figure, options.output, name, writer=options.writer)
     print("\n".join(str(path) for path in written))
 
 
 def _harmonics(options: argparse.Namespace) -> None:
     points = select_points(read_results(options.results), edges=options.edges)
-    count = write_harmonic_table(options.csv, points)
+    count = write_harmonic_table(options.csv, points, options.writer)
     print(f"{options.csv}: {count} waves")
 
 
@@ -152,9 +185,11 @@ def _parser() -> argparse.ArgumentParser:
         added.add_argument(
             "--output", type=Path, default=Path(), metavar="DIR", help="default: this directory"
         )
+        add_overwrite(added)
 
     def add_csv(added: argparse.ArgumentParser) -> None:
         added.add_argument("--csv", type=Path, required=True, metavar="FILE", help="file to write")
+        add_overwrite(added)
 
     def add_edges(added: argparse.ArgumentParser) -> None:
         text = "only cases with these edges of the domain"
@@ -228,6 +263,6 @@ def _note(text: str) -> None:
     print(f"ehlwave: note: {text}", file=sys.stderr)
 
 
-def _fail(text: str) -> int:
-    print(f"ehlwave: error: {text}", file=sys.stderr)
-    return 1
+def _fail(text: str, status: int) -> int:
+    print(f"ehlwave: error: {printable(text)}", file=sys.stderr)
+    return status

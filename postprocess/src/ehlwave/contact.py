@@ -11,9 +11,13 @@ from matplotlib.layout_engine import ConstrainedLayoutEngine
 
 from ehlwave.errors import ResultsError
 from ehlwave.figures import COLOURS
+from ehlwave.hdf5 import read_dataset
 
 FORMAT_NAME = "ehlwave-case"
 FIELDS = ("pressure", "film")
+NEEDED = {"x": ("x",), "y": ("y",)} | dict.fromkeys(FIELDS, ("y", "x"))
+"""What pictures are drawn from, with its dimensions."""
+
 FILM_SHOWN = 2.0
 """Thickest film that is shown, over that of the smooth contact's centre: the inlet is far above."""
 
@@ -37,16 +41,74 @@ def read_contact(path: str | Path) -> xr.Dataset:
     ResultsError
         If it cannot be read, is not the file of a case, or has no fields.
     """
-    try:
-        with xr.open_dataset(path, engine="h5netcdf", decode_times=False) as opened:
-            contact = opened.load()
-    except (OSError, ValueError, KeyError) as error:
-        raise ResultsError(f"{path}: cannot be read as HDF5 ({error})") from error
+    contact = read_dataset(path)
     if contact.attrs.get("format") != FORMAT_NAME:
         raise ResultsError(f"{path}: not a file of ehlwave-case --output")
-    if any(name not in contact for name in FIELDS):
+    if all(name not in contact for name in FIELDS):
         raise ResultsError(f"{path}: no pressure and film (status {contact.attrs.get('status')})")
-    return whole_domain(contact)
+    contact.encoding["source"] = str(path)
+    _check_fields(contact)
+    whole = whole_domain(contact)
+    whole.encoding["source"] = str(path)
+    return whole
+
+
+def _check_fields(contact: xr.Dataset) -> None:
+    """Refuse fields that nothing can be drawn from."""
+    for name, dims in NEEDED.items():
+        check_field(contact, name, dims)
+    for name in ("x", "y"):
+        if (np.diff(contact[name].values) <= 0).any():
+            raise ResultsError(f"{_place(contact)}: dataset {name} does not increase")
+
+
+def central_film(case: xr.Dataset) -> float:
+    """Return H of the centre, which pictures are scaled by.
+
+    Raises
+    ------
+    ResultsError
+        If it is not there or not above 0, or if there is nothing that could be drawn.
+    """
+    if case["x"].size < 2:
+        raise ResultsError(f"{_place(case)}: has one point along x: nothing to draw")
+    for name in FIELDS:
+        if not (case[name].values > 0).any():
+            raise ResultsError(f"{_place(case)}: {name} is nowhere above 0: nothing to draw")
+    return positive(number(case, "central_film"), "central_film", case)
+
+
+def check_field(case: xr.Dataset, name: str, dims: tuple[str, ...]) -> None:
+    """Raise ResultsError unless a dataset is there and holds finite numbers over its dimensions."""
+    if name not in case:
+        raise ResultsError(f"{_place(case)}: dataset {name} is missing: the file is damaged")
+    values = case[name]
+    if values.dims != dims or values.dtype.kind not in "fiu" or values.size == 0:
+        over = f"numbers over ({', '.join(dims)})" if dims else "a number"
+        raise ResultsError(f"{_place(case)}: dataset {name} does not hold {over}")
+    if not np.isfinite(values.values).all():
+        raise ResultsError(f"{_place(case)}: dataset {name} has missing or infinite values")
+
+
+def number(case: xr.Dataset, name: str) -> float:
+    """Return a number of a case; ResultsError if it is not there, or not finite."""
+    check_field(case, name, ())
+    return float(case[name])
+
+
+def positive(value: str | float, name: str, case: xr.Dataset) -> float:
+    """Return a number above 0; ResultsError if it is none."""
+    try:
+        found = float(value)
+    except ValueError:
+        found = np.nan
+    if not (np.isfinite(found) and found > 0):
+        raise ResultsError(f"{_place(case)}: {name} = {value} must be a number above 0")
+    return found
+
+
+def _place(case: xr.Dataset) -> str:
+    return str(case.encoding.get("source", "case"))
 
 
 def whole_domain(contact: xr.Dataset) -> xr.Dataset:
@@ -64,7 +126,7 @@ def contact_figure(contact: xr.Dataset) -> Figure:
     A line contact has the latter alone. Film is over the central film of the smooth contact.
     """
     is_line = contact["y"].size == 1
-    film = (contact["film"] / contact["central_film"]).clip(max=FILM_SHOWN)
+    film = (contact["film"] / central_film(contact)).clip(max=FILM_SHOWN)
     with rc_context(_STYLE):
         width, panels = (4.4, 1) if is_line else (9.4, 3)
         figure = Figure(figsize=(width, 2.8), layout=ConstrainedLayoutEngine(w_pad=0.12))

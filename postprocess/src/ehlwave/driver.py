@@ -13,8 +13,10 @@ import pandas as pd
 import xarray as xr
 
 from ehlwave.errors import ProgramError
+from ehlwave.hdf5 import read_dataset
 from ehlwave.programs import find_program, namelist
 from ehlwave.read import read_results
+from ehlwave.writing import write_new_text
 
 OPTIONS = ("case_file", "output", "unresolved", "largest_case_seconds", "checkpoint_seconds")
 """Keys of ``&sweep`` that are not lists of values."""
@@ -78,13 +80,12 @@ class Case:
         with tempfile.TemporaryDirectory() as folder:
             output = Path(folder, "case.h5")
             self._json("--output", str(output), seconds=seconds)
-            with xr.open_dataset(output, engine="h5netcdf", decode_times=False) as opened:
-                return opened.load()
+            return read_dataset(output)
 
     def _json(self, *options: str, seconds: float | None = None) -> dict[str, Any]:
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder, "case.nml")
-            path.write_text(namelist(self.groups), encoding="utf-8")
+            write_new_text(path, namelist(self.groups))
             done = _run("ehlwave-case", str(path), "--json", "--quiet", *options, seconds=seconds)
         lines = done.stdout.rstrip().splitlines()
         return dict(json.loads(lines[-1]))
@@ -160,7 +161,7 @@ class Study:
         with tempfile.TemporaryDirectory() as folder:
             results = Path(folder, "results.h5") if output is None else Path(output).resolve()
             path = Path(folder, "study.nml")
-            path.write_text(self._text(Path(folder), results), encoding="utf-8")
+            write_new_text(path, self._text(Path(folder), results))
             limit = [] if seconds is None else ["--time-limit", f"{seconds:g}"]
             _run("ehlwave-sweep", str(path), *limit, ranks=ranks, fine=(0, 1, 85))
             return read_results(results)
@@ -169,14 +170,14 @@ class Study:
         """Return the list of cases with grids, steps and resolution; nothing is computed."""
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder, "study.nml")
-            path.write_text(self._text(Path(folder), Path(folder, "results.h5")), encoding="utf-8")
+            write_new_text(path, self._text(Path(folder), Path(folder, "results.h5")))
             return _run("ehlwave-sweep", str(path), "--plan").stdout
 
     def _text(self, folder: Path, results: Path) -> str:
         sweep = {**self.lists, **self.options, "output": str(results)}
         if self.rows is not None:
             table = folder / "cases.csv"
-            self.rows.to_csv(table, index=False)
+            write_new_text(table, self.rows.to_csv(None, index=False))
             sweep["case_file"] = str(table)
         return namelist({**self.groups, "sweep": sweep})
 

@@ -16,6 +16,7 @@ from ehlwave.fit import FitError, FormulaFit, fit_formula, point_weights
 from ehlwave.formula import PAPER_C1, PAPER_C2, amplitude_ratio_formula
 from ehlwave.points import Variable, of_orientation, resolved_only
 from ehlwave.schema import DIMENSION, ORIENTATIONS
+from ehlwave.writing import Writer
 
 X_LIMITS = (0.1, 100.0)
 Y_LIMITS = (0.0, 1.08)
@@ -74,16 +75,26 @@ def collapse_figure(points: xr.Dataset, variable: Variable) -> Figure:
 
 
 def write_figure(
-    figure: Figure, directory: Path, name: str, dots_per_inch: int = 300
+    figure: Figure,
+    directory: Path,
+    name: str,
+    dots_per_inch: int = 300,
+    writer: Writer | None = None,
 ) -> list[Path]:
     """Save a figure as ``name``.png and ``name``.pdf; return the paths.
 
     The files hold no date, so equal input gives equal files.
+
+    Raises
+    ------
+    OutputError
+        If a file of the name is no result of ours, unless `writer` may replace it.
     """
-    paths = [directory / f"{name}.png", directory / f"{name}.pdf"]
-    figure.savefig(paths[0], dpi=dots_per_inch)
-    figure.savefig(paths[1], metadata={"CreationDate": None})
-    return paths
+    chosen = writer or Writer()
+    return [
+        chosen.figure(directory / f"{name}.png", figure, dpi=dots_per_inch),
+        chosen.figure(directory / f"{name}.pdf", figure, metadata={"CreationDate": None}),
+    ]
 
 
 def outside_axes(points: xr.Dataset, variable: Variable) -> int:

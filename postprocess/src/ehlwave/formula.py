@@ -1,8 +1,8 @@
 """The amplitude reduction formula of Venner, Kaneta and Lubrecht (2000).
 
 All quantities are dimensionless and all functions work element by element on arrays of any
-(broadcastable) shape. NaN in gives NaN out. The equation numbers are those of the project's model
-description; the paper's own numbers differ:
+(broadcastable) shape. NaN in gives NaN out. The equation numbers are those of
+``src/theory.md``; the paper's own numbers differ:
 
 ========================  =======  ==========
 relation                  here     paper

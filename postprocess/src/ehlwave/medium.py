@@ -41,6 +41,8 @@ class Oil:
         n of a Carreau oil, above 0 and at most 1; None of other oils.
     other_laws : tuple of str
         What was asked for besides and is not in here, such as another law of viscosity.
+    other_keys : tuple of pairs
+        Parameters of these laws by their keys.
     """
 
     pressure_viscosity_per_pa: float = 2.2e-8
@@ -48,6 +50,7 @@ class Oil:
     stress_modulus_pa2: float | None = None
     carreau_exponent: float | None = None
     other_laws: tuple[str, ...] = ()
+    other_keys: tuple[tuple[str, float], ...] = ()
 
     @property
     def name(self) -> str:

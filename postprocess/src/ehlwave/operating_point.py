@@ -1,6 +1,8 @@
 """The one call: a contact, its film, its responses to waves, surfaces inside it."""
 
 import math
+import sys
+import warnings
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -18,19 +20,14 @@ from ehlwave.deform.read import ReadOptions, read_surface
 from ehlwave.deform.sliding import TwoWaveTransfer
 from ehlwave.deform.surface import Surface
 from ehlwave.deform.transfer import FormulaTransfer, RecommendedTransfer, Transfer
-from ehlwave.errors import RangeError, SurfaceError
-from ehlwave.two_waves import two_waves
+from ehlwave.errors import ExtrapolationWarning, RangeError, SurfaceError
+from ehlwave.two_waves import SLIP_ERRORS, two_waves
 
 if TYPE_CHECKING:
     from ehlwave.stress.rough import RoughStress
 
 SLIPS = SLIDING_RANGES["slip_parameter"]
 """Slip parameters that :meth:`Contact.response` answers for."""
-
-SLIP_ERRORS = {"Ree-Eyring": 0.11, "Newtonian": 0.17, "Carreau": 0.18}
-"""Of the law of the two waves, units of Ai, by oil: twice the rms error in conditions held out of
-its fit (``record/two_waves/errors.csv``). No Carreau oil is in the fit: twice the rms error of 33
-waves at 12 conditions (G 1 to 30 MPa, n 0.3 to 0.8)."""
 
 
 @dataclass(frozen=True)
@@ -166,15 +163,18 @@ class Contact:
             minimum_m=None if scale is None else film.minimum_moes * scale,
             central_moes=film.central_moes,
             minimum_moes=film.minimum_moes,
-            central_error=film.central_error,
-            minimum_error=film.minimum_error,
+            central_error=film.central_error + c.thinning_error,
+            minimum_error=film.minimum_error + c.thinning_error,
             friction=friction,
             friction_error=None if friction is None else film.stress_error,
             source=atlas.name,
         )
 
     def response(
-        self, wavelength_over_a: float, angle_deg: float = 0.0, slip_parameter: float = 1.0
+        self,
+        wavelength_over_a: float,
+        angle_deg: float = 0.0,
+        slip_parameter: float | None = None,
     ) -> Response:
         """Return the response at the contact centre to small waves, from the atlas.
 
@@ -185,12 +185,12 @@ class Contact:
         angle_deg : float
             Between wave vector and rolling direction, in metres: 0 transverse, 90 longitudinal.
             Line contacts answer for 0 alone, in pure rolling.
-        slip_parameter : float
-            S of the surface that carries the waves, 0.5 to 1.5. Other than 1 the atlas has it for a
-            Ree-Eyring oil, of ``eyring_stress_pa``; outside that, for a Carreau oil, where
-            ``carreau_modulus_pa`` and ``carreau_exponent`` were given, and for a Newtonian one the
-            law of the two waves answers, with an error to match and without pressure (NaN), of
-            longitudinal waves, which stand still, the atlas of pure rolling.
+        slip_parameter : float, optional
+            S of the surface that carries the waves, 0.5 to 1.5; that of the contact if absent.
+            Other than 1 the atlas has it for a Ree-Eyring oil, of ``eyring_stress_pa``. Outside
+            that, for a Carreau oil (``carreau_modulus_pa``, ``carreau_exponent``) and for a
+            Newtonian one the law of the two waves answers, with an error to match and without
+            pressure (NaN). Longitudinal waves stand still: the atlas of pure rolling answers.
 
         Raises
         ------
@@ -208,6 +208,8 @@ class Contact:
             raise RangeError(
                 f"angle_deg = {angle_deg:.5g} lies outside 0 to 90 (waves at -angle are the same)"
             )
+        if slip_parameter is None:
+            slip_parameter = self.conditions.slip_parameter
         conditions = replace(self.conditions, slip_parameter=slip_parameter)
         if conditions.is_line and (angle_deg > 1e-9 or not conditions.has_atlas):
             raise RangeError(TRANSVERSE_ALONE if angle_deg > 1e-9 else ROLLS_ALONE)
@@ -295,6 +297,12 @@ class Contact:
             A ValueError: the contact lies outside the atlas and `by` is ``"atlas"``.
         SurfaceError
             If the surface cannot be used, or the contact was given without lengths.
+
+        Warns
+        -----
+        ExtrapolationWarning
+            If the amplitude lies above those that predictions were compared with, or the surfaces
+            touch.
         """
         if not math.isfinite(self.conditions.semi_axis_a_m):
             raise SurfaceError(
@@ -312,7 +320,10 @@ class Contact:
         except RangeError:
             if by == "atlas":
                 raise
-        return deform_surface(measured, conditions, transfer, form, ends, cutoffs_m)
+        found = deform_surface(measured, conditions, transfer, form, ends, cutoffs_m)
+        for doubt in found.doubts:
+            warnings.warn(doubt, ExtrapolationWarning, stacklevel=_callers())
+        return found
 
     def stress(
         self,
@@ -336,10 +347,26 @@ class Contact:
         return stress_of_contact(self, surface, second, **options)
 
     def lambda_ratio(self, surface: Surface | str | Path, **options: Any) -> float:  # noqa: ANN401
-        """Return the mean film over Rq of the deformed surface; options as of :meth:`deform`."""
-        ratio = self.deform(surface, **options).statistics.lambda_ratio_after
-        if ratio is None:
+        """Return the mean film over Rq of the deformed surface; options as of :meth:`deform`.
+
+        Its error is ``deform(...).statistics.lambda_error``.
+
+        Warns
+        -----
+        ExtrapolationWarning
+            If the amplitude lies above those that predictions were compared with.
+        """
+        statistics = self.deform(surface, **options).statistics
+        if statistics.lambda_ratio_after is None:
             raise SurfaceError(
                 "Contact: the film in metres needs radius_x_m besides semi_axis_a_m, M, L and D"
             )
-        return ratio
+        return statistics.lambda_ratio_after
+
+
+def _callers() -> int:
+    """Return the stack level, for a warning, of the line outside this module that led here."""
+    level, frame = 1, sys._getframe(1)
+    while frame is not None and frame.f_globals.get("__name__") == __name__:
+        level, frame = level + 1, frame.f_back
+    return level

@@ -9,6 +9,7 @@ import numpy as np
 import xarray as xr
 
 from ehlwave.errors import ResultsError
+from ehlwave.hdf5 import opened, read_dataset
 from ehlwave.schema import (
     DIMENSION,
     EDGES_BEFORE,
@@ -17,13 +18,6 @@ from ehlwave.schema import (
     PROVENANCE_ATTRIBUTES,
     REQUIRED_COLUMNS,
 )
-
-# Seconds stay numbers; a dataset without a dimension scale is no obstacle to reading the others.
-_OPEN_OPTIONS: dict[str, Any] = {
-    "engine": "h5netcdf",
-    "decode_times": False,
-    "phony_dims": "access",
-}
 
 
 def read_results(paths: str | Path | Sequence[str | Path]) -> xr.Dataset:
@@ -69,20 +63,11 @@ def read_results(paths: str | Path | Sequence[str | Path]) -> xr.Dataset:
 
 def _read_file(path: Path) -> xr.Dataset:
     """Check one file and return its cases, without an index on ``case``."""
-    if not path.exists():
-        raise ResultsError(f"{path}: no such file")
-    if path.is_dir():
-        raise ResultsError(f"{path}: is a directory, not a results file")
-    try:
-        with h5py.File(path, "r") as file:
-            _check_format(path, file)
-            _check_columns(path, file)
-        with xr.open_dataset(path, **_OPEN_OPTIONS) as opened:
-            return _labelled(path, opened.load())
-    except OSError as error:
-        raise ResultsError(f"{path}: cannot be read as HDF5 ({error})") from error
-    except (ValueError, KeyError) as error:
-        raise ResultsError(f"{path}: damaged or not written as expected ({error})") from error
+    with opened(path) as file:
+        _check_format(path, file)
+        _check_columns(path, file)
+        # A dataset without a dimension scale is no obstacle to reading the others.
+        return _labelled(path, read_dataset(path, phony_dims="access"))
 
 
 def _check_format(path: Path, file: h5py.File) -> None:
@@ -115,13 +100,13 @@ def _check_columns(path: Path, file: h5py.File) -> None:
         raise ResultsError(f"{path}: dataset {', '.join(wrong)} does not have one value per case")
 
 
-def _labelled(path: Path, opened: xr.Dataset) -> xr.Dataset:
+def _labelled(path: Path, data: xr.Dataset) -> xr.Dataset:
     """Return the per-case variables with decoded text and the origin of each case."""
-    size = opened.sizes[DIMENSION]
+    size = data.sizes[DIMENSION]
     columns = {}
-    extra = [str(name) for name in opened.data_vars if name not in REQUIRED_COLUMNS]
+    extra = [str(name) for name in data.data_vars if name not in REQUIRED_COLUMNS]
     for name in (*REQUIRED_COLUMNS, *extra):
-        variable = opened[name]
+        variable = data[name]
         if set(variable.dims) - {DIMENSION}:
             continue
         values = np.broadcast_to(_decoded(variable.values), (size,)).copy()
@@ -129,7 +114,7 @@ def _labelled(path: Path, opened: xr.Dataset) -> xr.Dataset:
         columns[name] = ((DIMENSION,), values, attributes)
     if "edges" not in columns:
         columns["edges"] = ((DIMENSION,), np.full(size, EDGES_BEFORE), {})
-    origin = {key: _text(opened.attrs.get(key, "")) for key in PROVENANCE_ATTRIBUTES}
+    origin = {key: _text(data.attrs.get(key, "")) for key in PROVENANCE_ATTRIBUTES}
     origin["source_file"] = str(path)
     coordinates = {key: ((DIMENSION,), np.full(size, text)) for key, text in origin.items()}
     # A sweep that several versions of the program worked on tells each case's own.
@@ -137,7 +122,7 @@ def _labelled(path: Path, opened: xr.Dataset) -> xr.Dataset:
         if key in columns:
             own = columns.pop(key)[1].astype(str)
             coordinates[key] = ((DIMENSION,), np.where(own == "", origin[key], own))
-    coordinates["case_in_file"] = ((DIMENSION,), opened[DIMENSION].values)
+    coordinates["case_in_file"] = ((DIMENSION,), data[DIMENSION].values)
     return xr.Dataset(columns, coords=coordinates)
 
 

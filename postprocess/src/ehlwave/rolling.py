@@ -2,8 +2,8 @@
 
 Beside :func:`ehlwave.formula.recommended_ratio`, four numbers for the amplitude alone, this is the
 closer fit, with the phase. At operating conditions held out of the fit the rms error of Ad/Ai is
-0.018, of the recommended formula 0.032; below Ad/Ai = 0.1 it is 10 per cent too large in the mean,
-the other 46 per cent. 3144 linear responses, gamma M of 5 to 2000, 2.5 <= L <= 20,
+0.018, of the recommended formula 0.029; below Ad/Ai = 0.1 it is 11 per cent too large in the mean,
+the other 48 per cent. 3144 linear responses, gamma M of 5 to 2000, 2.5 <= L <= 20,
 0.04 <= D <= 1 (``studies.two_waves``).
 """
 

@@ -23,6 +23,7 @@ from ehlwave.schema import (
     PROVENANCE_ATTRIBUTES,
     UNRESOLVED,
 )
+from ehlwave.writing import Writer
 
 VARIABLE_NAMES = {"f_v": "f V", "f_v2": "f V2"}
 
@@ -114,19 +115,21 @@ def refit_json(
     return json.dumps(document, indent=2, allow_nan=False)
 
 
-def write_dataset_csv(path: Path, data: xr.Dataset, columns: Sequence[str] = ()) -> None:
+def write_dataset_csv(
+    path: Path, data: xr.Dataset, columns: Sequence[str] = (), writer: Writer | None = None
+) -> None:
     """Write columns of a per-case dataset, all by default, numbers with all their digits."""
-    _write_csv(path, data.to_dataframe().reset_index()[list(columns or [*data, *data.coords])])
+    table = data.to_dataframe().reset_index()[list(columns or [*data, *data.coords])]
+    _write_csv(path, table, writer)
 
 
-def write_refit_csv(path: Path, rows: Sequence[RefitRow]) -> None:
+def write_refit_csv(path: Path, rows: Sequence[RefitRow], writer: Writer | None = None) -> None:
     """Write one line per group and variable."""
-    _write_csv(path, pd.DataFrame([refit_record(row) for row in rows]))
+    _write_csv(path, pd.DataFrame([refit_record(row) for row in rows]), writer)
 
 
-def _write_csv(path: Path, table: pd.DataFrame) -> None:
-    path.parent.mkdir(parents=True, exist_ok=True)
-    table.to_csv(path, index=False, na_rep="nan", lineterminator="\r\n")
+def _write_csv(path: Path, table: pd.DataFrame, writer: Writer | None) -> None:
+    (writer or Writer()).table(path, table, na_rep="nan", lineterminator="\r\n")
 
 
 def _aligned(lines: Sequence[Sequence[str]]) -> str:

@@ -1,5 +1,6 @@
 """The file of an atlas: networks, steps of packed numbers, checksum."""
 
+import io
 from pathlib import Path
 
 import numpy as np
@@ -7,6 +8,7 @@ import xarray as xr
 
 from ehlwave.atlas.committee import Committee
 from ehlwave.atlas.stored import checksum
+from ehlwave.writing import Writer
 
 PARTS = {
     "centre": (("input",), "mean of the inputs that the networks were fitted to"),
@@ -38,9 +40,10 @@ def write_atlas(data: xr.Dataset, path: Path) -> None:
     """Write an atlas as classic NetCDF, a third as large as HDF5, with its checksum."""
     written = xr.Dataset({name: _packed(data[name]) for name in data}, attrs=data.attrs)
     for _ in range(2):  # the checksum is that of the values as they are read
-        written.to_netcdf(path, engine="scipy", format="NETCDF3_CLASSIC")
-        with xr.open_dataset(path) as opened:
+        data = bytes(written.to_netcdf(engine="scipy", format="NETCDF3_CLASSIC"))
+        with xr.open_dataset(io.BytesIO(data), engine="scipy") as opened:
             written.attrs["checksum"] = checksum(opened.load())
+    Writer().data(path, data)
 
 
 def _packed(weights: xr.DataArray) -> xr.DataArray:

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pandas as pd
 
+from ehlwave.writing import Writer
 from studies.error_time import errors, figures, model
 from studies.error_time.runs import FULL, QUICK
 from studies.error_time.table import read_table, write_cases
@@ -41,14 +42,13 @@ def write_all(table: pd.DataFrame, folder: Path) -> list[Path]:
         "estimates": errors.estimate_rows(table),
         "models": model.fit_models(table),
     }
-    paths = []
+    paths, writer = [], Writer()
     for name, rows in tables.items():
         if len(rows):
             paths.append(folder / f"{name}.csv")
             digits = None if name == "runs" else "%.6g"
-            rows.to_csv(
-                paths[-1], index=False, float_format=digits, na_rep="nan", lineterminator="\n"
-            )
+            options = {"float_format": digits, "na_rep": "nan", "lineterminator": "\n"}
+            writer.table(paths[-1], rows, **options)
     drawn = {"tolerance": figures.tolerance_figure(found)}
     for cost in figures.COSTS:
         for name, panels in figures.all_panels().items():
@@ -56,7 +56,7 @@ def write_all(table: pd.DataFrame, folder: Path) -> list[Path]:
     drawn["summary"] = figures.error_figure(found, "work", figures.short_panels())
     for name, figure in drawn.items():
         paths.append(folder / f"{name}.png")
-        figure.savefig(paths[-1], dpi=150)
+        writer.figure(paths[-1], figure, dpi=150)
     return paths
 
 

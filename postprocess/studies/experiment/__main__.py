@@ -5,11 +5,11 @@ trace, cosine, report.
 """
 
 import argparse
-import shutil
 import sys
 from collections.abc import Sequence
 from pathlib import Path
 
+from ehlwave.writing import Writer
 from studies.experiment import FOLDER, TRACE_FILE, section
 from studies.experiment.cases import COSINE, SMOOTH, TRACE, read_input
 from studies.experiment.stage import write_runs
@@ -37,8 +37,9 @@ def _run(options: argparse.Namespace) -> None:
         write_parts(found, folder, folder)
         print("\n\n".join(found.text))
         return
-    folder.mkdir(parents=True, exist_ok=True)
-    shutil.copyfile(INPUTS / TRACE_FILE, folder / TRACE_FILE)
+    Writer([INPUTS / TRACE_FILE]).text(
+        folder / TRACE_FILE, (INPUTS / TRACE_FILE).read_text(encoding="utf-8")
+    )
     base = read_input(INPUTS / "experiment.nml")
     print(write_runs(folder, options.step, base, folder / TRACE_FILE))
 

@@ -8,6 +8,7 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
+from ehlwave.writing import Writer
 from studies.microgeometry.compare import compare_speeds
 from studies.microgeometry.report import write_report
 from studies.microgeometry.simulate import (
@@ -52,7 +53,7 @@ def _run(options: argparse.Namespace) -> int:
     print(write_report(found, options.folder))
     ratios = compare_traces(options.folder)
     table = ratio_table(ratios)
-    table.to_csv(options.folder / "lambda_ratios.csv", index=False)
+    Writer().table(options.folder / "lambda_ratios.csv", table)
     print(table.to_string(index=False))
     bad = [one for one in found if one.amplitude_over_film < LINEAR_LIMIT]
     bad = [one for one in bad if not max(one.error("table"), one.error("default")) <= ALLOWED]

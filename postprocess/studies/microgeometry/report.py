@@ -7,6 +7,7 @@ import pandas as pd
 from matplotlib.figure import Figure
 
 from ehlwave.figures import COLOURS
+from ehlwave.writing import Writer
 from studies.microgeometry.compare import Comparison
 
 LINES = {
@@ -43,10 +44,11 @@ def comparison_table(comparisons: Sequence[Comparison]) -> pd.DataFrame:
 def write_report(comparisons: Sequence[Comparison], folder: Path) -> str:
     """Write table.csv, table.txt and profiles.png; return the text of the table."""
     table = comparison_table(comparisons)
-    table.to_csv(folder / "table.csv", index=False)
+    writer = Writer()
+    writer.table(folder / "table.csv", table)
     text = table.to_string(index=False)
-    (folder / "table.txt").write_text(text + "\n", encoding="utf-8")
-    profiles_figure(comparisons).savefig(folder / "profiles.png", dpi=150)
+    writer.text(folder / "table.txt", text + "\n")
+    writer.figure(folder / "profiles.png", profiles_figure(comparisons), dpi=150)
     return text
 
 

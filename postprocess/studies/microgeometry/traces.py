@@ -17,6 +17,7 @@ from ehlwave.contact import read_contact
 from ehlwave.deform import Surface, trace_surface
 from ehlwave.deform.prepare import taper
 from ehlwave.errors import ResultsError
+from ehlwave.writing import Writer
 from studies import sweeps
 from studies.microgeometry.simulate import CONTACT, LUBRICANT
 
@@ -111,7 +112,7 @@ def write_traces(
             rows.append({**CONTACTS[contact], "file": str(simulated.resolve())})
             x_mm = 1e3 * surface.step_x_m * np.arange(surface.height.size)
             table = pd.DataFrame({"x [mm]": x_mm, "z [um]": 1e6 * surface.height[:, 0]})
-            table.to_csv(_text_file(folder, name, contact), index=False)
+            Writer().table(_text_file(folder, name, contact), table)
     groups = {
         "grid": {"cells_x": cells, "cells_y": cells, "edges": "flooded"},
         "solver": {"error_estimate": "model"},

@@ -1,6 +1,7 @@
 """The case files of the study: the dense sweep for formulas, and the way to the line contact."""
 
 import csv
+import io
 import math
 import sys
 from collections.abc import Iterator, Sequence
@@ -8,6 +9,7 @@ from pathlib import Path
 
 from ehlwave.deform.conditions import conditions_from_keys
 from ehlwave.formula import f_of_r
+from ehlwave.writing import Writer
 
 RADIUS_RATIOS = (1.0, 0.35, 0.12, 0.04)
 PAPER_L = 12.05
@@ -114,10 +116,9 @@ def write_cases(name: str, path: Path) -> int:
         (*(f"{x:.10g}" for x in row[:3]), row[3], *(f"{x:.6g}" for x in row[4:]))
         for row in CASE_FILES[name]()
     ]
-    with path.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(COLUMNS)
-        writer.writerows(rows)
+    file = io.StringIO(newline="")
+    csv.writer(file, lineterminator="\n").writerows([COLUMNS, *rows])
+    Writer().text(path, file.getvalue())
     return len(rows)
 
 

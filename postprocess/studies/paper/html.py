@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from html import escape
 from pathlib import Path
 
+from ehlwave.writing import Writer
 from studies.section import Cell, Picture, Section, Table
 
 _STYLE = """
@@ -28,7 +29,7 @@ summary { cursor: pointer; font-size: 13px; }
 def write_page(output: Path, name: str, title: str, sections: Sequence[Section]) -> list[Path]:
     """Write ``<name>.html`` beside what the sections wrote into `output`; return all paths."""
     path = output / f"{name}.html"
-    path.write_text(page(title, sections, output / "figures"), encoding="utf-8")
+    Writer().text(path, page(title, sections, output / "figures"))
     return [path, *(file for section in sections for file in section.files)]
 
 

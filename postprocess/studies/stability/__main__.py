@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from ehlwave.figures import write_figure
+from ehlwave.writing import Writer
 from studies.stability.cases import (
     OUTSIDE,
     corner_cases,
@@ -51,7 +52,7 @@ def _run(options: argparse.Namespace) -> int:
     rows = read_rows(options.folder, cases)
     write_table(options.folder / "stability.csv", rows)
     text = summary(rows)
-    (options.folder / "summary.txt").write_text(text + "\n", encoding="utf-8")
+    Writer().text(options.folder / "summary.txt", text + "\n")
     families = {row.case.family for row in rows}
     if "steady" in families:
         write_figure(steady_map(rows), options.folder, "steady")

@@ -26,7 +26,7 @@ CONTACT = {
     "mean_speed_m_per_s": 0.5,
     "viscosity_pa_s": 0.1,
 }
-"""As inputs/sliding.nml."""
+"""A ball on a disc, M = 39 and L = 12."""
 
 STRESS_PA = 5e6
 SLIPS = (1.3, 0.7)

@@ -3,6 +3,7 @@
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
+from ehlwave.writing import Writer
 from studies.paper.html import write_page
 from studies.section import Parts, make_sections
 from studies.validation import dimple_section, film_section, line_section, printed
@@ -27,6 +28,6 @@ def write_validation(
     ResultsError
         If a case fails.
     """
-    runs.mkdir(parents=True, exist_ok=True)
+    Writer().folder(runs)
     chosen = [part for part in PARTS if part[0] in names]
     return write_page(output, "validation", TITLE, make_sections(chosen, runs, output, note))

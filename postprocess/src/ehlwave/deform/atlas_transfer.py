@@ -226,9 +226,13 @@ def with_atlas_film(conditions: Conditions, atlas: Atlas | None = None) -> Condi
     if conditions.metres_per_moes is None or conditions.film_source.startswith("given"):
         return conditions
     film = atlas_for(conditions, atlas).at(conditions.atlas_keys()).film()
-    source = f"atlas, within {100 * film.central_error:.1g} %"
+    error = film.central_error + conditions.thinning_error
+    source = f"atlas, within {100 * error:.1g} %"
+    if conditions.thinning_error:
+        source = f"atlas of pure rolling, up to {100 * error:.2g} % too thick under slip"
     return replace(
         conditions,
         central_film_m=film.central_moes * conditions.metres_per_moes,
         film_source=source,
+        central_film_error=error,
     )

@@ -12,6 +12,7 @@ from ehlwave.deform.atlas_transfer import AtlasTransfer, with_atlas_film
 from ehlwave.deform.coefficients import read_coefficients
 from ehlwave.deform.conditions import Conditions
 from ehlwave.deform.conditions_read import read_conditions
+from ehlwave.deform.decimals import DECIMALS
 from ehlwave.deform.figures import deformed_figure, spectrum_figure
 from ehlwave.deform.period import cut_period
 from ehlwave.deform.predict import Deformed, deform_surface
@@ -26,6 +27,7 @@ from ehlwave.deform.transfer import FormulaTransfer, RecommendedTransfer, Transf
 from ehlwave.deform.two_surfaces import FilmOfTwo, film_of_two
 from ehlwave.errors import RangeError, SurfaceError
 from ehlwave.figures import write_figure
+from ehlwave.writing import Writer
 
 MOST_COMPARED = 2**20
 """Points of a surface that is judged by formulas besides, for comparison."""
@@ -48,7 +50,7 @@ Conditions are an input file of ehlwave-case, or KEY=VALUE with its keys, or bot
   --conditions radius_x_m=5e-3 reduced_modulus_pa=2.26e11 load_n_per_m=1.5e5     (a roller: line
                mean_speed_m_per_s=2 viscosity_pa_s=0.03     contact, traces along pure rolling)
 The film thickness is that of the atlas, outside it that of a formula for smooth contacts (up to
-20 % too thick); central_film_m=... replaces it.
+25 % too thick, 35 % in line contacts); central_film_m=... replaces it.
 
 Form removal: the radii are in the conditions, so they must not be in the roughness as well. 'plane'
 removes the tilt of the specimen; 'quadratic' also the curvature of a ball or roller.
@@ -131,6 +133,7 @@ def add_commands(commands: Any) -> None:  # noqa: ANN401 - argparse does not nam
         help="the other surface, read alike, which moves with 2 - S",
     )
     deform.add_argument("--output", type=Path, metavar="DIR", help="write files and figures there")
+    add_overwrite(deform)
     deform.add_argument("--json", action="store_true", help="print JSON instead of text")
     deform.set_defaults(run=_deform)
     surface = commands.add_parser(
@@ -164,7 +167,14 @@ def add_commands(commands: Any) -> None:  # noqa: ANN401 - argparse does not nam
     surface.add_argument(
         "--output", type=Path, required=True, metavar="FILE.h5", help="file to write"
     )
+    add_overwrite(surface)
     surface.set_defaults(run=_surface)
+
+
+def add_overwrite(parser: argparse.ArgumentParser) -> None:
+    """Add the option that lets outputs replace files that are not results of ours."""
+    text = "replace files that are not results of ehlwave; what is read is never replaced"
+    parser.add_argument("--overwrite", action="store_true", help=text)
 
 
 def add_reading(parser: argparse.ArgumentParser) -> None:
@@ -178,6 +188,11 @@ def add_reading(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         "--step-across", type=float, metavar="LENGTH", help="of a map's rows; default: --step"
+    )
+    parser.add_argument(
+        "--decimal",
+        choices=DECIMALS,
+        help="what decimals of a text file begin with, where the file does not decide it",
     )
     parser.add_argument(
         "--rolling-axis",
@@ -212,11 +227,11 @@ def _deform(options: argparse.Namespace) -> None:
         both = film_of_two(*results)
     print(_json_text(results, both) if options.json else _text(results, both, options))
     if options.output is not None:
-        written = [] if both is None else [options.output / "film.csv"]
-        for result, folder in zip(results, ("", "second"), strict=False):
-            written += _write(result, options.output / folder)
+        written = []
         if both is not None:
-            both.write(written[0])
+            written.append(both.write(options.output / "film.csv", options.writer))
+        for result, folder in zip(results, ("", "second"), strict=False):
+            written += _write(result, options.output / folder, options.writer)
         listing = sys.stderr if options.json else sys.stdout
         print("\n".join(str(path) for path in written), file=listing)
 
@@ -244,10 +259,10 @@ def _json_text(results: list[Deformed], both: FilmOfTwo | None) -> str:
     return json.dumps({"first": first, "second": second, "film": both.summary()}, indent=2)
 
 
-def _write(result: Deformed, folder: Path) -> list[Path]:
-    written = write_results(result, folder)
-    written += write_figure(deformed_figure(result), folder, "deformed")
-    return written + write_figure(spectrum_figure(result), folder, "spectrum")
+def _write(result: Deformed, folder: Path, writer: Writer) -> list[Path]:
+    written = write_results(result, folder, writer)
+    written += write_figure(deformed_figure(result), folder, "deformed", writer=writer)
+    return written + write_figure(spectrum_figure(result), folder, "spectrum", writer=writer)
 
 
 def _surface(options: argparse.Namespace) -> None:
@@ -261,7 +276,7 @@ def _surface(options: argparse.Namespace) -> None:
     elif start is not None:
         raise SurfaceError(f"--period-start {start:g} without --period: say how long the wave is")
     prepared = simulation_surface(surface, form, options.repeat)
-    write_simulation_surface(prepared, options.output)
+    write_simulation_surface(prepared, options.output, options.writer)
     nx, ny = prepared.height.shape
     print(f"{options.output}: {nx} x {ny} points, {(nx - 1) * prepared.step_x_m * 1e6:.5g} um long")
 

@@ -3,9 +3,11 @@
 import json
 from pathlib import Path
 
+import numpy as np
 import pandas as pd
 
 from ehlwave.errors import SurfaceError
+from ehlwave.hdf5 import reason
 
 
 def read_coefficients(path: str | Path, group: str = "all") -> tuple[float, float]:
@@ -36,8 +38,11 @@ def read_coefficients(path: str | Path, group: str = "all") -> tuple[float, floa
             there = ", ".join(sorted(set(rows["group"].astype(str))))
             raise SurfaceError(f"{file}: has no group {group!r} on f_v; there is: {there}")
         pair = chosen[["c1", "c2"]].astype(float).iloc[0]
-    except (OSError, ValueError, KeyError, pd.errors.ParserError) as error:
-        raise SurfaceError(f"{file}: not a file of ehlwave refit ({error})") from error
-    if pair.isna().any():
+    except SurfaceError:
+        raise
+    except Exception as error:
+        # The readers raise whatever a damaged file makes them stumble into.
+        raise SurfaceError(f"{file}: not a file of ehlwave refit ({reason(error)})") from error
+    if not np.isfinite(pair).all():
         raise SurfaceError(f"{file}: group {group!r} was not fitted (too few points)")
     return float(pair["c1"]), float(pair["c2"])

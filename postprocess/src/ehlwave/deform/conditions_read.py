@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import f90nml
 
@@ -12,6 +12,13 @@ from ehlwave.errors import SurfaceError
 
 KNOWN_LAWS = {"viscosity_law": "roelands", "density_law": "dowson_higginson"}
 """What :class:`ehlwave.medium.Oil` has; files may ask for others."""
+
+LAW_PREFIXES = ("mcewen_", "yasutomi_", "doolittle_", "tait_")
+"""Of the parameters of other laws."""
+
+
+FLOW_LAWS = {"newtonian": "Newtonian", "eyring": "Ree-Eyring", "carreau": "Carreau"}
+"""Oils by the ``flow_law`` of files."""
 
 
 def read_conditions(words: Sequence[str]) -> Conditions:
@@ -28,27 +35,54 @@ def read_conditions(words: Sequence[str]) -> Conditions:
     SurfaceError
         If a file cannot be read or a key is unknown, missing or meaningless.
     """
-    keys, others = read_keys(words)
-    conditions = conditions_from_keys(keys, place=f"conditions {' '.join(words)}")
-    return replace(conditions, oil=replace(conditions.oil, other_laws=tuple(others)))
+    given = read_keys(words)
+    conditions = conditions_from_keys(given.keys, place=_place(words))
+    oil = replace(
+        conditions.oil,
+        other_laws=tuple(given.other_laws),
+        other_keys=tuple(given.parameters.items()),
+    )
+    return replace(conditions, oil=oil)
 
 
-def read_keys(words: Sequence[str]) -> tuple[dict[str, Any], list[str]]:
-    """Return the keys of words as :func:`read_conditions` takes them, and laws without a key."""
+def read_keys(words: Sequence[str]) -> "GivenKeys":
+    """Return what words as :func:`read_conditions` takes them say; refuse a contradictory flow law."""
     keys: dict[str, Any] = {}
     others: list[str] = []
+    law: str | None = None
+    parameters: dict[str, float] = {}
     for word in words:
         name, separator, value = word.partition("=")
         if separator and not Path(word).exists():
             keys[name.strip()] = value.strip()
         else:
-            found, others = _from_file(Path(word))
-            keys |= found
-    return keys, others
+            file = _from_file(Path(word))
+            keys |= file.keys
+            others, parameters, law = file.other_laws, file.parameters, file.flow_law
+    name = conditions_from_keys(keys, place=_place(words)).oil.name
+    if law is not None and FLOW_LAWS.get(law) != name:
+        raise SurfaceError(
+            f"{_place(words)}: flow_law = '{law}', but the keys are those of a {name} oil: "
+            "give the stress of the law that is meant (eyring_stress_pa, or carreau_modulus_pa and "
+            "carreau_exponent), or change flow_law"
+        )
+    return GivenKeys(keys, others, parameters, law)
 
 
-def _from_file(path: Path) -> tuple[dict[str, Any], list[str]]:
-    """Return the keys of a file, and its laws of the oil that have no place in them."""
+def _place(words: Sequence[str]) -> str:
+    return f"conditions {' '.join(words)}"
+
+
+class GivenKeys(NamedTuple):
+    """What files and words say: known keys, laws of the oil without a place in them, their numbers."""
+
+    keys: dict[str, Any]
+    other_laws: list[str]
+    parameters: dict[str, float]
+    flow_law: str | None
+
+
+def _from_file(path: Path) -> GivenKeys:
     if not path.is_file():
         raise SurfaceError(
             f"conditions {path}: no such file; give an input file of ehlwave-case or KEY=VALUE"
@@ -67,4 +101,11 @@ def _from_file(path: Path) -> tuple[dict[str, Any], list[str]]:
         for key, known in KNOWN_LAWS.items()
         if str(lubricant.get(key, known)).lower() != known
     ]
-    return keys | {key: lubricant[key] for key in OIL_KEYS if key in lubricant}, others
+    parameters = {
+        key: float(value)
+        for key, value in lubricant.items()
+        if key.startswith(LAW_PREFIXES) and isinstance(value, (int, float))
+    }
+    known = {key: lubricant[key] for key in OIL_KEYS if key in lubricant}
+    law = lubricant.get("flow_law")
+    return GivenKeys(keys | known, others, parameters, None if law is None else str(law).lower())

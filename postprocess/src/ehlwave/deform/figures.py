@@ -61,8 +61,9 @@ def spectrum_figure(result: Deformed) -> Figure:
         for axes, (letter, text, spectrum, semi_axis) in zip(all_axes, panels, strict=True):
             parts = (spectrum.waves[1:], spectrum.before[1:], spectrum.after[1:])
             wavelength, squares = _bands(*parts)
-            axes.loglog(wavelength * UM, squares[0] * UM**2, ".-", color=BEFORE, label="before")
-            axes.loglog(wavelength * UM, squares[1] * UM**2, ".-", color=AFTER, label="after")
+            draw = axes.loglog if (squares > 0).any() else axes.semilogx  # a smooth surface has 0
+            draw(wavelength * UM, squares[0] * UM**2, ".-", color=BEFORE, label="before")
+            draw(wavelength * UM, squares[1] * UM**2, ".-", color=AFTER, label="after")
             limit = 2 * semi_axis * UM
             if wavelength.max() * UM > limit:
                 axes.axvspan(limit, axes.get_xlim()[1], color="0.9", zorder=0)

@@ -8,6 +8,9 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from ehlwave.deform.conditions import ellipticity
+from ehlwave.deform.table_keys import carried_columns
+from ehlwave.deform.table_read import table_rows
+from ehlwave.writing import Writer
 
 
 def harmonic_table(points: xr.Dataset) -> pd.DataFrame:
@@ -37,10 +40,13 @@ def harmonic_table(points: xr.Dataset) -> pd.DataFrame:
         "lambda_x_over_a": points["wavelength_x_over_a"].values,
         "lambda_y_over_b": points["wavelength_y_over_a"].values * kappa,
     }
-    columns = keys | {"transfer_real": transfer.real, "transfer_imag": transfer.imag}
+    carried = carried_columns(points)
+    columns = keys | carried | {"transfer_real": transfer.real, "transfer_imag": transfer.imag}
     if "mean_film_rise" in points:
         columns["mean_rise"] = _mean_rise(points)
-    return pd.DataFrame(columns).sort_values(list(keys), ignore_index=True)
+    table = pd.DataFrame(columns).sort_values(list(keys), ignore_index=True)
+    table_rows(table, "results")  # refuses what deform --table would
+    return table
 
 
 def _transfer(points: xr.Dataset) -> NDArray[np.complex128]:
@@ -66,8 +72,8 @@ def _mean_rise(points: xr.Dataset) -> NDArray[np.float64]:
     return np.where(is_product.values, np.nan, rise)
 
 
-def write_harmonic_table(path: Path, points: xr.Dataset) -> int:
+def write_harmonic_table(path: Path, points: xr.Dataset, writer: Writer | None = None) -> int:
     """Write :func:`harmonic_table` as CSV; return the number of waves."""
     table = harmonic_table(points)
-    table.to_csv(path, index=False, float_format="%.10g")
+    (writer or Writer()).table(path, table, float_format="%.10g")
     return len(table)

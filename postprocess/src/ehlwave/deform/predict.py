@@ -14,9 +14,15 @@ from ehlwave.deform.line_contact import TRANSVERSE_ALONE
 from ehlwave.deform.prepare import Form, Window, extended, judged_part, remove_form
 from ehlwave.deform.roughness import gaussian_filtered, roughness_parameters
 from ehlwave.deform.spectrum import Coverage, Spectrum, Unjudged, empty_spectrum
-from ehlwave.deform.statistics import FilmStatistics, film_statistics, warnings_of
+from ehlwave.deform.statistics import (
+    Components,
+    FilmStatistics,
+    doubts_of,
+    film_statistics,
+    warnings_of,
+)
 from ehlwave.deform.surface import Heights, Surface, checked_surface
-from ehlwave.deform.transfer import FormulaTransfer, Transfer
+from ehlwave.deform.transfer import FormulaBasis, FormulaTransfer, Transfer
 from ehlwave.errors import SurfaceError
 
 SINGLE_PRECISION_POINTS = 2**22
@@ -84,6 +90,11 @@ class Deformed:
         from ehlwave.stress.centre import centre_pressure
 
         return centre_pressure(self)
+
+    @property
+    def doubts(self) -> list[str]:
+        """Return why numbers are extrapolated, or not there; part of the warnings."""
+        return doubts_of(self.statistics, self.conditions)
 
     @cached_property
     def parameters(self) -> dict[str, dict[str, float]]:
@@ -156,7 +167,12 @@ def deform_surface(
     height, spectra, cover, rise = _filtered(extended(working, window), flat, conditions, chosen)
     height = np.ascontiguousarray(height[: shape[0], : shape[1]])
     part = judged_part((shape[0], shape[1]), window)
-    statistics = film_statistics(flat.height[part], height[part], conditions.central_film_m, rise)
+    error_m = cover.error_m()
+    before_m = math.sqrt(cover.total.before)
+    error = error_m / before_m if error_m is not None and before_m > 0 else error_m
+    known = Components(rise, error)
+    statistics = film_statistics(flat.height[part], height[part], conditions, known)
+    is_for_rolling = isinstance(chosen, FormulaBasis)
     return Deformed(
         surface=flat,
         height=height,
@@ -167,8 +183,8 @@ def deform_surface(
         spectra=spectra,
         statistics=statistics,
         unjudged=cover.unjudged(),
-        warnings=warnings_of(statistics, conditions),
-        error_m=cover.error_m(),
+        warnings=warnings_of(statistics, conditions, is_for_rolling),
+        error_m=error_m,
         cutoffs_m=cutoffs_m,
         transfer=chosen,
     )

@@ -41,6 +41,8 @@ def remove_form(surface: Surface, form: Form) -> Surface:
     degree = FORMS[form]
     if degree is None:
         return surface
+    if np.ptp(surface.height) == 0:
+        return replace(surface, height=np.zeros_like(surface.height))
     nx, ny = surface.height.shape
     basis_x, basis_y = _orthonormal(nx, degree), _orthonormal(ny, degree)
     # Products of orthonormal polynomials on a full grid are orthonormal: no system to solve.

@@ -1,26 +1,37 @@
 """Read measured surfaces: CSV, NumPy, HDF5, and the formats of instruments."""
 
+import math
+import zipfile
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import IO, Any
 
 import h5py
 import numpy as np
 
+from ehlwave.deform.decimals import Decimal
 from ehlwave.deform.surface import (
     Axis,
     Surface,
     filled,
+    is_uniform,
     map_surface,
     trace_surface,
     uniform_step,
 )
 from ehlwave.deform.text_table import TextTable, position_and_height, read_text_table
 from ehlwave.deform.units import METRES, metres
-from ehlwave.errors import SurfaceError
+from ehlwave.errors import ResultsError, SurfaceError, printable
+from ehlwave.hdf5 import DATA_PER_BYTE, check_is_file, opened, reason
 
 _TEXT = {".csv", ".txt", ".dat", ".prf", ".asc", ".tsv"}
 _HDF5 = {".h5", ".hdf5", ".nc"}
+
+_OWN = {*_TEXT, *_HDF5, ".npy", ".npz"}
+ARRAYS = ("height", "x", "y")
+
+LARGEST_STEP_DIFFERENCE = 1e-3
+"""Relative, of a step that is given and that of the file."""
 
 _MOST_POINTS = 100_000_000
 """In a file; what claims more is refused before memory is asked for."""
@@ -42,6 +53,8 @@ class ReadOptions:
         along a row. A trace along rolling is ``x``, one across it ``y``.
     fill_missing : bool
         Replace missing heights by their nearest neighbours, instead of refusing the file.
+    decimal : "point", "comma" or None
+        What decimals of a text file begin with, where the file does not decide it.
     """
 
     length_unit: str | None = None
@@ -50,6 +63,7 @@ class ReadOptions:
     step_across: float | None = None
     rolling_axis: Axis = "x"
     fill_missing: bool = False
+    decimal: Decimal | None = None
 
 
 @dataclass
@@ -68,6 +82,8 @@ class RawSurface:
     step_across: float | None = None
     is_across: bool = False
     """Whether a trace is known to run along y of its file."""
+    has_decimal_commas: bool = False
+    """Whether commas were taken as decimal ones."""
 
 
 def read_surface(path: str | Path, options: ReadOptions | None = None) -> Surface:
@@ -96,9 +112,7 @@ def read_surface(path: str | Path, options: ReadOptions | None = None) -> Surfac
         are missing.
     """
     file, chosen = Path(path), options or ReadOptions()
-    if not file.is_file():
-        raise SurfaceError(f"{file}: no such file")
-    raw = _without_single_line(_read_raw(file))
+    raw = _without_single_line(_read_raw(file, chosen))
     if raw.height.ndim not in (1, 2):
         raise SurfaceError(f"{file}: heights have {raw.height.ndim} dimensions, not one or two")
     height_metres = _unit(file, chosen.height_unit or raw.height_unit, "heights", "--height-unit")
@@ -112,12 +126,13 @@ def read_surface(path: str | Path, options: ReadOptions | None = None) -> Surfac
         except SurfaceError as error:
             raise SurfaceError(f"{file}: {error}") from None
     along, across = _steps(file, raw, chosen)
+    name = printable(file.name)
     if height.ndim == 1:
         axis = "y" if raw.is_across else chosen.rolling_axis
-        return trace_surface(height, along, axis, file.name)
+        return trace_surface(height, along, axis, name)
     if chosen.rolling_axis == "x":
-        return map_surface(height.T, along, across, file.name)
-    return map_surface(height, across, along, file.name)
+        return map_surface(height.T, along, across, name)
+    return map_surface(height, across, along, name)
 
 
 def _without_single_line(raw: RawSurface) -> RawSurface:
@@ -131,27 +146,57 @@ def _without_single_line(raw: RawSurface) -> RawSurface:
     )
 
 
-def _read_raw(file: Path) -> RawSurface:
+def _read_raw(file: Path, options: ReadOptions) -> RawSurface:
     suffix = file.suffix.lower()
     try:
+        check_is_file(file)
         if suffix in _TEXT:
-            return _from_text(file)
+            _refuse_large(file, file.stat().st_size // 2)
+            return _from_text(file, options)
         if suffix == ".npy":
-            return RawSurface(_numbers(file, np.load(file, mmap_mode="r")))
+            return RawSurface(_numbers(file, np.load(file, mmap_mode="r", allow_pickle=False)))
         if suffix == ".npz":
-            with np.load(file) as archive:
-                _refuse_large(file, sum(entry.file_size for entry in archive.zip.infolist()) // 8)
-                return _from_arrays(file, dict(archive), {})
+            return _from_archive(file)
         if suffix in _HDF5:
-            with h5py.File(file, "r") as opened:
-                return _from_hdf5(file, opened)
+            with opened(file) as inside:
+                return _from_hdf5(file, inside)
+        return _from_instrument(file)
     except SurfaceError:
         raise
+    except ResultsError as error:
+        raise SurfaceError(str(error)) from error
     except Exception as error:
         # The readers raise whatever a damaged file makes them stumble into.
-        reason = " ".join(f"{type(error).__name__}: {error}".split())[:200]
-        raise SurfaceError(f"{file}: cannot be read as {suffix[1:]} ({reason})") from error
-    return _from_instrument(file)
+        kind = f"as {suffix[1:]} " if suffix in _OWN else ""
+        said = f"{type(error).__name__}: {reason(error)}"
+        raise SurfaceError(f"{file}: cannot be read {kind}({said})") from error
+
+
+def _from_archive(file: Path) -> RawSurface:
+    """Return the arrays of an archive that are known, once their sizes are those of its data."""
+    with zipfile.ZipFile(file) as archive:
+        sizes = {entry.filename: entry.file_size for entry in archive.infolist()}
+        for name in (f"{name}.npy" for name in ARRAYS):
+            if name in sizes:
+                _refuse_large(file, sizes[name] // 8)
+                with archive.open(name) as entry:
+                    points = _claimed_points(entry)
+                if points > sizes[name]:
+                    raise SurfaceError(f"{file}: {name} claims {points} numbers it does not hold")
+    with np.load(file, allow_pickle=False) as arrays:
+        if "height" not in arrays:
+            return _from_arrays(file, dict.fromkeys(arrays), {})
+        return _from_arrays(file, {name: arrays[name] for name in ARRAYS if name in arrays}, {})
+
+
+def _claimed_points(entry: IO[bytes]) -> int:
+    """Return how many numbers the head of an array says that there are."""
+    version = np.lib.format.read_magic(entry)
+    if version == (1, 0):
+        shape = np.lib.format.read_array_header_1_0(entry)[0]
+    else:
+        shape = np.lib.format.read_array_header_2_0(entry)[0]
+    return math.prod(shape)
 
 
 def _refuse_large(file: Path, points: int) -> None:
@@ -159,8 +204,8 @@ def _refuse_large(file: Path, points: int) -> None:
         raise SurfaceError(f"{file}: claims {points} numbers, more than {_MOST_POINTS}")
 
 
-def _from_text(file: Path) -> RawSurface:
-    table = read_text_table(file)
+def _from_text(file: Path, options: ReadOptions) -> RawSurface:
+    table = read_text_table(file, options.decimal)
     numbers, units = table.numbers, table.units
     stated = {"length_unit": table.length_unit, "height_unit": table.height_unit}
     if numbers.shape[1] == 1:
@@ -170,10 +215,16 @@ def _from_text(file: Path) -> RawSurface:
             length_unit=table.length_unit,
             height_unit=height_unit,
             step=table.step,
+            has_decimal_commas=table.has_decimal_commas,
         )
     chosen = position_and_height(table)
     if chosen is None and numbers.shape[1] == 2:
         chosen = 0, 1
+        if not is_uniform(numbers[:, 0]) and is_uniform(numbers[:, 1]):
+            raise SurfaceError(
+                f"{file}: positions are not equidistant in its first column but in its second: if "
+                "they are swapped, put headings above them, such as z;x"
+            )
     if chosen is not None:
         x, z = chosen
         return RawSurface(
@@ -211,19 +262,19 @@ def _from_arrays(file: Path, arrays: dict[str, Any], units: dict[str, str]) -> R
     )
 
 
-def _from_hdf5(file: Path, opened: h5py.File) -> RawSurface:
+def _from_hdf5(file: Path, inside: h5py.File) -> RawSurface:
     arrays, units = {}, {}
-    for name in ("height", "x", "y"):
-        if name in opened:
-            _refuse_large(file, opened[name].size)
-            arrays[name] = opened[name][()]
-            unit = opened[name].attrs.get("units", "")
+    for name in ARRAYS:
+        if name in inside:
+            _refuse_large(file, inside[name].size)
+            arrays[name] = inside[name][()]
+            unit = inside[name].attrs.get("units", "")
             units[name] = unit.decode() if isinstance(unit, bytes) else str(unit)
     if not arrays:
-        arrays = {name: None for name in opened if name != "height"}
+        arrays = {name: None for name in inside if name != "height"}
     raw = _from_arrays(file, arrays, {name: unit for name, unit in units.items() if unit})
     # Files of `ehlwave deform` hold (x, y): dimension scales say which is which.
-    if raw.height.ndim == 2 and "x" in opened["height"].dims[0].keys():  # noqa: SIM118
+    if raw.height.ndim == 2 and "x" in inside["height"].dims[0].keys():  # noqa: SIM118
         raw.height = raw.height.T
     return raw
 
@@ -236,9 +287,17 @@ def _from_instrument(file: Path) -> RawSurface:
             f"{file}: this format is read by SurfaceTopography, which is not installed: "
             "pip install SurfaceTopography (CSV, NumPy and HDF5 need nothing)"
         ) from error
+    if h5py.is_hdf5(file):
+        with opened(file):
+            pass  # it stands for itself
     try:
         # Its readers raise whatever a damaged file makes them stumble into.
-        topography = SurfaceTopography.open_topography(str(file)).topography()
+        reader = SurfaceTopography.open_topography(str(file))
+        points = math.prod(reader.channels[0].nb_grid_pts)
+        _refuse_large(file, points)
+        if points > DATA_PER_BYTE * file.stat().st_size:
+            raise SurfaceError(f"{file}: claims {points} numbers that it cannot hold")
+        topography = reader.topography()
         if not topography.is_uniform:
             raise SurfaceError(f"{file}: points are not equidistant: resample to equal steps")
         unit = topography.unit
@@ -248,7 +307,7 @@ def _from_instrument(file: Path) -> RawSurface:
         raise
     except Exception as error:
         raise SurfaceError(
-            f"{file}: SurfaceTopography cannot read it ({type(error).__name__}: {error})"
+            f"{file}: SurfaceTopography cannot read it ({type(error).__name__}: {reason(error)})"
         ) from error
     across = float(steps[1]) if len(steps) > 1 else None
     # It holds heights as (x, y); files here are rows of constant y.
@@ -260,16 +319,31 @@ def _from_instrument(file: Path) -> RawSurface:
 def _steps(file: Path, raw: RawSurface, options: ReadOptions) -> tuple[float, float]:
     """Return the steps along x and y of the file, m."""
     length = _unit(file, options.length_unit or raw.length_unit, "lengths", "--length-unit")
-    step, across = options.step, options.step_across
-    if raw.x is not None and step is None:
+    # A unit that the user gives is that of positions too, not of a step stated with its own.
+    stated = METRES.get(raw.length_unit or "", length) / length if options.length_unit else 1.0
+    step, across = (None if own is None else own * stated for own in (raw.step, raw.step_across))
+    if raw.x is not None:
         step = uniform_step(_positions(file, raw.x, raw.height.shape[-1], "x"), f"{file}: x")
-    if raw.y is not None and across is None and raw.height.ndim == 2:
+    if raw.y is not None and raw.height.ndim == 2:
         across = uniform_step(_positions(file, raw.y, raw.height.shape[0], "y"), f"{file}: y")
-    step = raw.step if step is None else step
-    across = raw.step_across if across is None else across
+    step = _agreed(file, "--step", options.step, step)
+    across = _agreed(file, "--step-across", options.step_across, across)
     if step is None:
-        raise SurfaceError(f"{file}: has no positions: give the sampling step by --step")
+        hint = "; commas were taken as decimal ones" if raw.has_decimal_commas else ""
+        raise SurfaceError(f"{file}: has no positions: give the sampling step by --step{hint}")
     return step * length, (step if across is None else across) * length
+
+
+def _agreed(file: Path, option: str, said: float | None, own: float | None) -> float | None:
+    """Return a step that the user or the file says; both only where they agree."""
+    if said is None or own is None:
+        return own if said is None else said
+    if not abs(said - own) <= LARGEST_STEP_DIFFERENCE * abs(own):
+        raise SurfaceError(
+            f"{file}: {option} {said:g} contradicts the file, whose step is {own:.6g}: leave the "
+            "option out, or remove the positions from the file"
+        )
+    return own
 
 
 def _positions(file: Path, positions: np.ndarray, count: int, name: str) -> np.ndarray:

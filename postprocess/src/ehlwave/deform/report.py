@@ -13,6 +13,7 @@ import xarray as xr
 
 from ehlwave.deform.predict import Deformed
 from ehlwave.deform.spectrum import Component
+from ehlwave.writing import Writer
 
 FORMAT_NAME = "ehlwave-deformed"
 UM = 1e6
@@ -33,29 +34,23 @@ def report_text(result: Deformed, others: Sequence[Deformed] = ()) -> str:
         + ("line contact" if c.is_line else f"b = {c.semi_axis_b_m * 1e3:.5g} mm"),
         f"Reduced by   {result.transfer_name}",
         f"Roughness    Rq {s.rq_before_m * UM:.4g} um before, {s.rq_after_m * UM:.4g} um after "
-        f"(ratio {_ratio(s.rq_after_m, s.rq_before_m):.4g}); from lowest to highest "
+        f"({_ratio_text(s.rq_after_m, s.rq_before_m)}); from lowest to highest "
         f"{s.rz_before_m * UM:.4g} and {s.rz_after_m * UM:.4g} um",
     ]
     for name, after in result.parameters["after"].items():
         if name[1:] in ("a", "z", "sk", "ku"):
             before, unit = result.parameters["before"][name], 1 if name[1:] in ("sk", "ku") else UM
+            if not math.isfinite(before):
+                continue  # of a smooth surface it is not defined
             lines[-1] += f"; {name} {before * unit:.4g}, {after * unit:.4g}"
     if result.error_m is not None:
-        share = _ratio(result.error_m, s.rq_before_m)
+        share = result.error_m / s.rq_before_m if s.rq_before_m > 0 else 0.0
         lines.append(
             f"Error        {result.error_m * UM:.2g} um rms of the deformed heights, "
             f"{100 * share:.2g} % of Rq before: by the error bars of the responses"
         )
-    if s.mean_film_m is not None and s.minimum_film_m is not None:
-        rise = "its rise by the roughness is not known"
-        if s.mean_rise_m is not None:
-            rise = f"{s.mean_rise_m * UM:.3g} um of it by the roughness, to second order"
-        lines += [
-            f"Film         mean {s.mean_film_m * UM:.4g} um ({c.film_source}; {rise}), minimum "
-            f"{s.minimum_film_m * UM:.4g} um",
-            f"             lambda ratio {s.lambda_ratio_before:.4g} with the undeformed roughness, "
-            f"{s.lambda_ratio_after:.4g} with the deformed one (of this surface alone)",
-        ]
+    if s.mean_film_m is not None:
+        lines += _film_lines(result)
     for other in others:
         t = other.statistics
         ratio = "" if t.lambda_ratio_after is None else f", lambda ratio {t.lambda_ratio_after:.4g}"
@@ -72,6 +67,35 @@ def report_text(result: Deformed, others: Sequence[Deformed] = ()) -> str:
         lines += [f"             {_component_text(component)}" for component in named]
     lines += [f"Warning      {warning}" for warning in result.warnings]
     return "\n".join(lines)
+
+
+def _film_lines(result: Deformed) -> list[str]:
+    """Return mean and smallest film, and the lambda ratios with their error."""
+    c, s = result.conditions, result.statistics
+    rise = "its rise by the roughness is not known"
+    if s.mean_rise_m is not None:
+        rise = f"{s.mean_rise_m * UM:.3g} um of it by the roughness, to second order"
+    elif s.extrapolated:
+        rise = "its rise by the roughness is not used at this amplitude"
+    least = "the surfaces touch: no smallest film"
+    if s.minimum_film_m is not None:
+        least = f"minimum {s.minimum_film_m * UM:.4g} um"
+    lines = [
+        f"Film         mean {s.mean_film_m * UM:.4g} um (smooth: {c.film_source}; {rise}), {least}",
+        f"             lambda ratio {s.lambda_ratio_before:.4g} with the undeformed roughness, "
+        f"{s.lambda_ratio_after:.4g} with the deformed one (of this surface alone)",
+    ]
+    if s.lambda_error is None or s.lambda_errors is None:
+        return [*lines, "             error of the latter: not known, this transfer has none"]
+    parts = ", ".join(f"{name} {_percent(error)}" for name, error in s.lambda_errors.items())
+    lines.append(f"             error of the latter {_percent(s.lambda_error)}: {parts}")
+    if s.extrapolated:
+        lines[-1] += " (extrapolated)"
+    return lines
+
+
+def _percent(share: float) -> str:
+    return f"{100 * share:.2g} %" if share < 1 else "above 100 %"
 
 
 def report_json(result: Deformed) -> str:
@@ -120,24 +144,24 @@ def to_dataset(result: Deformed) -> xr.Dataset:
     return xr.Dataset(variables, coords=coordinates, attrs=attributes)
 
 
-def write_results(result: Deformed, directory: Path) -> list[Path]:
+def write_results(result: Deformed, directory: Path, writer: Writer | None = None) -> list[Path]:
     """Write ``deformed.h5``, ``spectrum.csv``, ``deformed.json``, for a trace ``deformed.csv`` too.
 
     Returns the paths.
     """
-    directory.mkdir(parents=True, exist_ok=True)
-    names = ["deformed.h5", "spectrum.csv", "deformed.json"]
-    paths = [directory / name for name in names]
-    to_dataset(result).to_netcdf(paths[0], engine="h5netcdf")
-    _write_spectrum(result, paths[1])
-    paths[2].write_text(report_json(result) + "\n", encoding="utf-8")
+    chosen = writer or Writer()
+    paths = [
+        chosen.dataset(directory / "deformed.h5", to_dataset(result)),
+        chosen.table(directory / "spectrum.csv", _spectrum_table(result), **CSV_FORMAT),
+        chosen.text(directory / "deformed.json", report_json(result) + "\n"),
+    ]
     if result.surface.is_trace:
-        paths.append(directory / "deformed.csv")
-        _write_trace(result, paths[-1])
+        table = _trace_table(result)
+        paths.append(chosen.table(directory / "deformed.csv", table, **CSV_FORMAT))
     return paths
 
 
-def _write_trace(result: Deformed, path: Path) -> None:
+def _trace_table(result: Deformed) -> pd.DataFrame:
     step = max(result.surface.step_x_m, result.surface.step_y_m)
     before, after = result.surface.height.ravel(), result.height.ravel()
     film = result.statistics.mean_film_m
@@ -149,11 +173,12 @@ def _write_trace(result: Deformed, path: Path) -> None:
         }
     )
     if film is not None:
-        table["film_um"] = (film - after) * UM
-    table.to_csv(path, **CSV_FORMAT)
+        film_um = (film - after) * UM
+        table["film_um"] = np.where(film_um > 0, film_um, np.nan)  # nothing where they touch
+    return table
 
 
-def _write_spectrum(result: Deformed, path: Path) -> None:
+def _spectrum_table(result: Deformed) -> pd.DataFrame:
     parts = []
     for name, spectrum in result.spectra.items():
         if spectrum.waves.size == 1:
@@ -166,7 +191,7 @@ def _write_spectrum(result: Deformed, path: Path) -> None:
                 "mean_square_after_um2": spectrum.after * UM**2,
             }
         parts.append(pd.DataFrame(columns))
-    pd.concat(parts).to_csv(path, **CSV_FORMAT)
+    return pd.concat(parts)
 
 
 def _size_text(result: Deformed) -> str:
@@ -190,8 +215,8 @@ def _length(value: float) -> str:
     return f"{value * UM:.4g} um" if math.isfinite(value) else "infinite"
 
 
-def _ratio(part: float, whole: float) -> float:
-    return part / whole if whole > 0 else math.nan
+def _ratio_text(part: float, whole: float) -> str:
+    return f"ratio {part / whole:.4g}" if whole > 0 else "smooth"
 
 
 def _plain(value: Any) -> Any:  # noqa: ANN401

@@ -9,6 +9,7 @@ import xarray as xr
 from ehlwave.deform.prepare import Form, remove_form, taper
 from ehlwave.deform.surface import Surface
 from ehlwave.errors import SurfaceError
+from ehlwave.writing import Writer
 
 FORMAT_NAME = "ehlwave-surface"
 
@@ -44,7 +45,7 @@ def simulation_surface(surface: Surface, form: Form = "plane", repeat: int = 1) 
     return replace(flat, height=height)
 
 
-def write_simulation_surface(surface: Surface, path: Path) -> None:
+def write_simulation_surface(surface: Surface, path: Path, writer: Writer | None = None) -> None:
     """Write height over (y, x), and x and y, in metres: what ``&surface file`` reads.
 
     x counts along the motion: the last point enters the contact first. y = 0 of the contact is in
@@ -61,4 +62,4 @@ def write_simulation_surface(surface: Surface, path: Path) -> None:
         },
         attrs={"format": FORMAT_NAME, "title": surface.name},
     )
-    dataset.to_netcdf(path, engine="h5netcdf")
+    (writer or Writer()).dataset(path, dataset)

@@ -18,7 +18,7 @@ from ehlwave.deform.surface import Surface
 from ehlwave.deform.transfer import Waves
 from ehlwave.errors import SurfaceError
 from ehlwave.rolling import rolling_transfer
-from ehlwave.two_waves import FITTED_RANGES, TwoWaves, two_waves
+from ehlwave.two_waves import FITTED_RANGES, SLIP_ERRORS, TwoWaves, two_waves
 
 Complex = NDArray[np.complex128]
 Floats = NDArray[np.float64]
@@ -75,8 +75,12 @@ class TwoWaveTransfer:
     def rise(self, per_length_x: Waves, per_length_y: Waves) -> None:
         """Return None: the law is linear."""
 
-    def error(self, per_length_x: Waves, per_length_y: Waves) -> None:
-        """Return None: what the law is off by depends on the contact."""
+    def error(self, per_length_x: Waves, per_length_y: Waves) -> Waves | None:
+        """Return the error of the law for this oil; None outside the conditions of its fit."""
+        if not self.covers_all:
+            return None
+        shape = np.broadcast_shapes(np.shape(per_length_x), np.shape(per_length_y))
+        return np.full(shape, SLIP_ERRORS[self.conditions.oil.name])
 
     @property
     def covers_all(self) -> bool:
@@ -177,6 +181,8 @@ def film_profile(
 ) -> Floats:
     """Return the film, m, along the contact at one time: the smooth one and the waves of surfaces.
 
+    It is NaN where the surfaces touch.
+
     Parameters
     ----------
     movers : sequence of Mover
@@ -198,7 +204,8 @@ def film_profile(
     if film is None:
         raise SurfaceError("the film thickness is unknown: give central_film_m or radius_x_m")
     changes = [mover.film_change(place_m, rolled_m, line_m) for mover in movers]
-    return np.asarray(film + np.sum(changes, axis=0))
+    found = film + np.sum(changes, axis=0)
+    return np.where(found > 0, found, np.nan)
 
 
 def second_conditions(conditions: Conditions) -> Conditions:

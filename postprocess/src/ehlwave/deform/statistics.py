@@ -1,15 +1,21 @@
-"""Roughness and film thickness, before and after, and what makes a prediction doubtful."""
+"""Roughness and film thickness, before and after, their errors, and what makes them doubtful."""
 
 import math
 from dataclasses import dataclass
 
 import numpy as np
 
+from ehlwave.deform.amplitude import (
+    LARGEST_RISE,
+    expected_nonlinearity,
+    rise_error,
+    validated_amplitude,
+)
 from ehlwave.deform.conditions import Conditions
 from ehlwave.deform.surface import Heights
 
 LINEAR_LIMIT = 0.3
-"""Amplitude over film up to which the linear prediction was compared with simulations."""
+"""Amplitude over film above which a linear prediction is a first estimate."""
 
 
 @dataclass(frozen=True)
@@ -23,66 +29,135 @@ class FilmStatistics:
     rz_before_m, rz_after_m : float
         From the lowest to the highest point.
     mean_film_m : float or None
-        Of the rough contact's centre: the smooth central film and `mean_rise_m`, where it is known.
+        Of the rough contact's centre: the smooth central film and `mean_rise_m`, where it is used.
     mean_rise_m : float or None
-        What the roughness adds to the mean film, to second order. None: the transfer has no rises.
+        What the roughness adds to the mean film, to second order. None: the transfer has no rises,
+        or the amplitude is above those that rises were compared with.
     minimum_film_m : float or None
-        Mean film less the highest deformed point. Negative: the surfaces would touch.
+        Mean film less the highest deformed point; None where that is not above 0.
+    surfaces_touch : bool or None
+        Whether it is not: no film is left at the highest point.
     lambda_ratio_before, lambda_ratio_after : float or None
         Mean film over Rq before (the usual ratio) and after (what is there in the contact).
+    lambda_errors : dict of float or None
+        Relative errors of `lambda_ratio_after` by ``"film"``, the smooth one, ``"responses"``, the
+        linear ones, ``"amplitude"``, what is not linear, and ``"rise"``. A rise that is not used
+        counts in full. None: the transfer has no errors.
+    lambda_error : float or None
+        Their sum.
     amplitude_over_film : float or None
         sqrt(2) Rq before over the smooth film: the amplitude of a cosine of the same Rq.
+    extrapolated : bool or None
+        Whether that is above the amplitudes that predictions were compared with.
     """
 
     rq_before_m: float
     rq_after_m: float
     rz_before_m: float
     rz_after_m: float
-    mean_film_m: float | None
+    mean_film_m: float | None = None
     mean_rise_m: float | None = None
     minimum_film_m: float | None = None
+    surfaces_touch: bool | None = None
     lambda_ratio_before: float | None = None
     lambda_ratio_after: float | None = None
+    lambda_errors: dict[str, float] | None = None
+    lambda_error: float | None = None
     amplitude_over_film: float | None = None
+    extrapolated: bool | None = None
+
+
+@dataclass(frozen=True)
+class Components:
+    """What the harmonic components say of the whole.
+
+    Attributes
+    ----------
+    rise : float or None
+        (Mean film less smooth film) times the film, over Rq squared; None: not known.
+    error : float or None
+        Root mean square error of the deformed heights over Rq before; None: not known.
+    """
+
+    rise: float | None = None
+    error: float | None = None
 
 
 def film_statistics(
-    before: Heights, after: Heights, film_m: float | None, rise: float | None
+    before: Heights, after: Heights, conditions: Conditions, known: Components
 ) -> FilmStatistics:
-    """Return the statistics of a surface before and after, for a smooth central film in m.
-
-    `rise`: of the mean film over the smooth one, for Rq before equal to that.
-    """
+    """Return the statistics of a surface before and after, by the film of the conditions."""
     rq_before, rq_after = _rms(before), _rms(after)
-    mean_film, of_film = film_m, {}
-    if film_m is not None:
-        of_film["amplitude_over_film"] = math.sqrt(2) * rq_before / film_m
-        if rise is not None:
-            of_film["mean_rise_m"] = rise * rq_before**2 / film_m
-        mean_film = film_m + of_film.get("mean_rise_m", 0.0)
-        of_film |= {
-            "minimum_film_m": mean_film - float(after.max()),
-            "lambda_ratio_before": _quotient(mean_film, rq_before),
-            "lambda_ratio_after": _quotient(mean_film, rq_after),
+    heights = {
+        "rq_before_m": rq_before,
+        "rq_after_m": rq_after,
+        "rz_before_m": float(before.max() - before.min()),
+        "rz_after_m": float(after.max() - after.min()),
+    }
+    film = conditions.central_film_m
+    if film is None:
+        return FilmStatistics(**heights)
+    amplitude = math.sqrt(2) * rq_before / film
+    rise = None if known.rise is None else float(known.rise * (rq_before / film) ** 2)
+    extrapolated = amplitude > validated_amplitude(conditions)
+    is_used = rise is not None and not extrapolated and abs(rise) <= LARGEST_RISE
+    mean_film = film * (1 + rise) if is_used else film
+    least = float(mean_film - after.max())
+    errors = None
+    if known.error is not None and conditions.central_film_error is not None:
+        unused = 0.0 if rise is None or is_used else abs(rise)
+        errors = {
+            "film": conditions.central_film_error,
+            "responses": _quotient(known.error * rq_before, rq_after),
+            "amplitude": expected_nonlinearity(conditions, amplitude),
+            "rise": (rise_error(conditions, amplitude) + unused) * film / mean_film,
         }
     return FilmStatistics(
-        rq_before_m=rq_before,
-        rq_after_m=rq_after,
-        rz_before_m=float(before.max() - before.min()),
-        rz_after_m=float(after.max() - after.min()),
+        **heights,
         mean_film_m=mean_film,
-        **of_film,
+        mean_rise_m=mean_film - film if is_used else None,
+        minimum_film_m=least if least > 0 else None,
+        surfaces_touch=least <= 0,
+        lambda_ratio_before=_quotient(mean_film, rq_before),
+        lambda_ratio_after=_quotient(mean_film, rq_after),
+        lambda_errors=errors,
+        lambda_error=None if errors is None else sum(errors.values()),
+        amplitude_over_film=amplitude,
+        extrapolated=extrapolated,
     )
 
 
-def warnings_of(statistics: FilmStatistics, conditions: Conditions) -> list[str]:
-    """Return what the reader of a prediction should know before believing it."""
+def doubts_of(statistics: FilmStatistics, conditions: Conditions) -> list[str]:
+    """Return why numbers of a prediction are extrapolated, or not there."""
     found = []
-    if conditions.slip_parameter != 1:
+    if statistics.extrapolated:
+        limit = validated_amplitude(conditions)
         found.append(
-            f"slip is present (S = {conditions.slip_parameter:g}): formula (18) was made for pure "
-            "rolling and judges none of the components; with sliding the roughness is usually "
-            "flattened more"
+            f"extrapolated: the amplitude, sqrt(2) Rq, is {statistics.amplitude_over_film:.2g} of "
+            f"the film, above {limit:g}, the largest that predictions were compared with; the mean "
+            "film is the smooth one, without its rise by the roughness"
+        )
+    if statistics.surfaces_touch:
+        found.append(
+            "the surfaces touch: the highest deformed point is above the mean film, so that there "
+            "is no smallest film; how they touch the prediction does not describe"
+        )
+    return found
+
+
+def warnings_of(
+    statistics: FilmStatistics, conditions: Conditions, is_for_rolling: bool
+) -> list[str]:
+    """Return what the reader of a prediction should know before believing it.
+
+    `is_for_rolling`: the transfer is one of pure rolling.
+    """
+    found = []
+    slip = conditions.slip_parameter
+    if slip != 1 and is_for_rolling:
+        found.append(
+            f"slip is present (S = {slip:g}): the formula was made for pure rolling and judges "
+            "none of the components; with sliding the roughness is usually flattened more"
         )
     if statistics.amplitude_over_film is None:
         found.append(
@@ -90,17 +165,12 @@ def warnings_of(statistics: FilmStatistics, conditions: Conditions) -> list[str]
         )
         return found
     ratio = statistics.amplitude_over_film
-    if ratio > LINEAR_LIMIT:
+    if ratio > LINEAR_LIMIT and not statistics.extrapolated:
         found.append(
             f"the amplitude, sqrt(2) Rq, is {ratio:.2g} of the film, above {LINEAR_LIMIT}: the "
             "prediction is linear in the amplitude and is only a first estimate here"
         )
-    if statistics.minimum_film_m is not None and statistics.minimum_film_m <= 0:
-        found.append(
-            "the minimum film is negative: the surfaces would touch, which the prediction does "
-            "not describe"
-        )
-    return found
+    return found + doubts_of(statistics, conditions)
 
 
 def _rms(height: Heights) -> float:

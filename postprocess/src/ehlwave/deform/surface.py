@@ -161,6 +161,15 @@ def filled(height: Heights) -> Heights:
     return height[tuple(nearest)]
 
 
+def is_uniform(positions: NDArray[np.float64]) -> bool:
+    """Return whether numbers can be the positions of a trace."""
+    try:
+        uniform_step(positions, "positions")
+    except SurfaceError:
+        return False
+    return True
+
+
 def uniform_step(positions: NDArray[np.float64], name: str) -> float:
     """Return the step of equidistant positions, in their unit.
 

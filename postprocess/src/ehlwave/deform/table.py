@@ -213,7 +213,8 @@ def _orientations(rows: pd.DataFrame, name: str) -> list[tuple[float, Waves, pd.
     v_per_wave = conditions_from_keys(moes | {"semi_axis_a_m": 1.0}, name).v_per_wavelength
     groups = []
     for angle, members in rows.groupby(rows["angle"].round(6)):
-        of_wave = members.groupby(members["log_wave"].round(9)).mean()
+        numbers = members[["log_wave", "transfer_real", "transfer_imag", "mean_rise"]]
+        of_wave = numbers.groupby(members["log_wave"].round(9)).mean()
         if len(of_wave) >= 2:
             groups.append(
                 (float(angle), of_wave["log_wave"].to_numpy() + np.log(v_per_wave), of_wave)

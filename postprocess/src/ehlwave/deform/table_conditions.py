@@ -6,11 +6,9 @@ from numpy.typing import NDArray
 from scipy.spatial import Delaunay
 
 from ehlwave.deform.conditions import Conditions
+from ehlwave.deform.table_matching import LARGEST_DIFFERENCE, matching_rows
 from ehlwave.deform.table_read import CONDITION_COLUMNS
 from ehlwave.errors import SurfaceError
-
-LARGEST_DIFFERENCE = 0.01
-"""Relative, between M, L, D of a contact and of a condition that is taken to be the same."""
 
 Floats = NDArray[np.float64]
 
@@ -27,13 +25,15 @@ def weighted_conditions(
     Raises
     ------
     SurfaceError
-        If the contact does not lie among the table's conditions of the same slip; line contacts.
+        If the contact does not lie among the table's conditions of the same slip and oil; line
+        contacts.
     """
     if conditions.is_line:
         raise SurfaceError(f"{name}: harmonic tables are for elliptical contacts, D of 0.005 to 1")
     same_slip = np.abs(rows["slip_parameter"] - conditions.slip_parameter) < 1e-6
     columns = list(CONDITION_COLUMNS)
-    groups = [part for _, part in rows[same_slip].groupby(columns, sort=True)]
+    chosen = matching_rows(rows[same_slip], conditions, name) if same_slip.any() else rows[:0]
+    groups = [part for _, part in chosen.groupby(columns, sort=True)]
     points = np.log([part[columns].iloc[0].to_numpy(float) for part in groups]).reshape(-1, 3)
     target = np.log([conditions.m, conditions.l, conditions.d])
     if groups:

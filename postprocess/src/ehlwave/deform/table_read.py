@@ -11,6 +11,9 @@ written as exp(i qx x) with x counted on the surface along its motion.
 
 ``mean_rise``, which may be absent, is what one such wave of amplitude A adds to the mean film at
 the contact centre, to second order: (mean film less smooth film)/film = ``mean_rise`` (A/film)^2.
+
+Other keys that a response depends on (:mod:`ehlwave.deform.table_keys`) are columns of their names;
+a table serves contacts whose keys are its own.
 """
 
 from pathlib import Path
@@ -19,9 +22,12 @@ import h5py
 import numpy as np
 import pandas as pd
 
-from ehlwave.deform.conditions import ellipticity
-from ehlwave.errors import SurfaceError
+from ehlwave.deform.conditions import SMALLEST_RADIUS_RATIO, ellipticity
+from ehlwave.deform.table_keys import table_columns
+from ehlwave.deform.table_matching import refuse_two_responses
+from ehlwave.errors import ResultsError, SurfaceError
 from ehlwave.formula import f_of_r
+from ehlwave.hdf5 import check_is_file, opened, reason
 
 CONDITION_COLUMNS = ("M", "L", "D")
 
@@ -42,18 +48,21 @@ def read_table(path: str | Path) -> pd.DataFrame:
         If the file cannot be read or a column is missing.
     """
     file = Path(path)
-    if not file.is_file():
-        raise SurfaceError(f"{file}: no such file")
     try:
+        check_is_file(file)
         if file.suffix.lower() == ".csv":
             raw = pd.read_csv(file, comment="#", skipinitialspace=True)
         else:
-            with h5py.File(file, "r") as opened:
+            with opened(file) as inside:
+                names = [name for name in inside if isinstance(inside[name], h5py.Dataset)]
                 raw = pd.DataFrame(
-                    {key: opened[key][()] for key in opened if opened[key].ndim == 1}
+                    {name: inside[name][()] for name in names if inside[name].ndim == 1}
                 )
-    except (OSError, ValueError, AttributeError, pd.errors.ParserError) as error:
-        raise SurfaceError(f"{file}: not a harmonic table ({error})") from error
+    except ResultsError as error:
+        raise SurfaceError(str(error)) from error
+    except Exception as error:
+        # The readers raise whatever a damaged file makes them stumble into.
+        raise SurfaceError(f"{file}: not a harmonic table ({reason(error)})") from error
     return table_rows(raw, str(file))
 
 
@@ -73,6 +82,7 @@ def table_rows(raw: pd.DataFrame, place: str) -> pd.DataFrame:
             raise SurfaceError(f"{place}: a harmonic table needs the column {column}")
         if raw[column].dtype.kind not in "fiu":
             raise SurfaceError(f"{place}: column {column} does not hold numbers")
+    _check_numbers(raw, needed, place)
     rows = raw[[*CONDITION_COLUMNS]].astype(float)
     rows["slip_parameter"] = raw.get("slip_parameter", 1.0)
     if "r" in raw:
@@ -93,4 +103,35 @@ def table_rows(raw: pd.DataFrame, place: str) -> pd.DataFrame:
         rows["transfer_real"], rows["transfer_imag"] = raw["amplitude_ratio"], 0.0
     finite = np.isfinite(rows.drop(columns="slip_parameter")).all(axis=1)
     rows["mean_rise"] = raw.get("mean_rise", np.nan)
-    return rows[finite]
+    rows = rows.assign(**table_columns(raw, place))[finite]
+    refuse_two_responses(rows, place)
+    return rows
+
+
+def _check_numbers(raw: pd.DataFrame, needed: list[str], place: str) -> None:
+    """Refuse optional columns that are not numbers, and numbers that no contact or wave has."""
+    for column in ("slip_parameter", "mean_rise"):
+        if column in raw and raw[column].dtype.kind not in "fiu":
+            raise SurfaceError(f"{place}: column {column} does not hold numbers")
+    slip = raw.get("slip_parameter", pd.Series(1.0)).to_numpy(float)
+    if not ((slip >= 0) & (slip <= 2)).all():
+        wrong_slip = slip[~((slip >= 0) & (slip <= 2))][0]
+        raise SurfaceError(f"{place}: slip_parameter = {wrong_slip:g} must lie in 0 to 2")
+    least = {name: 0.0 for name in needed if name.startswith("lambda_") or name == "r"}
+    above = {"M": np.inf, "L": np.inf, "D": 1.0}
+    for column, most in above.items():
+        values = raw[column].to_numpy(float)
+        wrong = ~((values > 0) & (values <= most) & np.isfinite(values))
+        wrong |= (values < SMALLEST_RADIUS_RATIO) & (column == "D")
+        if wrong.any():
+            raise SurfaceError(
+                f"{place}: {column} = {values[wrong][0]:g} in row {np.argmax(wrong) + 1}: harmonic "
+                "tables are of elliptical contacts, M and L above 0, D of 0.005 to 1"
+            )
+    for column, low in least.items():
+        values = raw[column].to_numpy(float)
+        if (values < low).any():
+            raise SurfaceError(
+                f"{place}: {column} = {values[values < low][0]:g} in row "
+                f"{np.argmax(values < low) + 1} must not be negative"
+            )

@@ -8,13 +8,18 @@ from typing import Any
 
 import numpy as np
 
+from ehlwave.deform.decimals import Decimal, settled, unquoted
 from ehlwave.deform.units import METRES, unit_in_heading
 from ehlwave.errors import SurfaceError
 
 _SEPARATORS = (";", "\t", ",", None)
 
 
-_NUMBER = re.compile(r"[-+]?(\d+([.,]\d*)?|[.,]\d+)([eE][-+]?\d+)?$|nan$", re.IGNORECASE)
+_NUMBER = re.compile(
+    r"[-+]?(\d+([.,]\d*)?|[.,]\d+)([eE][-+]?\d+)?$|nan$"
+    r"|[-+]?\d{1,3}(,\d{3})+(\.\d*)?$|[-+]?\d{1,3}(\.\d{3})+(,\d*)?$",  # marks of thousands
+    re.IGNORECASE,
+)
 _DECIMAL_COMMA = re.compile(r"[-+]?\d*,\d+([eE][-+]?\d+)?$|[-+]?\d+$")
 _POSITION = re.compile(r"(x|pos|length|distance|traverse|lateral|path|weg)", re.IGNORECASE)
 _HEIGHT = re.compile(r"(z|height|profil|amplitude|level|h(oe|\u00f6)he|roughness)", re.IGNORECASE)
@@ -45,6 +50,8 @@ class TextTable:
         Of each column, where the file says so.
     names : list of str
         Headings, or none.
+    has_decimal_commas : bool
+        Whether commas were taken as decimal ones.
     step, length_unit, height_unit
         From lines such as ``Spacing: 0.5 um`` and ``Z-Unit: nm``; None if there are none.
     extent : dict
@@ -54,19 +61,21 @@ class TextTable:
     numbers: np.ndarray
     units: list[str | None]
     names: list[str]
+    has_decimal_commas: bool = False
     step: float | None = None
     length_unit: str | None = None
     height_unit: str | None = None
     extent: dict[str, tuple[float, str]] = field(default_factory=dict)
 
 
-def read_text_table(file: Path) -> TextTable:
+def read_text_table(file: Path, decimal: Decimal | None = None) -> TextTable:
     """Return a table of numbers, and the units and steps that the file states.
 
     Lines that begin with ``#`` and empty lines are skipped. Numbers begin with the first of three
     lines that have as many of them; above them may stand anything, the last lines of it headings,
     from which units are taken (``x [um]``, ``height (nm)``, ``x/mm``, ``x_m``), or a row of units.
-    Numbers may have decimal commas.
+    Numbers may have decimal commas; what commas mean is found by :mod:`ehlwave.deform.decimals`,
+    or said by `decimal`.
 
     Raises
     ------
@@ -82,6 +91,7 @@ def read_text_table(file: Path) -> TextTable:
     content = [line for line in lines if line.strip() and not line.lstrip().startswith("#")]
     if not content:
         raise SurfaceError(f"{file}: is empty")
+    content = unquoted(content)
     cells = (cell for line in content for cell in re.split(r"[;,\t ]+", line.strip()))
     if not any(map(_NUMBER.match, cells)):
         raise SurfaceError(
@@ -94,16 +104,15 @@ def read_text_table(file: Path) -> TextTable:
         body.pop()  # what stands below
     if not body or (start == 0 and not any(_is_number(cell) for cell in body[0].split(separator))):
         raise SurfaceError(f"{file}: has headings but no numbers")
-    text = "\n".join(body)
-    if "," in text and separator != "," and "." not in text:
-        text = text.replace(",", ".")  # decimal commas
-    numbers = _numbers(file, text, separator)
+    headings = len(above[-1].split(",")) if above else 0
+    body, separator, has_decimal_commas = settled(file, body, separator, headings, decimal)
+    numbers = _numbers(file, "\n".join(body), separator)
     ends_rows = numbers.shape[1] > 1 and np.isnan(numbers[:, -1]).all()
     if ends_rows:
         numbers = numbers[:, :-1]  # separators end the rows
     names, units = _headings(file, above, separator, numbers.shape[1])
     said = "\n".join([*above, *(line for line in lines if line.lstrip().startswith("#"))])
-    return TextTable(numbers, units, names, **_stated(said))
+    return TextTable(numbers, units, names, has_decimal_commas, **_stated(said))
 
 
 def _first_numbers(lines: list[str]) -> tuple[int, str | None]:

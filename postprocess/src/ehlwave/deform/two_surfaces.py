@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from ehlwave.deform.predict import Deformed
 from ehlwave.errors import SurfaceError
+from ehlwave.writing import Writer
 
 Floats = NDArray[np.float64]
 
@@ -19,40 +20,53 @@ UM = 1e6
 class FilmOfTwo:
     """Film at the contact centre, m, while two deformed surfaces pass it; see :func:`film_of_two`.
 
-    ``rolled_m`` counts the way of the mean speed, in steps of the finer surface.
+    ``rolled_m`` counts the way of the mean speed, in steps of the finer surface. ``film_m`` is NaN
+    where the surfaces touch.
     """
 
     rolled_m: Floats
     film_m: Floats
 
+    mean_film_m: float
+    rq_m: float
+    """Root mean square of the film about its mean: what both surfaces leave."""
+
     @property
-    def rq_m(self) -> float:
-        """Root mean square of the film about its mean: what both surfaces leave."""
-        return float(np.std(self.film_m))
+    def smallest_film_m(self) -> float | None:
+        """Smallest film, m; None where the surfaces touch."""
+        return None if self.surfaces_touch else float(np.min(self.film_m))
+
+    @property
+    def surfaces_touch(self) -> bool:
+        """Whether no film is left somewhere."""
+        return bool(np.isnan(self.film_m).any())
 
     def text(self) -> str:
         """Return what a user reads."""
-        mean, least = float(np.mean(self.film_m)), float(np.min(self.film_m))
+        least = self.smallest_film_m
+        said = "the surfaces touch: no smallest film"
+        if least is not None:
+            said = f"smallest {least * UM:.4g} um"
         return (
-            f"Both         film at the centre, mean {mean * UM:.4g} um, "
-            f"Rq {self.rq_m * UM:.4g} um, "
-            f"smallest {least * UM:.4g} um, over {self.rolled_m[-1] * UM:.4g} um of rolling"
+            f"Both         film at the centre, mean {self.mean_film_m * UM:.4g} um, "
+            f"Rq {self.rq_m * UM:.4g} um, {said}, over {self.rolled_m[-1] * UM:.4g} um of rolling"
         )
 
-    def summary(self) -> dict[str, float]:
+    def summary(self) -> dict[str, float | bool | None]:
         """Return the same as numbers, m."""
         return {
-            "mean_film_m": float(np.mean(self.film_m)),
+            "mean_film_m": self.mean_film_m,
             "film_rq_m": self.rq_m,
-            "smallest_film_m": float(np.min(self.film_m)),
+            "smallest_film_m": self.smallest_film_m,
+            "surfaces_touch": self.surfaces_touch,
             "rolled_m": float(self.rolled_m[-1]),
         }
 
-    def write(self, path: Path) -> Path:
+    def write(self, path: Path, writer: Writer | None = None) -> Path:
         """Write it as CSV, um."""
         table = pd.DataFrame({"rolled_um": self.rolled_m * UM, "film_um": self.film_m * UM})
-        table.to_csv(path, index=False, float_format="%.9g", lineterminator="\r\n")
-        return path
+        options = {"float_format": "%.9g", "lineterminator": "\r\n"}
+        return (writer or Writer()).table(path, table, **options)
 
 
 def film_of_two(first: Deformed, second: Deformed) -> FilmOfTwo:
@@ -83,7 +97,9 @@ def film_of_two(first: Deformed, second: Deformed) -> FilmOfTwo:
     mean = film if first.statistics.mean_film_m is None else first.statistics.mean_film_m
     if second.statistics.mean_film_m is not None:
         mean += second.statistics.mean_film_m - film
-    return FilmOfTwo(rolled, mean - deformed[0] - deformed[1])
+    height = mean - deformed[0] - deformed[1]
+    left = np.where(height > 0, height, np.nan)
+    return FilmOfTwo(rolled, left, float(np.mean(height)), float(np.std(height)))
 
 
 def _length(one: Deformed) -> float:

@@ -10,7 +10,7 @@ from typing import Any
 import h5py
 import numpy as np
 
-from ehlwave.deform.cli import add_reading
+from ehlwave.deform.cli import add_overwrite, add_reading
 from ehlwave.deform.conditions_read import read_conditions, read_keys
 from ehlwave.deform.prepare import WINDOWS
 from ehlwave.deform.read import ReadOptions
@@ -92,6 +92,7 @@ def add_stress_command(commands: Any) -> None:  # noqa: ANN401 - argparse does n
     )
     parser.add_argument("--output", type=Path, metavar="DIR", help="write files and figures there")
     parser.add_argument("--json", action="store_true", help="print JSON instead of text")
+    add_overwrite(parser)
     parser.set_defaults(run=_stress)
 
 
@@ -119,12 +120,12 @@ def _of_case(options: argparse.Namespace, depths: Any) -> list[Path]:  # noqa: A
         return []
     stress = stresses[options.body - 1]
     figures = {"section": case_section(options.file, stress)}
-    return _write(options.output, text, stress, figures)
+    return _write(options, text, stress, figures)
 
 
 def _of_surface(options: argparse.Namespace, depths: Any) -> list[Path]:  # noqa: ANN401
     """Judge a measured surface; return what was written."""
-    contact = Contact(**read_keys(options.conditions)[0])
+    contact = Contact(**read_keys(options.conditions).keys)
     contact.conditions = read_conditions(options.conditions)
     reading = {field.name: getattr(options, field.name) for field in fields(ReadOptions)}
     result = contact.stress(
@@ -147,17 +148,23 @@ def _of_surface(options: argparse.Namespace, depths: Any) -> list[Path]:  # noqa
         "depth": depth_figure(result),
         "ripple": ripple_figure(result),
     }
-    return _write(options.output, stress_json(result), stress_dataset(result), figures)
+    return _write(options, stress_json(result), stress_dataset(result), figures)
 
 
-def _write(folder: Path, text: str, data: Any, figures: dict[str, Any]) -> list[Path]:  # noqa: ANN401
+def _write(
+    options: argparse.Namespace,
+    text: str,
+    data: Any,  # noqa: ANN401
+    figures: dict[str, Any],
+) -> list[Path]:
     """Write ``stress.json``, ``stress.h5`` and the figures; return the paths."""
-    folder.mkdir(parents=True, exist_ok=True)
-    paths = [folder / "stress.json", folder / "stress.h5"]
-    paths[0].write_text(text + "\n", encoding="utf-8")
-    data.to_netcdf(paths[1], engine="h5netcdf")
+    folder, writer = options.writer.folder(options.output), options.writer
+    paths = [
+        writer.text(folder / "stress.json", text + "\n"),
+        writer.dataset(folder / "stress.h5", data),
+    ]
     for name, figure in figures.items():
-        paths += write_figure(figure, folder, name)
+        paths += write_figure(figure, folder, name, writer=writer)
     return paths
 
 

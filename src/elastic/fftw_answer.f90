@@ -1,0 +1,20 @@
+!> What FFTW answers to a wish for memory or for a plan.
+module ehlwave_fftw_answer
+   use, intrinsic :: iso_c_binding, only: c_associated, c_ptr, c_size_t
+   use ehlwave_memory, only: out_of_memory
+   implicit none (type, external)
+   private
+   public :: obtained
+
+contains
+
+   !> The answer, unless it is none: then the program ends for want of memory. FFTW gives no other reason.
+   function obtained(answer, values) result(same)
+      type(c_ptr), intent(in) :: answer
+      integer(c_size_t), intent(in) :: values    !! of 16 bytes at most that were asked for, or that a plan is for
+      type(c_ptr) :: same
+      if (.not. c_associated(answer)) call out_of_memory(16_c_size_t*values)
+      same = answer
+   end function obtained
+
+end module ehlwave_fftw_answer

@@ -1,0 +1,218 @@
+"""How the programs end where the system sets a limit: of files, of memory, of those who read what they print."""
+
+import os
+import resource
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+from ehlwave_program import EIGHT_CASES, HANGS_S, MPI_ENVIRONMENT, is_open_mpi, last_line, namelist
+from store_reading import finished
+
+CASE, SWEEP = os.environ["EHLWAVE_CASE"], os.environ["EHLWAVE_SWEEP"]
+RUN_SWEEP = Path(__file__).parents[2]/"scripts"/"run-sweep"
+CONTACT = {"load_parameter_m": 100, "lubricant_parameter_l": 12.05, "radius_ratio_d": 1}
+INACCURATE, BAD_INPUT, NOT_WRITTEN, NO_MEMORY, UNFINISHED = 1, 2, 3, 4, 85
+MIB = 2**20
+# Open MPI without files of its own in shared memory, which a limit on files would stop, too.
+FEW_FILES = {"PMIX_MCA_gds": "hash", "OMPI_MCA_btl": "self,tcp"}
+IS_DEBUG = "asan" in subprocess.run(["ldd", CASE], capture_output=True, text=True, check=False).stdout   # has no limit on addresses
+
+
+def limited(name, value):
+    """What a process has to do before it becomes the program."""
+    return lambda: resource.setrlimit(getattr(resource, name), (value, value))
+
+
+class Ends(unittest.TestCase):
+    def setUp(self):
+        place = tempfile.TemporaryDirectory()
+        self.addCleanup(place.cleanup)
+        self.folder = Path(place.name)
+        (self.folder/"sweep.nml").write_text(namelist(EIGHT_CASES))
+
+    def write_case(self, cells, **groups):
+        (self.folder/"case.nml").write_text(namelist({"conditions": CONTACT, "grid": {"cells_x": cells, "cells_y": cells}, **groups}))
+
+    def call(self, *command, before=None, stdout=subprocess.PIPE, **variables):
+        return subprocess.run([str(word) for word in command], cwd=self.folder, stdout=stdout, stderr=subprocess.PIPE, text=True,
+                              check=False, preexec_fn=before, timeout=HANGS_S, env={**os.environ, **MPI_ENVIRONMENT, **variables})
+
+    def names(self):
+        return {path.name for path in self.folder.iterdir()}
+
+
+class Files(Ends):
+    def test_a_case(self):
+        self.write_case(32)
+        (self.folder/"out.h5").write_text("before")
+        for bytes_ in (0, 1, 4096, 20000):
+            with self.subTest(bytes=bytes_):
+                outcome = self.call(CASE, "case.nml", "--quiet", "--output", "out.h5", before=limited("RLIMIT_FSIZE", bytes_))
+                self.assertEqual(outcome.returncode, NOT_WRITTEN, outcome.stderr)
+                self.assertRegex(outcome.stderr, r"^ehlwave-case: cannot write out.h5: File too large[^\n]*\n$")
+                self.assertEqual((self.folder/"out.h5").read_text(), "before")
+                self.assertEqual(self.names(), {"case.nml", "sweep.nml", "out.h5"})
+
+    @unittest.skipUnless(is_open_mpi(), "another MPI needs files of its own")
+    def test_a_sweep_stops_and_is_not_started_again(self):
+        for bytes_ in (500, 6000):
+            with self.subTest(bytes=bytes_):
+                results = f"{bytes_}.h5"
+                outcome = self.call(RUN_SWEEP, "--ranks", 2, "sweep.nml", "--output", results,
+                                    before=limited("RLIMIT_FSIZE", bytes_), **FEW_FILES)
+                self.assertEqual(outcome.returncode, NOT_WRITTEN, outcome.stdout + outcome.stderr)
+                self.assertIn("File too large", outcome.stderr)
+                self.assertNotIn("again", outcome.stdout)
+                self.assertNotIn("Backtrace", outcome.stderr)
+                self.assertEqual([name for name in self.names() if ".part" in name], [])
+                again = self.call(SWEEP, "sweep.nml", "--output", results)
+                self.assertEqual(again.returncode, 0, again.stdout + again.stderr)
+                self.assertEqual(len(finished(self.folder/f"{bytes_}.store")), 8)
+
+    @unittest.skipUnless(is_open_mpi(), "another MPI starts")
+    def test_a_limit_under_which_mpi_cannot_start(self):
+        outcome = self.call(RUN_SWEEP, "--ranks", 2, "sweep.nml", before=limited("RLIMIT_FSIZE", MIB))
+        self.assertEqual(outcome.returncode, NOT_WRITTEN, outcome.stdout + outcome.stderr)
+        self.assertRegex(outcome.stdout, r"run-sweep: MPI cannot start [^\n]*ulimit -f[^\n]*\n$")
+        self.assertNotIn("again", outcome.stdout)
+
+
+@unittest.skipIf(IS_DEBUG, "the address sanitizer takes all addresses")
+class Memory(Ends):
+    def test_a_plan_warns_and_the_run_is_refused(self):
+        self.write_case(2048)
+        few = limited("RLIMIT_AS", 300*MIB)
+        plan = self.call(CASE, "case.nml", "--plan", before=few)
+        self.assertEqual(plan.returncode, 0, plan.stderr)
+        self.assertRegex(plan.stdout, r"TOO LITTLE MEMORY: the case needs about 1\d{3} MiB .* this process can have 2\d\d MiB")
+        self.assertNotIn("TOO LITTLE", self.call(CASE, "case.nml", "--plan").stdout)
+        run = self.call(CASE, "case.nml", "--output", "out.h5", before=few)
+        self.assertEqual(run.returncode, NO_MEMORY)
+        self.assertRegex(run.stderr, r"^ehlwave-case: the case needs about [^\n]*\n$")
+        self.assertEqual(self.names(), {"case.nml", "sweep.nml"})
+
+    def test_memory_that_runs_out_on_the_way(self):
+        """The limit comes when the computation has begun, and leaves so much: smooth, in time, linear, by other methods."""
+        runs = ({}, {"waviness": {"orientation": "transverse", "wavelength_over_a": 1}},
+                {"waviness": {"orientation": "isotropic", "wavelength_over_a": 1, "response": "harmonic"}},
+                {"solver": {"method": "fas", "deformation": "mlmi"}})
+        for number, groups in enumerate(runs):
+            self.write_case(512, **groups)
+            for left in (0, 4, 16):
+                with self.subTest(run=number, left=left):
+                    code, said = self.run_out(left*MIB)
+                    self.assertEqual(code, NO_MEMORY, said)
+                    self.assertRegex(said, r"^ehlwave-case: out of memory: [^\n]*\n$")
+
+    def run_out(self, left):
+        """Exit status and standard error of a case that is left so many bytes more when it begins to compute."""
+        process = subprocess.Popen([CASE, "case.nml", "--quiet"], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                   text=True)
+        with process:
+            for line in process.stdout:
+                if "work units" in line:   # the plan is printed
+                    break
+            begin = has = self.addresses(process)
+            while process.poll() is None and has < begin + 8*MIB:
+                has = self.addresses(process)
+            resource.prlimit(process.pid, resource.RLIMIT_AS, (has + left, has + left))
+            _, said = process.communicate(timeout=HANGS_S)
+        return process.returncode, said
+
+    @staticmethod
+    def addresses(process):
+        """Bytes of addresses that a process has."""
+        return int(Path(f"/proc/{process.pid}/statm").read_text().split()[0])*os.sysconf("SC_PAGESIZE")
+
+    def test_a_case_of_a_sweep_is_a_row(self):
+        rows = ["load_parameter_m,lubricant_parameter_l,radius_ratio_d,cells_x,cells_y"]
+        rows += [f"{m},5,1,{cells},{cells}" for m, cells in ((20, 32), (25, 8192), (22, 32))]
+        (self.folder/"rows.csv").write_text("\n".join(rows) + "\n")
+        (self.folder/"sweep.nml").write_text(namelist({"sweep": {"case_file": "rows.csv", "output": "rows.h5"}}))
+        few = limited("RLIMIT_AS", 4000*MIB)
+        plan = self.call(SWEEP, "sweep.nml", "--plan", before=few)
+        self.assertIn("TOO LITTLE MEMORY for 1 cases", plan.stdout)
+        outcome = self.call(SWEEP, "sweep.nml", before=few)
+        self.assertEqual(outcome.returncode, INACCURATE, outcome.stdout + outcome.stderr)
+        self.assertRegex(outcome.stdout, r"2 converged\n +1 over_budget")
+        status = self.call(SWEEP, "--status", "rows.h5").stdout
+        self.assertRegex(status, r"the case needs about \d+ MiB of memory")
+
+
+class Plan(Ends):
+    def test_a_plan_computes_nothing(self):
+        """Whatever the grid: the time of the processor is that of a small one."""
+        for cells in (64, 4096, 8192):
+            self.write_case(cells)
+            before = resource.getrusage(resource.RUSAGE_CHILDREN)
+            outcome = self.call(CASE, "case.nml", "--plan", "--json")
+            after = resource.getrusage(resource.RUSAGE_CHILDREN)
+            self.assertEqual(outcome.returncode, 0, outcome.stderr)
+            self.assertGreater(last_line(outcome)["expected_seconds"], 0)
+            self.assertLess(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, 2)
+            if not IS_DEBUG:
+                self.assertEqual(self.call(CASE, "case.nml", "--plan", before=limited("RLIMIT_AS", 200*MIB)).returncode, 0)
+
+
+class Output(Ends):
+    def commands(self):
+        self.write_case(32)
+        for program in (CASE, SWEEP):
+            for option in ("--help", "--version", "--keys"):
+                yield program, option
+            yield program, "--version", "--verbose"
+        yield CASE, "case.nml", "--plan"
+        yield CASE, "case.nml", "--plan", "--json"
+        yield CASE, "case.nml", "--quiet"
+        yield SWEEP, "sweep.nml", "--plan"
+        yield SWEEP, "--keys", "--markdown"
+
+    @unittest.skipUnless(Path("/dev/full").exists(), "no /dev/full")
+    def test_a_full_disk(self):
+        for command in self.commands():
+            with self.subTest(command=command[1:], program=Path(command[0]).name), open("/dev/full", "w") as full:
+                outcome = self.call(*command, stdout=full)
+                self.assertEqual(outcome.returncode, NOT_WRITTEN)
+                self.assertRegex(outcome.stderr, r"^ehlwave-(case|sweep): standard output could not be written\n$")
+
+    def test_a_reader_who_has_seen_enough(self):
+        """As `| head`: no error, whether the pipe is closed before anything is written or after a line."""
+        for command in self.commands():
+            for lines in (0, 1):
+                with self.subTest(command=command[1:], program=Path(command[0]).name, lines=lines):
+                    code, said = self.read_lines(command, lines)
+                    self.assertEqual((code, said), (0, ""))
+
+    def read_lines(self, command, lines):
+        reader, writer = os.pipe()
+        with os.fdopen(reader) as stream:
+            process = subprocess.Popen(command, cwd=self.folder, stdout=writer, stderr=subprocess.PIPE, text=True,
+                                       env={**os.environ, **MPI_ENVIRONMENT})
+            os.close(writer)
+            for _ in range(lines):
+                stream.readline()
+        _, said = process.communicate(timeout=HANGS_S)
+        return process.returncode, said
+
+
+class LastLine(Ends):
+    """At the end of a job the launcher says nothing of its own."""
+
+    def test_each_exit_status(self):
+        stalled = {**EIGHT_CASES, "solver": {"largest_steps": 1}}
+        (self.folder/"stalled.nml").write_text(namelist(stalled))
+        (self.folder/"long.nml").write_text(namelist({**EIGHT_CASES, "grid": {"cells_x": 512, "cells_y": 512}}))
+        for status, arguments in ((1, ["stalled.nml", "--output", "b.h5"]), (BAD_INPUT, ["none.nml"]),
+                                  (UNFINISHED, ["long.nml", "--output", "c.h5", "--time-limit", "0.5"])):
+            with self.subTest(status=status):
+                outcome = self.call(RUN_SWEEP, "--ranks", 2, *arguments)
+                self.assertEqual(outcome.returncode, status, outcome.stdout + outcome.stderr)
+                for words in ("mpirun", "Primary job", "aborted", "-----"):
+                    self.assertNotIn(words, outcome.stderr)
+        self.assertRegex(outcome.stdout, r"\n[^\n]* run-sweep: stopped before the end; the same command goes on [^\n]*\n$")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,97 @@
+"""Every script: its own help, and exit status 2 for values that make no sense, before anything is built or computed."""
+
+import os
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+from ehlwave_program import HANGS_S
+
+SCRIPTS = Path(__file__).parents[2]/"scripts"
+MAY_BE_ZERO = {"--restarts", "--seed", "--smooth", "--wavy", "--marches", "--disturbances", "--faults"}
+MISSING = object()
+# What scripts call when they have taken their options for good.
+FURTHER = ("cmake", "mpirun", "ehlwave-sweep", "apt-get", "sudo", "afl-fuzz")
+
+
+def all_scripts():
+    """What can be run or sourced, by its path below scripts."""
+    files = [path for path in sorted(SCRIPTS.rglob("*")) if path.is_file() and path.suffix != ".in"]
+    return [path.relative_to(SCRIPTS) for path in files if path.read_bytes().startswith((b"#!/", b"# shellcheck"))]
+
+
+def comment_of(path):
+    """The comment or docstring that a script begins with, without what is not for people."""
+    text = path.read_text()
+    if "python" in text.split("\n", 1)[0]:
+        return re.search(r'"""(.*?)"""', text, re.DOTALL)[1].strip().split("\n")
+    lines = []
+    for line in text.split("\n")[1:]:
+        if not line.startswith("#"):
+            break
+        lines.append(re.sub("^# ?", "", line))
+    return lines
+
+
+class Scripts(unittest.TestCase):
+    def setUp(self):
+        place = tempfile.TemporaryDirectory()
+        self.addCleanup(place.cleanup)
+        self.folder = Path(place.name)
+        shutil.copytree(SCRIPTS, self.folder/"tree"/"scripts")
+        stubs = self.folder/"stubs"
+        stubs.mkdir()
+        for name in FURTHER:
+            (stubs/name).write_text("#!/bin/sh\nexit 99\n")
+            (stubs/name).chmod(0o755)
+        self.environment = {**os.environ, "PATH": f"{stubs}:{os.environ['PATH']}"}
+
+    def call(self, script, *arguments):
+        command = ["bash"] if not os.access(SCRIPTS/script, os.X_OK) else []
+        return subprocess.run([*command, self.folder/"tree"/"scripts"/script, *arguments], cwd=self.folder, text=True,
+                              capture_output=True, check=False, timeout=HANGS_S, stdin=subprocess.DEVNULL, env=self.environment)
+
+    def test_each_prints_its_own_help(self):
+        scripts = all_scripts()
+        for name in ("run-sweep", "accept", "environment", "batch/job", "batch/slurm.sh", "packaging/wheel/build"):
+            self.assertIn(Path(name), scripts)
+        for script in scripts:
+            with self.subTest(script=str(script)):
+                outcome = self.call(script, "--help")
+                self.assertEqual((outcome.returncode, outcome.stderr), (0, ""))
+                self.assertEqual(outcome.stdout.rstrip().split("\n"), comment_of(SCRIPTS/script))
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["stubs", "tree"])
+
+    def test_values_that_make_no_sense(self):
+        tried = 0
+        for script in all_scripts():
+            if script.parts[0] in ("batch", "cmake", "packaging"):
+                continue
+            text = "\n".join(comment_of(SCRIPTS/script))
+            for option, kind in sorted(set(re.findall(r"(--[a-z-]+) (N\b|COUNT|SECONDS|S\b|DIR|FILE|NAME|SWEEP)", text))):
+                bad = ["", MISSING]
+                if kind in ("N", "COUNT", "SECONDS", "S"):
+                    bad += ["abc", "-1", "1x", "1 2", *(["0"] if option not in MAY_BE_ZERO else [])]
+                for value in bad:
+                    with self.subTest(script=str(script), option=option, value=value):
+                        outcome = self.call(script, option, *([value] if value is not MISSING else []))
+                        self.assertEqual(outcome.returncode, 2, outcome.stdout + outcome.stderr)
+                        self.assertIn(option, outcome.stderr)
+                        tried += 1
+        self.assertGreater(tried, 150)
+        self.assertFalse((self.folder/"tree"/"build").exists())
+
+    def test_unknown_options(self):
+        for script in all_scripts():
+            if script.parts[0] in ("batch", "cmake") or script == Path("run-sweep"):   # whose options are those of ehlwave-sweep
+                continue
+            with self.subTest(script=str(script)):
+                outcome = self.call(script, "--nonsense")
+                self.assertEqual(outcome.returncode, 2, outcome.stdout + outcome.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
