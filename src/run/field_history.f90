@@ -3,7 +3,7 @@ module ehlwave_field_history
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp
    use ehlwave_march_watcher, only: march_watcher_t
-   use ehlwave_shear_result, only: mean_shear_stress
+   use ehlwave_shear_stress, only: mean_shear_stress
    implicit none (type, external)
    private
 
@@ -13,7 +13,6 @@ module ehlwave_field_history
       real(dp), allocatable :: p(:, :, :), h(:, :, :)    !! (0:nx, 0:ny, sets)
       real(dp), allocatable :: shear_stress_pa(:, :, :)  !! as of `mean_shear_stress`; unallocated where that is not known
       integer, private :: every = 0                      ! steps from one set to the next
-      real(dp), private :: slip_parameter = 1            ! S
    contains
       procedure :: begin
       procedure :: see
@@ -23,17 +22,15 @@ module ehlwave_field_history
 contains
 
    !> Make room for what a march of so many steps gives.
-   subroutine begin(self, level, every, steps, slip_parameter)
+   subroutine begin(self, level, every, steps)
       class(field_history_t), intent(inout) :: self
       type(level_t), intent(in) :: level            !! that is marched
       integer, intent(in) :: every, steps           !! above 0
-      real(dp), intent(in) :: slip_parameter        !! S
       integer :: sets
 
       sets = steps/every + 1
       self%count = 0
       self%every = every
-      self%slip_parameter = slip_parameter
       allocate (self%time(sets))
       associate (grid => level%problem%grid)
          allocate (self%p(0:grid%nx, 0:grid%ny, sets), self%h(0:grid%nx, 0:grid%ny, sets))
@@ -54,7 +51,7 @@ contains
       self%time(self%count) = time
       self%p(:, :, self%count) = level%state%p
       self%h(:, :, self%count) = level%state%h
-      call mean_shear_stress(level%problem, level%state, self%slip_parameter, stress_pa)
+      call mean_shear_stress(level%problem, level%state, stress_pa)
       if (.not. allocated(stress_pa)) return
       if (.not. allocated(self%shear_stress_pa)) allocate (self%shear_stress_pa, mold=self%p)
       self%shear_stress_pa(:, :, self%count) = stress_pa

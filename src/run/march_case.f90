@@ -76,7 +76,7 @@ contains
       finest = size(multigrid%levels)
       call march%begin(multigrid%levels, march_settings(case, plan, result%central_film), rescue)
       associate (level => multigrid%levels(finest))
-         if (case%fields_every > 0) call result%history%begin(level, case%fields_every, plan%steps, case%slip_parameter)
+         if (case%fields_every > 0) call result%history%begin(level, case%fields_every, plan%steps)
          call result%history%see(level, 0, 0.0_dp)
       end associate
       keeps = present(keeper) .and. case%fields_every == 0   ! fields of steps before are not kept

@@ -46,7 +46,7 @@ def read_conditions(words: Sequence[str]) -> Conditions:
 
 
 def read_keys(words: Sequence[str]) -> "GivenKeys":
-    """Return what words as :func:`read_conditions` takes them say; refuse a contradictory flow law."""
+    """Return what words say, as :func:`read_conditions` takes them; refuse a wrong flow law."""
     keys: dict[str, Any] = {}
     others: list[str] = []
     law: str | None = None
@@ -74,7 +74,7 @@ def _place(words: Sequence[str]) -> str:
 
 
 class GivenKeys(NamedTuple):
-    """What files and words say: known keys, laws of the oil without a place in them, their numbers."""
+    """What is said: known keys, laws of the oil without a place in them, their numbers."""
 
     keys: dict[str, Any]
     other_laws: list[str]
