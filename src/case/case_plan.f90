@@ -231,7 +231,7 @@ contains
       expected_film_mesh_error = self%thinning%steepness*expected_film_error(self%conditions, self%hx)
    end function expected_film_mesh_error
 
-   !> What errors that the plan expects are to be multiplied with where they stand in for an estimate: models are right within a factor
+   !> The factor of errors that the plan expects, where they stand in for an estimate: models are right within a factor
    !> of 2 or 3, and were fitted to grids with hY up to 2 hX.
    pure real(dp) function model_margin(self)
       class(case_plan_t), intent(in) :: self

@@ -1,4 +1,4 @@
-!> What the edges of a domain cost, and how large a domain an accuracy needs.
+!> Errors by the edges of a domain, and how large a domain an accuracy needs.
 module ehlwave_domain_choice
    use ehlwave_case_definition, only: case_t
    use ehlwave_conditions, only: conditions_t

@@ -1,4 +1,4 @@
-!> What an oil that is not Newtonian changes in what to expect of a case.
+!> Errors and work to expect of an oil that is not Newtonian, over those of a Newtonian one.
 !>
 !> Its film is thinner, its inlet as much steeper, and the flow across the film needs more points. Measured: H(0,0) on 64 to 192 cells
 !> of 60 random contacts (M 8 to 250, L 2 to 17, D 0.05 to 1, S 0.2 to 1.8, Ree-Eyring 0.1 to 20 MPa, Carreau n 0.35 to 1). The error

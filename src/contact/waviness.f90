@@ -71,7 +71,7 @@ contains
       self%surface = surface
    end function surface_waviness
 
-   !> What the shape is multiplied by, in units of c: Ai of waves, 1 of heights, which are in units of c as they are.
+   !> The factor of the shape, in units of c: Ai of waves, 1 of heights, which are in units of c as they are.
    pure real(dp) function amplitude(self, film)
       class(waviness_t), intent(in) :: self
       real(dp), intent(in) :: film                         !! smooth H(0,0)

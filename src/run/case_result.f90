@@ -1,4 +1,4 @@
-!> What one case came to. What is only known once it has been computed is NaN until then.
+!> The result of one case. Values are NaN until they are computed.
 module ehlwave_case_result
    use ehlwave_error_parts, only: error_parts_t
    use ehlwave_field_history, only: field_history_t

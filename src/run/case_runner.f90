@@ -124,7 +124,7 @@ contains
       result%peak_memory_mib = peak_memory_mib()
    end subroutine run_about
 
-   !> What of its caps a case has used up; '' where nothing.
+   !> The caps that a case has used up; '' where none.
    function spent_text(plan, rescue) result(text)
       type(case_plan_t), intent(in) :: plan
       type(rescue_t), intent(in) :: rescue

@@ -1,4 +1,4 @@
-!> What a result is wrong by, part by part.
+!> The error of a result, part by part.
 module ehlwave_error_account
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_accuracy_model, only: expected_step_error

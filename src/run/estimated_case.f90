@@ -41,7 +41,7 @@ contains
    !> estimate is the expected error of the plan, if there is one. Linear responses come with their own estimate, `harmonic_error`;
    !> without a transient there is none of its Ad/Ai. `shared`: see run_case.
    !>
-   !> What `keeper` keeps is the march of the case itself; stopped in a coarse run, the case counts as interrupted, and its coarse
+   !> `keeper` keeps the march of the case itself; stopped in a coarse run, the case counts as interrupted, and its coarse
    !> runs start again. When its time is up in a coarse run, the estimate is that of the plan.
    subroutine run_estimated_case(case, plan, monitor, result, shared, keeper)
       type(case_t), intent(in) :: case              !! completed input

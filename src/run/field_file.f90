@@ -98,7 +98,7 @@ contains
       call file%write(name//'_imaginary', aimag(values), '1', long_name//', imaginary part', 'y')
    end subroutine write_complex
 
-   !> What wrote the file and how it was built.
+   !> Attributes that name the program and its build.
    subroutine write_provenance(file)
       type(hdf5_file_t), intent(inout) :: file
       type(quantity_list_t) :: list

@@ -56,7 +56,7 @@ contains
       end select
    end function is_blunt
 
-   !> What another growth of the spike would add to the friction.
+   !> Friction that another growth of the spike would add.
    real(dp) function by_growth(levels)
       type(level_t), intent(in) :: levels(:)     !! finest first
       real(dp) :: before, growth

@@ -28,7 +28,7 @@ module ehlwave_march_case
 
 contains
 
-   !> What is marched, and in which steps.
+   !> The pattern that is marched, and its steps.
    pure function march_settings(case, plan, central_film) result(settings)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
@@ -39,7 +39,7 @@ contains
                                   natural_frequency=case%natural_frequency, force=case%load_factor)
    end function march_settings
 
-   !> What a time step is asked for.
+   !> Tolerance and limits of a time step.
    pure function step_limits(case, plan, central_film) result(limits)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan

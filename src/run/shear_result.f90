@@ -11,7 +11,7 @@ module ehlwave_shear_result
    implicit none (type, external)
    private
 
-   !> What is not known is NaN: friction without E' or pressure, temperatures without lengths.
+   !> Unknown values are NaN: friction without E' or pressure, temperatures without lengths.
    type, public :: shear_result_t
       real(dp) :: friction_coefficient = no_value   !! above 0 where surface 1, the wavy one, is the faster one
       real(dp) :: largest_b = no_value              !! largest |B| where P > 0; NaN of a Newtonian oil
@@ -76,7 +76,7 @@ contains
       end associate
    end subroutine estimate_temperatures
 
-   !> What the model leaves out and matters here, '' where nothing does.
+   !> Effects that the model leaves out and that matter here; '' where none does.
    function warning(self, limiting_stress_over_pressure) result(text)
       class(shear_result_t), intent(in) :: self
       real(dp), intent(in) :: limiting_stress_over_pressure

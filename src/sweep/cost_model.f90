@@ -26,7 +26,7 @@ module ehlwave_cost_model
 
 contains
 
-   !> What the time of a case is told from.
+   !> Features from which the time of a case is predicted.
    pure function cost_features(plan) result(features)
       type(case_plan_t), intent(in) :: plan
       real(dp) :: features(feature_count)

@@ -1,4 +1,4 @@
-!> What is marched in time and how.
+!> Settings of a march in time.
 module ehlwave_march_settings
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp

@@ -18,7 +18,7 @@ module ehlwave_periodic_state
    implicit none (type, external)
    private
 
-   !> What a march from rest comes to: on each grid a march starts in the linear response, the change of the mean, and what the
+   !> The state that a march from rest reaches: on each grid a march starts in the linear response, the change of the mean, and what the
    !> march on the next coarser grid found besides, and ends when the film upstream of the centre repeats.
    type, public :: periodic_state_t
       type(march_t) :: march                  !! on the finest grid
@@ -111,7 +111,7 @@ contains
       end associate
    end subroutine hand_up
 
-   !> What the march would have at other times, T = times, if its last period went on to repeat: film and mutual approach there. Of a
+   !> Film and approach of the march at other times, T = times, if its last period went on to repeat: film and mutual approach there. Of a
    !> state that was found.
    function at_times(self, times) result(history)
       class(periodic_state_t), intent(in) :: self
