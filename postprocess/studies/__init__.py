@@ -5,7 +5,8 @@
 - ``paper``: cases, formulas and report of ``scripts/reproduce --full``, with ``experiment`` and
   ``two_waves``;
 - ``error_time``, ``speed``, ``stability``, ``linearity``, ``microgeometry``, ``validation``,
-  ``accuracy``, ``all_keys``, ``periodic``, ``transients``, ``atlas``, ``many_ranks``: one each.
+  ``accuracy``, ``all_keys``, ``periodic``, ``transients``, ``atlas``, ``many_ranks``, ``stress``,
+  ``stress_speed``: one each.
 
 ``command`` is ``scripts/study``, which runs them all. ``section`` holds what a report is made of,
 ``sweeps`` writes and reads sweeps, ``work_unit`` has the unit of counted work.

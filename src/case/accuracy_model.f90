@@ -4,7 +4,7 @@
 !> postprocess/record/error-vs-time/models.csv, which also says how far each function is from the runs. They are
 !> what experience tells, no bounds: the results carry estimates made from their own grids.
 module ehlwave_accuracy_model
-   use ehlwave_conditions, only: conditions_t, slender_over_line
+   use ehlwave_conditions, only: conditions_t
    use ehlwave_kinds, only: dp
    implicit none (type, external)
    private
@@ -29,18 +29,11 @@ module ehlwave_accuracy_model
 
 contains
 
-   !> gamma M, of a line contact that of slender contacts with the same alphabar and L: the films of both have the same inlet.
-   pure real(dp) function steepness(conditions)
-      type(conditions_t), intent(in) :: conditions
-      steepness = conditions%gamma*conditions%m
-      if (conditions%is_line()) steepness = slender_over_line*steepness
-   end function steepness
-
    !> Relative error of H(0,0) of a smooth contact: c hX^2 gamma M.
    pure real(dp) function expected_film_error(conditions, hx)
       type(conditions_t), intent(in) :: conditions
       real(dp), intent(in) :: hx    !! mesh size in X
-      expected_film_error = film_factor*hx**2*steepness(conditions)
+      expected_film_error = film_factor*hx**2*conditions%steepness()
    end function expected_film_error
 
    !> Relative error of Ad/Ai: c hX^2 gamma M (1 - F)^(1/2), F the ratio by the formula (the shorter the wave, the
@@ -79,7 +72,7 @@ contains
       type(conditions_t), intent(in) :: conditions
       real(dp), intent(in) :: formula_ratio
       logical, intent(in) :: moves
-      ratio_scale = merge(moving_factor, standing_factor, moves)*steepness(conditions)*sqrt(max(0.0_dp, 1 - formula_ratio))
+      ratio_scale = merge(moving_factor, standing_factor, moves)*conditions%steepness()*sqrt(max(0.0_dp, 1 - formula_ratio))
    end function ratio_scale
 
    !> Largest mesh size in X that leaves at most `error`: of H(0,0), or of Ad/Ai by the mesh in X alone.
@@ -91,7 +84,7 @@ contains
       if (present(formula_ratio) .and. present(moves)) then
          largest_mesh = sqrt(error/max(ratio_scale(conditions, formula_ratio, moves), tiny(1.0_dp)))
       else
-         largest_mesh = sqrt(error/(film_factor*steepness(conditions)))
+         largest_mesh = sqrt(error/(film_factor*conditions%steepness()))
       end if
    end function largest_mesh
 

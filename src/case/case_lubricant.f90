@@ -83,7 +83,7 @@ contains
       end do
    end function file_key
 
-   !> What is to be said where pressures go beyond those that the viscosity law is known up to, else ''.
+   !> A warning where pressures go beyond those that the viscosity law is known up to, else ''.
    function extrapolation_text(case, rheology, pressure) result(text)
       type(case_t), intent(in) :: case
       type(rheology_t), intent(in) :: rheology

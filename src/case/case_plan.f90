@@ -11,15 +11,14 @@ module ehlwave_case_plan
    use ehlwave_error_parts, only: error_parts_t
    use ehlwave_errors, only: error_t, raise
    use ehlwave_grid_choice, only: choose_grid, formula_ratio
-   use ehlwave_identity_index, only: identity_length
    use ehlwave_kinds, only: dp
    use ehlwave_linear_range, only: expected_nonlinearity
    use ehlwave_resolution, only: judge_resolution, resolution_t
    use ehlwave_rheology, only: rheology_t
-   use ehlwave_surface_plan, only: read_case_surface, surface_times
+   use ehlwave_surface_plan, only: plan_surfaces, surface_times
+   use ehlwave_surfaces, only: surfaces_t
    use ehlwave_text, only: to_text
    use ehlwave_thinning, only: new_thinning, thinning_t
-   use ehlwave_waviness, only: new_waviness, no_waviness, waviness_t
    use ehlwave_work_unit, only: expected_unit_seconds, work_unit_operations
    implicit none (type, external)
    private
@@ -34,10 +33,11 @@ module ehlwave_case_plan
       type(conditions_t) :: conditions
       type(rheology_t) :: rheology
       type(thinning_t) :: thinning                   !! of the oil
-      type(waviness_t) :: waviness
+      type(surfaces_t) :: surfaces
       type(case_file_t), allocatable :: files(:)     !! that cases may read; with digests where this one does
       integer :: kind = run_smooth
       logical :: responds = .false.                  !! the linear response is computed
+      integer :: field_sets = 0                      !! fields over time that are kept
       logical :: is_periodic = .false.               !! the periodic state is sought first; the march is what else there is
       logical :: is_half = .true.                    !! only Y >= 0 is computed
       real(dp) :: x_min = 0, x_max = 0, y_max = 0    !! domain; the pattern starts at the x_min of the case whatever it is
@@ -95,8 +95,7 @@ contains
       type(case_plan_t), intent(out) :: plan
       type(error_t), allocatable, intent(inout) :: error
       type(case_t) :: copy
-      character(len=identity_length) :: digest
-      real(dp) :: errors(2), kappa, thickening
+      real(dp) :: errors(2), thickening
 
       copy = case
       call case_conditions(copy, plan%conditions, error)
@@ -116,36 +115,35 @@ contains
       plan%film_domain_error = errors(1)
       plan%domain_error = errors(2)
       if (case%edges == 'flooded') copy%accuracy = case%accuracy - min(0.5_dp*case%accuracy, plan%domain_error)
-      kappa = plan%conditions%elliptic%kappa
       plan%thinning = new_thinning(plan%rheology, plan%conditions, case%oil%flow_exponent())
-      plan%waviness = no_waviness()
-      if (case%orientation /= 'none') &
-         plan%waviness = new_waviness(case%wavelength_x_over_a, kappa*case%wavelength_y_over_a, case%oblique, &
-                                      case%x_min, case%slip_parameter)
-      if (len_trim(case%surface_file) > 0) then
-         call read_case_surface(case, plan%conditions, plan%waviness, digest, error)
-         call note_digest(plan%files, trim(case%surface_file), digest)
-      end if
+      call plan_surfaces(case, plan%conditions, plan%surfaces, plan%files, error)
       if (allocated(error)) return
-      plan%is_half = (case%domain == 'auto' .or. plan%conditions%is_line()) .and. plan%waviness%is_symmetric()
-      call choose_grid(copy, plan%conditions, plan%waviness, plan%thinning%steepness, plan%cells_x, plan%cells_y, plan%grid_reason)
+      plan%is_half = (case%domain == 'auto' .or. plan%conditions%is_line()) .and. plan%surfaces%is_symmetric()
+      call choose_grid(copy, plan%conditions, plan%surfaces, plan%thinning%steepness, plan%cells_x, plan%cells_y, &
+                       plan%grid_reason)
       plan%hx = (plan%x_max - plan%x_min)/plan%cells_x
       if (.not. plan%conditions%is_line()) plan%hy = 2*plan%y_max/plan%cells_y
       plan%deformation = merge('mlmi', 'fft ', case%deformation == 'mlmi')   ! 'auto': the FFT, measured
 
-      plan%is_periodic = plan%waviness%moves() .and. case%response == 'periodic'
-      plan%responds = plan%waviness%is_present .and. (case%response == 'harmonic' .or. case%response == 'both')
+      plan%is_periodic = plan%surfaces%moves() .and. case%response == 'periodic'
+      plan%responds = plan%surfaces%is_rough() .and. (case%response == 'harmonic' .or. case%response == 'both')
       if (plan%responds .and. case%response == 'harmonic') then
          plan%kind = run_harmonic
          if (case%time_step_over_cell > 0) plan%steps_per_cell = nint(1/min(1.0_dp, case%time_step_over_cell))
-      else if (plan%waviness%moves() .or. case%end_time > 0) then
+      else if (plan%surfaces%moves() .or. case%end_time > 0) then
          call plan_march(case, plan, error)
-      else if (plan%waviness%is_present) then
+      else if (plan%surfaces%is_rough()) then
          plan%kind = run_standing
-         plan%phases = merge(8, 2, plan%waviness%wavelength_x > 0)
+         plan%phases = merge(8, 2, any(plan%surfaces%list%wavelength_x > 0))
       end if
       if (allocated(error)) return
-      plan%resolution = judge_resolution(plan%conditions, plan%waviness, plan%x_min, plan%y_max, plan%hx, plan%hy, plan%dt)
+      if (case%fields_every > 0 .and. (plan%kind /= run_march .or. plan%is_periodic)) then
+         call raise(error, '&output fields_every = '//to_text(case%fields_every)//': this case takes no time steps whose '// &
+                    "fields could be kept: remove it, or give waves or a surface that move, with response = 'transient' or 'both'")
+         return
+      end if
+      if (case%fields_every > 0) plan%field_sets = plan%steps/case%fields_every + 1
+      plan%resolution = judge_resolution(plan%conditions, plan%surfaces, plan%x_min, plan%y_max, plan%hx, plan%hy, plan%dt)
       call expect(case, plan)
       if (case%accuracy > 0) call check_accuracy(case, plan, error)
       plan%cost = real(plan%cells_x, dp)*plan%cells_y*(15 + 6*plan%phases + 4*plan%steps + merge(8, 0, plan%responds))
@@ -166,8 +164,8 @@ contains
       real(dp) :: steps   ! per wave with dT = 2 hX
 
       chosen_step = 1
-      if (.not. plan%waviness%moves() .or. plan%responds .or. plan%is_periodic .or. case%load_balance /= 'force_balance') return
-      steps = plan%waviness%period()/(2*plan%hx)
+      if (.not. plan%surfaces%moves() .or. plan%responds .or. plan%is_periodic .or. case%load_balance /= 'force_balance') return
+      steps = plan%surfaces%period()/(2*plan%hx)
       if (steps < fewest_long_steps) return
       if (expected_long_step_error(2, steps) <= share_of_steps*case%accuracy) chosen_step = 2
    end function chosen_step
@@ -184,14 +182,14 @@ contains
       samples = plan%resolution%samples
       step_tolerance = case%step_tolerance
       if (plan%kind == run_harmonic) then     ! has the frequency of steps dT = hX, and no tolerance of its own
-         if (plan%waviness%moves()) samples = plan%waviness%period()/plan%hx
+         if (plan%surfaces%moves()) samples = plan%surfaces%period()/plan%hx
          step_tolerance = 0
       end if
       plan%expected%domain = plan%domain_error
       plan%expected%mesh = plan%expected_film_mesh_error()
-      if (plan%waviness%is_present .and. .not. allocated(plan%waviness%surface)) then
+      if (plan%surfaces%is_rough() .and. .not. plan%surfaces%is_measured()) then
          plan%expected%mesh = expected_ratio_error(plan%conditions, &
-                                                   formula_ratio(case, plan%conditions, plan%waviness%moves()), plan%hx, &
+                                                   formula_ratio(case, plan%conditions, plan%surfaces%moves()), plan%hx, &
                                                    plan%resolution%points_y, 1, samples, 0.0_dp)*plan%thinning%steepness
          if (samples > 0) plan%expected%time = expected_long_step_error(plan%cells_per_step, samples)
          if (samples > 0) plan%expected%algebraic = expected_step_error(step_tolerance)
@@ -208,7 +206,7 @@ contains
          + merge(line_response_work_units, response_work_units, plan%conditions%is_line())
       if (.not. (plan%is_half .or. plan%conditions%is_line())) plan%expected_work_units = 2*plan%expected_work_units
       plan%work_with_estimates = plan%expected_work_units
-      if (plan%waviness%is_present .and. plan%kind /= run_harmonic .and. case%error_estimate == 'coarse_grid') &
+      if (plan%surfaces%is_rough() .and. plan%kind /= run_harmonic .and. case%error_estimate == 'coarse_grid') &
          plan%work_with_estimates = cost_of_estimate*plan%expected_work_units
    end subroutine expect
 
@@ -233,7 +231,7 @@ contains
       expected_film_mesh_error = self%thinning%steepness*expected_film_error(self%conditions, self%hx)
    end function expected_film_mesh_error
 
-   !> What errors that the plan expects are to be multiplied with where they stand in for an estimate: models are right within a factor
+   !> The factor of errors that the plan expects, where they stand in for an estimate: models are right within a factor
    !> of 2 or 3, and were fitted to grids with hY up to 2 hX.
    pure real(dp) function model_margin(self)
       class(case_plan_t), intent(in) :: self
@@ -266,7 +264,7 @@ contains
    pure real(dp) function expected_memory_mib(self)
       class(case_plan_t), intent(in) :: self
       real(dp), parameter :: program_mib = 16, bytes_smooth = 720, bytes_wavy = 900, bytes_response = 1830, bytes_line = 2600, &
-                             bytes_periodic = 1900
+                             bytes_periodic = 1900, bytes_set = 48   ! three fields, and their file
       real(dp) :: bytes, cells
       cells = real(self%cells_x, dp)*self%cells_y
       if (self%is_half) cells = cells/2
@@ -278,7 +276,7 @@ contains
          bytes = bytes_line
          cells = self%cells_x
       end if
-      expected_memory_mib = program_mib + bytes*cells/2.0_dp**20
+      expected_memory_mib = program_mib + (bytes + bytes_set*self%field_sets)*cells/2.0_dp**20
    end function expected_memory_mib
 
    !> Refuse keys that contradict the accuracy asked for. A grid that only `largest_cells` limits is no contradiction:
@@ -324,18 +322,18 @@ contains
          plan%steps_per_cell = nint(1/case%time_step_over_cell)
       end if
       plan%dt = plan%hx*plan%cells_per_step/plan%steps_per_cell
-      if (allocated(plan%waviness%surface)) then
-         call surface_times(plan%waviness, settled, total)
+      if (plan%surfaces%is_measured()) then
+         call surface_times(plan%surfaces, settled, total)
          if (case%end_time > 0) total = case%end_time
          settled = min(settled, total)
-      else if (plan%waviness%moves()) then
-         passed = (outlet_end - case%x_min)/min(1.0_dp, plan%waviness%slip)
-         settled = passed + case%settling_periods*plan%waviness%period()
-         total = settled + plan%waviness%period()
+      else if (plan%surfaces%moves()) then
+         passed = plan%surfaces%passing_time(outlet_end)
+         settled = passed + case%settling_periods*plan%surfaces%period()
+         total = settled + plan%surfaces%period()
          if (case%end_time > 0) then
             total = case%end_time
-            plan%measures = total - plan%waviness%period() > passed - 0.5_dp*plan%dt
-            settled = max(0.0_dp, total - plan%waviness%period())
+            plan%measures = total - plan%surfaces%period() > passed - 0.5_dp*plan%dt
+            settled = max(0.0_dp, total - plan%surfaces%period())
          end if
       else
          settled = case%end_time

@@ -1,9 +1,10 @@
-!> What the edges of a domain cost, and how large a domain an accuracy needs.
+!> Errors by the edges of a domain, and how large a domain an accuracy needs.
 module ehlwave_domain_choice
    use ehlwave_case_definition, only: case_t
    use ehlwave_conditions, only: conditions_t
    use ehlwave_far_field, only: far_field_t, new_far_field
    use ehlwave_formula, only: moes_film_formula
+   use ehlwave_grid, only: strip_width
    use ehlwave_kinds, only: dp
    implicit none (type, external)
    private
@@ -70,7 +71,7 @@ contains
       heavier%m = (1 + step)*conditions%m
       slope = -log(moes_film_formula(heavier)/moes_film_formula(conditions))/log(1 + step)
       inlet = scale*case%x_min
-      side = merge(4/3.0_dp, scale*case%y_max, conditions%is_line())   ! the width of a line's strip
+      side = merge(strip_width, scale*case%y_max, conditions%is_line())
       by_pressure = pressure_factor*thickening*far%strength(inlet, 0.0_dp)/far%film_at(inlet, 0.0_dp)**2
       by_load = max(0.0_dp, slope)*far%load_outside(inlet, side)
       if (case%edges == 'flooded') then

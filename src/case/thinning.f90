@@ -1,4 +1,4 @@
-!> What an oil that is not Newtonian changes in what to expect of a case.
+!> Errors and work to expect of an oil that is not Newtonian, over those of a Newtonian one.
 !>
 !> Its film is thinner, its inlet as much steeper, and the flow across the film needs more points. Measured: H(0,0) on 64 to 192 cells
 !> of 60 random contacts (M 8 to 250, L 2 to 17, D 0.05 to 1, S 0.2 to 1.8, Ree-Eyring 0.1 to 20 MPa, Carreau n 0.35 to 1). The error
@@ -15,7 +15,7 @@
 module ehlwave_thinning
    use ehlwave_conditions, only: conditions_t
    use ehlwave_film_flow, only: film_flow_t
-   use ehlwave_formula, only: moes_film_formula
+   use ehlwave_formula, only: expected_film
    use ehlwave_kinds, only: dp
    use ehlwave_rheology, only: rheology_t
    implicit none (type, external)
@@ -44,8 +44,7 @@ contains
       if (rheology%is_newtonian()) return
       flow = rheology%film_flow(conditions%elliptic%k, conditions%lambdabar, conditions%slip_parameter)
       stress = flow%n0/conditions%elliptic%k
-      rate = conditions%lambdabar/3*abs(conditions%slip_parameter - 1)*stress &
-             *conditions%moes_film_factor/moes_film_formula(conditions)
+      rate = conditions%lambdabar/3*abs(conditions%slip_parameter - 1)*stress/expected_film(conditions)
       self%steepness = 1 + factor*(1 - exponent)*stress
       self%cost = 1 + factor*stress*(1 + rate) + rescue_factor*max(0.0_dp, stress - rescue_stress)
    end function new_thinning

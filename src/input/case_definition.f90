@@ -54,6 +54,7 @@ module ehlwave_case_definition
       real(dp) :: end_time = 0                           !! 0: until the amplitude is measured
       ! &output
       logical :: fields = .false.
+      integer :: fields_every = 0                        !! time steps from one set of fields to the next; 0: the last alone
       logical :: sensitivities = .false.
    end type case_t
 

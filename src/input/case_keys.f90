@@ -62,6 +62,9 @@ contains
       call list%enter('output', 'What is computed besides, and kept.')
       call list%see(case%fields, key_t('fields', 'whether the last fields are kept even without --output', is_written=.false., &
          can_vary=.false.))
+      call list%see(case%fields_every, key_t('fields_every', 'time steps from one kept set of fields to the next; with '// &
+         '--output a march writes pressure, film and shear stress over time; 0: the last fields alone', minimum=0.0_dp, &
+         is_late=.true., can_vary=.false.))
       call list%see(case%sensitivities, key_t('sensitivities', 'whether film and linear response are differentiated by alpha '// &
          'and by the stress of the flow law', is_late=.true.))
    end subroutine visit_case_keys

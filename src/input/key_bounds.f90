@@ -1,4 +1,4 @@
-!> What may be given for a key: one check of kind, bounds and choices for namelists, lists and tables alike.
+!> Values that are allowed for a key: one check of kind, bounds and choices for namelists, lists and tables alike.
 module ehlwave_key_bounds
    use ehlwave_case_key, only: choice_length, key_t, key_value_t, number_kind, truth_kind, whole_kind, word_kind, words_of
    use ehlwave_kinds, only: dp

@@ -6,7 +6,7 @@ module ehlwave_contact_problem
    use ehlwave_deformation_line, only: deformation_line_t
    use ehlwave_edge_values, only: edge_values_t, new_edge_values
    use ehlwave_film_flow, only: film_flow_t
-   use ehlwave_formula, only: moes_film_formula
+   use ehlwave_formula, only: expected_film
    use ehlwave_given, only: given_t
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
@@ -126,7 +126,7 @@ contains
 
       call self%film_of(given, guess%p, guess%delta, guess%h)
       if (minval(guess%h) > 0) return
-      gap = moes_film_formula(self%conditions)/self%conditions%moes_film_factor - minval(guess%h)
+      gap = expected_film(self%conditions) - minval(guess%h)
       guess%delta = guess%delta - gap
       guess%h = guess%h + gap
    end subroutine film_of_guess

@@ -192,7 +192,7 @@ contains
       end do
    end subroutine general_links
 
-   !> What the flow through a face adds to the derivatives of a node's residual, by itself and by the other node of the face.
+   !> Terms that the flow through a face adds to the derivatives of a node's residual, by itself and by the other node of the face.
    pure subroutine add_link(faces, c, face, is_first, own_p, other_p, own_h, other_h)
       type(face_flow_t), intent(in) :: faces
       real(dp), intent(in) :: c              !! weight of a flux

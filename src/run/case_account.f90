@@ -24,7 +24,7 @@ contains
       result%message = ''
       result%warning = ''
       result%is_resolved = plan%resolution%is_resolved
-      if (plan%waviness%is_present .and. .not. allocated(plan%waviness%surface)) then
+      if (plan%surfaces%is_rough() .and. .not. plan%surfaces%is_measured()) then
          result%v = wave_parameter_v(plan%conditions, case%wavelength_over_a)
          result%v2 = wave_parameter_v2(plan%conditions, case%wavelength_over_a)
          result%f_r = anisotropy_factor(case%wavelength_x_over_a, case%wavelength_y_over_a)

@@ -45,12 +45,12 @@ contains
             trim(case%oil%flow_law)//', alpha = '//to_text(c%alpha_per_pa*1e9_dp, 5)//' 1/GPa'
          if (extrapolation_text(case, plan%rheology, 1.0_dp) /= '') write (unit, '(a)') '             WARNING: '// &
             extrapolation_text(case, plan%rheology, 1.0_dp)
-         if (allocated(plan%waviness%surface)) then
-            write (unit, '(a)') 'Waviness     '//surface_text(case, plan%waviness, c)
+         if (plan%surfaces%is_measured()) then
+            write (unit, '(a)') 'Waviness     '//surface_text(case, plan%surfaces, c)
          else
             write (unit, '(a)') 'Waviness     '//waviness_text(case)
          end if
-         if (plan%waviness%is_present .and. case%orientation /= 'none' .and. case%amplitude_over_film > linear_limit(case)) &
+         if (plan%surfaces%is_rough() .and. case%orientation /= 'none' .and. case%amplitude_over_film > linear_limit(case)) &
             write (unit, '(a)') '             WARNING: such waves may respond unlike small ones: take amplitude_over_film '// &
             'below '//to_text(linear_limit(case), 2)//', or compare by response = ''both'''
          write (unit, '(a)') 'Run          '//run_text(case, plan)
@@ -92,7 +92,7 @@ contains
       type(case_plan_t), intent(in) :: plan
       character(len=:), allocatable :: text
       text = 'relative error of '// &
-         trim(merge('Ad/Ai ', 'H(0,0)', plan%waviness%is_present .and. .not. allocated(plan%waviness%surface)))// &
+         trim(merge('Ad/Ai ', 'H(0,0)', plan%surfaces%is_rough() .and. .not. plan%surfaces%is_measured()))// &
          ' about '//to_text(plan%expected%total(), 2)//' ('//errors_text(plan%expected)//')'
    end function expected_text
 
@@ -153,11 +153,11 @@ contains
          text = 'steady state of smooth surfaces, then '
          if (plan%is_periodic) text = text//'the periodic state; where it is not found '
          text = text//to_text(plan%steps)//' time steps of dT = '//to_text(plan%dt, 5)
-         if (allocated(plan%waviness%surface)) then
+         if (plan%surfaces%is_measured()) then
             text = text//', surface at the contact centre from step '//to_text(plan%first_sample)
-         else if (plan%waviness%moves() .and. plan%measures) then
+         else if (plan%surfaces%moves() .and. plan%measures) then
             text = text//', amplitude measured from step '//to_text(plan%first_sample)
-         else if (plan%waviness%moves()) then
+         else if (plan%surfaces%moves()) then
             text = text//', too few to measure the amplitude'
          end if
          if (case%load_balance == 'equation_of_motion') then
@@ -202,12 +202,12 @@ contains
          to_text(result%rescued_solutions)//' solutions rescued'
       if (ieee_is_finite(result%central_film)) call print_smooth_film()
       call print_shear()
-      if (allocated(plan%waviness%surface) .and. is_solved(result%status)) then
+      if (plan%surfaces%is_measured() .and. is_solved(result%status)) then
          if (plan%first_sample < result%time_steps) write (unit, '(a)') 'Rough film   h(0,0) while the surface passes: mean '// &
             to_text(result%mean_film*plan%conditions%c_m*1e6_dp, 5)//', lowest '// &
             to_text(minval(result%film_history(plan%first_sample + 1:))*plan%conditions%c_m*1e6_dp, 5)//', highest '// &
             to_text(maxval(result%film_history(plan%first_sample + 1:))*plan%conditions%c_m*1e6_dp, 5)//' um'
-      else if (plan%waviness%is_present .and. is_solved(result%status)) then
+      else if (plan%surfaces%is_rough() .and. is_solved(result%status)) then
          if (ieee_is_finite(result%amplitude_ratio)) write (unit, '(a)') 'Amplitude    Ad/Ai = '// &
             to_text(result%amplitude_ratio, 5)//' (samples), '// &
             to_text(result%amplitude_ratio_fit, 5)//' (harmonic fit)'//formula()
@@ -220,7 +220,7 @@ contains
          to_text(result%central_film_error, 2)//', smallest H '//to_text(result%minimum_film_error, 2)// &
          friction_error()//trim(merge(' (from a model)', '               ', result%film_error_basis == 'model'))// &
          amplitude_error()
-      if (plan%waviness%is_present .and. ieee_is_finite(result%ratio_errors%mesh)) then
+      if (plan%surfaces%is_rough() .and. ieee_is_finite(result%ratio_errors%mesh)) then
          write (unit, '(a)') '             of Ad/Ai in all '//to_text(result%error_estimate, 2)//': '// &
             errors_text(result%ratio_errors)
       else if (ieee_is_finite(result%film_errors%mesh)) then

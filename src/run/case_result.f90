@@ -1,6 +1,7 @@
-!> What one case came to. What is only known once it has been computed is NaN until then.
+!> The result of one case. Values are NaN until they are computed.
 module ehlwave_case_result
    use ehlwave_error_parts, only: error_parts_t
+   use ehlwave_field_history, only: field_history_t
    use ehlwave_harmonic_result, only: harmonic_result_t
    use ehlwave_kinds, only: dp, no_value
    use ehlwave_shear_result, only: shear_result_t
@@ -75,6 +76,7 @@ module ehlwave_case_result
       ! fields of the last solution, if asked for
       real(dp), allocatable :: x(:), y(:), p(:, :), h(:, :)
       real(dp), allocatable :: shear_stress_pa(:, :) !! mean of the shear stresses at the two surfaces along X, if known
+      type(field_history_t) :: history               !! fields over time, if asked for
    end type case_result_t
 
 end module ehlwave_case_result

@@ -22,7 +22,7 @@ module ehlwave_case_runner
    use ehlwave_rescue, only: rescue_t, rung_name
    use ehlwave_sensitivity_case, only: find_film_sensitivities
    use ehlwave_shared_steady, only: limits_of, shared_steady_t
-   use ehlwave_shear_result, only: mean_shear_stress
+   use ehlwave_shear_stress, only: mean_shear_stress
    use ehlwave_state, only: state_t
    use ehlwave_status, only: is_success, status_converged, status_unresolved
    use ehlwave_text, only: to_text
@@ -76,7 +76,8 @@ contains
             call take_smooth_film(case, plan, level, result)
             call estimate_film_errors(case, plan, steady%multigrid%hierarchy_t, result)
             if (case%sensitivities) call find_film_sensitivities(case, steady, result)
-            if (plan%responds) call run_response(case, plan, steady, result)
+            if (plan%responds) &
+               call run_response(case, plan, plan%surfaces%list(plan%surfaces%main), steady, result)
          end if
          besides = steady%work_so_far() - result%work
          rescue%work_left = min(rescue%work_left, plan%largest_work - steady%work_so_far())
@@ -104,7 +105,7 @@ contains
       end associate
 
       unresolved = plan%resolution%reason
-      if (plan%waviness%is_present) unresolved = unresolved//touching_reason(rescue%thinnest, result%central_film)
+      if (plan%surfaces%is_rough()) unresolved = unresolved//touching_reason(rescue%thinnest, result%central_film)
       result%is_resolved = len(unresolved) == 0
       result%rung = rung_name(rescue%rung)
       result%rescued_solutions = rescue%rescued
@@ -123,7 +124,7 @@ contains
       result%peak_memory_mib = peak_memory_mib()
    end subroutine run_about
 
-   !> What of its caps a case has used up; '' where nothing.
+   !> The caps that a case has used up; '' where none.
    function spent_text(plan, rescue) result(text)
       type(case_plan_t), intent(in) :: plan
       type(rescue_t), intent(in) :: rescue
@@ -181,11 +182,12 @@ contains
       finest = size(multigrid%levels)
       smooth = multigrid%levels(finest)%state
       given_smooth = multigrid%levels(finest)%problem%given_t
-      amplitude = case%amplitude_over_film*result%central_film
+      amplitude = plan%surfaces%list(plan%surfaces%main)%amplitude(result%central_film)
       do n = 1, plan%phases
          turn(n) = real(n - 1, dp)/plan%phases
          associate (problem => multigrid%levels(finest)%problem)
-            call problem%set_rough(amplitude*plan%waviness%shape_fixed(problem%grid%x, problem%grid%y, 2*pi*turn(n)))
+            call problem%set_rough(plan%surfaces%rough_fixed(problem%grid%x, problem%grid%y, 2*pi*turn(n), &
+                                                           result%central_film))
          end associate
          multigrid%levels(finest)%state = smooth
          work_before = multigrid%work()

@@ -1,4 +1,4 @@
-!> What a result is wrong by, part by part.
+!> The error of a result, part by part.
 module ehlwave_error_account
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_accuracy_model, only: expected_step_error
@@ -82,7 +82,7 @@ contains
 
       text = 'edges '//trim(case%edges)
       if (case%edges == 'truncated') text = text//' (P = 0, film '//to_text(100*plan%film_domain_error, 2)//' % too thin)'
-      if (plan%waviness%is_present .and. .not. allocated(plan%waviness%surface)) then
+      if (plan%surfaces%is_rough() .and. .not. plan%surfaces%is_measured()) then
          text = text//'; waves respond as small ones up to Ai = '//to_text(100*linear_limit(case), 2)//' % of the film'
          if (case%amplitude_over_film > linear_limit(case)) text = text//', asked for '// &
             to_text(100*case%amplitude_over_film, 3)//' %'

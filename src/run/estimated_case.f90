@@ -41,7 +41,7 @@ contains
    !> estimate is the expected error of the plan, if there is one. Linear responses come with their own estimate, `harmonic_error`;
    !> without a transient there is none of its Ad/Ai. `shared`: see run_case.
    !>
-   !> What `keeper` keeps is the march of the case itself; stopped in a coarse run, the case counts as interrupted, and its coarse
+   !> `keeper` keeps the march of the case itself; stopped in a coarse run, the case counts as interrupted, and its coarse
    !> runs start again. When its time is up in a coarse run, the estimate is that of the plan.
    subroutine run_estimated_case(case, plan, monitor, result, shared, keeper)
       type(case_t), intent(in) :: case              !! completed input
@@ -55,7 +55,7 @@ contains
       integer :: status
 
       call run_case(case, plan, monitor, result, shared, keeper)
-      if (.not. plan%waviness%is_present .or. .not. is_success(result%status)) return
+      if (.not. plan%surfaces%is_rough() .or. .not. is_success(result%status)) return
       if (.not. ieee_is_finite(result%amplitude_ratio_fit)) return
       result%amplitude_ratio_error = plan%expected_error
       result%amplitude_error_basis = 'model'
@@ -104,6 +104,7 @@ contains
       relay%whole => monitor
       coarse_case = case
       coarse_case%fields = .false.
+      coarse_case%fields_every = 0
       coarse_case%sensitivities = .false.
       coarse_case%domain_scale = plan%domain_scale
       coarse_case%accuracy = 0                    ! is that of the case itself

@@ -10,7 +10,7 @@ module ehlwave_friction_error
    use ehlwave_eyring_law, only: eyring_law_t
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp, no_value
-   use ehlwave_shear_result, only: friction_above
+   use ehlwave_shear_stress, only: friction_above
    implicit none (type, external)
    private
    public :: estimate_friction_error
@@ -56,7 +56,7 @@ contains
       end select
    end function is_blunt
 
-   !> What another growth of the spike would add to the friction.
+   !> Friction that another growth of the spike would add.
    real(dp) function by_growth(levels)
       type(level_t), intent(in) :: levels(:)     !! finest first
       real(dp) :: before, growth

@@ -1,4 +1,4 @@
-!> What the linear response of a case came to.
+!> The result of the linear response of a case.
 module ehlwave_harmonic_result
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_kinds, only: dp, no_value

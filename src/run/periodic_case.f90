@@ -53,10 +53,10 @@ contains
          rescue%highest = max(rescue%highest, periodic%march%rescue%highest)
          ! The amplitude is a fit to samples of one period and depends on where in it they begin, as the film of large waves has higher
          ! harmonics: they are taken where the march from rest has its own. The pattern is at X = 0 at T = 0, that of the march at its start.
-         associate (waviness => plan%waviness, dt => plan%dt)
-            as_marched = periodic%at_times([(k*dt + waviness%start/waviness%slip, k=plan%first_sample, plan%steps)])
+         associate (main => plan%surfaces%list(plan%surfaces%main), dt => plan%dt)
+            as_marched = periodic%at_times([(k*dt + main%start/main%slip, k=plan%first_sample, plan%steps)])
          end associate
-         call take_last_period(case, plan, as_marched, 0, 0.0_dp, result)
+         call take_last_period(plan, as_marched, 0, 0.0_dp, result)
          result%route = 'waves'
          result%time = as_marched%time
          result%film_history = as_marched%central_film

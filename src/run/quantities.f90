@@ -27,7 +27,7 @@ module ehlwave_quantities
 
 contains
 
-   !> What the case is.
+   !> Quantities of the input.
    subroutine add_case(list, case, plan)
       type(quantity_list_t), intent(inout) :: list
       type(case_t), intent(in) :: case
@@ -80,7 +80,7 @@ contains
       call list%add('points_per_wave_y', 'mesh sizes per wave along Y', plan%resolution%points_y)
    end subroutine add_case
 
-   !> What the plan says before the case has run.
+   !> Quantities of the plan, known before the case has run.
    subroutine add_plan(list, case, plan)
       type(quantity_list_t), intent(inout) :: list
       type(case_t), intent(in) :: case
@@ -127,7 +127,7 @@ contains
       end associate
    end subroutine add_key
 
-   !> What the case is and what it came to.
+   !> Quantities of the input and of the result.
    subroutine add_result(list, case, plan, result)
       type(quantity_list_t), intent(inout) :: list
       type(case_t), intent(in) :: case

@@ -108,7 +108,7 @@ contains
       parts_of = merge(result%ratio_errors, result%film_errors, case%orientation /= 'none')
    end function parts_of
 
-   !> What would help.
+   !> Advice on what would help.
    function advice(case, result) result(text)
       type(case_t), intent(in) :: case
       type(case_result_t), intent(in) :: result

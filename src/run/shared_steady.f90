@@ -46,7 +46,7 @@ module ehlwave_shared_steady
 
 contains
 
-   !> What the steady state of a case depends on: all of its input but the waves and what is done with them, of a Newtonian oil but
+   !> The input on which the steady state of a case depends: all of its input but the waves and what is done with them, of a Newtonian oil but
    !> the sliding, too. Cells, domain and cap on the steps are those of the plan.
    function steady_key(case, plan) result(key)
       type(case_t), intent(in) :: case
@@ -188,7 +188,7 @@ contains
       grid%is_flooded = case%edges == 'flooded'
    end function grid_of
 
-   !> What a steady solution of a case is asked for.
+   !> Tolerance and limits of a steady solution of a case.
    pure function limits_of(case) result(limits)
       type(case_t), intent(in) :: case
       type(solve_limits_t) :: limits

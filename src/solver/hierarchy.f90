@@ -4,7 +4,7 @@ module ehlwave_hierarchy
    use ehlwave_conditions, only: conditions_t
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_deformation_mlmi, only: deformation_mlmi_t
-   use ehlwave_formula, only: moes_film_formula
+   use ehlwave_formula, only: expected_film
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp, no_value
    use ehlwave_real_transfer, only: inject, interpolate
@@ -156,7 +156,7 @@ contains
          end do
          call problem%deformation%apply(state%p, state%h)
          state%delta = grid%value_at_centre(state%h) &
-                       - moes_film_formula(problem%conditions)/problem%conditions%moes_film_factor
+                       - expected_film(problem%conditions)
       end associate
    end subroutine hertz_guess
 

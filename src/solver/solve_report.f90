@@ -17,7 +17,7 @@ module ehlwave_solve_report
       real(dp) :: film_unit = 0         !! of the mass residual; 0: the film at the contact centre
    end type solve_limits_t
 
-   !> What a solve came to. Each equation is reported by itself.
+   !> The outcome of a solve. Each equation is reported by itself.
    type, public :: solve_report_t
       integer :: status = status_stalled
       real(dp) :: residual = huge(1.0_dp)         !! largest `mass_gain` over nodes with P > 0, and `edge_error`

@@ -1,4 +1,4 @@
-!> What rank 0 does in a run of a sweep besides scheduling: it takes over the store, keeps the user and the results file up to
+!> Work of rank 0 in a run of a sweep besides scheduling: it takes over the store, keeps the user and the results file up to
 !> date, and says at the end what became of it all.
 module ehlwave_sweep_leader
    use, intrinsic :: iso_fortran_env, only: output_unit
@@ -38,7 +38,7 @@ module ehlwave_sweep_leader
    integer, parameter, public :: exit_done = 0, exit_failed = 1, exit_bad_input = 2, exit_not_written = 3, &
       exit_unfinished = 85
 
-   !> What the user asked for on the command line.
+   !> Options of the command line.
    type, public :: job_options_t
       logical :: overwrite = .false.
       character(len=16) :: retry = ''            !! 'failed' or 'version'

@@ -7,7 +7,8 @@ program test_shear_result
    use ehlwave_errors, only: error_t
    use ehlwave_grid, only: grid_t, new_grid
    use ehlwave_kinds, only: dp, pi
-   use ehlwave_shear_result, only: mean_shear_stress, shear_result_t
+   use ehlwave_shear_result, only: shear_result_t
+   use ehlwave_shear_stress, only: mean_shear_stress
    use ehlwave_state, only: new_state, state_t
    use testing, only: test_t
    implicit none (type, external)

@@ -1,9 +1,10 @@
 """Studies of the program itself: errors, costs, where it works, where linear ends."""
 
 import argparse
+import os
 
 from studies.command import steps
-from studies.command.options import Option, at_once, flag, option, output, study
+from studies.command.options import COUNT, Option, at_once, flag, option, output, study
 
 
 @study(
@@ -104,3 +105,25 @@ def speed(options: argparse.Namespace) -> int:
     """
     steps.prepare(options.program)
     return steps.report("speed", "--output", options.output, "--repeats", options.repeats)
+
+
+@study("stress", output("stress"))
+def stress(options: argparse.Namespace) -> int:
+    """Compare stresses below rough surfaces: dry, lubricated and smooth.
+
+    Writes waves.csv, roughness.csv and their figures; nothing is simulated: a minute on one core.
+    """
+    steps.find_python()
+    return steps.report("stress", "--output", options.output)
+
+
+@study("stress-speed", ("points", {"nargs": "?", "type": COUNT, "default": 1024}))
+def stress_speed(options: argparse.Namespace) -> int:
+    """Measure how long stresses below a surface take, on one core.
+
+    A map of POINTS x POINTS (default 1024) at 8 and at 32 depths, with friction, and a measured
+    trace; wall and processor time, and the largest memory of the process.
+    """
+    steps.find_python()
+    os.environ |= {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
+    return steps.report("stress_speed", options.points)

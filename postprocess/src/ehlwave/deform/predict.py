@@ -58,6 +58,8 @@ class Deformed:
     error_m : float or None
         Root mean square error of the deformed heights by the errors of the responses, m; None: the
         transfer has none.
+    transfer : Transfer or None
+        What it was predicted with.
     """
 
     surface: Surface
@@ -72,6 +74,22 @@ class Deformed:
     warnings: list[str] = field(default_factory=list)
     error_m: float | None = None
     cutoffs_m: Cutoffs = (None, None)
+    transfer: Transfer | None = field(default=None, repr=False, compare=False)
+
+    @cached_property
+    def pressure_pa(self) -> Heights:
+        """Pressure ripple, Pa: that of the contact centre as each point of the surface passes it.
+
+        Shape of the heights. It adds to the pressure of the smooth contact.
+
+        Raises
+        ------
+        StressError
+            If the contact was given without the lengths that pressures need.
+        """
+        from ehlwave.stress.centre import centre_pressure
+
+        return centre_pressure(self)
 
     @property
     def doubts(self) -> list[str]:
@@ -168,6 +186,7 @@ def deform_surface(
         warnings=warnings_of(statistics, conditions, is_for_rolling),
         error_m=error_m,
         cutoffs_m=cutoffs_m,
+        transfer=chosen,
     )
 
 
