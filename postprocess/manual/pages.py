@@ -16,10 +16,13 @@ from pathlib import Path
 import h5py
 
 import ehlwave
+from ehlwave.atlas.kinds import KINDS
+from ehlwave.atlas.ranges import WAVE_RANGE
 from ehlwave.programs import find_program
 
 ROOT = Path(__file__).parents[2]
 EHLWAVE = (sys.executable, "-c", "from ehlwave.cli import main; main()")
+STRESS = "stress_modulus_pa2"
 PROGRAMS = ("ehlwave-case", "ehlwave-sweep")
 CASE = """&conditions load_parameter_m = 50, lubricant_parameter_l = 10, radius_ratio_d = 1 /
 &waviness orientation = 'transverse', wavelength_over_a = 2, response = 'harmonic' /
@@ -29,11 +32,22 @@ CASE = """&conditions load_parameter_m = 50, lubricant_parameter_l = 10, radius_
 
 def main(folder: Path) -> None:
     """Write all pages into `folder`."""
-    folder.mkdir(parents=True, exist_ok=True)
-    pages = {"commands": commands(), "columns": columns(), "modules": modules(), **python()}
+    pages = {
+        "commands.md": commands(),
+        "columns.md": columns(),
+        "modules.md": modules(),
+        "atlas.inc": atlas(),
+        **python(),
+    }
     for name, text in pages.items():
-        (folder / name).parent.mkdir(exist_ok=True)
-        (folder / f"{name}.md").write_text(text, encoding="utf-8")
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        # Sphinx reads again what is newer.
+        if not path.exists() or path.read_text(encoding="utf-8") != text:
+            path.write_text(text, encoding="utf-8")
+    for path in folder.rglob("*.md"):
+        if path.relative_to(folder).as_posix() not in pages:
+            path.unlink()
 
 
 def commands() -> str:
@@ -67,21 +81,46 @@ def columns() -> str:
                 rows.append(f"| `{name}` | {unit} | {meaning} |")
     head = (
         "# Columns and quantities of results\n\n"
-        "Every result has these names in JSON, in HDF5 and as columns of sweeps. A quantity that a case does not have is NaN,"
-        " or is left out.\n\n| name | unit | meaning |\n| --- | --- | --- |\n"
+        "Every result has these names in JSON, in HDF5 and as columns of sweeps. A quantity that a"
+        " case does not have is NaN, or is left out.\n\n"
+        "| name | unit | meaning |\n| --- | --- | --- |\n"
     )
     return head + "\n".join(rows) + "\n"
 
 
 def modules() -> str:
     """Return the index of Fortran modules: the first sentence of each file."""
-    parts = ["# Fortran modules\n\nFolder by folder, what each module does. [The layers](/src/README.md).\n"]
+    parts = [
+        "# Fortran modules\n\nFolder by folder, what each module does."
+        " [The layers](/src/README.md).\n"
+    ]
     for folder in sorted({path.parent for path in (ROOT / "src").rglob("*.[fF]90")}):
         parts.append(f"## `{folder.relative_to(ROOT)}`\n\n| module | what it does |\n| --- | --- |")
         for path in sorted(folder.glob("*.[fF]90")):
             parts.append(f"| `{path.stem}` | {_summary(path)} |")
         parts.append("")
     return "\n".join(parts)
+
+
+def atlas() -> str:
+    """Return the table of what the atlases cover, for a page to include."""
+    names = {"rolling": "rolling", "sliding": "sliding", "line": "line contacts, rolling"}
+    columns = [KINDS[kind].ranges for kind in names]
+    keys = list(dict.fromkeys(key for ranges in columns for key in ranges))
+    rows = [
+        f"| {' | '.join(['key', *names.values()])} |",
+        f"| {' | '.join(['---'] * (1 + len(names)))} |",
+    ]
+    for key in keys:
+        name = "`eyring_stress_pa` x `reduced_modulus_pa`" if key == STRESS else f"`{key}`"
+        cells = [_range(ranges.get(key)) for ranges in columns]
+        rows.append(f"| {' | '.join([name, *cells])} |")
+    cells = [_range(WAVE_RANGE)] * len(names)
+    return "\n".join([*rows, f"| {' | '.join(['`wavelength_over_a`', *cells])} |", ""])
+
+
+def _range(ends: tuple[float, float] | None) -> str:
+    return "" if ends is None else f"{ends[0]:g} to {ends[1]:g}"
 
 
 def python() -> dict[str, str]:
@@ -96,16 +135,30 @@ def python() -> dict[str, str]:
         first = inspect.getdoc(item).splitlines()[0]
         groups[group].append(f"| [`{name}`](python/{name}.md) | {first} |")
         directive = "autoclass" if is_class else "autofunction"
-        members = "   :members:\n" if is_class and not is_error else ""
-        home = f"{item.__module__}.{item.__qualname__}"
-        pages[f"python/{name}"] = (
+        own = [] if is_error or not is_class else _members(item)
+        members = f"   :members: {', '.join(own)}\n" if own else ""
+        pages[f"python/{name}.md"] = (
             f"---\norphan: true\n---\n\n# `ehlwave.{name}`\n\n"
-            f"```{{eval-rst}}\n.. {directive}:: {home}\n{members}```\n"
+            f"```{{eval-rst}}\n.. {directive}:: ehlwave.{name}\n{members}```\n"
         )
-    parts = ["# The Python package\n\n`import ehlwave` gives these names. Modules are imported on first use.\n"]
+    parts = [
+        "# Python: classes and functions\n\n`import ehlwave` gives these names. Modules are"
+        " imported on first use. What they are for: [the Python package](/postprocess/README.md).\n"
+    ]
     for group, rows in groups.items():
-        parts.append(f"## {group}\n\n| name | what it is |\n| --- | --- |\n" + "\n".join(rows) + "\n")
-    return {"python": "\n".join(parts), **pages}
+        table = "\n".join(["| name | what it is |", "| --- | --- |", *rows])
+        parts.append(f"## {group}\n\n{table}\n")
+    return {"python.md": "\n".join(parts), **pages}
+
+
+def _members(item: type) -> list[str]:
+    """Return the methods and properties of a class that are for users."""
+    kinds = (property, classmethod, staticmethod)
+    return [
+        name
+        for name, value in vars(item).items()
+        if not name.startswith("_") and (inspect.isfunction(value) or isinstance(value, kinds))
+    ]
 
 
 def _summary(path: Path) -> str:
