@@ -43,6 +43,7 @@ nb_execution_mode = "force"  # of pages that are read; scripts/manual says when 
 nb_execution_raise_on_error = True
 nb_execution_timeout = 600
 nb_execution_in_temp = True
+nb_merge_streams = True
 # A tutorial that warns is one to be mended.
 nb_output_stderr = "warn"
 os.environ.setdefault("PYDEVD_DISABLE_FILE_VALIDATION", "1")

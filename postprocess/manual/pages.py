@@ -120,7 +120,9 @@ def atlas() -> str:
 
 
 def _range(ends: tuple[float, float] | None) -> str:
-    return "" if ends is None else f"{ends[0]:g} to {ends[1]:g}"
+    if ends is None:
+        return ""
+    return f"{ends[0]:g} to {ends[1]:g}".replace("e-0", "e-").replace("e+", "e")
 
 
 def python() -> dict[str, str]:
