@@ -13,6 +13,9 @@ from pathlib import Path
 
 PREFIX = "ehlwave_"
 PROGRAMS = ("ehlwave-case", "ehlwave-sweep")
+MODULE = "tripleoctagon"
+"""Shape of a library that is loaded at run time."""
+
 BOX = (108, 40)
 STEP = (132, 72)
 MARGIN = 16
@@ -37,10 +40,16 @@ def main(graph: Path, picture: Path) -> int:
 
 
 def read_graph(text: str) -> tuple[Graph, dict[str, str]]:
-    """Return the layers that each layer or program links, and the outer library of a layer."""
-    names = dict(re.findall(r'"(node\d+)" \[ label = "([^"\\]+)', text))
+    """Return the layers that each layer or program links, and the outer library of a layer.
+
+    Modules that a program loads when it is asked to (PETSc's solver) are not among them: there are
+    builds with and without.
+    """
+    boxes = re.findall(r'"(node\d+)" \[ label = "([^"\\]+).*shape = (\w+)', text)
+    names = {node: name for node, name, _ in boxes}
+    loaded = {name for _, name, shape in boxes if shape == MODULE}
     links = [(names[a], names[b]) for a, b in re.findall(r'"(node\d+)" -> "(node\d+)"', text)]
-    ours = {name for name in names.values() if name.startswith(PREFIX) or name in PROGRAMS}
+    ours = {name for name in names.values() if name.startswith(PREFIX) or name in PROGRAMS} - loaded
     if not ours:
         sys.exit("the graph has no target of ehlwave")
     linked = {name for link in links if ours.issuperset(link) for name in link}

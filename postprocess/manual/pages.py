@@ -167,6 +167,8 @@ def _summary(path: Path) -> str:
     lines = path.read_text(encoding="utf-8").splitlines()
     words = []
     for line in lines:
+        if line.startswith("#") and not words:
+            continue
         if not line.startswith("!>") or not line[2:].strip():
             break
         words.append(line[2:].strip())

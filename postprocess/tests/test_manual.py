@@ -17,11 +17,15 @@ GRAPH = """digraph "ehlwave" {
   "node4" [ label = "ehlwave_core", shape = octagon ];
   "node5" [ label = "test_grid", shape = egg ];
   "node6" [ label = "ehlwave_alone", shape = octagon ];
+  "node7" [ label = "ehlwave_petsc", shape = tripleoctagon ];
+  "node8" [ label = "PETSc::petsc", shape = pentagon ];
   "node0" -> "node1" [ style = dotted ] // ehlwave-case -> ehlwave_run
   "node1" -> "node2"  // ehlwave_run -> ehlwave_io
   "node1" -> "node4"  // ehlwave_run -> ehlwave_core
   "node2" -> "node3"  // ehlwave_io -> hdf5::hdf5_fortran
   "node2" -> "node4"  // ehlwave_io -> ehlwave_core
+  "node1" -> "node7" [ style = dotted ] // ehlwave_run -> ehlwave_petsc
+  "node7" -> "node8" [ style = dotted ] // ehlwave_petsc -> PETSc::petsc
   "node5" -> "node1"  // test_grid -> ehlwave_run
 }
 """
