@@ -96,6 +96,15 @@ class StressError(ResultsError, ValueError):
     """Loads, depths or an oil film cannot be turned into stresses below the surface.
 
     The message names the argument or file, its value, and what to change.
+
+    Examples
+    --------
+    >>> import ehlwave.stress
+    >>> try:
+    ...     ehlwave.stress.hertz_axis_stress(1e-4, a_m=0, b_m=1e-3)
+    ... except ehlwave.StressError as error:
+    ...     print(error)
+    semi-axes of 0 and 0.001 m: give two lengths above 0
     """
 
 
