@@ -31,6 +31,7 @@ include_patterns = [
     "CHANGELOG.md",
     "CONTRIBUTING.md",
     "src/theory.md",
+    "postprocess/*.md",
     "postprocess/examples/*.md",
     "postprocess/manual/**",
     "build/manual/pages/**",
