@@ -23,6 +23,14 @@ class Atlas:
     ----------
     data : xarray.Dataset
         As :func:`load_atlas` reads it; ``scripts/atlas`` makes it.
+
+    Examples
+    --------
+    >>> import ehlwave
+    >>> atlas = ehlwave.load_atlas()
+    >>> low, high = atlas.kind.ranges["load_parameter_m"]
+    >>> print(f"{atlas.kind.name}: M from {low:g} to {high:g}")
+    rolling: M from 20 to 2000
     """
 
     def __init__(self, data: xr.Dataset) -> None:
@@ -42,7 +50,14 @@ class Atlas:
 
     @property
     def name(self) -> str:
-        """What it is and where it comes from."""
+        """What it is and where it comes from.
+
+        Examples
+        --------
+        >>> import ehlwave
+        >>> ehlwave.load_atlas().name.split("(")[0]
+        'atlas of 6912 responses of 768 contacts '
+        """
         data = self.data
         return (
             f"atlas of {data.attrs['responses']} responses of {data.attrs['contacts']} contacts "
@@ -61,6 +76,16 @@ class Atlas:
         ------
         RangeError
             If one lies outside its range.
+
+        Examples
+        --------
+        >>> import ehlwave
+        >>> contact = ehlwave.Contact(load_parameter_m=100, lubricant_parameter_l=10,
+        ...                           radius_ratio_d=1)
+        >>> chart = contact.atlas().at(contact.conditions.atlas_keys())
+        >>> found = chart.responses(0.5, 0.0)
+        >>> print(f"{abs(complex(found.film)):.2f} within {float(found.error):.2f}")
+        0.92 within 0.01
         """
         for key, (low, high) in self.kind.ranges.items():
             if not low * (1 - 1e-9) <= keys[key] <= high * (1 + 1e-9):
@@ -104,12 +129,23 @@ def atlas_for(conditions: Conditions, atlas: Atlas | None = None) -> Atlas:
 def load_atlas(path: str | Path = SHIPPED) -> Atlas:
     """Return the atlas of a file, by default the one of this package for contacts that roll.
 
-    Read once a process.
+    Each file is read once a process.
+
+    Parameters
+    ----------
+    path : path
+        File of ``scripts/atlas``.
 
     Raises
     ------
     ResultsError
         If it cannot be read, is none, or its checksum is not that of its data.
+
+    Examples
+    --------
+    >>> import ehlwave
+    >>> ehlwave.load_atlas().kind.name
+    'rolling'
     """
     try:
         with xr.open_dataset(path) as opened:
