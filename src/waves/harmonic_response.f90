@@ -5,7 +5,7 @@ module ehlwave_harmonic_response
    use ehlwave_cycle_settings, only: response_cycle
    use ehlwave_given, only: given_t
    use ehlwave_grid, only: grid_t
-   use ehlwave_hierarchy, only: level_t
+   use ehlwave_hierarchy, only: level_t, work_of
    use ehlwave_kinds, only: dp
    use ehlwave_load_balance, only: harmonic_inertia
    use ehlwave_state, only: state_t
@@ -43,6 +43,7 @@ module ehlwave_harmonic_response
       real(dp) :: tolerance = response_tolerance   !! of the linear residual
       type(linearised_contact_t) :: linear
       type(steady_tangent_t), allocatable :: tangent   !! for real changes that do not turn, see `find_tangent`
+      real(dp), private :: tangent_work = 0            ! operations that it took, if a response found it
       type(gmres_t), private :: gmres
       real(dp), private :: frequency = 0           ! of the operator
       logical, private :: is_real = .false.        ! what is asked for: a real change that does not turn
@@ -94,6 +95,23 @@ contains
       allocate (self%tangent)
       call self%tangent%init(levels)
    end subroutine find_tangent
+
+   !> The same for a response, which counts the work of a tangent that an earlier one found: counts do not depend on their order.
+   subroutine count_tangent(self, levels)
+      type(harmonic_solver_t), intent(inout) :: self
+      type(level_t), intent(inout) :: levels(:)
+      real(dp) :: work_before
+
+      if (allocated(self%tangent)) then
+         associate (deformation => levels(size(levels))%problem%deformation)
+            deformation%work = deformation%work + self%tangent_work
+         end associate
+      else
+         work_before = work_of(levels)
+         call self%find_tangent(levels)
+         self%tangent_work = work_of(levels) - work_before
+      end if
+   end subroutine count_tangent
 
    !> Operator for changes of one frequency, and its factors unless they are there. Those of a real change that does not turn are the
    !> tangent's.
@@ -147,7 +165,7 @@ contains
          frequency = waviness%frequency()
          inertia = 0
          if (natural_frequency > 0) inertia = harmonic_inertia(natural_frequency, grid%hx/steps_per_cell, frequency)
-         if (waviness%is_longitudinal()) call self%find_tangent(levels)
+         if (waviness%is_longitudinal()) call count_tangent(self, levels)
          call self%set_frequency(levels, frequency, inertia, waviness%is_longitudinal())
          dr(0:grid%nx, 0:grid%ny) => b(:linear%n - 1)
          call linear%gap_change(g, dr)
