@@ -16,6 +16,7 @@ module ehlwave_surface_file
 
    real(dp), parameter :: most_points = 5e7_dp   !! of height: 400 MB
    real(dp), parameter :: most_compressed = 1100 !! bytes that deflate makes one of, at most (1032), and a little
+   integer(size_t), parameter :: largest_number = 16   !! bytes; damaged files claim numbers of gigabytes
    real(dp), parameter :: always_read = 1e5_dp   !! points, whatever the file holds of them
 
    !> The file that is being read, at module level for work that is guarded.
@@ -126,7 +127,7 @@ contains
          call raise(error, '&surface file = '''//path//''': '//name//' has '//to_text(points, 3)//' points, more than '// &
                     to_text(most_points, 3)//': cut or resample it')
       else
-         if (points*bytes > held .and. points > always_read) stored = 0
+         if ((points*bytes > held .and. points > always_read) .or. bytes > largest_number) stored = 0
          fits = can_allocate(int(8*points, c_size_t))
          if (stored > 0 .and. fits) then
             deallocate (values)
