@@ -3,11 +3,13 @@
 import numpy as np
 import pytest
 
-from ehlwave.deform.conditions import Conditions, conditions_from_keys, corrected_film
+from ehlwave.contact.conditions import Conditions, conditions_from_keys
+from ehlwave.contact.medium import hertz_medium
+from ehlwave.contact.oils import Oil
+from ehlwave.contact.scales import corrected_film
+from ehlwave.contact.two_waves import two_waves
 from ehlwave.errors import SurfaceError
-from ehlwave.medium import Oil, hertz_medium
 from ehlwave.rolling import rolling_transfer
-from ehlwave.two_waves import two_waves
 
 KEYS = {
     "load_parameter_m": 100,

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from ehlwave.atlas import Atlas, load_atlas
-    from ehlwave.contact import read_contact as read_case
+    from ehlwave.case_file import read_contact as read_case
     from ehlwave.deform import deform_surface, read_surface
     from ehlwave.driver import Case, Study
     from ehlwave.errors import (
@@ -106,7 +106,7 @@ __all__ = [
 def __getattr__(name: str) -> Any:  # noqa: ANN401
     """Import what is asked for."""
     if name == "read_case":
-        return import_module("ehlwave.contact").read_contact
+        return import_module("ehlwave.case_file").read_contact
     if name in _HOME:
         return getattr(import_module(f"ehlwave.{_HOME[name]}"), name)
     raise AttributeError(f"module 'ehlwave' has no attribute {name!r}")

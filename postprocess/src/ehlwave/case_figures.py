@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 from numpy.typing import NDArray
 
-from ehlwave.contact import central_film, check_field, number, positive
+from ehlwave.case_file import central_film, check_field, number, positive
 from ehlwave.figures import COLOURS
 
 Floats = NDArray[np.float64]

@@ -9,8 +9,8 @@ import xarray as xr
 from ehlwave.atlas.chart import Chart
 from ehlwave.atlas.kinds import KINDS, LINE, ROLLING, SLIDING, Kind
 from ehlwave.atlas.stored import checksum, committee_of, errors_of
-from ehlwave.deform.conditions import Conditions
-from ehlwave.deform.line_contact import ROLLS_ALONE
+from ehlwave.contact.conditions import Conditions
+from ehlwave.contact.line_contact import ROLLS_ALONE
 from ehlwave.errors import RangeError, ResultsError
 
 FORMAT_NAME = "ehlwave-atlas 2"

@@ -10,8 +10,10 @@ from numpy.typing import ArrayLike
 
 from ehlwave.atlas.coordinates import Floats, columns, contact_coordinates
 from ehlwave.atlas.ranges import SLIDING_RANGES
-from ehlwave.deform.conditions import Conditions, conditions_from_keys, moes_per_film
-from ehlwave.medium import INLET_VISCOSITY, log_viscosity
+from ehlwave.contact.conditions import Conditions, conditions_from_keys
+from ehlwave.contact.medium import INLET_VISCOSITY
+from ehlwave.contact.oils import log_viscosity
+from ehlwave.contact.scales import moes_per_film
 
 if TYPE_CHECKING:
     from ehlwave.atlas.chart import Chart

@@ -12,9 +12,9 @@ from numpy.typing import ArrayLike, NDArray
 from ehlwave.atlas.coordinates import Complex, Floats, columns
 from ehlwave.atlas.shape import Seen, Shape
 from ehlwave.atlas.sliding import conditions_of, rolling_chart
-from ehlwave.deform.conditions import MOES_KEYS, Conditions
-from ehlwave.medium import INLET_VISCOSITY, Medium, hertz_medium
-from ehlwave.two_waves import Launch, launch_length, launched
+from ehlwave.contact.conditions import MOES_KEYS, Conditions
+from ehlwave.contact.medium import INLET_VISCOSITY, Medium, hertz_medium
+from ehlwave.contact.two_waves import Launch, launch_length, launched
 
 if TYPE_CHECKING:
     from ehlwave.atlas.chart import Chart

@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import fft
 
-from ehlwave.deform.conditions import Conditions
-from ehlwave.deform.line_contact import TRANSVERSE_ALONE
+from ehlwave.contact.conditions import Conditions
+from ehlwave.contact.line_contact import TRANSVERSE_ALONE
 from ehlwave.deform.prepare import Form, Window, extended, judged_part, remove_form
 from ehlwave.deform.roughness import gaussian_filtered, roughness_parameters
 from ehlwave.deform.spectrum import Coverage, Spectrum, Unjudged, empty_spectrum
