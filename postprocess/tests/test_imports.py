@@ -1,7 +1,10 @@
 """Modules and packages do not import each other in circles, and all names can be imported."""
 
 import ast
+import os
 import re
+import subprocess
+import sys
 from collections.abc import Iterable, Mapping
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
@@ -94,6 +97,14 @@ def test_names_of_the_package_can_be_imported() -> None:
         assert getattr(ehlwave, name) is not None
     with pytest.raises(AttributeError, match="nothing_of_the_kind"):
         ehlwave.nothing_of_the_kind  # noqa: B018
+
+
+def test_running_the_programs_needs_the_standard_library_alone() -> None:
+    path = os.pathsep.join(map(str, TREES.values()))
+    code = "import studies.programs as p; p.namelist({'a': {'b': 'c'}}); p.write_new_text"
+    subprocess.run(
+        [sys.executable, "-S", "-c", code], check=True, env={**os.environ, "PYTHONPATH": path}
+    )
 
 
 def test_the_list_of_studies_has_them_all() -> None:

@@ -13,13 +13,14 @@ import stat
 import tempfile
 from collections.abc import Callable, Iterable
 from pathlib import Path
-from typing import Any
-
-import pandas as pd
-import xarray as xr
-from matplotlib.figure import Figure
+from typing import TYPE_CHECKING, Any
 
 from ehlwave.errors import OutputError
+
+if TYPE_CHECKING:  # the tests of the programs write with the standard library alone
+    import pandas as pd
+    import xarray as xr
+    from matplotlib.figure import Figure
 
 LIST_NAME = ".ehlwave-results"
 LIST_FORMAT = "ehlwave-list-of-results"
@@ -131,15 +132,15 @@ class Writer:
         """Write bytes."""
         return self.file(path, lambda part: part.write_bytes(data))
 
-    def table(self, path: str | Path, table: pd.DataFrame, **options: Any) -> Path:  # noqa: ANN401
+    def table(self, path: str | Path, table: "pd.DataFrame", **options: Any) -> Path:  # noqa: ANN401
         """Write a table as CSV; options are those of :meth:`pandas.DataFrame.to_csv`."""
         return self.text(path, table.to_csv(None, **({"index": False} | options)))
 
-    def dataset(self, path: str | Path, data: xr.Dataset) -> Path:
+    def dataset(self, path: str | Path, data: "xr.Dataset") -> Path:
         """Write a dataset as HDF5."""
         return self.file(path, lambda part: data.to_netcdf(part, engine="h5netcdf"))
 
-    def figure(self, path: str | Path, figure: Figure, **options: Any) -> Path:  # noqa: ANN401
+    def figure(self, path: str | Path, figure: "Figure", **options: Any) -> Path:  # noqa: ANN401
         """Write a figure in the format that the name ends with."""
         kind = Path(path).suffix[1:]
         return self.file(path, lambda part: figure.savefig(part, format=kind, **options))
