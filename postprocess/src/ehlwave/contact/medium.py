@@ -14,7 +14,7 @@ from ehlwave.contact.oils import DENSITY_LIMIT, DENSITY_PA, Oil, log_viscosity
 
 Complex = NDArray[np.complex128]
 
-NEWTON_STEP, MOST_NEWTON_STEPS = 1e-7, 12
+NEWTON_STEP, MOST_NEWTON_STEPS = 1e-7, 20
 """The relative step after which the next is nothing, and how many there are at most."""
 
 INLET_VISCOSITY = 100.0
@@ -70,7 +70,8 @@ class Medium:
             (e_x psi^2 + e_y ky^2 + i q (psi - w)) s + i (psi - w) = 0.
 
         With s of psi = w this is a quadratic equation, from whose root Newton's method gets there:
-        in at most nine steps in 120 000 random waves (S 0.05 to 2, 0.02 a to 10 a).
+        in at most nine steps in 120 000 random waves (S 0.05 to 2, 0.02 a to 10 a). NaN where it
+        does not converge, or to another root. ``src/contact/two_waves.f90`` has the same method.
         """
         w, across = np.asarray(frequency, dtype=float), np.asarray(ky, dtype=float)
         stiffness = self.rho * 2 / self.k
@@ -82,9 +83,11 @@ class Medium:
             flow = (e_x * psi + q) * psi + still
             step = (flow * s + 1j * (psi - w)) / ((2 * e_x * psi + q) * s + flow * psi / s + 1j)
             psi = psi - step
-            if np.all(np.abs(step) <= NEWTON_STEP * np.abs(psi)):
+            has_converged = np.abs(step) <= NEWTON_STEP * np.abs(psi)
+            if np.all(has_converged):
                 break
-        return np.asarray(psi)
+        is_first = np.minimum(psi.real, psi.imag) > -NEWTON_STEP * np.abs(psi)
+        return np.where(has_converged & is_first, psi, complex(np.nan, np.nan))
 
 
 def _smaller_root(e_x: ArrayLike, q: ArrayLike, still: Complex, w: Complex, s: Complex) -> Complex:
@@ -114,7 +117,7 @@ def hertz_medium(
     oil : Oil
         Of the contact.
     kappa, alphabar, lambdabar : float
-        Ellipticity, alpha ph, and the speed parameter, eq. (1), (3), (4).
+        Ellipticity, 0 of a line contact, alpha ph, and the speed parameter, eq. (1), (3), (4).
     film : float
         H at the centre.
     slip : float
@@ -122,7 +125,7 @@ def hertz_medium(
     pressure : float
         P at the centre.
     """
-    k = float(ellipk(1 - kappa**2))
+    k = float(ellipk(1 - kappa**2)) if kappa > 0 else 1.0
     alpha, index = oil.pressure_viscosity_per_pa, oil.roelands_index
     hertz_pa = alphabar / alpha
     centre_pa = pressure * hertz_pa
