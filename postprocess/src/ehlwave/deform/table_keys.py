@@ -3,7 +3,6 @@
 Every key of the programs stands in one of the groups below; a test holds them to ``--keys``.
 """
 
-import re
 from collections.abc import Mapping
 from typing import Any
 
@@ -11,6 +10,7 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
+from ehlwave.effective_input import keys_of_input
 from ehlwave.errors import ResultsError, SurfaceError, printable
 
 IN_COLUMNS = frozenset(
@@ -112,13 +112,7 @@ CARRIED = (*OF_THE_OIL, *OF_THE_EDGES, *OF_MARCHES)
 
 CLASSIFIED = IN_COLUMNS | OF_THE_SOLUTION | WITHOUT_EFFECT | frozenset(CARRIED)
 
-_LINE = re.compile(r"^\s*(\w+)\s*=\s*(.*?),?\s*$", re.MULTILINE)
 STRESSES = ("eyring_stress_pa", "carreau_modulus_pa")
-
-
-def keys_of_input(text: str) -> dict[str, float | str]:
-    """Return the keys of an effective input with their values."""
-    return {key: value_of(value) for key, value in _LINE.findall(text)}
 
 
 def carried_columns(points: xr.Dataset) -> dict[str, list[Any]]:
@@ -174,15 +168,6 @@ def _is_linear(points: xr.Dataset) -> list[bool]:
         return [False] * points.sizes["case"]
     response = points["harmonic_real"].values + 1j * points["harmonic_imaginary"].values
     return np.isfinite(response).tolist()
-
-
-def value_of(text: str) -> float | str:
-    """Return a value of an input file."""
-    bare = text.strip().strip("'\"")
-    try:
-        return float(bare)
-    except ValueError:
-        return bare
 
 
 def table_columns(raw: pd.DataFrame, place: str) -> Mapping[str, pd.Series]:
