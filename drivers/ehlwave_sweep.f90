@@ -92,7 +92,7 @@ program ehlwave_sweep
 
 contains
 
-   !> What the program says of itself: without starting MPI, which some machines refuse outside a job. Of many processes
+   !> The help and version of the program: without starting MPI, which some machines refuse outside a job. Of many processes
    !> the one says it that launchers call the first.
    subroutine answer()
       character(len=*), parameter :: rank_variables(4) = [character(len=20) :: 'OMPI_COMM_WORLD_RANK', 'PMIX_RANK', &

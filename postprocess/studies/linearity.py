@@ -1,6 +1,6 @@
 """Where linear ends: amplitude of the transient over that of the linear response.
 
-``python -m studies.linearity RESULTS --output DIR`` is what ``scripts/linearity`` ends with.
+``python -m studies.linearity RESULTS --output DIR`` is what ``scripts/study linearity`` ends with.
 """
 
 import argparse

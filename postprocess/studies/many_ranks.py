@@ -1,6 +1,6 @@
 """How a sweep would go on more ranks than there are: its scheduler with measured service times.
 
-``python -m studies.many_ranks SYNTHETIC`` is ``scripts/many-ranks``. The program SYNTHETIC
+``python -m studies.many_ranks SYNTHETIC`` is ``scripts/study many-ranks``. The program SYNTHETIC
 (``tests/support/synthetic_sweep.f90``) runs the scheduler and the store with real MPI and real
 files on cases that take no time, which gives the time of rank 0 for one case, and on cases that
 sleep, beside which the simulation stands first. Then the simulation goes where no machine is.

@@ -1,4 +1,4 @@
-"""The command behind ``scripts/check-periodic``: periodic states against long marches from rest."""
+"""The command behind ``scripts/study periodic``: periodic states against long marches from rest."""
 
 import argparse
 import itertools

@@ -1,4 +1,4 @@
-"""The command behind ``scripts/speed-table``: the solvers' seconds and work units."""
+"""The command behind ``scripts/study speed``: the solvers' seconds and work units."""
 
 import argparse
 import math

@@ -1,6 +1,6 @@
 """Marches of waves under slip against their linear response and the mean film of second order.
 
-``python -m studies.transients RESULTS`` is what ``scripts/check-transients`` ends with.
+``python -m studies.transients RESULTS`` is what ``scripts/study transients`` ends with.
 """
 
 import argparse

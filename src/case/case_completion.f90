@@ -35,7 +35,7 @@ contains
       if (allocated(error)) error%message = place//error%message
    end subroutine complete_case
 
-   !> What a line contact, D = 0, has not: anything that varies along Y or is about its width; an approach whose change
+   !> Refuse keys that a line contact, D = 0, does not have: anything that varies along Y or is about its width; an approach whose change
    !> in time is known (that under a line load on a half-space is determined but for a constant times the load, so there
    !> is no equation of motion); FAS and MLMI, which are not written for it.
    subroutine complete_line(case, error)
@@ -85,6 +85,7 @@ contains
                                    alpha_per_pa, conditions, error)
          conditions%data%reduced_modulus_pa = case%data%reduced_modulus_pa
       end if
+      conditions%slip_parameter = case%slip_parameter
    end subroutine case_conditions
 
    !> Wavelengths along X and Y from the orientation, and back.

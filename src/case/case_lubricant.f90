@@ -1,94 +1,126 @@
-!> The lubricant of a case: its laws from its keys.
+!> The lubricant of a case: what it needs, and its laws as the equations take them.
 module ehlwave_case_lubricant
-   use ehlwave_carreau_law, only: new_carreau_law
-   use ehlwave_case_definition, only: case_t, is_special_law
+   use ehlwave_case_definition, only: case_t
+   use ehlwave_case_files, only: case_file_t, case_files
    use ehlwave_conditions, only: conditions_t
-   use ehlwave_doolittle_law, only: doolittle_law_t
    use ehlwave_errors, only: error_t, raise
-   use ehlwave_eyring_law, only: eyring_law_t
    use ehlwave_key_applicability, only: check_needed
    use ehlwave_kinds, only: dp
-   use ehlwave_rheology, only: density_constant, density_dowson_higginson, new_rheology, rheology_t, viscosity_barus, &
-      viscosity_constant, viscosity_roelands
-   use ehlwave_viscosity_law, only: film_forming_coefficient, viscosity_law_t
+   use ehlwave_number_file, only: read_number_table
+   use ehlwave_number_table, only: number_table_t
+   use ehlwave_rheology, only: new_rheology, rheology_t
+   use ehlwave_text, only: to_text
+   use ehlwave_viscosity_law, only: viscosity_law_t
    implicit none (type, external)
    private
-   public :: case_lubricant, check_lubricant, pressure_viscosity
+   public :: case_lubricant, check_lubricant, extrapolation_text, pressure_viscosity
+
+   real(dp), parameter :: largest_difference = 0.01_dp   ! relative, of two values of one viscosity
 
 contains
 
-   !> Refuse a law that lacks its parameters, or a flow law that lacks what makes it dimensionless.
+   !> Read the file of the oil, unless that is done. Refuse a law that lacks its parameters or contradicts the
+   !> conditions, or a flow law that lacks what makes it dimensionless.
    subroutine check_lubricant(case, error)
-      type(case_t), intent(in) :: case
+      type(case_t), intent(inout) :: case
       type(error_t), allocatable, intent(inout) :: error
 
       call check_needed(case, 'lubricant', error)
-      if (allocated(error) .or. case%flow_law == 'newtonian' .or. case%is_dimensional) return
+      if (.not. allocated(error)) call check_viscosity(case, error)
+      if (allocated(error) .or. case%oil%is_newtonian() .or. case%is_dimensional) return
       if (.not. case%data%reduced_modulus_pa > 0) then
-         call raise(error, "&conditions reduced_modulus_pa is missing: &lubricant flow_law = '"//trim(case%flow_law)// &
+         call raise(error, "&conditions reduced_modulus_pa is missing: &lubricant flow_law = '"//trim(case%oil%flow_law)// &
                     "' with load_parameter_m, lubricant_parameter_l and radius_ratio_d needs E', since its stress enters by "// &
                     "E' times it")
       else if (.not. case%lubricant_parameter_l > 0) then
          call raise(error, "&conditions lubricant_parameter_l = 0 leaves the pressure unknown, and &lubricant flow_law = '"// &
-                    trim(case%flow_law)//"' needs it: give lubricant_parameter_l above 0 (with viscosity_law = 'isoviscous' "// &
-                    'the viscosity is constant all the same), or dimensional data')
+                    trim(case%oil%flow_law)//"' needs it: give lubricant_parameter_l above 0 (with viscosity_law = "// &
+                    "'isoviscous' the viscosity is constant all the same), or dimensional data")
       end if
    end subroutine check_lubricant
 
-   !> Pressure-viscosity coefficient alpha of the case, 1/Pa: as given, or film-forming coefficient of a law with parameters.
+   !> Read the measured viscosities of an oil that has some. Refuse such of which no law can be made, or which
+   !> contradict the viscosity of the case.
+   subroutine check_viscosity(case, error)
+      type(case_t), intent(inout) :: case
+      type(error_t), allocatable, intent(inout) :: error
+      class(viscosity_law_t), allocatable :: law
+      character(len=:), allocatable :: key
+
+      key = ''
+      if (case%oil%viscosity_file /= '') key = file_key(case, trim(case%oil%viscosity_file))
+      associate (oil => case%oil)
+         if (key == '') then
+            oil%measured = number_table_t()
+         else if (.not. oil%measured%is_from(trim(oil%viscosity_file))) then
+            call read_number_table(trim(oil%viscosity_file), oil%measured, error)
+         end if
+         if (.not. allocated(error)) call oil%make_viscosity(law, error)
+      end associate
+      if (allocated(error)) then
+         if (key /= '') error%message = key//': '//error%message
+      else if (case%is_dimensional .and. law%ambient_pa_s > 0) then
+         if (abs(case%data%viscosity_pa_s/law%ambient_pa_s - 1) <= largest_difference) return
+         if (.not. case%data%viscosity_pa_s > 0) return   ! is missing, which is said of the conditions
+         call raise(error, key//" = '"//trim(case%oil%viscosity_file)//"' has "//to_text(law%ambient_pa_s, 6)// &
+                    ' Pa s at ambient pressure, which &conditions viscosity_pa_s = '// &
+                    to_text(case%data%viscosity_pa_s, 6)//' contradicts: give the same')
+      end if
+   end subroutine check_viscosity
+
+   !> '&group key' of the file of a path, '' where the case reads no such file.
+   function file_key(case, path) result(key)
+      type(case_t), intent(in) :: case
+      character(len=*), intent(in) :: path
+      character(len=:), allocatable :: key
+      type(case_file_t), allocatable :: files(:)
+      integer :: i
+
+      allocate (files, source=case_files(case))
+      key = ''
+      do i = 1, size(files)
+         if (files(i)%path == path) key = files(i)%key
+      end do
+   end function file_key
+
+   !> A warning where pressures go beyond those that the viscosity law is known up to, else ''.
+   function extrapolation_text(case, rheology, pressure) result(text)
+      type(case_t), intent(in) :: case
+      type(rheology_t), intent(in) :: rheology
+      real(dp), intent(in) :: pressure   !! largest P
+      character(len=:), allocatable :: text
+
+      text = ''
+      if (pressure > rheology%largest_pressure()) text = 'pressures reach '//gigapascals(pressure)// &
+         " and viscosity_law = '"//trim(case%oil%viscosity_law)//"' is known up to "// &
+         gigapascals(rheology%largest_pressure())//': beyond that it is extrapolated'
+
+   contains
+
+      function gigapascals(p) result(text)
+         real(dp), intent(in) :: p   !! P
+         character(len=:), allocatable :: text
+         text = to_text(1e-9_dp*rheology%in_pascals(p), 4)//' GPa'
+      end function gigapascals
+
+   end function extrapolation_text
+
+   !> Pressure-viscosity coefficient alpha of the case, 1/Pa.
    real(dp) function pressure_viscosity(case)
       type(case_t), intent(in) :: case
       class(viscosity_law_t), allocatable :: law
-      pressure_viscosity = case%pressure_viscosity_per_pa
-      if (.not. is_special_law(case%viscosity_law)) return
-      call choose_viscosity(case, law)
-      pressure_viscosity = film_forming_coefficient(law)
+      allocate (law, source=case%oil%viscosity())
+      pressure_viscosity = law%coefficient()
    end function pressure_viscosity
 
-   !> Density, viscosity and flow law. With L = 0 the pressure in pascal is unknown and the density law has nothing to work on.
+   !> The oil of a case under its conditions.
    function case_lubricant(case, conditions) result(rheology)
       type(case_t), intent(in) :: case
       type(conditions_t), intent(in) :: conditions
       type(rheology_t) :: rheology
-      class(viscosity_law_t), allocatable :: law
-      integer :: density, viscosity
-
-      viscosity = viscosity_roelands
-      if (case%viscosity_law == 'barus') viscosity = viscosity_barus
-      if (case%viscosity_law == 'isoviscous') viscosity = viscosity_constant
-      density = density_dowson_higginson
-      if (case%density_law == 'incompressible' .or. conditions%hertz_pressure_pa <= 0) density = density_constant
-      rheology = new_rheology(viscosity, density, conditions%alphabar, case%roelands_index, conditions%hertz_pressure_pa)
-      if (is_special_law(case%viscosity_law)) then
-         call choose_viscosity(case, law)
-         call rheology%use_viscosity(law)
-      end if
-      if (case%density_law == 'tait' .and. conditions%hertz_pressure_pa > 0) call rheology%use_density(case%tait)
-      associate (modulus_pa => conditions%data%reduced_modulus_pa)
-         select case (case%flow_law)
-         case ('eyring')
-            call rheology%use_flow(eyring_law_t(), modulus_pa*case%eyring_stress_pa, case%slip_parameter)
-         case ('carreau')
-            call rheology%use_flow(new_carreau_law(case%carreau_exponent), modulus_pa*case%carreau_modulus_pa, &
-                                   case%slip_parameter)
-         end select
-      end associate
+      rheology = new_rheology(case%oil%viscosity(), case%oil%density(), conditions%hertz_pressure_pa)
+      if (.not. case%oil%is_newtonian()) &
+         call rheology%use_flow(case%oil%flow(), conditions%data%reduced_modulus_pa*case%oil%stress_pa())
    end function case_lubricant
-
-   !> The viscosity law with the parameters of the case.
-   subroutine choose_viscosity(case, law)
-      type(case_t), intent(in) :: case             !! with a law that has parameters of its own
-      class(viscosity_law_t), allocatable, intent(out) :: law
-      type(doolittle_law_t) :: doolittle
-
-      select case (case%viscosity_law)
-      case ('mcewen'); law = case%mcewen
-      case ('yasutomi'); law = case%yasutomi
-      case ('doolittle')
-         doolittle = case%doolittle
-         doolittle%tait = case%tait
-         law = doolittle
-      end select
-   end subroutine choose_viscosity
 
 end module ehlwave_case_lubricant

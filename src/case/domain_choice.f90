@@ -1,9 +1,10 @@
-!> What the edges of a domain cost, and how large a domain an accuracy needs.
+!> Errors by the edges of a domain, and how large a domain an accuracy needs.
 module ehlwave_domain_choice
    use ehlwave_case_definition, only: case_t
    use ehlwave_conditions, only: conditions_t
    use ehlwave_far_field, only: far_field_t, new_far_field
    use ehlwave_formula, only: moes_film_formula
+   use ehlwave_grid, only: strip_width
    use ehlwave_kinds, only: dp
    implicit none (type, external)
    private
@@ -22,9 +23,10 @@ contains
 
    !> Enlarge the domain of a case as far as its accuracy needs: by a power of 2, the outlet by the root of it. That is done with
    !> flooded edges and a domain of the usual size; any other stays. A coarser grid of a case has the scale of the case.
-   pure subroutine choose_domain(case, conditions, scale)
+   pure subroutine choose_domain(case, conditions, thickening, scale)
       type(case_t), intent(inout) :: case
       type(conditions_t), intent(in) :: conditions
+      real(dp), intent(in) :: thickening   !! d ln(eta)/dP at P = 0
       real(dp), intent(out) :: scale
       real(dp) :: errors(2)
 
@@ -32,7 +34,7 @@ contains
       if (.not. scale > 0) then
          scale = 1
          do while (may_enlarge(case, scale))
-            errors = expected_domain_errors(case, conditions, scale)
+            errors = expected_domain_errors(case, conditions, thickening, scale)
             if (errors(2) <= share_of_accuracy*case%accuracy) exit
             scale = 2*scale
          end do
@@ -53,24 +55,23 @@ contains
    end function may_enlarge
 
    !> Relative errors by the edges of a domain `scale` times that of a case: of H(0,0), and of Ad/Ai, without waves both of H(0,0).
-   pure function expected_domain_errors(case, conditions, scale) result(errors)
+   pure function expected_domain_errors(case, conditions, thickening, scale) result(errors)
       type(case_t), intent(in) :: case
       type(conditions_t), intent(in) :: conditions
+      real(dp), intent(in) :: thickening   !! d ln(eta)/dP at P = 0
       real(dp), intent(in) :: scale
       real(dp) :: errors(2)
       type(conditions_t) :: heavier
       type(far_field_t) :: far
       real(dp), parameter :: step = 0.01_dp
-      real(dp) :: by_load, by_pressure, inlet, side, slope, thickening   ! d ln(eta)/dP at P = 0
+      real(dp) :: by_load, by_pressure, inlet, side, slope
 
-      thickening = conditions%alphabar
-      if (case%viscosity_law == 'isoviscous') thickening = 0
       far = new_far_field(conditions, thickening)
       heavier = conditions
       heavier%m = (1 + step)*conditions%m
       slope = -log(moes_film_formula(heavier)/moes_film_formula(conditions))/log(1 + step)
       inlet = scale*case%x_min
-      side = merge(4/3.0_dp, scale*case%y_max, conditions%is_line())   ! the width of a line's strip
+      side = merge(strip_width, scale*case%y_max, conditions%is_line())
       by_pressure = pressure_factor*thickening*far%strength(inlet, 0.0_dp)/far%film_at(inlet, 0.0_dp)**2
       by_load = max(0.0_dp, slope)*far%load_outside(inlet, side)
       if (case%edges == 'flooded') then

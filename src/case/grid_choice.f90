@@ -7,8 +7,8 @@ module ehlwave_grid_choice
    use ehlwave_kinds, only: dp
    use ehlwave_resolution, only: coarsest_inlet, fewest_points_per_wave, inlet_length, wanted_inlet, wanted_line_inlet, &
       wanted_points_per_wave
+   use ehlwave_surfaces, only: surfaces_t
    use ehlwave_text, only: to_text
-   use ehlwave_waviness, only: waviness_t
    implicit none (type, external)
    private
    public :: choose_grid, formula_ratio, smallest_size
@@ -21,10 +21,11 @@ module ehlwave_grid_choice
 contains
 
    !> Cells of the whole domain; one along Y for a line contact.
-   subroutine choose_grid(case, conditions, waviness, cells_x, cells_y, reason)
+   subroutine choose_grid(case, conditions, surfaces, steepness, cells_x, cells_y, reason)
       type(case_t), intent(in) :: case
       type(conditions_t), intent(in) :: conditions
-      type(waviness_t), intent(in) :: waviness
+      type(surfaces_t), intent(in) :: surfaces
+      real(dp), intent(in) :: steepness        !! see `thinning_t`
       integer, intent(out) :: cells_x, cells_y
       character(len=:), allocatable, intent(out) :: reason   !! why so many, for people
       real(dp) :: points
@@ -45,6 +46,7 @@ contains
 
       subroutine choose_x()
          real(dp) :: inlet, length, mesh, wanted
+         integer :: n
 
          cells_x = case%cells_x
          why_x = 'asked for'
@@ -52,19 +54,22 @@ contains
          length = case%x_max - case%x_min
          inlet = merge(coarsest_inlet, wanted_inlet, case%accuracy > 0)
          if (conditions%is_line() .and. .not. case%accuracy > 0) inlet = wanted_line_inlet
-         wanted = length/(inlet*inlet_length(conditions))
+         wanted = length/(inlet*inlet_length(conditions)/sqrt(steepness))
          why_x = 'for hX over the inlet length <= '//to_text(inlet, 2)
-         if (waviness%wavelength_x > 0) then
-            if (points*length*max(1.0_dp, waviness%slip)/waviness%wavelength_x > wanted) then
-               wanted = points*length*max(1.0_dp, waviness%slip)/waviness%wavelength_x
+         do n = 1, size(surfaces%list)
+            associate (wave => surfaces%list(n))
+               if (.not. wave%wavelength_x > 0) cycle
+               if (points*length*max(1.0_dp, wave%slip)/wave%wavelength_x <= wanted) cycle
+               wanted = points*length*max(1.0_dp, wave%slip)/wave%wavelength_x
                why_x = 'for '//to_text(points, 3)//' points per wave'
-            end if
-         end if
+            end associate
+         end do
          if (case%accuracy > 0) then
             mesh = largest_mesh(conditions, case%accuracy)
-            if (waviness%is_present .and. .not. allocated(waviness%surface)) &
+            if (surfaces%is_rough() .and. .not. surfaces%is_measured()) &
                mesh = largest_mesh(conditions, share_of_mesh*case%accuracy, &
-                                   formula_ratio(case, conditions, waviness%moves()), waviness%moves())
+                                   formula_ratio(case, conditions, surfaces%moves()), surfaces%moves())
+            mesh = mesh/sqrt(steepness)
             if (length/mesh > wanted) then
                wanted = length/mesh
                why_x = 'for an accuracy of '//to_text(case%accuracy, 3)
@@ -76,6 +81,7 @@ contains
 
       subroutine choose_y()
          real(dp) :: length, wanted
+         integer :: n
 
          cells_y = case%cells_y
          why_y = 'asked for'
@@ -83,13 +89,15 @@ contains
          length = 2*case%y_max
          wanted = 0.5_dp*cells_x*length/(case%x_max - case%x_min)
          why_y = 'for hY <= 2 hX'
-         if (waviness%wavelength_y > 0) then
-            if (case%accuracy > 0) points = max(points, points_for(share_of_waves*case%accuracy))
-            if (points*length/waviness%wavelength_y > wanted) then
-               wanted = points*length/waviness%wavelength_y
+         if (case%accuracy > 0) points = max(points, points_for(share_of_waves*case%accuracy))
+         do n = 1, size(surfaces%list)
+            associate (wave => surfaces%list(n))
+               if (.not. wave%wavelength_y > 0) cycle
+               if (points*length/wave%wavelength_y <= wanted) cycle
+               wanted = points*length/wave%wavelength_y
                why_y = 'for '//to_text(points, 3)//' points per wave'
-            end if
-         end if
+            end associate
+         end do
          cells_y = smallest_size(wanted, largest)
          if (cells_y < wanted) why_y = why_y//', limited'
       end subroutine choose_y

@@ -84,7 +84,7 @@ contains
       input%is_given(find_key(list%keys, 'wavelength_over_a')) = .true.
    end subroutine choose_wavelength
 
-   !> What `accuracy` chooses where it is not given: cells and time step by the plan, tolerances well below the accuracy.
+   !> Keys that `accuracy` chooses where they are not given: cells and time step by the plan, tolerances well below the accuracy.
    !> Measured: a step tolerance of 1e-3 leaves up to 2e-3 of Ad/Ai, most for long waves; steady states are exact to
    !> a tenth of their tolerance or better.
    subroutine choose_for_accuracy(input, list)

@@ -35,7 +35,7 @@ contains
 
    elemental real(dp) function curvature(case)
       type(case_t), intent(in) :: case
-      curvature = rolling_factor + slip_factor(merge(1, 2, case%flow_law == 'newtonian' .and. case%slip_parameter > 1)) &
+      curvature = rolling_factor + slip_factor(merge(1, 2, case%oil%is_newtonian() .and. case%slip_parameter > 1)) &
                   *(case%slip_parameter - 1)**2
    end function curvature
 

@@ -14,16 +14,20 @@ module ehlwave_plan_refinement
 
    real(dp), parameter :: aim = 0.7_dp             !! of what the accuracy leaves to the mesh: estimates scatter
    real(dp), parameter :: largest_factor = 3       !! of the cells in one direction, at once
+   real(dp), parameter :: smallest_factor = 1.1_dp, step_back = 0.85_dp   !! the same, where the work that is left is not enough
    real(dp), parameter :: largest_domain_share = 0.4_dp   !! of the accuracy, from which on the domain is doubled
 
 contains
 
    !> Cells as many as the part of the mesh asks for, and twice the domain where its part is large, within what the case leaves
    !> free and its limits. False where nothing can be made finer, or that would not help.
-   subroutine refine_plan(case, plan, parts, finer, is_finer)
+   !>
+   !> It has no more cells than the work allows that is left for it.
+   subroutine refine_plan(case, plan, parts, work_left, finer, is_finer)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       type(error_parts_t), intent(in) :: parts       !! of the result of the plan
+      real(dp), intent(in) :: work_left              !! operations
       type(case_plan_t), intent(out) :: finer
       logical, intent(out) :: is_finer
       type(case_t) :: copy
@@ -42,14 +46,19 @@ contains
       end if
       if (.not. room > 0) return
       factor = min(max(1.0_dp, sqrt(parts%mesh/(aim*room))), largest_factor)
-      copy%cells_x = plan%cells_x
-      copy%cells_y = plan%cells_y
       factor = factor*copy%domain_scale/plan%domain_scale
-      if (case%cells_x == 0) copy%cells_x = smallest_size(factor*plan%cells_x, case%largest_cells)
-      if (case%cells_y == 0) copy%cells_y = smallest_size(factor*plan%cells_y, case%largest_cells)
-      if (copy%cells_x <= plan%cells_x .and. copy%cells_y <= plan%cells_y) return
-      call make_plan(copy, finer, error)
-      if (allocated(error)) return
+      do
+         copy%cells_x = plan%cells_x
+         copy%cells_y = plan%cells_y
+         if (case%cells_x == 0) copy%cells_x = smallest_size(factor*plan%cells_x, case%largest_cells)
+         if (case%cells_y == 0) copy%cells_y = smallest_size(factor*plan%cells_y, case%largest_cells)
+         if (factor < smallest_factor .or. (copy%cells_x <= plan%cells_x .and. copy%cells_y <= plan%cells_y)) return
+         call make_plan(copy, finer, error)
+         if (allocated(error)) return
+         if (finer%expected_work() <= work_left) exit
+         factor = step_back*factor
+      end do
+      finer%largest_work = work_left
       finer%grid_reason = 'refined for an accuracy of '//to_text(case%accuracy, 3)
       is_finer = .true.
    end subroutine refine_plan

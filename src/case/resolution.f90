@@ -1,11 +1,13 @@
 !> Whether a grid, its domain and the time step resolve a case: theory eq. (E6).
 module ehlwave_resolution
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
-   use ehlwave_conditions, only: conditions_t, slender_over_line
-   use ehlwave_formula, only: moes_film_formula
+   use ehlwave_conditions, only: conditions_t
+   use ehlwave_far_field, only: hertz_gap
+   use ehlwave_formula, only: expected_film
+   use ehlwave_gauss_legendre, only: new_gauss_rule
    use ehlwave_kinds, only: dp
+   use ehlwave_surfaces, only: surfaces_t
    use ehlwave_text, only: to_text
-   use ehlwave_waviness, only: waviness_t
    implicit none (type, external)
    private
    public :: judge_resolution, inlet_length, inlet_gap, touching_reason
@@ -47,21 +49,13 @@ contains
    !> hX = lambdabar^(2/5)/4 it is 4 to 6 per cent off for L = 0 to 3; (L/(gamma M))^(1/2) alone asks for grids up to
    !> ten times finer there.
    !>
-   !> Of a line contact the first is that of slender contacts with the same alphabar and L, whose gamma M is 1.31 times
-   !> as large (see `set_line` of the conditions). Measured (L = 11, M = 100): with hX = 0.17 of it the central film is 7 per cent off.
+   !> gamma M is the `steepness` of the conditions. Measured (L = 11, M = 100): with hX = 0.17 of it the central film is 7 per cent off.
    pure real(dp) function inlet_length(conditions)
       type(conditions_t), intent(in) :: conditions
-      real(dp) :: gamma
-      gamma = conditions%gamma
-      if (conditions%is_line()) gamma = gamma*slender_over_line
-      inlet_length = min(1.0_dp, max(sqrt(conditions%l/(gamma*conditions%m)), conditions%lambdabar**0.4_dp))
+      inlet_length = min(1.0_dp, max(sqrt(conditions%l/conditions%steepness()), conditions%lambdabar**0.4_dp))
    end function inlet_length
 
-   !> Gap of the dry Hertzian contact at the inlet boundary, in units of the film thickness of the formula:
-   !>
-   !>     S [X (X^2 - 1)^(1/2) - ln(X + (X^2 - 1)^(1/2))]/H,      X = -x_min,
-   !>
-   !> the gap beside a line contact (a circular one is 10 per cent wider there). Measured against domains four times
+   !> Gap of the dry Hertzian contact at the inlet boundary on the axis, in units of the film thickness of the formula. Measured against domains four times
    !> as long, L = 0 and 12.05, D = 0.005 to 1: the film is 5 per cent too thin at 8, 8 to 20 per cent at 2 to 3,
    !> 20 to 25 per cent at 1.2, and has nothing to do with the flooded one below 0.1. That holds for H < 1. A thicker
    !> film hardly deforms the surfaces, and pressure spreads far: M = 3, D = 1 is still 34 per cent off at 3.5 on the
@@ -69,10 +63,14 @@ contains
    pure real(dp) function inlet_gap(conditions, x_min)
       type(conditions_t), intent(in) :: conditions
       real(dp), intent(in) :: x_min   !! X of the inlet boundary, -1 or less
-      real(dp) :: root
-      root = sqrt(max(0.0_dp, x_min**2 - 1))
-      inlet_gap = conditions%s*(-x_min*root - log(-x_min + root))/expected_film(conditions)
+      inlet_gap = gap_over_film(conditions, x_min, 0.0_dp)
    end function inlet_gap
+
+   pure real(dp) function gap_over_film(conditions, x, y)
+      type(conditions_t), intent(in) :: conditions
+      real(dp), intent(in) :: x, y    !! X, Y
+      gap_over_film = hertz_gap(conditions, x, y, new_gauss_rule(24))/expected_film(conditions)
+   end function gap_over_film
 
    !> Why a solution with this smallest film is not resolved; '' when it is, or when there is no smooth film (NaN).
    !>
@@ -90,44 +88,38 @@ contains
          to_text(100*touching_film, 2)//' needed: reduce amplitude_over_film; '
    end function touching_reason
 
-   !> H(0,0) by the formula.
-   pure real(dp) function expected_film(conditions)
-      type(conditions_t), intent(in) :: conditions
-      expected_film = moes_film_formula(conditions)/conditions%moes_film_factor
-   end function expected_film
-
-   !> Whether a film above 1 has all the domain that it needs: X = x_min, and Y = y_max with 1 - S in place of S.
+   !> Whether a film above 1 has all the domain that it needs, at X = x_min and at Y = y_max.
    pure logical function has_room(conditions, x_min, y_max)
       type(conditions_t), intent(in) :: conditions
       real(dp), intent(in) :: x_min, y_max
-      real(dp) :: side
       has_room = .true.
       if (expected_film(conditions) <= 1) return
       has_room = inlet_gap(conditions, x_min) >= thick_film_gap
       if (conditions%is_line()) return
-      side = (1 - conditions%s)/conditions%s*inlet_gap(conditions, -y_max)
-      has_room = has_room .and. side >= thick_film_gap
+      has_room = has_room .and. gap_over_film(conditions, 0.0_dp, y_max) >= thick_film_gap
    end function has_room
 
    !> Points per wave and per inlet sweep, the length of the inlet, and the verdict on them.
-   pure function judge_resolution(conditions, waviness, x_min, y_max, hx, hy, dt) result(self)
+   pure function judge_resolution(conditions, surfaces, x_min, y_max, hx, hy, dt) result(self)
       type(conditions_t), intent(in) :: conditions
-      type(waviness_t), intent(in) :: waviness
+      type(surfaces_t), intent(in) :: surfaces
       real(dp), intent(in) :: x_min    !! X of the inlet boundary
       real(dp), intent(in) :: y_max    !! half the width of the domain
       real(dp), intent(in) :: hx, hy   !! mesh sizes in X and Y, hY of a line contact 0
       real(dp), intent(in) :: dt       !! time step, 0 in steady cases
       type(resolution_t) :: self
+      real(dp) :: length
+      integer :: n
 
       self%reason = ''
-      self%inlet = hx/inlet_length(conditions)
+      length = inlet_length(conditions)
+      self%inlet = hx/length
       if (self%inlet > coarsest_inlet) self%reason = self%reason//'hX over the inlet length = '//to_text(self%inlet, 3)// &
-         ' is above '//to_text(coarsest_inlet, 3)//': use hX <= '//to_text(coarsest_inlet*inlet_length(conditions), 3)//'; '
+         ' is above '//to_text(coarsest_inlet, 3)//': use hX <= '//to_text(coarsest_inlet*length, 3)//'; '
       ! Measured at M = 3000, D = 1: with hY = 0.5 inlet lengths no solution is found where 0.25 has one (L = 12.05); with
       ! 0.31 the central film is 0.1 per cent off, but the smallest, in the side lobes, by a factor of two (L = 30).
-      if (hy > coarsest_side*inlet_length(conditions)) self%reason = self%reason//'hY over the inlet length = '// &
-         to_text(hy/inlet_length(conditions), 3)//' is above '//to_text(coarsest_side, 3)//': use hY <= '// &
-         to_text(coarsest_side*inlet_length(conditions), 3)//'; '
+      if (hy > coarsest_side*length) self%reason = self%reason//'hY over the inlet length = '//to_text(hy/length, 3)// &
+         ' is above '//to_text(coarsest_side, 3)//': use hY <= '//to_text(coarsest_side*length, 3)//'; '
       self%inlet_gap = inlet_gap(conditions, x_min)
       if (.not. self%inlet_gap >= narrowest_inlet_gap) self%reason = self%reason//'the film is as thick as the gap at x_min'// &
          ' (ratio '//to_text(self%inlet_gap, 3)//', at least '//to_text(narrowest_inlet_gap, 3)// &
@@ -135,26 +127,26 @@ contains
       if (.not. has_room(conditions, x_min, y_max)) self%reason = self%reason//'the film, H = '// &
          to_text(expected_film(conditions), 3)//' by the formula, is thicker than the Hertzian approach and needs a gap of '// &
          to_text(thick_film_gap, 3)//' times that at x_min and y_max: such a contact is better solved as rigid; '
-      if (waviness%is_present .and. waviness%wavelength_x > 0) then
-         ! with slip the pattern also excites waves of length lambda/S that travel with the mean speed
-         self%points_x = waviness%wavelength_x/hx/max(1.0_dp, abs(waviness%slip))
-         call judge(self%points_x, 'points per wave along X')
-      end if
-      if (waviness%is_present .and. waviness%wavelength_y > 0) then
-         self%points_y = waviness%wavelength_y/hy
-         call judge(self%points_y, 'points per wave along Y')
-      end if
-      if (dt > 0 .and. waviness%moves()) then
-         self%samples = waviness%period()/dt
-         call judge(self%samples, 'time steps per wave')
-      end if
+      do n = 1, size(surfaces%list)
+         associate (wave => surfaces%list(n))
+            ! with slip the pattern also excites waves of length lambda/S that travel with the mean speed
+            if (wave%is_present .and. wave%wavelength_x > 0) &
+               call judge(wave%wavelength_x/hx/max(1.0_dp, abs(wave%slip)), 'points per wave along X', self%points_x)
+            if (wave%is_present .and. wave%wavelength_y > 0) &
+               call judge(wave%wavelength_y/hy, 'points per wave along Y', self%points_y)
+            if (dt > 0 .and. wave%moves()) call judge(wave%period()/dt, 'time steps per wave', self%samples)
+         end associate
+      end do
       self%is_resolved = len(self%reason) == 0
 
    contains
 
-      pure subroutine judge(points, what)
+      !> Note the fewest of all surfaces.
+      pure subroutine judge(points, what, fewest)
          real(dp), intent(in) :: points
          character(len=*), intent(in) :: what
+         real(dp), intent(inout) :: fewest   !! so far, 0: none
+         fewest = merge(min(points, fewest), points, fewest > 0)
          if (points < fewest_points_per_wave - 1e-9_dp) self%reason = self%reason//to_text(points, 3)//' '//what// &
             ', at least '//to_text(fewest_points_per_wave, 3)//' needed; '
       end subroutine judge

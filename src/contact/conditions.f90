@@ -11,7 +11,7 @@ module ehlwave_conditions
    real(dp), parameter, public :: smallest_radius_ratio = 0.005_dp
    real(dp), parameter :: largest_alphabar = 500      ! viscosity grows by exp(alphabar) under Barus' law
    !> gamma M of a slender elliptical contact over that of a line contact with the same alphabar and L: (2/3) pi^3/(2 pi)^(3/2)
-   real(dp), parameter, public :: slender_over_line = 2*pi**3/(3*(2*pi)**1.5_dp)
+   real(dp), parameter :: slender_over_line = 2*pi**3/(3*(2*pi)**1.5_dp)
 
    !> Dimensional data of a contact, SI units.
    type, public :: contact_data_t
@@ -34,6 +34,7 @@ module ehlwave_conditions
       real(dp) :: lambdabar = 0                     !! dimensionless speed, eq. (4)
       real(dp) :: s = 0.5_dp                        !! shape factor, eq. (5)
       real(dp) :: moes_film_factor = 0              !! (h/Rx)(2U)^(-1/2) per unit H, eq. (6)
+      real(dp) :: slip_parameter = 1                !! S = u1/ubar
       real(dp) :: alpha_per_pa = 0                  !! alpha, 1/Pa
       real(dp) :: hertz_pressure_pa = 0             !! ph, Pa
       logical :: has_dimensions = .false.           !! whether the lengths below are known
@@ -41,6 +42,7 @@ module ehlwave_conditions
       type(contact_data_t) :: data                  !! set when has_dimensions; E' also where it is known besides M, L and D
    contains
       procedure :: is_line
+      procedure :: steepness
    end type conditions_t
 
 contains
@@ -50,6 +52,14 @@ contains
       class(conditions_t), intent(in) :: self
       is_line = .not. self%d > 0
    end function is_line
+
+   !> gamma M, by which the inlet is steep; of a line contact that of slender contacts with the same alphabar and L, which have the
+   !> same inlet.
+   pure real(dp) function steepness(self)
+      class(conditions_t), intent(in) :: self
+      steepness = self%gamma*self%m
+      if (self%is_line()) steepness = slender_over_line*steepness
+   end function steepness
 
    !> Conditions from the Moes parameters, theory eq. (1) to (6); for D = 0 see `set_line`.
    !>

@@ -58,7 +58,7 @@ contains
       call complete_elliptic(1 - kappa**2, self%k, self%e, self%b_over_m, self%d_over_m)
    end function ellipticity_integrals
 
-   !> What stands for them in a line contact, kappa = 0, where K is infinite: E = 1 and, since its lengths c and film H
+   !> Their values for a line contact, kappa = 0, where K is infinite: E = 1 and, since its lengths c and film H
    !> are scaled without K, K = 1.
    pure function line_integrals() result(self)
       type(ellipticity_integrals_t) :: self

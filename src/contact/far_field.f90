@@ -16,7 +16,7 @@
 !> The far field is one of the reduced pressure q = int dP/eta; q = P where the oil does not thicken.
 module ehlwave_far_field
    use ehlwave_conditions, only: conditions_t
-   use ehlwave_formula, only: moes_film_formula
+   use ehlwave_formula, only: expected_film
    use ehlwave_gauss_legendre, only: gauss_rule_t, new_gauss_rule
    use ehlwave_kinds, only: dp, pi
    use ehlwave_load_balance, only: load_factor
@@ -51,7 +51,7 @@ contains
       integer :: k
 
       self%conditions = conditions
-      self%film = moes_film_formula(conditions)/conditions%moes_film_factor
+      self%film = expected_film(conditions)
       self%rule = new_gauss_rule(24)
       r = [(farthest**(k/real(intervals, dp)), k=0, intervals)]
       h = [(self%film_at(r(k), 0.0_dp), k=0, intervals)]

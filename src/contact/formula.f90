@@ -4,7 +4,7 @@ module ehlwave_formula
    use ehlwave_kinds, only: dp
    implicit none (type, external)
    private
-   public :: anisotropy_factor, wave_parameter_v, wave_parameter_v2, amplitude_formula, moes_film_formula
+   public :: anisotropy_factor, wave_parameter_v, wave_parameter_v2, amplitude_formula, expected_film, moes_film_formula
 
 contains
 
@@ -52,6 +52,12 @@ contains
       real(dp) :: ratio
       ratio = 1/(1 + 0.15_dp*f_v + 0.015_dp*f_v**2)
    end function amplitude_formula
+
+   !> H(0,0) of a smooth contact by the formula below.
+   pure real(dp) function expected_film(conditions)
+      type(conditions_t), intent(in) :: conditions
+      expected_film = moes_film_formula(conditions)/conditions%moes_film_factor
+   end function expected_film
 
    !> Central film thickness of a smooth contact in the Moes scale of eq. (6):
    !> Nijenbanning, Venner and Moes (1994), theory eq. (H1). A fit, good to 10 or 20 per cent.

@@ -1,46 +1,36 @@
-!> Density and viscosity of the lubricant as functions of dimensionless pressure.
+!> The laws of an oil as the dimensionless equations ask for them: of P, at the reference temperature.
 module ehlwave_rheology
+   use ehlwave_density_law, only: density_law_t
    use ehlwave_film_flow, only: film_flow_t, new_film_flow
    use ehlwave_flow_law, only: flow_law_t
+   use ehlwave_incompressible_density, only: incompressible_density_t
+   use ehlwave_isoviscous_law, only: isoviscous_law_t
    use ehlwave_kinds, only: dp
-   use ehlwave_tait_density, only: tait_density_t
-   use ehlwave_viscosity_law, only: largest_exponent, viscosity_law_t
+   use ehlwave_viscosity_law, only: viscosity_law_t
    implicit none (type, external)
    private
    public :: new_rheology
 
-   integer, parameter, public :: viscosity_roelands = 1, viscosity_barus = 2, viscosity_constant = 3, &
-                                 viscosity_special = 4   !! a law with parameters of its own
-   integer, parameter, public :: density_dowson_higginson = 1, density_constant = 2, density_tait = 3
-
-   real(dp), parameter, public :: roelands_pressure_pa = 1.96e8_dp     !! p0 of the Roelands law
-   real(dp), parameter :: dowson_higginson_pa = 5.9e8_dp               !! ambient modulus of the density law
-   real(dp), parameter :: dowson_higginson_factor = 1.34_dp            !! rho at infinite pressure
+   integer, parameter :: block_size = 256   ! values that the laws are asked for at a time, which stay in the cache
 
    type, public :: rheology_t
       private
-      integer :: viscosity_law = viscosity_roelands
-      integer :: density_law = density_dowson_higginson
-      real(dp) :: alphabar = 0      !! alpha ph
-      real(dp) :: z = 0.68_dp       !! Roelands index
-      real(dp) :: ph_over_p0 = 0    !! ph/p0
-      real(dp) :: ph_over_dh = 0    !! ph/5.9e8 Pa
-      real(dp) :: ph_pa = 0         !! ph, Pa
-      class(viscosity_law_t), allocatable :: law   !! viscosity_special
-      real(dp) :: law_factor = 1    !! of ln(eta/eta0) by that law
-      type(tait_density_t) :: tait                 !! density_tait
-      class(flow_law_t), allocatable :: flow_law   !! not of a Newtonian oil
+      class(viscosity_law_t), allocatable :: viscosity
+      class(density_law_t), allocatable :: density_law
+      class(flow_law_t), allocatable :: flow_law   !! unallocated for a Newtonian oil
+      real(dp) :: ph_pa = 0                        !! ph, Pa
+      real(dp) :: exponent_factor = 1              !! of ln(eta/eta0)
       real(dp) :: modulus_times_stress_pa2 = 0     !! E' tau0
-      real(dp) :: slip_parameter = 1               !! S
    contains
       procedure :: evaluate
       procedure :: density
+      procedure :: thickening
+      procedure :: largest_pressure
+      procedure :: in_pascals
       procedure :: at_pressure
       procedure :: depends_on_alpha
       procedure :: with_alpha
       procedure :: with_stress
-      procedure :: use_viscosity
-      procedure :: use_density
       procedure :: use_flow
       procedure :: is_newtonian
       procedure :: film_flow
@@ -48,48 +38,31 @@ module ehlwave_rheology
 
 contains
 
-   !> Lubricant of a contact with alphabar = alpha ph and Hertz pressure ph.
-   pure function new_rheology(viscosity_law, density_law, alphabar, roelands_index, hertz_pressure_pa) result(self)
-      integer, intent(in) :: viscosity_law, density_law   !! one of the parameters above
-      real(dp), intent(in) :: alphabar                    !! alpha ph
-      real(dp), intent(in) :: roelands_index              !! z
+   !> Newtonian oil of a contact with Hertz pressure ph. Where ph is 0 (L = 0, pressure in pascal is unknown), viscosity and density
+   !> are constant, whatever the laws.
+   pure function new_rheology(viscosity, density, hertz_pressure_pa) result(self)
+      class(viscosity_law_t), intent(in) :: viscosity
+      class(density_law_t), intent(in) :: density
       real(dp), intent(in) :: hertz_pressure_pa           !! ph, Pa
       type(rheology_t) :: self
-      self%viscosity_law = viscosity_law
-      if (alphabar <= 0) self%viscosity_law = viscosity_constant
-      self%density_law = density_law
-      self%alphabar = alphabar
-      self%z = roelands_index
-      self%ph_over_p0 = hertz_pressure_pa/roelands_pressure_pa
-      self%ph_over_dh = hertz_pressure_pa/dowson_higginson_pa
       self%ph_pa = hertz_pressure_pa
+      if (hertz_pressure_pa > 0) then
+         allocate (self%viscosity, source=viscosity)
+         allocate (self%density_law, source=density)
+      else
+         allocate (self%viscosity, source=isoviscous_law_t())
+         allocate (self%density_law, source=incompressible_density_t())
+      end if
    end function new_rheology
 
-   !> Take a viscosity law with parameters of its own.
-   pure subroutine use_viscosity(self, law)
-      class(rheology_t), intent(inout) :: self
-      class(viscosity_law_t), intent(in) :: law
-      self%viscosity_law = viscosity_special
-      self%law = law
-   end subroutine use_viscosity
-
-   !> Take Tait's density.
-   pure subroutine use_density(self, tait)
-      class(rheology_t), intent(inout) :: self
-      type(tait_density_t), intent(in) :: tait
-      self%density_law = density_tait
-      self%tait = tait
-   end subroutine use_density
-
    !> Take a law of flow that is not Newtonian.
-   pure subroutine use_flow(self, law, modulus_times_stress_pa2, slip_parameter)
+   pure subroutine use_flow(self, law, modulus_times_stress_pa2)
       class(rheology_t), intent(inout) :: self
       class(flow_law_t), intent(in) :: law
       real(dp), intent(in) :: modulus_times_stress_pa2   !! E' tau0, Pa^2; tau0 stands for G of Carreau's law
-      real(dp), intent(in) :: slip_parameter             !! S
-      self%flow_law = law
+      if (allocated(self%flow_law)) deallocate (self%flow_law)
+      allocate (self%flow_law, source=law)
       self%modulus_times_stress_pa2 = modulus_times_stress_pa2
-      self%slip_parameter = slip_parameter
    end subroutine use_flow
 
    !> Whether the shear stress is proportional to the shear rate.
@@ -99,31 +72,28 @@ contains
    end function is_newtonian
 
    !> Flow across the film of a contact: N0 = c ph/(2 a tau0) = K ph^2/(E' tau0), K = 1 for a line contact.
-   pure function film_flow(self, k, hertz_pressure_pa, lambdabar) result(flow)
+   pure function film_flow(self, k, lambdabar, slip_parameter) result(flow)
       class(rheology_t), intent(in) :: self               !! not Newtonian
       real(dp), intent(in) :: k                           !! complete elliptic integral K
-      real(dp), intent(in) :: hertz_pressure_pa, lambdabar
+      real(dp), intent(in) :: lambdabar, slip_parameter   !! dimensionless speed, S
       type(film_flow_t) :: flow
-      flow = new_film_flow(self%flow_law, k*hertz_pressure_pa**2/self%modulus_times_stress_pa2, lambdabar, self%slip_parameter)
+      flow = new_film_flow(self%flow_law, k*self%ph_pa**2/self%modulus_times_stress_pa2, lambdabar, slip_parameter)
    end function film_flow
 
-   !> The same laws for a contact at another Hertz pressure.
-   pure function at_pressure(self, alphabar, hertz_pressure_pa) result(other)
+   !> The same oil in a contact at another Hertz pressure.
+   pure function at_pressure(self, hertz_pressure_pa) result(other)
       class(rheology_t), intent(in) :: self
-      real(dp), intent(in) :: alphabar                    !! alpha ph
       real(dp), intent(in) :: hertz_pressure_pa           !! ph, Pa
       type(rheology_t) :: other
-      other = new_rheology(self%viscosity_law, self%density_law, alphabar, self%z, hertz_pressure_pa)
-      if (allocated(self%law)) other%law = self%law
-      other%law_factor = self%law_factor
-      other%tait = self%tait
-      if (allocated(self%flow_law)) call other%use_flow(self%flow_law, self%modulus_times_stress_pa2, self%slip_parameter)
+      other = self
+      other%ph_pa = hertz_pressure_pa
    end function at_pressure
 
-   !> Whether the viscosity grows with pressure.
+   !> Whether the viscosity varies with pressure.
    pure logical function depends_on_alpha(self)
       class(rheology_t), intent(in) :: self
-      depends_on_alpha = self%viscosity_law /= viscosity_constant
+      type(isoviscous_law_t) :: constant
+      depends_on_alpha = .not. same_type_as(self%viscosity, constant)
    end function depends_on_alpha
 
    !> The same oil with ln(eta/eta0) so many times as large at every pressure.
@@ -132,8 +102,7 @@ contains
       real(dp), intent(in) :: factor   !! > 0
       type(rheology_t) :: other
       other = self
-      other%alphabar = factor*self%alphabar
-      other%law_factor = factor*self%law_factor
+      other%exponent_factor = factor*self%exponent_factor
    end function with_alpha
 
    !> The same oil with the stress of its flow law so many times as large.
@@ -145,14 +114,7 @@ contains
       other%modulus_times_stress_pa2 = factor*self%modulus_times_stress_pa2
    end function with_stress
 
-   !> Density, fluidity 1/eta and their derivatives at pressures P >= 0, theory section 3:
-   !>
-   !>     rho = (5.9e8 + 1.34 ph P)/(5.9e8 + ph P)                       Dowson-Higginson
-   !>     eta = exp((alpha p0/z) ((1 + ph P/p0)^z - 1))                  Roelands
-   !>     eta = exp(alphabar P)                                          Barus
-   !>
-   !> or the law that was given.
-   !> Written as plain loops over contiguous arrays so that exp and log are vectorised.
+   !> Density, fluidity 1/eta and their derivatives at pressures P >= 0.
    pure subroutine evaluate(self, n, p, rho, drho, fluidity, dln_eta)
       class(rheology_t), intent(in) :: self
       integer, intent(in) :: n
@@ -161,67 +123,62 @@ contains
       real(dp), intent(out) :: drho(n)      !! d rho/d P
       real(dp), intent(out) :: fluidity(n)  !! eta0/eta
       real(dp), intent(out) :: dln_eta(n)   !! d ln(eta)/d P
-      real(dp) :: c, f, g, p_pa(merge(n, 0, self%viscosity_law == viscosity_special)), power, x, z
-      integer :: i
+      real(dp), parameter :: isothermal(block_size) = 0
+      real(dp), dimension(block_size) :: exponent, p_pa, slope, slope_per_k
+      integer :: first, i, last, m
 
-      select case (self%density_law)
-      case (density_dowson_higginson)
-         f = self%ph_over_dh
-         g = dowson_higginson_factor - 1
-         do i = 1, n
-            x = 1/(1 + f*p(i))
-            rho(i) = 1 + g*f*p(i)*x
-            drho(i) = g*f*x*x
+      do first = 1, n, block_size
+         last = min(first + block_size - 1, n)
+         m = last - first + 1
+         p_pa(:m) = self%ph_pa*p(first:last)
+         call self%density_law%evaluate(m, p_pa, isothermal, rho(first:last), slope, slope_per_k)
+         drho(first:last) = self%ph_pa*slope(:m)
+         call self%viscosity%evaluate(m, p_pa, isothermal, exponent, slope, slope_per_k)
+         do i = 1, m
+            fluidity(first + i - 1) = exp(-self%exponent_factor*exponent(i))
+            dln_eta(first + i - 1) = self%exponent_factor*self%ph_pa*slope(i)
          end do
-      case (density_tait)
-         do i = 1, n
-            rho(i) = self%tait%density(self%ph_pa*p(i))
-            drho(i) = -rho(i)**2*self%tait%volume_slope_per_pa(self%ph_pa*p(i))*self%ph_pa
-         end do
-      case default
-         do i = 1, n
-            rho(i) = 1
-            drho(i) = 0
-         end do
-      end select
-
-      select case (self%viscosity_law)
-      case (viscosity_roelands)
-         f = self%ph_over_p0
-         z = self%z
-         c = self%alphabar/(z*f)
-         do i = 1, n
-            x = 1 + f*p(i)
-            power = exp(z*log(x))
-            fluidity(i) = exp(-min(c*(power - 1), largest_exponent))
-            dln_eta(i) = self%alphabar*power/x
-         end do
-      case (viscosity_barus)
-         do i = 1, n
-            fluidity(i) = exp(-min(self%alphabar*p(i), largest_exponent))
-            dln_eta(i) = self%alphabar
-         end do
-      case (viscosity_special)
-         p_pa = self%ph_pa*p
-         call self%law%evaluate(n, p_pa, fluidity, dln_eta)
-         fluidity = exp(-self%law_factor*fluidity)
-         dln_eta = self%law_factor*self%ph_pa*dln_eta
-      case default
-         do i = 1, n
-            fluidity(i) = 1
-            dln_eta(i) = 0
-         end do
-      end select
+      end do
    end subroutine evaluate
 
-   !> Density at pressures P >= 0.
-   elemental real(dp) function density(self, p)
+   !> d ln(eta)/dP at P = 0.
+   pure real(dp) function thickening(self)
+      class(rheology_t), intent(in) :: self
+      real(dp), dimension(1) :: drho, fluidity, rho, slope
+      call self%evaluate(1, [0.0_dp], rho, drho, fluidity, slope)
+      thickening = slope(1)
+   end function thickening
+
+   !> P up to which the viscosity is known; beyond it the law is extrapolated.
+   pure real(dp) function largest_pressure(self) result(largest)
+      class(rheology_t), intent(in) :: self
+      largest = huge(largest)
+      if (self%viscosity%largest_pressure_pa < huge(largest)) largest = self%viscosity%largest_pressure_pa/self%ph_pa
+   end function largest_pressure
+
+   !> A pressure P in pascals.
+   pure real(dp) function in_pascals(self, p)
       class(rheology_t), intent(in) :: self
       real(dp), intent(in) :: p   !! P
-      density = 1
-      if (self%density_law == density_dowson_higginson) &
-         density = 1 + (dowson_higginson_factor - 1)*self%ph_over_dh*p/(1 + self%ph_over_dh*p)
-      if (self%density_law == density_tait) density = self%tait%density(self%ph_pa*p)
+      in_pascals = self%ph_pa*p
+   end function in_pascals
+
+   !> Density at pressures P >= 0.
+   pure function density(self, p) result(rho)
+      class(rheology_t), intent(in) :: self
+      real(dp), intent(in), contiguous :: p(:, :)   !! P
+      real(dp) :: rho(size(p, 1), size(p, 2))
+      real(dp), parameter :: isothermal(block_size) = 0
+      real(dp), dimension(block_size) :: slope, slope_per_k
+      integer :: first, j, last
+
+      do j = 1, size(p, 2)
+         do first = 1, size(p, 1), block_size
+            last = min(first + block_size - 1, size(p, 1))
+            call self%density_law%evaluate(last - first + 1, self%ph_pa*p(first:last, j), isothermal, rho(first:last, j), slope, &
+                                           slope_per_k)
+         end do
+      end do
    end function density
 
 end module ehlwave_rheology

@@ -5,7 +5,7 @@ module ehlwave_thermal_estimate
    private
    public :: inlet_film_factor, inlet_rise_k, film_rise_k, surface_rise_k
 
-   !> What warms up and how heat leaves. Defaults: mineral oils and PAO (conductivity 0.12 to 0.15 W/(m K), viscosity falling by 3 to
+   !> Data of oil and bodies that temperatures depend on. Defaults: mineral oils and PAO (conductivity 0.12 to 0.15 W/(m K), viscosity falling by 3 to
    !> 6 % for a kelvin near 40 C; Hamrock, Schmid and Jacobson, Fundamentals of Fluid Film Lubrication, 2nd ed., 2004, chapter 4) and
    !> bearing steel (46 W/(m K), 7800 kg/m3, 470 J/(kg K)).
    type, public :: thermal_data_t

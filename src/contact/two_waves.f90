@@ -32,7 +32,7 @@ module ehlwave_two_waves
 
    complex(dp), parameter :: no_number = (no_value, no_value)
 
-   !> What a film was split into, amplitudes over Ai. All NaN where both waves cannot be told from each other, as near S = 1.
+   !> The two waves of a film, amplitudes over Ai. All NaN where both waves cannot be told from each other, as near S = 1.
    type, public :: two_waves_t
       complex(dp) :: attenuated = no_number      !! a
       complex(dp) :: complementary = no_number   !! c

@@ -1,4 +1,4 @@
-!> How viscosity grows with pressure: the interface of laws with parameters of their own, and the coefficient that builds films.
+!> The interface of viscosity laws, and the pressure-viscosity coefficient that builds films.
 module ehlwave_viscosity_law
    use ehlwave_gauss_legendre, only: gauss_rule_t, new_gauss_rule
    use ehlwave_kinds, only: dp
@@ -8,22 +8,27 @@ module ehlwave_viscosity_law
 
    real(dp), parameter, public :: largest_exponent = 600   !! of viscosity over that at ambient pressure: keeps exp() finite
 
-   !> A new law is one module that extends this.
+   !> Viscosity against pressure and temperature. eta0 is the viscosity at ambient pressure and the reference temperature T0.
    type, abstract, public :: viscosity_law_t
+      real(dp) :: ambient_pa_s = 0                           !! eta0 where the law knows it, Pa s; else 0
+      real(dp) :: largest_pressure_pa = huge(1.0_dp)         !! beyond it the law is extrapolated
    contains
       procedure(evaluate), deferred :: evaluate
+      procedure :: coefficient => film_forming_coefficient
    end type viscosity_law_t
 
    abstract interface
-      !> ln(eta/eta0), at most `largest_exponent`, and its derivative by pressure.
-      pure subroutine evaluate(self, n, p_pa, exponent, slope_per_pa)
+      !> ln(eta/eta0), at most `largest_exponent`, and its derivatives by pressure and temperature.
+      pure subroutine evaluate(self, n, p_pa, rise_k, exponent, slope_per_pa, slope_per_k)
          import :: dp, viscosity_law_t
          implicit none (type, external)
          class(viscosity_law_t), intent(in) :: self
          integer, intent(in) :: n
          real(dp), intent(in) :: p_pa(n)            !! pressure >= 0, Pa
+         real(dp), intent(in) :: rise_k(n)          !! T - T0, K
          real(dp), intent(out) :: exponent(n)       !! ln(eta/eta0)
          real(dp), intent(out) :: slope_per_pa(n)   !! d ln(eta)/dp, 1/Pa
+         real(dp), intent(out) :: slope_per_k(n)    !! d ln(eta)/dT, 1/K
       end subroutine evaluate
    end interface
 
@@ -36,7 +41,7 @@ module ehlwave_viscosity_law
 
 contains
 
-   !> alpha* = 1/integral_0^inf eta(0)/eta(p) dp, 1/Pa: the reciprocal asymptotic isoviscous pressure (Blok 1963).
+   !> alpha* = 1/integral_0^inf eta(0)/eta(p) dp, 1/Pa, at T0: the reciprocal asymptotic isoviscous pressure (Blok 1963).
    !> Zero for a law that does not rise with pressure from the first.
    pure real(dp) function asymptotic_coefficient(law) result(alpha)
       class(viscosity_law_t), intent(in) :: law
@@ -56,21 +61,22 @@ contains
       if (alpha > 0) alpha = (1 - exp(-film_range))/isoviscous_pressure(law, film_range/alpha, 1/initial_slope(law))
    end function film_forming_coefficient
 
-   !> d ln(eta)/dp at ambient pressure, 1/Pa.
+   !> d ln(eta)/dp at ambient pressure and T0, 1/Pa.
    pure real(dp) function initial_slope(law)
       class(viscosity_law_t), intent(in) :: law
-      real(dp) :: exponent(1), slope(1)
-      call law%evaluate(1, [0.0_dp], exponent, slope)
+      real(dp), dimension(1) :: exponent, slope, slope_per_k
+      call law%evaluate(1, [0.0_dp], [0.0_dp], exponent, slope, slope_per_k)
       initial_slope = slope(1)
    end function initial_slope
 
-   !> integral_0^last eta(0)/eta(p) dp, Pa.
+   !> integral_0^last eta(0)/eta(p) dp at T0, Pa.
    pure real(dp) function isoviscous_pressure(law, last_pa, scale_pa) result(total)
       class(viscosity_law_t), intent(in) :: law
       real(dp), intent(in) :: last_pa    !! end of the integral; it stops earlier where nothing is added
       real(dp), intent(in) :: scale_pa   !! pressure over which viscosity grows by e at first
+      real(dp), parameter :: isothermal(panel_points) = 0
       type(gauss_rule_t) :: rule
-      real(dp), dimension(panel_points) :: exponent, p, slope
+      real(dp), dimension(panel_points) :: exponent, p, slope, slope_per_k
       real(dp) :: added, first, width
       integer :: panel
 
@@ -81,7 +87,7 @@ contains
       do panel = 1, most_panels
          width = min(width, last_pa - first)
          p = first + 0.5_dp*width*(1 + rule%node)
-         call law%evaluate(panel_points, p, exponent, slope)
+         call law%evaluate(panel_points, p, isothermal, exponent, slope, slope_per_k)
          added = 0.5_dp*width*sum(rule%weight*exp(-exponent))
          total = total + added
          first = first + width

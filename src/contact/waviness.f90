@@ -1,4 +1,4 @@
-!> What stands on the moving surface: harmonic waviness, or a measured piece of surface.
+!> A rough surface that moves: harmonic waviness, or measured heights.
 module ehlwave_waviness
    use ehlwave_kinds, only: dp, pi
    use ehlwave_surface, only: surface_t
@@ -14,7 +14,8 @@ module ehlwave_waviness
       real(dp) :: wavelength_y = 0   !! lambda_y/b; 0: no variation along Y
       logical :: is_oblique = .false. !! cos(kx X + ky Y) in place of cos(kx X) cos(ky Y)
       real(dp) :: start = -2.5_dp    !! Xs: where the front stands at T = 0
-      real(dp) :: slip = 1           !! S = u1/ubar: speed of the pattern in units of the mean speed
+      real(dp) :: slip = 1           !! speed in units of the mean speed: S = u1/ubar of the first surface, 2 - S of the second
+      real(dp) :: amplitude_over_film = 0   !! of waves: Ai over the smooth H(0,0)
       type(surface_t), allocatable :: surface   !! the measured surface, if it is one
    contains
       procedure :: moves
@@ -25,6 +26,8 @@ module ehlwave_waviness
       procedure :: shape_at
       procedure :: shape_fixed
       procedure :: amplitude_at
+      procedure :: amplitude
+      procedure :: equivalent_amplitude
    end type waviness_t
 
    real(dp), parameter :: front_decay = 10   !! exponent of the smooth front, eq. (13)
@@ -38,13 +41,15 @@ contains
    end function no_waviness
 
    !> A pattern with wavelengths in units of a and b; at least one of them positive.
-   pure function new_waviness(wavelength_x, wavelength_y, is_oblique, start, slip) result(self)
+   pure function new_waviness(wavelength_x, wavelength_y, is_oblique, start, slip, amplitude_over_film) result(self)
       real(dp), intent(in) :: wavelength_x, wavelength_y   !! lambda_x/a, lambda_y/b; 0: infinite
       logical, intent(in) :: is_oblique                    !! one plane wave in place of a product
       real(dp), intent(in) :: start                        !! Xs
       real(dp), intent(in) :: slip                         !! S
+      real(dp), intent(in), optional :: amplitude_over_film   !! Ai over the smooth H(0,0)
       type(waviness_t) :: self
       self%is_present = .true.
+      if (present(amplitude_over_film)) self%amplitude_over_film = amplitude_over_film
       self%wavelength_x = wavelength_x
       self%wavelength_y = wavelength_y
       self%is_oblique = is_oblique .and. wavelength_x > 0 .and. wavelength_y > 0
@@ -65,6 +70,22 @@ contains
       self%slip = slip
       self%surface = surface
    end function surface_waviness
+
+   !> The factor of the shape, in units of c: Ai of waves, 1 of heights, which are in units of c as they are.
+   pure real(dp) function amplitude(self, film)
+      class(waviness_t), intent(in) :: self
+      real(dp), intent(in) :: film                         !! smooth H(0,0)
+      amplitude = 1
+      if (.not. allocated(self%surface)) amplitude = self%amplitude_over_film*film
+   end function amplitude
+
+   !> Amplitude of waves with the same Rq, over the film.
+   pure real(dp) function equivalent_amplitude(self, film)
+      class(waviness_t), intent(in) :: self
+      real(dp), intent(in) :: film                         !! smooth H(0,0)
+      equivalent_amplitude = self%amplitude_over_film
+      if (allocated(self%surface)) equivalent_amplitude = sqrt(2.0_dp)*self%surface%rq/film
+   end function equivalent_amplitude
 
    !> Whether the gap changes in time: the pattern varies along X and its surface moves.
    pure logical function moves(self)

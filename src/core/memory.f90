@@ -33,7 +33,7 @@ contains
       can_allocate = c_can_allocate(bytes) /= 0
    end function can_allocate
 
-   !> What this process can have at most, in MiB: by its limits (`ulimit -v`), those of its control groups, the machine and its swap.
+   !> Memory that this process can have at most, in MiB: by its limits (`ulimit -v`), those of its control groups, the machine and its swap.
    real(dp) function memory_limit_mib()
       memory_limit_mib = c_memory_limit()/2.0_dp**20
    end function memory_limit_mib

@@ -1,4 +1,4 @@
-!> What a long calculation tells the program around it while it runs.
+!> Messages of a long calculation to the program around it.
 module ehlwave_monitor
    implicit none (type, external)
    private

@@ -1,4 +1,4 @@
-!> What is needed of POSIX: appending durably, locks, folders, signals, libraries that are loaded when they are asked for.
+!> POSIX calls: appending durably, locks, folders, signals, libraries that are loaded when they are asked for.
 !>
 !> Fortran's own output is not enough: compilers report a full disk late or never, and none can wait until a
 !> record is on the disk.
@@ -232,7 +232,7 @@ contains
       is_temporary = c_is_temporary(name//c_null_char, c_null_char) /= 0
    end function is_temporary
 
-   !> What has a name, links not followed: one of the kinds above. What cannot be looked at is `kind_other`.
+   !> The kind of file that has a name, links not followed: one of the kinds above; `kind_other` where it cannot be looked at.
    integer function file_kind(path)
       character(len=*), intent(in) :: path
       file_kind = c_kind(path//c_null_char)
@@ -307,7 +307,7 @@ contains
       is_locked = c_is_locked(path//c_null_char) /= 0
    end function is_locked
 
-   !> What the next signal appends to a file by itself; an empty text: nothing. At most 256 bytes.
+   !> The text that the next signal appends to a file by itself; an empty text: nothing. At most 256 bytes.
    subroutine set_note(file, text)
       integer, intent(in) :: file
       character(len=*), intent(in) :: text

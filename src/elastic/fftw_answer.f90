@@ -1,4 +1,4 @@
-!> What FFTW answers to a wish for memory or for a plan.
+!> Checks of FFTW's answers to requests for memory and for plans.
 module ehlwave_fftw_answer
    use, intrinsic :: iso_c_binding, only: c_associated, c_ptr, c_size_t
    use ehlwave_memory, only: out_of_memory

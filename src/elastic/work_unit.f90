@@ -24,7 +24,7 @@ module ehlwave_work_unit
 
    type(measured_unit_t) :: last         ! measured
 
-   !> What is counted besides transforms, which count with their usual number of operations (`transform_operations`), in operations that
+   !> Operations counted besides those of transforms, which count with their usual number of operations (`transform_operations`), in operations that
    !> take as long: for each node or each entry of a node's row. From `perf record` of a march and of a linear response (M = 100, D = 1,
    !> transverse, 0.5 a, 257 x 257 nodes), whose transforms took 30 and 33 % of the time.
    integer, parameter, public :: evaluation_operations = 450    !! a node: flow, residual and its right side

@@ -2,16 +2,12 @@
 module ehlwave_case_definition
    use ehlwave_case_key, only: name_length => choice_length
    use ehlwave_conditions, only: contact_data_t
-   use ehlwave_doolittle_law, only: doolittle_law_t
    use ehlwave_kinds, only: dp
-   use ehlwave_mcewen_law, only: mcewen_law_t
-   use ehlwave_tait_density, only: tait_density_t
-   use ehlwave_yasutomi_law, only: yasutomi_law_t
+   use ehlwave_number_table, only: path_length
+   use ehlwave_oil, only: oil_t
    implicit none (type, external)
    private
-   public :: is_special_law, name_length
-
-   integer, parameter, public :: path_length = 512   !! longest name of a file
+   public :: name_length, path_length
 
    !> All keys, in the order of the groups.
    type, public :: case_t
@@ -21,18 +17,7 @@ module ehlwave_case_definition
       real(dp) :: load_parameter_m = 0, lubricant_parameter_l = 0, radius_ratio_d = 0
       real(dp) :: slip_parameter = 1
       ! &lubricant
-      real(dp) :: pressure_viscosity_per_pa = 2.2e-8_dp
-      real(dp) :: roelands_index = 0.68_dp
-      character(len=name_length) :: viscosity_law = 'roelands'
-      character(len=name_length) :: density_law = 'dowson_higginson'
-      character(len=name_length) :: flow_law = 'newtonian'
-      real(dp) :: eyring_stress_pa = 0
-      real(dp) :: carreau_modulus_pa = 0, carreau_exponent = 0
-      real(dp) :: limiting_stress_over_pressure = 0.08_dp
-      type(mcewen_law_t) :: mcewen                       !! of viscosity_law = 'mcewen',
-      type(yasutomi_law_t) :: yasutomi                   !! of 'yasutomi',
-      type(doolittle_law_t) :: doolittle                 !! of 'doolittle', but for its density:
-      type(tait_density_t) :: tait = tait_density_t(modulus_rate=0)   !! of density_law = 'tait' and of 'doolittle'
+      type(oil_t) :: oil
       ! &waviness
       character(len=name_length) :: orientation = 'none'
       real(dp) :: wavelength_over_a = 0                  !! of a custom pattern the shorter one, completed
@@ -69,18 +54,11 @@ module ehlwave_case_definition
       real(dp) :: end_time = 0                           !! 0: until the amplitude is measured
       ! &output
       logical :: fields = .false.
+      integer :: fields_every = 0                        !! time steps from one set of fields to the next; 0: the last alone
       logical :: sensitivities = .false.
    end type case_t
 
    integer, parameter, public :: usual_largest_cells = 1024   !! that the plan chooses where no limit is given,
    integer, parameter, public :: largest_line_cells = 8192    !! and for line contacts
-
-contains
-
-   !> Whether a viscosity law has parameters of its own, from which alpha follows.
-   pure logical function is_special_law(viscosity_law)
-      character(len=*), intent(in) :: viscosity_law
-      is_special_law = any(viscosity_law == [character(len=name_length) :: 'mcewen', 'yasutomi', 'doolittle'])
-   end function is_special_law
 
 end module ehlwave_case_definition

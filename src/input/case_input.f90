@@ -47,7 +47,7 @@ contains
       end do
    end subroutine read_keys
 
-   !> What the groups of a case give in a file.
+   !> The keys that the groups of a case give in a file.
    subroutine read_groups(self, file, error)
       class(case_input_t), intent(inout) :: self
       type(namelist_t), intent(inout) :: file        !! loaded

@@ -3,12 +3,14 @@
 !> A new key is a component of case_t and its statement here; reading, sweeping, effective input, identity, messages
 !> and the printed reference follow. What keys in a row have in common is said once before them (`common`). Give a key
 !> that is added `is_late=.true.`: then cases that do not use it keep their identity, and stores their results. Where its
-!> default is not what cases were before, see `case_text`. What contradicts what stands in `case_completion`.
+!> default is not what cases were before, see `case_text`. What contradicts what stands in `case_completion`. A key that
+!> names a file to be read has a `file`, by which `case/case_files` and the results know it.
 module ehlwave_case_keys
-   use ehlwave_case_definition, only: case_t, is_special_law, path_length
+   use ehlwave_case_definition, only: case_t, path_length
    use ehlwave_case_key, only: key_t
    use ehlwave_key_list, only: key_list_t
    use ehlwave_kinds, only: dp
+   use ehlwave_oil_keys, only: visit_oil_keys
    implicit none (type, external)
    private
    public :: case_key_list, case_values, take_values
@@ -16,8 +18,6 @@ module ehlwave_case_keys
    character(len=*), parameter :: elliptical = 'elliptical contacts (radius_ratio_d above 0), not to line contacts'
    character(len=*), parameter :: one_length = "orientation = 'transverse', 'isotropic' or 'longitudinal' "// &
       "('custom' takes wavelength_x_over_a and wavelength_y_over_a)"
-   character(len=*), parameter :: without_parameters = "viscosity_law = 'roelands', 'barus' or 'isoviscous' (the others have "// &
-      "alpha from their parameters: the film-forming coefficient)"
 
 contains
 
@@ -54,7 +54,7 @@ contains
 
       call list%begin()
       call visit_conditions(case, list)
-      call visit_lubricant(case, list)
+      call visit_oil_keys(case%oil, list)
       call visit_waviness(case, list)
       call visit_grid(case, list)
       call visit_solver(case, list)
@@ -62,6 +62,9 @@ contains
       call list%enter('output', 'What is computed besides, and kept.')
       call list%see(case%fields, key_t('fields', 'whether the last fields are kept even without --output', is_written=.false., &
          can_vary=.false.))
+      call list%see(case%fields_every, key_t('fields_every', 'time steps from one kept set of fields to the next; with '// &
+         '--output a march writes pressure, film and shear stress over time; 0: the last fields alone', minimum=0.0_dp, &
+         is_late=.true., can_vary=.false.))
       call list%see(case%sensitivities, key_t('sensitivities', 'whether film and linear response are differentiated by alpha '// &
          'and by the stress of the flow law', is_late=.true.))
    end subroutine visit_case_keys
@@ -99,78 +102,6 @@ contains
          'the mean speed', minimum=0.0_dp, maximum=2.0_dp))
    end subroutine visit_conditions
 
-   subroutine visit_lubricant(case, list)
-      type(case_t), intent(inout) :: case
-      type(key_list_t), intent(inout) :: list
-      logical :: has_alpha
-
-      has_alpha = .not. is_special_law(case%viscosity_law)
-      call list%enter('lubricant', 'Viscosity and density of the lubricant, and how it shears.')
-      call list%see(case%pressure_viscosity_per_pa, key_t('pressure_viscosity_per_pa', 'pressure-viscosity coefficient alpha; '// &
-         'sets ph = alphabar/alpha, also where M, L and D are given', unit='1/Pa', above=0.0_dp, applies=has_alpha, &
-         when=without_parameters))
-      call list%see(case%roelands_index, key_t('roelands_index', "index z of Roelands' viscosity", above=0.0_dp, maximum=2.0_dp, &
-         applies=has_alpha, when="viscosity_law = 'roelands', 'barus' or 'isoviscous'"))
-      call list%see(case%viscosity_law, key_t('viscosity_law', 'viscosity against pressure', &
-         choices='roelands barus isoviscous mcewen yasutomi doolittle'))
-      call list%see(case%density_law, key_t('density_law', 'density against pressure', &
-         choices='dowson_higginson incompressible tait'))
-      call visit_flow_law(case, list)
-      call visit_viscosity_laws(case, list)
-   end subroutine visit_lubricant
-
-   subroutine visit_flow_law(case, list)
-      type(case_t), intent(inout) :: case
-      type(key_list_t), intent(inout) :: list
-
-      list%common = key_t(is_late=.true.)
-      call list%see(case%flow_law, key_t('flow_law', "shear rate against shear stress; 'eyring': Ree-Eyring, "// &
-         'sinh(tau/tau0) tau0/eta', choices='newtonian eyring carreau'))
-      list%common = key_t(is_late=.true., applies=case%flow_law == 'eyring', when="flow_law = 'eyring'")
-      call list%see(case%eyring_stress_pa, key_t('eyring_stress_pa', 'Eyring stress tau0', unit='Pa', above=0.0_dp))
-      list%common = key_t(is_late=.true., applies=case%flow_law == 'carreau', when="flow_law = 'carreau'")
-      call list%see(case%carreau_modulus_pa, key_t('carreau_modulus_pa', 'stress G at which thinning begins', unit='Pa', &
-         above=0.0_dp))
-      call list%see(case%carreau_exponent, key_t('carreau_exponent', 'exponent n of the shear rate; 1: Newtonian', &
-         minimum=0.1_dp, maximum=1.0_dp))
-      list%common = key_t(is_late=.true.)
-      call list%see(case%limiting_stress_over_pressure, key_t('limiting_stress_over_pressure', 'limiting shear stress over '// &
-         'pressure; beyond it a warning is given, since the limit is not modelled', above=0.0_dp, maximum=1.0_dp))
-   end subroutine visit_flow_law
-
-   !> Parameters of the laws that have some of their own.
-   subroutine visit_viscosity_laws(case, list)
-      type(case_t), intent(inout) :: case
-      type(key_list_t), intent(inout) :: list
-      logical :: is_doolittle
-
-      list%common = key_t(is_late=.true., applies=case%viscosity_law == 'mcewen', when="viscosity_law = 'mcewen'")
-      call list%see(case%mcewen%alpha0_per_pa, key_t('mcewen_coefficient_per_pa', 'coefficient alpha0 of (1 + alpha0 p/q)^q', &
-         unit='1/Pa', above=0.0_dp))
-      call list%see(case%mcewen%exponent, key_t('mcewen_exponent', 'exponent q of (1 + alpha0 p/q)^q', above=1.0_dp))
-      list%common = key_t(is_late=.true., applies=case%viscosity_law == 'yasutomi', when="viscosity_law = 'yasutomi'")
-      call list%see(case%yasutomi%c1, key_t('yasutomi_c1', 'C1 of the improved Yasutomi law', above=0.0_dp))
-      call list%see(case%yasutomi%c2_k, key_t('yasutomi_c2_k', 'C2 of the improved Yasutomi law', unit='K', above=0.0_dp))
-      call list%see(case%yasutomi%above_glass_k, key_t('yasutomi_above_glass_k', 'temperature of the oil above its glass '// &
-         'transition at ambient pressure, T - Tg0', unit='K', above=0.0_dp))
-      call list%see(case%yasutomi%a1_k, key_t('yasutomi_a1_k', 'A1 of Tg = Tg0 + A1 ln(1 + A2 p)', unit='K', above=0.0_dp))
-      call list%see(case%yasutomi%a2_per_pa, key_t('yasutomi_a2_per_pa', 'A2 of Tg = Tg0 + A1 ln(1 + A2 p)', unit='1/Pa', &
-         above=0.0_dp))
-      call list%see(case%yasutomi%b1_per_pa, key_t('yasutomi_b1_per_pa', 'b1 of F = (1 + b1 p)^b2', unit='1/Pa', above=0.0_dp))
-      call list%see(case%yasutomi%b2, key_t('yasutomi_b2', 'b2 of F = (1 + b1 p)^b2; below 0', minimum=-10.0_dp, maximum=-1e-6_dp))
-      is_doolittle = case%viscosity_law == 'doolittle'
-      list%common = key_t(is_late=.true., applies=is_doolittle, when="viscosity_law = 'doolittle'")
-      call list%see(case%doolittle%factor, key_t('doolittle_factor', 'factor B of the Doolittle law', above=0.0_dp))
-      call list%see(case%doolittle%occupied_fraction, key_t('doolittle_occupied_fraction', &
-         'occupied volume over the volume at ambient pressure, R0', above=0.0_dp, maximum=0.99_dp))
-      list%common = key_t(is_late=.true., applies=is_doolittle .or. case%density_law == 'tait', &
-                          when="density_law = 'tait' or viscosity_law = 'doolittle'")
-      call list%see(case%tait%modulus_pa, key_t('tait_modulus_pa', 'bulk modulus at ambient pressure, K0', unit='Pa', &
-         above=0.0_dp))
-      call list%see(case%tait%modulus_rate, key_t('tait_modulus_rate', "rate of change of the bulk modulus with pressure, K0'; "// &
-         'near 11', above=0.0_dp))
-   end subroutine visit_viscosity_laws
-
    subroutine visit_waviness(case, list)
       type(case_t), intent(inout) :: case
       type(key_list_t), intent(inout) :: list
@@ -201,7 +132,8 @@ contains
       call list%see(case%surface_file, key_t('file', 'surface written by `ehlwave surface`; it enters at x_min, moves '// &
          'with S and is followed until its trailing end is at the contact centre, or end_time; needs dimensional conditions. '// &
          'The whole domain is computed unless it is even in Y. With --output, surface_position_m says which x of the surface '// &
-         'was at the centre for each film_at_centre', maximum=real(path_length, dp), is_written=case%surface_file /= ''))
+         'was at the centre for each film_at_centre', maximum=real(path_length, dp), file='surface', &
+         is_written=case%surface_file /= ''))
    end subroutine visit_waviness
 
    subroutine visit_grid(case, list)
@@ -245,8 +177,9 @@ contains
       call list%see(case%settling_periods, key_t('settling_periods', 'periods to wait before the amplitude is measured; once '// &
          'the pattern has reached the outlet end', minimum=0.0_dp, maximum=1000.0_dp))
       call list%see(case%largest_total_steps, key_t('largest_total_steps', 'largest number of Newton steps of a case on the '// &
-         'finest grid; rescues included; 0: 600, and 40 for each time step, 300 for each phase of a standing pattern', &
-         minimum=0.0_dp, maximum=1e9_dp, is_written=case%largest_total_steps > 0))
+         'finest grid; rescues included; 0: 600, and 40 for each time step, 300 for each phase of a standing pattern, and no '// &
+         'more work than keeps a case within ten times its plan', minimum=0.0_dp, maximum=1e9_dp, &
+         is_written=case%largest_total_steps > 0))
       call list%see(case%method, key_t('method', "method of solution; 'fas': FAS multigrid with hybrid line relaxation, the "// &
          "paper's method, 'petsc': the finest level by PETSc's variational inequality solver, an independent check (builds "// &
          "with PETSc)", choices='newton fas petsc'))

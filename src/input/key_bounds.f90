@@ -1,4 +1,4 @@
-!> What may be given for a key: one check of kind, bounds and choices for namelists, lists and tables alike.
+!> Values that are allowed for a key: one check of kind, bounds and choices for namelists, lists and tables alike.
 module ehlwave_key_bounds
    use ehlwave_case_key, only: choice_length, key_t, key_value_t, number_kind, truth_kind, whole_kind, word_kind, words_of
    use ehlwave_kinds, only: dp
@@ -52,8 +52,8 @@ contains
          if (key%choices /= '') then
             is_allowed = len(value%word) > 0 .and. scan(value%word, ' ') == 0 .and. &
                          index(' '//key%choices//' ', ' '//value%word//' ') > 0
-         else if (key%maximum < huge(1.0_dp)) then
-            is_allowed = len(value%word) <= nint(key%maximum)
+         else
+            is_allowed = len(value%word) >= key%minimum .and. len(value%word) <= key%maximum
          end if
       end select
    end function is_allowed
@@ -93,7 +93,12 @@ contains
       if (key%kind /= word_kind) then
          problem = shown(item%text)//' is out of range: write a value '//bounds_text(key)
       else if (key%choices == '') then
-         problem = 'text of '//to_text(len(value%word))//' characters: write at most '//to_text(nint(key%maximum))
+         problem = 'text of '//to_text(len(value%word))//' characters: write '
+         if (len(value%word) < key%minimum) then
+            problem = problem//'at least '//to_text(nint(key%minimum))
+         else
+            problem = problem//'at most '//to_text(nint(key%maximum))
+         end if
       else
          words = words_of(key%choices)
          problem = "'"//shown(value%word)//"' is not one of the choices: write one of "//bounds_text(key)

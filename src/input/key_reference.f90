@@ -53,7 +53,7 @@ contains
       end do
    end function key_reference
 
-   !> What is printed for the default of a key.
+   !> The default of a key as it is printed.
    function default_text(key, default) result(text)
       type(key_t), intent(in) :: key
       type(key_value_t), intent(in) :: default

@@ -185,13 +185,13 @@ contains
    end function storage
 
    !> One dataset and what belongs to it: units, long_name and its scales.
-   subroutine write_values(self, name, in_memory, in_file, extent, values, units, long_name, scale, second_scale)
+   subroutine write_values(self, name, in_memory, in_file, extent, values, units, long_name, scale, second_scale, third_scale)
       type(hdf5_file_t), intent(inout) :: self
       character(len=*), intent(in) :: name, units, long_name
       integer(hid_t), intent(in) :: in_memory, in_file       !! types
       integer(hsize_t), intent(in) :: extent(:)              !! empty: one value without dimension
       type(c_ptr), intent(in) :: values                      !! contiguous
-      character(len=*), intent(in), optional :: scale, second_scale   !! of the first dimension, of the second
+      character(len=*), intent(in), optional :: scale, second_scale, third_scale   !! of the first dimension, and so on
       integer(hid_t) :: id, properties, space
       integer :: status(6)
 
@@ -206,7 +206,8 @@ contains
       call h5dwrite_f(id, in_memory, values, status(4))
       if (len(units) > 0) call write_attribute(self, id, 'units', units)
       call write_attribute(self, id, 'long_name', long_name)
-      if (present(second_scale)) call attach(self, id, second_scale, 1)
+      if (present(third_scale)) call attach(self, id, third_scale, size(extent) - 2)
+      if (present(second_scale)) call attach(self, id, second_scale, size(extent) - 1)
       if (present(scale)) call attach(self, id, scale, size(extent))
       call h5dclose_f(id, status(5))
       call h5sclose_f(space, status(6))
@@ -228,13 +229,13 @@ contains
    end subroutine attach
 
    !> Real values over as many dimensions as they have. In the file (C order) the first one comes last.
-   subroutine write_reals(self, name, values, units, long_name, scale, second_scale)
+   subroutine write_reals(self, name, values, units, long_name, scale, second_scale, third_scale)
       class(hdf5_file_t), intent(inout) :: self
       character(len=*), intent(in) :: name, units, long_name
       real(dp), intent(in), target, contiguous :: values(..)
-      character(len=*), intent(in), optional :: scale, second_scale   !! of the first dimension, of the second
+      character(len=*), intent(in), optional :: scale, second_scale, third_scale   !! of the first dimension, and so on
       call write_values(self, name, h5t_native_double, h5t_native_double, shape(values, hsize_t), c_loc(values), units, &
-                        long_name, scale, second_scale)
+                        long_name, scale, second_scale, third_scale)
    end subroutine write_reals
 
    !> Whole numbers, one or over one dimension.

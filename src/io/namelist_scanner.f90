@@ -47,7 +47,7 @@ module ehlwave_namelist_scanner
       procedure :: entry_place
    end type contents_t
 
-   !> What was found so far, the token at hand and the one after it.
+   !> The entries found so far, the token at hand and the one after it.
    type, extends(cursor_t) :: scanner_t
       type(token_t) :: token, after
       type(contents_t) :: found

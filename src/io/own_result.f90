@@ -12,7 +12,7 @@ module ehlwave_own_result
    character(len=*), parameter :: formats(2) = [character(len=15) :: 'ehlwave-case', 'ehlwave-results']
    integer(size_t), parameter :: longest_format = 64
 
-   !> What is being looked at, at module level for work that is guarded.
+   !> The file that is being looked at, at module level for work that is guarded.
    type :: looking_t
       character(len=:), allocatable :: path
       character(len=longest_format) :: format = ''

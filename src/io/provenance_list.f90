@@ -22,7 +22,7 @@ contains
       call list%add('processor', 'model of the processor', processor())
    end subroutine add_provenance
 
-   !> What `--version` says, and `--version --verbose`: the above and, of a program that has it, its MPI library.
+   !> The text of `--version`, and of `--version --verbose`: the above and, of a program that has it, its MPI library.
    function version_text(is_verbose, mpi_library) result(text)
       logical, intent(in) :: is_verbose
       character(len=*), intent(in), optional :: mpi_library
@@ -61,7 +61,7 @@ contains
       if (index(library_versions, 'PETSc') > 0) text = text//', '//built_with('PETSc')//' on demand'
    end function loaded_libraries
 
-   !> What the build has found of a library, "NAME VERSION".
+   !> A library as the build has found it, "NAME VERSION".
    pure function built_with(name) result(text)
       character(len=*), intent(in) :: name
       character(len=:), allocatable :: text

@@ -18,7 +18,7 @@ module ehlwave_surface_file
    real(dp), parameter :: most_compressed = 1100 !! bytes that deflate makes one of, at most (1032), and a little
    real(dp), parameter :: always_read = 1e5_dp   !! points, whatever the file holds of them
 
-   !> What is being read, at module level for work that is guarded.
+   !> The file that is being read, at module level for work that is guarded.
    type :: reading_t
       character(len=:), allocatable :: path
       real(dp), allocatable :: flat(:), x(:), y(:)

@@ -1,4 +1,4 @@
-!> What a program says on standard output and standard error. Names of files and texts of stores are of somebody: no byte of them that
+!> Output of a program on standard output and standard error. Names of files and texts of stores are of somebody: no byte of them that
 !> a terminal would obey passes here.
 module ehlwave_terminal
    use, intrinsic :: iso_fortran_env, only: error_unit, output_unit

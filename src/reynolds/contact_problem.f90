@@ -6,7 +6,7 @@ module ehlwave_contact_problem
    use ehlwave_deformation_line, only: deformation_line_t
    use ehlwave_edge_values, only: edge_values_t, new_edge_values
    use ehlwave_film_flow, only: film_flow_t
-   use ehlwave_formula, only: moes_film_formula
+   use ehlwave_formula, only: expected_film
    use ehlwave_given, only: given_t
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
@@ -92,7 +92,7 @@ contains
       self%edges = new_edge_values(self%grid, conditions, rheology)
       if (allocated(self%film_flow)) deallocate (self%film_flow)
       if (rheology%is_newtonian()) return
-      self%film_flow = rheology%film_flow(conditions%elliptic%k, conditions%hertz_pressure_pa, conditions%lambdabar)
+      self%film_flow = rheology%film_flow(conditions%elliptic%k, conditions%lambdabar, conditions%slip_parameter)
    end subroutine set_conditions
 
    !> Film thickness H = -Delta + S X^2 + (1 - S) Y^2 + Rough + Dbar(P), theory eq. (8).
@@ -126,7 +126,7 @@ contains
 
       call self%film_of(given, guess%p, guess%delta, guess%h)
       if (minval(guess%h) > 0) return
-      gap = moes_film_formula(self%conditions)/self%conditions%moes_film_factor - minval(guess%h)
+      gap = expected_film(self%conditions) - minval(guess%h)
       guess%delta = guess%delta - gap
       guess%h = guess%h + gap
    end subroutine film_of_guess

@@ -46,13 +46,11 @@ contains
       type(rheology_t), intent(in) :: rheology
       type(edge_values_t) :: self
       type(far_field_t) :: far
-      real(dp) :: drho(1), fluidity(1), rho(1), slope(1)
       integer :: first, i, j, wet
 
       allocate (self%i(0), self%j(0), self%link(0), self%strength(0))
       if (.not. grid%is_flooded) return
-      call rheology%evaluate(1, [0.0_dp], rho, drho, fluidity, slope)
-      self%thickening = slope(1)
+      self%thickening = rheology%thickening()
       far = new_far_field(conditions, self%thickening)
       self%i = [(0, j=0, grid%ny)]
       self%j = [(j, j=0, grid%ny)]

@@ -36,7 +36,7 @@ module ehlwave_face_flow
       procedure, private :: rest
    end type face_flow_t
 
-   !> What the oil is like at the nodes of a grid. All arrays (0:nx, 0:ny).
+   !> State of the oil at the nodes of a grid. All arrays (0:nx, 0:ny).
    type, public :: node_oil_t
       real(dp), allocatable :: p(:, :), h(:, :)                    !! P, H
       real(dp), allocatable :: rho(:, :), drho(:, :)               !! rho/rho0, d rho/dP

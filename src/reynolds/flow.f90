@@ -23,7 +23,7 @@ module ehlwave_flow
    contains
       procedure :: evaluate
       procedure :: evaluate_faces
-      procedure :: is_newtonian
+      procedure :: has_face_fluxes
       procedure :: mobility
       procedure :: inject_from
       procedure :: film_work
@@ -129,11 +129,11 @@ contains
       if (self%has_faces) film_work = self%along_x%work + self%along_y%work
    end function film_work
 
-   !> Whether the flow last evaluated is eps times a gradient.
-   pure logical function is_newtonian(self)
+   !> Whether the flow last evaluated is that through faces, not eps times a gradient.
+   pure logical function has_face_fluxes(self)
       class(flow_t), intent(in) :: self
-      is_newtonian = .not. self%has_faces
-   end function is_newtonian
+      has_face_fluxes = self%has_faces
+   end function has_face_fluxes
 
    !> How easily a pressure gradient along X drives oil at each node: eps, or what stands in its place.
    pure function mobility(self) result(eps)
@@ -142,7 +142,7 @@ contains
       integer :: nx
 
       eps = self%eps
-      if (self%is_newtonian()) return
+      if (.not. self%has_faces) return
       nx = ubound(self%p, 1)
       eps(1:nx - 1, :) = 0.25_dp*(self%along_x%own(0:nx - 2, :) + self%along_x%own(1:nx - 1, :))
    end function mobility

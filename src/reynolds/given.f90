@@ -1,4 +1,4 @@
-!> What a solution is given besides its contact.
+!> Data of a solution besides its contact: earlier times, load, roughness.
 module ehlwave_given
    use ehlwave_kinds, only: dp
    use ehlwave_load_balance, only: load_balance_t
@@ -18,7 +18,7 @@ module ehlwave_given
 
 contains
 
-   !> What lies between this (0) and `later` (1, to the last digit): roughness, terms of earlier times, load. What is
+   !> The data between this (0) and `later` (1, to the last digit): roughness, terms of earlier times, load. What is
    !> not there counts as `later` has it, roughness as none.
    pure function blend(self, later, place) result(between)
       class(given_t), intent(in) :: self

@@ -87,7 +87,7 @@ contains
       real(dp), intent(inout) :: flux(0:)      !! (0:nx), the last `shift` are left alone
       integer :: i
 
-      if (.not. flow%is_newtonian()) then
+      if (flow%has_face_fluxes()) then
          if (shift == 1) then
             flux = flow%along_x%flux(:, j1)
          else
@@ -132,7 +132,7 @@ contains
       real(dp) :: east, north, south, west
       integer :: i, j, jm, jp, k, shift
 
-      if (.not. flow%is_newtonian()) then
+      if (flow%has_face_fluxes()) then
          call general_links(mesh, flow, block, by_p, by_h)
          return
       end if
@@ -192,7 +192,7 @@ contains
       end do
    end subroutine general_links
 
-   !> What the flow through a face adds to the derivatives of a node's residual, by itself and by the other node of the face.
+   !> Terms that the flow through a face adds to the derivatives of a node's residual, by itself and by the other node of the face.
    pure subroutine add_link(faces, c, face, is_first, own_p, other_p, own_h, other_h)
       type(face_flow_t), intent(in) :: faces
       real(dp), intent(in) :: c              !! weight of a flux
@@ -229,7 +229,7 @@ contains
       do j = mesh%grid%first_row, mesh%grid%last_row
          jm = mesh%grid%below(j)
          jp = mesh%grid%above(j)
-         if (.not. flow%is_newtonian()) then
+         if (flow%has_face_fluxes()) then
             do i = 1, mesh%grid%nx - 1
                scale(i, j) = 1/(mesh%cx*(flow%along_x%own(i - 1, j) + flow%along_x%own(i, j)) &
                                 + mesh%cy*(flow%along_y%own(i, min(j, jm)) + flow%along_y%own(i, j)) &
@@ -251,7 +251,7 @@ contains
       type(mesh_t), intent(in) :: mesh
       type(flow_t), intent(in) :: flow
       integer, intent(in) :: i, j   !! node
-      if (.not. flow%is_newtonian()) then
+      if (flow%has_face_fluxes()) then
          intake = intake_at_gradient(mesh, flow, i, j)
          return
       end if

@@ -2,6 +2,7 @@
 module ehlwave_amplitude
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_kinds, only: dp, no_value, pi
+   use ehlwave_small_solve, only: solve_small
    implicit none (type, external)
    private
    public :: sampled_amplitude, fitted_harmonic, fitted_mean
@@ -44,8 +45,8 @@ contains
    pure function coefficients(time, film, period) result(c)
       real(dp), intent(in) :: time(:), film(:), period
       real(dp) :: c(3)
-      real(dp) :: basis(size(time), 3), normal(3, 3), right(3), factor
-      integer :: i, j
+      real(dp) :: basis(size(time), 3), normal(3, 3), right(3), solution(3)
+      logical :: is_solved
 
       c = no_value
       if (size(time) < 3) return
@@ -54,18 +55,8 @@ contains
       basis(:, 3) = sin(2*pi*time/period)
       normal = matmul(transpose(basis), basis)
       right = matmul(transpose(basis), film - film(1))
-      do i = 1, 3                       ! elimination; the matrix is symmetric positive definite
-         if (.not. normal(i, i) > singular*size(time)) return
-         do j = i + 1, 3
-            factor = normal(j, i)/normal(i, i)
-            normal(j, :) = normal(j, :) - factor*normal(i, :)
-            right(j) = right(j) - factor*right(i)
-         end do
-      end do
-      do i = 3, 1, -1
-         right(i) = (right(i) - dot_product(normal(i, i + 1:), right(i + 1:)))/normal(i, i)
-      end do
-      c = right
+      call solve_small(normal, right, singular*size(time), solution, is_solved)
+      if (is_solved) c = solution
    end function coefficients
 
 end module ehlwave_amplitude

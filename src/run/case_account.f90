@@ -12,7 +12,7 @@ module ehlwave_case_account
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
-   public :: blank_result, end_early, keep_history, refused_result, take_report, worse
+   public :: add_warning, blank_result, end_early, keep_history, refused_result, take_report, worse
 
 contains
 
@@ -24,7 +24,7 @@ contains
       result%message = ''
       result%warning = ''
       result%is_resolved = plan%resolution%is_resolved
-      if (plan%waviness%is_present .and. .not. allocated(plan%waviness%surface)) then
+      if (plan%surfaces%is_rough() .and. .not. plan%surfaces%is_measured()) then
          result%v = wave_parameter_v(plan%conditions, case%wavelength_over_a)
          result%v2 = wave_parameter_v2(plan%conditions, case%wavelength_over_a)
          result%f_r = anisotropy_factor(case%wavelength_x_over_a, case%wavelength_y_over_a)
@@ -85,5 +85,14 @@ contains
          result%message = 'the time of the case was up at '//reached
       end if
    end subroutine end_early
+
+   !> Append to the warnings of a result; '' adds none.
+   subroutine add_warning(result, text)
+      type(case_result_t), intent(inout) :: result
+      character(len=*), intent(in) :: text
+      if (text == '') return
+      if (len(result%warning) > 0) result%warning = result%warning//'; '
+      result%warning = result%warning//text
+   end subroutine add_warning
 
 end module ehlwave_case_account

@@ -2,6 +2,7 @@
 module ehlwave_case_report
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_case_definition, only: case_t
+   use ehlwave_case_lubricant, only: extrapolation_text
    use ehlwave_case_plan, only: case_plan_t, run_harmonic, run_march, run_smooth, run_standing
    use ehlwave_case_result, only: case_result_t
    use ehlwave_error_account, only: errors_text, validity_text
@@ -12,6 +13,7 @@ module ehlwave_case_report
    use ehlwave_status, only: is_solved, status_name
    use ehlwave_surface_plan, only: surface_text
    use ehlwave_text, only: to_text
+   use ehlwave_work_unit, only: work_unit_operations
    implicit none (type, external)
    private
    public :: print_plan, print_result
@@ -39,14 +41,16 @@ contains
             write (unit, '(a)') '             a = '//to_text(c%a_m*1e3_dp, 5)//' mm, b = '// &
                to_text(c%b_m*1e3_dp, 5)//' mm, c = '//to_text(c%c_m*1e6_dp, 5)//' um'
          end if
-         write (unit, '(a)') 'Lubricant    '//trim(case%viscosity_law)//', '//trim(case%density_law)//', '//trim(case%flow_law)// &
-            ', alpha = '//to_text(c%alpha_per_pa*1e9_dp, 5)//' 1/GPa'
-         if (allocated(plan%waviness%surface)) then
-            write (unit, '(a)') 'Waviness     '//surface_text(case, plan%waviness, c)
+         write (unit, '(a)') 'Lubricant    '//trim(case%oil%viscosity_law)//', '//trim(case%oil%density_law)//', '// &
+            trim(case%oil%flow_law)//', alpha = '//to_text(c%alpha_per_pa*1e9_dp, 5)//' 1/GPa'
+         if (extrapolation_text(case, plan%rheology, 1.0_dp) /= '') write (unit, '(a)') '             WARNING: '// &
+            extrapolation_text(case, plan%rheology, 1.0_dp)
+         if (plan%surfaces%is_measured()) then
+            write (unit, '(a)') 'Waviness     '//surface_text(case, plan%surfaces, c)
          else
             write (unit, '(a)') 'Waviness     '//waviness_text(case)
          end if
-         if (plan%waviness%is_present .and. case%orientation /= 'none' .and. case%amplitude_over_film > linear_limit(case)) &
+         if (plan%surfaces%is_rough() .and. case%orientation /= 'none' .and. case%amplitude_over_film > linear_limit(case)) &
             write (unit, '(a)') '             WARNING: such waves may respond unlike small ones: take amplitude_over_film '// &
             'below '//to_text(linear_limit(case), 2)//', or compare by response = ''both'''
          write (unit, '(a)') 'Run          '//run_text(case, plan)
@@ -71,17 +75,13 @@ contains
          else
             write (unit, '(a)') '             NOT RESOLVED: '//plan%resolution%reason//'the result will be flagged'
          end if
-         if (c%is_line()) then
-            write (unit, '(a)') 'Expected     '//expected_text(plan)//'; no model of the cost of line contacts'
-         else
-            write (unit, '(a)') 'Expected     '//expected_text(plan)
-            write (unit, '(a)') '             about '//to_text(plan%expected_seconds(), 2)//' s, '// &
-               to_text(plan%expected_work_units, 2)//' work units (models; usually right within a factor 2), '// &
-               to_text(plan%expected_memory_mib(), 2)//' MiB'
-            if (case%accuracy > 0 .and. plan%expected_error > case%accuracy) write (unit, '(a)') &
-               '             ACCURACY '//to_text(case%accuracy, 3)//' NOT TO BE REACHED with largest_cells = '// &
-               to_text(case%largest_cells)//': expect '//to_text(plan%expected_error, 2)
-         end if
+         write (unit, '(a)') 'Expected     '//expected_text(plan)
+         write (unit, '(a)') '             about '//to_text(plan%expected_seconds(), 2)//' s, '// &
+            to_text(plan%expected_work_units, 2)//' work units (models; usually right within a factor 2), '// &
+            to_text(plan%expected_memory_mib(), 2)//' MiB; '//cap_text(plan)
+         if (case%accuracy > 0 .and. plan%expected_error > case%accuracy) write (unit, '(a)') &
+            '             ACCURACY '//to_text(case%accuracy, 3)//' NOT TO BE REACHED with largest_cells = '// &
+            to_text(case%largest_cells)//': expect '//to_text(plan%expected_error, 2)
          shortage = memory_shortage(plan)
          if (shortage /= '') write (unit, '(a)') '             TOO LITTLE MEMORY: '//shortage
       end associate
@@ -92,9 +92,20 @@ contains
       type(case_plan_t), intent(in) :: plan
       character(len=:), allocatable :: text
       text = 'relative error of '// &
-         trim(merge('Ad/Ai ', 'H(0,0)', plan%waviness%is_present .and. .not. allocated(plan%waviness%surface)))// &
+         trim(merge('Ad/Ai ', 'H(0,0)', plan%surfaces%is_rough() .and. .not. plan%surfaces%is_measured()))// &
          ' about '//to_text(plan%expected%total(), 2)//' ('//errors_text(plan%expected)//')'
    end function expected_text
+
+   !> Where a case ends that does not converge.
+   function cap_text(plan) result(text)
+      type(case_plan_t), intent(in) :: plan
+      character(len=:), allocatable :: text
+      if (plan%has_work_cap()) then
+         text = 'at most '//to_text(plan%largest_work/work_unit_operations(plan%cells_x, plan%cells_y), 2)//' work units'
+      else
+         text = 'at most '//to_text(plan%largest_total_steps)//' steps (largest_total_steps)'
+      end if
+   end function cap_text
 
    function edges_text(case, plan) result(text)
       type(case_t), intent(in) :: case
@@ -142,11 +153,11 @@ contains
          text = 'steady state of smooth surfaces, then '
          if (plan%is_periodic) text = text//'the periodic state; where it is not found '
          text = text//to_text(plan%steps)//' time steps of dT = '//to_text(plan%dt, 5)
-         if (allocated(plan%waviness%surface)) then
+         if (plan%surfaces%is_measured()) then
             text = text//', surface at the contact centre from step '//to_text(plan%first_sample)
-         else if (plan%waviness%moves() .and. plan%measures) then
+         else if (plan%surfaces%moves() .and. plan%measures) then
             text = text//', amplitude measured from step '//to_text(plan%first_sample)
-         else if (plan%waviness%moves()) then
+         else if (plan%surfaces%moves()) then
             text = text//', too few to measure the amplitude'
          end if
          if (case%load_balance == 'equation_of_motion') then
@@ -191,12 +202,12 @@ contains
          to_text(result%rescued_solutions)//' solutions rescued'
       if (ieee_is_finite(result%central_film)) call print_smooth_film()
       call print_shear()
-      if (allocated(plan%waviness%surface) .and. is_solved(result%status)) then
+      if (plan%surfaces%is_measured() .and. is_solved(result%status)) then
          if (plan%first_sample < result%time_steps) write (unit, '(a)') 'Rough film   h(0,0) while the surface passes: mean '// &
             to_text(result%mean_film*plan%conditions%c_m*1e6_dp, 5)//', lowest '// &
             to_text(minval(result%film_history(plan%first_sample + 1:))*plan%conditions%c_m*1e6_dp, 5)//', highest '// &
             to_text(maxval(result%film_history(plan%first_sample + 1:))*plan%conditions%c_m*1e6_dp, 5)//' um'
-      else if (plan%waviness%is_present .and. is_solved(result%status)) then
+      else if (plan%surfaces%is_rough() .and. is_solved(result%status)) then
          if (ieee_is_finite(result%amplitude_ratio)) write (unit, '(a)') 'Amplitude    Ad/Ai = '// &
             to_text(result%amplitude_ratio, 5)//' (samples), '// &
             to_text(result%amplitude_ratio_fit, 5)//' (harmonic fit)'//formula()
@@ -206,8 +217,10 @@ contains
       end if
       call print_sensitivities()
       if (ieee_is_finite(result%central_film_error)) write (unit, '(a)') 'Estimated    relative errors of the grid: H(0,0) '// &
-         to_text(result%central_film_error, 2)//', smallest H '//to_text(result%minimum_film_error, 2)//amplitude_error()
-      if (plan%waviness%is_present .and. ieee_is_finite(result%ratio_errors%mesh)) then
+         to_text(result%central_film_error, 2)//', smallest H '//to_text(result%minimum_film_error, 2)// &
+         friction_error()//trim(merge(' (from a model)', '               ', result%film_error_basis == 'model'))// &
+         amplitude_error()
+      if (plan%surfaces%is_rough() .and. ieee_is_finite(result%ratio_errors%mesh)) then
          write (unit, '(a)') '             of Ad/Ai in all '//to_text(result%error_estimate, 2)//': '// &
             errors_text(result%ratio_errors)
       else if (ieee_is_finite(result%film_errors%mesh)) then
@@ -238,6 +251,12 @@ contains
             text = to_text(result%nonlinear_steps)//' Newton and '//to_text(result%linear_steps)//' GMRES steps'
          end if
       end function iterations
+
+      function friction_error() result(text)
+         character(len=:), allocatable :: text
+         text = ''
+         if (ieee_is_finite(result%friction_error)) text = ', friction '//to_text(result%friction_error, 2)
+      end function friction_error
 
       function amplitude_error() result(text)
          character(len=:), allocatable :: text

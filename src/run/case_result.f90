@@ -1,6 +1,7 @@
-!> What one case came to. What is only known once it has been computed is NaN until then.
+!> The result of one case. Values are NaN until they are computed.
 module ehlwave_case_result
    use ehlwave_error_parts, only: error_parts_t
+   use ehlwave_field_history, only: field_history_t
    use ehlwave_harmonic_result, only: harmonic_result_t
    use ehlwave_kinds, only: dp, no_value
    use ehlwave_shear_result, only: shear_result_t
@@ -30,6 +31,8 @@ module ehlwave_case_result
       ! estimated relative discretisation errors; NaN where there is no estimate
       real(dp) :: central_film_error = no_value      !! of H(0,0), from the multigrid levels
       real(dp) :: minimum_film_error = no_value      !! of the smallest H, likewise
+      real(dp) :: friction_error = no_value          !! of the friction coefficient, likewise
+      character(len=12) :: film_error_basis = ''     !! what they are from: 'coarse_grid' or 'model'
       real(dp) :: film_order = no_value              !! observed order of H(0,0) on the three finest levels
       real(dp) :: amplitude_ratio_error = no_value   !! of Ad/Ai
       character(len=12) :: amplitude_error_basis = ''   !! what that is from: 'coarse_grid', 'model', or no estimate
@@ -63,6 +66,8 @@ module ehlwave_case_result
       real(dp) :: work_units = 0                     !! the same in plain FFT convolutions of the whole grid
       real(dp) :: work = 0                           !! operations counted, without error estimates and sensitivities,
       real(dp) :: counted_work_units = no_value      !! and the same in those of a convolution
+      real(dp) :: all_work = 0                       !! operations with error estimates and sensitivities,
+      real(dp) :: total_work_units = no_value        !! and the same in those of a convolution
       real(dp) :: peak_memory_mib = 0                !! of the process so far
       real(dp), allocatable :: residual_history(:)   !! of the solution that failed: before each step and at the end
       ! history of the contact centre: times T, or phases over 2 pi for standing patterns
@@ -71,6 +76,7 @@ module ehlwave_case_result
       ! fields of the last solution, if asked for
       real(dp), allocatable :: x(:), y(:), p(:, :), h(:, :)
       real(dp), allocatable :: shear_stress_pa(:, :) !! mean of the shear stresses at the two surfaces along X, if known
+      type(field_history_t) :: history               !! fields over time, if asked for
    end type case_result_t
 
 end module ehlwave_case_result

@@ -2,16 +2,17 @@
 module ehlwave_case_runner
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_amplitude, only: fitted_harmonic, sampled_amplitude
-   use ehlwave_case_account, only: blank_result, end_early, take_report
+   use ehlwave_case_account, only: add_warning, blank_result, end_early, take_report
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_plan, only: case_plan_t, run_march, run_standing
+   use ehlwave_case_lubricant, only: extrapolation_text
+   use ehlwave_case_plan, only: case_plan_t, most_work, run_march, run_standing
    use ehlwave_case_result, only: case_result_t
    use ehlwave_clock, only: peak_memory_mib, wall_seconds
-   use ehlwave_error_estimate, only: estimate_error, observed_order
+   use ehlwave_film_errors, only: estimate_film_errors
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_given, only: given_t
    use ehlwave_harmonic_case, only: run_response
-   use ehlwave_hierarchy, only: hierarchy_t, level_t
+   use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp, pi
    use ehlwave_march_case, only: run_moving
    use ehlwave_march_keeper, only: march_keeper_t
@@ -21,7 +22,7 @@ module ehlwave_case_runner
    use ehlwave_rescue, only: rescue_t, rung_name
    use ehlwave_sensitivity_case, only: find_film_sensitivities
    use ehlwave_shared_steady, only: limits_of, shared_steady_t
-   use ehlwave_shear_result, only: mean_shear_stress
+   use ehlwave_shear_stress, only: mean_shear_stress
    use ehlwave_state, only: state_t
    use ehlwave_status, only: is_success, status_converged, status_unresolved
    use ehlwave_text, only: to_text
@@ -61,7 +62,7 @@ contains
       type(rescue_t) :: rescue
       logical :: is_found
       character(len=:), allocatable :: unresolved
-      real(dp) :: start
+      real(dp) :: besides, start
 
       start = wall_seconds()
       result = blank_result(case, plan)
@@ -73,10 +74,13 @@ contains
          call monitor%step_done('steady state', 1, 1)
          if (result%status == status_converged) then
             call take_smooth_film(case, plan, level, result)
-            call estimate_film_errors(steady%multigrid%hierarchy_t, result)
+            call estimate_film_errors(case, plan, steady%multigrid%hierarchy_t, result)
             if (case%sensitivities) call find_film_sensitivities(case, steady, result)
-            if (plan%responds) call run_response(case, plan, steady, result)
+            if (plan%responds) &
+               call run_response(case, plan, plan%surfaces%list(plan%surfaces%main), steady, result)
          end if
+         besides = steady%work_so_far() - result%work
+         rescue%work_left = min(rescue%work_left, plan%largest_work - steady%work_so_far())
          if (result%status == status_converged) then
             select case (plan%kind)
             case (run_march)
@@ -89,23 +93,23 @@ contains
             end select
          end if
          call compare_with_small_waves(case, result)
+         call add_warning(result, extrapolation_text(case, plan%rheology, max(result%max_pressure, rescue%highest)))
          if (case%fields) then
             allocate (result%x, source=level%problem%grid%x)
             allocate (result%y, source=level%problem%grid%y)
             allocate (result%p, source=level%state%p)
             allocate (result%h, source=level%state%h)
             if (is_success(result%status)) &
-               call mean_shear_stress(level%problem, level%state, case%slip_parameter, result%shear_stress_pa)
+               call mean_shear_stress(level%problem, level%state, result%shear_stress_pa)
          end if
       end associate
 
       unresolved = plan%resolution%reason
-      if (plan%waviness%is_present) unresolved = unresolved//touching_reason(rescue%thinnest, result%central_film)
+      if (plan%surfaces%is_rough()) unresolved = unresolved//touching_reason(rescue%thinnest, result%central_film)
       result%is_resolved = len(unresolved) == 0
       result%rung = rung_name(rescue%rung)
       result%rescued_solutions = rescue%rescued
-      if (.not. is_success(result%status) .and. rescue%steps_left <= 0) result%message = result%message// &
-         '; the cap of '//to_text(plan%largest_total_steps)//' steps (&solver largest_total_steps) is used up'
+      if (.not. is_success(result%status)) result%message = result%message//spent_text(plan, rescue)
       if (.not. result%is_resolved) then
          if (.not. is_success(result%status)) result%message = result%message//'; not resolved: '
          if (is_success(result%status)) result%status = status_unresolved
@@ -115,8 +119,25 @@ contains
       if (present(keeper)) result%seconds = result%seconds + keeper%seconds_before
       result%work_units = result%seconds/work_unit_seconds(plan%cells_x, plan%cells_y)
       result%counted_work_units = result%work/work_unit_operations(plan%cells_x, plan%cells_y)
+      result%all_work = result%work + besides
+      result%total_work_units = result%all_work/work_unit_operations(plan%cells_x, plan%cells_y)
       result%peak_memory_mib = peak_memory_mib()
    end subroutine run_about
+
+   !> The caps that a case has used up; '' where none.
+   function spent_text(plan, rescue) result(text)
+      type(case_plan_t), intent(in) :: plan
+      type(rescue_t), intent(in) :: rescue
+      character(len=:), allocatable :: text
+      text = ''
+      if (rescue%steps_left <= 0) then
+         text = '; the cap of '//to_text(plan%largest_total_steps)//' steps (&solver largest_total_steps) is used up'
+      else if (rescue%work_left <= 0) then
+         text = '; the cap of '//to_text(plan%largest_work/work_unit_operations(plan%cells_x, plan%cells_y), 3)// &
+                ' work units, which keeps a case within '//to_text(most_work, 3)//' times its plan, is used up: &solver '// &
+                'largest_total_steps sets another'
+      end if
+   end function spent_text
 
    !> Warn where waves in time and small ones, both computed, do not respond alike.
    subroutine compare_with_small_waves(case, result)
@@ -125,10 +146,10 @@ contains
       real(dp), parameter :: largest_difference = 0.05_dp
       if (.not. (ieee_is_finite(result%amplitude_ratio_fit) .and. ieee_is_finite(result%harmonic%ratio))) return
       if (abs(result%amplitude_ratio_fit/result%harmonic%ratio - 1) <= largest_difference) return
-      if (len(result%warning) > 0) result%warning = result%warning//'; '
-      result%warning = result%warning//'waves of '//to_text(100*case%amplitude_over_film, 3)// &
-         ' % of the film do not respond as small ones: Ad/Ai = '//to_text(result%amplitude_ratio_fit, 3)//' against '// &
-         to_text(result%harmonic%ratio, 3)//' of the linear response'
+      call add_warning(result, 'waves of '//to_text(100*case%amplitude_over_film, 3)// &
+                       ' % of the film do not respond as small ones: Ad/Ai = '// &
+                       to_text(result%amplitude_ratio_fit, 3)//' against '// &
+                       to_text(result%harmonic%ratio, 3)//' of the linear response')
    end subroutine compare_with_small_waves
 
    !> Film, pressure and friction of the smooth contact.
@@ -141,20 +162,9 @@ contains
       result%minimum_film = minval(level%state%h)
       result%central_film_moes = result%central_film*plan%conditions%moes_film_factor
       result%max_pressure = maxval(level%state%p)
-      call result%shear%take(level%problem, level%state, case%slip_parameter, case%limiting_stress_over_pressure)
-      result%warning = result%shear%warning(case%limiting_stress_over_pressure)
+      call result%shear%take(level%problem, level%state, case%oil%limiting_stress_over_pressure)
+      result%warning = result%shear%warning(case%oil%limiting_stress_over_pressure)
    end subroutine take_smooth_film
-
-   !> Discretisation errors of the smooth film from the levels that the multigrid start solved on its way.
-   subroutine estimate_film_errors(multigrid, result)
-      type(hierarchy_t), intent(in) :: multigrid
-      type(case_result_t), intent(inout) :: result
-      integer :: n
-      n = size(multigrid%levels)
-      result%central_film_error = estimate_error(multigrid%levels(n:1:-1)%central_film)
-      result%minimum_film_error = estimate_error(multigrid%levels(n:1:-1)%minimum_film)
-      result%film_order = observed_order(multigrid%levels(n:1:-1)%central_film)
-   end subroutine estimate_film_errors
 
    !> Pattern that stands still: one steady state for each phase, no time stepping.
    subroutine run_standing_pattern(case, plan, multigrid, rescue, monitor, result)
@@ -172,11 +182,12 @@ contains
       finest = size(multigrid%levels)
       smooth = multigrid%levels(finest)%state
       given_smooth = multigrid%levels(finest)%problem%given_t
-      amplitude = case%amplitude_over_film*result%central_film
+      amplitude = plan%surfaces%list(plan%surfaces%main)%amplitude(result%central_film)
       do n = 1, plan%phases
          turn(n) = real(n - 1, dp)/plan%phases
          associate (problem => multigrid%levels(finest)%problem)
-            call problem%set_rough(amplitude*plan%waviness%shape_fixed(problem%grid%x, problem%grid%y, 2*pi*turn(n)))
+            call problem%set_rough(plan%surfaces%rough_fixed(problem%grid%x, problem%grid%y, 2*pi*turn(n), &
+                                                           result%central_film))
          end associate
          multigrid%levels(finest)%state = smooth
          work_before = multigrid%work()

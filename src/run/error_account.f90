@@ -1,8 +1,9 @@
-!> What a result is wrong by, part by part.
+!> The error of a result, part by part.
 module ehlwave_error_account
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_accuracy_model, only: expected_step_error
    use ehlwave_case_definition, only: case_t
+   use ehlwave_case_lubricant, only: extrapolation_text
    use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_result, only: case_result_t
    use ehlwave_error_parts, only: error_parts_t
@@ -30,7 +31,6 @@ contains
       else if (ieee_is_finite(result%harmonic%ratio)) then
          result%ratio_errors = error_parts_t(mesh=result%harmonic%error, domain=plan%domain_error, &
                                              algebraic=case%response_tolerance)
-         if (.not. ieee_is_finite(result%harmonic%error)) result%ratio_errors%mesh = plan%expected%mesh
       end if
       result%error_estimate = asked(case, merge(result%ratio_errors, result%film_errors, case%orientation /= 'none'))
    end subroutine take_errors
@@ -45,6 +45,7 @@ contains
       parts = plan%expected
       parts%settling = result%settling
       if (plan%steps > 0) parts%algebraic = expected_step_error(case%step_tolerance)
+      if (result%amplitude_error_basis == 'model') parts%mesh = plan%model_margin()*parts%mesh
       if (result%amplitude_error_basis == 'coarse_grid') &
          parts%mesh = max(0.0_dp, result%amplitude_ratio_error - parts%algebraic - parts%time)   ! coarser grids take longer steps
       if (ieee_is_finite(result%harmonic%ratio)) &
@@ -77,18 +78,22 @@ contains
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       character(len=*), intent(in), optional :: warning   !! of the result
-      character(len=:), allocatable :: text
+      character(len=:), allocatable :: ahead, text
 
       text = 'edges '//trim(case%edges)
       if (case%edges == 'truncated') text = text//' (P = 0, film '//to_text(100*plan%film_domain_error, 2)//' % too thin)'
-      if (plan%waviness%is_present .and. .not. allocated(plan%waviness%surface)) then
+      if (plan%surfaces%is_rough() .and. .not. plan%surfaces%is_measured()) then
          text = text//'; waves respond as small ones up to Ai = '//to_text(100*linear_limit(case), 2)//' % of the film'
          if (case%amplitude_over_film > linear_limit(case)) text = text//', asked for '// &
             to_text(100*case%amplitude_over_film, 3)//' %'
       end if
       if (.not. plan%resolution%is_resolved) text = text//'; not resolved'
-      if (.not. present(warning)) return
-      if (warning /= '') text = text//'; '//warning
+      if (present(warning)) then
+         ahead = warning
+      else
+         ahead = extrapolation_text(case, plan%rheology, 1.0_dp)   ! under the Hertz pressure
+      end if
+      if (ahead /= '') text = text//'; '//ahead
    end function validity_text
 
 end module ehlwave_error_account

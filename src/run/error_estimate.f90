@@ -2,9 +2,10 @@
 module ehlwave_error_estimate
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_kinds, only: dp, no_value
+   use ehlwave_resolution, only: coarsest_inlet, fewest_points_per_wave, resolution_t, wanted_points_per_wave
    implicit none (type, external)
    private
-   public :: estimate_error, observed_order
+   public :: estimate_error, likely_order, observed_order
 
    real(dp), parameter :: formal_order = 2     !! of the discretisation in space and time
    real(dp), parameter :: lowest_order = 1     !! assumed where the values do not converge monotonically
@@ -14,16 +15,18 @@ contains
    !> Estimated relative error of values(1): |v(h) - v(2h)|/((2^p - 1) |v(h)|).
    !>
    !> p is the observed order where three values show one between 1 and 2, the nearer of these two limits where it lies
-   !> outside or where the differences change sign (order 1: the careful side), and 2 with two values only.
+   !> outside or where the differences change sign (order 1: the careful side), and `usual_order` with two values only.
    !> NaN with fewer than two values or where one of the first two is not finite.
-   pure real(dp) function estimate_error(values)
+   pure real(dp) function estimate_error(values, usual_order)
       real(dp), intent(in) :: values(:)   !! on meshes h, 2h, 4h, ...: the finest first
+      real(dp), intent(in), optional :: usual_order   !! absent: 2
       real(dp) :: order
 
       estimate_error = no_value
       if (size(values) < 2) return
       if (.not. all(ieee_is_finite(values(:2)))) return
       order = formal_order
+      if (present(usual_order)) order = usual_order
       if (size(values) > 2) then
          if (ieee_is_finite(values(3))) then
             order = lowest_order
@@ -33,6 +36,24 @@ contains
       end if
       estimate_error = abs(values(1) - values(2))/((2**order - 1)*abs(values(1)))
    end function estimate_error
+
+   !> Order to expect of the response to waves with two grids, by what the mesh leaves of the inlet and of waves: 2 where it
+   !> resolves them well, 1 where it barely does (M = 1000, D = 1: 1.1 with hX = 0.25 inlet lengths), and not above that of the film where
+   !> three levels show it.
+   pure real(dp) function likely_order(film_order, resolution, steepness)
+      real(dp), intent(in) :: film_order   !! NaN: not known
+      type(resolution_t), intent(in) :: resolution
+      real(dp), intent(in) :: steepness    !! of the oil, see `thinning_t`: its inlet is shorter by the root of it
+      real(dp), parameter :: fine_inlet = 0.15_dp, enough_along_x = 4   ! points on a wave above the fewest
+      real(dp) :: well
+
+      well = (coarsest_inlet - sqrt(steepness)*resolution%inlet)/(coarsest_inlet - fine_inlet)
+      if (resolution%points_x > 0) well = min(well, (resolution%points_x - fewest_points_per_wave)/enough_along_x)
+      if (resolution%points_y > 0) well = min(well, (resolution%points_y - fewest_points_per_wave) &
+                                              /(wanted_points_per_wave - fewest_points_per_wave))
+      likely_order = lowest_order + (formal_order - lowest_order)*min(max(well, 0.0_dp), 1.0_dp)
+      if (ieee_is_finite(film_order)) likely_order = min(likely_order, max(film_order, lowest_order))
+   end function likely_order
 
    !> log2 of |v(2h) - v(4h)|/|v(h) - v(2h)|; NaN without three finite values or where they do not differ.
    pure real(dp) function observed_order(values)

@@ -7,7 +7,7 @@ module ehlwave_estimated_case
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_runner, only: run_case
    use ehlwave_clock, only: wall_seconds
-   use ehlwave_error_estimate, only: estimate_error
+   use ehlwave_error_estimate, only: estimate_error, likely_order
    use ehlwave_errors, only: error_t
    use ehlwave_kinds, only: dp
    use ehlwave_march_keeper, only: march_keeper_t
@@ -15,6 +15,7 @@ module ehlwave_estimated_case
    use ehlwave_resolution, only: telling_inlet, telling_points_per_wave
    use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_status, only: is_success, status_interrupted, status_over_budget, status_pending
+   use ehlwave_work_unit, only: work_unit_operations
    implicit none (type, external)
    private
    public :: run_estimated_case
@@ -40,7 +41,7 @@ contains
    !> estimate is the expected error of the plan, if there is one. Linear responses come with their own estimate, `harmonic_error`;
    !> without a transient there is none of its Ad/Ai. `shared`: see run_case.
    !>
-   !> What `keeper` keeps is the march of the case itself; stopped in a coarse run, the case counts as interrupted, and its coarse
+   !> `keeper` keeps the march of the case itself; stopped in a coarse run, the case counts as interrupted, and its coarse
    !> runs start again. When its time is up in a coarse run, the estimate is that of the plan.
    subroutine run_estimated_case(case, plan, monitor, result, shared, keeper)
       type(case_t), intent(in) :: case              !! completed input
@@ -54,13 +55,13 @@ contains
       integer :: status
 
       call run_case(case, plan, monitor, result, shared, keeper)
-      if (.not. plan%waviness%is_present .or. .not. is_success(result%status)) return
+      if (.not. plan%surfaces%is_rough() .or. .not. is_success(result%status)) return
       if (.not. ieee_is_finite(result%amplitude_ratio_fit)) return
       result%amplitude_ratio_error = plan%expected_error
       result%amplitude_error_basis = 'model'
       if (case%error_estimate /= 'coarse_grid') return
 
-      call coarse_ratios(case, plan, monitor, ratios, seconds, status)
+      call coarse_ratios(case, plan, monitor, result, ratios, seconds, status)
       if (status == status_interrupted) then
          result%status = status
          if (present(keeper)) call keeper%save()
@@ -68,8 +69,12 @@ contains
       if (status == status_interrupted .or. status == status_over_budget) return
       result%work_units = result%work_units*(1 + seconds/result%seconds)
       result%seconds = result%seconds + seconds
-      estimate = estimate_error([result%amplitude_ratio_fit, ratios])
+      result%total_work_units = result%all_work/work_unit_operations(plan%cells_x, plan%cells_y)
+      estimate = estimate_error([result%amplitude_ratio_fit, ratios], &
+                                likely_order(result%film_order, plan%resolution, plan%thinning%steepness))
+      result%amplitude_ratio_error = plan%model_margin()*plan%expected_error
       if (ieee_is_finite(estimate)) then
+         estimate = max(estimate, plan%least_ratio_error())
          result%amplitude_ratio_error = estimate
          if (plan%steps > 0) result%amplitude_ratio_error = estimate + expected_step_error(case%step_tolerance)
          result%amplitude_error_basis = 'coarse_grid'
@@ -78,10 +83,11 @@ contains
 
    !> Ad/Ai of the same case on grids of two and four times the mesh size, as far as they converge and are not
    !> hopelessly coarse, and as long as the monitor lets them go on.
-   subroutine coarse_ratios(case, plan, monitor, ratios, seconds, status)
+   subroutine coarse_ratios(case, plan, monitor, result, ratios, seconds, status)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       class(monitor_t), intent(inout), target :: monitor
+      type(case_result_t), intent(inout) :: result      !! of the case: its work grows
       real(dp), allocatable, intent(out) :: ratios(:)   !! finer grid first
       real(dp), intent(out) :: seconds                  !! what they took
       integer, intent(out) :: status                    !! of the last one
@@ -98,6 +104,7 @@ contains
       relay%whole => monitor
       coarse_case = case
       coarse_case%fields = .false.
+      coarse_case%fields_every = 0
       coarse_case%sensitivities = .false.
       coarse_case%domain_scale = plan%domain_scale
       coarse_case%accuracy = 0                    ! is that of the case itself
@@ -112,7 +119,10 @@ contains
          call make_plan(coarse_case, coarse_plan, error)
          if (allocated(error)) return
          if (.not. can_tell(coarse_plan)) return
+         coarse_plan%largest_work = min(coarse_plan%largest_work, plan%largest_work - result%all_work)
+         if (coarse_plan%largest_work <= 0) return
          call run_case(coarse_case, coarse_plan, relay, coarse_result)
+         result%all_work = result%all_work + coarse_result%all_work
          seconds = seconds + coarse_result%seconds
          status = coarse_result%status
          if (.not. is_success(status)) return

@@ -6,6 +6,7 @@ module ehlwave_field_file
    use ehlwave_case_text, only: effective_input
    use ehlwave_clock, only: time_stamp
    use ehlwave_errors, only: error_t
+   use ehlwave_field_history, only: field_history_t
    use ehlwave_hdf5_file, only: hdf5_file_t
    use ehlwave_kinds, only: dp
    use ehlwave_provenance_list, only: add_provenance
@@ -57,6 +58,7 @@ contains
          if (allocated(result%shear_stress_pa)) call file%write('mean_shear_stress_pa', result%shear_stress_pa, 'Pa', &
             'mean of the shear stresses at the two surfaces along x, last solution', 'x', 'y')
       end if
+      if (allocated(result%history%p)) call write_history(file, result%history)
       if (allocated(result%harmonic%h)) then
          call file%write('film_response', abs(result%harmonic%h), '1', 'amplitude of H over Ai, small waves', 'x', 'y')
          call file%write('film_phase', atan2(aimag(result%harmonic%h), real(result%harmonic%h)), 'rad', &
@@ -74,6 +76,19 @@ contains
       call file%finish(error)
    end subroutine write_case_file
 
+   !> Fields of a march over time.
+   subroutine write_history(file, history)
+      type(hdf5_file_t), intent(inout) :: file
+      type(field_history_t), intent(in) :: history
+
+      call file%write('field_time', history%time, '1', 'T of the fields over time')
+      call file%dimension('field_time')
+      call file%write('pressure_over_time', history%p, '1', 'P = p/ph over time', 'x', 'y', 'field_time')
+      call file%write('film_over_time', history%h, '1', 'H = h/c over time', 'x', 'y', 'field_time')
+      if (allocated(history%shear_stress_pa)) call file%write('mean_shear_stress_over_time_pa', history%shear_stress_pa, 'Pa', &
+         'mean of the shear stresses at the two surfaces along x, over time', 'x', 'y', 'field_time')
+   end subroutine write_history
+
    !> A complex number for each row as two data sets.
    subroutine write_complex(file, name, values, long_name)
       type(hdf5_file_t), intent(inout) :: file
@@ -83,7 +98,7 @@ contains
       call file%write(name//'_imaginary', aimag(values), '1', long_name//', imaginary part', 'y')
    end subroutine write_complex
 
-   !> What wrote the file and how it was built.
+   !> Attributes that name the program and its build.
    subroutine write_provenance(file)
       type(hdf5_file_t), intent(inout) :: file
       type(quantity_list_t) :: list

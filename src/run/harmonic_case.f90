@@ -1,8 +1,10 @@
 !> The linear response of a case: no time steps.
 module ehlwave_harmonic_case
+   use ehlwave_case_account, only: add_warning
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_result, only: case_result_t
+   use ehlwave_error_estimate, only: likely_order
    use ehlwave_harmonic_response, only: harmonic_response_t
    use ehlwave_kinds, only: dp
    use ehlwave_mean_film, only: find_mean_change, has_mean, mean_change_t
@@ -11,6 +13,7 @@ module ehlwave_harmonic_case
    use ehlwave_status, only: status_converged, status_name
    use ehlwave_text, only: to_text
    use ehlwave_two_wave_result, only: new_two_wave_result
+   use ehlwave_waviness, only: waviness_t
    use ehlwave_work_unit, only: work_unit_operations, work_unit_seconds
    implicit none (type, external)
    private
@@ -18,11 +21,12 @@ module ehlwave_harmonic_case
 
 contains
 
-   !> Response to the pattern of a case about its converged steady state, and, for the error estimate, about that of
-   !> the grid with twice the mesh size. A coarse grid that fails leaves no estimate; the result stands without.
-   subroutine run_response(case, plan, steady, result)
+   !> Response to waves about the converged steady state of a case and, for the error estimate, about that of the grid
+   !> with twice the mesh size. A coarse grid that fails leaves no estimate; the result stands without.
+   subroutine run_response(case, plan, waves, steady, result)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
+      type(waviness_t), intent(in) :: waves            !! of `plan%surfaces`
       type(shared_steady_t), intent(inout) :: steady
       type(case_result_t), intent(inout) :: result
       type(harmonic_response_t) :: response, coarse
@@ -33,7 +37,7 @@ contains
       call steady%linearise(case, plan)
       work_before = steady%multigrid%work()
       call cpu_time(start)             ! steadier than the wall clock on a busy machine
-      call steady%response%respond(steady%multigrid%levels, plan%waviness, case%natural_frequency, plan%steps_per_cell, &
+      call steady%response%respond(steady%multigrid%levels, waves, case%natural_frequency, plan%steps_per_cell, &
                                    response)
       call cpu_time(finish)
       result%harmonic%work_units = (finish - start)/work_unit_seconds(plan%cells_x, plan%cells_y)
@@ -47,36 +51,45 @@ contains
          return
       end if
       call result%harmonic%take(response%film, response%pressure, response%approach)
-      call find_mean(case, plan, steady, response, result)
+      call find_mean(waves, steady, response, result)
       result%work = result%work + steady%multigrid%work() - work_before
       if (case%sensitivities) call find_response_sensitivities(steady, response, result)
       associate (level => steady%multigrid%levels(n))
-         if (plan%waviness%moves()) &
-            result%harmonic%waves = new_two_wave_result(level%problem, level%state, plan%waviness, response%h)
+         if (waves%moves()) result%harmonic%waves = new_two_wave_result(level%problem, level%state, waves, response%h)
       end associate
       if (case%fields) then
          result%harmonic%p = response%p
          result%harmonic%h = response%h
       end if
+      result%harmonic%error = plan%model_margin()*plan%expected%mesh   ! unless a coarser grid tells more
+      result%harmonic%error_basis = 'model'
       if (.not. steady%has_coarse) return
-      call steady%coarse_response%respond(steady%multigrid%levels(:n - 1), plan%waviness, case%natural_frequency, &
+      call steady%coarse_response%respond(steady%multigrid%levels(:n - 1), waves, case%natural_frequency, &
                                           plan%steps_per_cell, coarse)
-      if (coarse%status == status_converged) call result%harmonic%extrapolate(coarse%film, coarse%pressure)
+      if (coarse%status /= status_converged) return
+      call result%harmonic%extrapolate(coarse%film, coarse%pressure, &
+                                       likely_order(result%film_order, plan%resolution, plan%thinning%steepness))
+      result%harmonic%error = max(result%harmonic%error, plan%least_ratio_error())
+      result%harmonic%error_basis = 'coarse_grid'
    end subroutine run_response
 
-   !> What waves of the amplitude of the case change in the mean, where they have a mean.
-   subroutine find_mean(case, plan, steady, response, result)
-      type(case_t), intent(in) :: case
-      type(case_plan_t), intent(in) :: plan
+   !> The change of the mean by waves of this amplitude, where they have a mean.
+   subroutine find_mean(waves, steady, response, result)
+      type(waviness_t), intent(in) :: waves
       type(shared_steady_t), intent(inout) :: steady
       type(harmonic_response_t), intent(in) :: response
       type(case_result_t), intent(inout) :: result
       type(mean_change_t) :: change
 
-      if (.not. has_mean(plan%waviness)) return
-      associate (amplitude => case%amplitude_over_film*result%central_film)
-         call find_mean_change(steady%response%tangent, steady%multigrid%levels, response, plan%waviness, amplitude, change)
-         if (change%status == status_converged) call result%harmonic%take_mean(change, amplitude)
+      if (.not. has_mean(waves)) return
+      associate (amplitude => waves%amplitude(result%central_film))
+         call find_mean_change(steady%response%tangent, steady%multigrid%levels, response, waves, amplitude, change)
+         if (change%status /= status_converged) return
+         call result%harmonic%take_mean(change, amplitude)
+         if (result%harmonic%surfaces_touch) call add_warning(result, 'waves of '// &
+            to_text(100*waves%amplitude_over_film, 3)// &
+            ' % of the film would touch the other surface at X = '//to_text(change%smallest_at(1), 3)//', Y = '// &
+            to_text(change%smallest_at(2), 3)//', to second order: there is no smallest film')
       end associate
    end subroutine find_mean
 

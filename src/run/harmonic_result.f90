@@ -1,4 +1,4 @@
-!> What the linear response of a case came to.
+!> The result of the linear response of a case.
 module ehlwave_harmonic_result
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_kinds, only: dp, no_value
@@ -19,11 +19,13 @@ module ehlwave_harmonic_result
       complex(dp) :: film_limit = (no_value, no_value), &   !! transfer functions at mesh size 0
                      pressure_limit = (no_value, no_value)
       real(dp) :: error = no_value           !! estimated discretisation error of `ratio` and bound for `extrapolated`, relative
+      character(len=12) :: error_basis = ''  !! what that is from: 'coarse_grid' or 'model'
       integer :: linear_steps = 0            !! GMRES steps on the grid of the case
       real(dp) :: work_units = no_value      !! of the response on the grid of the case, without the steady state
       real(dp) :: counted_work_units = no_value   !! the same, counted
       real(dp) :: mean_rise = no_value       !! change of the mean of H(0,0) over Ai, second order, for the Ai of the case
-      real(dp) :: smallest_film = no_value   !! smallest H with waves of that Ai, to second order
+      real(dp) :: smallest_film = no_value   !! smallest H with waves of that Ai, to second order; none where they would touch
+      logical :: surfaces_touch = .false.       !! mean film and rise do not exceed the amplitude somewhere
       real(dp) :: smallest_film_x = no_value, smallest_film_y = no_value   !! where it is
       type(two_wave_result_t) :: waves       !! of which the film consists under slip
       complex(dp), allocatable :: p(:, :), h(:, :)   !! amplitudes of P and H over Ai, if asked for
@@ -55,16 +57,18 @@ contains
       type(mean_change_t), intent(in) :: change
       real(dp), intent(in) :: amplitude
       self%mean_rise = change%film/amplitude
-      self%smallest_film = change%smallest_film
+      self%surfaces_touch = .not. change%smallest_film > 0
+      if (.not. self%surfaces_touch) self%smallest_film = change%smallest_film
       self%smallest_film_x = change%smallest_at(1)
       self%smallest_film_y = change%smallest_at(2)
    end subroutine take_mean
 
    !> Richardson extrapolation of the complex transfer functions from the grid of the case and one with twice the mesh
-   !> size: T + (T - T_coarse)/3. The size of the correction is the error estimate.
-   pure subroutine extrapolate(self, coarse_film, coarse_pressure)
+   !> size: T + (T - T_coarse)/3. The size of a correction of that order, 2 or less, is the error estimate.
+   pure subroutine extrapolate(self, coarse_film, coarse_pressure, order)
       class(harmonic_result_t), intent(inout) :: self
       complex(dp), intent(in) :: coarse_film, coarse_pressure
+      real(dp), intent(in) :: order
       complex(dp) :: correction, film
       film = cmplx(self%real_part, self%imaginary_part, dp)
       if (.not. ieee_is_finite(abs(coarse_film))) return
@@ -72,7 +76,7 @@ contains
       self%film_limit = film + correction
       self%pressure_limit = self%pressure + (self%pressure - coarse_pressure)/(error_ratio - 1)
       self%extrapolated = abs(self%film_limit)
-      self%error = abs(correction)/abs(film)
+      self%error = abs(film - coarse_film)/((2**order - 1)*abs(film))
    end subroutine extrapolate
 
 end module ehlwave_harmonic_result

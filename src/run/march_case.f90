@@ -28,19 +28,18 @@ module ehlwave_march_case
 
 contains
 
-   !> What is marched, and in which steps.
+   !> The pattern that is marched, and its steps.
    pure function march_settings(case, plan, central_film) result(settings)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       real(dp), intent(in) :: central_film      !! smooth H(0,0)
       type(march_settings_t) :: settings
-      settings = march_settings_t(waviness=plan%waviness, amplitude=case%amplitude_over_film*central_film, steps=plan%steps, &
+      settings = march_settings_t(surfaces=plan%surfaces, film=central_film, steps=plan%steps, &
                                   cells_per_step=plan%cells_per_step, steps_per_cell=plan%steps_per_cell, &
                                   natural_frequency=case%natural_frequency, force=case%load_factor)
-      if (allocated(plan%waviness%surface)) settings%amplitude = 1   ! heights are in units of c as they are
    end function march_settings
 
-   !> What a time step is asked for.
+   !> Tolerance and limits of a time step.
    pure function step_limits(case, plan, central_film) result(limits)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
@@ -55,10 +54,9 @@ contains
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       real(dp), intent(in) :: central_film      !! smooth H(0,0)
-      real(dp) :: amplitude_over_film
-      amplitude_over_film = case%amplitude_over_film
-      if (allocated(plan%waviness%surface)) amplitude_over_film = sqrt(2.0_dp)*plan%waviness%surface%rq/central_film
-      step_tolerance = case%step_tolerance*min(1.0_dp, amplitude_over_film/usual_amplitude)
+      associate (main => plan%surfaces%list(plan%surfaces%main))
+         step_tolerance = case%step_tolerance*min(1.0_dp, main%equivalent_amplitude(central_film)/usual_amplitude)
+      end associate
    end function step_tolerance
 
    !> Moving pattern: march in time, then measure over the last period.
@@ -73,24 +71,31 @@ contains
       type(march_t) :: march
       type(march_result_t) :: history
       integer :: finest
+      logical :: keeps
 
       finest = size(multigrid%levels)
       call march%begin(multigrid%levels, march_settings(case, plan, result%central_film), rescue)
-      if (present(keeper)) call keeper%load(march)
+      associate (level => multigrid%levels(finest))
+         if (case%fields_every > 0) call result%history%begin(level, case%fields_every, plan%steps)
+         call result%history%see(level, 0, 0.0_dp)
+      end associate
+      keeps = present(keeper) .and. case%fields_every == 0   ! fields of steps before are not kept
+      if (keeps) call keeper%load(march)
       if (march%result%steps > 0) call march%restore(multigrid%levels(finest))
       do while (march%result%steps < plan%steps)
-         call march%advance(multigrid, step_limits(case, plan, result%central_film), monitor)
+         call march%advance(multigrid, step_limits(case, plan, result%central_film), monitor, result%history)
          if (march%result%status /= status_converged) exit
-         if (present(keeper) .and. modulo(march%result%steps, steps_per_stretch) == 0) call keeper%keep(march)
+         if (keeps .and. modulo(march%result%steps, steps_per_stretch) == 0) call keeper%keep(march)
          if (monitor%request /= go_on) exit
       end do
+      call result%history%finish()
       history = march%result
       result%work = result%work + history%work
       rescue = march%rescue
       result%status = history%status
       if (history%status == status_converged .and. history%steps < plan%steps) &
          call end_early(monitor%request, 'time step '//to_text(history%steps)//' of '//to_text(plan%steps), result)
-      if (result%status == status_interrupted .and. present(keeper)) call keeper%save()
+      if (result%status == status_interrupted .and. keeps) call keeper%save()
       result%time_steps = history%steps
       result%residual = worse(worse(result%residual, history%worst_residual), multigrid%levels(finest)%report%residual)
       result%load_error = worse(worse(result%load_error, history%worst_load_error), multigrid%levels(finest)%report%load_error)
@@ -105,14 +110,14 @@ contains
             to_text(plan%steps)//' '//status_name(history%status)//', residual '// &
             to_text(multigrid%levels(finest)%report%residual, 3)//', load error '// &
             to_text(multigrid%levels(finest)%report%load_error, 3)
-      else if (allocated(plan%waviness%surface)) then
-         result%surface_position = surface_positions(plan%waviness, plan%conditions%a_m, result%time)
+      else if (plan%surfaces%is_measured()) then
+         result%surface_position = surface_positions(plan%surfaces, plan%conditions%a_m, result%time)
          if (plan%first_sample < history%steps) &
             result%mean_film = sum(result%film_history(plan%first_sample + 1:))/(history%steps - plan%first_sample + 1)
-      else if (plan%waviness%moves() .and. plan%measures) then
+      else if (plan%surfaces%moves() .and. plan%measures) then
          result%route = 'rest'
-         call take_last_period(case, plan, history, plan%first_sample, plan%waviness%start, result)
-         result%settling = change_in_a_period(case, plan, history, result%amplitude_ratio_fit*march%settings%amplitude)
+         call take_last_period(plan, history, plan%first_sample, plan%surfaces%list(plan%surfaces%main)%start, result)
+         result%settling = change_in_a_period(case, plan, history, result%amplitude_ratio_fit*march%settings%amplitude())
       end if
    end subroutine run_moving
 
@@ -127,16 +132,15 @@ contains
 
       change = 0
       last = plan%first_sample
-      first = last - nint(plan%waviness%period()/plan%dt)
+      first = last - nint(plan%surfaces%period()/plan%dt)
       if (case%settling_periods < 1 .or. case%end_time > 0 .or. first < 0) return
       associate (time => history%time(first:last), film => history%central_film(first:last))
-         change = settling_share*abs(abs(fitted_harmonic(time, film, plan%waviness%period()))/amplitude - 1)
+         change = settling_share*abs(abs(fitted_harmonic(time, film, plan%surfaces%period()))/amplitude - 1)
       end associate
    end function change_in_a_period
 
    !> Amplitude, phase and mean of the film from step `first` on, a period before the last.
-   subroutine take_last_period(case, plan, history, first, crest, result)
-      type(case_t), intent(in) :: case
+   subroutine take_last_period(plan, history, first, crest, result)
       type(case_plan_t), intent(in) :: plan
       type(march_result_t), intent(in) :: history
       integer, intent(in) :: first
@@ -145,16 +149,16 @@ contains
       complex(dp) :: fit
       real(dp) :: amplitude
 
-      amplitude = case%amplitude_over_film*result%central_film
+      amplitude = plan%surfaces%list(plan%surfaces%main)%amplitude(result%central_film)
       associate (film => history%central_film(first:history%steps), time => history%time(first:history%steps), &
-                 waviness => plan%waviness)
+                 waves => plan%surfaces%list(plan%surfaces%main))
          result%amplitude_ratio = sampled_amplitude(film)/amplitude
-         fit = fitted_harmonic(time, film, waviness%period())/amplitude
+         fit = fitted_harmonic(time, film, waves%period())/amplitude
          result%amplitude_ratio_fit = abs(fit)
          ! the pattern at the centre is cos(kx (-crest - S T)): the real part of exp(-i (kx crest + w T)) for S > 0
-         fit = fit*exp(cmplx(0, 2*pi*crest/waviness%wavelength_x, dp))
+         fit = fit*exp(cmplx(0, 2*pi*crest/waves%wavelength_x, dp))
          result%phase_fit = atan2(aimag(fit), real(fit, dp))
-         result%mean_film = fitted_mean(time(2:), film(2:), waviness%period())
+         result%mean_film = fitted_mean(time(2:), film(2:), waves%period())
       end associate
    end subroutine take_last_period
 

@@ -1,6 +1,6 @@
 !> The periodic state of a case with moving waves, in place of a march from rest.
 module ehlwave_periodic_case
-   use ehlwave_case_account, only: worse
+   use ehlwave_case_account, only: add_warning, worse
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_result, only: case_result_t
@@ -18,6 +18,7 @@ module ehlwave_periodic_case
 
    !> Change of a film that repeats, over A, for a tolerance of time steps: a step leaves less than its tolerance.
    real(dp), parameter :: changes_per_tolerance = 5
+   real(dp), parameter :: search_share = 0.5_dp   !! of the work that is left, for the search: the march may have to follow
 
 contains
 
@@ -27,30 +28,35 @@ contains
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       type(full_multigrid_t), intent(inout) :: multigrid  !! with a converged steady state
-      type(rescue_t), intent(in) :: rescue                !! as that left it
+      type(rescue_t), intent(inout) :: rescue             !! as that left it; on return less the work of the search, with its pressures
       class(monitor_t), intent(inout) :: monitor
       type(case_result_t), intent(inout) :: result
       logical, intent(out) :: is_found
       type(periodic_state_t) :: periodic
       type(march_result_t) :: as_marched
+      type(rescue_t) :: search
       real(dp) :: work_before
       integer :: k
 
       work_before = multigrid%work()
-      call periodic%find(multigrid, march_settings(case, plan, result%central_film), rescue, &
+      search = rescue
+      if (plan%has_work_cap()) search%work_left = search_share*rescue%work_left
+      call periodic%find(multigrid, march_settings(case, plan, result%central_film), search, &
                          step_limits(case, plan, result%central_film), &
                          changes_per_tolerance*step_tolerance(case, plan, result%central_film), monitor)
       result%work = result%work + multigrid%work() - work_before
+      rescue%work_left = rescue%work_left - (multigrid%work() - work_before)
       result%nonlinear_steps = result%nonlinear_steps + periodic%nonlinear_steps
       result%linear_steps = result%linear_steps + periodic%linear_steps
       is_found = periodic%is_found
       if (is_found) then
+         rescue%highest = max(rescue%highest, periodic%march%rescue%highest)
          ! The amplitude is a fit to samples of one period and depends on where in it they begin, as the film of large waves has higher
          ! harmonics: they are taken where the march from rest has its own. The pattern is at X = 0 at T = 0, that of the march at its start.
-         associate (waviness => plan%waviness, dt => plan%dt)
-            as_marched = periodic%at_times([(k*dt + waviness%start/waviness%slip, k=plan%first_sample, plan%steps)])
+         associate (main => plan%surfaces%list(plan%surfaces%main), dt => plan%dt)
+            as_marched = periodic%at_times([(k*dt + main%start/main%slip, k=plan%first_sample, plan%steps)])
          end associate
-         call take_last_period(case, plan, as_marched, 0, 0.0_dp, result)
+         call take_last_period(plan, as_marched, 0, 0.0_dp, result)
          result%route = 'waves'
          result%time = as_marched%time
          result%film_history = as_marched%central_film
@@ -62,9 +68,8 @@ contains
          return
       end if
       if (monitor%request /= go_on) return
-      if (len(result%warning) > 0) result%warning = result%warning//'; '
-      result%warning = result%warning//'the periodic state was not found (change in a period '//to_text(periodic%change, 3)// &
-                       ' Ai): marched in its place'
+      call add_warning(result, 'the periodic state was not found (change in a period '//to_text(periodic%change, 3)// &
+                       ' Ai): marched in its place')
    end subroutine find_periodic_state
 
 end module ehlwave_periodic_case

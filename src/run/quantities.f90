@@ -20,6 +20,7 @@ module ehlwave_quantities
    use ehlwave_quantity, only: quantity_list_t
    use ehlwave_status, only: status_name
    use ehlwave_two_wave_result, only: wave_row_t
+   use ehlwave_work_unit, only: work_unit_operations
    implicit none (type, external)
    private
    public :: add_case, add_key, add_plan, add_result
@@ -28,12 +29,13 @@ module ehlwave_quantities
 
 contains
 
-   !> What the case is.
+   !> Quantities of the input.
    subroutine add_case(list, case, plan)
       type(quantity_list_t), intent(inout) :: list
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       type(key_list_t) :: keys
+      integer :: i
 
       keys = case_key_list(case)
       associate (c => plan%conditions)
@@ -49,10 +51,13 @@ contains
       end associate
       call add_key(list, keys, 'orientation')
       call add_key(list, keys, 'response')
-      call list%add('surface_file', 'measured surface in place of waviness', trim(case%surface_file), &
-                    exists=allocated(plan%waviness%surface))
-      call list%add('surface_digest', 'digest of the heights of the measured surface', plan%surface_digest, &
-                    exists=allocated(plan%waviness%surface))
+      do i = 1, size(plan%files)
+         associate (file => plan%files(i))
+            call list%add(trim(file%name)//'_file', file%long_name, file%path, exists=file%path /= '')
+            call list%add(trim(file%name)//'_digest', 'digest of the numbers in '//trim(file%name)//'_file', &
+                          file%digest, exists=file%path /= '')
+         end associate
+      end do
       call add_key(list, keys, 'wavelength_x_over_a')
       call add_key(list, keys, 'wavelength_y_over_a')
       call list%add('deformation', 'fft or mlmi on the finest grid', trim(plan%deformation))
@@ -77,7 +82,7 @@ contains
       call list%add('points_per_wave_y', 'mesh sizes per wave along Y', plan%resolution%points_y)
    end subroutine add_case
 
-   !> What the plan says before the case has run.
+   !> Quantities of the plan, known before the case has run.
    subroutine add_plan(list, case, plan)
       type(quantity_list_t), intent(inout) :: list
       type(case_t), intent(in) :: case
@@ -99,6 +104,9 @@ contains
       call add_key(list, keys, 'accuracy')
       call list%add('expected_seconds', 'time expected by the plan', plan%expected_seconds(), unit='s')
       call list%add('expected_memory_mib', 'peak memory expected by the plan', plan%expected_memory_mib(), unit='MiB')
+      call list%add('expected_total_work_units', 'the same with error estimates', plan%work_with_estimates)
+      call list%add('largest_work_units', 'work at which the case ends, in plain FFT convolutions of the grid', &
+                    plan%largest_work/work_unit_operations(plan%cells_x, plan%cells_y), exists=plan%has_work_cap())
       call add_key(list, keys, 'step_tolerance')
       call add_key(list, keys, 'tolerance')
       associate (c => plan%conditions)
@@ -141,7 +149,7 @@ contains
       end associate
    end subroutine add_key
 
-   !> What the case is and what it came to.
+   !> Quantities of the input and of the result.
    subroutine add_result(list, case, plan, result)
       type(quantity_list_t), intent(inout) :: list
       type(case_t), intent(in) :: case
@@ -163,6 +171,8 @@ contains
       call list%add('march_from', "what the march that Ad/Ai is from started in: 'rest' or 'waves'", trim(result%route))
       call list%add('central_film_error', 'estimated relative error of central_film', result%central_film_error)
       call list%add('minimum_film_error', 'estimated relative error of minimum_film', result%minimum_film_error)
+      call list%add('friction_error', 'estimated relative error of friction_coefficient', result%friction_error)
+      call list%add('film_error_basis', 'what the errors of film and friction are from', trim(result%film_error_basis))
       call list%add('film_order', 'observed order of central_film on three levels', result%film_order)
       call list%add('amplitude_ratio_error', 'estimated relative error of Ad/Ai', result%amplitude_ratio_error)
       call list%add('amplitude_error_basis', 'what amplitude_ratio_error is from', &
@@ -253,11 +263,14 @@ contains
       call add_complex(list, 'harmonic_pressure_extrapolated', 'transfer function pattern (in c) to P(0,0) at mesh size 0', &
                        harmonic%pressure_limit)
       call list%add('harmonic_error', 'estimated relative error of harmonic_ratio', harmonic%error)
+      call list%add('harmonic_error_basis', 'what harmonic_error is from', trim(harmonic%error_basis))
       call list%add('mean_film_rise', 'mean film less smooth film over Ai, second order, linear response', harmonic%mean_rise)
       call list%add('smallest_film', 'smallest film with waves of Ai anywhere at any time, second order', &
                     harmonic%smallest_film)
-      call list%add('smallest_film_x', 'X of the smallest film with waves', harmonic%smallest_film_x)
-      call list%add('smallest_film_y', 'Y of the smallest film with waves', harmonic%smallest_film_y)
+      call list%add('smallest_film_x', 'X of the smallest film with waves, or of where they would touch', harmonic%smallest_film_x)
+      call list%add('smallest_film_y', 'Y of the smallest film with waves, or of where they would touch', harmonic%smallest_film_y)
+      call list%add('surfaces_touch', '1 when waves of Ai would touch the other surface, second order: there is no smallest_film', &
+                    harmonic%surfaces_touch)
       call add_waves(list, harmonic%waves%centre)
       call list%add('harmonic_linear_steps', 'GMRES steps of the linear response', harmonic%linear_steps)
       call list%add('harmonic_work_units', 'processor time of the linear response in plain FFT convolutions of the grid', &
@@ -320,6 +333,7 @@ contains
       call list%add('seconds', 'wall time of the case', result%seconds, unit='s')
       call list%add('work_units', 'wall time in plain FFT convolutions of the grid', result%work_units)
       call list%add('counted_work_units', 'the same counted, without error estimates and sensitivities', result%counted_work_units)
+      call list%add('total_work_units', 'the same with them, and with runs on coarser and finer grids', result%total_work_units)
       call list%add('peak_memory_mib', 'peak memory of the process so far', result%peak_memory_mib, unit='MiB')
       call list%add_list('residual_history', 'mass residual of the solution that failed, before each step and at the end', &
                          result%residual_history)

@@ -2,7 +2,7 @@
 module ehlwave_refined_case
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_plan, only: case_plan_t
+   use ehlwave_case_plan, only: case_plan_t, most_work
    use ehlwave_case_result, only: case_result_t
    use ehlwave_error_account, only: errors_text, take_errors
    use ehlwave_error_parts, only: error_parts_t
@@ -40,14 +40,16 @@ contains
       class(march_keeper_t), intent(inout), optional :: keeper
       type(case_plan_t) :: finer
       type(case_result_t) :: again
+      real(dp) :: largest_work
       logical :: is_finer
 
       call run_estimated_case(case, plan, monitor, result, shared, keeper)
       call take_errors(case, plan, result)
       if (.not. case%accuracy > 0 .or. case%edges == 'truncated' .or. result%status /= status_converged) return
+      largest_work = plan%largest_work
       do while (result%error_estimate > case%accuracy .and. result%refinements < most_refinements)
          if (monitor%request /= go_on) exit
-         call refine_plan(case, plan, parts_of(case, result), finer, is_finer)
+         call refine_plan(case, plan, parts_of(case, result), largest_work - result%all_work, finer, is_finer)
          if (.not. is_finer) exit
          if (memory_shortage(finer) /= '') exit
          call run_estimated_case(case, finer, monitor, again, shared)
@@ -56,23 +58,48 @@ contains
             if (present(keeper)) call keeper%save()
             return
          end if
-         if (.not. is_success(again%status)) exit
+         if (.not. is_success(again%status)) then
+            result%all_work = result%all_work + again%all_work
+            result%total_work_units = result%all_work/work_unit_operations(plan%cells_x, plan%cells_y)
+            exit
+         end if
          call take_errors(case, finer, again)
          again%work_units = again%work_units*(1 + result%seconds/again%seconds)
          again%work = again%work + result%work
          again%counted_work_units = again%work/work_unit_operations(finer%cells_x, finer%cells_y)
+         again%all_work = again%all_work + result%all_work
+         again%total_work_units = again%all_work/work_unit_operations(finer%cells_x, finer%cells_y)
          again%seconds = again%seconds + result%seconds
          again%refinements = result%refinements + 1
          result = again
          plan = finer
       end do
-      if (ieee_is_finite(result%error_estimate) .and. result%error_estimate <= case%accuracy) return
       if (result%status /= status_converged) return
+      if (ieee_is_finite(result%error_estimate) .and. result%error_estimate <= case%accuracy) then
+         if (is_measured(case, result)) return
+         result%status = status_inaccurate
+         result%message = 'no coarser grid tells the error: the '//to_text(result%error_estimate, 2)// &
+                          ' that the plan expects is no promise of the accuracy asked for; take other cells'
+         return
+      end if
       result%status = status_inaccurate
       result%message = 'estimated relative error '//to_text(result%error_estimate, 2)//' ('// &
                        errors_text(parts_of(case, result))//') above the accuracy of '//to_text(case%accuracy, 2)// &
                        advice(case, result)
    end subroutine run_refined_case
+
+   !> Whether the error of what the case is about was found on coarser grids, if that was not left to the model.
+   pure logical function is_measured(case, result)
+      type(case_t), intent(in) :: case
+      type(case_result_t), intent(in) :: result
+      if (case%orientation == 'none') then
+         is_measured = result%film_error_basis /= 'model'
+      else if (ieee_is_finite(result%amplitude_ratio_fit)) then
+         is_measured = result%amplitude_error_basis /= 'model' .or. case%error_estimate == 'model'
+      else
+         is_measured = result%harmonic%error_basis /= 'model'
+      end if
+   end function is_measured
 
    !> Errors of what the case is about.
    type(error_parts_t) function parts_of(case, result)
@@ -81,7 +108,7 @@ contains
       parts_of = merge(result%ratio_errors, result%film_errors, case%orientation /= 'none')
    end function parts_of
 
-   !> What would help.
+   !> Advice on what would help.
    function advice(case, result) result(text)
       type(case_t), intent(in) :: case
       type(case_result_t), intent(in) :: result
@@ -91,7 +118,8 @@ contains
 
       parts = parts_of(case, result)
       others = max(parts%mesh, parts%domain, parts%time, parts%algebraic)
-      text = ': ask for less, or leave cells and domain to the plan with a larger largest_cells'
+      text = ': ask for less, or leave cells and domain to the plan with a larger largest_cells '// &
+         '(and &solver largest_total_steps, where a finer run would take a case beyond '//to_text(most_work, 3)//' times its plan)'
       if (parts%amplitude > others) text = ': take amplitude_over_film below '//to_text(linear_limit(case), 2)// &
          ", or response = 'harmonic'"
       if (parts%settling > max(others, parts%amplitude)) text = ': take more settling_periods'

@@ -27,10 +27,13 @@ module ehlwave_shared_steady
       type(harmonic_solver_t) :: coarse_response     !! about the next coarser one, if `has_coarse`
       logical :: has_coarse = .false.
       real(dp) :: work = 0                           !! operations that the steady state took
+      real(dp), private :: linear_work = 0, derivative_work = 0   ! and what is kept with it
+      real(dp), private :: kept_work = 0, mark = 0   ! of the case at hand: what others did for it; count at its start
       logical, private :: is_linearised = .false., is_differentiated = .false.
       character(len=:), allocatable, private :: key  ! of the steady state held, if it may be used again
    contains
       procedure :: prepare
+      procedure :: work_so_far
       procedure :: linearise
       procedure :: differentiate
    end type shared_steady_t
@@ -43,7 +46,7 @@ module ehlwave_shared_steady
 
 contains
 
-   !> What the steady state of a case depends on: all of its input but the waves and what is done with them, of a Newtonian oil but
+   !> The input on which the steady state of a case depends: all of its input but the waves and what is done with them, of a Newtonian oil but
    !> the sliding, too. Cells, domain and cap on the steps are those of the plan.
    function steady_key(case, plan) result(key)
       type(case_t), intent(in) :: case
@@ -59,7 +62,7 @@ contains
       bare%cells_x = plan%cells_x
       bare%cells_y = plan%cells_y
       key = effective_input(bare)//merge('half ', 'whole', plan%is_half)//to_text(plan%kind)// &
-            ' '//to_text(plan%largest_total_steps)//' '//to_text(plan%domain_scale)
+            ' '//to_text(plan%largest_total_steps)//' '//to_text(plan%largest_work)//' '//to_text(plan%domain_scale)
    end function steady_key
 
    !> Have the steady state of a case in `multigrid` and the account of it in `rescue`: solved now, or kept from a case
@@ -70,11 +73,19 @@ contains
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       character(len=:), allocatable :: key
+      integer :: n
 
       key = ''
       if (plan%kind == run_harmonic) key = steady_key(case, plan)
       if (allocated(self%key) .and. len(key) > 0) then
-         if (self%key == key .and. serves(self, plan)) return
+         if (self%key == key .and. serves(self, plan)) then
+            self%kept_work = self%work
+            self%mark = self%multigrid%work()
+            do n = 1, size(self%multigrid%levels)   ! the film of a Newtonian oil does not depend on sliding, its friction does
+               self%multigrid%levels(n)%problem%conditions%slip_parameter = plan%conditions%slip_parameter
+            end do
+            return
+         end if
       end if
       self%key = key
       self%is_linearised = .false.
@@ -83,10 +94,18 @@ contains
       self%is_differentiated = .false.
       call init_multigrid(self%multigrid, plan%conditions, plan%rheology, grid_of(case, plan), &
                           method_t(case%method, case%cycle, plan%deformation))
-      self%rescue = rescue_t(is_ready=climbs(plan), steps_left=plan%largest_total_steps)
+      self%kept_work = 0
+      self%mark = 0
+      self%rescue = rescue_t(is_ready=climbs(plan), steps_left=plan%largest_total_steps, work_left=plan%largest_work)
       call self%rescue%solve_steady(self%multigrid, limits_of(case), coarse_tolerance)
       self%work = self%multigrid%work()
    end subroutine prepare
+
+   !> Operations of the case at hand, as if it had found all itself that was kept for it.
+   pure real(dp) function work_so_far(self)
+      class(shared_steady_t), intent(in) :: self
+      work_so_far = self%kept_work + (self%multigrid%work() - self%mark)
+   end function work_so_far
 
    !> Whether a steady state may be rescued: where the grid does not resolve the case the result is not worth the effort.
    pure logical function climbs(plan)
@@ -112,9 +131,12 @@ contains
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       type(solve_report_t) :: report
+      real(dp) :: work_before
       integer :: n
 
+      if (self%is_linearised) self%kept_work = self%kept_work + self%linear_work
       if (self%is_linearised) return
+      work_before = self%multigrid%work()
       n = size(self%multigrid%levels)
       self%has_coarse = n > 1
       if (n > 1) then
@@ -128,14 +150,18 @@ contains
       call self%response%find_tangent(self%multigrid%levels)
       if (self%has_coarse) call self%coarse_response%init(self%multigrid%levels(:n - 1))
       self%is_linearised = .true.
+      self%linear_work = self%multigrid%work() - work_before
    end subroutine linearise
 
    !> Derivatives of the steady state by the oil. Where the oil does not depend on a property they are not converged.
    subroutine differentiate(self, case)
       class(shared_steady_t), intent(inout) :: self
       type(case_t), intent(in) :: case
+      real(dp) :: work_before
 
+      if (self%is_differentiated) self%kept_work = self%kept_work + self%derivative_work
       if (self%is_differentiated) return
+      work_before = self%multigrid%work()
       self%by_oil = tangent_change_t()
       call self%response%find_tangent(self%multigrid%levels)
       associate (levels => self%multigrid%levels, oil => self%multigrid%levels(size(self%multigrid%levels))%problem%rheology, &
@@ -146,6 +172,7 @@ contains
             call differentiate_steady(self%response%tangent, levels, by_stress, tolerance, self%by_oil(by_stress))
       end associate
       self%is_differentiated = .true.
+      self%derivative_work = self%multigrid%work() - work_before
    end subroutine differentiate
 
    !> The finest grid.
@@ -161,7 +188,7 @@ contains
       grid%is_flooded = case%edges == 'flooded'
    end function grid_of
 
-   !> What a steady solution of a case is asked for.
+   !> Tolerance and limits of a steady solution of a case.
    pure function limits_of(case) result(limits)
       type(case_t), intent(in) :: case
       type(solve_limits_t) :: limits

@@ -3,6 +3,7 @@ module ehlwave_two_wave_result
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_kinds, only: dp, no_value, pi
    use ehlwave_state, only: state_t
+   use ehlwave_wave_medium, only: take_media
    use ehlwave_two_waves, only: fit_two_waves, two_waves_t, wave_medium_t
    use ehlwave_waviness, only: waviness_t
    implicit none (type, external)
@@ -50,9 +51,7 @@ contains
          kx = 2*pi/waviness%wavelength_x
          ky = 0
          if (waviness%wavelength_y > 0) ky = 2*pi/waviness%wavelength_y
-         do i = first, last
-            call take_media(problem, state, i, medium(:, i))
-         end do
+         call take_media(problem, state, first, medium)
          do j = grid%first_row, grid%last_row
             if (state%p(column, j) < least_pressure) cycle
             associate (row => self%rows(j), centre => medium(j, column))
@@ -68,33 +67,5 @@ contains
          self%centre = self%rows(minloc(abs(grid%y), 1) - 1)
       end associate
    end function new_two_wave_result
-
-   !> What small waves meet at one X in every row.
-   subroutine take_media(problem, state, column, medium)
-      type(contact_problem_t), intent(in) :: problem
-      type(state_t), intent(in) :: state
-      integer, intent(in) :: column                        !! i of that X, 1 to nx - 1
-      type(wave_medium_t), intent(out) :: medium(0:)       !! (0:ny)
-      real(dp), dimension(0:problem%grid%ny) :: b, dln_eta, drho, fluidity, gx, gy, rho, stress
-      real(dp) :: factor(2, 0:problem%grid%ny)
-      integer :: j
-
-      associate (grid => problem%grid, c => problem%conditions, p => state%p, h => state%h)
-         call problem%rheology%evaluate(grid%ny + 1, p(column, :), rho, drho, fluidity, dln_eta)
-         factor = 1
-         if (allocated(problem%film_flow)) then
-            gx = (p(column + 1, :) - p(column - 1, :))/(2*grid%hx)
-            gy = 0
-            do j = grid%first_row, grid%last_row
-               gy(j) = c%elliptic%kappa*(p(column, grid%above(j)) - p(column, grid%below(j)))/(2*grid%hy)
-            end do
-            call problem%film_flow%mean_stress(fluidity, h(column, :), gx, gy, stress, b, factor)
-         end if
-         do j = 0, grid%ny
-            medium(j) = wave_medium_t(rho=rho(j), drho=drho(j), h=h(column, j), kappa=c%elliptic%kappa, k=c%elliptic%k, &
-                                      eps=rho(j)*h(column, j)**3*fluidity(j)/c%lambdabar*factor(:, j))
-         end do
-      end associate
-   end subroutine take_media
 
 end module ehlwave_two_wave_result

@@ -12,10 +12,14 @@ module ehlwave_capped_solver
 
    type, public :: capped_solver_t
       integer :: steps_left = huge(1)      !! nonlinear steps of the finest level that the case may still take
-      real(dp) :: thinnest = huge(1.0_dp)  !! smallest H of all that `attempt` solved, places of a continuation too
+      real(dp) :: work_left = huge(1.0_dp) !! operations that it may still take, but for those of the step that passes it
+      real(dp) :: thinnest = huge(1.0_dp)  !! smallest H of all that `attempt` solved, places of a continuation too,
+      real(dp) :: highest = 0              !! and largest P
    contains
       procedure :: attempt
       procedure :: attempt_from_coarsest
+      procedure :: is_spent
+      procedure :: solve_below
    end type capped_solver_t
 
 contains
@@ -27,21 +31,27 @@ contains
       type(solve_limits_t), intent(in) :: limits
       class(level_solver_t), intent(inout), optional :: solver   !! in place of that of the hierarchy
       type(solve_report_t) :: report
+      real(dp) :: work_before
       integer :: n
 
       n = size(multigrid%levels)
-      if (self%steps_left <= 0) then
+      work_before = multigrid%work()
+      if (self%is_spent()) then
          multigrid%levels(n)%report%status = status_stalled
          return
       end if
       if (present(solver)) then
-         call solver%solve(multigrid%hierarchy_t, n, bounded(limits, self%steps_left), report)
+         call solver%solve(multigrid%hierarchy_t, n, bounded(self, limits), report)
       else
-         call multigrid%solve_level(n, bounded(limits, self%steps_left), report)
+         call multigrid%solve_level(n, bounded(self, limits), report)
       end if
+      self%work_left = self%work_left - (multigrid%work() - work_before)
       associate (level => multigrid%levels(n))
          call close_attempt(self, level%state, report, level%report)
-         if (report%status == status_converged) self%thinnest = min(self%thinnest, minval(level%state%h))
+         if (report%status == status_converged) then
+            self%thinnest = min(self%thinnest, minval(level%state%h))
+            self%highest = max(self%highest, maxval(level%state%p))
+         end if
          level%report = report
       end associate
    end subroutine attempt
@@ -53,10 +63,13 @@ contains
       type(solve_limits_t), intent(in) :: limits       !! for the finest level
       real(dp), intent(in) :: coarse_tolerance         !! for the others
       type(solve_report_t) :: spent
+      real(dp) :: work_before
 
+      work_before = multigrid%work()
       associate (level => multigrid%levels(size(multigrid%levels)))
          spent = level%report
-         call multigrid%solve(bounded(limits, self%steps_left), coarse_tolerance)
+         call multigrid%solve(bounded(self, limits), coarse_tolerance)
+         self%work_left = self%work_left - (multigrid%work() - work_before)
          call close_attempt(self, level%state, level%report, spent)
       end associate
    end subroutine attempt_from_coarsest
@@ -82,12 +95,30 @@ contains
       report%factorisations = report%factorisations + spent%factorisations
    end subroutine close_attempt
 
-   pure function bounded(limits, steps_left) result(tighter)
+   !> The levels that error estimates compare a solved finest one with, see `full_multigrid_t`.
+   subroutine solve_below(self, multigrid, limits)
+      class(capped_solver_t), intent(inout) :: self
+      type(full_multigrid_t), intent(inout) :: multigrid
       type(solve_limits_t), intent(in) :: limits
-      integer, intent(in) :: steps_left
+      real(dp) :: work_before
+      work_before = multigrid%work()
+      call multigrid%solve_below(bounded(self, limits))
+      self%work_left = self%work_left - (multigrid%work() - work_before)
+   end subroutine solve_below
+
+   !> Whether the case has used up what it may take.
+   pure logical function is_spent(self)
+      class(capped_solver_t), intent(in) :: self
+      is_spent = self%steps_left <= 0 .or. self%work_left <= 0
+   end function is_spent
+
+   pure function bounded(self, limits) result(tighter)
+      class(capped_solver_t), intent(in) :: self
+      type(solve_limits_t), intent(in) :: limits
       type(solve_limits_t) :: tighter
       tighter = limits
-      tighter%largest_steps = max(0, min(limits%largest_steps, steps_left))
+      tighter%largest_steps = max(0, min(limits%largest_steps, self%steps_left))
+      tighter%largest_work = max(0.0_dp, min(limits%largest_work, self%work_left))
    end function bounded
 
 end module ehlwave_capped_solver

@@ -85,7 +85,6 @@ contains
       type(conditions_t) :: conditions
       type(error_t), allocatable :: error
       type(rheology_t) :: rheology
-      integer :: n
 
       conditions = self%goal
       rheology = self%goal_rheology
@@ -93,12 +92,11 @@ contains
          call conditions_from_moes(self%m*(self%goal%m/self%m)**place, self%l + (self%goal%l - self%l)*place, &
                                    self%goal%d, self%goal%alpha_per_pa, conditions, error)
          if (allocated(error)) return   ! cannot be: M and L lie within those of accepted contacts
-         rheology = self%goal_rheology%at_pressure(conditions%alphabar, conditions%hertz_pressure_pa)
+         conditions%slip_parameter = self%goal%slip_parameter
+         rheology = self%goal_rheology%at_pressure(conditions%hertz_pressure_pa)
          rheology = rheology%with_stress(self%stress**(1 - place))
       end if
-      do n = 1, size(hierarchy%levels)
-         call hierarchy%levels(n)%problem%set_conditions(conditions, rheology)
-      end do
+      call hierarchy%set_conditions(conditions, rheology)
    end subroutine impose
 
 end module ehlwave_continuation

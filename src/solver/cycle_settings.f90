@@ -5,7 +5,7 @@ module ehlwave_cycle_settings
    implicit none (type, external)
    private
 
-   !> What differs between Newton's steps and the response to small waves; measured, see the README.
+   !> Settings that differ between Newton's steps and the response to small waves; measured, see the README.
    type, public :: cycle_settings_t
       type(near_settings_t) :: near
       logical :: checks_factors = .false.   !! whether factors are tried before use: where they serve a long solve

@@ -11,7 +11,7 @@ module ehlwave_fas_level
    implicit none (type, external)
    private
 
-   !> What a cycle needs on one level.
+   !> The data of a cycle on one level.
    type, public :: fas_level_t
       type(equations_t) :: equations               !! on coarse levels posed by the next finer one
       type(state_t) :: state                       !! present iterate

@@ -50,6 +50,7 @@ contains
       integer, intent(in) :: l
       type(solve_limits_t), intent(in) :: limits
       type(solve_report_t), intent(out) :: report
+      real(dp) :: work_before
       integer :: k
 
       if (l == 1) then
@@ -57,6 +58,7 @@ contains
          return
       end if
       allocate (report%history(0))
+      work_before = hierarchy%work()
       associate (problem => hierarchy%levels(l)%problem, level => self%levels(l), state => self%levels(l)%state)
          level%equations%given = problem%given_t
          state = hierarchy%levels(l)%state
@@ -68,6 +70,7 @@ contains
             if (report%status /= status_stalled) exit
             if (report%residual > divergence*report%history(1)) report%status = status_diverged
             if (report%status == status_diverged .or. k == limits%largest_steps) exit
+            if (hierarchy%work() - work_before >= limits%largest_work) exit
             call fas_cycle(self, hierarchy, l, self%cycle, direct_share*report%residual)
             report%nonlinear_steps = k + 1
          end do

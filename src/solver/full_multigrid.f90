@@ -1,6 +1,5 @@
 !> Full multigrid (FMG): solve on the coarsest grid, interpolate, solve on the next finer one, and so on.
 module ehlwave_full_multigrid
-   use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
    use ehlwave_hierarchy, only: hertz_guess, hierarchy_t
    use ehlwave_kinds, only: dp
    use ehlwave_level_solver, only: level_solver_t
@@ -16,7 +15,10 @@ module ehlwave_full_multigrid
    contains
       procedure :: solve
       procedure :: solve_level
+      procedure :: solve_below
    end type full_multigrid_t
+
+   integer, parameter :: levels_below = 2   !! the finest, that error estimates compare with it
 
 contains
 
@@ -41,31 +43,42 @@ contains
       class(full_multigrid_t), intent(inout) :: self
       type(solve_limits_t), intent(in) :: limits        !! for the finest level
       real(dp), intent(in) :: coarse_tolerance          !! for the others
-      type(solve_limits_t) :: coarse_limits
+      type(solve_limits_t) :: here
       type(solve_report_t) :: report
+      real(dp) :: work_before
       integer :: l, n
 
       n = size(self%levels)
-      coarse_limits = limits
-      coarse_limits%tolerance = max(limits%tolerance, coarse_tolerance)
+      work_before = self%work()
       do l = 1, n
          call self%start_level(l)
-         if (l == n) then
-            call self%solve_level(l, limits, report)
-         else
-            call self%solve_level(l, coarse_limits, report)
-         end if
+         here = limits
+         if (l < n) here%tolerance = max(limits%tolerance, coarse_tolerance)
+         here%largest_work = limits%largest_work - (self%work() - work_before)
+         call self%solve_level(l, here, report)
          associate (level => self%levels(l))
             level%report = report
             if (l < n .and. report%status /= status_converged) call hertz_guess(level%problem, level%state)
-            level%central_film = ieee_value(1.0_dp, ieee_quiet_nan)
-            level%minimum_film = level%central_film
-            if (report%status == status_converged) then
-               level%central_film = level%problem%grid%value_at_centre(level%state%h)
-               level%minimum_film = minval(level%state%h)
-            end if
          end associate
+         if (report%status == status_converged) call self%take_film(l)
       end do
    end subroutine solve
+
+   !> Solve the levels next below a solved finest one that have no solution of this contact, each from the next finer one: error
+   !> estimates compare them. Full multigrid leaves none where a level did not converge from the coarser ones, a rescue none at all.
+   subroutine solve_below(self, limits)
+      class(full_multigrid_t), intent(inout) :: self
+      type(solve_limits_t), intent(in) :: limits
+      integer :: l, n
+
+      n = size(self%levels)
+      do l = n - 1, max(1, n - levels_below), -1
+         if (self%levels(l)%has_film()) cycle
+         call self%start_from_finer(l)
+         call self%solve_level(l, limits, self%levels(l)%report)
+         if (self%levels(l)%report%status /= status_converged) return
+         call self%take_film(l)
+      end do
+   end subroutine solve_below
 
 end module ehlwave_full_multigrid

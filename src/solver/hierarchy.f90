@@ -1,25 +1,28 @@
 !> The grids of one contact, with all that belongs to each.
 module ehlwave_hierarchy
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_conditions, only: conditions_t
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_deformation_mlmi, only: deformation_mlmi_t
-   use ehlwave_formula, only: moes_film_formula
+   use ehlwave_formula, only: expected_film
    use ehlwave_grid, only: grid_t
-   use ehlwave_kinds, only: dp
-   use ehlwave_real_transfer, only: interpolate
+   use ehlwave_kinds, only: dp, no_value
+   use ehlwave_real_transfer, only: inject, interpolate
    use ehlwave_rheology, only: rheology_t
    use ehlwave_solve_report, only: solve_report_t
    use ehlwave_state, only: new_state, state_t
    implicit none (type, external)
    private
-   public :: hertz_guess
+   public :: hertz_guess, work_of
 
    !> One level: its problem, its unknowns and what the last solve of it came to.
    type, public :: level_t
       type(contact_problem_t) :: problem
       type(state_t) :: state
       type(solve_report_t) :: report
-      real(dp) :: central_film = 0, minimum_film = 0   !! of its own steady solution, NaN where it did not converge
+      real(dp) :: central_film = no_value, minimum_film = no_value   !! of its steady solution; NaN: none for this contact
+   contains
+      procedure :: has_film
    end type level_t
 
    !> It owns the levels, and solvers work on those of the hierarchy that is given to them. FFTW ties the deformation of a
@@ -28,7 +31,10 @@ module ehlwave_hierarchy
       type(level_t), allocatable :: levels(:)   !! level 1 is the coarsest
    contains
       procedure :: build
+      procedure :: set_conditions
       procedure :: start_level
+      procedure :: start_from_finer
+      procedure :: take_film
       procedure :: work
    end type hierarchy_t
 
@@ -65,15 +71,51 @@ contains
       end do
    end subroutine build
 
+   !> Give all levels other conditions of a contact with the same ratio of radii, and the oil under them. The films of the levels
+   !> were those of another contact and are forgotten.
+   subroutine set_conditions(self, conditions, rheology)
+      class(hierarchy_t), intent(inout) :: self
+      type(conditions_t), intent(in) :: conditions
+      type(rheology_t), intent(in) :: rheology
+      integer :: l
+      do l = 1, size(self%levels)
+         call self%levels(l)%problem%set_conditions(conditions, rheology)
+         self%levels(l)%central_film = no_value
+         self%levels(l)%minimum_film = no_value
+      end do
+   end subroutine set_conditions
+
+   !> Keep the films of a level, whose state solves its problem.
+   subroutine take_film(self, l)
+      class(hierarchy_t), intent(inout) :: self
+      integer, intent(in) :: l
+      associate (level => self%levels(l))
+         level%central_film = level%problem%grid%value_at_centre(level%state%h)
+         level%minimum_film = minval(level%state%h)
+      end associate
+   end subroutine take_film
+
+   !> Whether a level has the films of a steady solution of this contact.
+   elemental logical function has_film(self)
+      class(level_t), intent(in) :: self
+      has_film = ieee_is_finite(self%central_film)
+   end function has_film
+
    !> Operations done so far on all of its grids, see `ehlwave_work_unit`.
    pure real(dp) function work(self)
       class(hierarchy_t), intent(in) :: self
-      integer :: l
-      work = 0
-      do l = 1, size(self%levels)
-         work = work + self%levels(l)%problem%deformation%work
-      end do
+      work = work_of(self%levels)
    end function work
+
+   !> The same of some levels.
+   pure real(dp) function work_of(levels)
+      type(level_t), intent(in) :: levels(:)
+      integer :: l
+      work_of = 0
+      do l = 1, size(levels)
+         work_of = work_of + levels(l)%problem%deformation%work
+      end do
+   end function work_of
 
    !> First guess of a level: the solution of the next coarser one, on the coarsest that of Hertz.
    subroutine start_level(self, l)
@@ -92,6 +134,16 @@ contains
       end associate
    end subroutine start_level
 
+   !> First guess of a level below the finest: the solution of the next finer one.
+   subroutine start_from_finer(self, l)
+      class(hierarchy_t), intent(inout) :: self
+      integer, intent(in) :: l
+      associate (level => self%levels(l), finer => self%levels(l + 1))
+         call inject(level%problem%grid, finer%state%p, level%state%p)
+         level%state%delta = finer%state%delta
+      end associate
+   end subroutine start_from_finer
+
    !> Hertz pressure, and the approach that leaves the formula's central film thickness.
    subroutine hertz_guess(problem, state)
       type(contact_problem_t), intent(inout) :: problem
@@ -104,7 +156,7 @@ contains
          end do
          call problem%deformation%apply(state%p, state%h)
          state%delta = grid%value_at_centre(state%h) &
-                       - moes_film_formula(problem%conditions)/problem%conditions%moes_film_factor
+                       - expected_film(problem%conditions)
       end associate
    end subroutine hertz_guess
 

@@ -1,4 +1,4 @@
-!> What Newton's method asks for help where little of the domain spoils a residual.
+!> The helper that Newton's method asks where little of the domain spoils a residual.
 module ehlwave_local_solver
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_equations, only: equations_t

@@ -5,7 +5,7 @@ module ehlwave_newton
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_cycle_settings, only: diagonal_shift, newton_cycle
    use ehlwave_given, only: given_t
-   use ehlwave_hierarchy, only: hierarchy_t, level_t
+   use ehlwave_hierarchy, only: hierarchy_t, level_t, work_of
    use ehlwave_kinds, only: dp
    use ehlwave_level_solver, only: level_solver_t
    use ehlwave_local_solver, only: local_solver_t
@@ -86,14 +86,16 @@ contains
       type(solve_limits_t), intent(in) :: limits
       type(solve_report_t), intent(out) :: report
       type(state_t) :: before
-      real(dp) :: best, forcing, worth, worth_before, step
+      real(dp) :: best, forcing, work_before, worth, worth_before, step
       integer :: k, last_gain
       logical :: asks_local
 
       call pose(self, levels, given)
       allocate (report%history(0))
       worth_before = 0
+      work_before = work_of(levels)
       forcing = self%loosest
+      before = state
       asks_local = allocated(self%local)
       associate (problem => levels(size(levels))%problem, equations => self%linear%levels(size(levels))%equations)
          call problem%film_of_guess(given, state)
@@ -116,12 +118,13 @@ contains
             report%history = [report%history, report%residual]
             if (report%status /= status_stalled .or. k == limits%largest_steps) exit
             if (allocated(problem%film_flow) .and. k > last_gain + patience) exit
+            if (work_of(levels) - work_before >= limits%largest_work) exit
 
             if (k > 0) forcing = next_forcing(self, forcing, worth/worth_before)
             forcing = min(self%loosest, max(forcing, last_step_share*limits%tolerance/report%residual))
             worth_before = worth
             if (allocated(problem%film_flow)) before = state
-            call linear_solve(self, forcing, report)
+            call linear_solve(self, levels, forcing, work_before + limits%largest_work, report)
             step = 1
             if (alternates(self, k)) step = 0.5_dp
             if (.not. take_step(self, problem, state, step)) then
@@ -264,9 +267,11 @@ contains
    !> Newton direction in `change`. The factors are made afresh: that costs about one GMRES step and a half, and factors
    !> of the step before need two more on average, many more where the pattern moves the edge of the film. Where the
    !> factors do not serve (incomplete ones can be unstable), they are made again with a stronger diagonal.
-   subroutine linear_solve(self, forcing, report)
+   subroutine linear_solve(self, levels, forcing, largest_work, report)
       class(newton_t), intent(inout) :: self
+      type(level_t), intent(in) :: levels(:)
       real(dp), intent(in) :: forcing
+      real(dp), intent(in) :: largest_work   !! on these levels, from which on nothing is tried again
       type(solve_report_t), intent(inout) :: report
       integer :: rung
 
@@ -276,6 +281,7 @@ contains
          call self%gmres%solve(self%linear, self%rhs, self%change, forcing)
          report%linear_steps = report%linear_steps + self%gmres%steps
          if (self%gmres%steps > 0 .and. self%gmres%reduction < 0.5_dp) exit
+         if (work_of(levels) >= largest_work) exit
       end do
    end subroutine linear_solve
 

@@ -25,6 +25,7 @@ module ehlwave_rescue
 
    type(step_limit_t), parameter :: short_steps = step_limit_t(largest_change=0.05_dp, smallest_film_factor=0.5_dp)   !! of damped
    integer, parameter :: damped_patience = 4           !! times as many steps as usual
+   integer, parameter :: steps_below = 20              !! for a level that starts from the solution of the next finer one
 
    type, extends(capped_solver_t), public :: rescue_t
       logical :: is_ready = .true.       !! climb the ladder; false: only what costs little
@@ -53,12 +54,28 @@ contains
    end function rung_name
 
    !> Steady state on the finest level: full multigrid, then the ladder. The report of the finest level holds the
-   !> steps of all attempts.
+   !> steps of all attempts. However it was found, the levels next below end with solutions of the same contact, or with none.
    subroutine solve_steady(self, multigrid, limits, coarse_tolerance)
       class(rescue_t), intent(inout) :: self
       type(full_multigrid_t), intent(inout) :: multigrid
       type(solve_limits_t), intent(in) :: limits       !! for the finest level
       real(dp), intent(in) :: coarse_tolerance         !! for the others, and for neighbours
+
+      call find_steady(self, multigrid, limits, coarse_tolerance)
+      associate (n => size(multigrid%levels))
+         if (multigrid%levels(n)%report%status /= status_converged .or. .not. self%is_ready) return
+         call multigrid%take_film(n)
+      end associate
+      call self%solve_below(multigrid, solve_limits_t(max(limits%tolerance, coarse_tolerance), &
+                                                      min(limits%largest_steps, steps_below)))
+   end subroutine solve_steady
+
+   !> The finest level of it.
+   subroutine find_steady(self, multigrid, limits, coarse_tolerance)
+      type(rescue_t), intent(inout) :: self
+      type(full_multigrid_t), intent(inout) :: multigrid
+      type(solve_limits_t), intent(in) :: limits
+      real(dp), intent(in) :: coarse_tolerance
       type(state_t) :: guess
       integer :: n
 
@@ -74,7 +91,7 @@ contains
          if (level%report%status == status_converged) return
          call climb(self, multigrid, guess, limits)
       end associate
-   end subroutine solve_steady
+   end subroutine find_steady
 
    !> One solution of the finest level, from the first guess in its state: a time step, or a pattern that stands still.
    !> When that fails: from the solution before, then the ladder.
@@ -118,7 +135,7 @@ contains
 
       associate (level => multigrid%levels(size(multigrid%levels)))
          do rung = rung_newton, rung_petsc
-            if (self%steps_left <= 0) return
+            if (self%is_spent()) return
             if (rung == rung_newton .and. same_type_as(multigrid%solver, newton)) cycle
             level%state = guess
             patient = limits
@@ -178,7 +195,7 @@ contains
                end if
             end do
             call neighbour%impose(multigrid%hierarchy_t, 1.0_dp)
-            if (level%report%status == status_converged .or. self%steps_left <= 0) return
+            if (level%report%status == status_converged .or. self%is_spent()) return
          end do
       end associate
    end subroutine continue_conditions

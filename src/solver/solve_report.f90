@@ -13,10 +13,11 @@ module ehlwave_solve_report
    type, public :: solve_limits_t
       real(dp) :: tolerance = 1e-6_dp   !! on the mass residual and the load error of `solve_report_t`
       integer :: largest_steps = 40     !! nonlinear steps or cycles
+      real(dp) :: largest_work = huge(1.0_dp)   !! operations from which on no further step begins, see `ehlwave_work_unit`
       real(dp) :: film_unit = 0         !! of the mass residual; 0: the film at the contact centre
    end type solve_limits_t
 
-   !> What a solve came to. Each equation is reported by itself.
+   !> The outcome of a solve. Each equation is reported by itself.
    type, public :: solve_report_t
       integer :: status = status_stalled
       real(dp) :: residual = huge(1.0_dp)         !! largest `mass_gain` over nodes with P > 0, and `edge_error`

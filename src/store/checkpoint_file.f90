@@ -13,7 +13,7 @@ module ehlwave_checkpoint_file
    implicit none (type, external)
    private
 
-   character(len=*), parameter :: format_line = 'ehlwave-checkpoint 4 '//program_version//' '//git_revision//' '// &
+   character(len=*), parameter :: format_line = 'ehlwave-checkpoint 5 '//program_version//' '//git_revision//' '// &
       compiler//' '//compiler_flags
 
    integer, parameter :: bytes_of_real = storage_size(1.0_dp)/8
@@ -128,6 +128,8 @@ contains
          call bytes%numbers(given%load%carried)
          call bytes%numbers(given%load%force)
          call bytes%numbers(rescue%thinnest)
+         call bytes%numbers(rescue%work_left)
+         call bytes%numbers(rescue%highest)
          call bytes%count(r%steps)
          call bytes%count(r%nonlinear_steps)
          call bytes%count(r%linear_steps)

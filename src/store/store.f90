@@ -18,7 +18,7 @@
 !>     columns [[name, kind],...]  of the cases that follow, again whenever they change
 !>     case [values] CHECKSUM    it is done, whatever its status; the checksum is that of the text of its columns
 !>
-!> What many records depend on (run, input, columns) stands a second time after the first case: no damaged line takes more
+!> Items that many records depend on (run, input, columns) stand a second time after the first case: no damaged line takes more
 !> than one case with it.
 module ehlwave_store
    use ehlwave_clock, only: time_stamp
@@ -37,7 +37,7 @@ module ehlwave_store
    private
    public :: prepare_store
 
-   !> What one rank writes to the store.
+   !> The part of the store that one rank writes.
    type, public :: store_t
       character(len=:), allocatable :: folder
       character(len=256) :: host = '', job = '', mpi_library = ''

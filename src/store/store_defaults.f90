@@ -1,4 +1,4 @@
-!> What a store says of the defaults of keys that its cases were begun with: in a file of its own, and in its records.
+!> The defaults of keys that the cases of a store were begun with: in a file of its own, and in its records.
 module ehlwave_store_defaults
    use ehlwave_errors, only: error_t, raise
    use ehlwave_json_reader, only: json_number, json_string, split_list
@@ -16,7 +16,7 @@ module ehlwave_store_defaults
 
    integer, parameter, public :: not_said = -1
 
-   !> What is known of the beginning of a store.
+   !> Facts about the beginning of a store.
    type, public :: origin_t
       integer :: filed = not_said                  !! generation of the defaults in the file of that name
       integer :: recorded = not_said               !! the same in the head of a log of the first run that says it

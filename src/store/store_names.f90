@@ -1,4 +1,4 @@
-!> What the parts of a store are called, and where it is.
+!> Names of the parts of a store, and its place.
 module ehlwave_store_names
    use ehlwave_identity_index, only: identity_length
    use ehlwave_posix, only: checksum, is_temporary
@@ -102,7 +102,7 @@ contains
       if (i > 0) name = trim(folders(i))
    end function part_name
 
-   !> What the file with the generation of the defaults holds: the number and its checksum.
+   !> Content of the file with the generation of the defaults: the number and its checksum.
    function defaults_text(generation) result(text)
       integer, intent(in) :: generation
       character(len=:), allocatable :: text

@@ -107,7 +107,7 @@ contains
       output = trim(settings%output)
    end subroutine read_output_name
 
-   !> What a sweep file says of the sweep itself.
+   !> The settings of the sweep itself in a sweep file.
    subroutine read_settings(file, settings, error)
       type(namelist_t), intent(inout) :: file
       type(sweep_settings_t), intent(inout) :: settings

@@ -8,6 +8,7 @@ module ehlwave_cost_model
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_case_plan, only: case_plan_t, run_harmonic, run_smooth, run_standing
    use ehlwave_kinds, only: dp
+   use ehlwave_small_solve, only: solve_small
    implicit none (type, external)
    private
    public :: cost_features, fit_cost_model
@@ -25,7 +26,7 @@ module ehlwave_cost_model
 
 contains
 
-   !> What the time of a case is told from.
+   !> Features from which the time of a case is predicted.
    pure function cost_features(plan) result(features)
       type(case_plan_t), intent(in) :: plan
       real(dp) :: features(feature_count)
@@ -49,7 +50,8 @@ contains
       type(cost_model_t) :: model
       real(dp), parameter :: weight_of_plans = 2
       real(dp) :: middle(feature_count), shift   ! features of the cases with a model, on average; ln(expected) less prior there
-      real(dp) :: normal(feature_count, feature_count), right(feature_count), factor
+      real(dp) :: normal(feature_count, feature_count), right(feature_count), difference(feature_count)
+      logical :: is_solved
       integer :: i, j
 
       shift = 0
@@ -83,17 +85,9 @@ contains
          end do
          right = right + features(:, i)*(log(seconds(i)) - dot_product(prior, features(:, i)))
       end do
-      do i = 1, feature_count                  ! elimination; the matrix is symmetric positive definite
-         do j = i + 1, feature_count
-            factor = normal(j, i)/normal(i, i)
-            normal(j, :) = normal(j, :) - factor*normal(i, :)
-            right(j) = right(j) - factor*right(i)
-         end do
-      end do
-      do i = feature_count, 1, -1
-         right(i) = (right(i) - dot_product(normal(i, i + 1:), right(i + 1:)))/normal(i, i)
-      end do
-      model%coefficients = prior + right
+      call solve_small(normal, right, 0.0_dp, difference, is_solved)
+      if (.not. is_solved) return
+      model%coefficients = prior + difference
       model%is_fitted = .true.
    end function fit_cost_model
 

@@ -1,4 +1,4 @@
-!> What rank 0 is told of a case that was worked on.
+!> The message to rank 0 about a case that was worked on.
 module ehlwave_outcome
    use ehlwave_kinds, only: dp
    use ehlwave_status, only: status_pending

@@ -27,7 +27,7 @@ module ehlwave_results_file
    !> Keys that have a column in every file, besides those that vary and those that the table of quantities has.
    character(len=*), parameter :: always_shown(2) = [character(len=19) :: 'wavelength_over_a', 'amplitude_over_film']
 
-   !> What of the header of a log goes into the rows of its cases.
+   !> Items of the header of a log that go into the rows of its cases.
    character(len=*), parameter :: run_columns(10) = [character(len=16) :: 'run', 'job', 'program_version', &
       'git_revision', 'compiler', 'compiler_flags', 'build_type', 'library_versions', 'mpi_library', 'processor']
 
@@ -112,7 +112,7 @@ contains
       call take_json(text, quantity)
    end subroutine take_record
 
-   !> What a case is, as far as the sweep file and the plan tell it; the keys that vary are among it. Where the plan
+   !> Inputs of a case, as far as the sweep file and the plan tell it; the keys that vary are among it. Where the plan
    !> chooses, its choice has the name of the key.
    function input_row(sweep, case) result(row)
       type(sweep_t), intent(in) :: sweep
@@ -183,7 +183,7 @@ contains
       quantity%exists = .true.
    end function described
 
-   !> What is known of the outcome of a case that has not run.
+   !> The outcome of a case that has not run.
    subroutine take_pending(plan, quantity)
       type(case_plan_t), intent(in) :: plan
       type(quantity_t), intent(inout) :: quantity

@@ -22,7 +22,7 @@ module ehlwave_sweep_cases
    character(len=key_length), parameter :: shown_anyway(5) = [character(len=key_length) :: 'load_parameter_m', &
       'lubricant_parameter_l', 'radius_ratio_d', 'orientation', 'wavelength_over_a']
 
-   !> What is asked of every case.
+   !> Options that hold for every case.
    type, public :: case_limits_t
       real(dp) :: largest_case_seconds = 0    !! a case that takes longer is given up; 0: no limit
       real(dp) :: checkpoint_seconds = 600    !! between two checkpoints of a march
@@ -106,7 +106,7 @@ contains
       if (allocated(self%varied)) varies = any(self%varied == key)
    end function varies
 
-   !> What makes a case, of the keys that vary and have no column of their own in plans and reports: 'key = value, ...'.
+   !> Values that identify a case, of the keys that vary and have no column of their own in plans and reports: 'key = value, ...'.
    function variation(self, case) result(text)
       class(sweep_t), intent(in) :: self
       integer, intent(in) :: case

@@ -64,7 +64,7 @@ contains
       says_edges = index(input, ' edges = ') > 0
    end function says_edges
 
-   !> What an effective input says of the edges, as a message repeats it.
+   !> The edges of an effective input, in the words of a message.
    function edges_in(input) result(text)
       character(len=*), intent(in) :: input
       character(len=:), allocatable :: text

@@ -101,7 +101,7 @@ contains
       name = library(:scan(library(:length)//',', ','//achar(10)//achar(0)) - 1)
    end function mpi_library
 
-   !> What all ranks must know.
+   !> Data of a sweep that all ranks need.
    subroutine share(comm, sweep, store, limits)
       type(mpi_comm), intent(in) :: comm
       type(sweep_t), intent(in) :: sweep

@@ -1,4 +1,4 @@
-!> What rank 0 does in a run of a sweep besides scheduling: it takes over the store, keeps the user and the results file up to
+!> Work of rank 0 in a run of a sweep besides scheduling: it takes over the store, keeps the user and the results file up to
 !> date, and says at the end what became of it all.
 module ehlwave_sweep_leader
    use, intrinsic :: iso_fortran_env, only: output_unit
@@ -28,7 +28,7 @@ module ehlwave_sweep_leader
    use ehlwave_sweep_progress, only: progress_t
    use ehlwave_sweep_queue, only: new_queue
    use ehlwave_sweep_report, only: print_sweep_result
-   use ehlwave_sweep_start, only: choose_cases, refuse_changed_surfaces, set_aside_crashed
+   use ehlwave_sweep_start, only: choose_cases, refuse_changed_files, set_aside_crashed
    use ehlwave_terminal, only: complain, print_last, say
    use ehlwave_text, only: shown, to_text
    use ehlwave_text_file, only: read_text
@@ -38,7 +38,7 @@ module ehlwave_sweep_leader
    integer, parameter, public :: exit_done = 0, exit_failed = 1, exit_bad_input = 2, exit_not_written = 3, &
       exit_unfinished = 85
 
-   !> What the user asked for on the command line.
+   !> Options of the command line.
    type, public :: job_options_t
       logical :: overwrite = .false.
       character(len=16) :: retry = ''            !! 'failed' or 'version'
@@ -100,7 +100,7 @@ contains
       if (sweep%skipped > 0) call say(output_unit, to_text(sweep%skipped)//' unresolved cases are left out as asked')
       allocate (to_run(size(sweep%cases)), status(size(sweep%cases)), seconds(size(sweep%cases)))
       call choose_cases(sweep, store, contents, options%retry, to_run, status, seconds)
-      call refuse_changed_surfaces(sweep, contents, to_run, error)
+      call refuse_changed_files(sweep, contents, to_run, error)
       if (allocated(error)) return
       call store%open_log(error)
       self%is_store_broken = allocated(error)

@@ -1,4 +1,4 @@
-!> What the user should know about a store that a sweep goes on with.
+!> Notices about a store that a sweep goes on with.
 module ehlwave_sweep_notices
    use, intrinsic :: iso_fortran_env, only: output_unit
    use ehlwave_case_text, only: effective_input

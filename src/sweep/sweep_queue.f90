@@ -65,7 +65,7 @@ contains
       allocate (self%first(groups), self%next(size(plans)), source=0)
       allocate (self%left(groups), self%expected(size(plans)), source=0.0_dp)
       allocate (self%held(0:ranks - 1), source=0)
-      order = longest_first(plans%waviness%frequency())
+      order = longest_first(plans%surfaces%frequency())
       do n = size(plans), 1, -1
          i = order(n)
          if (.not. to_run(i)) cycle

@@ -18,7 +18,7 @@ module ehlwave_sweep_start
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
-   public :: choose_cases, refuse_changed_surfaces, set_aside_crashed
+   public :: choose_cases, refuse_changed_files, set_aside_crashed
 
    integer, parameter :: most_deaths = 2   !! of its process in a case, before it is set aside
 
@@ -53,25 +53,31 @@ contains
       end do
    end subroutine choose_cases
 
-   !> Refuse to go on where a stored result is that of another content of the file of its surface: an identity holds the path.
-   subroutine refuse_changed_surfaces(sweep, contents, to_run, error)
+   !> Refuse to go on where a stored result is that of another content of a file that the case reads: an identity holds
+   !> the path.
+   subroutine refuse_changed_files(sweep, contents, to_run, error)
       type(sweep_t), intent(in) :: sweep
       type(contents_t), intent(in) :: contents
       logical, intent(in) :: to_run(:)
       type(error_t), allocatable, intent(inout) :: error
       character(len=:), allocatable :: stored
-      integer :: i
+      integer :: f, i
 
       do i = 1, size(sweep%cases)
-         if (allocated(error)) return
-         if (to_run(i) .or. sweep%plans(i)%surface_digest == '') cycle
-         stored = json_string(contents%value(contents%index%find(sweep%identity(i)), 'surface_digest'))
-         if (stored == '' .or. stored == sweep%plans(i)%surface_digest) cycle
-         call raise(error, "&surface file = '"//trim(sweep%cases(i)%surface_file)//"' has other heights than when case "// &
-                    to_text(i)//' was stored: put the old file back, give the new one another name, or begin anew with '// &
-                    '--overwrite')
+         if (to_run(i)) cycle
+         do f = 1, size(sweep%plans(i)%files)
+            if (allocated(error)) return
+            associate (file => sweep%plans(i)%files(f))
+               if (file%path == '') cycle
+               stored = json_string(contents%value(contents%index%find(sweep%identity(i)), trim(file%name)//'_digest'))
+               if (stored == '' .or. stored == file%digest) cycle
+               call raise(error, file%key//" = '"//file%path//"' has other numbers than when case "//to_text(i)// &
+                          ' was stored: put the old file back, give the new one another name, or begin anew with '// &
+                          '--overwrite')
+            end associate
+         end do
       end do
-   end subroutine refuse_changed_surfaces
+   end subroutine refuse_changed_files
 
    !> Cases whose process died in two runs are stored as `crashed` and not tried again; says so.
    subroutine set_aside_crashed(sweep, contents, store, to_run, status, error)

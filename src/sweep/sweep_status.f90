@@ -1,4 +1,4 @@
-!> What a store holds, told without the sweep file and without disturbing a job at work.
+!> The state of a store, printed without the sweep file and without disturbing a job at work.
 module ehlwave_sweep_status
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_case_list, only: case_list_t

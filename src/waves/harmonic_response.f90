@@ -20,7 +20,7 @@ module ehlwave_harmonic_response
    !> two steps more.
    real(dp), parameter :: response_tolerance = 1e-5_dp
 
-   !> What a pattern of amplitude A does to first order in A. The pattern is the real part of, theory eq. (W1),
+   !> The response to a pattern of amplitude A, to first order in A. The pattern is the real part of, theory eq. (W1),
    !>
    !>     A exp(i (kx X - w T)) cos(ky Y)   or   A exp(i (kx X + ky Y - w T))  (oblique),    w = kx S,
    !>

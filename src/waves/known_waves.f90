@@ -1,4 +1,4 @@
-!> What is known of waves in a contact before they are marched: the periodic solution to second order in their amplitude, and what the
+!> Waves in a contact as they are known before a march: the periodic solution to second order in their amplitude, and what the
 !> march on a coarser grid found besides.
 module ehlwave_known_waves
    use ehlwave_grid, only: grid_t

@@ -1,14 +1,14 @@
-!> What is marched in time and how.
+!> Settings of a march in time.
 module ehlwave_march_settings
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
-   use ehlwave_waviness, only: waviness_t
+   use ehlwave_surfaces, only: surfaces_t
    implicit none (type, external)
    private
 
    type, public :: march_settings_t
-      type(waviness_t) :: waviness
-      real(dp) :: amplitude = 0                !! Ai in units of c
+      type(surfaces_t) :: surfaces
+      real(dp) :: film = 0                     !! smooth H(0,0)
       integer :: steps = 0                     !! number of time steps
       integer :: cells_per_step = 1            !! dT = hX cells_per_step/steps_per_cell, one of them 1
       integer :: steps_per_cell = 1
@@ -17,6 +17,7 @@ module ehlwave_march_settings
    contains
       procedure :: time_step
       procedure :: repeat_time
+      procedure :: amplitude
    end type march_settings_t
 
    integer, parameter :: most_periods = 4              !! after which a solution is taken to repeat
@@ -32,6 +33,12 @@ contains
       time_step = grid%hx*self%cells_per_step/self%steps_per_cell
    end function time_step
 
+   !> Amplitude of the pattern that results are about, in units of c.
+   pure real(dp) function amplitude(self)
+      class(march_settings_t), intent(in) :: self
+      amplitude = self%surfaces%list(self%surfaces%main)%amplitude(self%film)
+   end function amplitude
+
    !> After what time a periodic solution repeats at a step of the march, or nearly so: of some periods the multiple that is nearest to
    !> whole steps; a period that has many is interpolated between them as well.
    pure real(dp) function repeat_time(self, grid)
@@ -40,10 +47,10 @@ contains
       real(dp) :: steps(most_periods)
       integer :: n
 
-      steps = self%waviness%period()/self%time_step(grid)*[(n, n=1, most_periods)]
+      steps = self%surfaces%period()/self%time_step(grid)*[(n, n=1, most_periods)]
       n = 1
       if (steps(1) < many_steps) n = minloc(nint(abs(steps - nint(steps))/whole), 1)
-      repeat_time = n*self%waviness%period()
+      repeat_time = n*self%surfaces%period()
    end function repeat_time
 
 end module ehlwave_march_settings

@@ -1,4 +1,4 @@
-!> What small waves change in the mean, to second order in their amplitude: one more linear solve, theory eq. (S7).
+!> The change of the mean by small waves, to second order in their amplitude: one more linear solve, theory eq. (S7).
 !>
 !> With the steady state u0, the linear response u1 to a pattern of amplitude A, and J0 the Jacobian of the steady state,
 !>

@@ -14,11 +14,11 @@ module ehlwave_periodic_state
    use ehlwave_state, only: state_t
    use ehlwave_status, only: status_converged
    use ehlwave_time_march, only: march_result_t, march_t
-   use ehlwave_waviness, only: waviness_t
+   use ehlwave_surfaces, only: surfaces_t
    implicit none (type, external)
    private
 
-   !> What a march from rest comes to: on each grid a march starts in the linear response, the change of the mean, and what the
+   !> The state that a march from rest reaches: on each grid a march starts in the linear response, the change of the mean, and what the
    !> march on the next coarser grid found besides, and ends when the film upstream of the centre repeats.
    type, public :: periodic_state_t
       type(march_t) :: march                  !! on the finest grid
@@ -63,17 +63,21 @@ contains
       coarse = limits
       coarse%tolerance = max(limits%tolerance, coarse_tolerance)
       has_rest = .false.
-      t = settings%waviness%start/settings%waviness%slip   ! so that steps are where a march from rest has its own
+      associate (main => settings%surfaces%list(settings%surfaces%main))
+         t = main%start/main%slip   ! so that steps are where a march from rest has its own
+      end associate
       self%march%rescue = rescue
-      do l = first_level(multigrid%levels, settings%waviness), n
+      do l = first_level(multigrid%levels, settings%surfaces), n
          associate (level => multigrid%levels(l))
-            call waves%find(multigrid%levels(:l), settings%waviness, settings%amplitude, settings%natural_frequency, &
-                            settings%steps_per_cell, is_known)
-            self%linear_steps = self%linear_steps + waves%linear_steps
+            is_known = level%has_film()
+            if (is_known) call waves%find(multigrid%levels(:l), settings%surfaces%list(settings%surfaces%main), &
+                                          settings%amplitude(), settings%natural_frequency, settings%steps_per_cell, &
+                                          is_known)
             if (.not. is_known) then
                has_rest = .false.
                cycle
             end if
+            self%linear_steps = self%linear_steps + waves%linear_steps
             if (has_rest) call hand_up(self%march, coarse_waves, multigrid%levels(l - 1)%problem%grid, level%problem%grid, waves)
             here = settings
             here%steps = ceiling(settings%steps*0.5_dp**(n - l))
@@ -107,7 +111,7 @@ contains
       end associate
    end subroutine hand_up
 
-   !> What the march would have at other times, T = times, if its last period went on to repeat: film and mutual approach there. Of a
+   !> Film and approach of the march at other times, T = times, if its last period went on to repeat: film and mutual approach there. Of a
    !> state that was found.
    function at_times(self, times) result(history)
       class(periodic_state_t), intent(in) :: self
@@ -133,14 +137,14 @@ contains
    end function at_times
 
    !> The coarsest level with a steady state that has enough points on a wave.
-   pure integer function first_level(levels, waviness) result(first)
+   pure integer function first_level(levels, surfaces) result(first)
       type(level_t), intent(in) :: levels(:)
-      type(waviness_t), intent(in) :: waviness
+      type(surfaces_t), intent(in) :: surfaces
       do first = 1, size(levels) - 1
          associate (grid => levels(first)%problem%grid)
-            if (waviness%wavelength_x < fewest_points*grid%hx) cycle
-            if (waviness%wavelength_y > 0 .and. waviness%wavelength_y < fewest_points*grid%hy) cycle
-            if (levels(first)%report%status == status_converged) return
+            if (any(surfaces%list%is_present .and. surfaces%list%wavelength_x < fewest_points*grid%hx)) cycle
+            if (any(surfaces%list%wavelength_y > 0 .and. surfaces%list%wavelength_y < fewest_points*grid%hy)) cycle
+            if (levels(first)%has_film()) return
          end associate
       end do
    end function first_level
@@ -175,7 +179,7 @@ contains
             if (monitor%request /= go_on) exit
             films(:, modulo(k, size(films, 2))) = multigrid%levels(l)%state%h(:, row)
             if (k < max(lag + 2, real(points, dp))) cycle
-            self%change = change_since(grid, films, k, lag)/settings%amplitude
+            self%change = change_since(grid, films, k, lag)/settings%amplitude()
             self%is_found = self%change <= tolerance
             if (self%is_found) exit
          end do

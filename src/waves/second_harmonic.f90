@@ -1,4 +1,4 @@
-!> What small waves do at twice their frequency, to second order in their amplitude, by theory eq. (W8).
+!> The response to small waves at twice their frequency, to second order in their amplitude, by theory eq. (W8).
 !>
 !> With the steady state u0, the linear response u1 to a pattern of amplitude A, and J(2w) the operator for changes of twice the frequency,
 !>

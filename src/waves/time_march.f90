@@ -12,6 +12,7 @@ module ehlwave_time_march
    use ehlwave_last_period, only: last_period_t
    use ehlwave_load_balance, only: equation_of_motion, force_balance
    use ehlwave_march_settings, only: march_settings_t
+   use ehlwave_march_watcher, only: march_watcher_t
    use ehlwave_monitor, only: go_on, monitor_t, stop_now
    use ehlwave_rescue, only: rescue_t
    use ehlwave_solve_report, only: solve_limits_t
@@ -141,11 +142,12 @@ contains
    end subroutine restore
 
    !> March to the end of the stretch, or until a step fails or the monitor asks for something else.
-   subroutine advance(self, multigrid, limits, monitor)
+   subroutine advance(self, multigrid, limits, monitor, watcher)
       class(march_t), intent(inout) :: self
       type(full_multigrid_t), intent(inout) :: multigrid
       type(solve_limits_t), intent(in) :: limits
       class(monitor_t), intent(inout) :: monitor
+      class(march_watcher_t), intent(inout), optional :: watcher   !! sees every solution
       real(dp) :: start_s
       integer :: first, k, last
 
@@ -155,6 +157,7 @@ contains
       do k = first, last
          call self%take_step(multigrid, limits)
          if (self%result%status /= status_converged) exit
+         if (present(watcher)) call watcher%see(multigrid%levels(self%l), k, self%result%time(k))
          call monitor%step_done('time step', k, self%settings%steps)
          if (monitor%request == go_on) cycle
          if (monitor%request /= stop_now) exit
@@ -209,9 +212,9 @@ contains
       real(dp), intent(in) :: t
       real(dp), allocatable :: rough(:, :)
       if (allocated(self%waves)) then
-         rough = self%settings%amplitude*self%settings%waviness%shape_fixed(grid%x, grid%y, -self%waves%frequency*t)
+         rough = self%settings%surfaces%rough_of_waves(grid%x, grid%y, t, self%settings%film)
       else
-         rough = self%settings%amplitude*self%settings%waviness%shape_at(grid%x, grid%y, t)
+         rough = self%settings%surfaces%rough_at(grid%x, grid%y, t, self%settings%film)
       end if
    end function rough_at
 

@@ -6,13 +6,14 @@ module sample_contact
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_grid, only: grid_t, new_grid
    use ehlwave_kinds, only: dp
-   use ehlwave_rheology, only: density_dowson_higginson, new_rheology, viscosity_roelands
+   use ehlwave_oil, only: oil_t
+   use ehlwave_rheology, only: new_rheology, rheology_t
    use ehlwave_solver_choice, only: init_multigrid, method_t
    use ehlwave_state, only: state_t
    use ehlwave_transport, only: characteristic_transport
    implicit none (type, external)
    private
-   public :: make_contact, make_conditions, make_multigrid, start_time_step, bump_pressure, noise
+   public :: make_contact, make_conditions, make_rheology, make_multigrid, start_time_step, bump_pressure, noise
 
 contains
 
@@ -24,6 +25,16 @@ contains
       call conditions_from_moes(m, 12.05_dp, d, 2.2e-8_dp, conditions, error)
       if (allocated(error)) error stop 'make_conditions: '//error%message
    end function make_conditions
+
+   !> The default lubricant, or one with another viscosity law, in a contact.
+   function make_rheology(conditions, viscosity_law) result(rheology)
+      type(conditions_t), intent(in) :: conditions
+      character(len=*), intent(in), optional :: viscosity_law
+      type(rheology_t) :: rheology
+      type(oil_t) :: oil
+      if (present(viscosity_law)) oil%viscosity_law = viscosity_law
+      rheology = new_rheology(oil%viscosity(), oil%density(), conditions%hertz_pressure_pa)
+   end function make_rheology
 
    !> Make a problem the step that follows a state at rest, with a wave in the gap.
    subroutine start_time_step(problem, state)
@@ -43,16 +54,12 @@ contains
       real(dp), intent(in) :: m, d
       integer, intent(in) :: cells_x, cells_y
       logical, intent(in) :: is_half
-      integer, intent(in), optional :: viscosity_law
+      character(len=*), intent(in), optional :: viscosity_law
       type(conditions_t) :: conditions
-      integer :: law
 
-      law = viscosity_roelands
-      if (present(viscosity_law)) law = viscosity_law
       conditions = make_conditions(m, d)
       call problem%init(new_grid(-2.5_dp, 1.5_dp, 2.0_dp, cells_x, cells_y, is_half), conditions, &
-                        new_rheology(law, density_dowson_higginson, conditions%alphabar, 0.68_dp, &
-                                     conditions%hertz_pressure_pa))
+                        make_rheology(conditions, viscosity_law))
    end subroutine make_contact
 
    !> A hierarchy of steady contacts on the default domain, `cells` in both directions, and its solvers.
@@ -67,8 +74,7 @@ contains
 
       if (present(method)) chosen = method
       conditions = make_conditions(m, d)
-      call init_multigrid(multigrid, conditions, new_rheology(viscosity_roelands, density_dowson_higginson, conditions%alphabar, &
-                                                              0.68_dp, conditions%hertz_pressure_pa), &
+      call init_multigrid(multigrid, conditions, make_rheology(conditions), &
                           new_grid(-2.5_dp, 1.5_dp, 2.0_dp, cells, cells, is_half), chosen)
    end subroutine make_multigrid
 

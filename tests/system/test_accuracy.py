@@ -1,6 +1,7 @@
 """The accuracy key, the expected error and the estimates that come with a result."""
 
 import csv
+import math
 import tempfile
 import unittest
 from pathlib import Path
@@ -116,6 +117,40 @@ class Accuracy(TestCase):
         self.assertEqual(result["status"], "converged")
         self.assertGreaterEqual(result["refinements"], 1)
         self.assertLessEqual(result["error_estimate"], 0.01)
+
+    def test_no_more_than_ten_times_the_plan(self):
+        """A contact of which every attempt fails (270 times the plan without a cap), and one that is refined."""
+        failing = {"conditions": {"load_parameter_m": 4.812, "lubricant_parameter_l": 11.72, "radius_ratio_d": 0.1549},
+                   "lubricant": {"viscosity_law": "isoviscous", "roelands_index": 0.5171}, "grid": {"cells_x": 80, "cells_y": 32}}
+        for groups, status in [(failing, "stalled"), (REFINED, "converged")]:
+            plan, text = self.plan(groups)
+            self.assertIn("at most ", text)
+            result = last_line(self.call(groups))
+            self.assertEqual(result["status"], status, result["message"])
+            units = [row["cells_x"]*row["cells_y"]*math.log2(4*row["cells_x"]*row["cells_y"]) for row in (result, plan)]
+            done = result["total_work_units"]*units[0]/units[1]
+            self.assertLessEqual(done, 10*plan["expected_total_work_units"])
+            self.assertGreaterEqual(result["total_work_units"], result["counted_work_units"])
+            if status == "stalled":
+                self.assertIn("times its plan, is used up: &solver largest_total_steps", result["message"])
+                self.assertGreaterEqual(done, plan["largest_work_units"])
+        plan, text = self.plan(changed(SMOOTH, {"solver": {"largest_total_steps": 50}}))
+        self.assertIn("at most 50 steps", text)
+        self.assertNotIn("largest_work_units", plan)
+
+    def test_oils_that_thin(self):
+        """Measured: on 64 x 64 cells the film is 28 % off. The error of the result covers its distance from the limit, 0.0195."""
+        groups = {"conditions": {"load_parameter_m": 32.56, "lubricant_parameter_l": 14.95, "radius_ratio_d": 0.745,
+                                 "slip_parameter": 0.5, "reduced_modulus_pa": 2.2e11},
+                  "lubricant": {"flow_law": "eyring", "eyring_stress_pa": 1.7e5, "pressure_viscosity_per_pa": 9.2e-9,
+                                "roelands_index": 0.576}, "grid": {"cells_x": 64, "cells_y": 64}}
+        plan, _ = self.plan(groups)
+        self.assertTrue(0.14 <= plan["expected_error"] <= 0.56, plan["expected_error"])
+        newtonian, _ = self.plan({**groups, "lubricant": {"pressure_viscosity_per_pa": 9.2e-9, "roelands_index": 0.576}})
+        self.assertLess(newtonian["expected_error"], 0.02)
+        finer, _ = self.plan({**groups, "grid": {}, "solver": {"accuracy": 0.05}})
+        self.assertGreaterEqual(finer["cells_x"], 128)
+        self.assertLessEqual(finer["expected_error"], 0.05)
 
     def test_unreachable_is_said(self):
         plan, text = self.plan(changed(WAVY, {"solver": {"accuracy": 0.001}, "grid": {"largest_cells": 128}}))

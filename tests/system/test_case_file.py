@@ -46,6 +46,40 @@ class CaseFile(unittest.TestCase):
             where = data["film"].argmin()
             self.assertGreater(x[where % len(x)], 0)
 
+    def test_fields_over_time(self):
+        groups = {"conditions": {"radius_x_m": 0.0125, "radius_y_m": 0.0125, "reduced_modulus_pa": 2.26e11, "load_n": 20,
+                                 "mean_speed_m_per_s": 0.5, "viscosity_pa_s": 0.1, "slip_parameter": 1.2},
+                  "grid": {"cells_x": 32, "cells_y": 32}, "dynamics": {"end_time": 2.5},
+                  "waviness": {"orientation": "transverse", "wavelength_over_a": 1}}
+        _, _, last = self.run_case(namelist(groups))
+        self.assertNotIn("field_time", last)
+        result, _, data = self.run_case(namelist(groups | {"output": {"fields_every": 6}}))
+        self.assertEqual(result["time_steps"], 20)
+        self.assertEqual(list(data["field_time"]), list(data["time"][::6]))
+        names = ["pressure_over_time", "film_over_time", "mean_shear_stress_over_time_pa"]
+        for name in names:
+            self.assertEqual(dimensions(self.folder/"case.h5", name), ["field_time", "y", "x"])
+        x, y = list(data["x"]), list(data["y"])
+        centre = data["film_over_time"][:, y.index(0), x.index(0)]
+        self.assertEqual(list(centre), list(data["film_at_centre"][::6]))
+        # what does not ask for them gets the same numbers
+        for name in ["pressure", "film", "film_at_centre"]:
+            self.assertEqual(abs(data[name] - last[name]).max(), 0)
+        # with steps up to the end the last set is the last solution
+        _, _, every = self.run_case(namelist(groups | {"output": {"fields_every": 5}}))
+        for name, over in zip(["pressure", "film", "mean_shear_stress_pa"], names, strict=True):
+            self.assertEqual(abs(every[over][-1] - every[name]).max(), 0)
+
+    def test_fields_over_time_of_a_case_without_steps(self):
+        for waviness in [{"orientation": "none"}, {"orientation": "longitudinal", "wavelength_over_a": 1},
+                         {"orientation": "transverse", "wavelength_over_a": 1, "response": "harmonic"},
+                         {"orientation": "transverse", "wavelength_over_a": 1, "response": "periodic"}]:
+            groups = {"conditions": CONDITIONS, "waviness": waviness, "output": {"fields_every": 2}}
+            Path(self.folder, "case.nml").write_text(namelist(groups))
+            outcome = run("case", "case.nml", "--plan", folder=self.folder)
+            self.assertEqual(outcome.returncode, 2, outcome.stdout)
+            self.assertIn("fields_every = 2", outcome.stderr)
+
     def test_history(self):
         groups = {"conditions": CONDITIONS, "grid": {"cells_x": 64, "cells_y": 48},
                   "waviness": {"orientation": "transverse", "wavelength_over_a": 1}}

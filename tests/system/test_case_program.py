@@ -132,7 +132,8 @@ class CaseProgram(unittest.TestCase):
         self.assertAlmostEqual(result["central_film_um"], 0.24, delta=0.02)
 
     def test_shipped_inputs_are_valid(self):
-        inputs = sorted((Path(__file__).parents[2] / "inputs").glob("*.nml"))
+        top = Path(__file__).parents[2]            # files that inputs name are seen from there
+        inputs = sorted((top / "inputs").glob("*.nml"))
         names = [path.name for path in inputs]
         self.assertIn("smooth.nml", names)
         for path in inputs:
@@ -140,7 +141,7 @@ class CaseProgram(unittest.TestCase):
                 program = "case"
                 if "&sweep" in path.read_text():
                     continue
-                outcome = run(program, path, "--plan")
+                outcome = run(program, path, "--plan", folder=top)
                 self.assertEqual(outcome.returncode, 0, outcome.stderr)
 
 

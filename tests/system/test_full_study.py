@@ -1,4 +1,4 @@
-"""scripts/full-study: its sweep files, its stages, what it does when a stage stops."""
+"""scripts/study full: its sweep files, its stages, what it does when a stage stops."""
 
 import csv
 import importlib.util
@@ -56,7 +56,7 @@ class Stages(unittest.TestCase):
         environment = {**os.environ, "EHLWAVE_PROGRAMS": str(self.folder), "CALLS": str(self.calls),
                        "EHLWAVE_LAUNCHER": str(self.folder / "launcher")}
         words = [word for stage in stages for word in ("--stage", stage)]
-        return subprocess.run([ROOT / "scripts" / "full-study", "--output", self.folder / "out", "--ranks", "2", *words],
+        return subprocess.run([ROOT / "scripts" / "study", "full", "--output", self.folder / "out", "--ranks", "2", *words],
                               env=environment, capture_output=True, text=True, check=False)
 
     def stages(self):
@@ -88,7 +88,7 @@ class Stages(unittest.TestCase):
     def test_an_unknown_stage_is_refused(self):
         outcome = self.study("figures")
         self.assertEqual(outcome.returncode, 2)
-        self.assertIn("unknown stage 'figures'", outcome.stderr)
+        self.assertIn("--stage: invalid choice: 'figures'", outcome.stderr)
 
 
 if __name__ == "__main__":

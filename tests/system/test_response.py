@@ -80,6 +80,21 @@ class Response(TestCase):
         self.assertAlmostEqual(both["time_step"], 4/both["cells_x"], delta=1e-12)
         self.assertLess(harmonic["expected_work_units"], 0.05*both["expected_work_units"])
 
+    def test_waves_that_touch(self):
+        """No negative film is a result: to second order these waves would go 0.005 into the other surface."""
+        waviness = {"orientation": "isotropic", "wavelength_over_a": 1.9, "response": "harmonic"}
+        films = {}
+        for amplitude in (0.5, 1):
+            films[amplitude] = solve(conditions={"load_parameter_m": 184, "lubricant_parameter_l": 15, "radius_ratio_d": 0.63},
+                                     grid={"cells_x": 96, "cells_y": 96, "edges": "flooded"},
+                                     waviness={**waviness, "amplitude_over_film": amplitude})
+        self.assertGreater(films[0.5]["smallest_film"], 0)
+        self.assertFalse(films[0.5]["surfaces_touch"])
+        self.assertIsNone(films[1]["smallest_film"])
+        self.assertTrue(films[1]["surfaces_touch"])
+        self.assertIn("would touch the other surface at X", films[1]["warning"])
+        self.assertIn("would touch", films[1]["validity"])
+
     def test_refusals(self):
         self.refuse("response", waviness={**WAVES, "response": "linear"})
         self.refuse("load_factor", waviness=WAVES, dynamics={"load_factor": 1.1})

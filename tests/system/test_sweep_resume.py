@@ -76,13 +76,30 @@ class SweepResume(unittest.TestCase):
                   "surface": {"file": "s.h5"}, "grid": {"cells_x": 32, "cells_y": 32}, "dynamics": {"end_time": 0.25},
                   "sweep": {"slip_parameter": [1, 1.2]}}
         for height, status, needle in [(1e-8, 0, ""), (1e-8, 0, "2 of 2 cases are in the store already"),
-                                       (1.1e-8, 2, "'s.h5' has other heights than when case 1 was stored")]:
+                                       (1.1e-8, 2, "'s.h5' has other numbers than when case 1 was stored")]:
             with h5py.File(self.folder/"s.h5", "w") as file:
                 file["x"] = [8e-6*i for i in range(65)]
                 file["y"] = [0.0]
                 file["height"] = [[height if 20 < i < 40 else 0.0 for i in range(65)]]
             self.assertIn(needle, self.sweep(groups, status=status))
         self.sweep(groups, "--overwrite")
+
+    def test_changed_viscosities_are_refused(self):
+        """Nor do they hold what is in a table of viscosities; cases of another law do not read it."""
+        table = "pressure_pa,viscosity_pa_s\n0,0.05\n1e8,0.3\n4e8,20\n"
+        groups = {"conditions": {"load_parameter_m": 100, "lubricant_parameter_l": 8, "radius_ratio_d": 1},
+                  "lubricant": {"viscosity_table": "oil.csv", "temperature_k": 320},
+                  "grid": {"cells_x": 32, "cells_y": 32}, "sweep": {"viscosity_law": ["roelands", "table"]}}
+        changed = "&lubricant viscosity_table = 'oil.csv' has other numbers than when case 2"
+        for last, status, needle in [("1e9,5e3", 0, ""), ("1e9,5000", 0, "2 of 2 cases are in the store already"),
+                                     ("1e9,5001", 2, changed)]:
+            (self.folder/"oil.csv").write_text(table + last)
+            self.assertIn(needle, self.sweep(groups, status=status))
+        _, data = read(self.folder/"results.h5")
+        self.assertEqual(list(data["viscosity_file"]), ["", "oil.csv"])
+        (self.folder/"oil.csv").unlink()
+        self.assertIn("oil.csv: no such file", self.sweep(groups, status=2))
+        self.sweep({**groups, "sweep": {"viscosity_law": ["roelands"]}, "lubricant": {}})
 
     def test_only_what_is_new_runs(self):
         self.sweep(QUICK)

@@ -31,9 +31,10 @@ program test_accuracy_model
    call test%check(expected_ratio_error(c, 0.8_dp, 0.0625_dp, 0.0_dp, 2, 8.0_dp, 1e-3_dp) > plain, 'longer steps')
    call test%check(expected_ratio_error(c, 0.8_dp, 0.0625_dp, 0.0_dp, 1, 8.0_dp, 1e-2_dp) > plain, 'looser steps')
    call test%check(expected_ratio_error(c, 0.8_dp, 0.0625_dp, 8.0_dp, 1, 8.0_dp, 1e-3_dp) > plain, 'waves along Y')
-   call test%check(steady_work_units(c, 128, .true.) > step_work_units(c, 128, .true.) .and. step_work_units(c, 128, .true.) > 1, &
+   call test%check(steady_work_units(c, 128, .true., 1.0_dp) > step_work_units(c, 128, .true., 1.0_dp) .and. &
+                   step_work_units(c, 128, .true., 1.0_dp) > 1, &
                    'costs')
-   call test%check(step_work_units(c, 128, .false.) > step_work_units(c, 128, .true.), 'flow across the film costs')
+   call test%check(step_work_units(c, 128, .false., 1.0_dp) > step_work_units(c, 128, .true., 1.0_dp), 'flow across the film costs')
    call test%finish()
 
 end program test_accuracy_model

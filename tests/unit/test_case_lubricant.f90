@@ -77,7 +77,7 @@ contains
       call case_from_text(moes//mcewen//' /', case, error)
       call make_plan(case, plan, error)
       call test%check_no_error(error, 'McEwen')
-      alpha = film_forming_coefficient(case%mcewen)
+      alpha = film_forming_coefficient(case%oil%mcewen)
       call test%check_close(pressure_viscosity(case), alpha, 'alpha', relative=0.0_dp)
       call test%check(abs(alpha - 2e-8_dp) > 1e-10_dp, 'not the coefficient at ambient pressure')
       call test%check_close(plan%conditions%hertz_pressure_pa, plan%conditions%alphabar/alpha, 'ph', relative=1e-14_dp)

@@ -16,6 +16,8 @@ program test_case_plan
    call check_grid()
    call check_deformation()
    call check_refusal()
+   call check_thinning()
+   call check_work_cap()
    call test%finish()
 
 contains
@@ -32,6 +34,45 @@ contains
       case%cells_x = 64
       case%cells_y = 64
    end function sample
+
+   !> Oils that thin: more error, more work; Newtonian ones and those that hardly do: none of it.
+   subroutine check_thinning()
+      type(case_plan_t) :: newtonian, plan
+      type(case_t) :: case
+      newtonian = plan_of(sample('none', 0.0_dp))
+      case = sample('none', 0.0_dp)
+      case%data%reduced_modulus_pa = 2.26e11_dp
+      case%slip_parameter = 0.5_dp
+      case%oil%flow_law = 'eyring'
+      case%oil%eyring_stress_pa = 1e12_dp
+      plan = plan_of(case)
+      call test%check_close([newtonian%thinning%steepness, newtonian%thinning%cost], [1.0_dp, 1.0_dp], 'Newtonian', relative=0.0_dp)
+      call test%check_close(plan%expected%mesh, newtonian%expected%mesh, 'hardly thins', relative=1e-4_dp)
+      case%oil%eyring_stress_pa = 2e5_dp
+      plan = plan_of(case)
+      associate (stress => plan%conditions%hertz_pressure_pa**2/(2.26e11_dp*2e5_dp))
+         call test%check_close(plan%expected%mesh, (1 + 0.15_dp*stress)*newtonian%expected%mesh, 'thins', relative=1e-10_dp)
+      end associate
+      call test%check(plan%expected_work_units > plan%thinning%steepness*newtonian%expected_work_units, 'its work')
+      case%oil%flow_law = 'carreau'
+      case%oil%carreau_modulus_pa = 2e5_dp
+      case%oil%carreau_exponent = 1
+      plan = plan_of(case)
+      call test%check_close(plan%expected%mesh, newtonian%expected%mesh, 'n = 1 is Newtonian', relative=1e-10_dp)
+   end subroutine check_thinning
+
+   !> The cap follows from the plan unless the case has one.
+   subroutine check_work_cap()
+      type(case_plan_t) :: plan
+      type(case_t) :: case
+      case = sample('transverse', 0.5_dp)
+      plan = plan_of(case)
+      call test%check(plan%has_work_cap() .and. plan%largest_work > plan%expected_work(), 'a cap')
+      call test%check(plan%largest_work < 10*plan%expected_work(), 'within ten times the plan')
+      case%largest_total_steps = 100
+      plan = plan_of(case)
+      call test%check(.not. plan%has_work_cap() .and. plan%largest_total_steps == 100, 'that of the case')
+   end subroutine check_work_cap
 
    function plan_of(given) result(plan)
       type(case_t), intent(in) :: given

@@ -53,8 +53,8 @@ contains
       case%wavelength_x_over_a = 0.5_dp
       case%wavelength_y_over_a = 0.7_dp
       case%oblique = .true.
-      case%viscosity_law = 'barus'
-      case%density_law = 'incompressible'
+      case%oil%viscosity_law = 'barus'
+      case%oil%density_law = 'incompressible'
       case%tolerance = 1e-7_dp
       case%largest_steps = 33
    end function oblique

@@ -7,16 +7,19 @@ program test_face_flow
    use ehlwave_flow_law, only: flow_law_t
    use ehlwave_grid, only: grid_t, new_grid, new_line_grid
    use ehlwave_kinds, only: dp
-   use ehlwave_rheology, only: density_dowson_higginson, new_rheology, rheology_t, viscosity_roelands
+   use ehlwave_oil, only: oil_t
+   use ehlwave_rheology, only: new_rheology, rheology_t
    use testing, only: test_t
    implicit none (type, external)
 
    real(dp), parameter :: lambdabar = 0.02_dp, kappa = 0.6_dp
    integer, parameter :: cells = 8
    type(test_t) :: test
+   type(oil_t) :: default
    type(rheology_t) :: rheology
 
-   rheology = new_rheology(viscosity_roelands, density_dowson_higginson, 8.0_dp, 0.68_dp, 0.4e9_dp)
+   default%pressure_viscosity_per_pa = 2e-8_dp
+   rheology = new_rheology(default%viscosity(), default%density(), 0.4e9_dp)
    call check_newtonian(new_grid(-2.5_dp, 1.5_dp, 2.0_dp, cells, cells, is_half=.false.))
    call check_newtonian(new_grid(-2.5_dp, 1.5_dp, 2.0_dp, cells, cells, is_half=.true.))
    call check_newtonian(new_line_grid(-2.5_dp, 1.5_dp, cells))

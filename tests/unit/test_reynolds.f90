@@ -2,13 +2,15 @@
 program test_reynolds
    use ehlwave_carreau_law, only: new_carreau_law
    use ehlwave_complex_wedge, only: complex_wedge_t => wedge_t, new_wedge
+   use ehlwave_conditions, only: conditions_t
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_equations, only: equations_t
    use ehlwave_eyring_law, only: eyring_law_t
    use ehlwave_flow_law, only: flow_law_t
    use ehlwave_kinds, only: dp
+   use ehlwave_oil, only: barus, roelands
    use ehlwave_reynolds, only: reynolds_change
-   use ehlwave_rheology, only: rheology_t, viscosity_barus, viscosity_roelands
+   use ehlwave_rheology, only: rheology_t
    use ehlwave_state, only: new_state, state_t
    use ehlwave_text, only: to_text
    use ehlwave_transport, only: characteristic_transport
@@ -23,12 +25,12 @@ program test_reynolds
 
    do n = 0, 1
       is_half = n == 1
-      call check_jacobian(1.0_dp, is_half, viscosity_roelands, steady)
-      call check_jacobian(0.12_dp, is_half, viscosity_roelands, 1)
-      call check_jacobian(0.12_dp, is_half, viscosity_barus, 2)
-      call check_jacobian(1.0_dp, is_half, viscosity_barus, steady)
-      call check_jacobian(1.0_dp, is_half, viscosity_roelands, steady, eyring_law_t())
-      call check_jacobian(0.35_dp, is_half, viscosity_roelands, 1, new_carreau_law(0.4_dp))
+      call check_jacobian(1.0_dp, is_half, roelands, steady)
+      call check_jacobian(0.12_dp, is_half, roelands, 1)
+      call check_jacobian(0.12_dp, is_half, barus, 2)
+      call check_jacobian(1.0_dp, is_half, barus, steady)
+      call check_jacobian(1.0_dp, is_half, roelands, steady, eyring_law_t())
+      call check_jacobian(0.35_dp, is_half, roelands, 1, new_carreau_law(0.4_dp))
    end do
    call check_uniform_flow()
    call compare_half_with_whole()
@@ -54,9 +56,11 @@ contains
    subroutine check_jacobian(d, is_half, law, cells_per_step, flow_law)
       real(dp), intent(in) :: d
       logical, intent(in) :: is_half
-      integer, intent(in) :: law, cells_per_step
+      character(len=*), intent(in) :: law
+      integer, intent(in) :: cells_per_step
       class(flow_law_t), intent(in), optional :: flow_law   !! of an oil that is not Newtonian, S = 1.4
       type(contact_problem_t) :: problem
+      type(conditions_t) :: conditions
       type(rheology_t) :: oil
       type(equations_t) :: equations
       real(dp), parameter :: step = 1e-6_dp, delta = -0.2_dp, ddelta = 0.3_dp
@@ -66,13 +70,15 @@ contains
       integer :: i, j
 
       call make_contact(problem, 100.0_dp, d, 24, 16, is_half, law)
-      what = 'Jacobian, D = '//to_text(d, 3)//', law '//to_text(law)//', half '//to_text(is_half)//', step '// &
+      what = 'Jacobian, D = '//to_text(d, 3)//', '//law//', half '//to_text(is_half)//', step '// &
              to_text(cells_per_step)
       if (present(flow_law)) then
          what = what//', not Newtonian'
          oil = problem%rheology
-         call oil%use_flow(flow_law, 226e9_dp*5e6_dp, 1.4_dp)
-         call problem%set_conditions(problem%conditions, oil)
+         call oil%use_flow(flow_law, 226e9_dp*5e6_dp)
+         conditions = problem%conditions
+         conditions%slip_parameter = 1.4_dp
+         call problem%set_conditions(conditions, oil)
       end if
       associate (grid => problem%grid)
          if (cells_per_step > 0) then

@@ -1,10 +1,11 @@
-!> Density and viscosity laws: values, derivatives against finite differences, no overflow.
+!> Laws of an oil as functions of P: every law of the list, at two Hertz pressures, on arrays longer than a block, no overflow.
 program test_rheology
+   use ehlwave_case_key, only: words_of
    use ehlwave_kinds, only: dp
-   use ehlwave_rheology, only: density_constant, density_dowson_higginson, new_rheology, rheology_t, viscosity_barus, &
-      viscosity_constant, viscosity_roelands
-   use ehlwave_mcewen_law, only: mcewen_law_t
-   use ehlwave_tait_density, only: tait_density_t
+   use ehlwave_number_table, only: number_table_t
+   use ehlwave_oil, only: barus, density_laws, dowson_higginson, incompressible, isoviscous, mcewen, oil_t, roelands, tait, &
+      viscosity_laws
+   use ehlwave_rheology, only: new_rheology, rheology_t
    use testing, only: test_t
    implicit none (type, external)
 
@@ -12,107 +13,162 @@ program test_rheology
    type(test_t) :: test
 
    call check_values()
-   call check_derivatives()
-   call check_special()
+   call check_all_laws()
+   call check_pressures()
+   call check_blocks()
    call check_extremes()
    call test%finish()
 
 contains
 
-   subroutine at(rheology, p, rho, drho, fluidity, dln_eta)
+   !> An oil with alphabar = 20 at ph, and parameters for every law.
+   function oil_of(viscosity_law, density_law) result(oil)
+      character(len=*), intent(in) :: viscosity_law, density_law
+      type(oil_t) :: oil
+      oil%viscosity_law = viscosity_law
+      oil%density_law = density_law
+      oil%pressure_viscosity_per_pa = alphabar/ph
+      oil%mcewen%alpha0_per_pa = 2e-8_dp
+      oil%mcewen%exponent = 9
+      oil%yasutomi%c1 = 15.9_dp
+      oil%yasutomi%c2_k = 14.2_dp
+      oil%yasutomi%above_glass_k = 105
+      oil%yasutomi%a1_k = 188
+      oil%yasutomi%a2_per_pa = 0.72e-9_dp
+      oil%yasutomi%b1_per_pa = 8.2e-9_dp
+      oil%yasutomi%b2 = -0.58_dp
+      oil%doolittle%factor = 4.71_dp
+      oil%doolittle%occupied_fraction = 0.6568_dp
+      oil%tait%modulus_pa = 1.2e9_dp
+      oil%tait%modulus_rate = 11
+      oil%measured = number_table_t('', [character(len=64) :: 'pressure_pa', 'viscosity_pa_s'], [2, 3, 4, 5], &
+                                    reshape([0.0_dp, 2e8_dp, 5e8_dp, 9e8_dp, 0.05_dp, 0.9_dp, 70.0_dp, 1e4_dp], [4, 2]))
+   end function oil_of
+
+   function rheology_of(viscosity_law, density_law, hertz_pressure_pa) result(rheology)
+      character(len=*), intent(in) :: viscosity_law, density_law
+      real(dp), intent(in) :: hertz_pressure_pa
+      type(rheology_t) :: rheology
+      type(oil_t) :: oil
+      oil = oil_of(viscosity_law, density_law)
+      rheology = new_rheology(oil%viscosity(), oil%density(), hertz_pressure_pa)
+   end function rheology_of
+
+   !> rho, drho, fluidity, dln_eta at P.
+   function at(rheology, p) result(values)
       type(rheology_t), intent(in) :: rheology
       real(dp), intent(in) :: p
-      real(dp), intent(out) :: rho, drho, fluidity, dln_eta
-      real(dp) :: values(1, 4)
-      call rheology%evaluate(1, [p], values(:, 1), values(:, 2), values(:, 3), values(:, 4))
-      rho = values(1, 1)
-      drho = values(1, 2)
-      fluidity = values(1, 3)
-      dln_eta = values(1, 4)
-   end subroutine at
+      real(dp) :: values(4), one(1, 4)
+      call rheology%evaluate(1, [p], one(:, 1), one(:, 2), one(:, 3), one(:, 4))
+      values = one(1, :)
+   end function at
 
    subroutine check_values()
-      type(rheology_t) :: rheology
       real(dp), parameter :: p = 0.7_dp, p0 = 1.96e8_dp, alpha = alphabar/ph
-      real(dp) :: rho, drho, fluidity, dln_eta
+      real(dp) :: values(4)
 
-      rheology = new_rheology(viscosity_roelands, density_dowson_higginson, alphabar, z, ph)
-      call at(rheology, p, rho, drho, fluidity, dln_eta)
-      call test%check_close(rho, (5.9e8_dp + 1.34_dp*ph*p)/(5.9e8_dp + ph*p), 'Dowson-Higginson', relative=1e-14_dp)
-      call test%check_close(rheology%density(p), rho, 'density alone', relative=1e-15_dp)
-      call test%check_close(1/fluidity, exp(alpha*p0/z*((1 + ph*p/p0)**z - 1)), 'Roelands', relative=1e-12_dp)
-      call at(rheology, 0.0_dp, rho, drho, fluidity, dln_eta)
-      call test%check_close([rho, fluidity, dln_eta], [1.0_dp, 1.0_dp, alphabar], 'ambient pressure', relative=1e-15_dp)
-
-      rheology = new_rheology(viscosity_barus, density_constant, alphabar, z, ph)
-      call at(rheology, p, rho, drho, fluidity, dln_eta)
-      call test%check_close([rho, fluidity, dln_eta], [1.0_dp, exp(-alphabar*p), alphabar], 'Barus', relative=1e-13_dp)
-      call test%check_close(rheology%density(p), 1.0_dp, 'incompressible', relative=1e-15_dp)
-
-      rheology = new_rheology(viscosity_constant, density_constant, alphabar, z, ph)
-      call at(rheology, p, rho, drho, fluidity, dln_eta)
-      call test%check_close([rho, drho, fluidity, dln_eta], [1.0_dp, 0.0_dp, 1.0_dp, 0.0_dp], 'isoviscous', absolute=0.0_dp)
-      rheology = new_rheology(viscosity_roelands, density_constant, 0.0_dp, z, 0.0_dp)
-      call at(rheology, p, rho, drho, fluidity, dln_eta)
-      call test%check_close([fluidity, dln_eta], [1.0_dp, 0.0_dp], 'alphabar = 0 is isoviscous', absolute=0.0_dp)
+      values = at(rheology_of(roelands, dowson_higginson, ph), p)
+      call test%check_close(values(1), (5.9e8_dp + 1.34_dp*ph*p)/(5.9e8_dp + ph*p), 'Dowson-Higginson', relative=1e-14_dp)
+      call test%check_close(1/values(3), exp(alpha*p0/z*((1 + ph*p/p0)**z - 1)), 'Roelands', relative=1e-12_dp)
+      values = at(rheology_of(roelands, dowson_higginson, ph), 0.0_dp)
+      call test%check_close([values(1), values(3:)], [1.0_dp, 1.0_dp, alphabar], 'ambient pressure', relative=1e-15_dp)
+      values = at(rheology_of(barus, incompressible, ph), p)
+      call test%check_close([values(1), values(3:)], [1.0_dp, exp(-alphabar*p), alphabar], 'Barus', relative=1e-13_dp)
+      values = at(rheology_of(isoviscous, incompressible, ph), p)
+      call test%check_close(values, [1.0_dp, 0.0_dp, 1.0_dp, 0.0_dp], 'isoviscous', absolute=0.0_dp)
+      values = at(rheology_of(roelands, dowson_higginson, 0.0_dp), p)
+      call test%check_close(values, [1.0_dp, 0.0_dp, 1.0_dp, 0.0_dp], 'constant where pascals are unknown', absolute=0.0_dp)
    end subroutine check_values
 
-   subroutine check_derivatives()
-      integer, parameter :: laws(3) = [viscosity_roelands, viscosity_barus, viscosity_constant]
-      real(dp), parameter :: step = 1e-5_dp, pressure(3) = [0.01_dp, 0.5_dp, 1.1_dp]
-      type(rheology_t) :: rheology
-      real(dp) :: down(4), here(4), up(4)
-      integer :: i, n
-
-      do n = 1, size(laws)
-         rheology = new_rheology(laws(n), density_dowson_higginson, alphabar, z, ph)
-         do i = 1, size(pressure)
-            call at(rheology, pressure(i) - step, down(1), down(2), down(3), down(4))
-            call at(rheology, pressure(i), here(1), here(2), here(3), here(4))
-            call at(rheology, pressure(i) + step, up(1), up(2), up(3), up(4))
-            call test%check_close(here(2), (up(1) - down(1))/(2*step), 'd rho/dP', relative=1e-7_dp)
-            call test%check_close(here(4), -log(up(3)/down(3))/(2*step), 'd ln(eta)/dP', relative=1e-7_dp, absolute=1e-12_dp)
+   !> Every name of the list makes a law, with the right derivatives.
+   subroutine check_all_laws()
+      integer :: k
+      associate (laws => words_of(viscosity_laws))
+         do k = 1, size(laws)
+            call check_derivatives(trim(laws(k)), rheology_of(laws(k), dowson_higginson, ph))
          end do
+         call test%check(size(laws) >= 7, 'all viscosity laws')
+      end associate
+      associate (laws => words_of(density_laws))
+         do k = 1, size(laws)
+            call check_derivatives(trim(laws(k)), rheology_of(roelands, laws(k), ph))
+         end do
+         call test%check(size(laws) >= 3, 'all density laws')
+      end associate
+   end subroutine check_all_laws
+
+   subroutine check_derivatives(name, rheology)
+      character(len=*), intent(in) :: name
+      type(rheology_t), intent(in) :: rheology
+      real(dp), parameter :: step = 1e-5_dp, pressure(3) = [0.01_dp, 0.5_dp, 1.1_dp]
+      real(dp) :: down(4), here(4), up(4)
+      integer :: i
+      do i = 1, size(pressure)
+         down = at(rheology, pressure(i) - step)
+         here = at(rheology, pressure(i))
+         up = at(rheology, pressure(i) + step)
+         call test%check_close(here(2), (up(1) - down(1))/(2*step), name//', d rho/dP', relative=1e-7_dp, absolute=1e-12_dp)
+         call test%check_close(here(4), -log(up(3)/down(3))/(2*step), name//', d ln(eta)/dP', relative=1e-7_dp, &
+                               absolute=1e-12_dp)
       end do
+      call test%check_close(rheology%thickening(), -log(at_third(rheology, step))/step, name//', at P = 0', relative=1e-3_dp, &
+                            absolute=1e-12_dp)
    end subroutine check_derivatives
 
-   !> A law of its own with Tait's density: the same laws in units of ph, at this Hertz pressure and another.
-   subroutine check_special()
-      type(mcewen_law_t), parameter :: mcewen = mcewen_law_t(alpha0_per_pa=2e-8_dp, exponent=9.0_dp)
-      type(tait_density_t), parameter :: tait = tait_density_t(modulus_pa=1.2e9_dp, modulus_rate=11.0_dp)
+   real(dp) function at_third(rheology, p)
+      type(rheology_t), intent(in) :: rheology
+      real(dp), intent(in) :: p
+      real(dp) :: values(4)
+      values = at(rheology, p)
+      at_third = values(3)
+   end function at_third
+
+   !> The same laws in units of ph, at this Hertz pressure and another.
+   subroutine check_pressures()
       real(dp), parameter :: p = 0.7_dp, pressures(2) = [ph, 0.5_dp*ph]
       type(rheology_t) :: rheology
-      real(dp) :: rho, drho, fluidity, dln_eta, x
+      real(dp) :: values(4), x
       integer :: k
 
-      rheology = new_rheology(viscosity_roelands, density_dowson_higginson, alphabar, z, ph)
-      call rheology%use_viscosity(mcewen)
-      call rheology%use_density(tait)
+      rheology = rheology_of(mcewen, tait, ph)
       do k = 1, size(pressures)
-         if (k == 2) rheology = rheology%at_pressure(0.5_dp*alphabar, pressures(k))
-         call at(rheology, p, rho, drho, fluidity, dln_eta)
+         if (k == 2) rheology = rheology%at_pressure(pressures(k))
+         values = at(rheology, p)
          x = 1 + 2e-8_dp*pressures(k)*p/9
-         call test%check_close([1/fluidity, dln_eta], [x**9, 2e-8_dp*pressures(k)/x], 'McEwen', relative=1e-12_dp)
+         call test%check_close([1/values(3), values(4)], [x**9, 2e-8_dp*pressures(k)/x], 'McEwen', relative=1e-12_dp)
          x = 1 + 12*pressures(k)*p/1.2e9_dp
-         call test%check_close(1/rho, 1 - log(x)/12, 'Tait', relative=1e-13_dp)
-         call test%check_close(drho, rho**2*pressures(k)/(1.2e9_dp*x), 'its derivative', relative=1e-13_dp)
-         call test%check_close(rheology%density(p), rho, 'density alone', relative=1e-15_dp)
+         call test%check_close(1/values(1), 1 - log(x)/12, 'Tait', relative=1e-13_dp)
+         call test%check_close(values(2), values(1)**2*pressures(k)/(1.2e9_dp*x), 'its derivative', relative=1e-13_dp)
       end do
-   end subroutine check_special
+   end subroutine check_pressures
+
+   !> Arrays are asked for block by block: the same bits as one by one, density alone, too.
+   subroutine check_blocks()
+      integer, parameter :: n = 700
+      type(rheology_t) :: rheology
+      real(dp), dimension(n) :: dln_eta, drho, fluidity, p, rho
+      real(dp) :: alone(n, 2), values(4)
+      integer :: i
+
+      rheology = rheology_of(roelands, dowson_higginson, ph)
+      p = [(1.2_dp*i/n, i=1, n)]
+      call rheology%evaluate(n, p, rho, drho, fluidity, dln_eta)
+      do i = 1, n
+         values = at(rheology, p(i))
+         call test%check_close([rho(i), drho(i), fluidity(i), dln_eta(i)], values, 'blocks', relative=1e-13_dp)
+      end do
+      alone = rheology%density(spread(p, 2, 2))
+      call test%check_close(alone(:, 2), rho, 'density alone', relative=0.0_dp)
+   end subroutine check_blocks
 
    !> No overflow at any pressure that an iterate can have; the builds with traps would stop here.
    subroutine check_extremes()
-      type(rheology_t) :: rheology
-      real(dp) :: rho, drho, fluidity, dln_eta
-      integer, parameter :: laws(2) = [viscosity_roelands, viscosity_barus]
-      integer :: n
-
-      do n = 1, size(laws)
-         rheology = new_rheology(laws(n), density_dowson_higginson, 60.0_dp, z, 3e9_dp)
-         call at(rheology, 1000.0_dp, rho, drho, fluidity, dln_eta)
-         call test%check(fluidity > 0, 'fluidity stays above 0')
-         call test%check_close(rho, 1.34_dp, 'density limit', relative=1e-3_dp)
-      end do
+      real(dp) :: values(4)
+      values = at(rheology_of(roelands, dowson_higginson, 3e9_dp), 1000.0_dp)
+      call test%check(values(3) > 0, 'fluidity stays above 0')
+      call test%check_close(values(1), 1.34_dp, 'density limit', relative=1e-3_dp)
+      values = at(rheology_of(barus, dowson_higginson, 3e9_dp), 1000.0_dp)
+      call test%check(values(3) > 0, 'fluidity stays above 0')
    end subroutine check_extremes
 
 end program test_rheology

@@ -7,7 +7,8 @@ program test_shear_result
    use ehlwave_errors, only: error_t
    use ehlwave_grid, only: grid_t, new_grid
    use ehlwave_kinds, only: dp, pi
-   use ehlwave_shear_result, only: mean_shear_stress, shear_result_t
+   use ehlwave_shear_result, only: shear_result_t
+   use ehlwave_shear_stress, only: mean_shear_stress
    use ehlwave_state, only: new_state, state_t
    use testing, only: test_t
    implicit none (type, external)
@@ -43,7 +44,7 @@ contains
       call make_plan(case, plan, error)
       call test%check_no_error(error, 'Newtonian')
       call newtonian%init(grid, plan%conditions, plan%rheology)
-      call r%take(newtonian, state, 1.5_dp, 0.08_dp)
+      call r%take(newtonian, state, 0.08_dp)
       area = grid%integral(merge(1.0_dp, 0.0_dp, state%p > 0))
       du = 1
       eta = 0.05_dp*exp(0.5_dp*plan%conditions%alphabar)
@@ -59,9 +60,9 @@ contains
                           case, error)
       call make_plan(case, plan, error)
       call sinh_oil%init(grid, plan%conditions, plan%rheology)
-      call mean_shear_stress(sinh_oil, state, 1.5_dp, stress_pa)
+      call mean_shear_stress(sinh_oil, state, stress_pa)
       call test%check_close(stress_pa(15, 4), 4e6_dp*asinh(tau/4e6_dp), 'stress in the middle', relative=1e-11_dp)
-      call r%take(sinh_oil, state, 1.5_dp, 0.08_dp)
+      call r%take(sinh_oil, state, 0.08_dp)
       call test%check_close(r%largest_b, tau/4e6_dp, 'B', relative=1e-11_dp)
       call test%check_close(r%share_beyond_limit, 0.0_dp, 'within the limit', absolute=0.0_dp)
    end subroutine check_friction

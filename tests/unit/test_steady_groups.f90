@@ -64,7 +64,7 @@ program test_steady_groups
    ! what changes the steady state separates the groups, domain and grid included
    cases(2)%cells_x = 128
    cases(3)%domain = 'whole'
-   cases(4)%roelands_index = 0.5
+   cases(4)%oil%roelands%index = 0.5
    call plan_all()
    queue = new_queue(cases, plans, all_of_them, none_known, 1)
    call test%check(all(queue%group(:6) == [1, 2, 3, 4, 5, 1]), 'groups of their own')

@@ -1,36 +1,11 @@
-!> Barus' law, as an example of a law and because its coefficients are known.
-module barus_example
-   use ehlwave_kinds, only: dp
-   use ehlwave_viscosity_law, only: largest_exponent, viscosity_law_t
-   implicit none (type, external)
-   private
-
-   !> eta = eta0 exp(alpha p), for which both coefficients are alpha; 0 is isoviscous.
-   type, extends(viscosity_law_t), public :: barus_t
-      real(dp) :: alpha_per_pa = 0
-   contains
-      procedure :: evaluate
-   end type barus_t
-
-contains
-
-   pure subroutine evaluate(self, n, p_pa, exponent, slope_per_pa)
-      class(barus_t), intent(in) :: self
-      integer, intent(in) :: n
-      real(dp), intent(in) :: p_pa(n)
-      real(dp), intent(out) :: exponent(n), slope_per_pa(n)
-      exponent = min(self%alpha_per_pa*p_pa, largest_exponent)
-      slope_per_pa = self%alpha_per_pa
-   end subroutine evaluate
-
-end module barus_example
-
-!> Viscosity laws with parameters of their own: values, derivatives, film-forming coefficients, limits.
+!> Viscosity laws: values, derivatives, film-forming coefficients, limits.
 program test_viscosity_laws
-   use barus_example, only: barus_t
+   use ehlwave_barus_law, only: barus_law_t
    use ehlwave_doolittle_law, only: doolittle_law_t
+   use ehlwave_isoviscous_law, only: isoviscous_law_t
    use ehlwave_kinds, only: dp
    use ehlwave_mcewen_law, only: mcewen_law_t
+   use ehlwave_roelands_law, only: roelands_law_t
    use ehlwave_tait_density, only: tait_density_t
    use ehlwave_viscosity_law, only: asymptotic_coefficient, film_forming_coefficient, largest_exponent, &
       viscosity_law_t
@@ -38,19 +13,25 @@ program test_viscosity_laws
    use testing, only: test_t
    implicit none (type, external)
 
-   type(tait_density_t), parameter :: tait = tait_density_t(modulus_pa=1.2e9_dp, modulus_rate=11.74_dp)
-   type(doolittle_law_t), parameter :: doolittle = doolittle_law_t(factor=4.71_dp, occupied_fraction=0.6568_dp, tait=tait)
-   type(mcewen_law_t), parameter :: mcewen = mcewen_law_t(alpha0_per_pa=2e-8_dp, exponent=9.0_dp)
+   type(tait_density_t), parameter :: tait = tait_density_t(modulus_pa=1.2e9_dp, modulus_rate=11.74_dp, &
+      expansion_per_k=7.3e-4_dp, softening_per_k=5.5e-3_dp)
+   type(doolittle_law_t), parameter :: doolittle = doolittle_law_t(factor=4.71_dp, occupied_fraction=0.6568_dp, &
+      occupied_rate_per_k=-9e-4_dp, tait=tait)
+   type(mcewen_law_t), parameter :: mcewen = mcewen_law_t(alpha0_per_pa=2e-8_dp, exponent=9.0_dp, beta_per_k=0.04_dp)
    type(yasutomi_law_t), parameter :: yasutomi = yasutomi_law_t(c1=15.9_dp, c2_k=14.2_dp, above_glass_k=105.0_dp, a1_k=188.0_dp, &
                                                                 a2_per_pa=0.72e-9_dp, b1_per_pa=8.2e-9_dp, b2=-0.58_dp)
+   type(barus_law_t), parameter :: barus = barus_law_t(alpha_per_pa=2.2e-8_dp, beta_per_k=0.04_dp)
+   type(roelands_law_t), parameter :: roelands = roelands_law_t(alpha_per_pa=2.2e-8_dp, beta_per_k=0.04_dp, &
+                                                                temperature_k=313.15_dp)
    type(test_t) :: test
 
    call check_coefficients()
    call check_values()
    call check_law('Doolittle', doolittle)
    call check_law('McEwen', mcewen)
+   call check_law('Roelands', roelands)
+   call check_law('Barus', barus)
    call check_law('improved Yasutomi', yasutomi)
-   call check_tait()
    call test%finish()
 
 contains
@@ -59,10 +40,9 @@ contains
    subroutine check_coefficients()
       real(dp), parameter :: a = mcewen%alpha0_per_pa, q = mcewen%exponent
       real(dp) :: last, star
-      call test%check_close(asymptotic_coefficient(barus_t(2.2e-8_dp)), 2.2e-8_dp, 'alpha* of Barus', relative=1e-10_dp)
-      call test%check_close(film_forming_coefficient(barus_t(2.2e-8_dp)), 2.2e-8_dp, 'film-forming alpha of Barus', &
-                            relative=1e-10_dp)
-      call test%check_close(film_forming_coefficient(barus_t(0.0_dp)), 0.0_dp, 'of a constant viscosity', absolute=0.0_dp)
+      call test%check_close(asymptotic_coefficient(barus), 2.2e-8_dp, 'alpha* of Barus', relative=1e-10_dp)
+      call test%check_close(film_forming_coefficient(barus), 2.2e-8_dp, 'film-forming alpha of Barus', relative=1e-10_dp)
+      call test%check_close(film_forming_coefficient(barus_law_t()), 0.0_dp, 'of a constant viscosity', absolute=0.0_dp)
       star = a*(q - 1)/q
       last = 3/star
       call test%check_close(asymptotic_coefficient(mcewen), star, 'alpha* of McEwen', relative=1e-10_dp)
@@ -70,51 +50,62 @@ contains
                             'film-forming alpha of McEwen', relative=1e-10_dp)
    end subroutine check_coefficients
 
-   !> At 0.5 GPa, by the formulas as printed.
+   !> At 0.5 GPa and T0, by the formulas as printed; Roelands' law 30 K above, too.
    subroutine check_values()
-      real(dp), parameter :: p = 0.5e9_dp
-      real(dp) :: exponent(1), f, ambient, glass, slope(1), volume
+      real(dp), parameter :: p = 0.5e9_dp, p0 = 1.96e8_dp, alpha = roelands%alpha_per_pa, z = 0.68_dp
+      real(dp) :: ambient, f, glass, s0, volume
+      type(isoviscous_law_t) :: isoviscous
+
       volume = 1 - log(1 + 12.74_dp*p/1.2e9_dp)/12.74_dp
-      call doolittle%evaluate(1, [p], exponent, slope)
-      call test%check_close(exponent(1), 4.71_dp*0.6568_dp*(1/(volume - 0.6568_dp) - 1/(1 - 0.6568_dp)), 'Doolittle', &
-                            relative=1e-13_dp)
-      call test%check_close(tait%density(p), 1/volume, 'Tait', relative=1e-14_dp)
-      call mcewen%evaluate(1, [p], exponent, slope)
-      call test%check_close(exp(exponent(1)), (1 + 2e-8_dp*p/9)**9, 'McEwen', relative=1e-12_dp)
-      call yasutomi%evaluate(1, [p], exponent, slope)
+      call test%check_close(exponent_of(doolittle, p, 0.0_dp), &
+                            4.71_dp*0.6568_dp*(1/(volume - 0.6568_dp) - 1/(1 - 0.6568_dp)), 'Doolittle', relative=1e-13_dp)
+      call test%check_close(exp(exponent_of(mcewen, p, 0.0_dp)), (1 + 2e-8_dp*p/9)**9, 'McEwen', relative=1e-12_dp)
       glass = 188*log(1 + 0.72e-9_dp*p)
       f = (1 + 8.2e-9_dp*p)**(-0.58_dp)
       ambient = 105/(14.2_dp + 105)
-      call test%check_close(exponent(1)/log(10.0_dp), 15.9_dp*(ambient - (105 - glass)*f/(14.2_dp + (105 - glass)*f)), &
-                            'improved Yasutomi', relative=1e-12_dp)
+      call test%check_close(exponent_of(yasutomi, p, 0.0_dp)/log(10.0_dp), &
+                            15.9_dp*(ambient - (105 - glass)*f/(14.2_dp + (105 - glass)*f)), 'improved Yasutomi', &
+                            relative=1e-12_dp)
+      call test%check_close(exponent_of(roelands, p, 0.0_dp), alpha*p0/z*((1 + p/p0)**z - 1), 'Roelands', relative=1e-13_dp)
+      s0 = 0.04_dp*(313.15_dp - 138)*z/(alpha*p0)
+      call test%check_close(exponent_of(roelands, p, 30.0_dp), &
+                            alpha*p0/z*((1 + p/p0)**z*((343.15_dp - 138)/(313.15_dp - 138))**(-s0) - 1), 'Roelands, warm', &
+                            relative=1e-12_dp)
+      call test%check_close(exponent_of(isoviscous, p, 30.0_dp), 0.0_dp, 'isoviscous', absolute=0.0_dp)
    end subroutine check_values
 
-   !> Derivative, ambient value, coefficient, and no overflow at any pressure that an iterate can have.
+   real(dp) function exponent_of(law, p_pa, rise_k)
+      class(viscosity_law_t), intent(in) :: law
+      real(dp), intent(in) :: p_pa, rise_k
+      real(dp), dimension(1) :: exponent, slope_per_k, slope_per_pa
+      call law%evaluate(1, [p_pa], [rise_k], exponent, slope_per_pa, slope_per_k)
+      exponent_of = exponent(1)
+   end function exponent_of
+
+   !> Derivatives, ambient value, coefficient, and no overflow at any pressure that an iterate can have.
    subroutine check_law(name, law)
       character(len=*), intent(in) :: name
       class(viscosity_law_t), intent(in) :: law
-      real(dp), parameter :: p(3) = [1e6_dp, 0.4e9_dp, 1.3e9_dp], step = 1e3_dp
-      real(dp) :: alpha, exponent(3), slope(3), down(3), up(3), unused(3)
+      real(dp), parameter :: p(3) = [1e6_dp, 0.4e9_dp, 0.8e9_dp], rise(3) = [-10.0_dp, 0.0_dp, 30.0_dp], zero(3) = 0
+      real(dp), parameter :: step = 1e3_dp, step_k = 1e-4_dp
+      real(dp) :: alpha
+      real(dp), dimension(3) :: by_k, down, exponent, slope, unused, up
 
-      call law%evaluate(3, p - step, down, unused)
-      call law%evaluate(3, p + step, up, unused)
-      call law%evaluate(3, p, exponent, slope)
+      call law%evaluate(3, p - step, rise, down, unused, by_k)
+      call law%evaluate(3, p + step, rise, up, unused, by_k)
+      call law%evaluate(3, p, rise, exponent, slope, by_k)
       call test%check_close(slope, (up - down)/(2*step), name//': d ln(eta)/dp', relative=1e-7_dp)
-      call law%evaluate(1, [0.0_dp], exponent, slope)
+      call law%evaluate(3, p, rise - step_k, down, unused, slope)
+      call law%evaluate(3, p, rise + step_k, up, unused, slope)
+      call test%check_close(by_k, (up - down)/(2*step_k), name//': d ln(eta)/dT', relative=1e-7_dp)
+      call test%check(all(by_k < 0), name//': falls with temperature')
+      call law%evaluate(1, [0.0_dp], zero, exponent, slope, by_k)
       call test%check_close(exponent(1), 0.0_dp, name//': ambient pressure', absolute=1e-13_dp)
-      alpha = film_forming_coefficient(law)
-      call test%check(alpha > 0.5_dp*slope(1) .and. alpha < 1.5_dp*slope(1), name//': film-forming alpha near the initial slope')
-      call law%evaluate(3, [1e10_dp, 1e12_dp, 1e15_dp], exponent, slope)
+      alpha = law%coefficient()
+      call test%check(alpha > 0.5_dp*slope(1) .and. alpha < 1.5_dp*slope(1), name//': alpha near the initial slope')
+      call law%evaluate(3, [1e10_dp, 1e12_dp, 1e15_dp], zero, exponent, slope, by_k)
       call test%check(all(exponent > 0 .and. exponent <= largest_exponent), name//': bounded')
-      call test%check(all(abs(slope) < 1), name//': slope bounded')
+      call test%check(all(slope < huge(slope) .and. abs(by_k) < huge(by_k)), name//': slopes are finite')
    end subroutine check_law
-
-   subroutine check_tait()
-      real(dp), parameter :: p = 0.7e9_dp, step = 1e3_dp
-      call test%check_close(tait%volume_slope_per_pa(p), (tait%volume(p + step) - tait%volume(p - step))/(2*step), 'dV/dp', &
-                            relative=1e-8_dp)
-      call test%check_close(tait%volume_slope_per_pa(0.0_dp), -1/1.2e9_dp, 'bulk modulus at ambient pressure', relative=1e-14_dp)
-      call test%check(tait%volume(1e15_dp) > 0, 'volume above 0')
-   end subroutine check_tait
 
 end program test_viscosity_laws

@@ -55,6 +55,16 @@ class ErrorEstimates(TestCase):
             self.assertGreaterEqual(len(ratios), 14)
             report(f"{what} error over error: {min(ratios):.2f} to {max(ratios):.2f} in {len(ratios)} results")
 
+    def test_rescued(self):
+        """After a continuation from smaller M the error is that of the case, not of the neighbour that was solved on the way."""
+        result = solve(m=1000, d=1, grid={"cells_x": 192, "cells_y": 96}, solver={"largest_steps": 5})
+        self.assertEqual((result["status"], result["rung"]), ("converged", "continuation"))
+        finer = solve(m=1000, d=1, grid={"cells_x": 384, "cells_y": 192})
+        error = 4/3*abs(result["central_film"]/finer["central_film"] - 1)
+        report(f"M = 1000, D = 1, 192 x 96 cells: error {error:.3f}, said {result['central_film_error']:.3f}")
+        self.assertGreater(error, 0.03)
+        self.assertTrue(error/1.5 <= result["central_film_error"] <= 5*error, result["central_film_error"])
+
     def test_accuracy_is_kept(self):
         recorded = references()
         for m, d, wave, accuracy in [(100, 1, 0.5, 0.03), (100, 1, 2, 0.03), (1000, 0.12, 2, 0.1)]:

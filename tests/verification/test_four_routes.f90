@@ -12,13 +12,13 @@ program test_four_routes
    use ehlwave_grid, only: new_grid
    use ehlwave_kinds, only: dp, pi
    use ehlwave_petsc_library, only: finish_petsc, is_petsc_built, require_petsc
-   use ehlwave_rheology, only: density_dowson_higginson, new_rheology, rheology_t, viscosity_roelands
    use ehlwave_solve_report, only: solve_limits_t, solve_report_t
    use ehlwave_solver_choice, only: init_multigrid, method_t
    use ehlwave_state, only: state_t
    use ehlwave_status, only: status_converged
    use ehlwave_text, only: to_text
    use ehlwave_transport, only: characteristic_transport
+   use sample_contact, only: make_rheology
    use testing, only: test_t
    implicit none (type, external)
 
@@ -65,13 +65,10 @@ contains
       real(dp), intent(in) :: m, l, d
       character(len=*), intent(in) :: method, deformation
       type(conditions_t) :: conditions
-      type(rheology_t) :: rheology
 
       call conditions_from_moes(m, l, d, 2.2e-8_dp, conditions, error)
       call test%check_no_error(error, 'conditions')
-      rheology = new_rheology(viscosity_roelands, density_dowson_higginson, conditions%alphabar, 0.68_dp, &
-                              conditions%hertz_pressure_pa)
-      call init_multigrid(levels, conditions, rheology, new_grid(-2.5_dp, 1.5_dp, 2.0_dp, cells, cells, .true.), &
+      call init_multigrid(levels, conditions, make_rheology(conditions), new_grid(-2.5_dp, 1.5_dp, 2.0_dp, cells, cells, .true.), &
                        method_t(solver=method, deformation=deformation))
    end subroutine make_levels
 

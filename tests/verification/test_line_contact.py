@@ -91,7 +91,8 @@ class LineContact(TestCase):
         self.check_close(result["v"], 0.5*100**0.75/math.sqrt(11), 1e-12, "V")
         self.check_close(result["v"], (2*math.pi)**0.75*0.5*alphabar**1.5/11**2, 1e-12, "V from alphabar")
         self.check_close(result["v2"], 0.5*math.sqrt(100/11), 1e-12, "V2")
-        self.assertEqual((result["kappa"], result["cells_y"], result["expected_work_units"]), (0, 1, None))
+        self.assertEqual((result["kappa"], result["cells_y"]), (0, 1))
+        self.assertTrue(0.2 <= result["total_work_units"]/result["expected_work_units"] <= 5, "work that the plan expects")
 
     def test_small_transients(self):
         """On the same grid, several periods after the pattern has passed."""

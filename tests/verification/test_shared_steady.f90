@@ -31,6 +31,7 @@ program test_shared_steady
    call pair(few, long, short, 'newton')
    call test%check(is_success(first%status) .and. .not. is_success(second%status), 'whatever the order')
    call check_speeds()
+   call check_friction()
    call test%finish()
 
 contains
@@ -44,6 +45,17 @@ contains
       call compare(second, alone_second, 'Ree-Eyring, second speed')
       call test%check(is_success(second%status) .and. second%shear%largest_b > 100, 'a Ree-Eyring oil that slides')
    end subroutine check_speeds
+
+   !> The steady state of a Newtonian oil does not depend on sliding and is shared; its friction does.
+   subroutine check_friction()
+      type(shared_steady_t) :: shared
+      call run(enough, long, 'newton', first, shared, slip=1.0_dp, flow_law='newtonian')
+      call run(enough, long, 'newton', second, shared, slip=1.5_dp, flow_law='newtonian')
+      call run(enough, long, 'newton', alone_second, slip=1.5_dp, flow_law='newtonian')
+      call compare(second, alone_second, 'Newtonian, second speed')
+      call test%check(same(second%shear%friction_coefficient, alone_second%shear%friction_coefficient) .and. &
+                      abs(second%shear%friction_coefficient) > 0, 'friction of the second speed')
+   end subroutine check_friction
 
    !> Two wavelengths of one contact, in `first` and `second`, each against the same case alone.
    subroutine pair(steps, wavelength, wavelength_second, method)
@@ -59,13 +71,14 @@ contains
       call compare(second, alone_second, method//', second')
    end subroutine pair
 
-   subroutine run(steps, wavelength, method, result, shared, slip)
+   subroutine run(steps, wavelength, method, result, shared, slip, flow_law)
       integer, intent(in) :: steps
       real(dp), intent(in) :: wavelength
       character(len=*), intent(in) :: method
       type(case_result_t), intent(out) :: result
       type(shared_steady_t), intent(inout), optional :: shared
-      real(dp), intent(in), optional :: slip   !! S; the oil is a Ree-Eyring one then
+      real(dp), intent(in), optional :: slip               !! S; the oil is a Ree-Eyring one then,
+      character(len=*), intent(in), optional :: flow_law   !! or this one
       type(case_t) :: case
       type(case_plan_t) :: plan
       type(error_t), allocatable :: error
@@ -83,8 +96,9 @@ contains
       case%method = method
       if (present(slip)) then
          case%slip_parameter = slip
-         case%flow_law = 'eyring'
-         case%eyring_stress_pa = 5e6_dp
+         case%oil%flow_law = 'eyring'
+         case%oil%eyring_stress_pa = 5e6_dp
+         if (present(flow_law)) case%oil%flow_law = flow_law
          case%data%reduced_modulus_pa = 2.26e11_dp
       end if
       call complete_case(case, '', error)

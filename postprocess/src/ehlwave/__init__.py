@@ -2,7 +2,8 @@
 
 Answers in one call: :class:`Contact`. The programs from Python: :class:`Case`, :class:`Study`.
 Their results: :func:`read_results`, :func:`read_case`, and what draws, fits and tabulates them.
-Measured surfaces: :mod:`ehlwave.deform`. Modules are imported on first use.
+Measured surfaces: :mod:`ehlwave.deform`. Stresses below them: :mod:`ehlwave.stress`. Modules are
+imported on first use.
 """
 
 from importlib import import_module
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
         ProgramError,
         RangeError,
         ResultsError,
+        StressError,
         SurfaceError,
     )
     from ehlwave.figures import collapse_figure, write_figure
@@ -45,6 +47,7 @@ _HOMES = {
         "ProgramError",
         "RangeError",
         "ResultsError",
+        "StressError",
         "SurfaceError",
     ),
     "figures": ("collapse_figure", "write_figure"),
@@ -63,6 +66,7 @@ _HOMES = {
     "read": ("read_results",),
     "refit": ("RefitRow", "RefitSettings", "refit_groups"),
 }
+_PACKAGES = ("atlas", "contact", "deform", "stress")
 _HOME = {name: home for home, names in _HOMES.items() for name in names}
 
 __all__ = [
@@ -79,6 +83,7 @@ __all__ = [
     "RefitSettings",
     "Response",
     "ResultsError",
+    "StressError",
     "Study",
     "SurfaceError",
     "amplitude_ratio_formula",
@@ -107,6 +112,8 @@ def __getattr__(name: str) -> Any:  # noqa: ANN401
     """Import what is asked for."""
     if name == "read_case":
         return import_module("ehlwave.case_file").read_contact
+    if name in _PACKAGES:
+        return import_module(f"ehlwave.{name}")
     if name in _HOME:
         return getattr(import_module(f"ehlwave.{_HOME[name]}"), name)
     raise AttributeError(f"module 'ehlwave' has no attribute {name!r}")

@@ -19,6 +19,7 @@ from ehlwave.points import RATIO_COLUMNS, VARIABLES, remarks, resolved_only, sel
 from ehlwave.read import read_results
 from ehlwave.refit import RefitSettings, refit_groups
 from ehlwave.schema import EDGES
+from ehlwave.stress.cli import add_stress_command
 from ehlwave.terminal import plain_text_only
 from ehlwave.writing import Writer
 
@@ -243,6 +244,7 @@ def _parser() -> argparse.ArgumentParser:
     add_output(plot)
     plot.set_defaults(run=_plot)
     add_commands(commands)
+    add_stress_command(commands)
     return parser
 
 

@@ -53,5 +53,12 @@ class ProgramError(ResultsError):
     """A program is not there, or refused its input; the message has what it said."""
 
 
+class StressError(ResultsError, ValueError):
+    """Loads, depths or an oil film cannot be turned into stresses below the surface.
+
+    The message names the argument or file, its value, and what to change.
+    """
+
+
 class ExtrapolationWarning(UserWarning):
     """A number lies beyond what predictions were compared with; its error says by how much."""

@@ -5,7 +5,7 @@ import sys
 import warnings
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ehlwave.atlas.atlas import Atlas, atlas_for, load_atlas
 from ehlwave.atlas.chart import Chart
@@ -22,6 +22,9 @@ from ehlwave.deform.sliding import TwoWaveTransfer
 from ehlwave.deform.surface import Surface
 from ehlwave.deform.transfer import FormulaTransfer, RecommendedTransfer, Transfer
 from ehlwave.errors import ExtrapolationWarning, RangeError, SurfaceError
+
+if TYPE_CHECKING:
+    from ehlwave.stress.rough import RoughStress
 
 SLIPS = SLIDING_RANGES["slip_parameter"]
 """Slip parameters that :meth:`Contact.response` answers for."""
@@ -321,6 +324,27 @@ class Contact:
         for doubt in found.doubts:
             warnings.warn(doubt, ExtrapolationWarning, stacklevel=_callers())
         return found
+
+    def stress(
+        self,
+        surface: Surface | str | Path,
+        second: Surface | str | Path | None = None,
+        **options: Any,  # noqa: ANN401
+    ) -> "RoughStress":
+        """Return the stresses below both bodies with a measured surface, or one on each.
+
+        Parameters
+        ----------
+        surface, second : Surface or path
+            Of the first body, whose slip parameter is that of the contact, and of the other one;
+            without, that one is smooth.
+        **options
+            ``friction``, ``cycles``, ``poisson_ratio``, ``depths_m`` and ``smooth`` of
+            :func:`ehlwave.stress.stress_of_contact`; those of :meth:`deform`.
+        """
+        from ehlwave.stress.contact_stress import stress_of_contact
+
+        return stress_of_contact(self, surface, second, **options)
 
     def lambda_ratio(self, surface: Surface | str | Path, **options: Any) -> float:  # noqa: ANN401
         """Return the mean film over Rq of the deformed surface; options as of :meth:`deform`.

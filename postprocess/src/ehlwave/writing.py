@@ -3,8 +3,11 @@
 A file is written under a temporary name in its own folder and renamed when it is whole. Results are
 known by the list ``.ehlwave-results`` in their folder, which has the SHA-256 digest of each: a
 command may replace them again. Everything else is left as it is: files of others, results that were
-changed since, links, folders, and what the command reads, by whatever name.
+changed since, links, folders, and what the command reads, by whatever name. Needs the standard
+library alone.
 """
+
+from __future__ import annotations
 
 import hashlib
 import json
@@ -17,7 +20,7 @@ from typing import TYPE_CHECKING, Any
 
 from ehlwave.errors import OutputError
 
-if TYPE_CHECKING:  # the tests of the programs write with the standard library alone
+if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
     from matplotlib.figure import Figure
@@ -132,15 +135,15 @@ class Writer:
         """Write bytes."""
         return self.file(path, lambda part: part.write_bytes(data))
 
-    def table(self, path: str | Path, table: "pd.DataFrame", **options: Any) -> Path:  # noqa: ANN401
+    def table(self, path: str | Path, table: pd.DataFrame, **options: Any) -> Path:  # noqa: ANN401
         """Write a table as CSV; options are those of :meth:`pandas.DataFrame.to_csv`."""
         return self.text(path, table.to_csv(None, **({"index": False} | options)))
 
-    def dataset(self, path: str | Path, data: "xr.Dataset") -> Path:
+    def dataset(self, path: str | Path, data: xr.Dataset) -> Path:
         """Write a dataset as HDF5."""
         return self.file(path, lambda part: data.to_netcdf(part, engine="h5netcdf"))
 
-    def figure(self, path: str | Path, figure: "Figure", **options: Any) -> Path:  # noqa: ANN401
+    def figure(self, path: str | Path, figure: Figure, **options: Any) -> Path:  # noqa: ANN401
         """Write a figure in the format that the name ends with."""
         kind = Path(path).suffix[1:]
         return self.file(path, lambda part: figure.savefig(part, format=kind, **options))

@@ -1,1 +1,1 @@
-"""The atlas of computed responses that the package ships: ``scripts/atlas``."""
+"""The atlas of computed responses that the package ships: ``scripts/study atlas``."""

@@ -1,4 +1,4 @@
-"""The commands behind ``scripts/atlas``: write sweeps, fit the atlas to their results, judge it.
+"""The commands behind ``scripts/study atlas``: write sweeps, fit the atlas to results, judge it.
 
 All but the last print the path of what they wrote.
 """

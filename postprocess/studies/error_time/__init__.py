@@ -1,4 +1,4 @@
 """Error against run time: run a table of cases, compare with a reference, fit models, draw.
 
-``scripts/error-vs-time`` is the command.
+``scripts/study error-vs-time`` is the command.
 """

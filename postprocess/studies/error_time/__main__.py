@@ -1,4 +1,4 @@
-"""The commands behind ``scripts/error-vs-time``: write the sweep, and what its results say."""
+"""The commands behind ``scripts/study error-vs-time``: write the sweep, then tables and figures."""
 
 import argparse
 import sys

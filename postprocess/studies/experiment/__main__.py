@@ -1,6 +1,6 @@
 """``python -m studies.experiment``: the experiment of the paper, section 4.
 
-Its steps, between which ``scripts/full-study`` runs the sweeps that the first three write: smooth,
+Its steps, between which ``scripts/study full`` runs the sweeps that the first three write: smooth,
 trace, cosine, report.
 """
 

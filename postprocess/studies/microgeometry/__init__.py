@@ -1,1 +1,1 @@
-"""Predicted against simulated roughness inside the contact: ``scripts/validate-microgeometry``."""
+"""Predicted against simulated roughness inside the contact: ``scripts/study microgeometry``."""

@@ -1,4 +1,4 @@
-"""The commands behind ``scripts/validate-microgeometry``: write the sweeps, compare with them.
+"""The commands behind ``scripts/study microgeometry``: write the sweeps, compare with them.
 
 The first prints the names of the sweeps.
 """

@@ -1,4 +1,4 @@
-"""The command behind ``scripts/validate``: published data beside this program."""
+"""The command behind ``scripts/study validation``: published data beside this program."""
 
 import argparse
 import sys

@@ -35,6 +35,18 @@ def read_conditions(words: Sequence[str]) -> Conditions:
     SurfaceError
         If a file cannot be read or a key is unknown, missing or meaningless.
     """
+    given = read_keys(words)
+    conditions = conditions_from_keys(given.keys, place=_place(words))
+    oil = replace(
+        conditions.oil,
+        other_laws=tuple(given.other_laws),
+        other_keys=tuple(given.parameters.items()),
+    )
+    return replace(conditions, oil=oil)
+
+
+def read_keys(words: Sequence[str]) -> "GivenKeys":
+    """Return what words say, as :func:`read_conditions` takes them; refuse a wrong flow law."""
     keys: dict[str, Any] = {}
     others: list[str] = []
     law: str | None = None
@@ -47,20 +59,22 @@ def read_conditions(words: Sequence[str]) -> Conditions:
             file = _from_file(Path(word))
             keys |= file.keys
             others, parameters, law = file.other_laws, file.parameters, file.flow_law
-    place = f"conditions {' '.join(words)}"
-    conditions = conditions_from_keys(keys, place=place)
-    if law is not None and FLOW_LAWS.get(law) != conditions.oil.name:
+    name = conditions_from_keys(keys, place=_place(words)).oil.name
+    if law is not None and FLOW_LAWS.get(law) != name:
         raise SurfaceError(
-            f"{place}: flow_law = '{law}', but the keys are those of a {conditions.oil.name} oil: "
+            f"{_place(words)}: flow_law = '{law}', but the keys are those of a {name} oil: "
             "give the stress of the law that is meant (eyring_stress_pa, or carreau_modulus_pa and "
             "carreau_exponent), or change flow_law"
         )
-    oil = replace(conditions.oil, other_laws=tuple(others), other_keys=tuple(parameters.items()))
-    return replace(conditions, oil=oil)
+    return GivenKeys(keys, others, parameters, law)
 
 
-class _FileKeys(NamedTuple):
-    """What a file says: known keys, laws of the oil without a place in them, their numbers."""
+def _place(words: Sequence[str]) -> str:
+    return f"conditions {' '.join(words)}"
+
+
+class GivenKeys(NamedTuple):
+    """What is said: known keys, laws of the oil without a place in them, their numbers."""
 
     keys: dict[str, Any]
     other_laws: list[str]
@@ -68,7 +82,7 @@ class _FileKeys(NamedTuple):
     flow_law: str | None
 
 
-def _from_file(path: Path) -> _FileKeys:
+def _from_file(path: Path) -> GivenKeys:
     if not path.is_file():
         raise SurfaceError(
             f"conditions {path}: no such file; give an input file of ehlwave-case or KEY=VALUE"
@@ -94,4 +108,4 @@ def _from_file(path: Path) -> _FileKeys:
     }
     known = {key: lubricant[key] for key in OIL_KEYS if key in lubricant}
     law = lubricant.get("flow_law")
-    return _FileKeys(keys | known, others, parameters, None if law is None else str(law).lower())
+    return GivenKeys(keys | known, others, parameters, None if law is None else str(law).lower())

@@ -12,6 +12,7 @@ from scipy import fft
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.line_contact import TRANSVERSE_ALONE
 from ehlwave.deform.prepare import Form, Window, extended, judged_part, remove_form
+from ehlwave.deform.rough_pressure import ripple_of
 from ehlwave.deform.roughness import gaussian_filtered, roughness_parameters
 from ehlwave.deform.spectrum import Coverage, Spectrum, Unjudged, empty_spectrum
 from ehlwave.deform.statistics import (
@@ -58,6 +59,8 @@ class Deformed:
     error_m : float or None
         Root mean square error of the deformed heights by the errors of the responses, m; None: the
         transfer has none.
+    transfer : Transfer or None
+        What it was predicted with.
     """
 
     surface: Surface
@@ -72,6 +75,20 @@ class Deformed:
     warnings: list[str] = field(default_factory=list)
     error_m: float | None = None
     cutoffs_m: Cutoffs = (None, None)
+    transfer: Transfer | None = field(default=None, repr=False, compare=False)
+
+    @cached_property
+    def pressure_pa(self) -> Heights:
+        """Pressure ripple, Pa: that of the contact centre as each point of the surface passes it.
+
+        Shape of the heights. It adds to the pressure of the smooth contact.
+
+        Raises
+        ------
+        StressError
+            If the contact was given without the lengths that pressures need.
+        """
+        return ripple_of(self, every_line=True).pressure()[: self.height.shape[0]]
 
     @property
     def doubts(self) -> list[str]:
@@ -168,6 +185,7 @@ def deform_surface(
         warnings=warnings_of(statistics, conditions, is_for_rolling),
         error_m=error_m,
         cutoffs_m=cutoffs_m,
+        transfer=chosen,
     )
 
 

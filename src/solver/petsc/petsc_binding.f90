@@ -1,4 +1,4 @@
-!> The Fortran side of petsc/petsc_snes.c: its types and its solver, and the callbacks that give it the equations.
+!> The Fortran side of petsc_snes.c: its types and its solver, and the callbacks that give it the equations.
 module ehlwave_petsc_binding
    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_f_procpointer, c_funloc, c_funptr, c_int, &
       c_loc, c_ptr

@@ -1,4 +1,4 @@
-!> The library of PETSc's solver (`src/petsc`), loaded when it is asked for.
+!> The library of PETSc's solver (`petsc_snes.c`), loaded when it is asked for.
 module ehlwave_petsc_library
    use, intrinsic :: iso_c_binding, only: c_associated, c_f_procpointer, c_funptr
    use ehlwave_errors, only: error_t, raise

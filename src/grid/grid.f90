@@ -1,6 +1,7 @@
 !> One uniform grid over the contact: the whole domain, its half Y >= 0 when the case is even in Y, or one line along X.
 module ehlwave_grid
    use ehlwave_kinds, only: dp
+   use ehlwave_lagrange, only: lagrange_weights
    implicit none (type, external)
    private
    public :: new_grid, new_line_grid
@@ -23,13 +24,14 @@ module ehlwave_grid
       procedure :: above
       procedure :: can_coarsen
       procedure :: coarser
-      procedure :: integral
+      generic :: integral => real_integral, complex_integral
+      procedure, private :: real_integral, complex_integral
       procedure :: value_at_centre
    end type grid_t
 
    !> Width of the strip that stands for a line contact: under the Hertz pressure of a line, (1 - X^2)^(1/2), it bears
    !> what an elliptical contact bears under its own, int P dX dY = 2 pi/3, so that one load balance serves both.
-   real(dp), parameter :: strip_width = 4/3.0_dp
+   real(dp), parameter, public :: strip_width = 4/3.0_dp
 
 contains
 
@@ -125,7 +127,7 @@ contains
    end function coarser
 
    !> Integral over the whole domain by the sum of nodal values times hX hY; of a line contact over its strip, 4/3 int dX.
-   pure real(dp) function integral(self, field)
+   pure real(dp) function real_integral(self, field) result(integral)
       class(grid_t), intent(in) :: self
       real(dp), intent(in) :: field(0:, 0:)   !! (0:nx, 0:ny)
       integer :: j
@@ -134,7 +136,19 @@ contains
          integral = integral + self%weight(j)*sum(field(:, j))
       end do
       integral = integral*self%hx*self%hy
-   end function integral
+   end function real_integral
+
+   !> The same of a complex field.
+   pure complex(dp) function complex_integral(self, field) result(integral)
+      class(grid_t), intent(in) :: self
+      complex(dp), intent(in), contiguous :: field(0:, 0:)
+      integer :: j
+      integral = 0
+      do j = 0, self%ny
+         integral = integral + self%weight(j)*sum(field(:, j))
+      end do
+      integral = integral*self%hx*self%hy
+   end function complex_integral
 
    !> Value at X = Y = 0: the node there, else cubic interpolation from the nodes around.
    pure real(dp) function value_at_centre(self, field)
@@ -174,10 +188,7 @@ contains
       base = min(max(base, first + 1), cells - 2)
       t = position - base
       if (abs(t - nint(t)) < 1e-9_dp) t = nint(t)
-      weight(-1) = -t*(t - 1)*(t - 2)/6
-      weight(0) = (t + 1)*(t - 1)*(t - 2)/2
-      weight(1) = -(t + 1)*t*(t - 2)/2
-      weight(2) = (t + 1)*t*(t - 1)/6
+      weight = lagrange_weights(size(weight), t + 1)
    end subroutine cubic_weights
 
 end module ehlwave_grid

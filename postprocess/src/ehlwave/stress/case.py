@@ -1,0 +1,243 @@
+"""Stresses below contacts that were solved: files of ``ehlwave-case --output``."""
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import xarray as xr
+from numpy.typing import ArrayLike, NDArray
+from scipy.interpolate import CubicSpline
+
+from ehlwave.case_file import read_contact, whole_domain
+from ehlwave.errors import StressError
+from ehlwave.stress.field import checked_depths, stress_below, stress_line
+from ehlwave.stress.loads import checked_load
+from ehlwave.stress.waves import COMPONENTS
+
+Floats = NDArray[np.float64]
+
+OVER_TIME = {"pressure": "pressure_over_time", "shear": "mean_shear_stress_over_time_pa"}
+
+
+@dataclass(frozen=True)
+class SolvedContact:
+    """A solved contact in the units of stresses.
+
+    Attributes
+    ----------
+    case : Dataset
+        As :func:`ehlwave.read_case` reads it.
+    steps_m : pair of float
+        Of the grid.
+    scales_m : pair of float
+        a and b; 1 and b/a where the case has no lengths: all lengths are in units of a then.
+    has_lengths : bool
+        Whether it has.
+    hertz_pa : float
+        Largest Hertz pressure.
+    slip : float
+        S of the first surface.
+    """
+
+    case: xr.Dataset
+    steps_m: tuple[float, float]
+    scales_m: tuple[float, float]
+    has_lengths: bool
+    hertz_pa: float
+    slip: float
+
+    def loads(self, body: int, sets: Mapping[str, xr.DataArray]) -> dict[str, xr.DataArray]:
+        """Return pressure and traction on a body, Pa, from fields of the file over x and y in m.
+
+        The oil drags the faster body back: the mean shear stress, above 0 where the first surface
+        is the faster one, acts on it with a minus.
+        """
+        if body not in (1, 2):
+            raise StressError(f"body = {body}: 1 (whose slip parameter is S) or 2")
+        a, b = self.scales_m
+        places = {"x": self.case["x"].values * a, "y": self.case["y"].values * b}
+        found = {"pressure_pa": sets["pressure"] * self.hertz_pa}
+        if "shear" in sets:
+            borne = xr.where(sets["pressure"] > 0, sets["shear"], 0.0)
+            found["traction_x_pa"] = borne * (-1 if body == 1 else 1)
+        return {kind: load.assign_coords(places) for kind, load in found.items()}
+
+    @property
+    def last(self) -> dict[str, xr.DataArray]:
+        """Fields of the last solution."""
+        fields = {"pressure": self.case["pressure"]}
+        if "mean_shear_stress_pa" in self.case:
+            fields["shear"] = self.case["mean_shear_stress_pa"]
+        return fields
+
+
+def solved_contact(case: xr.Dataset | str | Path) -> SolvedContact:
+    """Return a solved contact from its file.
+
+    Raises
+    ------
+    ResultsError
+        If the file cannot be read, or has no fields.
+    """
+    data = whole_domain(case) if isinstance(case, xr.Dataset) else read_contact(case)
+    has_lengths = "length_a_m" in data
+    a = float(data["length_a_m"]) if has_lengths else 1.0
+    b = float(data["length_b_m"]) if "length_b_m" in data else a * _width_over_length(data)
+    steps = [
+        float(data[letter][1] - data[letter][0]) * scale if data[letter].size > 1 else 1.0
+        for letter, scale in (("x", a), ("y", b))
+    ]
+    slip = _key(data, "slip_parameter")
+    return SolvedContact(
+        case=data,
+        steps_m=(steps[0], steps[1]),
+        scales_m=(a, b),
+        has_lengths=has_lengths,
+        hertz_pa=_hertz_pressure(data),
+        slip=1.0 if slip is None else slip,
+    )
+
+
+def _key(data: xr.Dataset, key: str) -> float | None:
+    """Return a number of the input that the case was computed from."""
+    text = str(data.attrs.get("effective_input", ""))
+    found = re.search(rf"\b{key} = ([-+.0-9eE]+)", text)
+    return None if found is None else float(found[1])
+
+
+def _hertz_pressure(data: xr.Dataset) -> float:
+    """Return ph, Pa; of a case without dimensions alphabar over alpha."""
+    if "hertz_pressure_pa" in data:
+        return float(data["hertz_pressure_pa"])
+    alpha = _key(data, "pressure_viscosity_per_pa")
+    if alpha is None or "alphabar" not in data or not float(data["alphabar"]) > 0:
+        raise StressError(
+            "the case has no pressure in Pa: give it dimensional conditions, or an oil with "
+            "pressure_viscosity_per_pa"
+        )
+    return float(data["alphabar"]) / alpha
+
+
+def _width_over_length(data: xr.Dataset) -> float:
+    """Return b/a of a case without lengths; 1 of a line contact, which has no width."""
+    return 1 / float(data["kappa"]) if "kappa" in data and float(data["kappa"]) > 0 else 1.0
+
+
+def stress_of_case(
+    case: xr.Dataset | str | Path,
+    depths_m: ArrayLike,
+    body: int = 1,
+    poisson_ratio: float = 0.3,
+    workers: int = 1,
+) -> xr.Dataset:
+    """Return the stresses below the last solution of a case, friction included.
+
+    Parameters
+    ----------
+    case : Dataset or path
+        A file of ``ehlwave-case --output``.
+    depths_m : array_like
+        Depths, m; in units of a where the case was given by M, L and D alone.
+    body : {1, 2}
+        The first surface, whose slip parameter is S, or the other one.
+    poisson_ratio, workers
+        As of :func:`ehlwave.stress.stress_below`.
+    """
+    contact = solved_contact(case)
+    loads = contact.loads(body, contact.last)
+    pressure = loads.pop("pressure_pa")
+    found = stress_below(
+        pressure,
+        contact.steps_m,
+        depths_m,
+        poisson_ratio=poisson_ratio,
+        workers=workers,
+        **loads,
+    )
+    return found.assign_attrs(body=body, length_unit="m" if contact.has_lengths else "a")
+
+
+def line_stress_over_time(
+    case: xr.Dataset | str | Path, depths_m: ArrayLike, body: int = 1, poisson_ratio: float = 0.3
+) -> xr.Dataset:
+    """Return the stresses in the plane y = 0 over time, of a march with ``fields_every``.
+
+    Returns
+    -------
+    xarray.Dataset
+        The components over (time, z, x), Pa and m, with ``time`` as the way of the mean speed, m.
+        ``smooth`` components, ``sxx_smooth`` and so on, are those of the first solution.
+
+    Raises
+    ------
+    StressError
+        If the file has no fields over time.
+    """
+    contact = solved_contact(case)
+    data = contact.case
+    if OVER_TIME["pressure"] not in data:
+        raise StressError(
+            "the file has no fields over time: run ehlwave-case with &output fields_every = N /"
+        )
+    depths = checked_depths(depths_m)
+    sets = {kind: data[name] for kind, name in OVER_TIME.items() if name in data}
+    loads = contact.loads(body, sets)
+    first = {kind: load.isel(field_time=0) for kind, load in loads.items()}
+    row = int(np.argmin(np.abs(data["y"].values)))
+    smooth = stress_below(
+        first.get("pressure_pa"),
+        contact.steps_m,
+        depths,
+        traction_x_pa=first.get("traction_x_pa"),
+        poisson_ratio=poisson_ratio,
+    ).isel(y=row)
+    count = data["field_time"].size
+    shape = (count, depths.size, data["x"].size)
+    values = {name: np.empty(shape) for name in COMPONENTS}
+    for index in range(count):
+        # What changes bears nothing as a whole: its images are too far to matter.
+        change = [
+            loads[kind].isel(field_time=index) - first[kind] if kind in loads else None
+            for kind in ("pressure_pa", "traction_x_pa")
+        ]
+        load = checked_load(*change, None, contact.steps_m, poisson_ratio)
+        for name, line in stress_line(load, depths, row).items():
+            values[name][index] = smooth[name].values + line
+    way = data["field_time"].values * contact.scales_m[0]
+    over = {name: (("time", "z", "x"), field, {"units": "Pa"}) for name, field in values.items()}
+    steady = {f"{name}_smooth": (("z", "x"), smooth[name].values) for name in COMPONENTS}
+    coordinates = {"time": way, "z": depths, "x": smooth["x"].values}
+    return xr.Dataset(over | steady, coords=coordinates, attrs={"slip_parameter": contact.slip})
+
+
+def point_histories(stress: xr.Dataset, slip: float, points_m: ArrayLike) -> xr.Dataset:
+    """Return the stresses of material points over time, from those in the plane of the contact.
+
+    Parameters
+    ----------
+    stress : Dataset
+        From :func:`line_stress_over_time`.
+    slip : float
+        S of the body whose points are followed: S of the first one, 2 - S of the other.
+    points_m : array_like
+        X of the points at time 0, m: at time t they are at X + S t, t as the way of the mean speed.
+
+    Returns
+    -------
+    xarray.Dataset
+        Components over (time, z, point). Beyond the computed domain the stress is that at its end.
+    """
+    points = np.atleast_1d(np.asarray(points_m, dtype=float))
+    x, ways = stress["x"].values, stress["time"].values
+    at = np.clip(points + slip * ways[:, None], x[0], x[-1])
+    found = {}
+    for name in COMPONENTS:
+        values = stress[name].transpose("time", "z", "x").values
+        lines = [
+            CubicSpline(x, line, axis=1)(place) for line, place in zip(values, at, strict=True)
+        ]
+        found[name] = (("time", "z", "point"), np.array(lines), {"units": "Pa"})
+    coordinates = {"time": ways, "z": stress["z"].values, "point": points}
+    return xr.Dataset(found, coords=coordinates)

@@ -1,0 +1,92 @@
+"""The one call: the stresses below a contact with measured surfaces."""
+
+from copy import copy
+from pathlib import Path
+from typing import Any, Protocol
+
+import xarray as xr
+from numpy.typing import ArrayLike
+
+from ehlwave.contact.conditions import Conditions
+from ehlwave.deform.predict import Deformed
+from ehlwave.deform.sliding import second_conditions
+from ehlwave.deform.surface import Surface
+from ehlwave.errors import RangeError
+from ehlwave.stress.rough import RoughStress, rough_stress
+
+UNKNOWN_FRICTION = (
+    "friction is not known for this oil and slip: stresses are without it; give friction=, the "
+    "traction over the pressure"
+)
+
+
+class SmoothFilm(Protocol):
+    """A film whose friction may be known; :class:`ehlwave.Film` is one."""
+
+    @property
+    def friction(self) -> float | None:
+        """Friction coefficient."""
+
+
+class OperatingPoint(Protocol):
+    """What stresses have to know of a contact; :class:`ehlwave.Contact` is one."""
+
+    conditions: Conditions
+
+    def deform(self, surface: Surface | str | Path, **options: Any) -> Deformed:  # noqa: ANN401
+        """Return a measured surface as it is inside the contact."""
+
+    def film(self) -> SmoothFilm:
+        """Return the film of the smooth contact."""
+
+
+def stress_of_contact(
+    contact: OperatingPoint,
+    surface: Surface | str | Path,
+    second: Surface | str | Path | None = None,
+    *,
+    friction: float | None = None,
+    cycles: float = 1e8,
+    poisson_ratio: float = 0.3,
+    depths_m: ArrayLike | None = None,
+    smooth: xr.Dataset | str | Path | None = None,
+    **deforming: Any,  # noqa: ANN401
+) -> RoughStress:
+    """Return the stresses below both bodies of a contact with one measured surface, or two.
+
+    Parameters
+    ----------
+    contact : Contact
+        Its slip parameter is that of the first surface.
+    surface, second : Surface or path
+        Rough surface of the first body, and of the other one, which is smooth without.
+    friction : float, optional
+        Traction over pressure; otherwise that of the atlas where it is known.
+    cycles, poisson_ratio, depths_m, smooth
+        As of :func:`ehlwave.stress.rough.rough_stress`.
+    **deforming
+        As of :meth:`ehlwave.Contact.deform`.
+    """
+    deformed = [contact.deform(surface, **deforming)]
+    if second is not None:
+        other = copy(contact)
+        other.conditions = second_conditions(contact.conditions)
+        deformed.append(other.deform(second, **deforming))
+    notes = []
+    if friction is None:
+        friction = _friction(contact)
+        if friction is None:
+            notes.append(UNKNOWN_FRICTION)
+    result = rough_stress(deformed, friction or 0.0, cycles, poisson_ratio, depths_m, smooth)
+    result.warnings.extend(notes)
+    return result
+
+
+def _friction(contact: OperatingPoint) -> float | None:
+    """Return the friction coefficient as far as it is known; 0 in pure rolling."""
+    if contact.conditions.slip_parameter == 1:
+        return 0.0
+    try:
+        return contact.film().friction
+    except RangeError:
+        return None

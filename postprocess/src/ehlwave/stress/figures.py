@@ -1,0 +1,175 @@
+"""Figures of stresses below rough contacts: section and map, stress over depth, Dang Van's path."""
+
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from matplotlib import rc_context
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from ehlwave.figures import COLOURS
+from ehlwave.stress.centre import contact_fields
+from ehlwave.stress.criteria import von_mises
+from ehlwave.stress.dang_van import PRESSURE_COEFFICIENT, Path, fatigue_shear
+from ehlwave.stress.field import stress_below
+from ehlwave.stress.rough import RoughStress
+
+Floats = NDArray[np.float64]
+
+UM, MPA = 1e6, 1e-6
+STYLE: dict[Any, Any] = {
+    "font.size": 8.5,
+    "axes.labelsize": 9,
+    "axes.titlesize": 9.5,
+    "legend.fontsize": 8,
+}
+SECTION_DEPTHS = 28
+GRID = (256, 64)
+"""Points of the contact that is drawn, along and across."""
+
+
+def section_figure(
+    stress: xr.Dataset, pressure_pa: xr.DataArray, unit: str = r"$\mu$m", scale: float = UM
+) -> Figure:
+    """Draw von Mises' stress in the plane y = 0, over a map at its depth, and the pressure.
+
+    Parameters
+    ----------
+    stress : Dataset
+        From :func:`ehlwave.stress.stress_below`.
+    pressure_pa : DataArray
+        On the surface, over x and y of the stress.
+    unit, scale : str, float
+        Of lengths, and what metres are multiplied by.
+    """
+    field = von_mises(stress) * MPA
+    row = int(np.argmin(np.abs(stress["y"].values)))
+    is_line = stress["y"].size == 1
+    line = field.isel(y=row)
+    deep = int(np.argmax(line.max("x").values))
+    with rc_context(STYLE):
+        figure = Figure(figsize=(5.2 if is_line else 8.6, 4.6), layout="constrained")
+        axes = figure.subplots(2, 1 if is_line else 2, squeeze=False, height_ratios=(1, 1.5))
+        x = stress["x"].values * scale
+        top = axes[0, 0]
+        top.plot(x, pressure_pa.transpose("x", "y").values[:, row] * 1e-9, color=COLOURS[0])
+        top.set(ylabel="pressure [GPa]", xlim=(x[0], x[-1]), ylim=(0, None))
+        top.tick_params(labelbottom=False)
+        _colours(axes[1, 0], x, stress["z"].values * scale, line.values, "von Mises [MPa], $y=0$")
+        axes[1, 0].invert_yaxis()
+        axes[1, 0].set(xlabel=f"$x$ [{unit}]", ylabel=f"depth $z$ [{unit}]")
+        if not is_line:
+            y = stress["y"].values * scale
+            _pressure_map(axes[0, 1], x, y, pressure_pa)
+            depth = float(stress["z"][deep]) * scale
+            name = f"von Mises [MPa], $z={depth:.3g}$ {unit}"
+            _colours(axes[1, 1], x, y, field.isel(z=deep).transpose("y", "x").values, name)
+            axes[1, 1].set(xlabel=f"$x$ [{unit}]", ylabel=f"$y$ [{unit}]")
+    return figure
+
+
+def predicted_section(result: RoughStress) -> Figure:
+    """Draw the section of the first body at an instant, the middle of the surface at the centre."""
+    surface = result.surfaces[0].surface
+    way = surface.height.shape[0] * surface.step_x_m / 2 / result.conditions.slip_parameter
+    # The first points are at the centre at 0; what follows comes from behind.
+    fields = contact_fields(result.surfaces, -way, GRID, reach=1.5)
+    x, y = fields["x"].values, fields["y"].values
+    steps = (x[1] - x[0], y[1] - y[0] if y.size > 1 else 1.0)
+    reach = min(result.conditions.semi_axis_a_m, result.conditions.semi_axis_b_m)
+    stress = stress_below(
+        fields["pressure_pa"],
+        steps,
+        np.linspace(0, 1.2 * reach, SECTION_DEPTHS),
+        traction_x_pa=_pull(result) * fields["pressure_pa"],
+        poisson_ratio=result.poisson_ratio,
+    )
+    return section_figure(stress, fields["pressure_pa"])
+
+
+def depth_figure(result: RoughStress) -> Figure:
+    """Draw Dang Van's factor over depth, rough beside smooth, and the paths of the worst points."""
+    with rc_context(STYLE):
+        figure = Figure(figsize=(8.6, 3.4), layout="constrained")
+        over_depth, plane = figure.subplots(1, 2)
+        for body, colour in zip(result.bodies, COLOURS, strict=False):
+            depth = body.risk["z"].values * UM
+            values = body.risk.values
+            over_depth.plot(values.max(axis=1), depth, color=colour, label=body.name)
+            over_depth.fill_betweenx(
+                depth, values.min(axis=1), values.max(axis=1), color=colour, alpha=0.15, lw=0
+            )
+            plane.plot(*_in_plane(body.path), color=colour, label=body.name)
+        smooth = np.asarray(result.bodies[0].smooth_over_depth)
+        over_depth.plot(smooth, depth, color="0.3", linestyle="--", label="smooth surfaces")
+        over_depth.axvline(1, color="0.6", linewidth=0.8)
+        over_depth.set(xlabel="Dang Van's factor", ylabel=r"depth $z$ [$\mu$m]", xlim=(0, None))
+        over_depth.invert_yaxis()
+        over_depth.legend(frameon=False, loc="lower left")
+        _limit_line(plane, float(fatigue_shear(result.cycles)))
+        plane.set(
+            xlabel=r"hydrostatic stress $\sigma_H$ [MPa]", ylabel=r"shear stress $\tau$ [MPa]"
+        )
+        plane.set_title(f"worst points, $N$ = {result.cycles:.3g}")
+    return figure
+
+
+def ripple_figure(result: RoughStress) -> Figure:
+    """Draw the largest shear of the ripple alone over depth, and the ripple of the pressure."""
+    with rc_context(STYLE):
+        figure = Figure(figsize=(8.6, 2.9), layout="constrained")
+        profile, over_depth = figure.subplots(1, 2, width_ratios=(1.7, 1))
+        for surface, ripple, colour in zip(result.surfaces, result.ripples, COLOURS, strict=False):
+            pressure = ripple.pressure()[: ripple.measured]
+            along = ripple.moves
+            step = surface.surface.step_x_m if along else surface.surface.step_y_m
+            values = pressure[:, pressure.shape[1] // 2] if along else pressure[0]
+            profile.plot(np.arange(values.size) * step * UM, values * MPA, color=colour, lw=0.9)
+        letter = "x" if result.ripples[0].moves else "y"
+        profile.set(xlabel=rf"${letter}$ on the surface [$\mu$m]", ylabel="pressure ripple [MPa]")
+        profile.margins(x=0)
+        for body, colour in zip(result.bodies, COLOURS, strict=False):
+            over_depth.plot(
+                body.ripple_over_depth_pa * MPA,
+                body.risk["z"].values * UM,
+                color=colour,
+                label=body.name,
+            )
+        over_depth.set(xlabel="largest shear of the ripple [MPa]", ylabel=r"depth $z$ [$\mu$m]")
+        over_depth.set_xlim(0, None)
+        over_depth.invert_yaxis()
+        over_depth.legend(frameon=False)
+    return figure
+
+
+def _pull(result: RoughStress) -> float:
+    return -result.friction * float(np.sign(result.bodies[0].slip - 1))
+
+
+def _in_plane(path: Path) -> tuple[Floats, Floats]:
+    return path.hydrostatic * MPA, path.shear * MPA
+
+
+def _limit_line(axes: Axes, fatigue_pa: float) -> None:
+    """Draw where the factor is 1."""
+    low = axes.get_xlim()[0]
+    pressure = np.array([low, 0.0])
+    limit = fatigue_pa * MPA - PRESSURE_COEFFICIENT * pressure
+    axes.plot(pressure, limit, color="0.4", linewidth=1, linestyle="--", label="factor 1")
+    axes.set(xlim=(low, 0), ylim=(0, None))
+    axes.legend(frameon=False, loc="lower left")
+
+
+def _pressure_map(axes: Axes, x: Floats, y: Floats, pressure_pa: xr.DataArray) -> None:
+    values = pressure_pa.transpose("y", "x").values * 1e-9
+    _colours(axes, x, y, values, "pressure [GPa]", "magma")
+    axes.tick_params(labelbottom=False)
+
+
+def _colours(
+    axes: Axes, x: Floats, y: Floats, values: Floats, name: str, colours: str = "viridis"
+) -> None:
+    mesh = axes.pcolormesh(x, y, values, cmap=colours, vmin=0, shading="gouraud", rasterized=True)
+    axes.figure.colorbar(mesh, ax=axes, label=name)

@@ -1,0 +1,127 @@
+"""Stresses below rough contacts as text, JSON and HDF5."""
+
+import json
+import math
+from dataclasses import asdict
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from ehlwave.stress.body import INNER, BodyStress, Peak
+from ehlwave.stress.dang_van import Path
+from ehlwave.stress.rough import RoughStress
+
+FORMAT_NAME = "ehlwave-stress"
+UM, MPA = 1e6, 1e-6
+NAMES = {
+    "von_mises": "von Mises",
+    "largest_shear": "largest shear",
+    "orthogonal_shear": "orthogonal shear",
+}
+
+
+def stress_text(result: RoughStress) -> str:
+    """Return what a user reads: a table a body, and where it is not to be trusted."""
+    c = result.conditions
+    lines = [
+        f"Conditions   M = {c.m:.6g}, L = {c.l:.6g}, D = {c.d:.6g}, S = {c.slip_parameter:g}; "
+        f"a = {c.semi_axis_a_m * UM:.4g} um, ph = {result.hertz_pa * 1e-9:.4g} GPa",
+        f"Surfaces     {', '.join(surface.surface.name for surface in result.surfaces)}; by "
+        f"{result.surfaces[0].transfer_name}",
+        f"Ripple       pressure {result.ripple_rq_pa * MPA:.4g} MPa rms at the centre, within "
+        f"{100 * result.ripple_error:.2g} %; friction coefficient {result.friction:.3g}",
+    ]
+    for body in result.bodies:
+        lines += ["", f"{body.name[0].upper()}{body.name[1:]}, S = {body.slip:g}", *_table(body)]
+        lines += [
+            f"  ripple, largest shear      {_megapascals(body.ripple_shear.value_pa)} "
+            f"{'':>9}{body.ripple_shear.depth_m * UM:11.3g}{body.ripple_shear.place_m * UM:11.3g}"
+            f"   within {body.ripple_shear_error_pa * MPA:.2g} MPa; |x| < {INNER:g} a",
+            f"  Dang Van's factor          {body.dang_van:9.3f} {body.dang_van_smooth:9.3f}"
+            f"{body.dang_van_depth_m * UM:11.3g}{'':11}   within {body.dang_van_error:.2g}; "
+            f"N = {result.cycles:.3g}",
+            f"  near the surface           {body.dang_van_near:9.3f} "
+            f"{body.dang_van_near_smooth:9.3f}   down to {body.near_m * UM:.3g} um",
+            f"  share of surface at risk   {100 * body.share_at_risk:9.3g} %; life over smooth "
+            f"{body.life_ratio:.3g}",
+        ]
+    lines += ["", *(f"Warning      {warning}" for warning in result.warnings)]
+    return "\n".join(lines).rstrip()
+
+
+def _table(body: BodyStress) -> list[str]:
+    lines = [f"  {'MPa':26}{'rough':>10}{'smooth':>10}{'depth um':>11}{'x um':>11}"]
+    lines += [
+        f"  {NAMES[key]:26}{_megapascals(peak.value_pa)} {_megapascals(peak.smooth_pa)}"
+        f"{peak.depth_m * UM:11.3g}{peak.place_m * UM:11.3g}"
+        for key, peak in body.peaks.items()
+    ]
+    return lines
+
+
+def _megapascals(value_pa: float) -> str:
+    return f"{value_pa * MPA:9.4g}"
+
+
+def stress_summary(result: RoughStress) -> dict[str, Any]:
+    """Return the same as numbers; unknown and infinite ones are None."""
+    bodies = []
+    for body in result.bodies:
+        entry = {
+            key: value
+            for key, value in vars(body).items()
+            if not isinstance(value, xr.DataArray | np.ndarray | Path | dict | Peak)
+        }
+        entry["peaks"] = {key: asdict(peak) for key, peak in body.peaks.items()}
+        entry["ripple_shear"] = asdict(body.ripple_shear)
+        bodies.append(entry)
+    document = {
+        "format": FORMAT_NAME,
+        "surfaces": [surface.surface.name for surface in result.surfaces],
+        "transfer": result.surfaces[0].transfer_name,
+        "conditions": asdict(result.conditions),
+        "hertz_pa": result.hertz_pa,
+        "ripple_rq_pa": result.ripple_rq_pa,
+        "ripple_error": result.ripple_error,
+        "friction": result.friction,
+        "cycles": result.cycles,
+        "poisson_ratio": result.poisson_ratio,
+        "bodies": bodies,
+        "warnings": result.warnings,
+    }
+    return plain(document)
+
+
+def stress_json(result: RoughStress) -> str:
+    """Return the summary as a JSON document."""
+    return json.dumps(stress_summary(result), indent=2, allow_nan=False)
+
+
+def stress_dataset(result: RoughStress) -> xr.Dataset:
+    """Return maps of Dang Van's factor and the paths of the worst points, for a file."""
+    variables: dict[str, Any] = {}
+    for number, body in enumerate(result.bodies, 1):
+        risk = body.risk.rename(point=f"point_{number}")
+        variables[f"dang_van_{number}"] = risk.assign_attrs(long_name=f"factor, {body.name}")
+        for name, values in zip(("shear", "hydrostatic"), body.path, strict=True):
+            variables[f"path_{name}_{number}_pa"] = (
+                "time",
+                np.asarray(values),
+                {"units": "Pa", "long_name": f"{name} stress of the worst point, {body.name}"},
+            )
+    data = xr.Dataset(variables)
+    return data.assign_attrs(format=FORMAT_NAME, report=stress_json(result))
+
+
+def plain(value: Any) -> Any:  # noqa: ANN401
+    """Return a value of which JSON can be made."""
+    if isinstance(value, dict):
+        return {key: plain(one) for key, one in value.items()}
+    if isinstance(value, list | tuple):
+        return [plain(one) for one in value]
+    if isinstance(value, np.generic):
+        value = value.item()
+    if isinstance(value, float) and not math.isfinite(value):
+        return None
+    return value

@@ -1,0 +1,54 @@
+"""Where stresses of predicted contacts are not to be trusted."""
+
+import math
+from collections.abc import Sequence
+
+from ehlwave.deform.predict import Deformed
+from ehlwave.deform.ripple import hertz_pressure_of
+from ehlwave.deform.rough_pressure import Ripple
+
+MODEL_ERROR = 0.05
+"""Relative: waves of the centre stand for those of the whole contact, and Hertz for its pressure;
+against linear responses and marches of whole contacts."""
+
+LINEAR_LIMIT = 0.3
+"""Amplitude over film up to which the prediction is held to marches."""
+
+LEAST_LAMBDA_RATIO = 3.0
+"""Film over the deformed roughness of both surfaces, below which asperities may touch."""
+
+
+def doubts(
+    surfaces: Sequence[Deformed], ripples: Sequence[Ripple], amplitude: float, bar: float
+) -> list[str]:
+    """Return where the prediction is not to be trusted."""
+    conditions = surfaces[0].conditions
+    found = [text for surface in surfaces for text in surface.warnings if "slip is" not in text]
+    if amplitude > LINEAR_LIMIT:
+        found.append(
+            f"the amplitude is {amplitude:.2g} of the film, above {LINEAR_LIMIT}: pressures are "
+            "linear in it and only a first estimate"
+        )
+    ratios = [surface.statistics.lambda_ratio_after for surface in surfaces]
+    squares = sum(ratio**-2 for ratio in ratios if ratio is not None and ratio > 0)
+    if squares * LEAST_LAMBDA_RATIO**2 > 1:
+        found.append(
+            "the film is less than three times the deformed roughness: asperities may touch, where "
+            "the pressure is that of dry contacts"
+        )
+    lowest = min(float(ripple.pressure().min()) for ripple in ripples)
+    hertz = hertz_pressure_of(conditions)
+    if -lowest > hertz:
+        found.append(
+            f"the ripple falls to {lowest * 1e-9:.3g} GPa, below -ph: the oil cannot bear tension, "
+            "and what is left does not follow from small waves"
+        )
+    elif -lowest > 0:
+        reach = math.sqrt(max(0.0, 1 - (lowest / hertz) ** 2))
+        found.append(
+            f"the pressure is above 0 everywhere within {reach:.2f} semi-axes of the centre; the "
+            "edge of the contact, with the pressure spike, is not predicted"
+        )
+    if bar > MODEL_ERROR:
+        found.append(f"the error bars of the responses are {100 * bar:.2g} % of the ripple")
+    return found

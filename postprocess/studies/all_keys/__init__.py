@@ -1,0 +1,1 @@
+"""Whether numbers are what they say they are: random inputs, again on twice the cells."""

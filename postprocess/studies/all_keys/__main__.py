@@ -1,0 +1,54 @@
+"""Whether numbers are what they say they are: random inputs over every key."""
+
+import argparse
+import json
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+from studies.all_keys.check import draw_planned, offenders, run_both
+from studies.all_keys.draw import Row
+from studies.all_keys.table import key_groups
+from studies.sweeps import write_rows
+
+
+def report(cases: list[Row], folder: Path) -> int:
+    """Print and write what is off; return 1 if anything is."""
+    rows, summary = offenders(cases)
+    write_rows(folder / "offenders.csv", rows)
+    print(summary)
+    for row in rows:
+        print("  " + ", ".join(f"{key} {_short(value)}" for key, value in row.items()))
+    return int(bool(rows))
+
+
+def _short(value: object) -> str:
+    return f"{value:.4g}" if isinstance(value, float) else str(value)
+
+
+def main() -> int:
+    """Draw, run, compare."""
+    parser = argparse.ArgumentParser(prog="python -m studies.all_keys", description=__doc__)
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("--count", type=int, default=300, help="inputs")
+    parser.add_argument("--seed", type=int, default=33, help="of the random numbers")
+    parser.add_argument("--ranks", type=int, default=1, help="cases at once")
+    parser.add_argument("--report", action="store_true", help="of what is there, run nothing")
+    options = parser.parse_args()
+    options.folder.mkdir(parents=True, exist_ok=True)
+    if options.report:
+        files = sorted(options.folder.glob("[0-9][0-9][0-9][0-9].json"))
+        return report([json.loads(file.read_text()) for file in files], options.folder)
+    known = key_groups()
+    drawn = draw_planned(options.count, options.seed, options.folder, known)
+
+    def run(number: int) -> Row:
+        return run_both(number, *drawn[number], options.folder, known)
+
+    with ThreadPoolExecutor(options.ranks) as pool:
+        cases = list(pool.map(run, range(len(drawn))))
+    return report(cases, options.folder)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

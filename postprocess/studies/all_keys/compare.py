@@ -1,0 +1,96 @@
+"""Numbers of a case against those of the same case on twice the cells.
+
+The distance of a number v(h) from its limit is taken as 4/3 of its distance from v(h/2): that is
+the distance from the value extrapolated with second order, and more where tolerances make it.
+"""
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+Row = dict[str, Any]
+
+FACTOR, SLACK = 1.5, 0.002
+"""What a number may be off by: so many times its declared error, and so much of it besides."""
+LIMIT = 4 / 3
+NOTHING = 1e-12
+"""Numbers that are zero but for rounding, such as friction in pure rolling."""
+MOST_WORK = 10
+"""Largest work over that of the plan."""
+
+# What both runs share is no part of their difference: the domain, and the size of the waves.
+FILM_PARTS = ("film_error_mesh", "film_error_algebraic")
+RATIO_PARTS = tuple(f"ratio_error_{part}" for part in ("mesh", "time", "settling", "algebraic"))
+NUMBERS = {
+    "H(0,0)": (("central_film",), FILM_PARTS),
+    "smallest H": (("minimum_film",), ("minimum_film_error", "film_error_algebraic")),
+    "Ad/Ai": (("amplitude_ratio_fit",), RATIO_PARTS),
+    "response": (
+        ("harmonic_real", "harmonic_imaginary"),
+        ("harmonic_error", "response_tolerance"),
+    ),
+    "friction": (("friction_coefficient",), ("friction_error", "film_error_algebraic")),
+}
+"""Each number: its quantities, and the relative errors that are declared of it."""
+FILMS = ("central_film", "minimum_film", "smallest_film", "mean_film")
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One number of one case."""
+
+    number: str
+    value: float
+    finer: float
+    off: float
+    """Relative distance from the limit."""
+    declared: float
+
+    @property
+    def is_offender(self) -> bool:
+        """Whether it is further off than it says; one without an error says 0."""
+        declared = self.declared if math.isfinite(self.declared) else 0.0
+        return not self.off <= FACTOR * declared + SLACK
+
+
+def findings(found: Row, finer: Row) -> list[Finding]:
+    """Return what a converged case and the same on twice the cells have to say on its numbers."""
+    result = []
+    for number, (parts, errors) in NUMBERS.items():
+        value = _complex(found, parts)
+        other = _complex(finer, parts)
+        if not (math.isfinite(abs(value)) and math.isfinite(abs(other))):
+            continue
+        if max(abs(value), abs(other)) < NOTHING:
+            continue
+        off = LIMIT * abs(value - other) / max(abs(value), 1e-300)
+        declared = sum(_number(found.get(name)) for name in errors)
+        result.append(Finding(number, abs(value), abs(other), off, declared))
+    return result
+
+
+def negative_films(found: Row) -> list[str]:
+    """Return the films of a result that are none."""
+    return [name for name in FILMS if _number(found.get(name)) <= 0]
+
+
+def work_over_plan(found: Row, plan: Row) -> float:
+    """Return all the work of a case over that of its plan, in operations."""
+    done = _number(found["total_work_units"])
+    expected = _number(plan["expected_total_work_units"])
+    return done * _unit(found) / (expected * _unit(plan))
+
+
+def _unit(row: Row) -> float:
+    """Return the operations of a work unit, but for a factor: two padded transforms of the grid."""
+    points = 4.0 * row["cells_x"] * row["cells_y"]
+    return points * math.log2(points)
+
+
+def _number(value: Any) -> float:  # noqa: ANN401 - of JSON
+    return math.nan if value is None else float(value)
+
+
+def _complex(row: Row, parts: tuple[str, ...]) -> complex:
+    values = [_number(row.get(part)) for part in parts]
+    return complex(*values) if all(map(math.isfinite, values)) else complex(math.nan)

@@ -1,0 +1,295 @@
+"""Random legal inputs over every key.
+
+``DRAWS`` has one entry for each key of the program, and `draw` refuses to work with another table.
+An entry returns the value of its key, or None for a key that is not given.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import h5py
+import numpy as np
+
+MODULUS_PA = 2.26e11
+CELLS = (24, 32, 48, 50, 64, 64, 72, 80, 96, 96, 96, 112)
+LARGEST_CELLS = (64, 96, 128)
+ONE_LENGTH = ("transverse", "isotropic", "longitudinal")
+SPECIAL_LAWS = ("mcewen", "yasutomi", "doolittle")
+
+Value = float | int | bool | str | None
+Row = dict[str, Any]
+
+
+@dataclass
+class Contact:
+    """What is drawn before the keys, since several of them follow from it."""
+
+    rng: np.random.Generator
+    folder: Path
+    """Where measured surfaces are put."""
+
+    def __post_init__(self) -> None:
+        """Draw the contact."""
+        self.m = self.power(6, 300)
+        self.l = 0.0 if self.chance(0.03) else self.between(1, 18)
+        self.is_line = self.chance(0.12)
+        self.d = 0.0 if self.is_line else self.power(0.01 if self.chance(0.1) else 0.05, 1)
+        self.has_surface = self.chance(0.04) and not self.is_line
+        self.is_dimensional = self.has_surface or (self.l > 0 and self.chance(0.25))
+        self.alpha = self.power(5e-9, 4e-8) if self.chance(0.4) else 2.2e-8
+        if self.is_dimensional:
+            self.m, self.l = self.power(20, 300), self.between(3, 15)
+        self.accuracy = self.power(0.01, 0.2) if self.chance(0.35) else None
+
+    def chance(self, share: float) -> bool:
+        """Return True in that share of the calls."""
+        return bool(self.rng.random() < share)
+
+    def between(self, low: float, high: float) -> float:
+        """Return a number of four digits."""
+        return float(f"{low + (high - low) * self.rng.random():.4g}")
+
+    def power(self, low: float, high: float) -> float:
+        """Return a number whose logarithm is uniform."""
+        return float(f"{low * (high / low) ** self.rng.random():.4g}")
+
+    def one_of(self, *choices: Any) -> Any:  # noqa: ANN401 - one of them
+        """Return one of some choices."""
+        return choices[int(self.rng.integers(len(choices)))]
+
+    def data(self) -> dict[str, float]:
+        """Return dimensional data of the contact: Rx = 10 mm, eta0 = 0.04 Pa s."""
+        radius, viscosity = 0.01, 0.04
+        speed = 0.5 * (self.l / (self.alpha * MODULUS_PA)) ** 4
+        u2 = 2 * speed
+        data = {"radius_x_m": radius, "viscosity_pa_s": viscosity}
+        data["mean_speed_m_per_s"] = speed * MODULUS_PA * radius / viscosity
+        if self.is_line:
+            data["load_n_per_m"] = self.m * MODULUS_PA * radius * u2**0.5
+        else:
+            data["radius_y_m"] = radius / self.d
+            data["load_n"] = self.m * MODULUS_PA * radius**2 * u2**0.75
+        return {name: float(f"{value:.6g}") for name, value in data.items()}
+
+    def surface(self) -> str:
+        """Write a measured surface about 1.5 a long and return its path."""
+        self.folder.mkdir(parents=True, exist_ok=True)
+        path = self.folder / f"surface-{self.rng.integers(1 << 31)}.h5"
+        data = self.data()
+        half_width = (1.5 * data["load_n"] * 0.01 / MODULUS_PA) ** (1 / 3)
+        points = 24
+        step = 1.5 * half_width / points
+        phase = 2 * np.pi * np.arange(points) / points
+        height = sum(np.cos(n * phase + 6 * self.rng.random()) / n for n in (1, 2, 3))
+        with h5py.File(path, "w") as file:
+            file["height"] = [1e-9 * self.power(1, 20) * height]
+            file["x"] = step * np.arange(points)
+            file["y"] = [0.0]
+        return str(path)
+
+
+Draw = Callable[[Contact, Row], Value]
+
+
+def _dimension(name: str) -> Draw:
+    return lambda c, row: c.data().get(name) if c.is_dimensional else None
+
+
+def _moes(name: str) -> Draw:
+    return lambda c, row: None if c.is_dimensional else getattr(c, name)
+
+
+def _where(key: str, *values: str) -> Callable[[Draw], Draw]:
+    """Return what makes a draw one of cases whose `key` has one of the values."""
+    return lambda inner: lambda c, row: inner(c, row) if row.get(key) in values else None
+
+
+def _share(share: float, inner: Draw) -> Draw:
+    """Return a draw of a key that is given in a share of the cases."""
+    return lambda c, row: inner(c, row) if c.chance(share) else None
+
+
+def _slip(c: Contact, row: Row) -> Value:
+    if c.chance(0.4):
+        return None
+    return c.one_of(0.0, 2.0) if c.chance(0.05) else round(c.between(0.25, 1.75), 2)
+
+
+def _modulus(c: Contact, row: Row) -> Value:
+    return MODULUS_PA if c.is_dimensional else c.power(5e10, 3e11)
+
+
+def _law(c: Contact, row: Row) -> Value:
+    if c.is_dimensional or c.chance(0.55):
+        return c.one_of("roelands", "roelands", "barus") if c.chance(0.5) else None
+    return c.one_of("barus", "isoviscous", *SPECIAL_LAWS)
+
+
+def _orientation(c: Contact, row: Row) -> Value:
+    if c.has_surface or c.chance(0.3):
+        return None
+    return "transverse" if c.is_line else c.one_of(*ONE_LENGTH, "transverse", "custom")
+
+
+def _wave_y(c: Contact, row: Row) -> Value:
+    if row.get("orientation") != "custom":
+        return None
+    if row["wavelength_x_over_a"] == 0:
+        return c.power(0.5, 2.5)
+    return 0.0 if c.chance(0.3) else c.power(0.5, 2.5)
+
+
+def _response(c: Contact, row: Row) -> Value:
+    if "orientation" not in row:
+        return None
+    return c.one_of("harmonic", "harmonic", "harmonic", "transient", "periodic", "both")
+
+
+def _cells(c: Contact, row: Row) -> Value:
+    if c.accuracy:
+        return None if c.chance(0.9) else 96
+    return 0 if c.chance(0.25) else c.one_of(*CELLS) * (3 if c.is_line else 1)
+
+
+def _step(c: Contact, row: Row) -> Value:
+    if row.get("orientation") is None or row.get("response") in ("harmonic", "both", "periodic"):
+        return 0.5 if c.chance(0.1) else None
+    return c.one_of(0.5, 2, 1) if c.chance(0.3) else None
+
+
+def _tolerance(usual: float) -> Draw:
+    return lambda c, row: c.power(0.01 * usual, 100 * usual) if c.chance(0.25) else None
+
+
+def _method(c: Contact, row: Row) -> Value:
+    if c.is_line or c.chance(0.6):
+        return None
+    return c.one_of("fas", "fas", "newton", "petsc")
+
+
+def _end(c: Contact, row: Row) -> Value:
+    if row.get("response") in ("harmonic", "periodic") or not c.chance(0.08):
+        return None
+    return c.between(1, 6)
+
+
+_custom = _where("orientation", "custom")
+_yasutomi = _where("viscosity_law", "yasutomi")
+_doolittle = _where("viscosity_law", "doolittle")
+_has_alpha = _where("viscosity_law", "roelands", "barus", "isoviscous", None)  # type: ignore[arg-type]
+_wavy = _where("orientation", *ONE_LENGTH, "custom")
+
+
+def _tait(inner: Draw) -> Draw:
+    def value(c: Contact, row: Row) -> Value:
+        needs = row.get("density_law") == "tait" or row.get("viscosity_law") == "doolittle"
+        return inner(c, row) if needs else None
+
+    return value
+
+
+DRAWS: dict[str, Draw] = {
+    "radius_x_m": _dimension("radius_x_m"),
+    "radius_y_m": _dimension("radius_y_m"),
+    "reduced_modulus_pa": _modulus,
+    "load_n": _dimension("load_n"),
+    "load_n_per_m": _dimension("load_n_per_m"),
+    "mean_speed_m_per_s": _dimension("mean_speed_m_per_s"),
+    "viscosity_pa_s": _dimension("viscosity_pa_s"),
+    "load_parameter_m": _moes("m"),
+    "lubricant_parameter_l": _moes("l"),
+    "radius_ratio_d": _moes("d"),
+    "slip_parameter": _slip,
+    "pressure_viscosity_per_pa": _has_alpha(lambda c, row: c.alpha),
+    "roelands_index": _has_alpha(_share(0.4, lambda c, row: c.between(0.4, 0.9))),
+    "viscosity_law": _law,
+    "density_law": _share(
+        0.4, lambda c, row: c.one_of("incompressible", "tait", "dowson_higginson")
+    ),
+    "flow_law": _share(0.5, lambda c, row: c.one_of("eyring", "eyring", "carreau", "newtonian")),
+    "eyring_stress_pa": _where("flow_law", "eyring")(lambda c, row: c.power(1e5, 2e7)),
+    "carreau_modulus_pa": _where("flow_law", "carreau")(lambda c, row: c.power(1e5, 1e7)),
+    "carreau_exponent": _where("flow_law", "carreau")(lambda c, row: c.between(0.35, 1)),
+    "limiting_stress_over_pressure": _share(0.2, lambda c, row: c.between(0.03, 0.15)),
+    "mcewen_coefficient_per_pa": _where("viscosity_law", "mcewen")(
+        lambda c, row: c.power(8e-9, 3e-8)
+    ),
+    "mcewen_exponent": _where("viscosity_law", "mcewen")(lambda c, row: c.between(4, 16)),
+    "yasutomi_c1": _yasutomi(lambda c, row: c.between(15.5, 16.5)),
+    "yasutomi_c2_k": _yasutomi(lambda c, row: c.between(15, 27)),
+    "yasutomi_above_glass_k": _yasutomi(lambda c, row: c.between(90, 130)),
+    "yasutomi_a1_k": _yasutomi(lambda c, row: c.between(40, 290)),
+    "yasutomi_a2_per_pa": _yasutomi(lambda c, row: c.power(6e-10, 4e-9)),
+    "yasutomi_b1_per_pa": _yasutomi(lambda c, row: c.power(5e-9, 1e-8)),
+    "yasutomi_b2": _yasutomi(lambda c, row: c.between(-0.6, -0.3)),
+    "doolittle_factor": _doolittle(lambda c, row: c.between(3, 5)),
+    "doolittle_occupied_fraction": _doolittle(lambda c, row: c.between(0.6, 0.72)),
+    "tait_modulus_pa": _tait(lambda c, row: c.power(8e8, 2e9)),
+    "tait_modulus_rate": _tait(lambda c, row: c.between(9, 12)),
+    "orientation": _orientation,
+    "wavelength_over_a": _where("orientation", *ONE_LENGTH)(lambda c, row: c.power(0.5, 3)),
+    "wavelength_x_over_a": _custom(lambda c, row: 0.0 if c.chance(0.15) else c.power(0.4, 3)),
+    "wavelength_y_over_a": _wave_y,
+    "oblique": _custom(
+        lambda c, row: c.chance(0.5) and row["wavelength_x_over_a"] * row["wavelength_y_over_a"] > 0
+    ),
+    "amplitude_over_film": _wavy(_share(0.7, lambda c, row: c.power(0.01, 1))),
+    "response": _response,
+    "file": lambda c, row: c.surface() if c.has_surface else None,
+    "x_min": _share(0.15, lambda c, row: c.between(-5, -2)),
+    "x_max": _share(0.15, lambda c, row: c.between(1.3, 2.5)),
+    "y_max": _share(0.15, lambda c, row: None if c.is_line else c.between(1.5, 3)),
+    "cells_x": _cells,
+    "cells_y": lambda c, row: None if c.is_line else _cells(c, row),
+    "largest_cells": lambda c, row: c.one_of(*LARGEST_CELLS) * (4 if c.is_line else 1),
+    "domain": _share(0.08, lambda c, row: None if c.is_line else c.one_of("auto", "whole")),
+    "edges": _share(0.4, lambda c, row: c.one_of("truncated", "flooded")),
+    "tolerance": _tolerance(1e-6),
+    "step_tolerance": _tolerance(1e-4),
+    "response_tolerance": _tolerance(1e-5),
+    "time_step_over_cell": _step,
+    "largest_steps": _share(0.1, lambda c, row: int(c.power(20, 100))),
+    "settling_periods": _share(0.15, lambda c, row: c.one_of(0, 1, 2, 3)),
+    "largest_total_steps": _share(0.05, lambda c, row: int(c.power(200, 5000))),
+    "method": _method,
+    "cycle": _where("method", "fas")(_share(0.6, lambda c, row: c.one_of("v", "f", "w"))),
+    "deformation": _share(
+        0.2, lambda c, row: "fft" if c.is_line else c.one_of("auto", "mlmi", "fft")
+    ),
+    "error_estimate": _share(0.1, lambda c, row: c.one_of("model", "coarse_grid")),
+    "accuracy": lambda c, row: c.accuracy,
+    "load_balance": _share(
+        0.08, lambda c, row: "force_balance" if c.is_line else "equation_of_motion"
+    ),
+    "natural_frequency": _where("load_balance", "equation_of_motion")(
+        lambda c, row: c.power(1, 30)
+    ),
+    "load_factor": _share(0.03, lambda c, row: c.between(0.8, 1.2)),
+    "end_time": _end,
+    "fields": _share(0.1, lambda c, row: True),
+    "sensitivities": _share(0.1, lambda c, row: True),
+}
+
+
+def check_keys(known: Mapping[str, str]) -> None:
+    """Raise ValueError unless every key of the program is drawn, and no other."""
+    missing, unknown = set(known) - set(DRAWS), set(DRAWS) - set(known)
+    if missing or unknown:
+        raise ValueError(
+            f"studies/all_keys/draw.py: keys that are not drawn: {sorted(missing)}; "
+            f"drawn, but no keys of the program: {sorted(unknown)}"
+        )
+
+
+def draw(rng: np.random.Generator, known: Mapping[str, str], folder: Path) -> Row:
+    """Return the keys of a random input; whether it is legal is for the program to say."""
+    check_keys(known)
+    contact = Contact(rng, folder)
+    row: Row = {}
+    for key, value_of in DRAWS.items():
+        value = value_of(contact, row)
+        if value is not None:
+            row[key] = value
+    return row

@@ -1,0 +1,129 @@
+"""Studies of the program itself: errors, costs, where it works, where linear ends."""
+
+import argparse
+import os
+
+from studies.command import steps
+from studies.command.options import COUNT, Option, at_once, flag, option, output, study
+
+
+@study(
+    "error-vs-time",
+    flag("--quick", "grids up to 96 x 96 cells with waves: minutes; otherwise up to 512 x 512"),
+    output("error-vs-time"),
+    option("--minutes", "MINUTES", "stop after so many minutes (default 45)", 45),
+    option("--program", "FILE", "an ehlwave-sweep to use, ehlwave-case beside it; default: built"),
+)
+def error_vs_time(options: argparse.Namespace) -> int:
+    """Draw errors against run times of methods, grids, time steps and tolerances.
+
+    Runs a table of contacts with them as a sweep on one core, and compares each with a finer
+    solution. Writes cases.h5, runs.csv, errors.csv, orders.csv, estimates.csv, models.csv and
+    figures. The coefficients in models.csv are those of src/case/accuracy_model.f90.
+
+    Exit status: 0 done, 1 failed, 2 bad usage.
+    """
+    quick = ("--quick",) if options.quick else ()
+    steps.prepare(options.program)
+    steps.python("error_time", "cases", options.output, *quick)
+    words = ("--time-limit", int(60 * options.minutes))
+    status = steps.sweep("--ranks=1", options.output / "cases.nml", *words, accepted=steps.ANY)
+    if status not in (*steps.CONVERGED_OR_NOT, steps.TO_BE_CONTINUED):
+        return 1
+    return steps.report("error_time", "report", options.output, *quick)
+
+
+def _only(name: str, about: str) -> Option:
+    return flag(f"--{name}", about, dest="cases", const=name)
+
+
+@study(
+    "stability",
+    _only("quick", "fewer cases on coarser grids: minutes"),
+    _only("steady", "only the smooth steady states"),
+    _only("wavy", "all but the smooth steady states"),
+    _only("corner", "only the stiff corner of the paper, M = 2000, on 512 x 512 cells"),
+    _only("sliding", "only a Ree-Eyring oil, S 0 to 2, tau0 0.5 to 50 MPa, and its responses"),
+    output("stability"),
+    at_once("--at-once", "cases that run at the same time; default: the cores you may use"),
+    option("--limit", "SECONDS", "a case that takes longer counts as failed; default 900", 900),
+)
+def stability(options: argparse.Namespace) -> int:
+    """Map where the solver works.
+
+    Builds, runs steady and short wavy cases from mild to extreme as a sweep, and writes a table and
+    two maps of what became of them: converged, converged but unresolved, refused, failed.
+
+    Exit status: 0 all resolved cases converged and no result claims what it should not; 85 stopped,
+    to be continued; 1 otherwise.
+    """
+    folder, cases = options.output, ("--cases", options.cases or "full")
+    steps.call(steps.SCRIPTS / "install-requirements")
+    steps.prepare()
+    steps.python("stability", "cases", folder, *cases, "--limit", options.limit)
+    steps.sweep(folder / "cases.nml")
+    status = steps.report("stability", "report", folder, *cases)
+    if status == 0:
+        print(f"In {folder}: table stability.csv, summary.txt, maps steady.png and parameters.png")
+    return status
+
+
+@study(
+    "linearity",
+    flag("--slip", "surfaces that slide, both oils, for pure rolling: src/case/linear_range"),
+    output("linearity", "results that are there are replaced"),
+    at_once(),
+)
+def linearity(options: argparse.Namespace) -> int:
+    """Find where linear ends: marches against linear responses, Ai 1 to 90 % of Hc.
+
+    Writes linearity.h5, linearity.csv, linearity.png and .pdf, and linearity.txt with the largest
+    deviations.
+    """
+    name = "linearity_slip" if options.slip else "linearity"
+    results = options.output / f"{name}.h5"
+    status = steps.sweep_anew(f"inputs/{name}.nml", results)
+    words = (results, "--output", options.output)
+    return max(status, steps.report("linearity", *words, kept=results.with_suffix(".txt")))
+
+
+@study(
+    "speed",
+    output("speed-table"),
+    option("--repeats", "N", "runs of each, of which the fastest counts (default 3)", 3),
+    option("--program", "FILE", "an ehlwave-case to use; otherwise it is built"),
+)
+def speed(options: argparse.Namespace) -> int:
+    """Measure what a steady state, a time step and a fine grid cost.
+
+    Runs M = 100, L = 12.05, D = 1 on one core with the methods newton and fas, one run after
+    another: the smooth steady state on 257 x 257 and 1025 x 1025 nodes and transverse waviness of
+    lambda = 0.5 a on 257 x 257, marched, small and periodic, with what is left of algebraic error.
+    Writes speed.csv.
+
+    Exit status: 0 done, 1 failed, 2 bad usage.
+    """
+    steps.prepare(options.program)
+    return steps.report("speed", "--output", options.output, "--repeats", options.repeats)
+
+
+@study("stress", output("stress"))
+def stress(options: argparse.Namespace) -> int:
+    """Compare stresses below rough surfaces: dry, lubricated and smooth.
+
+    Writes waves.csv, roughness.csv and their figures; nothing is simulated: a minute on one core.
+    """
+    steps.find_python()
+    return steps.report("stress", "--output", options.output)
+
+
+@study("stress-speed", ("points", {"nargs": "?", "type": COUNT, "default": 1024}))
+def stress_speed(options: argparse.Namespace) -> int:
+    """Measure how long stresses below a surface take, on one core.
+
+    A map of POINTS x POINTS (default 1024) at 8 and at 32 depths, with friction, and a measured
+    trace; wall and processor time, and the largest memory of the process.
+    """
+    steps.find_python()
+    os.environ |= {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
+    return steps.report("stress_speed", options.points)

@@ -1,0 +1,56 @@
+!> The files that a case reads besides its input.
+module ehlwave_case_files
+   use ehlwave_case_definition, only: case_t
+   use ehlwave_case_key, only: key_length, key_long_name
+   use ehlwave_case_keys, only: case_key_list
+   use ehlwave_identity_index, only: identity_length
+   use ehlwave_key_list, only: key_list_t
+   implicit none (type, external)
+   private
+   public :: case_files, note_digest
+
+   type, public :: case_file_t
+      character(len=key_length) :: name = ''                !! in results: NAME_file, NAME_digest
+      character(len=:), allocatable :: key                  !! '&group key'
+      character(len=:), allocatable :: long_name
+      character(len=:), allocatable :: path                 !! as it is given; '': none is read
+      character(len=identity_length) :: digest = ''         !! of the numbers in it, once they are read
+   end type case_file_t
+
+contains
+
+   !> All files that cases may read, with the paths of a case.
+   function case_files(case) result(files)
+      type(case_t), intent(in) :: case
+      type(case_file_t), allocatable :: files(:)
+      type(key_list_t) :: list
+      integer :: i, k
+
+      list = case_key_list(case)
+      allocate (files(count(list%keys(:list%count)%file /= '')))
+      i = 0
+      do k = 1, list%count
+         associate (key => list%keys(k))
+            if (key%file == '') cycle
+            i = i + 1
+            files(i)%name = key%file
+            files(i)%key = '&'//trim(key%group)//' '//trim(key%name)
+            files(i)%long_name = key_long_name(key)
+            files(i)%path = ''
+            if (key%applies) files(i)%path = list%values(k)%word
+         end associate
+      end do
+   end function case_files
+
+   !> Note the digest of what a file holds.
+   subroutine note_digest(files, path, digest)
+      type(case_file_t), intent(inout) :: files(:)
+      character(len=*), intent(in) :: path
+      character(len=identity_length), intent(in) :: digest
+      integer :: i
+      do i = 1, size(files)
+         if (files(i)%path == path) files(i)%digest = digest
+      end do
+   end subroutine note_digest
+
+end module ehlwave_case_files

@@ -1,0 +1,107 @@
+!> Shear stress of the oil at a solution, and the pressure gradients on which it depends.
+module ehlwave_shear_stress
+   use ehlwave_contact_problem, only: contact_problem_t
+   use ehlwave_conditions, only: conditions_t
+   use ehlwave_grid, only: grid_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_load_balance, only: load_factor
+   use ehlwave_state, only: state_t
+   implicit none (type, external)
+   private
+   public :: friction_above, friction_of, knows_stress, mean_shear_stress, node_gradient, shear_stress
+
+   real(dp), parameter, public :: least_pressure = 1e-12_dp   !! P of nodes that bear; solvers leave 1e-30 at some cavitated ones
+
+contains
+
+   !> dP/dX and kappa dP/dY at the nodes by central differences; 0 at the edges of the domain.
+   pure subroutine node_gradient(grid, kappa, p, gx, gy)
+      type(grid_t), intent(in) :: grid
+      real(dp), intent(in) :: kappa                       !! ellipticity a/b
+      real(dp), intent(in) :: p(0:, 0:)                   !! P, (0:nx, 0:ny)
+      real(dp), intent(out) :: gx(0:, 0:), gy(0:, 0:)     !! (0:nx, 0:ny)
+      integer :: j
+
+      gx = 0
+      gy = 0
+      do j = 0, grid%ny
+         gx(1:grid%nx - 1, j) = (p(2:, j) - p(:grid%nx - 2, j))/(2*grid%hx)
+         if (j >= grid%first_row .and. j <= grid%last_row) &
+            gy(:, j) = kappa*(p(:, grid%above(j)) - p(:, grid%below(j)))/(2*grid%hy)
+      end do
+   end subroutine node_gradient
+
+   !> The part of the friction coefficient that is borne where P is above a value, 0: all of it.
+   pure real(dp) function friction_of(grid, stress, p, above)
+      type(grid_t), intent(in) :: grid
+      real(dp), intent(in) :: stress(0:, 0:)   !! tau/ph, (0:nx, 0:ny)
+      real(dp), intent(in) :: p(0:, 0:)        !! P, (0:nx, 0:ny)
+      real(dp), intent(in) :: above
+      friction_of = load_factor*grid%integral(merge(stress, 0.0_dp, p > max(above, least_pressure)))
+   end function friction_of
+
+   !> The same of a solution whose stresses are known.
+   real(dp) function friction_above(problem, state, above)
+      type(contact_problem_t), intent(in) :: problem
+      type(state_t), intent(in) :: state
+      real(dp), intent(in) :: above
+      real(dp), allocatable, dimension(:, :) :: b, factor_x, factor_y, stress
+      call shear_stress(problem, state, stress, b, factor_x, factor_y)
+      friction_above = friction_of(problem%grid, stress, state%p, above)
+   end function friction_above
+
+   !> Mean of the shear stresses at the two surfaces along X, tau in Pa, (0:nx, 0:ny); unallocated where it is not known.
+   subroutine mean_shear_stress(problem, state, stress_pa)
+      type(contact_problem_t), intent(in) :: problem
+      type(state_t), intent(in) :: state
+      real(dp), allocatable, intent(out) :: stress_pa(:, :)
+      real(dp), allocatable, dimension(:, :) :: b, factor_x, factor_y
+
+      if (.not. knows_stress(problem%conditions)) return
+      call shear_stress(problem, state, stress_pa, b, factor_x, factor_y)
+      stress_pa = stress_pa*problem%conditions%hertz_pressure_pa
+   end subroutine mean_shear_stress
+
+   !> Whether stresses are known: friction needs E' and ph besides the dimensionless numbers.
+   pure logical function knows_stress(conditions)
+      type(conditions_t), intent(in) :: conditions
+      knows_stress = conditions%data%reduced_modulus_pa > 0 .and. conditions%hertz_pressure_pa > 0
+   end function knows_stress
+
+   !> Stress tau/ph, B and tangent factors at all nodes:
+   !>
+   !>     tau/ph = (K ph/E') sigma_m/N0,   K = 1 of a line;   Newtonian: sigma_m/N0 = (lambdabar/3) (S - 1) eta/H, as sigma_m = B.
+   !>
+   !> B and factors of a Newtonian oil are left 0.
+   subroutine shear_stress(problem, state, stress, b, factor_x, factor_y)
+      type(contact_problem_t), intent(in) :: problem
+      type(state_t), intent(in) :: state
+      real(dp), allocatable, dimension(:, :), intent(out) :: stress, b, factor_x, factor_y   !! (0:nx, 0:ny)
+      real(dp), dimension(0:problem%grid%nx) :: drho, dln_eta, fluidity, rho
+      real(dp), allocatable, dimension(:, :) :: gx, gy
+      real(dp) :: factor(2, 0:problem%grid%nx), scale
+      integer :: j
+
+      associate (grid => problem%grid, c => problem%conditions, p => state%p, h => state%h)
+         allocate (stress(0:grid%nx, 0:grid%ny), source=0.0_dp)
+         b = stress
+         factor_x = stress
+         factor_y = stress
+         scale = c%elliptic%k*c%hertz_pressure_pa/c%data%reduced_modulus_pa
+         allocate (gx, gy, mold=stress)
+         call node_gradient(grid, c%elliptic%kappa, p, gx, gy)
+         do j = 0, grid%ny
+            call problem%rheology%evaluate(grid%nx + 1, p(:, j), rho, drho, fluidity, dln_eta)
+            if (allocated(problem%film_flow)) then
+               call problem%film_flow%mean_stress(fluidity, h(:, j), gx(:, j), gy(:, j), stress(:, j), b(:, j), factor)
+               factor_x(:, j) = factor(1, :)
+               factor_y(:, j) = factor(2, :)
+               stress(:, j) = scale/problem%film_flow%n0*stress(:, j)
+            else
+               stress(:, j) = scale*c%lambdabar/3*(c%slip_parameter - 1)/(fluidity*h(:, j))
+            end if
+         end do
+      end associate
+   end subroutine shear_stress
+
+end module ehlwave_shear_stress

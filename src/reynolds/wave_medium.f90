@@ -1,0 +1,41 @@
+!> The medium that small waves meet in a solution: film and oil at each node.
+module ehlwave_wave_medium
+   use ehlwave_contact_problem, only: contact_problem_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_shear_stress, only: node_gradient
+   use ehlwave_state, only: state_t
+   use ehlwave_two_waves, only: wave_medium_t
+   implicit none (type, external)
+   private
+   public :: take_media
+
+contains
+
+   !> Media in every row of some columns of nodes.
+   pure subroutine take_media(problem, state, first, medium)
+      type(contact_problem_t), intent(in) :: problem
+      type(state_t), intent(in) :: state
+      integer, intent(in) :: first                          !! i of the first column, at least 1
+      type(wave_medium_t), intent(out) :: medium(0:, first:)   !! (0:ny, first:last), last at most nx - 1
+      real(dp), dimension(0:problem%grid%ny) :: b, dln_eta, drho, fluidity, rho, stress
+      real(dp), allocatable, dimension(:, :) :: gx, gy
+      real(dp) :: factor(2, 0:problem%grid%ny)
+      integer :: i, j
+
+      associate (grid => problem%grid, c => problem%conditions, p => state%p, h => state%h)
+         allocate (gx, gy, mold=p)
+         if (allocated(problem%film_flow)) call node_gradient(grid, c%elliptic%kappa, p, gx, gy)
+         factor = 1
+         do i = first, ubound(medium, 2)
+            call problem%rheology%evaluate(grid%ny + 1, p(i, :), rho, drho, fluidity, dln_eta)
+            if (allocated(problem%film_flow)) &
+               call problem%film_flow%mean_stress(fluidity, h(i, :), gx(i, :), gy(i, :), stress, b, factor)
+            do j = 0, grid%ny
+               medium(j, i) = wave_medium_t(rho=rho(j), drho=drho(j), h=h(i, j), kappa=c%elliptic%kappa, k=c%elliptic%k, &
+                                            eps=rho(j)*h(i, j)**3*fluidity(j)/c%lambdabar*factor(:, j))
+            end do
+         end do
+      end associate
+   end subroutine take_media
+
+end module ehlwave_wave_medium
