@@ -84,6 +84,7 @@ module ehlwave_case_plan
    real(dp), parameter :: response_work_units = 50   !! of a linear response on half a domain and the change of the mean; measured: 35 to 80
    real(dp), parameter :: line_response_work_units = 250   !! the same of a line contact
    real(dp), parameter :: load_step_cost = 4         !! time steps after a load step over others; measured at M = 300, L = 30, D = 1: 9
+   real(dp), parameter :: petsc_cost = 2             !! of a solution by PETSc, of one by Newton's method; measured: 0.9 to 2.2
    real(dp), parameter :: periodic_share = 0.4_dp    !! of a march that starts in the waves, of one from rest; measured: 0.2 to 0.6
    real(dp), parameter :: outlet_end = 1             !! X of the outlet end of the Hertzian contact
 
@@ -199,7 +200,8 @@ contains
       associate (steady => steady_work_units(plan%conditions, plan%cells_x, is_newtonian, plan%thinning%cost), &
                  step => step_work_units(plan%conditions, plan%cells_x, is_newtonian, plan%thinning%cost))
          if (abs(case%load_factor - 1) > 0) steps_cost = load_step_cost
-         plan%expected_work_units = (1 + 0.5_dp*plan%phases)*steady &
+         if (case%method == 'petsc') steps_cost = petsc_cost*steps_cost
+         plan%expected_work_units = (1 + 0.5_dp*plan%phases)*steady*merge(petsc_cost, 1.0_dp, case%method == 'petsc') &
                                     + merge(periodic_share, 1.0_dp, plan%is_periodic)*plan%steps*step*steps_cost
       end associate
       if (plan%responds) plan%expected_work_units = plan%expected_work_units &

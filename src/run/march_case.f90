@@ -54,8 +54,10 @@ contains
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       real(dp), intent(in) :: central_film      !! smooth H(0,0)
+      step_tolerance = case%step_tolerance
+      if (.not. plan%surfaces%is_rough()) return
       associate (main => plan%surfaces%list(plan%surfaces%main))
-         step_tolerance = case%step_tolerance*min(1.0_dp, main%equivalent_amplitude(central_film)/usual_amplitude)
+         step_tolerance = step_tolerance*min(1.0_dp, main%equivalent_amplitude(central_film)/usual_amplitude)
       end associate
    end function step_tolerance
 

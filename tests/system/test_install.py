@@ -50,10 +50,10 @@ class Install(unittest.TestCase):
         (self.folder/"case.nml").write_text(namelist({"conditions": CONTACT, "grid": GRID}))
         (self.folder/"sweep.nml").write_text(namelist({"sweep": {**CONTACT, "radius_ratio_d": [1, 0.5]}, "grid": GRID}))
 
-    def run_here(self, *command, status=0, **variables):
+    def run_here(self, *command, status=0, folder=None, **variables):
         """Run in the folder of the test, with nothing of the environment that could help."""
         kept = {name: os.environ[name] for name in ("HOME", "TMPDIR", "ASAN_OPTIONS") if name in os.environ}
-        outcome = subprocess.run(command, cwd=self.folder, capture_output=True, text=True, check=False,
+        outcome = subprocess.run(command, cwd=folder or self.folder, capture_output=True, text=True, check=False,
                                  env={**kept, "PATH": os.defpath + ":/usr/local/bin:" + os.environ["PATH"], **variables})
         self.assertEqual(outcome.returncode, status, outcome.stdout + outcome.stderr)
         return outcome
@@ -67,7 +67,7 @@ class Install(unittest.TestCase):
         inputs = [path for path in (self.home/"inputs").glob("*.nml") if "&sweep" not in path.read_text()]
         self.assertGreater(len(inputs), 3)
         for path in inputs:
-            self.run_here(self.prefix/"bin"/"ehlwave-case", path, "--plan")
+            self.run_here(self.prefix/"bin"/"ehlwave-case", path, "--plan", folder=self.home)
 
     def test_a_sweep_on_two_ranks(self):
         self.run_here(self.prefix/"bin"/"run-sweep", "--ranks", "2", "sweep.nml", "--output", "results.h5")

@@ -23,6 +23,7 @@ READMES = sorted(path.relative_to(ROOT).as_posix() for path in [*ROOT.rglob("REA
 NOT_RUN = {
     "scripts/reproduce": "installs and computes for minutes; system/test_full_study and test_small_sweep run its parts",
     "scripts/test": "is what runs this test",
+    "scripts/manual": "takes a minute; scripts/test --label manual runs it",
     "scripts/build release": "has made the programs of this test",
     "scripts/run-sweep inputs/paper_quick.nml": "takes minutes; planned here, and smaller results stand in for its results",
     'settings=$(scripts/python-environment) && eval "$settings"': "installs packages; this test has its own `ehlwave`",

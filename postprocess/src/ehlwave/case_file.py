@@ -30,6 +30,11 @@ _STYLE = {"font.size": 8.5, "axes.labelsize": 9.5, "axes.titlesize": 9.5}
 def read_contact(path: str | Path) -> xr.Dataset:
     """Read the file of one case.
 
+    Parameters
+    ----------
+    path : path
+        HDF5 file that ``ehlwave-case --output`` wrote.
+
     Returns
     -------
     xarray.Dataset
@@ -40,6 +45,23 @@ def read_contact(path: str | Path) -> xr.Dataset:
     ------
     ResultsError
         If it cannot be read, is not the file of a case, or has no fields.
+
+    Examples
+    --------
+    The file is one of ``ehlwave-case input.nml --output contact.h5``:
+
+    >>> import subprocess
+    >>> from pathlib import Path
+    >>> import ehlwave
+    >>> from ehlwave.programs import find_program
+    >>> case = ehlwave.Case(load_parameter_m=10, lubricant_parameter_l=5, radius_ratio_d=1,
+    ...                     cells_x=64, cells_y=64)
+    >>> _ = Path("input.nml").write_text(repr(case))
+    >>> command = [find_program("ehlwave-case"), "input.nml", "--output", "contact.h5"]
+    >>> done = subprocess.run(command, capture_output=True)
+    >>> contact = ehlwave.read_case("contact.h5")
+    >>> contact["pressure"].dims, contact.attrs["status"]
+    (('y', 'x'), 'converged')
     """
     contact = read_dataset(path)
     if contact.attrs.get("format") != FORMAT_NAME:

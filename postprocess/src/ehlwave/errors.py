@@ -25,6 +25,15 @@ class ResultsError(Exception):
 
     The message names the file and says what is wrong with it; the command prints it without a
     traceback.
+
+    Examples
+    --------
+    >>> import ehlwave
+    >>> try:
+    ...     ehlwave.read_results("absent.h5")
+    ... except ehlwave.ResultsError as error:
+    ...     print(error)
+    absent.h5: no such file
     """
 
 
@@ -32,6 +41,15 @@ class SurfaceError(ResultsError):
     """A measured surface, operating conditions or a harmonic table cannot be used.
 
     The message names the file or key, its value, and what to change.
+
+    Examples
+    --------
+    >>> import ehlwave
+    >>> try:
+    ...     ehlwave.read_surface("absent.csv")
+    ... except ehlwave.SurfaceError as error:
+    ...     print(error)
+    absent.csv: no such file
     """
 
 
@@ -39,6 +57,17 @@ class RangeError(ResultsError, ValueError):
     """What is asked for lies outside what was computed; nothing is extrapolated.
 
     The message names the quantity, its value and the range.
+
+    Examples
+    --------
+    >>> import ehlwave
+    >>> contact = ehlwave.Contact(load_parameter_m=100, lubricant_parameter_l=10,
+    ...                           radius_ratio_d=1)
+    >>> try:
+    ...     contact.response(wavelength_over_a=9)
+    ... except ehlwave.RangeError as error:
+    ...     print(error)
+    wavelength_over_a = 9 lies outside the atlas, which holds 0.1 to 4
     """
 
 
@@ -50,15 +79,55 @@ class OutputError(ResultsError):
 
 
 class ProgramError(ResultsError):
-    """A program is not there, or refused its input; the message has what it said."""
+    """A program is not there, or refused its input; the message has what it said.
+
+    Examples
+    --------
+    >>> import ehlwave
+    >>> try:
+    ...     ehlwave.Case(wavelength_over_b=1)
+    ... except ehlwave.ProgramError as error:
+    ...     print(str(error).split(";")[0])
+    unknown key wavelength_over_b
+    """
 
 
 class StressError(ResultsError, ValueError):
     """Loads, depths or an oil film cannot be turned into stresses below the surface.
 
     The message names the argument or file, its value, and what to change.
+
+    Examples
+    --------
+    >>> import ehlwave.stress
+    >>> try:
+    ...     ehlwave.stress.hertz_axis_stress(1e-4, a_m=0, b_m=1e-3)
+    ... except ehlwave.StressError as error:
+    ...     print(error)
+    semi-axes of 0 and 0.001 m: give two lengths above 0
     """
 
 
 class ExtrapolationWarning(UserWarning):
-    """A number lies beyond what predictions were compared with; its error says by how much."""
+    """A number lies beyond what predictions were compared with; its error says by how much.
+
+    Examples
+    --------
+    A script that must not use extrapolated numbers makes errors of the warnings:
+
+    >>> import warnings
+    >>> import numpy as np
+    >>> import ehlwave
+    >>> contact = ehlwave.Contact(radius_x_m=0.0127, radius_y_m=0.0127, reduced_modulus_pa=2.26e11,
+    ...                           load_n=40, mean_speed_m_per_s=4, viscosity_pa_s=0.05)
+    >>> x = np.arange(0, 2e-3, 2e-6)
+    >>> height = 700e-9 * np.cos(2 * np.pi * x / 1e-4)
+    >>> trace = ehlwave.deform.trace_surface(height, step_m=2e-6, axis="x", name="waves")
+    >>> with warnings.catch_warnings():
+    ...     warnings.simplefilter("error", ehlwave.ExtrapolationWarning)
+    ...     try:
+    ...         contact.lambda_ratio(trace)
+    ...     except ehlwave.ExtrapolationWarning as warning:
+    ...         print("extrapolated")
+    extrapolated
+    """

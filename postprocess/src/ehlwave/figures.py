@@ -55,6 +55,19 @@ def collapse_figure(points: xr.Dataset, variable: Variable) -> Figure:
         coefficients. Bars: discretisation errors, where they are known. Solid: eq. (18) fitted to
         the resolved points of all orientations together, absent if they are too few; it spans the
         points it was fitted to.
+
+    Examples
+    --------
+    >>> import ehlwave
+    >>> grid = {"load_parameter_m": [10, 20, 50], "wavelength_over_a": [1, 2, 4]}
+    >>> study = ehlwave.Study(grid, lubricant_parameter_l=5, radius_ratio_d=1,
+    ...                       cells_x=64, cells_y=64,
+    ...                       orientation="transverse", response="harmonic")
+    >>> results = study.run()
+    >>> points = ehlwave.select_points(results, "harmonic")
+    >>> figure = ehlwave.collapse_figure(points, "f_v")
+    >>> len(figure.axes)
+    3
     """
     refitted = _refitted(points, variable)
     resolved_x = resolved_only(points)[variable].values
@@ -85,10 +98,31 @@ def write_figure(
 
     The files hold no date, so equal input gives equal files.
 
+    Parameters
+    ----------
+    figure : matplotlib.figure.Figure
+        What is drawn.
+    directory : path
+        Folder of the files.
+    name : str
+        Name of the files, without its ending.
+    dots_per_inch : int
+        Of the PNG file.
+    writer : Writer, optional
+        What may be replaced; a new one by default.
+
     Raises
     ------
     OutputError
         If a file of the name is no result of ours, unless `writer` may replace it.
+
+    Examples
+    --------
+    >>> from pathlib import Path
+    >>> from matplotlib.figure import Figure
+    >>> import ehlwave
+    >>> [path.name for path in ehlwave.write_figure(Figure(), Path("."), "empty")]
+    ['empty.png', 'empty.pdf']
     """
     chosen = writer or Writer()
     return [

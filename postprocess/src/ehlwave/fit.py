@@ -20,16 +20,42 @@ _TOLERANCE = 1e-12
 
 
 class FitError(Exception):
-    """The points do not determine the coefficients; the message says why."""
+    """The points do not determine the coefficients; the message says why.
+
+    Examples
+    --------
+    >>> import ehlwave
+    >>> try:
+    ...     ehlwave.fit_formula([1, 2], [0.8, 0.6])
+    ... except ehlwave.FitError as error:
+    ...     print(error)
+    too few points (2; at least 4 needed)
+    """
 
 
 @dataclass(frozen=True)
 class FormulaFit:
     """Coefficients of Ad/Ai = 1 / (1 + c1 x + c2 x^2), eq. (18), all dimensionless.
 
-    ``c1_interval`` and ``c2_interval`` come from the profile of the sum of squares (lmfit), which
-    takes the errors of all points as independent; NaN where it is not defined. ``rms`` is the root
-    of the mean squared residual.
+    Parameters
+    ----------
+    c1, c2 : float
+        The coefficients.
+    c1_interval, c2_interval : pair of float
+        From the profile of the sum of squares (lmfit), which takes the errors of all points as
+        independent; NaN where it is not defined.
+    rms : float
+        Root of the mean squared residual.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import ehlwave
+    >>> x = np.array([0.5, 1, 2, 5, 10])
+    >>> ratio = np.array([0.90, 0.80, 0.63, 0.33, 0.16])
+    >>> fit = ehlwave.fit_formula(x, ratio)
+    >>> print(f"c1 = {fit.c1:.2f}, c2 = {fit.c2:.3f}, rms = {fit.rms:.3f}")
+    c1 = 0.22, c2 = 0.035, rms = 0.006
     """
 
     c1: float
@@ -60,6 +86,17 @@ def fit_formula(
     FitError
         With fewer than four points or three different x, or if the best curve has a pole among the
         points.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import ehlwave
+    >>> x = np.array([0.5, 1, 2, 5, 10])
+    >>> ratio = np.array([0.90, 0.80, 0.63, 0.33, 0.16])
+    >>> fit = ehlwave.fit_formula(x, ratio)
+    >>> low, high = fit.c1_interval
+    >>> print(f"c1 = {fit.c1:.2f}, between {low:.2f} and {high:.2f}")
+    c1 = 0.22, between 0.19 and 0.25
     """
     abscissa, measured = np.asarray(x, dtype=float), np.asarray(ratio, dtype=float)
     weights = np.ones(abscissa.size) if weight is None else np.asarray(weight, dtype=float)
@@ -98,6 +135,16 @@ def point_weights(x: ArrayLike, ratio: ArrayLike, error: ArrayLike) -> Floats:
     ------
     FitError
         As :func:`fit_formula`.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import ehlwave
+    >>> x = np.array([0.5, 1, 2, 5, 10])
+    >>> ratio = np.array([0.90, 0.80, 0.63, 0.33, 0.16])
+    >>> weight = ehlwave.point_weights(x, ratio, error=[0, 0, 0, 0, 0.1])
+    >>> weight.round(2).tolist()
+    [1.0, 1.0, 1.0, 1.0, 0.06]
     """
     errors = np.nan_to_num(np.asarray(error, dtype=float), nan=0.0)
     scatter = fit_formula(x, ratio).rms
@@ -108,7 +155,24 @@ def point_weights(x: ArrayLike, ratio: ArrayLike, error: ArrayLike) -> Floats:
 def rms_residual(
     x: ArrayLike, ratio: ArrayLike, c1: float = PAPER_C1, c2: float = PAPER_C2
 ) -> float:
-    """Return the root mean square of eq. (18) minus ``ratio``; NaN without points."""
+    """Return the root mean square of eq. (18) minus ``ratio``; NaN without points.
+
+    Parameters
+    ----------
+    x, ratio : array_like, shape (n,)
+        As for :func:`fit_formula`.
+    c1, c2 : float
+        Coefficients; the paper's by default.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import ehlwave
+    >>> x = np.array([0.5, 1, 2, 5, 10])
+    >>> ratio = np.array([0.90, 0.80, 0.63, 0.33, 0.16])
+    >>> print(f"{ehlwave.rms_residual(x, ratio):.3f}")
+    0.093
+    """
     residual = amplitude_ratio_formula(x, c1, c2) - np.asarray(ratio, dtype=float)
     return float(np.sqrt(np.mean(residual**2))) if residual.size else float("nan")
 
@@ -128,7 +192,7 @@ def bootstrap_coefficients(
 
     Parameters
     ----------
-    x, ratio, weight : array_like, shape (n,)
+    x, ratio : array_like, shape (n,)
         As for :func:`fit_formula`.
     condition : array_like of int, shape (n,)
         Number of the operating condition of each point.
@@ -136,6 +200,8 @@ def bootstrap_coefficients(
         Number of samples.
     seed : int
         Seed of the random numbers: equal seeds give equal answers.
+    weight : array_like, shape (n,), optional
+        As for :func:`fit_formula`.
 
     Returns
     -------
@@ -146,6 +212,18 @@ def bootstrap_coefficients(
     ------
     FitError
         With fewer than three operating conditions.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import ehlwave
+    >>> x = np.array([0.5, 1, 2, 5, 10])
+    >>> ratio = np.array([0.90, 0.80, 0.63, 0.33, 0.16])
+    >>> found = ehlwave.bootstrap_coefficients(np.tile(x, 3), np.tile(ratio, 3),
+    ...                                        condition=np.repeat([0, 1, 2], 5),
+    ...                                        replicates=20, seed=1)
+    >>> found.shape
+    (20, 2)
     """
     abscissa, measured = np.asarray(x, dtype=float), np.asarray(ratio, dtype=float)
     weights = np.ones(abscissa.size) if weight is None else np.asarray(weight, dtype=float)
@@ -166,7 +244,25 @@ def bootstrap_coefficients(
 
 
 def percentile_intervals(coefficients: Floats, confidence: float = 0.95) -> tuple[Interval, ...]:
-    """Return the central interval of each column of bootstrap coefficients; NaN without rows."""
+    """Return the central interval of each column of bootstrap coefficients; NaN without rows.
+
+    Parameters
+    ----------
+    coefficients : ndarray, shape (m, k)
+        From :func:`bootstrap_coefficients`.
+    confidence : float
+        Probability content of the intervals.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import ehlwave
+    >>> coefficients = np.column_stack([np.linspace(0.1, 0.2, 101), np.linspace(0.01, 0.02, 101)])
+    >>> for low, high in ehlwave.percentile_intervals(coefficients, confidence=0.9):
+    ...     print(f"{low:.4f} {high:.4f}")
+    0.1050 0.1950
+    0.0105 0.0195
+    """
     if not len(coefficients):
         return (NO_INTERVAL,) * coefficients.shape[1]
     tail = (1 - confidence) / 2

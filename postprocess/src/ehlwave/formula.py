@@ -48,6 +48,14 @@ def wavelength_ratio(wavelength_x: ArrayLike, wavelength_y: ArrayLike) -> Floats
     ------
     ValueError
         If a wavelength is negative.
+
+    Examples
+    --------
+    Transverse, isotropic and longitudinal waves:
+
+    >>> import ehlwave
+    >>> ehlwave.wavelength_ratio([1, 1, 0], [0, 1, 1]).tolist()
+    [0.0, 1.0, inf]
     """
     along, across = _wave_numbers(wavelength_x, wavelength_y)
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -66,6 +74,12 @@ def f_of_r(r: ArrayLike) -> Floats:
     ------
     ValueError
         If r is negative.
+
+    Examples
+    --------
+    >>> import ehlwave
+    >>> ehlwave.f_of_r([0, 1, 2, float("inf")]).round(3).tolist()
+    [1.0, 1.0, 1.649, 2.718]
     """
     ratio = _not_negative("r", r)
     return np.exp(1 - 1 / np.maximum(ratio, 1.0))
@@ -85,6 +99,12 @@ def v2(wavelength_over_a: ArrayLike, load_m: ArrayLike, lubricant_l: ArrayLike) 
     ------
     ValueError
         If an argument is negative, or L is zero.
+
+    Examples
+    --------
+    >>> import ehlwave
+    >>> ehlwave.v2([0.5, 1.0], load_m=100, lubricant_l=4).tolist()
+    [2.5, 5.0]
     """
     return v(wavelength_over_a, load_m, lubricant_l, 1.0)
 
@@ -107,6 +127,12 @@ def v(
     ------
     ValueError
         If an argument is negative, or L is zero.
+
+    Examples
+    --------
+    >>> import ehlwave
+    >>> print(f"{ehlwave.v(0.5, load_m=100, lubricant_l=12.05, gamma=1):.3f}")
+    1.440
     """
     wave = _not_negative("wavelength_over_a", wavelength_over_a)
     load = _not_negative("load_m", load_m) * _not_negative("gamma", gamma)
@@ -123,6 +149,12 @@ def amplitude_ratio_formula(x: ArrayLike, c1: float = PAPER_C1, c2: float = PAPE
         f(r) V, or f(r) V2 for the formula as it stood for circular contacts.
     c1, c2 : float
         Coefficients; the paper's by default.
+
+    Examples
+    --------
+    >>> import ehlwave
+    >>> ehlwave.amplitude_ratio_formula([0, 1, 10]).round(3).tolist()
+    [1.0, 0.858, 0.25]
     """
     values = np.asarray(x, dtype=np.float64)
     return np.asarray(1 / (1 + values * (c1 + values * c2)))

@@ -43,6 +43,18 @@ def read_results(paths: str | Path | Sequence[str | Path]) -> xr.Dataset:
     ResultsError
         If a file is missing, given twice, unreadable, not a results file, of a newer format, or
         lacks a dataset that is needed.
+
+    Examples
+    --------
+    >>> import ehlwave
+    >>> study = ehlwave.Study({"load_parameter_m": [10, 20]}, lubricant_parameter_l=5,
+    ...                       radius_ratio_d=1, cells_x=64, cells_y=64)
+    >>> _ = study.run("results.h5")
+    >>> results = ehlwave.read_results("results.h5")
+    >>> results["status"].values.tolist()
+    ['converged', 'converged']
+    >>> results["central_film"].attrs["long_name"]
+    'smooth central film thickness H(0,0)'
     """
     if isinstance(paths, (str, Path)):
         paths = [paths]

@@ -6,6 +6,7 @@ import sys
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+from ehlwave.writing import Writer
 from studies.all_keys.check import draw_planned, offenders, run_both
 from studies.all_keys.draw import Row
 from studies.all_keys.table import key_groups
@@ -35,7 +36,7 @@ def main() -> int:
     parser.add_argument("--ranks", type=int, default=1, help="cases at once")
     parser.add_argument("--report", action="store_true", help="of what is there, run nothing")
     options = parser.parse_args()
-    options.folder.mkdir(parents=True, exist_ok=True)
+    Writer().folder(options.folder)
     if options.report:
         files = sorted(options.folder.glob("[0-9][0-9][0-9][0-9].json"))
         return report([json.loads(file.read_text()) for file in files], options.folder)

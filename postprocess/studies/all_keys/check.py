@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from ehlwave.writing import Writer
 from studies import programs
 from studies.all_keys import compare
 from studies.all_keys.draw import Row, draw
@@ -29,7 +30,7 @@ def draw_planned(
     found: list[tuple[Row, Row]] = []
     while len(found) < count:
         row = draw(rng, known, folder)
-        plan = _plan_of(row, known, folder)
+        plan = plan_of(row, known, folder)
         if plan is None or _cost_of_finer(plan) > largest_cost:
             continue
         if plan["is_resolved"] or rng.random() < UNRESOLVED:
@@ -47,7 +48,7 @@ def run_both(number: int, row: Row, plan: Row, folder: Path, known: dict[str, st
         finer = folder / f"{number:04d}-finer.nml"
         _write(finer, finer_row(row, plan, found), known)
         both["finer"] = _run(finer)
-    path.with_suffix(".json").write_text(json.dumps(both), encoding="utf-8")
+    Writer().text(path.with_suffix(".json"), json.dumps(both))
     return both
 
 
@@ -121,10 +122,10 @@ def _write(path: Path, row: Row, known: dict[str, str]) -> None:
     groups: dict[str, dict[str, Any]] = {}
     for key, value in row.items():
         groups.setdefault(known[key], {})[key] = value
-    path.write_text(programs.namelist(groups), encoding="utf-8")
+    Writer().text(path, programs.namelist(groups))
 
 
-def _plan_of(row: Row, known: dict[str, str], folder: Path) -> Row | None:
+def plan_of(row: Row, known: dict[str, str], folder: Path) -> Row | None:
     """Return the plan of a row, None where the program refuses the input."""
     path = folder / "plan.nml"
     _write(path, row, known)

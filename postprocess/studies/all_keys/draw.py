@@ -9,14 +9,17 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import h5py
 import numpy as np
+import xarray as xr
+
+from ehlwave.writing import Writer
 
 MODULUS_PA = 2.26e11
 CELLS = (24, 32, 48, 50, 64, 64, 72, 80, 96, 96, 96, 112)
 LARGEST_CELLS = (64, 96, 128)
 ONE_LENGTH = ("transverse", "isotropic", "longitudinal")
-SPECIAL_LAWS = ("mcewen", "yasutomi", "doolittle")
+SPECIAL_LAWS = ("mcewen", "yasutomi", "doolittle", "table")
+AMBIENT_K = 313.15
 
 Value = float | int | bool | str | None
 Row = dict[str, Any]
@@ -75,7 +78,6 @@ class Contact:
 
     def surface(self) -> str:
         """Write a measured surface about 1.5 a long and return its path."""
-        self.folder.mkdir(parents=True, exist_ok=True)
         path = self.folder / f"surface-{self.rng.integers(1 << 31)}.h5"
         data = self.data()
         half_width = (1.5 * data["load_n"] * 0.01 / MODULUS_PA) ** (1 / 3)
@@ -83,11 +85,24 @@ class Contact:
         step = 1.5 * half_width / points
         phase = 2 * np.pi * np.arange(points) / points
         height = sum(np.cos(n * phase + 6 * self.rng.random()) / n for n in (1, 2, 3))
-        with h5py.File(path, "w") as file:
-            file["height"] = [1e-9 * self.power(1, 20) * height]
-            file["x"] = step * np.arange(points)
-            file["y"] = [0.0]
-        return str(path)
+        height *= np.sin(np.pi * np.arange(points) / (points - 1)) ** 2  # nothing enters as a step
+        heights = 1e-9 * self.power(1, 20) * np.array([height])
+        surface = xr.Dataset(
+            {"height": (("y", "x"), heights)}, coords={"x": step * np.arange(points), "y": [0.0]}
+        )
+        return str(Writer().dataset(path, surface))
+
+    def viscosities(self) -> str:
+        """Write a table of viscosities, those of an oil like Roelands', and return its path."""
+        z, coefficient = self.between(0.5, 0.7), self.power(0.02, 0.05)
+        rows = ["pressure_pa,temperature_k,viscosity_pa_s"]
+        for rise in (0.0, 25.0, 50.0):
+            for pressure in np.concatenate([[0, 2e7, 5e7], np.linspace(1e8, 4e9, 30)]):
+                grown = self.alpha * 1.96e8 / z * ((1 + pressure / 1.96e8) ** z - 1)
+                viscosity = 0.04 * np.exp(grown - coefficient * rise)
+                rows.append(f"{pressure:.6g},{AMBIENT_K + rise},{viscosity:.9g}")
+        name = f"viscosities-{self.rng.integers(1 << 31)}.csv"
+        return str(Writer().text(self.folder / name, "\n".join(rows) + "\n"))
 
 
 Draw = Callable[[Contact, Row], Value]
@@ -178,6 +193,7 @@ def _end(c: Contact, row: Row) -> Value:
 _custom = _where("orientation", "custom")
 _yasutomi = _where("viscosity_law", "yasutomi")
 _doolittle = _where("viscosity_law", "doolittle")
+_table = _where("viscosity_law", "table")
 _has_alpha = _where("viscosity_law", "roelands", "barus", "isoviscous", None)  # type: ignore[arg-type]
 _wavy = _where("orientation", *ONE_LENGTH, "custom")
 
@@ -202,9 +218,9 @@ DRAWS: dict[str, Draw] = {
     "lubricant_parameter_l": _moes("l"),
     "radius_ratio_d": _moes("d"),
     "slip_parameter": _slip,
+    "viscosity_law": _law,
     "pressure_viscosity_per_pa": _has_alpha(lambda c, row: c.alpha),
     "roelands_index": _has_alpha(_share(0.4, lambda c, row: c.between(0.4, 0.9))),
-    "viscosity_law": _law,
     "density_law": _share(
         0.4, lambda c, row: c.one_of("incompressible", "tait", "dowson_higginson")
     ),
@@ -228,6 +244,8 @@ DRAWS: dict[str, Draw] = {
     "doolittle_occupied_fraction": _doolittle(lambda c, row: c.between(0.6, 0.72)),
     "tait_modulus_pa": _tait(lambda c, row: c.power(8e8, 2e9)),
     "tait_modulus_rate": _tait(lambda c, row: c.between(9, 12)),
+    "viscosity_table": _table(lambda c, row: c.viscosities()),
+    "temperature_k": _table(lambda c, row: c.between(AMBIENT_K, AMBIENT_K + 50)),
     "orientation": _orientation,
     "wavelength_over_a": _where("orientation", *ONE_LENGTH)(lambda c, row: c.power(0.5, 3)),
     "wavelength_x_over_a": _custom(lambda c, row: 0.0 if c.chance(0.15) else c.power(0.4, 3)),
@@ -269,6 +287,9 @@ DRAWS: dict[str, Draw] = {
     "load_factor": _share(0.03, lambda c, row: c.between(0.8, 1.2)),
     "end_time": _end,
     "fields": _share(0.1, lambda c, row: True),
+    "fields_every": _where("response", "transient", "both")(
+        _share(0.2, lambda c, row: int(c.power(4, 40)))
+    ),
     "sensitivities": _share(0.1, lambda c, row: True),
 }
 

@@ -37,6 +37,7 @@ module ehlwave_contact_inequality
       type(contact_problem_t), pointer, private :: problem => null()
       integer, private :: rows = 0                ! unknown nodes along Y
       real(dp), private :: tolerance = 0
+      real(dp), private :: last_work = huge(1.0_dp)   ! of the grid, from which on no further step begins
       real(dp), private :: least = huge(1.0_dp)   ! worst error of the best state
       type(state_t), private :: state             ! visited last,
       type(equations_t), private :: equations     ! and the equations there
@@ -54,6 +55,7 @@ module ehlwave_contact_inequality
       procedure :: multiply
       procedure :: step_length
       procedure :: judge
+      procedure :: is_spent
    end type contact_inequality_t
 
 contains
@@ -80,16 +82,17 @@ contains
 
    !> Begin a solve with a guess as the best state. A guess whose surfaces overlap is opened first, to the film of the
    !> formula at the closest point.
-   subroutine start(self, problem, guess, tolerance)
+   subroutine start(self, problem, guess, limits)
       class(contact_inequality_t), intent(inout) :: self
       type(contact_problem_t), intent(inout), target :: problem   !! must live until the end of the solve
       type(state_t), intent(in) :: guess
-      real(dp), intent(in) :: tolerance
+      type(solve_limits_t), intent(in) :: limits
       type(solve_report_t) :: blank
 
       self%problem => problem
       self%equations%given = problem%given_t
-      self%tolerance = tolerance
+      self%tolerance = limits%tolerance
+      self%last_work = problem%deformation%work + limits%largest_work
       self%report = blank
       allocate (self%report%history(0))
       self%least = huge(1.0_dp)
@@ -197,6 +200,12 @@ contains
       self%least = self%report%worst()
       self%best = x
    end function judge
+
+   !> Whether the solve has taken what it may.
+   pure logical function is_spent(self)
+      class(contact_inequality_t), intent(in) :: self
+      is_spent = self%problem%deformation%work >= self%last_work
+   end function is_spent
 
    !> Pressure, film and equations of a vector.
    subroutine visit(self, x)

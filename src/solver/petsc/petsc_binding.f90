@@ -4,6 +4,7 @@ module ehlwave_petsc_binding
       c_loc, c_ptr
    use ehlwave_contact_inequality, only: contact_inequality_t
    use ehlwave_petsc_library, only: find_solver
+   use ehlwave_status, only: status_converged, status_over_budget
    implicit none (type, external)
    private
    public :: run_snes
@@ -106,6 +107,7 @@ contains
       type(contact_inequality_t), pointer :: inequality
       call c_f_pointer(context, inequality)
       judge = int(inequality%judge(x(:inequality%n)), c_int)
+      if (judge /= status_converged .and. inequality%is_spent()) judge = int(status_over_budget, c_int)
    end function judge
 
 end module ehlwave_petsc_binding

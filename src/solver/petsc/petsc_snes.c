@@ -17,7 +17,7 @@
 
 _Static_assert(sizeof(PetscScalar) == sizeof(double), "PETSc must be built with real numbers in double precision");
 
-enum { status_converged = 0, status_not_finite = 4 }; /* as in core/status.f90 */
+enum { status_converged = 0, status_not_finite = 4, status_over_budget = 6 }; /* as in core/status.f90 */
 
 typedef struct {
    void *context;
@@ -133,6 +133,7 @@ static PetscErrorCode judge(SNES snes, PetscInt steps, PetscReal x_norm, PetscRe
    PetscCall(VecRestoreArrayRead(x, &at));
    *reason = SNES_CONVERGED_ITERATING;
    if (status == status_converged) *reason = SNES_CONVERGED_FNORM_ABS;
+   if (status == status_over_budget) *reason = SNES_DIVERGED_MAX_IT;
    if (status == status_not_finite || PetscIsInfOrNanReal(f_norm)) *reason = SNES_DIVERGED_FNORM_NAN;
    PetscFunctionReturn(0);
 }

@@ -59,9 +59,10 @@ contains
                             self%linear_tolerance)
       associate (inequality => self%inequality, level => hierarchy%levels(l))
          inequality%limit = self%limit
-         call inequality%start(level%problem, level%state, limits%tolerance)
+         call inequality%start(level%problem, level%state, limits)
          do round = 1, 2
             if (inequality%report%status /= status_stalled .or. settings%largest_steps <= 0) exit
+            if (inequality%is_spent()) exit
             settings%backtracks = merge(1, 0, round == 1)
             call run_snes(inequality, settings, outcome, has_failed)
             if (has_failed) exit

@@ -25,6 +25,14 @@ class Atlas(Networks):
     ----------
     data : xarray.Dataset
         As :func:`load_atlas` reads it; ``scripts/atlas`` makes it.
+
+    Examples
+    --------
+    >>> import ehlwave
+    >>> atlas = ehlwave.load_atlas()
+    >>> low, high = atlas.kind.ranges["load_parameter_m"]
+    >>> print(f"{atlas.kind.name}: M from {low:g} to {high:g}")
+    rolling: M from 20 to 2000
     """
 
     def __init__(self, data: xr.Dataset) -> None:
@@ -45,6 +53,16 @@ class Atlas(Networks):
         ------
         RangeError
             If one lies outside its range.
+
+        Examples
+        --------
+        >>> import ehlwave
+        >>> contact = ehlwave.Contact(load_parameter_m=100, lubricant_parameter_l=10,
+        ...                           radius_ratio_d=1)
+        >>> chart = contact.atlas().at(contact.conditions.atlas_keys())
+        >>> found = chart.responses(0.5, 0.0)
+        >>> print(f"{abs(complex(found.film)):.2f} within {float(found.error):.2f}")
+        0.92 within 0.01
         """
         return Chart(self, keys)
 
@@ -76,11 +94,22 @@ def atlas_for(conditions: Conditions, atlas: Atlas | None = None) -> Atlas:
 def load_atlas(path: str | Path = SHIPPED) -> Atlas:
     """Return the atlas of a file, by default the one of this package for contacts that roll.
 
-    Read once a process.
+    Each file is read once a process.
+
+    Parameters
+    ----------
+    path : path
+        File of ``scripts/atlas``.
 
     Raises
     ------
     ResultsError
         If it cannot be read, is none, or its checksum is not that of its data.
+
+    Examples
+    --------
+    >>> import ehlwave
+    >>> ehlwave.load_atlas().kind.name
+    'rolling'
     """
     return Atlas(read_stored(path))

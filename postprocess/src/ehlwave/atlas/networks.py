@@ -32,7 +32,14 @@ class Networks:
 
     @property
     def name(self) -> str:
-        """What it is and where it comes from."""
+        """What it is and where it comes from.
+
+        Examples
+        --------
+        >>> import ehlwave
+        >>> ehlwave.load_atlas().name.split("(")[0]
+        'atlas of 6912 responses of 768 contacts '
+        """
         data = self.data
         return (
             f"atlas of {data.attrs['responses']} responses of {data.attrs['contacts']} contacts "

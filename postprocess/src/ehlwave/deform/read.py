@@ -110,6 +110,20 @@ def read_surface(path: str | Path, options: ReadOptions | None = None) -> Surfac
     SurfaceError
         If the file cannot be read, a unit or step is missing, steps are not uniform, or heights
         are missing.
+
+    Examples
+    --------
+    A trace of two columns, position in mm and height in um:
+
+    >>> import numpy as np
+    >>> import ehlwave
+    >>> x = np.arange(0, 2, 0.002)
+    >>> height = 0.05 * np.cos(2 * np.pi * x / 0.1)
+    >>> np.savetxt("trace.csv", np.column_stack([x, height]), delimiter=",")
+    >>> units = ehlwave.deform.ReadOptions(length_unit="mm", height_unit="um")
+    >>> trace = ehlwave.read_surface("trace.csv", units)
+    >>> trace.is_trace, trace.height.shape
+    (True, (1000, 1))
     """
     file, chosen = Path(path), options or ReadOptions()
     raw = _without_single_line(_read_raw(file, chosen))

@@ -57,6 +57,8 @@ OF_THE_OIL = (
     "doolittle_occupied_fraction",
     "tait_modulus_pa",
     "tait_modulus_rate",
+    "temperature_k",
+    "viscosity_table",
 )
 """The oil at a given M, L and D; the reduced modulus where a stress is compared with it."""
 
@@ -102,6 +104,7 @@ WITHOUT_EFFECT = frozenset(
         "limiting_stress_over_pressure",
         "file",
         "fields",
+        "fields_every",
         "sensitivities",
     )
 )
@@ -183,7 +186,7 @@ def table_columns(raw: pd.DataFrame, place: str) -> Mapping[str, pd.Series]:
         if key not in raw:
             continue
         column = raw[key].map(lambda value: value.decode() if isinstance(value, bytes) else value)
-        if key.endswith("_law") or key in ("edges", "load_balance"):
+        if key.endswith("_law") or key in ("edges", "load_balance", "viscosity_table"):
             column = column.map(lambda value: np.nan if value == "" else value)
         elif column.dtype.kind not in "fiu":
             raise SurfaceError(f"{place}: column {key} does not hold numbers")

@@ -90,7 +90,9 @@ def dang_van_factor(
     values = factor.reshape(shape[1:])
     if template is None:
         return values
-    return template.copy(data=values).rename("dang_van").assign_attrs(long_name="Dang Van's factor")
+    labelled = template.copy(data=values).assign_attrs(long_name="Dang Van's factor")
+    labelled.name = "dang_van"
+    return labelled
 
 
 def dang_van_path(history: xr.Dataset | Mapping[str, ArrayLike], dim: str = "time") -> Path:

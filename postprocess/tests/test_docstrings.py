@@ -1,0 +1,78 @@
+"""The public names are documented: every example prints what it says, no parameter is missing."""
+
+import doctest
+import inspect
+import os
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+import ehlwave
+from ehlwave.programs import find_program
+
+ONE_RANK = {
+    "OMPI_MCA_ess_singleton_isolated": "1",
+    "OMPI_MCA_pml": "ob1",
+    "OMPI_MCA_btl": "self",
+}
+"""Environment in which Open MPI starts a sweep without a launcher in a third of the time."""
+
+USES_PROGRAMS = ("ehlwave.Case(", "ehlwave.Study(")
+
+
+def has_programs() -> bool:
+    try:
+        return bool(find_program("ehlwave-case")) and bool(find_program("ehlwave-sweep"))
+    except ehlwave.ProgramError:
+        return False
+
+
+def public_names() -> Iterator[tuple[str, object]]:
+    """Yield the names of the package, and the public methods and properties of its classes."""
+    for name in ehlwave.__all__:
+        item = getattr(ehlwave, name)
+        yield name, item
+        if inspect.isclass(item):
+            for member, value in vars(item).items():
+                if not member.startswith("_") and inspect.getdoc(value) and _is_documented(value):
+                    yield f"{name}.{member}", value
+
+
+def _is_documented(value: object) -> bool:
+    return inspect.isfunction(value) or isinstance(value, (property, classmethod, staticmethod))
+
+
+NAMES = dict(public_names())
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_examples_print_what_they_say(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    text = inspect.getdoc(NAMES[name]) or ""
+    assert ">>> import ehlwave" in text, f"{name} has no example that runs by itself"
+    assert "+SKIP" not in text
+    if any(use in text for use in USES_PROGRAMS):
+        if not has_programs():
+            pytest.skip("the programs are not built")
+        folder = find_program("ehlwave-case").parent
+        monkeypatch.setenv("EHLWAVE_PROGRAMS", os.fspath(folder.resolve()))
+        for variable, value in ONE_RANK.items():
+            monkeypatch.setenv(variable, value)
+    monkeypatch.chdir(tmp_path)
+    examples = doctest.DocTestParser().get_doctest(text, {}, name, None, None)
+    said: list[str] = []
+    failed, tried = doctest.DocTestRunner().run(examples, out=said.append)
+    assert tried > 0
+    assert failed == 0, "".join(said)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_no_parameter_is_missing(name: str) -> None:
+    validate = pytest.importorskip("numpydoc.validate").validate
+    owner, _, member = name.partition(".")
+    item = getattr(ehlwave, owner)
+    path = ".".join(filter(None, (item.__module__, item.__qualname__, member)))
+    wrong = [error for error in validate(path)["errors"] if error[0] in ("EX01", "PR01", "PR02")]
+    assert wrong == []
