@@ -9,6 +9,7 @@ program ehlwave_case
    use ehlwave_case_result, only: case_result_t
    use ehlwave_errors, only: error_t
    use ehlwave_field_file, only: write_case_file
+   use ehlwave_key_json, only: case_key_json
    use ehlwave_key_reference, only: case_key_reference
    use ehlwave_log, only: log_monitor_t
    use ehlwave_memory_plan, only: memory_shortage
@@ -36,7 +37,7 @@ program ehlwave_case
       '  --output FILE    write result, history at the contact centre and fields to an HDF5 file', &
       '  --overwrite      even where FILE exists and is no result of ehlwave', &
       '  --quiet          no progress lines', &
-      '  --keys           all keys of an input, with defaults and meaning', &
+      '  --keys           all keys of an input, with defaults and meaning; --json: as one JSON object', &
       '  --version        version of the program; --verbose: with build, libraries, processor', &
       '  --help           this text', &
       '', &
@@ -65,6 +66,8 @@ program ehlwave_case
    if (arguments%has('--help')) then
       write (output_unit, '(a)') (trim(usage(i)), i=1, size(usage) - 1)
       call finish(trim(usage(size(usage))), 0)
+   else if (arguments%has('--keys') .and. arguments%has('--json')) then
+      call finish(case_key_json(), 0)
    else if (arguments%has('--keys')) then
       call finish(case_key_reference(is_markdown=.false.), 0)
    else if (arguments%has('--version')) then

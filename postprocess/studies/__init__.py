@@ -9,5 +9,6 @@
   ``stress_speed``: one each.
 
 ``command`` is ``scripts/study``, which runs them all. ``section`` holds what a report is made of,
-``sweeps`` writes and reads sweeps, ``work_unit`` has the unit of counted work.
+``html`` its page, ``sweeps`` writes and reads sweeps, ``stages`` the files of a full study,
+``folds`` has parts of points that are left out of fits, ``work_unit`` the unit of counted work.
 """

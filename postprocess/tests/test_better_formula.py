@@ -14,6 +14,7 @@ from ehlwave.formula import (
     v,
     wave_and_direction,
 )
+from studies.folds import grouped_folds
 from studies.paper import better_formula_figures, better_formula_tables
 from studies.paper.better_formula import is_better, section
 from studies.paper.candidates import (
@@ -29,7 +30,6 @@ from studies.paper.cases import DIRECTIONS
 from studies.paper.crossvalidation import (
     bootstrapped,
     fitted,
-    grouped_folds,
     hard_splits,
     held_out,
     monotone_limit,

@@ -5,8 +5,8 @@ import pytest
 import xarray as xr
 from synthetic import written_names
 
+from ehlwave.case_file import contact_figure, read_contact
 from ehlwave.cli import main
-from ehlwave.contact import contact_figure, read_contact
 from ehlwave.errors import ResultsError
 
 

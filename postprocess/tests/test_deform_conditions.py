@@ -7,15 +7,10 @@ from contact import EXPERIMENT, experiment
 
 from ehlwave.atlas.atlas import load_atlas, shipped
 from ehlwave.atlas.kinds import KINDS
+from ehlwave.contact.conditions import FIT_ERROR, LINE_FIT_ERROR, THINNING_ERROR
+from ehlwave.contact.line_contact import line_film
+from ehlwave.contact.scales import ellipticity, moes_film
 from ehlwave.deform import conditions_from_keys, read_conditions
-from ehlwave.deform.conditions import (
-    FIT_ERROR,
-    LINE_FIT_ERROR,
-    THINNING_ERROR,
-    ellipticity,
-    moes_film,
-)
-from ehlwave.deform.line_contact import line_film
 from ehlwave.errors import SurfaceError
 
 

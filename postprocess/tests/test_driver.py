@@ -1,10 +1,14 @@
+import re
 from pathlib import Path
 
+import f90nml
+import numpy as np
 import pytest
 import xarray as xr
 
 import ehlwave
 from ehlwave.case_figures import case_figure, undeformed_history, units_of
+from ehlwave.driver import key_table
 from ehlwave.programs import find_program, namelist
 
 MOES = {"load_parameter_m": 60, "lubricant_parameter_l": 6, "radius_ratio_d": 1}
@@ -36,6 +40,53 @@ def test_a_program_that_is_not_there_is_named(
 def test_input_files_have_fortran_values() -> None:
     text = namelist({"a": {"word": "x", "truth": True, "many": [1, 2.5]}})
     assert text == "&a\n  word = 'x'\n  truth = .true.\n  many = 1, 2.5\n/\n"
+
+
+@pytest.mark.parametrize("name", ["O'Brien/trace.h5", "trail\\", "\\'x", "a\tb", "'", '&x / ! "y"'])
+def test_texts_are_read_as_they_were_given(name: str) -> None:
+    groups = {"surface": {"file": name}, "sweep": {"names": [name, "b"], "count": np.int64(3)}}
+    read = f90nml.reads(namelist(groups)).todict()
+    assert read == {"surface": {"file": name}, "sweep": {"names": [name, "b"], "count": 3}}
+
+
+@needs_programs
+@pytest.mark.parametrize("name", ["O'Brien/trace.h5", "it''s.h5", "a,b/c.h5"])
+def test_the_program_reads_file_names_as_they_were_given(name: str) -> None:
+    lengths = {"radius_x_m": 0.01, "radius_y_m": 0.01, "reduced_modulus_pa": 2e11, "load_n": 20}
+    oil = {"mean_speed_m_per_s": 0.1, "viscosity_pa_s": 0.1}
+    case = ehlwave.Case(**lengths, **oil, **COARSE, file=name)
+    with pytest.raises(ehlwave.ProgramError, match=re.escape(f"file = '{name}': cannot be read")):
+        case.plan()
+
+
+def test_a_text_with_a_line_break_is_refused() -> None:
+    with pytest.raises(ehlwave.ProgramError, match=r"file = 'a.nb': has a line break"):
+        namelist({"surface": {"file": "a\nb"}})
+
+
+@needs_programs
+def test_keys_are_known_with_their_kinds_and_bounds() -> None:
+    table = key_table().set_index("name")
+    slip = table.loc["slip_parameter"]
+    assert (slip["group"], slip["kind"], slip["default"], slip["maximum"]) == (
+        "conditions",
+        "number",
+        1,
+        2,
+    )
+    assert "harmonic" in table.loc["response", "choices"]
+    assert all(table["help"] != "")
+
+
+def test_a_program_that_lists_no_keys_is_named(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    program = tmp_path / "ehlwave-case"
+    program.write_text("#!/bin/sh\necho '&conditions'\n")
+    program.chmod(0o755)
+    monkeypatch.setenv("EHLWAVE_PROGRAMS", str(tmp_path))
+    with pytest.raises(ehlwave.ProgramError, match="lists no keys as JSON"):
+        key_table.__wrapped__()
 
 
 @needs_programs

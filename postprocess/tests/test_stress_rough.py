@@ -7,12 +7,13 @@ import pytest
 
 from ehlwave import Contact
 from ehlwave.deform import Surface, deform_surface, trace_surface
+from ehlwave.deform.ripple import stiffness_pa
+from ehlwave.deform.rough_pressure import ripple_of
 from ehlwave.errors import StressError
 from ehlwave.stress import contact_fields, rough_stress, stress_below
 from ehlwave.stress.midplane import hertz_midplane_stress
-from ehlwave.stress.passage import ripple_of
+from ehlwave.stress.passage import ripple_stresses
 from ehlwave.stress.report import stress_dataset, stress_json, stress_text
-from ehlwave.stress.ripple import stiffness_pa
 from ehlwave.stress.waves import COMPONENTS
 
 KEYS = {
@@ -75,7 +76,7 @@ def test_stresses_in_rolling_are_those_below_the_pressure() -> None:
     below = stress_below(deformed.pressure_pa, (3e-6, 1), depths, periodic=True)
     ripple = ripple_of(deformed)
     for place in (0.0, 4e-5):
-        (found,) = ripple.stresses(np.array([place]), depths, 1.0, 0.0, 0.3)
+        (found,) = ripple_stresses(ripple, np.array([place]), depths, 1.0, 0.0, 0.3)
         for name in ("sxx", "syy", "szz", "sxz"):
             scale = np.abs(below[name]).max()
             np.testing.assert_allclose(found[name], below[name], atol=1e-3 * float(scale))
@@ -87,8 +88,8 @@ def test_points_of_the_other_body_meet_the_waves_as_they_pass() -> None:
     ripple = ripple_of(contact(slip).deform(rough(), form="none", ends="none"))
     step = ripple.length_m / ripple.points
     place, index = 2e-5, 40
-    (own,) = ripple.stresses(np.array([place]), depths, 1.0, 0.02, 0.3)
-    (other,) = ripple.stresses(np.array([place]), depths, ratio, 0.02, 0.3)
+    (own,) = ripple_stresses(ripple, np.array([place]), depths, 1.0, 0.02, 0.3)
+    (other,) = ripple_stresses(ripple, np.array([place]), depths, ratio, 0.02, 0.3)
     # At X = x the time is (x - xi)/S: the other body's point there has another xi.
     shift = (place - ratio * place) / step
     at = (index - shift) % ripple.points

@@ -14,10 +14,11 @@ from ehlwave.formula import amplitude_ratio_formula
 from ehlwave.points import select_points
 from ehlwave.read import read_results
 from ehlwave.refit import RefitSettings
-from studies.paper import html, line_contact, paper_points, refitted
-from studies.paper.data import by_point, read_stage, read_stages
+from studies import html
+from studies.paper import line_contact, paper_points, refitted
 from studies.paper.report import write_report
 from studies.section import Picture, Section, comparison, comparison_row
+from studies.stages import by_point, read_stage, read_stages
 
 ERROR = 0.004
 

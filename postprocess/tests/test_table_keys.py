@@ -1,5 +1,6 @@
 from pathlib import Path
 
+import f90nml
 import numpy as np
 import pandas as pd
 import pytest
@@ -7,7 +8,8 @@ from synthetic import Columns, make_columns, write_results
 
 from ehlwave.cli import main
 from ehlwave.deform import TableTransfer, conditions_from_keys, read_table, table_keys
-from ehlwave.driver import key_groups
+from ehlwave.driver import Case, key_groups
+from ehlwave.effective_input import keys_of_input
 from ehlwave.errors import ProgramError, SurfaceError
 
 Capture = pytest.CaptureFixture[str]
@@ -136,6 +138,20 @@ def test_a_key_of_a_newer_program_must_not_vary(tmp_path: Path, capsys: Capture)
     source = write_results(tmp_path / "r.h5", columns)
     assert main(["harmonics", str(source), "--csv", str(tmp_path / "h.csv")]) == 2
     assert "differ in heat (0.0, 1.0)" in capsys.readouterr().err
+
+
+def test_effective_inputs_are_read_as_f90nml_reads_them() -> None:
+    try:
+        case = Case(**MOES, cells_x=32, cells_y=32, slip_parameter=1.5)
+    except ProgramError:
+        pytest.skip("no program")
+    text = str(case.run().attrs["effective_input"])
+    groups = f90nml.reads(text).todict()
+    expected = {key: value for keys in groups.values() for key, value in keys.items()}
+    found = keys_of_input(text)
+    assert len(found) > 20
+    logical = {True: ".true.", False: ".false."}
+    assert found == {k: logical[v] if isinstance(v, bool) else v for k, v in expected.items()}
 
 
 def test_every_key_of_the_programs_is_classified() -> None:

@@ -3,11 +3,13 @@
 import numpy as np
 import pytest
 
-from ehlwave.deform.conditions import Conditions, conditions_from_keys, corrected_film
+from ehlwave.contact.conditions import Conditions, conditions_from_keys
+from ehlwave.contact.medium import Medium, hertz_medium
+from ehlwave.contact.oils import Oil
+from ehlwave.contact.scales import corrected_film
+from ehlwave.contact.two_waves import two_waves
 from ehlwave.errors import SurfaceError
-from ehlwave.medium import Oil, hertz_medium
 from ehlwave.rolling import rolling_transfer
-from ehlwave.two_waves import two_waves
 
 KEYS = {
     "load_parameter_m": 100,
@@ -71,6 +73,14 @@ def test_the_complementary_wave_is_the_one_that_is_w_without_flow() -> None:
                 slope -= 1j * (psi - w) * deflection * psi / (psi**2 + ky**2)
                 psi = psi - (flow + 1j * (psi - w) * carried) / slope
         np.testing.assert_allclose(medium.complementary_number(w, ky), psi, rtol=1e-9)
+
+
+def test_a_wave_number_that_is_lost_is_none() -> None:
+    # No oil lets a hundred times as much through across sliding as along.
+    odd = Medium(rho=1.17, drho=0.08, h=0.14, eps_x=1e-2, eps_y=1.0, k=1.8)
+    found = odd.complementary_number([40.0, 40.0], [3.0, 2.0])
+    assert np.isnan(found[0])
+    assert np.isfinite(found[1])
 
 
 @pytest.mark.parametrize("case", COMPUTED)

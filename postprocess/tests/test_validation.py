@@ -8,7 +8,7 @@ import pandas as pd
 import pytest
 import xarray as xr
 
-from ehlwave.deform.conditions import moes_film
+from ehlwave.contact.scales import moes_film
 from studies.section import Section
 from studies.validation import formulas, page
 from studies.validation.dimple import INSTANTS, Dimple, dimple_place

@@ -40,7 +40,8 @@ module ehlwave_two_waves
       real(dp) :: misfit = no_value              !! rms of what is left
    end type two_waves_t
 
-   integer, parameter :: steps_to_psi = 40, newton_steps = 8, fit_steps = 20
+   integer, parameter :: newton_steps = 20, fit_steps = 20
+   real(dp), parameter :: newton_step = 1e-7_dp    ! of psi, after which the next one is nothing: the method is quadratic
    real(dp), parameter :: smallest_step = 1e-3_dp
    real(dp), parameter :: least_signal = 3      ! |c| over the misfit from which psi can be seen
    real(dp), parameter :: least_difference = 0.01_dp   ! of 1 - |correlation|^2: errors of the film grow 10 times in a and c
@@ -70,34 +71,50 @@ contains
                       /(self%eps(1)*kx**2 + self%eps(2)*(self%kappa*ky)**2 + rate*self%drho*self%h))
    end function attenuated
 
-   !> Wave number of the complementary wave along X, theory eq. (S6): the root that is w without flow by pressure, of
+   !> Wave number of the complementary wave along X, theory eq. (S6): of
    !>
-   !>     eps_x psi^2 + eps_y kappa^2 ky^2 + i (psi - w)(rho W(psi) + rho' H) = 0,
+   !>     eps_x psi^2 + eps_y kappa^2 ky^2 + i (psi - w)(rho W(psi) + rho' H) = 0
    !>
-   !> followed while the flow grows from 0 to what it is. NaN where it is lost.
+   !> the only root in the first quadrant; w where no pressure drives a flow. Over rho W |k| and times
+   !> s = (psi^2 + kappa^2 ky^2)^(1/2) it reads
+   !>
+   !>     (e_x psi^2 + e_y kappa^2 ky^2 + i q (psi - w)) s + i (psi - w) = 0.
+   !>
+   !> With s of psi = w this is a quadratic equation, from whose root Newton's method starts, as in the Python package
+   !> (contact/medium.py). NaN where it does not converge, or to another root.
    pure complex(dp) function complementary_number(self, frequency, ky) result(psi)
       class(wave_medium_t), intent(in) :: self
       real(dp), intent(in) :: frequency !! w = kx S, not 0
       real(dp), intent(in) :: ky        !! wave number along Y, 1/b
-      complex(dp) :: carried, change, slope, squeezed
-      real(dp) :: share
-      integer :: n, step
+      complex(dp) :: change, flow, q, s, still
+      real(dp) :: across, e_x, stiffness
+      integer :: n
 
-      psi = frequency
-      do step = 1, steps_to_psi
-         share = (real(step, dp)/steps_to_psi)**2
-         do n = 1, newton_steps
-            squeezed = share*(self%eps(1)*psi**2 + self%eps(2)*(self%kappa*ky)**2)
-            carried = self%rho*self%deflection(psi, ky) + self%drho*self%h
-            slope = share*2*self%eps(1)*psi + i_unit*carried &
-                    - i_unit*(psi - frequency)*self%rho*self%deflection(psi, ky)*psi/(psi**2 + (self%kappa*ky)**2)
-            change = (squeezed + i_unit*(psi - frequency)*carried)/slope
-            psi = psi - change
-            if (abs(change) <= 1e-12_dp*abs(psi)) exit
-         end do
+      across = (self%kappa*ky)**2
+      stiffness = 2*self%rho/self%k
+      e_x = self%eps(1)/stiffness
+      q = i_unit*self%drho*self%h/stiffness
+      still = self%eps(2)*across/stiffness - q*frequency
+      s = sqrt(frequency**2 + across)
+      psi = smaller_root(e_x*s, q*s + i_unit, still*s - i_unit*frequency)
+      do n = 1, newton_steps
+         s = sqrt(psi**2 + across)
+         flow = (e_x*psi + q)*psi + still
+         change = (flow*s + i_unit*(psi - frequency))/((2*e_x*psi + q)*s + flow*psi/s + i_unit)
+         psi = psi - change
+         if (abs(change) <= newton_step*abs(psi)) exit
       end do
-      if (.not. abs(change) <= 1e-9_dp*abs(psi)) psi = no_number
+      if (.not. (abs(change) <= newton_step*abs(psi) .and. min(psi%re, psi%im) > -newton_step*abs(psi))) psi = no_number
    end function complementary_number
+
+   !> The root of smaller size of square psi^2 + middle psi + rest = 0.
+   pure complex(dp) function smaller_root(square, middle, rest)
+      complex(dp), intent(in) :: square, middle, rest
+      complex(dp) :: root
+      root = sqrt(middle**2 - 4*square*rest)
+      if (real(conjg(middle)*root, dp) < 0) root = -root
+      smaller_root = -2*rest/(middle + root)
+   end function smaller_root
 
    !> Both waves in a film amplitude h over Ai at places x: a and c by least squares with the wave number psi given, then the psi
    !> that describes best what the attenuated wave leaves. (All three at once come out wrong: psi and c then describe

@@ -6,7 +6,7 @@ module ehlwave_key_reference
    use ehlwave_key_list, only: key_list_t
    implicit none (type, external)
    private
-   public :: case_key_reference, key_reference
+   public :: case_key_reference, default_text, has_default_value, key_reference
 
    integer, parameter :: line_length = 118
    character(len=*), parameter :: line_end = new_line('a')
@@ -61,14 +61,22 @@ contains
 
       if (key%default /= '') then
          text = trim(key%default)
-      else if (key%is_required .or. .not. is_allowed(key, default)) then
-         text = 'none'
-      else if (key%kind == word_kind .and. is_none(default, default)) then
-         text = 'none'
-      else
+      else if (has_default_value(key, default)) then
          text = value_text(default, 12)
+      else
+         text = 'none'
       end if
    end function default_text
+
+   !> Whether the default is a value that a key may be given.
+   logical function has_default_value(key, default) result(is_said)
+      type(key_t), intent(in) :: key
+      type(key_value_t), intent(in) :: default
+
+      is_said = key%default == '' .and. .not. key%is_required
+      if (is_said) is_said = is_allowed(key, default)
+      if (is_said .and. key%kind == word_kind) is_said = .not. is_none(default, default)
+   end function has_default_value
 
    !> Help, unit, bounds or choices, and to what the key applies.
    function meaning_of(key) result(text)

@@ -4,6 +4,7 @@
 !> An entry gives name, long name, how the value is got, the unit where the number is not a plain one, and where only
 !> some cases have it, which (`exists`). What is a key as well is described in the table of keys: `add_key` takes it over.
 module ehlwave_quantities
+   use ehlwave_case_account, only: blank_result
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_key, only: key_long_name, number_kind, truth_kind, whole_kind
    use ehlwave_case_keys, only: case_key_list
@@ -13,6 +14,7 @@ module ehlwave_quantities
    use ehlwave_key_list, only: find_key, key_list_t
    use ehlwave_error_account, only: validity_text
    use ehlwave_error_parts, only: error_parts_t
+   use ehlwave_formula, only: moes_film_formula
    use ehlwave_harmonic_result, only: harmonic_result_t
    use ehlwave_kinds, only: dp
    use ehlwave_quantity, only: quantity_list_t
@@ -107,7 +109,27 @@ contains
                     plan%largest_work/work_unit_operations(plan%cells_x, plan%cells_y), exists=plan%has_work_cap())
       call add_key(list, keys, 'step_tolerance')
       call add_key(list, keys, 'tolerance')
+      associate (c => plan%conditions)
+         call list%add('central_film_formula', 'central film by theory eq. (H1), of a line contact (H2), (h/Rx)(2U)^(-1/2)', &
+                       moes_film_formula(c))
+         call list%add('semi_axis_a_m', 'Hertz semi-axis along rolling', c%a_m, unit='m', exists=c%has_dimensions)
+         call list%add('semi_axis_b_m', 'Hertz semi-axis across rolling', c%b_m, unit='m', &
+                       exists=c%has_dimensions .and. .not. c%is_line())
+         call list%add('hertz_approach_c_m', 'Hertz approach, the unit of H', c%c_m, unit='m', exists=c%has_dimensions)
+         call list%add('moes_film_factor', 'film (h/Rx)(2U)^(-1/2) for H = 1', c%moes_film_factor)
+      end associate
+      call add_formulas(list, blank_result(case, plan))
    end subroutine add_plan
+
+   !> The formula of Ad/Ai and what it is a function of.
+   subroutine add_formulas(list, result)
+      type(quantity_list_t), intent(inout) :: list
+      type(case_result_t), intent(in) :: result
+      call list%add('v', 'V of theory eq. (17)', result%v)
+      call list%add('v2', 'V2 of theory eq. (16)', result%v2)
+      call list%add('f_r', 'f(r) of theory eq. (15)', result%f_r)
+      call list%add('formula_ratio', 'Ad/Ai by theory eq. (18)', result%formula_ratio)
+   end subroutine add_formulas
 
    !> A key of the case with the value in use.
    subroutine add_key(list, keys, name)
@@ -164,10 +186,7 @@ contains
                     validity_text(case, plan, result%warning))
       call add_response(list, result%harmonic)
       call add_sensitivities(list, case, result%by_oil)
-      call list%add('v', 'V of theory eq. (17)', result%v)
-      call list%add('v2', 'V2 of theory eq. (16)', result%v2)
-      call list%add('f_r', 'f(r) of theory eq. (15)', result%f_r)
-      call list%add('formula_ratio', 'Ad/Ai by theory eq. (18)', result%formula_ratio)
+      call add_formulas(list, result)
       call add_effort(list, result)
    end subroutine add_result
 

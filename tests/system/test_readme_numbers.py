@@ -172,7 +172,7 @@ def validation():
         claims.append((f"| {printed} | {{}} % | {{}} % | {{}} %", [cell("validation/films.csv", name, **where)
                                                                  for name in ("mean, %", "rms, %", "worst, %")]))
     errors = re.search(r"FIT_ERROR, LINE_FIT_ERROR = ([\d.]+), ([\d.]+)",
-                       (ROOT/"postprocess/src/ehlwave/deform/conditions.py").read_text()).groups()
+                       (ROOT/"postprocess/src/ehlwave/contact/conditions.py").read_text()).groups()
     return [*claims, ("too thin and {} % too thick in 95 % of contacts", [100*float(errors[0])]),
             ("up to 40 %, in line contacts up to {} %", [100*float(errors[1])])]
 
@@ -238,7 +238,7 @@ def atlas():
                    "in units of (A/film)^2 of the film, and {}, {} and {} at 95 % of the waves",
                    [one["median"] for one in three] + [one["95 %"] for one in three]))
     slip = [float(one) for one in re.findall(r'"(?:Ree-Eyring|Newtonian|Carreau)": ([\d.]+)',
-                                             (ROOT/"postprocess/src/ehlwave/two_waves.py").read_text())]
+                                             (ROOT/"postprocess/src/ehlwave/contact/two_waves.py").read_text())]
     return [*claims, ("have the law alone, within {}, {} and {} of Ai", [slip[1], slip[2], slip[0]])]
 
 

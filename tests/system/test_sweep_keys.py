@@ -171,6 +171,30 @@ class Reference(unittest.TestCase):
         self.assertIn("\n&solver\n", case.stdout)
         self.assertTrue(run("sweep", "--keys").stdout.startswith(case.stdout))
 
+    def test_json_says_what_the_text_says(self):
+        text = run("case", "--keys").stdout
+        outcome = run("case", "--keys", "--json")
+        self.assertEqual((outcome.returncode, outcome.stdout.count("\n")), (0, 1))
+        keys = last_line(outcome)["keys"]
+        names = [f"  {key['name']} (default: {key['default_text']})" for key in keys]
+        self.assertEqual([line for line in text.splitlines() if line.startswith("  ") and line[2] != " "], names)
+        self.assertEqual(len({(key["group"], key["name"]) for key in keys}), len(keys))
+        said = "".join(line.strip() + " " for line in text.splitlines())
+        for key in keys:
+            with self.subTest(key["name"]):
+                self.assertIn(key["help"], said)
+                self.assertIn(key["belongs_to"], said)
+                self.assertIn(key["kind"], ("number", "whole", "truth", "word"))
+                self.assertTrue(key["default"] is None or not key["required"])
+                if key["kind"] in ("number", "whole") and key["default"] is not None:
+                    self.assertEqual(float(key["default_text"]), key["default"])
+                if key["choices"] and key["default"] is not None:
+                    self.assertIn(key["default"], key["choices"])
+        known = {key["name"]: key for key in keys}
+        self.assertEqual((known["load_parameter_m"]["above"], known["load_parameter_m"]["minimum"]), (0, None))
+        self.assertEqual((known["slip_parameter"]["maximum"], known["slip_parameter"]["default"]), (2, 1))
+        self.assertEqual(known["edges"]["choices"], ["flooded", "truncated"])
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from ehlwave.atlas import Atlas, load_atlas
-    from ehlwave.contact import read_contact as read_case
+    from ehlwave.case_file import read_contact as read_case
     from ehlwave.deform import deform_surface, read_surface
     from ehlwave.driver import Case, Study
     from ehlwave.errors import (
@@ -66,7 +66,7 @@ _HOMES = {
     "read": ("read_results",),
     "refit": ("RefitRow", "RefitSettings", "refit_groups"),
 }
-_PACKAGES = ("atlas", "deform", "stress")
+_PACKAGES = ("atlas", "contact", "deform", "stress")
 _HOME = {name: home for home, names in _HOMES.items() for name in names}
 
 __all__ = [
@@ -111,7 +111,7 @@ __all__ = [
 def __getattr__(name: str) -> Any:  # noqa: ANN401
     """Import what is asked for."""
     if name == "read_case":
-        return import_module("ehlwave.contact").read_contact
+        return import_module("ehlwave.case_file").read_contact
     if name in _PACKAGES:
         return import_module(f"ehlwave.{name}")
     if name in _HOME:

@@ -1,6 +1,5 @@
 """Pictures of one case: what a bearing engineer looks at, in um, GPa and us."""
 
-import re
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,7 +10,8 @@ from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 from numpy.typing import NDArray
 
-from ehlwave.contact import central_film, check_field, number, positive
+from ehlwave.case_file import central_film, check_field, number, positive
+from ehlwave.effective_input import keys_of_input
 from ehlwave.figures import COLOURS
 
 Floats = NDArray[np.float64]
@@ -46,8 +46,8 @@ def units_of(case: xr.Dataset) -> Units:
         return Units(1, 1, 1, 1, 1, ("$x/a$", "$y/b$", "$h/c$", "$p/p_h$", "$T$"))
     a, c = (number(case, name) * 1e6 for name in ("length_a_m", "length_c_m"))
     b = number(case, "length_b_m") * 1e6 if "length_b_m" in case else a
-    speed = re.search(r"mean_speed_m_per_s = (\S+)", str(case.attrs.get("effective_input", "")))
-    time = None if speed is None else a / positive(speed[1], "mean_speed_m_per_s", case)
+    speed = _given(case, "mean_speed_m_per_s")
+    time = None if speed is None else a / positive(speed, "mean_speed_m_per_s", case)
     names = (r"$x$ [$\mu$m]", r"$y$ [$\mu$m]", r"$h$ [$\mu$m]", "$p$ [GPa]", r"$t$ [$\mu$s]")
     return Units(a, b, c, number(case, "hertz_pressure_pa") * 1e-9, time, names)
 
@@ -172,16 +172,20 @@ def undeformed_history(case: xr.Dataset) -> Floats | None:
     Theory eq. (12) and (13): waves start at the inlet boundary behind a smooth front and move with
     S. None for smooth cases, standing waves and measured surfaces.
     """
-    effective_input = str(case.attrs.get("effective_input", ""))
-    given = re.search(r"amplitude_over_film = (\S+)", effective_input)
+    given = _given(case, "amplitude_over_film")
     wave = number(case, "wavelength_x_over_a") if "wavelength_x_over_a" in case else 0.0
     if given is None or not wave > 0 or case.attrs.get("orientation") == "none":
         return None
     central, slip = central_film(case), number(case, "slip_parameter")
     place = -number(case, "domain_x_min") - slip * case["time"].values
     front = 10.0 ** (-10 * np.minimum(np.maximum(place / wave, 0) ** 2, 30))
-    amplitude = positive(given[1], "amplitude_over_film", case)
+    amplitude = positive(given, "amplitude_over_film", case)
     return central * (1 + amplitude * front * np.cos(2 * np.pi * place / wave))
+
+
+def _given(case: xr.Dataset, key: str) -> float | str | None:
+    """Return the value of a key of the input."""
+    return keys_of_input(str(case.attrs.get("effective_input", ""))).get(key)
 
 
 def _summary(case: xr.Dataset, units: Units) -> str:

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 
 from ehlwave import figures, tables
 from ehlwave.case_figures import case_figure
-from ehlwave.contact import contact_figure, read_contact
+from ehlwave.case_file import contact_figure, read_contact
 from ehlwave.deform.cli import add_commands, add_overwrite
 from ehlwave.deform.harmonics import write_harmonic_table
 from ehlwave.errors import ResultsError, printable

@@ -1,7 +1,6 @@
 """Cases and studies by the built programs, their results as :class:`xarray.Dataset`."""
 
 import json
-import re
 import subprocess
 import tempfile
 from collections.abc import Iterable, Mapping, Sequence
@@ -258,15 +257,32 @@ def grouped(keys: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
 
 
 @cache
+def key_table() -> pd.DataFrame:
+    """Return what the program says of its keys, a row each: ``ehlwave-case --keys --json``.
+
+    Columns: ``group``, ``name``, ``kind``, ``unit``, the bounds ``above``, ``minimum`` and
+    ``maximum``, ``choices``, ``default``, ``default_text``, ``required``, ``help`` and
+    ``belongs_to``, the cases that have the key.
+
+    Raises
+    ------
+    ProgramError
+        If there is no program, or one of another version that does not say it.
+    """
+    said = _run("ehlwave-case", "--keys", "--json").stdout
+    try:
+        return pd.DataFrame(json.loads(said)["keys"])
+    except (ValueError, KeyError) as error:
+        program = find_program("ehlwave-case")
+        raise ProgramError(
+            f"{program}: lists no keys as JSON: take the one of {__package__}"
+        ) from error
+
+
 def key_groups() -> dict[str, str]:
-    """Return the group of each key, as the program lists them."""
-    found, group = {}, ""
-    for line in _run("ehlwave-case", "--keys").stdout.splitlines():
-        if match := re.match(r"&(\w+)", line):
-            group = match[1]
-        elif match := re.match(r"  (\w+) \(default", line):
-            found[match[1]] = group
-    return found
+    """Return the group of each key."""
+    table = key_table()
+    return dict(zip(table["name"], table["group"], strict=True))
 
 
 def _is_list(value: object) -> bool:

@@ -11,9 +11,10 @@ from ehlwave.atlas.atlas import Atlas, atlas_for, load_atlas
 from ehlwave.atlas.chart import Chart
 from ehlwave.atlas.coordinates import wave_components
 from ehlwave.atlas.ranges import SLIDING_RANGES, WAVE_RANGE
+from ehlwave.contact.conditions import Conditions, conditions_from_keys
+from ehlwave.contact.line_contact import ROLLS_ALONE, TRANSVERSE_ALONE
+from ehlwave.contact.two_waves import SLIP_ERRORS, two_waves
 from ehlwave.deform.atlas_transfer import AtlasTransfer, with_atlas_film
-from ehlwave.deform.conditions import Conditions, conditions_from_keys
-from ehlwave.deform.line_contact import ROLLS_ALONE, TRANSVERSE_ALONE
 from ehlwave.deform.predict import Cutoffs, Deformed, deform_surface
 from ehlwave.deform.prepare import Form, Window
 from ehlwave.deform.read import ReadOptions, read_surface
@@ -21,7 +22,6 @@ from ehlwave.deform.sliding import TwoWaveTransfer
 from ehlwave.deform.surface import Surface
 from ehlwave.deform.transfer import FormulaTransfer, RecommendedTransfer, Transfer
 from ehlwave.errors import ExtrapolationWarning, RangeError, SurfaceError
-from ehlwave.two_waves import SLIP_ERRORS, two_waves
 
 if TYPE_CHECKING:
     from ehlwave.stress.rough import RoughStress

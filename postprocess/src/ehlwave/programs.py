@@ -49,18 +49,30 @@ def find_program(name: str) -> Path:
 
 
 def namelist(groups: Groups) -> str:
-    """Return the text of an input file, one key a line; lists become comma-separated values."""
+    """Return the text of an input file, one key a line; lists become comma-separated values.
 
-    def written(value: object) -> str:
-        if isinstance(value, bool):
-            return ".true." if value else ".false."
-        if isinstance(value, (str, Path)):
-            return f"'{value}'"
-        if isinstance(value, Sequence):
-            return ", ".join(written(one) for one in value)
-        return str(value)
-
+    Raises
+    ------
+    ProgramError
+        If a text has a line break, which no input file can hold.
+    """
     lines = []
     for group, keys in groups.items():
-        lines += [f"&{group}", *(f"  {key} = {written(value)}" for key, value in keys.items()), "/"]
+        lines += [f"&{group}", *(f"  {key} = {_written(keys[key], key)}" for key in keys), "/"]
     return "\n".join(lines) + "\n"
+
+
+def _written(value: object, key: str) -> str:
+    """Return a value as Fortran reads it: quotes within a text are doubled."""
+    if hasattr(value, "tolist"):  # of numpy
+        value = value.tolist()
+    if isinstance(value, bool):
+        return ".true." if value else ".false."
+    if isinstance(value, (str, Path)):
+        text = str(value)
+        if "\n" in text or "\r" in text:
+            raise ProgramError(f"{key} = {text!r}: has a line break, which no input file can hold")
+        return "'" + text.replace("'", "''") + "'"
+    if isinstance(value, Sequence):
+        return ", ".join(_written(one, key) for one in value)
+    return str(value)

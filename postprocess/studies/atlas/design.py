@@ -13,7 +13,7 @@ from ehlwave.atlas import Atlas
 from ehlwave.atlas.kinds import ROLLING, SLIDING, Kind
 from ehlwave.atlas.ranges import CONTACT_RANGES, WAVE_RANGE
 from ehlwave.atlas.sliding import MODULUS_PA
-from ehlwave.deform.conditions import ellipticity
+from ehlwave.contact.scales import ellipticity
 from studies import sweeps
 from studies.atlas.points import contact_of
 from studies.programs import Groups

@@ -9,7 +9,7 @@ from ehlwave.atlas import Atlas
 from ehlwave.atlas.kinds import LINE
 from ehlwave.atlas.line import LineShape
 from ehlwave.atlas.ranges import WAVE_RANGE
-from ehlwave.deform.line_contact import SLENDER_OVER_LINE
+from ehlwave.contact.line_contact import SLENDER_OVER_LINE
 from studies import sweeps
 from studies.atlas.design import GROUPS, MARGIN, contact_at, spread_contacts, uncertain_contacts
 

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from ehlwave.contact import read_contact
+from ehlwave.case_file import read_contact
 from ehlwave.deform import (
     FormulaTransfer,
     Surface,

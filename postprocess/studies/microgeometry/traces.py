@@ -13,7 +13,7 @@ import pandas as pd
 from numpy.typing import NDArray
 
 from ehlwave import Contact
-from ehlwave.contact import read_contact
+from ehlwave.case_file import read_contact
 from ehlwave.deform import Surface, trace_surface
 from ehlwave.deform.prepare import taper
 from ehlwave.errors import ResultsError

@@ -7,6 +7,7 @@ import numpy as np
 import pandas as pd
 
 from ehlwave.formula import power_ratio
+from studies.folds import grouped_folds
 from studies.paper.candidates import PAPER, REFITTED, ROUNDED, Candidate, Parameters
 from studies.paper.cases import DIRECTIONS
 from studies.paper.crossvalidation import (
@@ -14,7 +15,6 @@ from studies.paper.crossvalidation import (
     Score,
     bootstrapped,
     fitted,
-    grouped_folds,
     held_out,
     residuals,
     rms,

@@ -8,13 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import isotonic_regression, least_squares
 
+from studies.folds import SEED, Mask, grouped_folds
 from studies.paper.candidates import Candidate, Parameters
 from studies.paper.fit_points import Floats, Points
-
-Mask = NDArray[np.bool_]
-
-FOLDS = 12
-SEED = 20000
 
 
 def fitted(candidate: Candidate, points: Points, start: Parameters | None = None) -> Parameters:
@@ -48,21 +44,6 @@ def _solution(
         return weight * residuals(candidate, c, points)
 
     return least_squares(residual, start, method="lm", x_scale="jac").x
-
-
-def grouped_folds(condition: NDArray[np.intp], count: int = FOLDS, seed: int = SEED) -> list[Mask]:
-    """Return the test sets of ``count`` folds; a condition is in one of them with all its points.
-
-    Raises
-    ------
-    ValueError
-        If there are fewer conditions than folds.
-    """
-    labels = np.unique(condition)
-    if labels.size < count:
-        raise ValueError(f"{labels.size} operating conditions for {count} folds")
-    shuffled = np.random.default_rng(seed).permutation(labels)
-    return [np.isin(condition, shuffled[first::count]) for first in range(count)]
 
 
 def hard_splits(points: Points) -> dict[str, list[Mask]]:

@@ -11,8 +11,8 @@ from ehlwave.figures import COLOURS
 from ehlwave.formula import amplitude_ratio_formula, recommended_ratio
 from ehlwave.points import select_points
 from studies.paper.cases import PAPER_L, PUBLISHED_LINE
-from studies.paper.data import read_stage
 from studies.section import Picture, Section, Table, comparison, comparison_row
+from studies.stages import read_stage
 from studies.validation.published import small_line_ratios
 
 ELLIPTIC_FACTOR = math.sqrt(2 * math.pi**3 / 3)

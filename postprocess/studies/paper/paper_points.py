@@ -12,8 +12,8 @@ from ehlwave.figures import COLOURS, FIGURE_NUMBERS, collapse_figure, outside_ax
 from ehlwave.formula import amplitude_ratio_formula
 from ehlwave.points import count_by_status, select_points
 from ehlwave.schema import ORIENTATIONS
-from studies.paper.data import by_point, read_stage
 from studies.section import Picture, Section, Table
+from studies.stages import by_point, read_stage
 
 
 def section(folder: Path) -> Section:

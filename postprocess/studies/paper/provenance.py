@@ -10,8 +10,8 @@ import xarray as xr
 
 from ehlwave.points import count_by_status
 from ehlwave.schema import DIMENSION
-from studies.paper.data import read_stage, read_stages
 from studies.section import Section, Table
+from studies.stages import read_stage, read_stages
 
 PACKAGES = ("ehlwave", "numpy", "scipy", "lmfit", "xarray", "h5py", "matplotlib")
 PROGRAM = ("program_version", "compiler", "compiler_flags", "library_versions", "mpi_library")

@@ -11,8 +11,8 @@ from ehlwave.formula import PAPER_C1, PAPER_C2
 from ehlwave.points import resolved_only, select_points
 from ehlwave.refit import RefitSettings, refit_groups
 from ehlwave.schema import DIMENSION, ORIENTATIONS
-from studies.paper.data import read_stage
 from studies.section import Picture, Section, Table, comparison, comparison_row
+from studies.stages import read_stage
 
 PAPER = {"c1": PAPER_C1, "c2": PAPER_C2}
 RHEOLOGIES = {

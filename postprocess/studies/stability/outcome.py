@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from ehlwave.deform.conditions import moes_film
+from ehlwave.contact.scales import moes_film
 from studies.programs import Outcome
 from studies.stability.cases import SLIDING, Case
 

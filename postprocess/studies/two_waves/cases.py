@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.stats import qmc
 
-from ehlwave.deform.conditions import Conditions, conditions_from_keys
+from ehlwave.contact.conditions import Conditions, conditions_from_keys
 from studies.sweeps import Row, write_rows
 
 REDUCED_MODULUS_PA = 226e9

@@ -7,8 +7,8 @@ import pandas as pd
 from numpy.typing import NDArray
 from scipy.interpolate import RegularGridInterpolator
 
+from ehlwave.contact.two_waves import TwoWaves
 from ehlwave.deform import Conditions
-from ehlwave.two_waves import TwoWaves
 
 Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]

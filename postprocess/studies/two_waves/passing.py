@@ -12,7 +12,7 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
-from ehlwave.contact import read_contact
+from ehlwave.case_file import read_contact
 from ehlwave.deform import Mover, TwoWaveTransfer
 from ehlwave.errors import ResultsError
 from studies import sweeps

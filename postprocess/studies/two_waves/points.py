@@ -8,8 +8,8 @@ import pandas as pd
 from numpy.typing import NDArray
 from scipy.special import ellipk
 
+from ehlwave.contact.oils import Oil
 from ehlwave.formula import wave_and_direction
-from ehlwave.medium import Oil
 from ehlwave.read import read_results
 from studies.two_waves.cases import REDUCED_MODULUS_PA
 
@@ -42,8 +42,8 @@ class Pairs:
     ``table`` holds M, L, D, gamma, kappa, alphabar, slip and the like, ``film`` and ``rolling`` the
     responses over Ai at the contact centre, amplitudes extrapolated to mesh size 0; ``attenuated``
     in closed form at the computed contact centre, ``mismatch`` and ``mismatch_rolling`` those of
-    the wave numbers there, see :class:`ehlwave.two_waves.Launch`; ``error`` the error bar of
-    ``film``.
+    the wave numbers there, see :class:`ehlwave.contact.two_waves.Launch`; ``error`` the error bar
+    of ``film``.
     """
 
     table: pd.DataFrame
@@ -143,7 +143,7 @@ def _with_names(table: pd.DataFrame) -> pd.DataFrame:
 
 
 def _thinning(table: pd.DataFrame) -> Floats:
-    """Return B0, see :class:`ehlwave.medium.Medium`."""
+    """Return B0, see :class:`ehlwave.contact.medium.Medium`."""
     is_thinned = (table["flow_law"] == "eyring").to_numpy()
     if not is_thinned.any():
         return np.zeros(len(table))

@@ -8,9 +8,9 @@ import pandas as pd
 from numpy.typing import NDArray
 from scipy.special import ellipk
 
-from ehlwave.deform.conditions import conditions_from_keys
+from ehlwave.contact.conditions import conditions_from_keys
+from ehlwave.contact.two_waves import two_waves
 from ehlwave.formula import recommended_ratio
-from ehlwave.two_waves import two_waves
 from studies.section import Picture, Section, Table
 from studies.two_waves import figures
 from studies.two_waves.cases import REDUCED_MODULUS_PA

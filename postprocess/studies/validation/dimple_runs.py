@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
-from ehlwave.contact import read_contact
+from ehlwave.case_file import read_contact
 from ehlwave.deform import conditions_from_keys, map_surface
 from studies.programs import Groups
 from studies.sweeps import fields_file, write_surface

@@ -8,8 +8,8 @@ by changes with it, by a few per cent over a factor of two in G.
 import math
 from collections.abc import Callable
 
-from ehlwave.deform.conditions import moes_film
-from ehlwave.medium import Oil
+from ehlwave.contact.oils import Oil
+from ehlwave.contact.scales import moes_film
 
 Formula = Callable[[float, float, float], float]
 

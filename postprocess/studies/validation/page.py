@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from ehlwave.writing import Writer
-from studies.paper.html import write_page
+from studies.html import write_page
 from studies.section import Parts, make_sections
 from studies.validation import dimple_section, film_section, line_section, printed
 

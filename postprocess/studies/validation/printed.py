@@ -2,9 +2,9 @@
 
 from pathlib import Path
 
-from studies.paper import companion
 from studies.programs import ROOT
 from studies.section import Section
+from studies.validation import companion
 from studies.validation.sweep import run_sweep
 
 INPUT = ROOT / "inputs" / "full" / "companion.nml"

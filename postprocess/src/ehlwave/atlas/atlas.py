@@ -7,16 +7,18 @@ from pathlib import Path
 import xarray as xr
 
 from ehlwave.atlas.chart import Chart
-from ehlwave.atlas.kinds import KINDS, LINE, ROLLING, SLIDING, Kind
-from ehlwave.atlas.stored import checksum, committee_of, errors_of
-from ehlwave.deform.conditions import Conditions
-from ehlwave.deform.line_contact import ROLLS_ALONE
+from ehlwave.atlas.kind import shipped
+from ehlwave.atlas.kinds import KINDS, LINE, ROLLING, SLIDING
+from ehlwave.atlas.networks import Networks
+from ehlwave.atlas.stored import read_stored
+from ehlwave.contact.conditions import Conditions
+from ehlwave.contact.line_contact import ROLLS_ALONE
 from ehlwave.errors import RangeError, ResultsError
 
 FORMAT_NAME = "ehlwave-atlas 2"
 
 
-class Atlas:
+class Atlas(Networks):
     """Computed responses and films, as networks know them between contacts and waves.
 
     Parameters
@@ -37,34 +39,9 @@ class Atlas:
         """Take the networks."""
         if data.attrs.get("format") != FORMAT_NAME:
             raise ResultsError(f"not a file of scripts/atlas (format {data.attrs.get('format')!r})")
-        self.data = data
-        self.kind: Kind = KINDS[data.attrs["kind"]]
-        self.films = committee_of(data, "films")
-        """What is known of contacts, those that the kind names, by their coordinates."""
-        self.waves = committee_of(data, "waves")
-        """Numbers of waves, by their coordinates after those of their contacts."""
-        self.film_errors = errors_of(data, "film_errors")
-        """Errors of what is known of contacts, by their coordinates."""
-        self.errors = errors_of(data, "wave_errors")
-        """Errors of film responses, shape (n, 1), by the same as their numbers."""
+        super().__init__(data, KINDS[data.attrs["kind"]])
 
-    @property
-    def name(self) -> str:
-        """What it is and where it comes from.
-
-        Examples
-        --------
-        >>> import ehlwave
-        >>> ehlwave.load_atlas().name.split("(")[0]
-        'atlas of 6912 responses of 768 contacts '
-        """
-        data = self.data
-        return (
-            f"atlas of {data.attrs['responses']} responses of {data.attrs['contacts']} contacts "
-            f"({data.attrs['program']}, {data.attrs['checksum'][:8]})"
-        )
-
-    def at(self, keys: Mapping[str, float]) -> "Chart":
+    def at(self, keys: Mapping[str, float]) -> Chart:
         """Return the chart of one contact.
 
         Parameters
@@ -87,19 +64,7 @@ class Atlas:
         >>> print(f"{abs(complex(found.film)):.2f} within {float(found.error):.2f}")
         0.92 within 0.01
         """
-        for key, (low, high) in self.kind.ranges.items():
-            if not low * (1 - 1e-9) <= keys[key] <= high * (1 + 1e-9):
-                name = "eyring_stress_pa reduced_modulus_pa" if "stress" in key else key
-                raise RangeError(
-                    f"{name} = {keys[key]:.5g} lies outside the atlas, which holds {low:g} to "
-                    f"{high:g}: name a formula, or compute it (ehlwave.Case, a harmonic table)"
-                )
         return Chart(self, keys)
-
-
-def shipped(kind: Kind) -> Path:
-    """Return the file of this package."""
-    return Path(__file__).with_name(f"{kind.name}.nc")
 
 
 SHIPPED = shipped(ROLLING)
@@ -147,11 +112,4 @@ def load_atlas(path: str | Path = SHIPPED) -> Atlas:
     >>> ehlwave.load_atlas().kind.name
     'rolling'
     """
-    try:
-        with xr.open_dataset(path) as opened:
-            data = opened.load()
-    except (OSError, ValueError) as error:
-        raise ResultsError(f"{path}: cannot be read as an atlas ({error})") from error
-    if checksum(data) != data.attrs.get("checksum"):
-        raise ResultsError(f"{path}: its checksum is not that of its data: the file is damaged")
-    return Atlas(data)
+    return Atlas(read_stored(path))

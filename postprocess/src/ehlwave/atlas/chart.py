@@ -2,16 +2,14 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ehlwave.atlas.coordinates import Complex, Floats
+from ehlwave.atlas.networks import Networks
 from ehlwave.atlas.shape import Seen
-
-if TYPE_CHECKING:
-    from ehlwave.atlas.atlas import Atlas
+from ehlwave.errors import RangeError
 
 
 @dataclass(frozen=True)
@@ -63,14 +61,34 @@ class Responses:
 
 
 class Chart:
-    """The responses of one contact."""
+    """The responses of one contact.
 
-    def __init__(self, atlas: "Atlas", keys: Mapping[str, float]) -> None:
+    Parameters
+    ----------
+    networks : Networks
+        Of an atlas.
+    keys : mapping
+        Of the contact, those of the kind: :mod:`ehlwave.atlas.ranges`.
+
+    Raises
+    ------
+    RangeError
+        If one lies outside its range.
+    """
+
+    def __init__(self, networks: Networks, keys: Mapping[str, float]) -> None:
         """Find its films, and how it sees waves."""
-        self._atlas = atlas
-        kind = atlas.kind
+        kind = networks.kind
+        for key, (low, high) in kind.ranges.items():
+            if not low * (1 - 1e-9) <= keys[key] <= high * (1 + 1e-9):
+                name = "eyring_stress_pa reduced_modulus_pa" if "stress" in key else key
+                raise RangeError(
+                    f"{name} = {keys[key]:.5g} lies outside the atlas, which holds {low:g} to "
+                    f"{high:g}: name a formula, or compute it (ehlwave.Case, a harmonic table)"
+                )
+        self._networks = networks
         self._place = kind.coordinates(keys)
-        self.film_numbers = atlas.films(self._place)[0]
+        self.film_numbers = networks.films(self._place)[0]
         """What the films are known by: those that the kind of the atlas names."""
         references = kind.references(keys)
         numbers = dict(zip(kind.films, self.film_numbers[:, None], strict=True))
@@ -80,13 +98,13 @@ class Chart:
     @property
     def source(self) -> str:
         """Name of the atlas."""
-        return self._atlas.name
+        return self._networks.name
 
     def film(self) -> SmoothFilm:
         """Return the smooth films, and the shear stress where the kind of the atlas has it."""
         base, ratios = self._references, np.exp(self.film_numbers)
-        errors = self._atlas.film_errors(self._place)[0]
-        has_stress = "friction_ratio" in self._atlas.kind.films
+        errors = self._networks.film_errors(self._place)[0]
+        has_stress = "friction_ratio" in self._networks.kind.films
         return SmoothFilm(
             central_moes=float(base[0] * ratios[0]),
             minimum_moes=float(base[1] * ratios[0] * ratios[1]),
@@ -109,9 +127,9 @@ class Chart:
         wave, angle, shape = _flattened(wavelength_over_a, angle_deg)
         seen = self._shape.seen(wave, angle)
         inputs = self._inputs(seen)
-        numbers = self._atlas.waves(inputs)
+        numbers = self._networks.waves(inputs)
         film = seen.film(numbers)
-        error = self._atlas.errors(inputs)[:, 0]
+        error = self._networks.errors(inputs)[:, 0]
         found = film, seen.pressure(film, numbers), error, numbers[:, -1]
         return Responses(*(values.reshape(shape) for values in found))
 
@@ -122,7 +140,7 @@ class Chart:
 
     def film_of(self, seen: Seen) -> Complex:
         """Return film responses alone, to waves as the contact sees them."""
-        return seen.film(self._atlas.waves(self._inputs(seen)))
+        return seen.film(self._networks.waves(self._inputs(seen)))
 
     def _inputs(self, seen: Seen) -> Floats:
         return with_contacts(self._place, seen.coordinates)

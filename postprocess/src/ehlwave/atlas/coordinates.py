@@ -6,14 +6,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ehlwave.atlas.ranges import CONTACT_RANGES
-from ehlwave.deform.conditions import (
-    MOES_KEYS,
+from ehlwave.contact.conditions import MOES_KEYS
+from ehlwave.contact.oils import log_viscosity
+from ehlwave.contact.scales import (
+    alphabar,
     ellipticity,
     moes_film,
     moes_per_film,
     pressure_factor,
 )
-from ehlwave.medium import log_viscosity
 
 Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -29,7 +30,7 @@ def contact_coordinates(keys: Mapping[str, ArrayLike]) -> Floats:
     """
     m, l, d, alpha, z = map(np.atleast_1d, columns(keys, CONTACT_RANGES))  # noqa: E741
     gamma = np.vectorize(lambda d: pressure_factor(ellipticity(d)), otypes=[float])(d)
-    pressure = l / np.pi * (1.5 * gamma * m) ** (1 / 3) / alpha
+    pressure = alphabar(m, l, gamma) / alpha
     b = log_viscosity(alpha, z, pressure)
     parts = np.sqrt(hertz_film(m, l, d)), np.log(l), np.log(d), np.log(pressure), np.log(b)
     return np.stack(parts, axis=1)

@@ -8,13 +8,13 @@ from numpy.typing import ArrayLike
 from ehlwave.atlas.coordinates import Floats, columns
 from ehlwave.atlas.ranges import LINE_RANGES
 from ehlwave.atlas.shape import INLET_SCALE, Seen, Shape, rolling_seen
-from ehlwave.deform.line_contact import (
+from ehlwave.contact.line_contact import (
     SLENDER_OVER_LINE,
     line_alphabar,
     line_film,
     moes_per_line_film,
 )
-from ehlwave.medium import log_viscosity
+from ehlwave.contact.oils import log_viscosity
 from ehlwave.rolling import transfer_along
 
 

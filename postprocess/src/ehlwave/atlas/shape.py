@@ -9,7 +9,8 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.special import ellipk
 
 from ehlwave.atlas.coordinates import Complex, Floats, columns, hertz_film
-from ehlwave.deform.conditions import MOES_KEYS, ellipticity, pressure_factor
+from ehlwave.contact.conditions import MOES_KEYS
+from ehlwave.contact.scales import ellipticity, pressure_factor
 from ehlwave.rolling import transfer_along
 
 SomeShape = TypeVar("SomeShape", bound="Shape")

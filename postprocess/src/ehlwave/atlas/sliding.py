@@ -1,20 +1,18 @@
 """The coordinates of contacts that slide, and what their films and friction are relative to."""
 
 from collections.abc import Mapping
-from dataclasses import replace
 from functools import lru_cache
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ehlwave.atlas.coordinates import Floats, columns, contact_coordinates
 from ehlwave.atlas.ranges import SLIDING_RANGES
-from ehlwave.deform.conditions import Conditions, conditions_from_keys, moes_per_film
-from ehlwave.medium import INLET_VISCOSITY, log_viscosity
-
-if TYPE_CHECKING:
-    from ehlwave.atlas.chart import Chart
+from ehlwave.atlas.rolling import rolling_chart
+from ehlwave.contact.conditions import Conditions, conditions_from_keys
+from ehlwave.contact.medium import INLET_VISCOSITY
+from ehlwave.contact.oils import log_viscosity
+from ehlwave.contact.scales import moes_per_film
 
 STRESS_POINTS = 24
 """Of the quadrature over the Hertz contact."""
@@ -86,10 +84,3 @@ def sliding_state(
     scales = np.array([moes_per_film(one.m, one.kappa) for one in conditions_of(keys)])
     film = references[:, 0] * np.exp(numbers["film_ratio"]) / scales
     return {**keys, "central_film": film, "pressure_ratio": numbers["pressure_ratio"]}
-
-
-def rolling_chart(contact: Conditions) -> "Chart":
-    """Return the chart of the same contact in pure rolling."""
-    from ehlwave.atlas.atlas import load_atlas
-
-    return load_atlas().at(replace(contact, slip_parameter=1.0).atlas_keys())

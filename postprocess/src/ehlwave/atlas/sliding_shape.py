@@ -4,20 +4,18 @@ from collections.abc import Mapping
 from copy import copy
 from dataclasses import astuple
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ehlwave.atlas.chart import Chart
 from ehlwave.atlas.coordinates import Complex, Floats, columns
+from ehlwave.atlas.rolling import rolling_chart
 from ehlwave.atlas.shape import Seen, Shape
-from ehlwave.atlas.sliding import conditions_of, rolling_chart
-from ehlwave.deform.conditions import MOES_KEYS, Conditions
-from ehlwave.medium import INLET_VISCOSITY, Medium, hertz_medium
-from ehlwave.two_waves import Launch, launch_length, launched
-
-if TYPE_CHECKING:
-    from ehlwave.atlas.chart import Chart
+from ehlwave.atlas.sliding import conditions_of
+from ehlwave.contact.conditions import MOES_KEYS, Conditions
+from ehlwave.contact.medium import INLET_VISCOSITY, Medium, hertz_medium
+from ehlwave.contact.two_waves import Launch, launch_length, launched
 
 STANDING = 1e4
 """Wavelength along X, in units of a, of waves that hardly move: those of 90 degrees."""
@@ -117,7 +115,7 @@ class SlidingShape(Shape):
         )
 
     @cached_property
-    def _chart(self) -> "Chart":
+    def _chart(self) -> Chart:
         """Of the only contact in pure rolling."""
         return rolling_chart(self._contacts[0])
 

@@ -3,12 +3,34 @@
 import hashlib
 import json
 from collections.abc import Callable
+from functools import lru_cache
+from pathlib import Path
 
 import numpy as np
 import xarray as xr
 
 from ehlwave.atlas.committee import LAYERS, Committee
 from ehlwave.atlas.coordinates import Floats
+from ehlwave.errors import ResultsError
+
+
+@lru_cache(maxsize=4)
+def read_stored(path: str | Path) -> xr.Dataset:
+    """Return the data of a file, read once a process.
+
+    Raises
+    ------
+    ResultsError
+        If it cannot be read, or its checksum is not that of its data.
+    """
+    try:
+        with xr.open_dataset(path) as opened:
+            data = opened.load()
+    except (OSError, ValueError) as error:
+        raise ResultsError(f"{path}: cannot be read as an atlas ({error})") from error
+    if checksum(data) != data.attrs.get("checksum"):
+        raise ResultsError(f"{path}: its checksum is not that of its data: the file is damaged")
+    return data
 
 
 def committee_of(data: xr.Dataset, name: str) -> Committee:

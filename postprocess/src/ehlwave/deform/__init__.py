@@ -4,9 +4,9 @@ Section 3.4 of Venner, Kaneta and Lubrecht (2000): decompose a microgeometry int
 each by formula (18) or by a computed transfer, and add them up again.
 """
 
+from ehlwave.contact.conditions import Conditions, conditions_from_keys
+from ehlwave.contact.conditions_read import read_conditions
 from ehlwave.deform.coefficients import read_coefficients
-from ehlwave.deform.conditions import Conditions, conditions_from_keys
-from ehlwave.deform.conditions_read import read_conditions
 from ehlwave.deform.figures import deformed_figure, spectrum_figure
 from ehlwave.deform.harmonics import harmonic_table
 from ehlwave.deform.period import cut_period

@@ -3,7 +3,7 @@
 Amplitudes are over the film of the smooth contact.
 """
 
-from ehlwave.deform.conditions import Conditions
+from ehlwave.contact.conditions import Conditions
 
 VALIDATED_ROLLING, VALIDATED_SLIDING = 0.62, 0.3
 """Largest amplitude over film of a march that a prediction was compared with: the sputtered pattern

@@ -10,8 +10,8 @@ from scipy.interpolate import RectBivariateSpline
 from ehlwave.atlas.atlas import Atlas, atlas_for
 from ehlwave.atlas.chart import Chart
 from ehlwave.atlas.ranges import WAVE_RANGE
-from ehlwave.deform.conditions import Conditions
-from ehlwave.deform.line_contact import ROLLS_ALONE
+from ehlwave.contact.conditions import Conditions
+from ehlwave.contact.line_contact import ROLLS_ALONE
 from ehlwave.deform.transfer import Waves
 from ehlwave.errors import RangeError
 from ehlwave.formula import recommended_ratio

@@ -8,10 +8,10 @@ from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
+from ehlwave.contact.conditions import Conditions
+from ehlwave.contact.conditions_read import read_conditions
 from ehlwave.deform.atlas_transfer import AtlasTransfer, with_atlas_film
 from ehlwave.deform.coefficients import read_coefficients
-from ehlwave.deform.conditions import Conditions
-from ehlwave.deform.conditions_read import read_conditions
 from ehlwave.deform.decimals import DECIMALS
 from ehlwave.deform.figures import deformed_figure, spectrum_figure
 from ehlwave.deform.period import cut_period

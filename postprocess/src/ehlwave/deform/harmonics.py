@@ -7,7 +7,7 @@ import pandas as pd
 import xarray as xr
 from numpy.typing import NDArray
 
-from ehlwave.deform.conditions import ellipticity
+from ehlwave.contact.scales import ellipticity
 from ehlwave.deform.table_keys import carried_columns
 from ehlwave.deform.table_read import table_rows
 from ehlwave.writing import Writer

@@ -9,9 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import fft
 
-from ehlwave.deform.conditions import Conditions
-from ehlwave.deform.line_contact import TRANSVERSE_ALONE
+from ehlwave.contact.conditions import Conditions
+from ehlwave.contact.line_contact import TRANSVERSE_ALONE
 from ehlwave.deform.prepare import Form, Window, extended, judged_part, remove_form
+from ehlwave.deform.rough_pressure import ripple_of
 from ehlwave.deform.roughness import gaussian_filtered, roughness_parameters
 from ehlwave.deform.spectrum import Coverage, Spectrum, Unjudged, empty_spectrum
 from ehlwave.deform.statistics import (
@@ -87,9 +88,7 @@ class Deformed:
         StressError
             If the contact was given without the lengths that pressures need.
         """
-        from ehlwave.stress.centre import centre_pressure
-
-        return centre_pressure(self)
+        return ripple_of(self, every_line=True).pressure()[: self.height.shape[0]]
 
     @property
     def doubts(self) -> list[str]:

@@ -1,9 +1,9 @@
 """Transfers under slip from the law of the two waves, and the film at any place and time.
 
 A pattern that slides makes two waves in the film: one moves with the surface, the other with the
-oil (:mod:`ehlwave.two_waves`). At the contact centre their sum is a transfer like any other; at
-other places their phases differ. With two rough surfaces the film changes by the sum of what each
-does, S for the first and 2 - S for the second.
+oil (:mod:`ehlwave.contact.two_waves`). At the contact centre their sum is a transfer like any
+other; at other places their phases differ. With two rough surfaces the film changes by the sum of
+what each does, S for the first and 2 - S for the second.
 """
 
 from collections.abc import Sequence
@@ -12,13 +12,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ehlwave.deform.conditions import Conditions
-from ehlwave.deform.line_contact import ROLLS_ALONE
+from ehlwave.contact.conditions import Conditions
+from ehlwave.contact.line_contact import ROLLS_ALONE
+from ehlwave.contact.two_waves import FITTED_RANGES, SLIP_ERRORS, TwoWaves, two_waves
 from ehlwave.deform.surface import Surface
 from ehlwave.deform.transfer import Waves
 from ehlwave.errors import SurfaceError
 from ehlwave.rolling import rolling_transfer
-from ehlwave.two_waves import FITTED_RANGES, SLIP_ERRORS, TwoWaves, two_waves
 
 Complex = NDArray[np.complex128]
 Floats = NDArray[np.float64]

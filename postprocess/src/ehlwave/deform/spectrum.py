@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from ehlwave.deform.conditions import Conditions
+from ehlwave.contact.conditions import Conditions
 from ehlwave.deform.transfer import Transfer, shorter_than_contact
 
 Floats = NDArray[np.float64]

@@ -5,13 +5,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ehlwave.contact.conditions import Conditions
 from ehlwave.deform.amplitude import (
     LARGEST_RISE,
     expected_nonlinearity,
     rise_error,
     validated_amplitude,
 )
-from ehlwave.deform.conditions import Conditions
 from ehlwave.deform.surface import Heights
 
 LINEAR_LIMIT = 0.3

@@ -5,7 +5,7 @@ import pandas as pd
 from numpy.typing import NDArray
 from scipy.spatial import Delaunay
 
-from ehlwave.deform.conditions import Conditions
+from ehlwave.contact.conditions import Conditions
 from ehlwave.deform.table_matching import LARGEST_DIFFERENCE, matching_rows
 from ehlwave.deform.table_read import CONDITION_COLUMNS
 from ehlwave.errors import SurfaceError

@@ -3,7 +3,6 @@
 Every key of the programs stands in one of the groups below; a test holds them to ``--keys``.
 """
 
-import re
 from collections.abc import Mapping
 from typing import Any
 
@@ -11,6 +10,7 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
+from ehlwave.effective_input import keys_of_input
 from ehlwave.errors import ResultsError, SurfaceError, printable
 
 IN_COLUMNS = frozenset(
@@ -57,6 +57,8 @@ OF_THE_OIL = (
     "doolittle_occupied_fraction",
     "tait_modulus_pa",
     "tait_modulus_rate",
+    "temperature_k",
+    "viscosity_table",
 )
 """The oil at a given M, L and D; the reduced modulus where a stress is compared with it."""
 
@@ -102,6 +104,7 @@ WITHOUT_EFFECT = frozenset(
         "limiting_stress_over_pressure",
         "file",
         "fields",
+        "fields_every",
         "sensitivities",
     )
 )
@@ -112,13 +115,7 @@ CARRIED = (*OF_THE_OIL, *OF_THE_EDGES, *OF_MARCHES)
 
 CLASSIFIED = IN_COLUMNS | OF_THE_SOLUTION | WITHOUT_EFFECT | frozenset(CARRIED)
 
-_LINE = re.compile(r"^\s*(\w+)\s*=\s*(.*?),?\s*$", re.MULTILINE)
 STRESSES = ("eyring_stress_pa", "carreau_modulus_pa")
-
-
-def keys_of_input(text: str) -> dict[str, float | str]:
-    """Return the keys of an effective input with their values."""
-    return {key: value_of(value) for key, value in _LINE.findall(text)}
 
 
 def carried_columns(points: xr.Dataset) -> dict[str, list[Any]]:
@@ -176,15 +173,6 @@ def _is_linear(points: xr.Dataset) -> list[bool]:
     return np.isfinite(response).tolist()
 
 
-def value_of(text: str) -> float | str:
-    """Return a value of an input file."""
-    bare = text.strip().strip("'\"")
-    try:
-        return float(bare)
-    except ValueError:
-        return bare
-
-
 def table_columns(raw: pd.DataFrame, place: str) -> Mapping[str, pd.Series]:
     """Return the key columns of a table: numbers, or text of the laws.
 
@@ -198,7 +186,7 @@ def table_columns(raw: pd.DataFrame, place: str) -> Mapping[str, pd.Series]:
         if key not in raw:
             continue
         column = raw[key].map(lambda value: value.decode() if isinstance(value, bytes) else value)
-        if key.endswith("_law") or key in ("edges", "load_balance"):
+        if key.endswith("_law") or key in ("edges", "load_balance", "viscosity_table"):
             column = column.map(lambda value: np.nan if value == "" else value)
         elif column.dtype.kind not in "fiu":
             raise SurfaceError(f"{place}: column {key} does not hold numbers")

@@ -5,8 +5,9 @@ from collections.abc import Iterator
 import numpy as np
 import pandas as pd
 
-from ehlwave.deform.conditions import Conditions
-from ehlwave.deform.table_keys import CARRIED, STRESSES, value_of
+from ehlwave.contact.conditions import Conditions
+from ehlwave.deform.table_keys import CARRIED, STRESSES
+from ehlwave.effective_input import value_of
 from ehlwave.errors import SurfaceError, printable
 
 LARGEST_DIFFERENCE = 0.01

@@ -12,7 +12,7 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from ehlwave.deform.conditions import Conditions
+from ehlwave.contact.conditions import Conditions
 from ehlwave.errors import SurfaceError
 from ehlwave.formula import (
     PAPER_C1,

@@ -10,7 +10,7 @@ import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 from scipy.interpolate import CubicSpline
 
-from ehlwave.contact import read_contact, whole_domain
+from ehlwave.case_file import read_contact, whole_domain
 from ehlwave.errors import StressError
 from ehlwave.stress.field import checked_depths, stress_below, stress_line
 from ehlwave.stress.loads import checked_load

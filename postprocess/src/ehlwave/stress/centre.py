@@ -1,4 +1,4 @@
-"""Pressure of a rough surface at the contact centre, and film and pressure over a contact."""
+"""Film and pressure over a contact with rough surfaces."""
 
 from collections.abc import Sequence
 
@@ -7,18 +7,13 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from ehlwave.deform.predict import Deformed
+from ehlwave.deform.ripple import hertz_pressure_of
+from ehlwave.deform.rough_pressure import Ripple, ripple_of
 from ehlwave.errors import StressError
 from ehlwave.stress.hertz import hertz_pressure
-from ehlwave.stress.passage import Ripple, edge_factor, ripple_of
-from ehlwave.stress.ripple import hertz_pressure_of
+from ehlwave.stress.passage import edge_factor
 
 Floats = NDArray[np.float64]
-
-
-def centre_pressure(deformed: Deformed) -> Floats:
-    """Return the pressure ripple at the contact centre as each point passes it, Pa, (nx, ny)."""
-    ripple = ripple_of(deformed, every_line=True)
-    return ripple.pressure()[: deformed.height.shape[0]]
 
 
 def contact_fields(

@@ -10,8 +10,8 @@ from typing import Any
 import h5py
 import numpy as np
 
+from ehlwave.contact.conditions_read import read_conditions, read_keys
 from ehlwave.deform.cli import add_overwrite, add_reading
-from ehlwave.deform.conditions_read import read_conditions, read_keys
 from ehlwave.deform.prepare import WINDOWS
 from ehlwave.deform.read import ReadOptions
 from ehlwave.errors import StressError

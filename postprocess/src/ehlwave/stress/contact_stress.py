@@ -2,18 +2,17 @@
 
 from copy import copy
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 import xarray as xr
 from numpy.typing import ArrayLike
 
+from ehlwave.contact.conditions import Conditions
+from ehlwave.deform.predict import Deformed
 from ehlwave.deform.sliding import second_conditions
 from ehlwave.deform.surface import Surface
 from ehlwave.errors import RangeError
 from ehlwave.stress.rough import RoughStress, rough_stress
-
-if TYPE_CHECKING:
-    from ehlwave.operating_point import Contact
 
 UNKNOWN_FRICTION = (
     "friction is not known for this oil and slip: stresses are without it; give friction=, the "
@@ -21,8 +20,28 @@ UNKNOWN_FRICTION = (
 )
 
 
+class SmoothFilm(Protocol):
+    """A film whose friction may be known; :class:`ehlwave.Film` is one."""
+
+    @property
+    def friction(self) -> float | None:
+        """Friction coefficient."""
+
+
+class OperatingPoint(Protocol):
+    """What stresses have to know of a contact; :class:`ehlwave.Contact` is one."""
+
+    conditions: Conditions
+
+    def deform(self, surface: Surface | str | Path, **options: Any) -> Deformed:  # noqa: ANN401
+        """Return a measured surface as it is inside the contact."""
+
+    def film(self) -> SmoothFilm:
+        """Return the film of the smooth contact."""
+
+
 def stress_of_contact(
-    contact: "Contact",
+    contact: OperatingPoint,
     surface: Surface | str | Path,
     second: Surface | str | Path | None = None,
     *,
@@ -63,7 +82,7 @@ def stress_of_contact(
     return result
 
 
-def _friction(contact: "Contact") -> float | None:
+def _friction(contact: OperatingPoint) -> float | None:
     """Return the friction coefficient as far as it is known; 0 in pure rolling."""
     if contact.conditions.slip_parameter == 1:
         return 0.0

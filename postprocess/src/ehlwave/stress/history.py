@@ -7,10 +7,11 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from ehlwave.deform.conditions import Conditions
+from ehlwave.contact.conditions import Conditions
+from ehlwave.deform.ripple import hertz_pressure_of
+from ehlwave.deform.rough_pressure import Ripple
 from ehlwave.stress.midplane import hertz_midplane_stress
-from ehlwave.stress.passage import Ripple, edge_factor_below
-from ehlwave.stress.ripple import hertz_pressure_of
+from ehlwave.stress.passage import edge_factor_below, ripple_stresses
 from ehlwave.stress.waves import COMPONENTS
 
 Floats = NDArray[np.float64]
@@ -116,7 +117,9 @@ def follow(
     for one in ripples:
         meets = at if one is leader else _met(one, points * one.slip / slip)
         rows = lines % one.lines_m.size
-        found = one.stresses(places[near], depths_m, one.slip / slip, friction, poisson_ratio)
+        found = ripple_stresses(
+            one, places[near], depths_m, one.slip / slip, friction, poisson_ratio
+        )
         for time, stresses in zip(np.flatnonzero(near), found, strict=True):
             for name, values in stresses.items():
                 ripple[name][time] += fall[time][:, None] * _picked(values, meets, rows)

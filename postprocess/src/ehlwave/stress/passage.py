@@ -9,26 +9,16 @@ whole contacts do.
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ehlwave.deform.predict import Deformed
-from ehlwave.deform.prepare import extended
-from ehlwave.errors import StressError
-from ehlwave.stress.ripple import PressureWaves, pressure_waves
+from ehlwave.deform.rough_pressure import Ripple
 from ehlwave.stress.waves import wave_stress
 
 Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Stresses = dict[str, Floats]
-
-LINES = 5
-"""Lines along rolling on which a map is judged, evenly spread."""
-
-LEAST_SHARE = 1e-6
-"""Of the mean square of amplitude times wave number: what is left out of it, the smallest waves."""
 
 EDGE_POWER = 1 / 8
 """Power of the smooth pressure, over its largest, with which the ripple falls to the edge."""
@@ -62,144 +52,51 @@ def edge_factor_below(x_over_a: Floats, z_over_a: Floats, b_over_a: float) -> Fl
     return np.where(z_over_a < 2 * step, edge_factor(x_over_a)[:, None], found)
 
 
-@dataclass(frozen=True)
-class Ripple:
-    """The pressure waves of one surface inside a contact.
+def ripple_stresses(
+    ripple: Ripple,
+    places_m: Floats,
+    depths_m: Floats,
+    ratio: float,
+    friction: float,
+    poisson_ratio: float,
+) -> Iterator[Stresses]:
+    """Yield the stresses of points of a body at one place X after the other.
 
-    Attributes
+    Parameters
     ----------
-    slip : float
-        S of the surface.
-    length_m : float
-        After which it repeats along rolling; 0: it does not vary along rolling.
-    points, measured : int
-        Points of that length, and how many of them, the first, are the surface as it was measured.
-    amplitude : ndarray of complex, shape (kx, ky)
-        Of the gap, m; those with kx above 0 stand for themselves and their conjugates.
-    waves : PressureWaves
-        Of the same shape.
-    lines_m : ndarray
-        Places across rolling that are judged.
-    """
+    ripple : Ripple
+        Of the surface.
+    places_m, depths_m : ndarray
+        Places in the contact, and depths.
+    ratio : float
+        rho, the speed of this surface over that of the body.
+    friction, poisson_ratio : float
+        Traction on the body along +x over the pressure; Poisson's ratio.
 
-    slip: float
-    length_m: float
-    points: int
-    measured: int
-    amplitude: Complex
-    waves: PressureWaves
-    lines_m: Floats
-
-    @property
-    def moves(self) -> bool:
-        """Whether it varies along rolling."""
-        return self.points > 1
-
-    def pressure(self, x_m: float = 0.0) -> Floats:
-        """Return the ripple at X = x when points of the surface are there, Pa, (points, lines)."""
-        turn = np.exp(-1j * self.waves.number_x * x_m)
-        return self._over_points(self.waves.at(x_m) * turn * self.amplitude)
-
-    def stresses(
-        self,
-        places_m: Floats,
-        depths_m: Floats,
-        ratio: float,
-        friction: float,
-        poisson_ratio: float,
-    ) -> Iterator[Stresses]:
-        """Yield the stresses of points of a body at one place X after the other.
-
-        Parameters
-        ----------
-        places_m, depths_m : ndarray
-            Places in the contact, and depths.
-        ratio : float
-            rho, the speed of this surface over that of the body.
-        friction, poisson_ratio : float
-            Traction on the body along +x over the pressure; Poisson's ratio.
-
-        Yields
-        ------
-        dict of ndarray, shape (z, points, lines)
-            By component, Pa; those that are nothing are left out.
-        """
-        waves = self.waves
-        material = friction, poisson_ratio
-        own = _below(waves.number_x.astype(complex), waves.number_y, depths_m, *material)
-        carries = np.any(np.abs(waves.complementary) > 0)
-        other = _below(waves.psi, waves.number_y, depths_m, *material) if carries else {}
-        same: Stresses | None = None
-        for x_m in places_m:
-            if same is None:
-                turn = np.exp(-1j * ratio * waves.number_x * x_m) * self.amplitude
-                here = waves.attenuated * np.exp(1j * waves.number_x * x_m) * turn
-                total = {name: factor * here for name, factor in own.items()}
-                if carries:
-                    there = waves.complementary * waves.carried(x_m) * turn
-                    total = {name: value + other[name] * there for name, value in total.items()}
-                found = {name: self._over_points(value) for name, value in total.items()}
-                # What moves with the body is the same to its points at every place.
-                if not carries and (ratio == 1 or not self.moves):
-                    same = found
-            yield found
-
-    def _over_points(self, values: Complex) -> Floats:
-        """Return the sum of waves over the points of the length and the lines."""
-        across = np.exp(1j * np.outer(self.waves.number_y[0], self.lines_m))
-        along = values @ across
-        return np.asarray(np.fft.irfft(along, n=self.points, axis=-2) * self.points)
-
-
-def ripple_of(deformed: Deformed, *, every_line: bool = False) -> Ripple:
-    """Return the ripple of a surface, along some lines of a map or along every one.
-
-    Raises
+    Yields
     ------
-    StressError
-        If the surface was not predicted with a transfer, or the contact has no lengths.
+    dict of ndarray, shape (z, points, lines)
+        By component, Pa; those that are nothing are left out.
     """
-    surface, conditions, transfer = deformed.surface, deformed.conditions, deformed.transfer
-    if transfer is None:
-        raise StressError(f"{surface.name}: has no transfer: predict it with deform_surface")
-    gap = -extended(surface.height.astype(float), deformed.window)
-    nx, ny = gap.shape
-    spectrum = np.fft.fft(np.fft.rfft(gap, axis=0), axis=1) / gap.size
-    number_x = 2 * np.pi * np.fft.rfftfreq(nx, surface.step_x_m or 1.0)
-    number_y = 2 * np.pi * np.fft.fftfreq(ny, surface.step_y_m or 1.0)
-    large = _large(spectrum, np.hypot(number_x[:, None], number_y))
-    last = int(np.flatnonzero(large.any(axis=1))[-1])
-    columns = np.flatnonzero(large.any(axis=0))
-    kx, ky = np.meshgrid(number_x[: last + 1], number_y[columns], indexing="ij")
-    lines = np.arange(surface.height.shape[1])
-    if surface.height.shape[0] > 1 and lines.size > LINES and not every_line:
-        lines = np.linspace(0, lines.size - 1, LINES).round().astype(int)
-    return Ripple(
-        slip=conditions.slip_parameter,
-        length_m=nx * surface.step_x_m if nx > 1 else 0.0,
-        points=nx,
-        measured=surface.height.shape[0],
-        amplitude=np.where(large, spectrum, 0)[: last + 1, columns],
-        waves=pressure_waves(conditions, transfer, kx.copy(), ky.copy()),
-        lines_m=lines * (surface.step_y_m or 1.0),
-    )
-
-
-def _large(spectrum: Complex, number: Floats) -> NDArray[np.bool_]:
-    """Return which waves could make pressure that counts: it goes as amplitude times number."""
-    squares = np.abs(spectrum * number) ** 2
-    whole = squares.sum()
-    if whole == 0:
-        return np.asarray(number == 0)
-    tails = [whole - np.cumsum(np.sort(squares.sum(axis=axis))[::-1]) for axis in (1, 0)]
-    kept = [1 + int(np.sum(tail > LEAST_SHARE * whole)) for tail in tails]
-    chosen = np.zeros(squares.shape, dtype=bool)
-    rows, columns = (
-        np.argsort(-squares.sum(axis=axis), kind="stable")[:count]
-        for axis, count in zip((1, 0), kept, strict=True)
-    )
-    chosen[np.ix_(rows, columns)] = True
-    return chosen
+    waves = ripple.waves
+    material = friction, poisson_ratio
+    own = _below(waves.number_x.astype(complex), waves.number_y, depths_m, *material)
+    carries = np.any(np.abs(waves.complementary) > 0)
+    other = _below(waves.psi, waves.number_y, depths_m, *material) if carries else {}
+    same: Stresses | None = None
+    for x_m in places_m:
+        if same is None:
+            turn = np.exp(-1j * ratio * waves.number_x * x_m) * ripple.amplitude
+            here = waves.attenuated * np.exp(1j * waves.number_x * x_m) * turn
+            total = {name: factor * here for name, factor in own.items()}
+            if carries:
+                there = waves.complementary * waves.carried(x_m) * turn
+                total = {name: value + other[name] * there for name, value in total.items()}
+            found = {name: ripple.over_points(value) for name, value in total.items()}
+            # What moves with the body is the same to its points at every place.
+            if not carries and (ratio == 1 or not ripple.moves):
+                same = found
+        yield found
 
 
 def _below(

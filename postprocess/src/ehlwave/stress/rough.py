@@ -9,8 +9,10 @@ import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
-from ehlwave.deform.conditions import Conditions
+from ehlwave.contact.conditions import Conditions
 from ehlwave.deform.predict import Deformed
+from ehlwave.deform.ripple import hertz_pressure_of
+from ehlwave.deform.rough_pressure import Ripple, ripple_of
 from ehlwave.errors import StressError
 from ehlwave.stress.body import BodyStress, judge_body
 from ehlwave.stress.case import stress_of_case
@@ -18,8 +20,6 @@ from ehlwave.stress.dang_van import fatigue_shear
 from ehlwave.stress.field import checked_depths
 from ehlwave.stress.history import follow
 from ehlwave.stress.life import CYCLE_POWER, LINE_CYCLE_POWER
-from ehlwave.stress.passage import Ripple, ripple_of
-from ehlwave.stress.ripple import hertz_pressure_of
 from ehlwave.stress.trust import LINEAR_LIMIT, MODEL_ERROR, doubts
 
 Floats = NDArray[np.float64]

@@ -4,8 +4,8 @@ import math
 from collections.abc import Sequence
 
 from ehlwave.deform.predict import Deformed
-from ehlwave.stress.passage import Ripple
-from ehlwave.stress.ripple import hertz_pressure_of
+from ehlwave.deform.ripple import hertz_pressure_of
+from ehlwave.deform.rough_pressure import Ripple
 
 MODEL_ERROR = 0.05
 """Relative: waves of the centre stand for those of the whole contact, and Hertz for its pressure;

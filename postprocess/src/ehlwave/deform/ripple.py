@@ -7,7 +7,7 @@ own wave number and so its own depth of stress:
     p = (E'/4) [k (a - 1) exp(i kx X) + kappa c exp(i psi X)] exp(-i w t),
     k^2 = kx^2 + ky^2,   kappa^2 = psi^2 + ky^2,   a + c = T at the contact centre.
 
-a and psi are known in closed form (:mod:`ehlwave.medium`), T is the atlas' or of a law.
+a and psi are known in closed form (:mod:`ehlwave.contact.medium`), T is the atlas' or of a law.
 """
 
 from dataclasses import dataclass
@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import ellipk
 
-from ehlwave.deform.conditions import Conditions
+from ehlwave.contact.conditions import Conditions
 from ehlwave.deform.transfer import FormulaBasis, Transfer
 from ehlwave.errors import StressError
 

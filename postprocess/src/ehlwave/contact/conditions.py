@@ -1,4 +1,4 @@
-"""Operating conditions of a contact: the one place in this package that computes Moes parameters.
+"""Operating conditions of a contact, from the keys of an input file.
 
 The keys are those of the input files of ``ehlwave-case``; equation numbers are those of
 ``src/theory.md``.
@@ -9,22 +9,30 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from scipy.optimize import brentq
 from scipy.special import ellipe, ellipk
 
-from ehlwave.deform.line_contact import (
+from ehlwave.contact.line_contact import (
     LINE_KEYS,
     LOAD_KEY,
     SLENDER_OVER_LINE,
     line_alphabar,
-    line_film,
     line_lambdabar,
     line_values,
     moes_per_line_film,
 )
+from ehlwave.contact.medium import Medium, hertz_medium
+from ehlwave.contact.oils import Oil
+from ehlwave.contact.scales import (
+    alphabar,
+    corrected_film,
+    ellipticity,
+    lambdabar,
+    moes_film,
+    moes_per_film,
+    pressure_factor,
+)
 from ehlwave.errors import SurfaceError
 from ehlwave.formula import v
-from ehlwave.medium import Medium, Oil, hertz_medium
 
 SMALLEST_RADIUS_RATIO = 0.005
 
@@ -124,16 +132,14 @@ class Conditions:
         """Return alpha ph, eq. (3)."""
         if self.is_line:
             return float(line_alphabar(self.m, self.l))
-        return self.l / math.pi * (1.5 * self.gamma * self.m) ** (1 / 3)
+        return alphabar(self.m, self.l, self.gamma)
 
     @property
     def lambdabar(self) -> float:
         """Return the speed parameter, eq. (4)."""
         if self.is_line:
             return line_lambdabar(self.m)
-        k, b = float(ellipk(1 - self.kappa**2)), _integral_combinations(self.kappa)[1]
-        shape = b ** (5 / 3) / (6 ** (1 / 3) * self.kappa ** (4 / 3) * k**2)
-        return 16 * math.pi ** (4 / 3) * self.m ** (-4 / 3) * shape
+        return lambdabar(self.m, self.kappa)
 
     def medium(self, slip: float) -> Medium:
         """Return the state of the contact centre for small waves of a surface with this slip.
@@ -245,90 +251,6 @@ def conditions_from_keys(
             )
         values |= _moes_values(values, place)
     return _complete(values, place)
-
-
-def ellipticity(d: float) -> float:
-    """Return kappa = a/b that solves D = kappa^2 (K - E)/(E - kappa^2 K), eq. (1).
-
-    The elliptic integrals have the parameter 1 - kappa^2. Valid for 0.005 <= D <= 1.
-
-    Raises
-    ------
-    SurfaceError
-        For D = 0, a line contact, which has no width.
-    """
-    if d == 0:
-        raise SurfaceError(
-            "radius_ratio_d = 0 is a line contact: harmonic tables are for elliptical contacts, "
-            "radius_ratio_d of 0.005 to 1"
-        )
-    if d == 1:
-        return 1.0
-
-    def excess(kappa: float) -> float:
-        k_minus_e, b = _integral_combinations(kappa)
-        return kappa**2 * k_minus_e / b - d
-
-    return float(brentq(excess, 1e-3, 1.0, xtol=1e-15, rtol=1e-14))
-
-
-def pressure_factor(kappa: float) -> float:
-    """Return gamma, by which M counts in V: 1 for a circular contact, eq. (3)."""
-    return math.pi**2 * kappa / (16 * _integral_combinations(kappa)[1] ** 2)
-
-
-def moes_film(m: float, l: float, d: float) -> float:  # noqa: E741
-    """Return the central film of a smooth contact in the Moes scale, (h/Rx)(2U)^(-1/2).
-
-    Nijenbanning, Venner and Moes (1994), *Wear* 176: a fit for all D. Converged solutions lie
-    below it, by :data:`FIT_ERROR` at most in 97.5 % of contacts. Line contacts (D = 0): Moes
-    (1992), :data:`LINE_FIT_ERROR`.
-    """
-    if d == 0:
-        return float(line_film(m, l))
-    shape = 1 + 0.006 * math.log(d) + 0.63 * d ** (4 / 7)
-    h_ri = 145 * (1 + 0.796 * d ** (14 / 15)) ** (-15 / 7) / d / m**2
-    h_ei = 3.18 * shape ** (-14 / 25) * d ** (-1 / 15) * m ** (-2 / 15)
-    h_00 = 1.8 / d
-    h_rp = 1.29 * (1 + 0.691 * d) ** (-2 / 3) * l ** (2 / 3)
-    h_ep = 1.48 * shape ** (-7 / 20) * d ** (-1 / 24) * m ** (-1 / 12) * l**0.75
-    ratio = h_ei / h_ep if l > 0 else math.inf
-    s = 1.5 * (1 + math.exp(-1.2 * ratio))
-    rigid_elastic = (h_ri**1.5 + (h_ei**-4 + h_00**-4) ** (-3 / 8)) ** (2 * s / 3)
-    piezoviscous = (h_rp**-8 + h_ep**-8) ** (-s / 8) if l > 0 else 0.0
-    return float((rigid_elastic + piezoviscous) ** (1 / s))
-
-
-def corrected_film(m: float, l: float, d: float) -> float:  # noqa: E741
-    """Return H of a smooth contact: :func:`moes_film` less what it is too thick by, in units of c.
-
-    The correction is a fit to the contacts of ``studies.two_waves`` (20 <= M <= 1000,
-    2.5 <= L <= 20, 0.1 <= D <= 1, flooded, Newtonian), of which it misses 2 per cent rms; the
-    formula alone 11 per cent.
-    """
-    kappa = ellipticity(d)
-    load = pressure_factor(kappa) * m
-    share = 0.913 * (10 / l) ** 0.118 * (100 / load) ** 0.039 * d**0.021
-    return share * moes_film(m, l, d) / moes_per_film(m, kappa)
-
-
-def moes_per_film(m: float, kappa: float) -> float:
-    """Return the film in the Moes scale per unit of H, eq. (6)."""
-    b = _integral_combinations(kappa)[1]
-    k = float(ellipk(1 - kappa**2))
-    return k / 2 * b ** (-1 / 3) * (6 * m * kappa / math.pi) ** (2 / 3)
-
-
-def _integral_combinations(kappa: float) -> tuple[float, float]:
-    """Return (K - E)/(1 - kappa^2) and (E - kappa^2 K)/(1 - kappa^2); pi/4 each at kappa = 1."""
-    m = 1 - kappa**2
-    if m < 1e-4:
-        # Power series: the differences lose all digits here. Error of the order m^3.
-        return math.pi / 4 * (1 + 3 / 8 * m + 15 / 64 * m**2), math.pi / 4 * (
-            1 + m / 8 + 3 / 64 * m**2
-        )
-    k, e = float(ellipk(m)), float(ellipe(m))
-    return (k - e) / m, (e - kappa**2 * k) / m
 
 
 def _moes_values(values: Mapping[str, float], place: str) -> dict[str, float]:

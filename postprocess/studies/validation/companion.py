@@ -4,8 +4,8 @@ from pathlib import Path
 
 from ehlwave.formula import amplitude_ratio_formula
 from ehlwave.points import select_points
-from studies.paper.data import read_stage
 from studies.section import Section, comparison, comparison_row
+from studies.stages import read_stage
 
 PRINTED, PRINTED_FORMULA = 0.739, 0.704
 

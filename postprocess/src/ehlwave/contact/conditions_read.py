@@ -7,11 +7,11 @@ from typing import Any, NamedTuple
 
 import f90nml
 
-from ehlwave.deform.conditions import OIL_KEYS, Conditions, conditions_from_keys
+from ehlwave.contact.conditions import OIL_KEYS, Conditions, conditions_from_keys
 from ehlwave.errors import SurfaceError
 
 KNOWN_LAWS = {"viscosity_law": "roelands", "density_law": "dowson_higginson"}
-"""What :class:`ehlwave.medium.Oil` has; files may ask for others."""
+"""What :class:`ehlwave.contact.medium.Oil` has; files may ask for others."""
 
 LAW_PREFIXES = ("mcewen_", "yasutomi_", "doolittle_", "tait_")
 """Of the parameters of other laws."""

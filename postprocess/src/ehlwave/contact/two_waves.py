@@ -6,8 +6,9 @@ Where a pattern Ai exp(i kx (X - S T)) slides through the contact, the film near
 
 the attenuated wave moves with the surface, the complementary one is launched by the inlet and moves
 with the oil (Greenwood and Morales-Espejel 1994; Hooke 2006). a and psi follow from the state of
-the contact centre in closed form (:mod:`ehlwave.medium`). What the inlet launches is what it lets
-through in pure rolling, where the film is 1 + (R - 1), less what the attenuated wave takes of it:
+the contact centre in closed form (:mod:`ehlwave.contact.medium`). What the inlet launches is what
+it lets through in pure rolling, where the film is 1 + (R - 1), less what the attenuated wave takes
+of it:
 
     c = (G - a) way(psi - kx) + (R - 1) G way(psi - psi_1)
     G = T S^(p (gM/200)^p1 (cos^2(theta))^p2 (1 - |a|^2) + i q (gM/200)^q1 (cos^2(theta))^q2)
@@ -18,8 +19,8 @@ gM is gamma M. Launched between X = -1 and -1 + 2d, a wave arrives at the centre
 the loss of its way; u^2/6 is what a launch spread over 2d averages out. psi_1 is psi in pure
 rolling, whose loss R has in it already. Of waves that are much shorter than the inlet R is 1 and
 nothing arrives. T is what thinning in the inlet costs, B0 the B of the viscosity at ambient
-pressure (:class:`ehlwave.medium.Medium`). p to r and d are fitted (``studies.two_waves``); S -> 1
-gives a + c = R, the pure rolling law of :mod:`ehlwave.rolling`.
+pressure (:class:`ehlwave.contact.medium.Medium`). p to r and d are fitted (``studies.two_waves``);
+S -> 1 gives a + c = R, the pure rolling law of :mod:`ehlwave.rolling`.
 """
 
 from collections.abc import Sequence
@@ -29,8 +30,8 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ehlwave.contact.medium import INLET_VISCOSITY, Medium
 from ehlwave.formula import wave_and_direction
-from ehlwave.medium import INLET_VISCOSITY, Medium
 from ehlwave.rolling import rolling_transfer
 
 Complex = NDArray[np.complex128]

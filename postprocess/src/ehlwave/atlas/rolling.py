@@ -1,0 +1,27 @@
+"""The atlas of contacts that roll, to which contacts that slide are compared."""
+
+from dataclasses import replace
+from functools import cache
+
+from ehlwave.atlas.chart import Chart
+from ehlwave.atlas.coordinates import contact_coordinates, rolling_references
+from ehlwave.atlas.kind import FILMS, Kind, shipped
+from ehlwave.atlas.networks import Networks
+from ehlwave.atlas.ranges import CONTACT_RANGES
+from ehlwave.atlas.shape import Shape
+from ehlwave.atlas.stored import read_stored
+from ehlwave.contact.conditions import Conditions
+
+ROLLING = Kind(
+    "rolling", CONTACT_RANGES, contact_coordinates, Shape.of_keys, FILMS, rolling_references
+)
+
+
+def rolling_chart(contact: Conditions) -> Chart:
+    """Return the chart of the same contact in pure rolling, from the atlas of this package."""
+    return Chart(_networks(), replace(contact, slip_parameter=1.0).atlas_keys())
+
+
+@cache
+def _networks() -> Networks:
+    return Networks(read_stored(shipped(ROLLING)), ROLLING)

@@ -1,0 +1,20 @@
+"""What a contact is: its conditions and scales, its oil, and the two waves under slip.
+
+Knows no surfaces, no atlas and no files of results.
+"""
+
+from ehlwave.contact.conditions import Conditions, conditions_from_keys
+from ehlwave.contact.conditions_read import read_conditions
+from ehlwave.contact.medium import Medium, hertz_medium
+from ehlwave.contact.oils import Oil
+from ehlwave.contact.two_waves import TwoWaves
+
+__all__ = [
+    "Conditions",
+    "Medium",
+    "Oil",
+    "TwoWaves",
+    "conditions_from_keys",
+    "hertz_medium",
+    "read_conditions",
+]

@@ -1,0 +1,112 @@
+"""Scales of elliptical contacts and their film by formula, from M, L and D.
+
+Equation numbers are those of ``src/theory.md``; line contacts: :mod:`ehlwave.contact.line_contact`.
+The Fortran program has the same in ``src/contact/conditions.f90`` and ``formula.f90``; a test
+compares both to round-off.
+"""
+
+import math
+from typing import TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import brentq
+from scipy.special import ellipk, elliprd
+
+from ehlwave.contact.line_contact import line_film
+from ehlwave.errors import SurfaceError
+
+Number = TypeVar("Number", float, NDArray[np.float64])
+
+
+def ellipticity(d: float) -> float:
+    """Return kappa = a/b that solves D = kappa^2 (K - E)/(E - kappa^2 K), eq. (1).
+
+    The elliptic integrals have the parameter 1 - kappa^2. Valid for 0.005 <= D <= 1.
+
+    Raises
+    ------
+    SurfaceError
+        For D = 0, a line contact, which has no width.
+    """
+    if d == 0:
+        raise SurfaceError(
+            "radius_ratio_d = 0 is a line contact: harmonic tables are for elliptical contacts, "
+            "radius_ratio_d of 0.005 to 1"
+        )
+    if d == 1:
+        return 1.0
+
+    def excess(kappa: float) -> float:
+        k_minus_e, b = integral_combinations(kappa)
+        return kappa**2 * k_minus_e / b - d
+
+    return float(brentq(excess, 1e-3, 1.0, xtol=1e-15, rtol=1e-14))
+
+
+def pressure_factor(kappa: float) -> float:
+    """Return gamma, by which M counts in V: 1 for a circular contact, eq. (3)."""
+    return math.pi**2 * kappa / (16 * integral_combinations(kappa)[1] ** 2)
+
+
+def alphabar(m: Number, l: Number, gamma: Number) -> Number:  # noqa: E741
+    """Return alpha ph of M, L and gamma, eq. (3)."""
+    return l / math.pi * (1.5 * gamma * m) ** (1 / 3)
+
+
+def lambdabar(m: float, kappa: float) -> float:
+    """Return the speed parameter, eq. (4)."""
+    k, b = float(ellipk(1 - kappa**2)), integral_combinations(kappa)[1]
+    shape = b ** (5 / 3) / (6 ** (1 / 3) * kappa ** (4 / 3) * k**2)
+    return 16 * math.pi ** (4 / 3) * m ** (-4 / 3) * shape
+
+
+def moes_film(m: float, l: float, d: float) -> float:  # noqa: E741
+    """Return the central film of a smooth contact in the Moes scale, (h/Rx)(2U)^(-1/2).
+
+    Nijenbanning, Venner and Moes (1994), *Wear* 176: a fit for all D. Converged solutions lie
+    below it, by :data:`FIT_ERROR` at most in 97.5 % of contacts. Line contacts (D = 0): Moes
+    (1992), :data:`LINE_FIT_ERROR`.
+    """
+    if d == 0:
+        return float(line_film(m, l))
+    shape = 1 + 0.006 * math.log(d) + 0.63 * d ** (4 / 7)
+    h_ri = 145 * (1 + 0.796 * d ** (14 / 15)) ** (-15 / 7) / d / m**2
+    h_ei = 3.18 * shape ** (-14 / 25) * d ** (-1 / 15) * m ** (-2 / 15)
+    h_00 = 1.8 / d
+    h_rp = 1.29 * (1 + 0.691 * d) ** (-2 / 3) * l ** (2 / 3)
+    h_ep = 1.48 * shape ** (-7 / 20) * d ** (-1 / 24) * m ** (-1 / 12) * l**0.75
+    ratio = h_ei / h_ep if l > 0 else math.inf
+    s = 1.5 * (1 + math.exp(-1.2 * ratio))
+    rigid_elastic = (h_ri**1.5 + (h_ei**-4 + h_00**-4) ** (-3 / 8)) ** (2 * s / 3)
+    piezoviscous = (h_rp**-8 + h_ep**-8) ** (-s / 8) if l > 0 else 0.0
+    return float((rigid_elastic + piezoviscous) ** (1 / s))
+
+
+def corrected_film(m: float, l: float, d: float) -> float:  # noqa: E741
+    """Return H of a smooth contact: :func:`moes_film` less what it is too thick by, in units of c.
+
+    The correction is a fit to the contacts of ``studies.two_waves`` (20 <= M <= 1000,
+    2.5 <= L <= 20, 0.1 <= D <= 1, flooded, Newtonian), of which it misses 2 per cent rms; the
+    formula alone 11 per cent.
+    """
+    kappa = ellipticity(d)
+    load = pressure_factor(kappa) * m
+    share = 0.913 * (10 / l) ** 0.118 * (100 / load) ** 0.039 * d**0.021
+    return share * moes_film(m, l, d) / moes_per_film(m, kappa)
+
+
+def moes_per_film(m: float, kappa: float) -> float:
+    """Return the film in the Moes scale per unit of H, eq. (6)."""
+    b = integral_combinations(kappa)[1]
+    k = float(ellipk(1 - kappa**2))
+    return k / 2 * b ** (-1 / 3) * (6 * m * kappa / math.pi) ** (2 / 3)
+
+
+def integral_combinations(kappa: float) -> tuple[float, float]:
+    """Return (K - E)/(1 - kappa^2) and (E - kappa^2 K)/(1 - kappa^2); pi/4 each at kappa = 1.
+
+    By Carlson's R_D, in which nothing cancels: Carlson, Numerical Algorithms 10 (1995).
+    """
+    k = kappa**2
+    return float(elliprd(0, k, 1)) / 3, k * float(elliprd(0, 1, k)) / 3
