@@ -12,7 +12,8 @@ program ehlwave_sweep
    use ehlwave_sweep_cases, only: sweep_t
    use ehlwave_sweep_job, only: mpi_library, run_job
    use ehlwave_sweep_keys, only: sweep_key_reference
-   use ehlwave_sweep_leader, only: exit_bad_input, exit_done, exit_failed, exit_not_written, exit_unfinished, job_options_t
+   use ehlwave_sweep_leader, only: exit_bad_input, exit_done, exit_failed, exit_not_written, exit_unfinished, &
+      job_options_t
    use ehlwave_sweep_report, only: print_sweep_plan
    use ehlwave_sweep_status, only: print_status
    use ehlwave_terminal, only: complain, print_last, say_lines
@@ -62,7 +63,8 @@ program ehlwave_sweep
    integer :: code, i, rank
 
    call read_arguments(['--plan     ', '--overwrite', '--keys     ', '--markdown ', '--help     ', '--version  ', &
-                        '--verbose  '], ['--output    ', '--time-limit', '--retry     ', '--status    '], arguments, error)
+                        '--verbose  '], ['--output    ', '--time-limit', '--retry     ', '--status    '], arguments, &
+                        error)
    call ignore_write_signals()
    if (.not. allocated(error)) then
       call answer()
@@ -92,8 +94,8 @@ program ehlwave_sweep
 
 contains
 
-   !> The help and version of the program: without starting MPI, which some machines refuse outside a job. Of many processes
-   !> the one says it that launchers call the first.
+   !> The help and version of the program: without starting MPI, which some machines refuse outside a job. Of many
+   !> processes the one says it that launchers call the first.
    subroutine answer()
       character(len=*), parameter :: rank_variables(4) = [character(len=20) :: 'OMPI_COMM_WORLD_RANK', 'PMIX_RANK', &
                                                           'PMI_RANK', 'SLURM_PROCID']

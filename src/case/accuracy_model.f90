@@ -18,10 +18,12 @@ module ehlwave_accuracy_model
    real(dp), parameter :: step_tolerance_factor = 1.26_dp  !! model 'step_tolerance': four of five runs are below
    real(dp), parameter :: steady_cost(3) = [66.7_dp, -0.265_dp, 0.0870_dp]   !! model 'steady_cost'
    real(dp), parameter :: step_cost(3) = [19.8_dp, -0.351_dp, 0.0229_dp]      !! model 'step_cost'
-   ! Of line contacts: steady states measured for M = 20 to 1000, L = 5 to 20, 256 to 2048 cells, within a factor of 2; steps 70 to 85.
+   ! Of line contacts: steady states measured for M = 20 to 1000, L = 5 to 20, 256 to 2048 cells, within a factor of 2;
+   ! steps 70 to 85.
    real(dp), parameter :: line_steady_cost(3) = [483.0_dp, -0.5_dp, 0.467_dp], line_step_cost = 80
-   !> Times as much of a steady state and of a step with a Ree-Eyring oil, M = 100, D = 1, S = 1.5, 5 MPa, counted on 64, 128 and
-   !> 256 cells: 1.7, 1.5, 1.6 and 1.8, 1.7, 1.8. Linear responses take less, for they need fewer GMRES steps.
+   !> Times as much of a steady state and of a step with a Ree-Eyring oil, M = 100, D = 1, S = 1.5, 5 MPa, counted on
+   !> 64, 128 and 256 cells: 1.7, 1.5, 1.6 and 1.8, 1.7, 1.8. Linear responses take less, for they need fewer GMRES
+   !> steps.
    real(dp), parameter :: film_flow_cost(2) = [1.6_dp, 1.8_dp]
    ! Refining Y alone changes Ad/Ai of patterns that vary in Y by 0.26 to 0.69 over the square of the points per wave
    ! (M = 100, D = 1 and 0.12, isotropic and longitudinal, 24 to 96 cells).
@@ -37,8 +39,8 @@ contains
    end function expected_film_error
 
    !> Relative error of Ad/Ai: c hX^2 gamma M (1 - F)^(1/2), F the ratio by the formula (the shorter the wave, the
-   !> nearer F to 1, the less of it is left to the inlet), c by whether the pattern moves, and what is due to waves along Y, to steps longer than hX
-   !> and to the step tolerance.
+   !> nearer F to 1, the less of it is left to the inlet), c by whether the pattern moves, and what is due to waves
+   !> along Y, to steps longer than hX and to the step tolerance.
    pure real(dp) function expected_ratio_error(conditions, formula_ratio, hx, points_y, cells_per_step, samples, &
                                                step_tolerance)
       type(conditions_t), intent(in) :: conditions
@@ -72,7 +74,8 @@ contains
       type(conditions_t), intent(in) :: conditions
       real(dp), intent(in) :: formula_ratio
       logical, intent(in) :: moves
-      ratio_scale = merge(moving_factor, standing_factor, moves)*conditions%steepness()*sqrt(max(0.0_dp, 1 - formula_ratio))
+      ratio_scale = merge(moving_factor, standing_factor, moves)*conditions%steepness()*sqrt(max(0.0_dp, 1 &
+         - formula_ratio))
    end function ratio_scale
 
    !> Largest mesh size in X that leaves at most `error`: of H(0,0), or of Ad/Ai by the mesh in X alone.

@@ -35,17 +35,17 @@ contains
       if (allocated(error)) error%message = place//error%message
    end subroutine complete_case
 
-   !> Refuse keys that a line contact, D = 0, does not have: anything that varies along Y or is about its width; an approach whose change
-   !> in time is known (that under a line load on a half-space is determined but for a constant times the load, so there
-   !> is no equation of motion); FAS and MLMI, which are not written for it.
+   !> Refuse keys that a line contact, D = 0, does not have: anything that varies along Y or is about its width; an
+   !> approach whose change in time is known (that under a line load on a half-space is determined but for a constant
+   !> times the load, so there is no equation of motion); FAS and MLMI, which are not written for it.
    subroutine complete_line(case, error)
       type(case_t), intent(inout) :: case
       type(error_t), allocatable, intent(inout) :: error
       character(len=*), parameter :: line = ': a line contact (radius_ratio_d = 0) '
 
       if (case%orientation == 'isotropic' .or. case%orientation == 'longitudinal') then
-         call raise(error, "&waviness orientation = '"//trim(case%orientation)//"'"//line//"has no waves along Y: use "// &
-                    "'transverse', or an elliptical contact (radius_ratio_d of 0.005 or more)")
+         call raise(error, "&waviness orientation = '"//trim(case%orientation)//"'"//line// &
+            "has no waves along Y: use 'transverse', or an elliptical contact (radius_ratio_d of 0.005 or more)")
       else if (case%wavelength_y_over_a > 0) then
          call raise(error, '&waviness wavelength_y_over_a = '//to_text(case%wavelength_y_over_a, 6)//line// &
                     'has no waves along Y: set it to 0')
@@ -56,7 +56,8 @@ contains
       else if (case%deformation == 'mlmi') then
          call raise(error, "&solver deformation = 'mlmi'"//line//"has its deformation by 'fft'")
       else if (case%load_balance == 'equation_of_motion') then
-         call raise(error, "&dynamics load_balance = 'equation_of_motion'"//line//'has no mutual approach of its own (that of '// &
+         call raise(error, "&dynamics load_balance = 'equation_of_motion'"//line// &
+            'has no mutual approach of its own (that of '// &
                     "a line load on a half-space is infinite): use 'force_balance'")
       end if
       case%cells_y = 1
@@ -64,7 +65,8 @@ contains
       if (case%largest_cells == 0) case%largest_cells = largest_line_cells
    end subroutine complete_line
 
-   !> Operating conditions of a case whose lubricant has all it needs; also sets M, L, D of a case given by dimensional data.
+   !> Operating conditions of a case whose lubricant has all it needs; also sets M, L, D of a case given by dimensional
+   !> data.
    subroutine case_conditions(case, conditions, error)
       type(case_t), intent(inout) :: case
       type(conditions_t), intent(out) :: conditions
@@ -108,7 +110,8 @@ contains
          case%wavelength_over_a = shorter(case%wavelength_x_over_a, case%wavelength_y_over_a)
       case default
          if (.not. case%wavelength_over_a > 0) &
-            call raise(error, "&waviness wavelength_over_a is missing: orientation '"//trim(case%orientation)//"' needs it")
+            call raise(error, "&waviness wavelength_over_a is missing: orientation '"//trim(case%orientation)// &
+            "' needs it")
          case%wavelength_x_over_a = merge(0.0_dp, case%wavelength_over_a, case%orientation == 'longitudinal')
          case%wavelength_y_over_a = merge(0.0_dp, case%wavelength_over_a, case%orientation == 'transverse')
       end select
@@ -128,18 +131,20 @@ contains
 
       if (case%response == 'transient') return
       if (len_trim(case%surface_file) > 0) then
-         call raise(error, "&waviness response = '"//trim(case%response)//"' is that of one harmonic wave, &surface file = '"// &
+         call raise(error, "&waviness response = '"//trim(case%response)// &
+            "' is that of one harmonic wave, &surface file = '"// &
                     trim(case%surface_file)//"' is none: remove &surface or set response to 'transient'")
       else if (abs(case%load_factor - 1) > 0) then
-         call raise(error, "&waviness response = '"//trim(case%response)//"' is about the steady state under the nominal "// &
+         call raise(error, "&waviness response = '"//trim(case%response)// &
+            "' is about the steady state under the nominal "// &
                     "load: remove &dynamics load_factor or set response to 'transient'")
       else if (case%time_step_over_cell > 1) then
          call raise(error, '&solver time_step_over_cell = '//to_text(case%time_step_over_cell, 6)// &
-                    " is above 1: response = '"//trim(case%response)//"' linearises steps of at most one cell; use 1, 0.5, "// &
-                    "0.25, ... or response = 'transient'")
+                    " is above 1: response = '"//trim(case%response)// &
+                    "' linearises steps of at most one cell; use 1, 0.5, 0.25, ... or response = 'transient'")
       else if ((case%response == 'harmonic' .or. case%response == 'periodic') .and. case%end_time > 0) then
-         call raise(error, "&dynamics end_time is given but response = '"//trim(case%response)//"' takes no time steps: "// &
-                    "remove end_time or set response to 'both' or 'transient'")
+         call raise(error, "&dynamics end_time is given but response = '"//trim(case%response)// &
+            "' takes no time steps: remove end_time or set response to 'both' or 'transient'")
       end if
    end subroutine check_response
 
@@ -156,8 +161,8 @@ contains
       if (ratio < 1) ratio = 1/ratio
       if (abs(ratio - nint(ratio)) > 1e-6_dp*ratio .or. ratio > 64) &
          call raise(error, '&solver time_step_over_cell = '//to_text(case%time_step_over_cell, 6)// &
-                    ': give a whole number (1, 2, 4) or one over a whole number (0.5, 0.25), so that steps follow the '// &
-                    'characteristics from node to node')
+                    ': give a whole number (1, 2, 4) or one over a whole number (0.5, 0.25), so that steps follow '// &
+                    'the characteristics from node to node')
       if (allocated(error)) return
       if (case%load_balance == 'equation_of_motion' .and. .not. case%natural_frequency > 0) &
          call raise(error, "&dynamics natural_frequency is missing: load_balance 'equation_of_motion' needs Omega")
@@ -170,9 +175,10 @@ contains
       type(error_t), allocatable, intent(inout) :: error
 
       if (allocated(error) .or. cells <= 0) return
-      if (cells < 16 .or. cells > 8192 .or. modulo(cells, 2) /= 0) call raise(error, '&grid '//key//' = '//to_text(cells)// &
-         ': give an even number from 16 to 8192, best one that can be halved several times (64, 96, 128, ...), or 0 for '// &
-         'the plan to choose')
+      if (cells < 16 .or. cells > 8192 .or. modulo(cells, 2) /= 0) call raise(error, '&grid '//key//' = '// &
+         to_text(cells)// &
+         ': give an even number from 16 to 8192, best one that can be halved several times (64, 96, 128, ...), or '// &
+         '0 for the plan to choose')
    end subroutine check_cells
 
 end module ehlwave_case_completion

@@ -29,11 +29,13 @@ contains
       if (.not. allocated(error)) call check_viscosity(case, error)
       if (allocated(error) .or. case%oil%is_newtonian() .or. case%is_dimensional) return
       if (.not. case%data%reduced_modulus_pa > 0) then
-         call raise(error, "&conditions reduced_modulus_pa is missing: &lubricant flow_law = '"//trim(case%oil%flow_law)// &
-                    "' with load_parameter_m, lubricant_parameter_l and radius_ratio_d needs E', since its stress enters by "// &
-                    "E' times it")
+         call raise(error, "&conditions reduced_modulus_pa is missing: &lubricant flow_law = '"// &
+            trim(case%oil%flow_law)// &
+                    "' with load_parameter_m, lubricant_parameter_l and radius_ratio_d needs E', since its stress "// &
+                    "enters by E' times it")
       else if (.not. case%lubricant_parameter_l > 0) then
-         call raise(error, "&conditions lubricant_parameter_l = 0 leaves the pressure unknown, and &lubricant flow_law = '"// &
+         call raise(error, "&conditions lubricant_parameter_l = 0 leaves the pressure unknown, and &lubricant "// &
+            "flow_law = '"// &
                     trim(case%oil%flow_law)//"' needs it: give lubricant_parameter_l above 0 (with viscosity_law = "// &
                     "'isoviscous' the viscosity is constant all the same), or dimensional data")
       end if

@@ -1,7 +1,7 @@
 !> The plan of one case, made before it runs: what is computed, on which grid, in how many steps, and why.
 module ehlwave_case_plan
-   use ehlwave_accuracy_model, only: expected_film_error, expected_long_step_error, expected_ratio_error, expected_step_error, &
-      steady_work_units, step_work_units
+   use ehlwave_accuracy_model, only: expected_film_error, expected_long_step_error, expected_ratio_error, &
+      expected_step_error, steady_work_units, step_work_units
    use ehlwave_case_completion, only: case_conditions
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_files, only: case_file_t, case_files, note_digest
@@ -38,9 +38,11 @@ module ehlwave_case_plan
       integer :: kind = run_smooth
       logical :: responds = .false.                  !! the linear response is computed
       integer :: field_sets = 0                      !! fields over time that are kept
-      logical :: is_periodic = .false.               !! the periodic state is sought first; the march is what else there is
+      logical :: is_periodic = .false.               !! the periodic state is sought first; the march is what else there
+                                                     !! is
       logical :: is_half = .true.                    !! only Y >= 0 is computed
-      real(dp) :: x_min = 0, x_max = 0, y_max = 0    !! domain; the pattern starts at the x_min of the case whatever it is
+      real(dp) :: x_min = 0, x_max = 0, y_max = 0    !! domain; the pattern starts at the x_min of the case whatever it
+                                                     !! is
       real(dp) :: domain_scale = 1                   !! over the domain of the case
       real(dp) :: domain_error = 0                   !! relative, expected by the edges, of what expected_error is of,
       real(dp) :: film_domain_error = 0              !! and of H(0,0)
@@ -57,7 +59,8 @@ module ehlwave_case_plan
       real(dp) :: largest_work = huge(1.0_dp)        !! and on operations where the case gives none, see `cap_work`
       integer :: phases = 0                          !! steady solutions of a standing pattern
       type(resolution_t) :: resolution
-      type(error_parts_t) :: expected                !! relative errors of Ad/Ai, of smooth contacts of H(0,0); from models
+      type(error_parts_t) :: expected                !! relative errors of Ad/Ai, of smooth contacts of H(0,0); from
+                                                     !! models
       real(dp) :: expected_error = 0                 !! of mesh, time and tolerances among them
       real(dp) :: expected_work_units = 0            !! counted, without error estimates
       real(dp) :: work_with_estimates = 0            !! the same with them: what takes time
@@ -74,18 +77,22 @@ module ehlwave_case_plan
 
    integer, parameter :: most_steps = 1000000
    integer, parameter :: steps_per_time_step = 40    !! nonlinear steps that a time step may take on average
-   !> Work of a case over that of its plan, where it has no cap of its own; it ends at a share of that, since the step at which it does
-   !> is finished.
+   !> Work of a case over that of its plan, where it has no cap of its own; it ends at a share of that, since the step
+   !> at which it does is finished.
    real(dp), parameter, public :: most_work = 10
    real(dp), parameter :: share_of_most = 0.8_dp
    real(dp), parameter :: share_of_steps = 0.2_dp    !! of the accuracy, for steps longer than hX
    real(dp), parameter :: fewest_long_steps = 32     !! time steps per wave that steps longer than hX must leave
    real(dp), parameter :: cost_of_estimate = 1.15_dp !! of a case with its coarser grids over that without
-   real(dp), parameter :: response_work_units = 50   !! of a linear response on half a domain and the change of the mean; measured: 35 to 80
+   real(dp), parameter :: response_work_units = 50   !! of a linear response on half a domain and the change of the
+                                                     !! mean; measured: 35 to 80
    real(dp), parameter :: line_response_work_units = 250   !! the same of a line contact
-   real(dp), parameter :: load_step_cost = 4         !! time steps after a load step over others; measured at M = 300, L = 30, D = 1: 9
-   real(dp), parameter :: petsc_cost = 2             !! of a solution by PETSc, of one by Newton's method; measured: 0.9 to 2.2
-   real(dp), parameter :: periodic_share = 0.4_dp    !! of a march that starts in the waves, of one from rest; measured: 0.2 to 0.6
+   real(dp), parameter :: load_step_cost = 4         !! time steps after a load step over others; measured at M = 300, L
+                                                     !! = 30, D = 1: 9
+   real(dp), parameter :: petsc_cost = 2             !! of a solution by PETSc, of one by Newton's method; measured: 0.9
+                                                     !! to 2.2
+   real(dp), parameter :: periodic_share = 0.4_dp    !! of a march that starts in the waves, of one from rest; measured:
+                                                     !! 0.2 to 0.6
    real(dp), parameter :: outlet_end = 1             !! X of the outlet end of the Hertzian contact
 
 contains
@@ -139,12 +146,15 @@ contains
       end if
       if (allocated(error)) return
       if (case%fields_every > 0 .and. (plan%kind /= run_march .or. plan%is_periodic)) then
-         call raise(error, '&output fields_every = '//to_text(case%fields_every)//': this case takes no time steps whose '// &
-                    "fields could be kept: remove it, or give waves or a surface that move, with response = 'transient' or 'both'")
+         call raise(error, '&output fields_every = '//to_text(case%fields_every)// &
+            ': this case takes no time steps whose '// &
+                    "fields could be kept: remove it, or give waves or a surface that move, with response = "// &
+                    "'transient' or 'both'")
          return
       end if
       if (case%fields_every > 0) plan%field_sets = plan%steps/case%fields_every + 1
-      plan%resolution = judge_resolution(plan%conditions, plan%surfaces, plan%x_min, plan%y_max, plan%hx, plan%hy, plan%dt)
+      plan%resolution = judge_resolution(plan%conditions, plan%surfaces, plan%x_min, plan%y_max, plan%hx, plan%hy, &
+         plan%dt)
       call expect(case, plan)
       if (case%accuracy > 0) call check_accuracy(case, plan, error)
       plan%cost = real(plan%cells_x, dp)*plan%cells_y*(15 + 6*plan%phases + 4*plan%steps + merge(8, 0, plan%responds))
@@ -165,7 +175,8 @@ contains
       real(dp) :: steps   ! per wave with dT = 2 hX
 
       chosen_step = 1
-      if (.not. plan%surfaces%moves() .or. plan%responds .or. plan%is_periodic .or. case%load_balance /= 'force_balance') return
+      if (.not. plan%surfaces%moves() .or. plan%responds .or. plan%is_periodic .or. &
+         case%load_balance /= 'force_balance') return
       steps = plan%surfaces%period()/(2*plan%hx)
       if (steps < fewest_long_steps) return
       if (expected_long_step_error(2, steps) <= share_of_steps*case%accuracy) chosen_step = 2
@@ -190,11 +201,13 @@ contains
       plan%expected%mesh = plan%expected_film_mesh_error()
       if (plan%surfaces%is_rough() .and. .not. plan%surfaces%is_measured()) then
          plan%expected%mesh = expected_ratio_error(plan%conditions, &
-                                                   formula_ratio(case, plan%conditions, plan%surfaces%moves()), plan%hx, &
+                                                   formula_ratio(case, plan%conditions, plan%surfaces%moves()), &
+                                                   plan%hx, &
                                                    plan%resolution%points_y, 1, samples, 0.0_dp)*plan%thinning%steepness
          if (samples > 0) plan%expected%time = expected_long_step_error(plan%cells_per_step, samples)
          if (samples > 0) plan%expected%algebraic = expected_step_error(step_tolerance)
-         if (plan%kind == run_march .or. plan%kind == run_standing) plan%expected%amplitude = expected_nonlinearity(case)
+         if (plan%kind == run_march .or. plan%kind == run_standing) plan%expected%amplitude = &
+            expected_nonlinearity(case)
       end if
       plan%expected_error = plan%expected%mesh + plan%expected%time + plan%expected%algebraic
       associate (steady => steady_work_units(plan%conditions, plan%cells_x, is_newtonian, plan%thinning%cost), &
@@ -212,8 +225,8 @@ contains
          plan%work_with_estimates = cost_of_estimate*plan%expected_work_units
    end subroutine expect
 
-   !> A case takes at most ten times the work that its plan expects, rescues, error estimates and runs on finer grids included,
-   !> unless it has a cap of its own, `largest_total_steps`.
+   !> A case takes at most ten times the work that its plan expects, rescues, error estimates and runs on finer grids
+   !> included, unless it has a cap of its own, `largest_total_steps`.
    subroutine cap_work(case, plan)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(inout) :: plan
@@ -241,8 +254,9 @@ contains
       model_margin = usual_margin*max(1.0_dp, (self%hy/(usual_ratio*self%hx))**2)
    end function model_margin
 
-   !> The least relative error of Ad/Ai, or of a response, by the mesh that two grids can show. Their values can agree by chance, which
-   !> tells nothing of either. Of 17 random cases the expected error was 0.65 to 3 times the error, an estimate from grids 0.02 to 3 times.
+   !> The least relative error of Ad/Ai, or of a response, by the mesh that two grids can show. Their values can agree
+   !> by chance, which tells nothing of either. Of 17 random cases the expected error was 0.65 to 3 times the error, an
+   !> estimate from grids 0.02 to 3 times.
    pure real(dp) function least_ratio_error(self)
       class(case_plan_t), intent(in) :: self
       real(dp), parameter :: least_share = 0.8_dp
@@ -265,7 +279,8 @@ contains
    !> computed. Measured on 64 to 384 cells along each side: within a tenth; on 1024 a sixth more, on 2048 a third.
    pure real(dp) function expected_memory_mib(self)
       class(case_plan_t), intent(in) :: self
-      real(dp), parameter :: program_mib = 16, bytes_smooth = 720, bytes_wavy = 900, bytes_response = 1830, bytes_line = 2600, &
+      real(dp), parameter :: program_mib = 16, bytes_smooth = 720, bytes_wavy = 900, bytes_response = 1830, &
+         bytes_line = 2600, &
                              bytes_periodic = 1900, bytes_set = 48   ! three fields, and their file
       real(dp) :: bytes, cells
       cells = real(self%cells_x, dp)*self%cells_y
@@ -294,7 +309,8 @@ contains
          call raise(error, '&solver tolerance = '//to_text(case%tolerance, 3)//' contradicts accuracy = '// &
                     to_text(case%accuracy, 3)//': leave it out, or give at most a tenth of the accuracy')
       else if (plan%expected_error > case%accuracy .and. case%time_step_over_cell > 1) then
-         call raise(error, '&solver time_step_over_cell = '//to_text(case%time_step_over_cell, 3)//' contradicts accuracy = '// &
+         call raise(error, '&solver time_step_over_cell = '//to_text(case%time_step_over_cell, 3)// &
+            ' contradicts accuracy = '// &
                     to_text(case%accuracy, 3)//': the expected error is '//to_text(plan%expected_error, 2)// &
                     '; leave it out (steps of dT = hX add no error of their own)')
       else if (plan%expected_error > case%accuracy .and. max(case%cells_x, case%cells_y) > 0) then
@@ -307,8 +323,8 @@ contains
    !> Steps until the slower of the surface pattern (speed S) and of the pattern in the lubricant (speed 1) has
    !> passed the outlet end, `settling_periods` more (measured: long waves, lambda = 2 a, are 2 per cent off in the
    !> first period and below 0.1 per cent in the second), then one period. A measured surface is followed until its
-   !> trailing end is at the contact centre. An `end_time` overrides both; where it comes before the patterns have passed
-   !> and one period more, no amplitude is measured.
+   !> trailing end is at the contact centre. An `end_time` overrides both; where it comes before the patterns have
+   !> passed and one period more, no amplitude is measured.
    subroutine plan_march(case, plan, error)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(inout) :: plan
@@ -343,8 +359,8 @@ contains
       end if
       if (total/plan%dt > most_steps) then
          call raise(error, 'the case needs '//to_text(total/plan%dt, 3)//' time steps, more than '// &
-                    to_text(most_steps)//': with slip_parameter near 0 the pattern hardly moves; use 0 for a pattern '// &
-                    'that stands still, or set &dynamics end_time')
+                    to_text(most_steps)//': with slip_parameter near 0 the pattern hardly moves; use 0 for a '// &
+                    'pattern that stands still, or set &dynamics end_time')
          return
       end if
       plan%steps = ceiling(total/plan%dt - 1e-9_dp)

@@ -10,10 +10,11 @@ module ehlwave_domain_choice
    private
    public :: choose_domain, expected_domain_errors, may_enlarge
 
-   ! Measured, domains of (-2.5, 1.5, 2) to (-40, 8, 24): P = 0 at the edges leaves 0.55 to 0.75 of the thickening alpha q of the
-   ! inlet edge for M = 20 to 500, and the load outside in the power by which the film of the formula falls with the load (M = 4.2,
-   ! L = 0, r0 = 10: 17 %). Flooded edges leave 0.005 to 0.035 of the first and 0.1 of the second. Ad/Ai has 0.15 to 0.4
-   ! of the error of the film with P = 0, about as much as the film with flooded edges (D = 0.3, M = 100: 0.18 and 0.25 %).
+   ! Measured, domains of (-2.5, 1.5, 2) to (-40, 8, 24): P = 0 at the edges leaves 0.55 to 0.75 of the thickening alpha
+   ! q of the inlet edge for M = 20 to 500, and the load outside in the power by which the film of the formula falls
+   ! with the load (M = 4.2, L = 0, r0 = 10: 17 %). Flooded edges leave 0.005 to 0.035 of the first and 0.1 of the
+   ! second. Ad/Ai has 0.15 to 0.4 of the error of the film with P = 0, about as much as the film with flooded edges (D
+   ! = 0.3, M = 100: 0.18 and 0.25 %).
    real(dp), parameter :: pressure_factor = 0.65_dp, flooded_pressure_share = 0.04_dp, flooded_load_share = 0.1_dp
    real(dp), parameter :: ratio_share = 0.4_dp
    real(dp), parameter :: share_of_accuracy = 0.3_dp      !! for the domain, where it is chosen
@@ -21,8 +22,9 @@ module ehlwave_domain_choice
 
 contains
 
-   !> Enlarge the domain of a case as far as its accuracy needs: by a power of 2, the outlet by the root of it. That is done with
-   !> flooded edges and a domain of the usual size; any other stays. A coarser grid of a case has the scale of the case.
+   !> Enlarge the domain of a case as far as its accuracy needs: by a power of 2, the outlet by the root of it. That is
+   !> done with flooded edges and a domain of the usual size; any other stays. A coarser grid of a case has the scale of
+   !> the case.
    pure subroutine choose_domain(case, conditions, thickening, scale)
       type(case_t), intent(inout) :: case
       type(conditions_t), intent(in) :: conditions
@@ -54,7 +56,8 @@ contains
          maxval(abs([case%x_min - usual%x_min, case%x_max - usual%x_max, case%y_max - usual%y_max])) <= 0
    end function may_enlarge
 
-   !> Relative errors by the edges of a domain `scale` times that of a case: of H(0,0), and of Ad/Ai, without waves both of H(0,0).
+   !> Relative errors by the edges of a domain `scale` times that of a case: of H(0,0), and of Ad/Ai, without waves both
+   !> of H(0,0).
    pure function expected_domain_errors(case, conditions, thickening, scale) result(errors)
       type(case_t), intent(in) :: case
       type(conditions_t), intent(in) :: conditions

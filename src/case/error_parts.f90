@@ -7,7 +7,8 @@ module ehlwave_error_parts
    !> Expected by a plan, or estimated after a run. Their sum is what `accuracy` is about.
    type, public :: error_parts_t
       real(dp) :: mesh = 0         !! by the mesh, and of moving waves by time steps that follow it
-      real(dp) :: domain = 0       !! by the edges of the domain; those of a truncated one are asked for, and told besides
+      real(dp) :: domain = 0       !! by the edges of the domain; those of a truncated one are asked for, and told
+                                   !! besides
       real(dp) :: time = 0         !! by time steps longer than hX
       real(dp) :: amplitude = 0    !! of waves in time: by which Ad/Ai differs from that of small waves
       real(dp) :: settling = 0     !! of waves in time: by which Ad/Ai still changes from period to period

@@ -5,8 +5,8 @@ module ehlwave_grid_choice
    use ehlwave_conditions, only: conditions_t
    use ehlwave_formula, only: amplitude_formula, anisotropy_factor, wave_parameter_v
    use ehlwave_kinds, only: dp
-   use ehlwave_resolution, only: coarsest_inlet, fewest_points_per_wave, inlet_length, wanted_inlet, wanted_line_inlet, &
-      wanted_points_per_wave
+   use ehlwave_resolution, only: coarsest_inlet, fewest_points_per_wave, inlet_length, wanted_inlet, &
+      wanted_line_inlet, wanted_points_per_wave
    use ehlwave_surfaces, only: surfaces_t
    use ehlwave_text, only: to_text
    implicit none (type, external)
@@ -15,7 +15,8 @@ module ehlwave_grid_choice
 
    integer, parameter :: sizes(15) = [64, 96, 128, 192, 256, 384, 512, 768, 1024, 1536, 2048, 3072, 4096, 6144, 8192]
    ! Shares of the accuracy: mesh in X, waves along Y.
-   real(dp), parameter :: slip_without_formula = 0.5_dp   !! |S - 1| from which the formula for pure rolling tells nothing
+   real(dp), parameter :: slip_without_formula = 0.5_dp   !! |S - 1| from which the formula for pure rolling tells
+                                                          !! nothing
    real(dp), parameter :: share_of_mesh = 0.75_dp, share_of_waves = 0.2_dp
 
 contains
@@ -115,7 +116,8 @@ contains
       end do
    end function smallest_size
 
-   !> Ad/Ai by theory eq. (18), for the error model: less of it counts under slip, where the inlet launches a wave of its own.
+   !> Ad/Ai by theory eq. (18), for the error model: less of it counts under slip, where the inlet launches a wave of
+   !> its own.
    pure real(dp) function formula_ratio(case, conditions, moves)
       type(case_t), intent(in) :: case
       type(conditions_t), intent(in) :: conditions

@@ -84,9 +84,9 @@ contains
       input%is_given(find_key(list%keys, 'wavelength_over_a')) = .true.
    end subroutine choose_wavelength
 
-   !> Keys that `accuracy` chooses where they are not given: cells and time step by the plan, tolerances well below the accuracy.
-   !> Measured: a step tolerance of 1e-3 leaves up to 2e-3 of Ad/Ai, most for long waves; steady states are exact to
-   !> a tenth of their tolerance or better.
+   !> Keys that `accuracy` chooses where they are not given: cells and time step by the plan, tolerances well below the
+   !> accuracy. Measured: a step tolerance of 1e-3 leaves up to 2e-3 of Ad/Ai, most for long waves; steady states are
+   !> exact to a tenth of their tolerance or better.
    subroutine choose_for_accuracy(input, list)
       type(case_input_t), intent(inout) :: input
       type(key_list_t), intent(in) :: list

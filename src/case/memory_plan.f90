@@ -9,7 +9,8 @@ module ehlwave_memory_plan
 
 contains
 
-   !> The memory that a case lacks, in words; empty if there is enough. Nothing is allocated: the plan's estimate is compared with the limit.
+   !> The memory that a case lacks, in words; empty if there is enough. Nothing is allocated: the plan's estimate is
+   !> compared with the limit.
    function memory_shortage(plan) result(text)
       class(case_plan_t), intent(in) :: plan
       character(len=:), allocatable :: text

@@ -14,13 +14,14 @@ module ehlwave_plan_refinement
 
    real(dp), parameter :: aim = 0.7_dp             !! of what the accuracy leaves to the mesh: estimates scatter
    real(dp), parameter :: largest_factor = 3       !! of the cells in one direction, at once
-   real(dp), parameter :: smallest_factor = 1.1_dp, step_back = 0.85_dp   !! the same, where the work that is left is not enough
+   real(dp), parameter :: smallest_factor = 1.1_dp, step_back = 0.85_dp   !! the same, where the work that is left is
+                                                                          !! not enough
    real(dp), parameter :: largest_domain_share = 0.4_dp   !! of the accuracy, from which on the domain is doubled
 
 contains
 
-   !> Cells as many as the part of the mesh asks for, and twice the domain where its part is large, within what the case leaves
-   !> free and its limits. False where nothing can be made finer, or that would not help.
+   !> Cells as many as the part of the mesh asks for, and twice the domain where its part is large, within what the case
+   !> leaves free and its limits. False where nothing can be made finer, or that would not help.
    !>
    !> It has no more cells than the work allows that is left for it.
    subroutine refine_plan(case, plan, parts, work_left, finer, is_finer)

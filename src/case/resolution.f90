@@ -22,13 +22,15 @@ module ehlwave_resolution
    real(dp), parameter, public :: coarsest_side = 0.4_dp            !! and hY: measured, see judge_resolution
    real(dp), parameter, public :: wanted_inlet = 0.2_dp             !! hX of a chosen grid, unless an accuracy decides,
    real(dp), parameter, public :: wanted_line_inlet = 0.1_dp        !! and of one of a line contact, which costs little
-   real(dp), parameter, public :: telling_inlet = 0.6_dp            !! largest hX of a coarser grid that still tells an error
+   real(dp), parameter, public :: telling_inlet = 0.6_dp            !! largest hX of a coarser grid that still tells an
+                                                                    !! error
 
    real(dp), parameter, public :: narrowest_inlet_gap = 4/3.0_dp    !! gap at the inlet boundary over the film thickness
    real(dp), parameter, public :: flooded_inlet_gap = 8             !! from which on the film does not feel the boundary
    real(dp), parameter, public :: thick_film_gap = 40               !! the gap wanted on all sides of a film above 1
 
-   real(dp), parameter, public :: touching_film = 0.03_dp           !! smallest film over the smooth central one, see there
+   real(dp), parameter, public :: touching_film = 0.03_dp           !! smallest film over the smooth central one, see
+                                                                    !! there
 
    type, public :: resolution_t
       real(dp) :: inlet = 0                !! hX over the length of the inlet pressure sweep
@@ -49,17 +51,18 @@ contains
    !> hX = lambdabar^(2/5)/4 it is 4 to 6 per cent off for L = 0 to 3; (L/(gamma M))^(1/2) alone asks for grids up to
    !> ten times finer there.
    !>
-   !> gamma M is the `steepness` of the conditions. Measured (L = 11, M = 100): with hX = 0.17 of it the central film is 7 per cent off.
+   !> gamma M is the `steepness` of the conditions. Measured (L = 11, M = 100): with hX = 0.17 of it the central film is
+   !> 7 per cent off.
    pure real(dp) function inlet_length(conditions)
       type(conditions_t), intent(in) :: conditions
       inlet_length = min(1.0_dp, max(sqrt(conditions%l/conditions%steepness()), conditions%lambdabar**0.4_dp))
    end function inlet_length
 
-   !> Gap of the dry Hertzian contact at the inlet boundary on the axis, in units of the film thickness of the formula. Measured against domains four times
-   !> as long, L = 0 and 12.05, D = 0.005 to 1: the film is 5 per cent too thin at 8, 8 to 20 per cent at 2 to 3,
-   !> 20 to 25 per cent at 1.2, and has nothing to do with the flooded one below 0.1. That holds for H < 1. A thicker
-   !> film hardly deforms the surfaces, and pressure spreads far: M = 3, D = 1 is still 34 per cent off at 3.5 on the
-   !> sides and 12 per cent at 37.
+   !> Gap of the dry Hertzian contact at the inlet boundary on the axis, in units of the film thickness of the formula.
+   !> Measured against domains four times as long, L = 0 and 12.05, D = 0.005 to 1: the film is 5 per cent too thin at
+   !> 8, 8 to 20 per cent at 2 to 3, 20 to 25 per cent at 1.2, and has nothing to do with the flooded one below 0.1.
+   !> That holds for H < 1. A thicker film hardly deforms the surfaces, and pressure spreads far: M = 3, D = 1 is still
+   !> 34 per cent off at 3.5 on the sides and 12 per cent at 37.
    pure real(dp) function inlet_gap(conditions, x_min)
       type(conditions_t), intent(in) :: conditions
       real(dp), intent(in) :: x_min   !! X of the inlet boundary, -1 or less
@@ -83,7 +86,8 @@ contains
       character(len=:), allocatable :: reason
       reason = ''
       if (ieee_is_nan(central_film)) return
-      if (smallest_film < touching_film*central_film) reason = 'the waves touch the other surface: the film falls to '// &
+      if (smallest_film < touching_film*central_film) reason = &
+         'the waves touch the other surface: the film falls to '// &
          to_text(100*smallest_film/central_film, 2)//' per cent of the smooth central one, at least '// &
          to_text(100*touching_film, 2)//' needed: reduce amplitude_over_film; '
    end function touching_reason
@@ -114,18 +118,22 @@ contains
       self%reason = ''
       length = inlet_length(conditions)
       self%inlet = hx/length
-      if (self%inlet > coarsest_inlet) self%reason = self%reason//'hX over the inlet length = '//to_text(self%inlet, 3)// &
+      if (self%inlet > coarsest_inlet) self%reason = self%reason//'hX over the inlet length = '// &
+         to_text(self%inlet, 3)// &
          ' is above '//to_text(coarsest_inlet, 3)//': use hX <= '//to_text(coarsest_inlet*length, 3)//'; '
-      ! Measured at M = 3000, D = 1: with hY = 0.5 inlet lengths no solution is found where 0.25 has one (L = 12.05); with
-      ! 0.31 the central film is 0.1 per cent off, but the smallest, in the side lobes, by a factor of two (L = 30).
+      ! Measured at M = 3000, D = 1: with hY = 0.5 inlet lengths no solution is found where 0.25 has one (L = 12.05);
+      ! with 0.31 the central film is 0.1 per cent off, but the smallest, in the side lobes, by a factor of two (L =
+      ! 30).
       if (hy > coarsest_side*length) self%reason = self%reason//'hY over the inlet length = '//to_text(hy/length, 3)// &
          ' is above '//to_text(coarsest_side, 3)//': use hY <= '//to_text(coarsest_side*length, 3)//'; '
       self%inlet_gap = inlet_gap(conditions, x_min)
-      if (.not. self%inlet_gap >= narrowest_inlet_gap) self%reason = self%reason//'the film is as thick as the gap at x_min'// &
+      if (.not. self%inlet_gap >= narrowest_inlet_gap) self%reason = self%reason// &
+         'the film is as thick as the gap at x_min'// &
          ' (ratio '//to_text(self%inlet_gap, 3)//', at least '//to_text(narrowest_inlet_gap, 3)// &
          ' needed): take x_min farther out; '
       if (.not. has_room(conditions, x_min, y_max)) self%reason = self%reason//'the film, H = '// &
-         to_text(expected_film(conditions), 3)//' by the formula, is thicker than the Hertzian approach and needs a gap of '// &
+         to_text(expected_film(conditions), 3)//' by the formula, is thicker than the Hertzian approach and needs '// &
+         'a gap of '// &
          to_text(thick_film_gap, 3)//' times that at x_min and y_max: such a contact is better solved as rigid; '
       do n = 1, size(surfaces%list)
          associate (wave => surfaces%list(n))

@@ -17,8 +17,8 @@ module ehlwave_surface_plan
 
 contains
 
-   !> The list of surfaces, and the digest of the heights of a measured one among the files of the case. Fails where a measured one
-   !> cannot be used.
+   !> The list of surfaces, and the digest of the heights of a measured one among the files of the case. Fails where a
+   !> measured one cannot be used.
    subroutine plan_surfaces(case, conditions, surfaces, files, error)
       type(case_t), intent(in) :: case
       type(conditions_t), intent(in) :: conditions
@@ -34,7 +34,8 @@ contains
          call note_digest(files, trim(case%surface_file), digest)
          surfaces = new_surfaces(measured)
       else if (case%orientation /= 'none') then
-         surfaces = new_surfaces(new_waviness(case%wavelength_x_over_a, conditions%elliptic%kappa*case%wavelength_y_over_a, &
+         surfaces = new_surfaces(new_waviness(case%wavelength_x_over_a, &
+            conditions%elliptic%kappa*case%wavelength_y_over_a, &
                                               case%oblique, case%x_min, case%slip_parameter, case%amplitude_over_film))
       end if
    end subroutine plan_surfaces
@@ -53,8 +54,8 @@ contains
 
       digest = ''
       if (.not. conditions%has_dimensions) then
-         call raise(error, '&surface file holds metres: give &conditions by dimensional data (radius_x_m, ...) in place of '// &
-                    'load_parameter_m, lubricant_parameter_l and radius_ratio_d')
+         call raise(error, '&surface file holds metres: give &conditions by dimensional data (radius_x_m, ...) in '// &
+            'place of load_parameter_m, lubricant_parameter_l and radius_ratio_d')
       else if (.not. case%slip_parameter > 0) then
          call raise(error, '&surface file with slip_parameter = 0: the surface never enters the contact; give a '// &
                     'slip_parameter above 0')

@@ -1,17 +1,19 @@
 !> Errors and work to expect of an oil that is not Newtonian, over those of a Newtonian one.
 !>
-!> Its film is thinner, its inlet as much steeper, and the flow across the film needs more points. Measured: H(0,0) on 64 to 192 cells
-!> of 60 random contacts (M 8 to 250, L 2 to 17, D 0.05 to 1, S 0.2 to 1.8, Ree-Eyring 0.1 to 20 MPa, Carreau n 0.35 to 1). The error
-!> over that of the Newtonian model is the Newtonian film over the film, and both are about 1 + 0.15 (1 - n) ph^2/(E' tau0):
+!> Its film is thinner, its inlet as much steeper, and the flow across the film needs more points. Measured: H(0,0) on
+!> 64 to 192 cells of 60 random contacts (M 8 to 250, L 2 to 17, D 0.05 to 1, S 0.2 to 1.8, Ree-Eyring 0.1 to 20 MPa,
+!> Carreau n 0.35 to 1). The error over that of the Newtonian model is the Newtonian film over the film, and both are
+!> about 1 + 0.15 (1 - n) ph^2/(E' tau0):
 !>
 !>     ph^2/(E' tau0)             0.6    2.5    3.4    10     17     23 (n = 0.57)   79      216 (n = 0.46)
 !>     error over the model       1.2    1.25   1.6    2.6    3.9    2.0             17      10.8
 !>     1 + 0.15 (1 - n) ...       1.1    1.4    1.5    2.5    3.5    2.5             12.8    18
 !>
-!> (at 34 with S = 0.98 it is 2.6 in place of 6). Work over that of the Newtonian model is the same without n up to 20 (3 at 20, of
-!> the Carreau oil of 216 it is 29). With sliding many cases above 10 need the rescue ladder: 32 times at 14, 30 to 220 times at 40, 43 to
-!> 70 times at 58 with B = 2.6, 600 times at 79 with B = 10, where B = (lambdabar/3) abs(S - 1) ph^2/(E' tau0)/H is the rate of shear
-!> in the film of the formula. The cost is a compromise: direct solutions take down to a fifth of it, rescued ones up to ten times as much.
+!> (at 34 with S = 0.98 it is 2.6 in place of 6). Work over that of the Newtonian model is the same without n up to 20
+!> (3 at 20, of the Carreau oil of 216 it is 29). With sliding many cases above 10 need the rescue ladder: 32 times at
+!> 14, 30 to 220 times at 40, 43 to 70 times at 58 with B = 2.6, 600 times at 79 with B = 10, where B = (lambdabar/3)
+!> abs(S - 1) ph^2/(E' tau0)/H is the rate of shear in the film of the formula. The cost is a compromise: direct
+!> solutions take down to a fifth of it, rescued ones up to ten times as much.
 module ehlwave_thinning
    use ehlwave_conditions, only: conditions_t
    use ehlwave_film_flow, only: film_flow_t
@@ -28,7 +30,8 @@ module ehlwave_thinning
    end type thinning_t
 
    real(dp), parameter :: factor = 0.15_dp
-   real(dp), parameter :: rescue_factor = 0.6_dp, rescue_stress = 5   !! of ph^2/(E' tau0), from which on rescues are to be expected
+   real(dp), parameter :: rescue_factor = 0.6_dp, rescue_stress = 5   !! of ph^2/(E' tau0), from which on rescues are to
+                                                                      !! be expected
 
 contains
 

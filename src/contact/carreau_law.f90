@@ -6,8 +6,8 @@ module ehlwave_carreau_law
    private
    public :: new_carreau_law
 
-   !> s = (1 + |sigma|^2)^((1/n - 1)/2), sigma = tau/G: Bair, High Pressure Rheology for Quantitative Elastohydrodynamics,
-   !> 2nd ed., 2019, chapter 6; theory eq. (S10). n = 1 is Newton's law.
+   !> s = (1 + |sigma|^2)^((1/n - 1)/2), sigma = tau/G: Bair, High Pressure Rheology for Quantitative
+   !> Elastohydrodynamics, 2nd ed., 2019, chapter 6; theory eq. (S10). n = 1 is Newton's law.
    type, extends(flow_law_t), public :: carreau_law_t
       private
       real(dp) :: power = 0   !! (1/n - 1)/2

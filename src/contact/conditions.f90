@@ -10,7 +10,8 @@ module ehlwave_conditions
 
    real(dp), parameter, public :: smallest_radius_ratio = 0.005_dp
    real(dp), parameter :: largest_alphabar = 500      ! viscosity grows by exp(alphabar) under Barus' law
-   !> gamma M of a slender elliptical contact over that of a line contact with the same alphabar and L: (2/3) pi^3/(2 pi)^(3/2)
+   !> gamma M of a slender elliptical contact over that of a line contact with the same alphabar and L: (2/3) pi^3/(2
+   !> pi)^(3/2)
    real(dp), parameter :: slender_over_line = 2*pi**3/(3*(2*pi)**1.5_dp)
 
    !> Dimensional data of a contact, SI units.
@@ -39,7 +40,8 @@ module ehlwave_conditions
       real(dp) :: hertz_pressure_pa = 0             !! ph, Pa
       logical :: has_dimensions = .false.           !! whether the lengths below are known
       real(dp) :: a_m = 0, b_m = 0, c_m = 0         !! Hertz semi-axes and approach, m; b of a line contact stays 0
-      type(contact_data_t) :: data                  !! set when has_dimensions; E' also where it is known besides M, L and D
+      type(contact_data_t) :: data                  !! set when has_dimensions; E' also where it is known besides M, L
+                                                    !! and D
    contains
       procedure :: is_line
       procedure :: steepness
@@ -53,8 +55,8 @@ contains
       is_line = .not. self%d > 0
    end function is_line
 
-   !> gamma M, by which the inlet is steep; of a line contact that of slender contacts with the same alphabar and L, which have the
-   !> same inlet.
+   !> gamma M, by which the inlet is steep; of a line contact that of slender contacts with the same alphabar and L,
+   !> which have the same inlet.
    pure real(dp) function steepness(self)
       class(conditions_t), intent(in) :: self
       steepness = self%gamma*self%m
@@ -118,11 +120,12 @@ contains
    !> Scales of a line contact of load w per length, theory eq. (L1) to (L9): M = w/(E' Rx) (2U)^(-1/2),
    !> a^2 = 8 w Rx/(pi E'), ph = 2 w/(pi a), c = a^2/(2 Rx), so that
    !>
-   !>     alphabar = L (M/(2 pi))^(1/2),  lambdabar = 6 us eta0 a/(c^2 ph) = 3 pi^2/(2 M^2),  (h/Rx)(2U)^(-1/2) = 4 M H/pi.
+   !>     alphabar = L (M/(2 pi))^(1/2),  lambdabar = 6 us eta0 a/(c^2 ph) = 3 pi^2/(2 M^2),  (h/Rx)(2U)^(-1/2) = 4 M
+   !>     H/pi.
    !>
    !> With gamma = M^(1/2) the wave parameter is that of line contacts, V = (lambda/a)(gamma M/L)^(1/2) =
-   !> (lambda/a) M^(3/4) L^(-1/2) = (2 pi)^(3/4) (lambda/a) alphabar^(3/2) L^(-2). The limit of gamma M for slender contacts
-   !> with the same alphabar and L is 1.31 times as large (`slender_over_line`), that of V 1.15 times.
+   !> (lambda/a) M^(3/4) L^(-1/2) = (2 pi)^(3/4) (lambda/a) alphabar^(3/2) L^(-2). The limit of gamma M for slender
+   !> contacts with the same alphabar and L is 1.31 times as large (`slender_over_line`), that of V 1.15 times.
    pure subroutine set_line(self)
       type(conditions_t), intent(inout) :: self   !! M and L are set
       self%elliptic = line_integrals()
@@ -136,7 +139,8 @@ contains
    !> Conditions from dimensional data, theory eq. (2) and (20); of a line contact, which is given by a load per length,
    !> those of `set_line`.
    !>
-   !> Fails when a value is missing or not positive, naming its key, when there are two loads, or when D = Rx/Ry is out of range.
+   !> Fails when a value is missing or not positive, naming its key, when there are two loads, or when D = Rx/Ry is out
+   !> of range.
    subroutine conditions_from_dimensional(data, self, error)
       type(contact_data_t), intent(in) :: data
       type(conditions_t), intent(out) :: self
@@ -181,18 +185,19 @@ contains
       end associate
    end subroutine set_lengths
 
-   !> Whether all dimensional data are there: an elliptical contact has load_n and radius_y_m, a line contact load_n_per_m. The
-   !> error names the first key that is missing.
+   !> Whether all dimensional data are there: an elliptical contact has load_n and radius_y_m, a line contact
+   !> load_n_per_m. The error names the first key that is missing.
    subroutine check_data(data, error)
       type(contact_data_t), intent(in) :: data
       type(error_t), allocatable, intent(out) :: error
-      character(len=*), parameter :: key(*) = [character(len=25) :: 'radius_x_m', 'radius_y_m', 'reduced_modulus_pa', 'load_n', &
-                                               'mean_speed_m_per_s', 'viscosity_pa_s', 'pressure_viscosity_per_pa']
+      character(len=*), parameter :: key(*) = [character(len=25) :: 'radius_x_m', 'radius_y_m', 'reduced_modulus_pa', &
+         'load_n', 'mean_speed_m_per_s', 'viscosity_pa_s', 'pressure_viscosity_per_pa']
       real(dp) :: value(size(key))
       integer :: i
 
       if (data%load_n_per_m > 0 .and. (data%load_n > 0 .or. data%radius_y_m > 0)) then
-         call raise(error, 'load_n_per_m = '//to_text(data%load_n_per_m, 6)//' is the load of a line contact: leave out load_n '// &
+         call raise(error, 'load_n_per_m = '//to_text(data%load_n_per_m, 6)// &
+            ' is the load of a line contact: leave out load_n '// &
                     'and radius_y_m, or, for an elliptical contact, load_n_per_m')
          return
       end if
@@ -200,9 +205,10 @@ contains
                data%viscosity_pa_s, data%pressure_viscosity_per_pa]
       do i = 1, size(key)
          if (value(i) > 0 .or. (data%load_n_per_m > 0 .and. any(key(i) == ['radius_y_m', 'load_n    ']))) cycle
-         call raise(error, trim(key(i))//' must be given and above 0 (dimensional conditions need all of radius_x_m, '// &
-                    'radius_y_m, reduced_modulus_pa, load_n, mean_speed_m_per_s, viscosity_pa_s; those of a line contact '// &
-                    'load_n_per_m in place of radius_y_m and load_n); got '//to_text(value(i), 6))
+         call raise(error, trim(key(i))//' must be given and above 0 (dimensional conditions need all of '// &
+            'radius_x_m, '// &
+                    'radius_y_m, reduced_modulus_pa, load_n, mean_speed_m_per_s, viscosity_pa_s; those of a line '// &
+                    'contact load_n_per_m in place of radius_y_m and load_n); got '//to_text(value(i), 6))
          return
       end do
    end subroutine check_data

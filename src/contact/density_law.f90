@@ -4,7 +4,8 @@ module ehlwave_density_law
    implicit none (type, external)
    private
 
-   !> Density against pressure and temperature. rho0 is the density at ambient pressure and the reference temperature T0.
+   !> Density against pressure and temperature. rho0 is the density at ambient pressure and the reference temperature
+   !> T0.
    type, abstract, public :: density_law_t
    contains
       procedure(evaluate), deferred :: evaluate

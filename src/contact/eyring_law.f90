@@ -17,14 +17,15 @@ module ehlwave_eyring_law
 
    real(dp), parameter :: c(0:6) = 1/[1.0_dp, 6.0_dp, 120.0_dp, 5040.0_dp, 362880.0_dp, 39916800.0_dp, 6227020800.0_dp]
                                    ! sinh(r)/r = sum c_n r^(2n)
-   real(dp), parameter :: joint = 0.25_dp     ! r^2 where the closed form takes over: rounding is 2e-15 of the slope there
+   ! r^2 where the closed form takes over: rounding is 2e-15 of the slope there
+   real(dp), parameter :: joint = 0.25_dp
    real(dp), parameter :: short_reach = 1e-3_dp   ! r^2 up to which four terms of the series are enough
    real(dp), parameter :: s_at_joint = 2*sinh(0.5_dp), slope_at_joint = 2*(cosh(0.5_dp) - s_at_joint)
 
 contains
 
-   !> Power series up to |sigma|^2 = 1/4, and what the closed form adds beyond: no branches within a loop, so that exp is
-   !> vectorised, but most blocks of places need one of the two only.
+   !> Power series up to |sigma|^2 = 1/4, and what the closed form adds beyond: no branches within a loop, so that exp
+   !> is vectorised, but most blocks of places need one of the two only.
    pure subroutine shear_factor(self, n, stress2, s, slope)
       class(eyring_law_t), intent(in) :: self
       integer, intent(in) :: n

@@ -5,15 +5,15 @@
 !>
 !>     P = lambdabar/(3 + 2 D) |X|/H^2,    X < 0,                                                             (F1)
 !>
-!> whatever h is, side leakage included. The bodies of a contact are flattened, and the gap opens faster beyond an edge than that of
-!> a paraboloid with the same film there, so (F1) is too large: the far field is R(r) times it, r the distance from the centre in
-!> units of a. On the axis Y = 0, g = P there, with the side leakage of (F1),
+!> whatever h is, side leakage included. The bodies of a contact are flattened, and the gap opens faster beyond an edge
+!> than that of a paraboloid with the same film there, so (F1) is too large: the far field is R(r) times it, r the
+!> distance from the centre in units of a. On the axis Y = 0, g = P there, with the side leakage of (F1),
 !>
 !>     d/dr (H^3 dg/dr) + D H^3 d(g/r)/dr = -lambdabar dH/dr,                                                  (F2)
 !>
-!> exact for D = 1, where P = g(r) |X|/r, and for line contacts. H is the gap of Hertz and the film of the formula. It is solved
-!> from r = 1, where the reduced pressure is that of Grubin, 1/alphabar, which hardly matters at r = 2, outwards.
-!> The far field is one of the reduced pressure q = int dP/eta; q = P where the oil does not thicken.
+!> exact for D = 1, where P = g(r) |X|/r, and for line contacts. H is the gap of Hertz and the film of the formula. It
+!> is solved from r = 1, where the reduced pressure is that of Grubin, 1/alphabar, which hardly matters at r = 2,
+!> outwards. The far field is one of the reduced pressure q = int dP/eta; q = P where the oil does not thicken.
 module ehlwave_far_field
    use ehlwave_conditions, only: conditions_t
    use ehlwave_formula, only: expected_film
@@ -26,7 +26,8 @@ module ehlwave_far_field
 
    integer, parameter :: intervals = 256        !! of (F2), in ln r
    real(dp), parameter :: farthest = 60         !! r where (F1) holds
-   real(dp), parameter :: rising_exponent = 4   !! makes the pressure at r = 1 a quarter of ph where the oil does not thicken
+   real(dp), parameter :: rising_exponent = 4   !! makes the pressure at r = 1 a quarter of ph where the oil does not
+                                                !! thicken
 
    !> Far field of a contact.
    type, public :: far_field_t
@@ -120,7 +121,8 @@ contains
    !> Load over the nominal one that the far field bears beyond the inlet edge and the sides of a domain, (F6).
    pure real(dp) function load_outside(self, x_min, y_max) result(load)
       class(far_field_t), intent(in) :: self
-      real(dp), intent(in) :: x_min, y_max   !! X of the inlet edge, Y of the side; of line contacts y_max is the strip's width
+      real(dp), intent(in) :: x_min, y_max   !! X of the inlet edge, Y of the side; of line contacts y_max is the
+                                             !! strip's width
       type(gauss_rule_t) :: rule
       real(dp) :: corner, phi, half
       integer :: k
@@ -163,9 +165,11 @@ contains
 
    !> Gap between the dry bodies outside the Hertz zone, 0 inside (Johnson, Contact Mechanics, 1985, section 4.2), (F3):
    !>
-   !>     S X^2 + (1 - S) Y^2 - 1 + 1/(2 kappa K) int_w0^inf (1 - X^2/(1 + w) - Y'^2/(c + w)) dw/((1 + w)(c + w) w)^(1/2),
+   !>     S X^2 + (1 - S) Y^2 - 1 + 1/(2 kappa K) int_w0^inf (1 - X^2/(1 + w) - Y'^2/(c + w)) dw/((1 + w)(c + w)
+   !>     w)^(1/2),
    !>
-   !> c = 1/kappa^2, Y' = Y/kappa, w0 where the first factor vanishes; by w = (1 + w0)/t^2 - 1 an integral from 0 to 1. Of a line
+   !> c = 1/kappa^2, Y' = Y/kappa, w0 where the first factor vanishes; by w = (1 + w0)/t^2 - 1 an integral from 0 to 1.
+   !> Of a line
    !> |X| (X^2 - 1)^(1/2) - arcosh |X|, (F4).
    pure real(dp) function hertz_gap(conditions, x, y, rule) result(gap)
       type(conditions_t), intent(in) :: conditions

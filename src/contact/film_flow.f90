@@ -1,13 +1,14 @@
 !> Flow of a generalised Newtonian oil across the film under a pressure gradient and sliding, with all its derivatives.
 !>
-!> The shear stress varies linearly across the film: sigma(zeta) = sigma_m + zeta Sigma, -1 <= zeta <= 1, in units of tau0,
-!> with Sigma = N0 H g, g = (dP/dX, kappa dP/dY). The mean stress sigma_m follows from the sliding speed,
+!> The shear stress varies linearly across the film: sigma(zeta) = sigma_m + zeta Sigma, -1 <= zeta <= 1, in units of
+!> tau0, with Sigma = N0 H g, g = (dP/dX, kappa dP/dY). The mean stress sigma_m follows from the sliding speed,
 !>
 !>     1/2 integral s(|sigma|) sigma dzeta = B e_x,        B = (lambdabar N0/6) 2 (S - 1) eta/H,
 !>
 !> theory eq. (S3), two equations that are the gradient of a convex function, and the flow is (S4)
 !>
-!>     Qhat = (H^2/(eta lambdabar)) (3/(2 N0)) integral zeta s sigma dzeta      -> (H^3/(eta lambdabar)) g as tau0 -> inf.
+!>     Qhat = (H^2/(eta lambdabar)) (3/(2 N0)) integral zeta s sigma dzeta      -> (H^3/(eta lambdabar)) g as tau0 ->
+!>     inf.
 module ehlwave_film_flow
    use ehlwave_flow_law, only: flow_law_t
    use ehlwave_gauss_legendre, only: gauss_rule_t, new_gauss_rule
@@ -96,8 +97,8 @@ contains
       end do
    end subroutine evaluate
 
-   !> Mean of the shear stresses at the two surfaces over tau0, B and the tangent factors: what a small pressure gradient drives
-   !> along X and along Y over what it drives in a Newtonian oil.
+   !> Mean of the shear stresses at the two surfaces over tau0, B and the tangent factors: what a small pressure
+   !> gradient drives along X and along Y over what it drives in a Newtonian oil.
    pure subroutine mean_stress(self, fluidity, h, gx, gy, sigma_x, b, factor)
       class(film_flow_t), intent(in) :: self
       real(dp), intent(in) :: fluidity(:)         !! eta0/eta, (n)
@@ -181,7 +182,8 @@ contains
             flow(j, flow_q) = scale*s%flow(j, component)
             flow(j, flow_by_ln_eta) = scale*(b_by_b - s%flow(j, component))
             flow(j, flow_by_h) = scale/h(j)*(2*s%flow(j, component) - b_by_b &
-                                             + by_sigma(j, component, 1)*s%sigma(j, 1) + by_sigma(j, component, 2)*s%sigma(j, 2))
+                                             + by_sigma(j, component, 1)*s%sigma(j, 1) &
+                                             + by_sigma(j, component, 2)*s%sigma(j, 2))
             flow(j, flow_by_gx) = scale*self%n0*h(j)*by_sigma(j, component, 1)
             flow(j, flow_by_gy) = scale*self%n0*h(j)*by_sigma(j, component, 2)
          end do

@@ -1,6 +1,7 @@
 !> The stress across the film of a generalised Newtonian oil: its mean from the sliding speed, and the flow.
 !>
-!> With the moments a_k = 1/2 integral zeta^k s dzeta and e_k = integral zeta^k ds/d(|sigma|^2) dzeta everything is algebra:
+!> With the moments a_k = 1/2 integral zeta^k s dzeta and e_k = integral zeta^k ds/d(|sigma|^2) dzeta everything is
+!> algebra:
 !>
 !>     rate  1/2 integral s sigma dzeta      = a_0 sigma_m + a_1 Sigma
 !>     flow  1/2 integral zeta s sigma dzeta = a_1 sigma_m + a_2 Sigma
@@ -16,9 +17,11 @@ module ehlwave_film_stress
 
    integer, parameter, public :: block_size = 64     !! places solved at once
    integer, parameter :: most_steps = 60             ! of Newton; 15 were the most met for |B| to 1e6, |Sigma| to 60
-   real(dp), parameter :: newton_tolerance = 1e-6_dp ! of the last step, which is still made: an error of its square, times
+   ! of the last step, which is still made: an error of its square, times
+   real(dp), parameter :: newton_tolerance = 1e-6_dp
                                                      ! the stress where that is small
-   real(dp), parameter :: small_variation = 2.5_dp   ! |Sigma| up to which a few points across the film make a first guess
+   ! |Sigma| up to which a few points across the film make a first guess
+   real(dp), parameter :: small_variation = 2.5_dp
    ! Rules of Gauss for that: the positive nodes, and half their weights
    real(dp), parameter :: node_of_two(1) = 1/sqrt(3.0_dp), half_weight_of_two(1) = 0.5_dp
    real(dp), parameter :: nodes_of_four(2) = sqrt([3 - sqrt(4.8_dp), 3 + sqrt(4.8_dp)]/7), &
@@ -27,7 +30,8 @@ module ehlwave_film_stress
    !> Places 1..n of a block. The last index is the component along X or Y.
    type, public :: film_stress_t
       integer :: n = 0
-      integer :: points = 0                          !! across the film at which the oil was asked, over all places and steps
+      integer :: points = 0                          !! across the film at which the oil was asked, over all places and
+                                                     !! steps
       real(dp) :: sigma(block_size, 2)               !! Sigma, half the change of the stress across the film
       real(dp) :: b(block_size)                      !! B, dimensionless shear rate along X
       real(dp) :: mean(block_size, 2)                !! sigma_m
@@ -85,9 +89,10 @@ contains
       call finish(self, moments, change, t0)
    end subroutine solve
 
-   !> First sigma_m: that of B alone, then across sliding what leaves no rate there, -a_1 Sigma_y/a_0, and along it the stress for
-   !> B over what the rate is too large by, both as if s kept its shape: exact for Ree-Eyring without gradient across sliding.
-   !> Where Sigma is small fewer points across the film tell the rate: an error of the fourth or eighth order.
+   !> First sigma_m: that of B alone, then across sliding what leaves no rate there, -a_1 Sigma_y/a_0, and along it the
+   !> stress for B over what the rate is too large by, both as if s kept its shape: exact for Ree-Eyring without
+   !> gradient across sliding. Where Sigma is small fewer points across the film tell the rate: an error of the fourth
+   !> or eighth order.
    pure subroutine start(self, law, rule)
       type(film_stress_t), intent(inout) :: self
       class(flow_law_t), intent(in) :: law
@@ -152,7 +157,8 @@ contains
       associate (m => self%mean, s => self%sigma, a => moments%a, e => moments%e)
          do i = 1, self%n
             t(i, 1) = a(i, k) + e(i, k)*m(i, 1)**2 + 2*e(i, k + 1)*m(i, 1)*s(i, 1) + e(i, k + 2)*s(i, 1)**2
-            t(i, 2) = e(i, k)*m(i, 1)*m(i, 2) + e(i, k + 1)*(m(i, 1)*s(i, 2) + m(i, 2)*s(i, 1)) + e(i, k + 2)*s(i, 1)*s(i, 2)
+            t(i, 2) = e(i, k)*m(i, 1)*m(i, 2) + e(i, k + 1)*(m(i, 1)*s(i, 2) + m(i, 2)*s(i, 1)) &
+               + e(i, k + 2)*s(i, 1)*s(i, 2)
             t(i, 3) = a(i, k) + e(i, k)*m(i, 2)**2 + 2*e(i, k + 1)*m(i, 2)*s(i, 2) + e(i, k + 2)*s(i, 2)**2
          end do
       end associate

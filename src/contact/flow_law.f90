@@ -4,10 +4,11 @@ module ehlwave_flow_law
    implicit none (type, external)
    private
 
-   !> Shear rate = (tau0/eta) s(|sigma|) sigma under the stress sigma = tau/tau0, with s -> 1 for small stresses (Newton).
-   !> tau0 is the stress by which the law is made dimensionless.
+   !> Shear rate = (tau0/eta) s(|sigma|) sigma under the stress sigma = tau/tau0, with s -> 1 for small stresses
+   !> (Newton). tau0 is the stress by which the law is made dimensionless.
    type, abstract, public :: flow_law_t
-      logical :: is_power = .false.   !! s varies as a power of the stress, near enough to linearly over its size; else over 1
+      logical :: is_power = .false.   !! s varies as a power of the stress, near enough to linearly over its size; else
+                                      !! over 1
    contains
       procedure(shear_factor), deferred :: shear_factor
       procedure(first_stress), deferred :: first_stress
@@ -15,7 +16,8 @@ module ehlwave_flow_law
    end type flow_law_t
 
    abstract interface
-      !> s and its derivative by |sigma|^2. Finite for any argument: continued linearly in |sigma|^2 where s would overflow.
+      !> s and its derivative by |sigma|^2. Finite for any argument: continued linearly in |sigma|^2 where s would
+      !> overflow.
       pure subroutine shear_factor(self, n, stress2, s, slope)
          import :: dp, flow_law_t
          implicit none (type, external)
@@ -36,8 +38,8 @@ module ehlwave_flow_law
          real(dp), intent(out) :: stress(n)    !! |sigma|
       end subroutine first_stress
 
-      !> Largest |Sigma|, half the change of sigma across the film, at which so many Gauss points keep the error of integrals
-      !> across it below 1e-12 of them.
+      !> Largest |Sigma|, half the change of sigma across the film, at which so many Gauss points keep the error of
+      !> integrals across it below 1e-12 of them.
       elemental real(dp) function largest_variation(self, points)
          import :: dp, flow_law_t
          implicit none (type, external)

@@ -13,8 +13,8 @@ module ehlwave_gauss_legendre
 
 contains
 
-   !> Rule of n points: Newton for the roots of the Legendre polynomial from cos(pi (i - 1/4)/(n + 1/2)), which converges for
-   !> all n in a few steps; weights 2/((1 - z^2) P_n'(z)^2). Symmetric to the last digit.
+   !> Rule of n points: Newton for the roots of the Legendre polynomial from cos(pi (i - 1/4)/(n + 1/2)), which
+   !> converges for all n in a few steps; weights 2/((1 - z^2) P_n'(z)^2). Symmetric to the last digit.
    pure function new_gauss_rule(n) result(self)
       integer, intent(in) :: n   !! number of points, at least 1
       type(gauss_rule_t) :: self

@@ -7,7 +7,8 @@ module ehlwave_load_balance
 
    real(dp), parameter, public :: load_factor = 3/(2*pi)   !! makes the nominal load 1: 3/(2 pi) int P = 1
 
-   real(dp), parameter :: immovable = 1e8_dp   !! inertia against which pressures move the approach by nothing that counts
+   real(dp), parameter :: immovable = 1e8_dp   !! inertia against which pressures move the approach by nothing that
+                                               !! counts
 
    !> Discrete theory eq. (10) and (11):  inertia Delta + carried + (3/(2 pi)) int P dX dY - force = 0.
    type, public :: load_balance_t

@@ -1,8 +1,8 @@
 !> The oil of a case: the one list of viscosity, density and flow laws, by name, and their parameters.
 !>
-!> A new law is a module that extends `viscosity_law_t`, `density_law_t` or `flow_law_t`. Here it has its name, its parameters (a
-!> component of `oil_t`) and its `case`; its keys stand in `input/oil_keys`. Measured values come from `viscosity_file`,
-!> which `case/case_lubricant` reads.
+!> A new law is a module that extends `viscosity_law_t`, `density_law_t` or `flow_law_t`. Here it has its name, its
+!> parameters (a component of `oil_t`) and its `case`; its keys stand in `input/oil_keys`. Measured values come from
+!> `viscosity_file`, which `case/case_lubricant` reads.
 module ehlwave_oil
    use ehlwave_barus_law, only: barus_law_t
    use ehlwave_carreau_law, only: new_carreau_law
@@ -27,12 +27,13 @@ module ehlwave_oil
 
    integer, parameter :: name_length = 20
 
-   character(len=*), parameter, public :: roelands = 'roelands', barus = 'barus', isoviscous = 'isoviscous', mcewen = 'mcewen', &
-                                          yasutomi = 'yasutomi', doolittle = 'doolittle', tabulated = 'table'
-   character(len=*), parameter, public :: viscosity_laws = roelands//' '//barus//' '//isoviscous//' '//mcewen//' '//yasutomi// &
-                                                           ' '//doolittle//' '//tabulated
+   character(len=*), parameter, public :: roelands = 'roelands', barus = 'barus', isoviscous = 'isoviscous', &
+      mcewen = 'mcewen', yasutomi = 'yasutomi', doolittle = 'doolittle', tabulated = 'table'
+   character(len=*), parameter, public :: viscosity_laws = roelands//' '//barus//' '//isoviscous//' '//mcewen//' '// &
+      yasutomi//' '//doolittle//' '//tabulated
 
-   character(len=*), parameter, public :: dowson_higginson = 'dowson_higginson', incompressible = 'incompressible', tait = 'tait'
+   character(len=*), parameter, public :: dowson_higginson = 'dowson_higginson', incompressible = 'incompressible', &
+      tait = 'tait'
    character(len=*), parameter, public :: density_laws = dowson_higginson//' '//incompressible//' '//tait
 
    character(len=*), parameter, public :: newtonian = 'newtonian', eyring = 'eyring', carreau = 'carreau'
@@ -156,14 +157,16 @@ contains
       takes_temperature = any(self%viscosity_law == [character(len=name_length) :: tabulated])
    end function takes_temperature
 
-   !> n of a Carreau oil, to whose power the stress grows with the shear rate; 0 of Ree-Eyring's, which grows as its logarithm.
+   !> n of a Carreau oil, to whose power the stress grows with the shear rate; 0 of Ree-Eyring's, which grows as its
+   !> logarithm.
    pure real(dp) function flow_exponent(self)
       class(oil_t), intent(in) :: self
       flow_exponent = 0
       if (self%flow_law == carreau) flow_exponent = self%carreau_exponent
    end function flow_exponent
 
-   !> The stress by which the flow law is made dimensionless: tau0 of Ree-Eyring's law, G of Carreau's; 0 for a Newtonian oil.
+   !> The stress by which the flow law is made dimensionless: tau0 of Ree-Eyring's law, G of Carreau's; 0 for a
+   !> Newtonian oil.
    pure real(dp) function stress_pa(self)
       class(oil_t), intent(in) :: self
       stress_pa = 0

@@ -38,8 +38,8 @@ module ehlwave_rheology
 
 contains
 
-   !> Newtonian oil of a contact with Hertz pressure ph. Where ph is 0 (L = 0, pressure in pascal is unknown), viscosity and density
-   !> are constant, whatever the laws.
+   !> Newtonian oil of a contact with Hertz pressure ph. Where ph is 0 (L = 0, pressure in pascal is unknown), viscosity
+   !> and density are constant, whatever the laws.
    pure function new_rheology(viscosity, density, hertz_pressure_pa) result(self)
       class(viscosity_law_t), intent(in) :: viscosity
       class(density_law_t), intent(in) :: density
@@ -175,8 +175,8 @@ contains
       do j = 1, size(p, 2)
          do first = 1, size(p, 1), block_size
             last = min(first + block_size - 1, size(p, 1))
-            call self%density_law%evaluate(last - first + 1, self%ph_pa*p(first:last, j), isothermal, rho(first:last, j), slope, &
-                                           slope_per_k)
+            call self%density_law%evaluate(last - first + 1, self%ph_pa*p(first:last, j), isothermal, &
+               rho(first:last, j), slope, slope_per_k)
          end do
       end do
    end function density

@@ -10,8 +10,8 @@ module ehlwave_roelands_law
    real(dp), parameter :: coldest_k = 138                            ! where the viscosity is infinite
 
    !> ln(eta/eta0) = (alpha p0/z) ((1 + p/p0)^z theta^(-S0) - 1),  theta = (T - 138 K)/(T0 - 138 K),
-   !> S0 = beta (T0 - 138 K) z/(alpha p0): Roelands, Correlational aspects of the viscosity-temperature-pressure relationship of
-   !> lubricating oils, Delft 1966.
+   !> S0 = beta (T0 - 138 K) z/(alpha p0): Roelands, Correlational aspects of the viscosity-temperature-pressure
+   !> relationship of lubricating oils, Delft 1966.
    type, extends(alpha_law_t), public :: roelands_law_t
       real(dp) :: index = 0.68_dp       !! z
       real(dp) :: temperature_k = 0     !! T0, K; needed where beta is not 0

@@ -21,7 +21,8 @@ module ehlwave_surface
       procedure :: is_even
    end type surface_t
 
-   real(dp), parameter :: largest_edge = 0.01_dp   !! height at the ends over the largest, so that nothing enters as a step
+   real(dp), parameter :: largest_edge = 0.01_dp   !! height at the ends over the largest, so that nothing enters as a
+                                                   !! step
 
 contains
 
@@ -59,7 +60,8 @@ contains
       if (size(height, 2) > 1 .and. (size(height, 2) - 1)*step_y < width) &
          edge = max(edge, maxval(abs(height(:, 1))), maxval(abs(height(:, size(height, 2)))))
       if (edge > largest_edge*highest) then
-         call raise(error, 'heights at the ends of the surface reach '//to_text(edge/highest, 3)//' of the largest: it '// &
+         call raise(error, 'heights at the ends of the surface reach '//to_text(edge/highest, 3)// &
+            ' of the largest: it '// &
                     'would enter the contact as a step. Write the file by ehlwave surface, which fades the ends')
          return
       end if

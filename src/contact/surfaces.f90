@@ -62,7 +62,8 @@ contains
       moves = any([(self%list(n)%moves(), n=1, size(self%list))])
    end function moves
 
-   !> Angular frequency of the waves that results are about, in units of 1/T; 0 where they do not move, and of a list not yet made.
+   !> Angular frequency of the waves that results are about, in units of 1/T; 0 where they do not move, and of a list
+   !> not yet made.
    elemental real(dp) function frequency(self)
       class(surfaces_t), intent(in) :: self
       frequency = 0
@@ -126,7 +127,8 @@ contains
       integer :: n
       rough = 0
       do n = 1, size(self%list)
-         rough = rough + self%list(n)%amplitude(film)*self%list(n)%shape_fixed(x, y, merge(phase, 0.0_dp, n == self%main))
+         rough = rough + self%list(n)%amplitude(film)*self%list(n)%shape_fixed(x, y, &
+            merge(phase, 0.0_dp, n == self%main))
       end do
    end function rough_fixed
 

@@ -5,9 +5,9 @@ module ehlwave_tait_density
    implicit none (type, external)
    private
 
-   !> V/V0 = (1 + aV (T - T0)) (1 - ln(1 + (1 + K0') p/K)/(1 + K0')),  K = K0 exp(-bK (T - T0)), rho/rho0 = V0/V: Dymond and Malhotra,
-   !> International Journal of Thermophysics 9, 1988, 941-951; in this form Bair 2019, chapter 4. K0' is near 11 for most liquids,
-   !> K0 is 1 to 2 GPa at 20 to 40 C.
+   !> V/V0 = (1 + aV (T - T0)) (1 - ln(1 + (1 + K0') p/K)/(1 + K0')),  K = K0 exp(-bK (T - T0)), rho/rho0 = V0/V: Dymond
+   !> and Malhotra, International Journal of Thermophysics 9, 1988, 941-951; in this form Bair 2019, chapter 4. K0' is
+   !> near 11 for most liquids, K0 is 1 to 2 GPa at 20 to 40 C.
    type, extends(density_law_t), public :: tait_density_t
       real(dp) :: modulus_pa = 0          !! K0, isothermal bulk modulus at ambient pressure and T0, Pa
       real(dp) :: modulus_rate = 11       !! K0', its rate of change with pressure there
@@ -37,7 +37,8 @@ contains
       end do
    end subroutine evaluate
 
-   !> V/V0 at pressures >= 0 and its derivatives. The share that pressure leaves is held at 0.3 where the equation would go below that.
+   !> V/V0 at pressures >= 0 and its derivatives. The share that pressure leaves is held at 0.3 where the equation would
+   !> go below that.
    elemental subroutine volume(self, p_pa, rise_k, ratio, by_pa, by_k)
       class(tait_density_t), intent(in) :: self
       real(dp), intent(in) :: p_pa, rise_k   !! p in Pa, T - T0 in K

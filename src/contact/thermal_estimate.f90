@@ -5,9 +5,9 @@ module ehlwave_thermal_estimate
    private
    public :: inlet_film_factor, inlet_rise_k, film_rise_k, surface_rise_k
 
-   !> Data of oil and bodies that temperatures depend on. Defaults: mineral oils and PAO (conductivity 0.12 to 0.15 W/(m K), viscosity falling by 3 to
-   !> 6 % for a kelvin near 40 C; Hamrock, Schmid and Jacobson, Fundamentals of Fluid Film Lubrication, 2nd ed., 2004, chapter 4) and
-   !> bearing steel (46 W/(m K), 7800 kg/m3, 470 J/(kg K)).
+   !> Data of oil and bodies that temperatures depend on. Defaults: mineral oils and PAO (conductivity 0.12 to 0.15 W/(m
+   !> K), viscosity falling by 3 to 6 % for a kelvin near 40 C; Hamrock, Schmid and Jacobson, Fundamentals of Fluid Film
+   !> Lubrication, 2nd ed., 2004, chapter 4) and bearing steel (46 W/(m K), 7800 kg/m3, 470 J/(kg K)).
    type, public :: thermal_data_t
       real(dp) :: oil_conductivity_w_per_m_k = 0.14_dp
       real(dp) :: viscosity_decay_per_k = 0.04_dp              !! -d ln(eta0)/dT
@@ -19,11 +19,13 @@ module ehlwave_thermal_estimate
 
 contains
 
-   !> Film of a contact with a warm inlet over the isothermal film (Gupta, Cheng, Zhu, Forster and Schrand, Tribology Transactions 35,
-   !> 1992, 269-274), theory eq. (T3):
+   !> Film of a contact with a warm inlet over the isothermal film (Gupta, Cheng, Zhu, Forster and Schrand, Tribology
+   !> Transactions 35, 1992, 269-274), theory eq. (T3):
    !>
-   !>     (1 - 13.2 (ph/E') Lt^0.42)/(1 + 0.213 (1 + 2.23 s^0.83) Lt^0.64),    Lt = -(d eta0/dT) ubar^2/k,   s = |u1 - u2|/ubar.
-   elemental real(dp) function inlet_film_factor(data, viscosity_pa_s, mean_speed_m_per_s, slide_roll, pressure_over_modulus)
+   !>     (1 - 13.2 (ph/E') Lt^0.42)/(1 + 0.213 (1 + 2.23 s^0.83) Lt^0.64),    Lt = -(d eta0/dT) ubar^2/k,   s = |u1 -
+   !>     u2|/ubar.
+   elemental real(dp) function inlet_film_factor(data, viscosity_pa_s, mean_speed_m_per_s, slide_roll, &
+      pressure_over_modulus)
       type(thermal_data_t), intent(in) :: data
       real(dp), intent(in) :: viscosity_pa_s          !! eta0
       real(dp), intent(in) :: mean_speed_m_per_s      !! ubar
@@ -42,8 +44,8 @@ contains
       inlet_rise_k = -log(film_factor)/(film_exponent*data%viscosity_decay_per_k)
    end function inlet_rise_k
 
-   !> Mean temperature of the film above that of the surfaces, K: heat made evenly across the film and conducted to both,
-   !> q h/(12 k) with q = |tau| |u1 - u2|, theory eq. (T4). Three halves of it in the middle.
+   !> Mean temperature of the film above that of the surfaces, K: heat made evenly across the film and conducted to
+   !> both, q h/(12 k) with q = |tau| |u1 - u2|, theory eq. (T4). Three halves of it in the middle.
    elemental real(dp) function film_rise_k(data, stress_pa, sliding_m_per_s, film_m)
       type(thermal_data_t), intent(in) :: data
       real(dp), intent(in) :: stress_pa         !! mean |tau|
@@ -52,10 +54,10 @@ contains
       film_rise_k = stress_pa*sliding_m_per_s*film_m/(12*data%oil_conductivity_w_per_m_k)
    end function film_rise_k
 
-   !> Mean temperature rise of the surfaces within the contact, K: a band of length 2 a of even heat q over two surfaces that move
-   !> fast (Peclet number above 10), at rest in no case (Blok 1937; Archard, Wear 2, 1959, 438-455). Heat q into one alone
-   !> warms it by (4/3) q (2 a/(pi u))^(1/2)/(k rho c)^(1/2) in the mean; both share it so that they are equally warm:
-   !> theory eq. (T5).
+   !> Mean temperature rise of the surfaces within the contact, K: a band of length 2 a of even heat q over two surfaces
+   !> that move fast (Peclet number above 10), at rest in no case (Blok 1937; Archard, Wear 2, 1959, 438-455). Heat q
+   !> into one alone warms it by (4/3) q (2 a/(pi u))^(1/2)/(k rho c)^(1/2) in the mean; both share it so that they are
+   !> equally warm: theory eq. (T5).
    elemental real(dp) function surface_rise_k(data, stress_pa, speed1_m_per_s, speed2_m_per_s, half_length_m)
       type(thermal_data_t), intent(in) :: data
       real(dp), intent(in) :: stress_pa                          !! mean |tau|

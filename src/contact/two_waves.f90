@@ -5,9 +5,9 @@
 !>     a exp(i (kx X - w T)) + c exp(i (psi X - w T)):
 !>
 !> the attenuated wave moves with the surface, the complementary one is launched by the inlet and moves with the oil
-!> (Greenwood and Morales-Espejel 1994; Hooke 2006). With the state of the contact centre, and where the pressure gradient
-!> is small beside what sliding makes of the viscosity, the linear Reynolds equation gives a and psi in closed form. What
-!> the inlet launches, c, has no formula.
+!> (Greenwood and Morales-Espejel 1994; Hooke 2006). With the state of the contact centre, and where the pressure
+!> gradient is small beside what sliding makes of the viscosity, the linear Reynolds equation gives a and psi in closed
+!> form. What the inlet launches, c, has no formula.
 module ehlwave_two_waves
    use ehlwave_kinds, only: dp, no_value
    implicit none (type, external)
@@ -32,7 +32,8 @@ module ehlwave_two_waves
 
    complex(dp), parameter :: no_number = (no_value, no_value)
 
-   !> The two waves of a film, amplitudes over Ai. All NaN where both waves cannot be told from each other, as near S = 1.
+   !> The two waves of a film, amplitudes over Ai. All NaN where both waves cannot be told from each other, as near S =
+   !> 1.
    type, public :: two_waves_t
       complex(dp) :: attenuated = no_number      !! a
       complex(dp) :: complementary = no_number   !! c
@@ -41,10 +42,12 @@ module ehlwave_two_waves
    end type two_waves_t
 
    integer, parameter :: newton_steps = 20, fit_steps = 20
-   real(dp), parameter :: newton_step = 1e-7_dp    ! of psi, after which the next one is nothing: the method is quadratic
+   ! of psi, after which the next one is nothing: the method is quadratic
+   real(dp), parameter :: newton_step = 1e-7_dp
    real(dp), parameter :: smallest_step = 1e-3_dp
    real(dp), parameter :: least_signal = 3      ! |c| over the misfit from which psi can be seen
-   real(dp), parameter :: least_difference = 0.01_dp   ! of 1 - |correlation|^2: errors of the film grow 10 times in a and c
+   ! of 1 - |correlation|^2: errors of the film grow 10 times in a and c
+   real(dp), parameter :: least_difference = 0.01_dp
 
 contains
 
@@ -116,10 +119,11 @@ contains
       smaller_root = -2*rest/(middle + root)
    end function smaller_root
 
-   !> Both waves in a film amplitude h over Ai at places x: a and c by least squares with the wave number psi given, then the psi
-   !> that describes best what the attenuated wave leaves. (All three at once come out wrong: psi and c then describe
-   !> what the change of the film along the contact does to the larger wave.) `shape` is what a and c are of a(0) and c(0): the
-   !> attenuated wave is in balance with the oil where it is, the complementary one keeps its share of a film that flows through.
+   !> Both waves in a film amplitude h over Ai at places x: a and c by least squares with the wave number psi given,
+   !> then the psi that describes best what the attenuated wave leaves. (All three at once come out wrong: psi and c
+   !> then describe what the change of the film along the contact does to the larger wave.) `shape` is what a and c are
+   !> of a(0) and c(0): the attenuated wave is in balance with the oil where it is, the complementary one keeps its
+   !> share of a film that flows through.
    pure function fit_two_waves(x, h, kx, psi, shape) result(fit)
       real(dp), intent(in) :: x(:)            !! X, at least 3
       complex(dp), intent(in) :: h(:)         !! amplitude of H over Ai there
@@ -140,7 +144,8 @@ contains
          fit%psi = fitted_number(x, (h - amplitude(1)*wave(:, 1))/shape(:, 2), psi)
    end function fit_two_waves
 
-   !> Wave number of the one wave that comes nearest to h, by Gauss-Newton steps that are halved until they do not leave more.
+   !> Wave number of the one wave that comes nearest to h, by Gauss-Newton steps that are halved until they do not leave
+   !> more.
    pure complex(dp) function fitted_number(x, h, start) result(psi)
       real(dp), intent(in) :: x(:)
       complex(dp), intent(in) :: h(:)

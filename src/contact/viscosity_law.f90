@@ -6,9 +6,11 @@ module ehlwave_viscosity_law
    private
    public :: asymptotic_coefficient, film_forming_coefficient
 
-   real(dp), parameter, public :: largest_exponent = 600   !! of viscosity over that at ambient pressure: keeps exp() finite
+   real(dp), parameter, public :: largest_exponent = 600   !! of viscosity over that at ambient pressure: keeps exp()
+                                                           !! finite
 
-   !> Viscosity against pressure and temperature. eta0 is the viscosity at ambient pressure and the reference temperature T0.
+   !> Viscosity against pressure and temperature. eta0 is the viscosity at ambient pressure and the reference
+   !> temperature T0.
    type, abstract, public :: viscosity_law_t
       real(dp) :: ambient_pa_s = 0                           !! eta0 where the law knows it, Pa s; else 0
       real(dp) :: largest_pressure_pa = huge(1.0_dp)         !! beyond it the law is extrapolated
@@ -41,16 +43,16 @@ module ehlwave_viscosity_law
 
 contains
 
-   !> alpha* = 1/integral_0^inf eta(0)/eta(p) dp, 1/Pa, at T0: the reciprocal asymptotic isoviscous pressure (Blok 1963).
-   !> Zero for a law that does not rise with pressure from the first.
+   !> alpha* = 1/integral_0^inf eta(0)/eta(p) dp, 1/Pa, at T0: the reciprocal asymptotic isoviscous pressure (Blok
+   !> 1963). Zero for a law that does not rise with pressure from the first.
    pure real(dp) function asymptotic_coefficient(law) result(alpha)
       class(viscosity_law_t), intent(in) :: law
       alpha = initial_slope(law)
       if (alpha > 0) alpha = 1/isoviscous_pressure(law, huge(alpha), 1/alpha)
    end function asymptotic_coefficient
 
-   !> The pressure-viscosity coefficient for film thickness formulas, 1/Pa (Bair, Liu and Wang, Journal of Tribology 128, 2006,
-   !> 624-631):
+   !> The pressure-viscosity coefficient for film thickness formulas, 1/Pa (Bair, Liu and Wang, Journal of Tribology
+   !> 128, 2006, 624-631):
    !>
    !>     alpha_film = (1 - exp(-3))/integral_0^(3/alpha*) eta(0)/eta(p) dp,
    !>

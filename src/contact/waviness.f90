@@ -14,7 +14,8 @@ module ehlwave_waviness
       real(dp) :: wavelength_y = 0   !! lambda_y/b; 0: no variation along Y
       logical :: is_oblique = .false. !! cos(kx X + ky Y) in place of cos(kx X) cos(ky Y)
       real(dp) :: start = -2.5_dp    !! Xs: where the front stands at T = 0
-      real(dp) :: slip = 1           !! speed in units of the mean speed: S = u1/ubar of the first surface, 2 - S of the second
+      real(dp) :: slip = 1           !! speed in units of the mean speed: S = u1/ubar of the first surface, 2 - S of the
+                                     !! second
       real(dp) :: amplitude_over_film = 0   !! of waves: Ai over the smooth H(0,0)
       type(surface_t), allocatable :: surface   !! the measured surface, if it is one
    contains

@@ -1,7 +1,7 @@
 !> Errors that a user can mend: bad input, unreadable or unwritable files.
 !>
-!> A procedure that can meet one has `type(error_t), allocatable :: error` as its last argument; `allocated(error)` after
-!> the call means that nothing else it returns may be used. With `intent(out)` it forgets what was there. With
+!> A procedure that can meet one has `type(error_t), allocatable :: error` as its last argument; `allocated(error)`
+!> after the call means that nothing else it returns may be used. With `intent(out)` it forgets what was there. With
 !> `intent(inout)` it takes part in a chain of calls that is looked at once, at its end: if it tests for an error first,
 !> it keeps the one of an earlier step and does nothing; if it does not, it is called without one.
 !>

@@ -7,5 +7,6 @@ module ehlwave_kinds
    integer, parameter, public :: sp = real32   !! of what only preconditions
    integer, parameter, public :: i8 = int64    !! long counters, clock ticks
    real(dp), parameter, public :: pi = acos(-1.0_dp)
-   real(dp), parameter, public :: no_value = transfer(int(z'7FF8000000000000', i8), 1.0_dp)   !! NaN: not known, not there
+   !> NaN: not known, not there
+   real(dp), parameter, public :: no_value = transfer(int(z'7FF8000000000000', i8), 1.0_dp)
 end module ehlwave_kinds

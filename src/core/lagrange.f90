@@ -7,7 +7,8 @@ module ehlwave_lagrange
 
 contains
 
-   !> Weights of the samples 0, 1, ..., points - 1 at place t, counted in their distances: exact for polynomials of degree points - 1.
+   !> Weights of the samples 0, 1, ..., points - 1 at place t, counted in their distances: exact for polynomials of
+   !> degree points - 1.
    pure function lagrange_weights(points, t) result(weights)
       integer, intent(in) :: points
       real(dp), intent(in) :: t

@@ -7,8 +7,8 @@ module ehlwave_memory
    public :: can_allocate, memory_limit_mib, out_of_memory
 
    interface
-      !> End the program with a line on standard error and status 4. Our own allocations end so by themselves; this is for those
-      !> of libraries.
+      !> End the program with a line on standard error and status 4. Our own allocations end so by themselves; this is
+      !> for those of libraries.
       subroutine out_of_memory(bytes) bind(c, name='ehlwave_out_of_memory')
          import :: c_size_t
          implicit none (type, external)
@@ -33,7 +33,8 @@ contains
       can_allocate = c_can_allocate(bytes) /= 0
    end function can_allocate
 
-   !> Memory that this process can have at most, in MiB: by its limits (`ulimit -v`), those of its control groups, the machine and its swap.
+   !> Memory that this process can have at most, in MiB: by its limits (`ulimit -v`), those of its control groups, the
+   !> machine and its swap.
    real(dp) function memory_limit_mib()
       memory_limit_mib = c_memory_limit()/2.0_dp**20
    end function memory_limit_mib

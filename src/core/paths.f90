@@ -56,8 +56,8 @@ contains
       is_within = len(above) > 0 .and. index(full, above//'/') == 1
    end function is_within
 
-   !> Remove a file of a folder, or of a folder in it; links are not followed. `status` is 0, also where it is not there, or the
-   !> system's error number.
+   !> Remove a file of a folder, or of a folder in it; links are not followed. `status` is 0, also where it is not
+   !> there, or the system's error number.
    subroutine remove_within(folder, part, name, status)
       character(len=*), intent(in) :: folder
       character(len=*), intent(in) :: part     !! a folder in it; empty: the folder itself

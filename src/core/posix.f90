@@ -12,7 +12,8 @@ module ehlwave_posix
       remove_file, replace_file, set_note, signal_caught, sync_file, try_file, watchdog
 
    integer, parameter, public :: lock_taken = 0, lock_refused = 1, lock_absent = 2, lock_unwritable = -1
-   integer, parameter, public :: kind_none = 0, kind_file = 1, kind_folder = 2, kind_link = 3, kind_other = 4   !! of a name
+   !> of a name
+   integer, parameter, public :: kind_none = 0, kind_file = 1, kind_folder = 2, kind_link = 3, kind_other = 4
 
    abstract interface
       integer(c_int) function of_process() bind(c)
@@ -107,20 +108,22 @@ module ehlwave_posix
       subroutine catch_signals() bind(c, name='ehlwave_catch_signals')
          implicit none (type, external)
       end subroutine catch_signals
-      !> End the program with an exit status and without a word, as `stop status, quiet=.true.` does, which gfortran knows from 12 on.
+      !> End the program with an exit status and without a word, as `stop status, quiet=.true.` does, which gfortran
+      !> knows from 12 on.
       subroutine end_program(status) bind(c, name='exit')
          import :: c_int
          implicit none (type, external)
          integer(c_int), value :: status
       end subroutine end_program
-      !> Do work of a library that may break down on what it is given: 0, or the signal that ended it; what it holds is lost then.
+      !> Do work of a library that may break down on what it is given: 0, or the signal that ended it; what it holds is
+      !> lost then.
       integer(c_int) function guarded(work) bind(c, name='ehlwave_guarded')
          import :: c_funptr, c_int
          implicit none (type, external)
          type(c_funptr), value :: work     !! of a procedure without arguments
       end function guarded
-      !> From now on it is an error of writing, and not the end of the process, that nobody reads its output any more or that
-      !> a file would be longer than `ulimit -f` allows.
+      !> From now on it is an error of writing, and not the end of the process, that nobody reads its output any more or
+      !> that a file would be longer than `ulimit -f` allows.
       subroutine ignore_write_signals() bind(c, name='ehlwave_ignore_write_signals')
          implicit none (type, external)
       end subroutine ignore_write_signals
@@ -135,7 +138,8 @@ module ehlwave_posix
          implicit none (type, external)
          integer(c_int), value :: seconds
       end subroutine watchdog
-      type(c_funptr) function c_find_procedure(library, name, loads, reason, size) bind(c, name='ehlwave_find_procedure')
+      type(c_funptr) function c_find_procedure(library, name, loads, reason, size) bind(c, &
+         name='ehlwave_find_procedure')
          import :: c_char, c_funptr, c_int, c_long
          implicit none (type, external)
          character(kind=c_char), intent(in) :: library(*), name(*)
@@ -219,7 +223,8 @@ contains
       status = c_try(path//c_null_char)
    end subroutine try_file
 
-   !> Remove what `replace_file` has left in a folder where its process died; what another process writes at the moment stays.
+   !> Remove what `replace_file` has left in a folder where its process died; what another process writes at the moment
+   !> stays.
    subroutine clear_temporaries(folder, of)
       character(len=*), intent(in) :: folder
       character(len=*), intent(in) :: of       !! name of the file, without its folder; empty: all files
@@ -232,15 +237,16 @@ contains
       is_temporary = c_is_temporary(name//c_null_char, c_null_char) /= 0
    end function is_temporary
 
-   !> The kind of file that has a name, links not followed: one of the kinds above; `kind_other` where it cannot be looked at.
+   !> The kind of file that has a name, links not followed: one of the kinds above; `kind_other` where it cannot be
+   !> looked at.
    integer function file_kind(path)
       character(len=*), intent(in) :: path
       file_kind = c_kind(path//c_null_char)
       if (file_kind < 0) file_kind = kind_other
    end function file_kind
 
-   !> Open a regular file for reading, with its length. `status` is 0 or an error number for `reason_text`, also of folders,
-   !> pipes and devices: none of them is waited for.
+   !> Open a regular file for reading, with its length. `status` is 0 or an error number for `reason_text`, also of
+   !> folders, pipes and devices: none of them is waited for.
    subroutine open_file(path, file, bytes, status)
       character(len=*), intent(in) :: path
       integer, intent(out) :: file
@@ -315,7 +321,8 @@ contains
       status = c_set_note(file, text, len(text, c_long))
    end subroutine set_note
 
-   !> A C function of a shared library, not associated if there is none. `may_load`: load the library if it has not been.
+   !> A C function of a shared library, not associated if there is none. `may_load`: load the library if it has not
+   !> been.
    subroutine find_procedure(library, name, may_load, procedure, reason)
       character(len=*), intent(in) :: library   !! a path, or a name to look for where the system looks
       character(len=*), intent(in) :: name
@@ -328,8 +335,8 @@ contains
       reason = buffer(:index(buffer, c_null_char) - 1)
    end subroutine find_procedure
 
-   !> The text that a loaded library has under a name, as `fftw_version` of FFTW; empty if there is none. Without a name: name
-   !> and version of the C library, empty if it does not say.
+   !> The text that a loaded library has under a name, as `fftw_version` of FFTW; empty if there is none. Without a
+   !> name: name and version of the C library, empty if it does not say.
    function library_text(name) result(text)
       character(len=*), intent(in) :: name
       character(len=:), allocatable :: text

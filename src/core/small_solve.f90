@@ -7,7 +7,8 @@ module ehlwave_small_solve
 
 contains
 
-   !> Solve matrix x = right by elimination without pivoting. Where a pivot is not above `smallest_pivot` nothing is solved.
+   !> Solve matrix x = right by elimination without pivoting. Where a pivot is not above `smallest_pivot` nothing is
+   !> solved.
    pure subroutine solve_small(matrix, right, smallest_pivot, x, is_solved)
       real(dp), intent(in) :: matrix(:, :)       !! symmetric, positive definite
       real(dp), intent(in) :: right(:)

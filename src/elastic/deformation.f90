@@ -6,7 +6,8 @@ module ehlwave_deformation
    private
 
    type, abstract, public :: deformation_t
-      real(dp) :: work = 0   !! operations done on this grid so far, see `ehlwave_work_unit`: its own, and what its users add
+      real(dp) :: work = 0   !! operations done on this grid so far, see `ehlwave_work_unit`: its own, and what its
+                             !! users add
    contains
       procedure(init_deformation), deferred :: init
       procedure(apply_deformation), deferred :: apply
@@ -30,7 +31,8 @@ module ehlwave_deformation
          import :: deformation_t, dp
          implicit none (type, external)
          class(deformation_t), intent(inout) :: self
-         real(dp), intent(in), contiguous :: p(0:, 0:)    !! pressure at the nodes, (0:nx, 0:ny), zero on the outer boundary
+         real(dp), intent(in), contiguous :: p(0:, 0:)    !! pressure at the nodes, (0:nx, 0:ny), zero on the outer
+                                                          !! boundary
          real(dp), intent(out), contiguous :: d(0:, 0:)   !! deformation, (0:nx, 0:ny)
       end subroutine apply_deformation
    end interface

@@ -42,7 +42,8 @@ contains
    !> Deformation D = sum over cells of influence times P, theory eq. (9), at all nodes.
    subroutine apply(self, p, d)
       class(deformation_fft_t), intent(inout) :: self
-      real(dp), intent(in), contiguous :: p(0:, 0:)    !! pressure at the nodes, (0:nx, 0:ny), zero on the outer boundary
+      real(dp), intent(in), contiguous :: p(0:, 0:)    !! pressure at the nodes, (0:nx, 0:ny), zero on the outer
+                                                       !! boundary
       real(dp), intent(out), contiguous :: d(0:, 0:)   !! deformation, (0:nx, 0:ny)
       self%work = self%work + self%operations
       call self%double%apply(p, d)

@@ -86,7 +86,8 @@ contains
    !> Deformation D = sum over cells of influence times P, theory eq. (9), at all nodes.
    subroutine apply(self, p, d)
       class(deformation_mlmi_t), intent(inout) :: self
-      real(dp), intent(in), contiguous :: p(0:, 0:)    !! pressure at the nodes, (0:nx, 0:ny), zero on the outer boundary
+      real(dp), intent(in), contiguous :: p(0:, 0:)    !! pressure at the nodes, (0:nx, 0:ny), zero on the outer
+                                                       !! boundary
       real(dp), intent(out), contiguous :: d(0:, 0:)   !! deformation, (0:nx, 0:ny)
       integer :: j, l, n
 

@@ -6,7 +6,8 @@ module ehlwave_kernel
    public :: cell_influence
 
    !> Distance, in units of a, at which the deformation of a line contact counts as zero: that of a line load on a
-   !> half-space is determined but for a constant, which the mutual approach takes up. The kernel is positive on any domain.
+   !> half-space is determined but for a constant, which the mutual approach takes up. The kernel is positive on any
+   !> domain.
    real(dp), parameter, public :: line_reference = 16
 
 contains

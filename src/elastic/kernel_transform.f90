@@ -12,8 +12,8 @@ module ehlwave_kernel_transform
 
    include 'fftw3.f03'
 
-   !> The kernel is even in X and Y, so that its transforms along X are real and even. Let k(j) be one of them, j the distance along Y, of
-   !> a wave number along X. A column p(0:ny) of the whole domain has the deformation
+   !> The kernel is even in X and Y, so that its transforms along X are real and even. Let k(j) be one of them, j the
+   !> distance along Y, of a wave number along X. A column p(0:ny) of the whole domain has the deformation
    !>
    !>     d(j) = sum over i of k(j - i) p(i).
    !>
@@ -21,14 +21,18 @@ module ehlwave_kernel_transform
    !>
    !>     d(j) = sum over i of k(j - i) p(i) + sum over i of k(j + i) p(i),
    !>
-   !> the second a convolution of the mirrored column. Both kernels have the period py >= 2 ny, so that it takes transforms of py
-   !> values where those of the column and its mirror image would be twice as long. Where py = 2 ny, distances 0 and 2 ny
-   !> along the second are the same to it: it takes k(0), and what is wrong, between the outermost nodes, is `corner`.
+   !> the second a convolution of the mirrored column. Both kernels have the period py >= 2 ny, so that it takes
+   !> transforms of py values where those of the column and its mirror image would be twice as long. Where py = 2 ny,
+   !> distances 0 and 2 ny along the second are the same to it: it takes k(0), and what is wrong, between the outermost
+   !> nodes, is `corner`.
    type, public :: kernel_transform_t
       integer :: px = 0, py = 0                         !! even padded lengths along X and Y
-      real(dp), allocatable :: direct(:, :)             !! (0:py/2, 0:px/2) transform of k(j - i), real and even, over px py
-      complex(dp), allocatable :: mirrored(:, :)        !! (0:py/2, 0:px/2) of half a domain: that of k(j + i), over px py
-      real(dp), allocatable :: corner(:)                !! (0:px/2) of half a domain: k(2 ny) - k(0) where py = 2 ny, else 0, over px
+      real(dp), allocatable :: direct(:, :)             !! (0:py/2, 0:px/2) transform of k(j - i), real and even, over
+                                                        !! px py
+      complex(dp), allocatable :: mirrored(:, :)        !! (0:py/2, 0:px/2) of half a domain: that of k(j + i), over px
+                                                        !! py
+      real(dp), allocatable :: corner(:)                !! (0:px/2) of half a domain: k(2 ny) - k(0) where py = 2 ny,
+                                                        !! else 0, over px
    end type kernel_transform_t
 
 contains

@@ -24,16 +24,20 @@ module ehlwave_work_unit
 
    type(measured_unit_t) :: last         ! measured
 
-   !> Operations counted besides those of transforms, which count with their usual number of operations (`transform_operations`), in operations that
-   !> take as long: for each node or each entry of a node's row. From `perf record` of a march and of a linear response (M = 100, D = 1,
-   !> transverse, 0.5 a, 257 x 257 nodes), whose transforms took 30 and 33 % of the time.
+   !> Operations counted besides those of transforms, which count with their usual number of operations
+   !> (`transform_operations`), in operations that take as long: for each node or each entry of a node's row. From `perf
+   !> record` of a march and of a linear response (M = 100, D = 1, transverse, 0.5 a, 257 x 257 nodes), whose transforms
+   !> took 30 and 33 % of the time.
    integer, parameter, public :: evaluation_operations = 450    !! a node: flow, residual and its right side
-   integer, parameter, public :: place_operations = 500   !! a place (two a face) of a flow that is not Newtonian; Ree-Eyring measured
-   integer, parameter, public :: point_operations = 60    !! a point across the film there, each time the oil is asked; Carreau's takes 150
+   integer, parameter, public :: place_operations = 500   !! a place (two a face) of a flow that is not Newtonian;
+                                                          !! Ree-Eyring measured
+   integer, parameter, public :: point_operations = 60    !! a point across the film there, each time the oil is asked;
+                                                          !! Carreau's takes 150
    integer, parameter, public :: relaxation_operations = 1000   !! a node: one sweep over lines and what follows
    integer, parameter, public :: mlmi_operations = 450          !! a node: about that of FFT on 257 x 257 nodes
 
-   real(dp), parameter, public :: single_share = 0.7_dp   !! of a convolution in single precision, of one in double; measured: 0.67 to 0.72
+   real(dp), parameter, public :: single_share = 0.7_dp   !! of a convolution in single precision, of one in double;
+                                                          !! measured: 0.67 to 0.72
 
    type, public :: work_weights_t
       integer :: solve      !! an entry: with the factors
@@ -43,7 +47,8 @@ module ehlwave_work_unit
    end type work_weights_t
 
    type(work_weights_t), parameter, public :: real_weights = work_weights_t(solve=14, factor=74, product=58, cycle=180)
-   type(work_weights_t), parameter, public :: complex_weights = work_weights_t(solve=18, factor=146, product=150, cycle=400)
+   type(work_weights_t), parameter, public :: complex_weights = work_weights_t(solve=18, factor=146, product=150, &
+      cycle=400)
 
 contains
 
@@ -53,14 +58,15 @@ contains
       work_unit_operations = 2*transform_operations(4.0_dp*cells_x*cells_y)
    end function work_unit_operations
 
-   !> Operations of a real transform of n values, by the usual count (a complex one takes twice as many): a whole number.
+   !> Operations of a real transform of n values, by the usual count (a complex one takes twice as many): a whole
+   !> number.
    elemental real(dp) function transform_operations(n)
       real(dp), intent(in) :: n
       transform_operations = anint(2.5_dp*n*log(n)/log(2.0_dp))
    end function transform_operations
 
-   !> Seconds to expect of the work of one unit on a grid, for plans. One small grid is timed, whatever is planned: that takes
-   !> some hundredths of a second and 8 MiB. It stays in cache, where finer grids do not.
+   !> Seconds to expect of the work of one unit on a grid, for plans. One small grid is timed, whatever is planned: that
+   !> takes some hundredths of a second and 8 MiB. It stays in cache, where finer grids do not.
    impure elemental real(dp) function expected_unit_seconds(cells_x, cells_y) result(seconds)
       integer, intent(in) :: cells_x, cells_y   !! cells over the whole domain
       real(dp) :: doublings
@@ -71,8 +77,8 @@ contains
 
    !> Seconds of one work unit (WU) here and now: the plain deformation convolution of a grid, that is
    !> a zero-padded real transform of 2 cells_x by 2 cells_y points, a product, and the inverse transform.
-   !> The fastest of a few, so that a busy machine does not flatter the counts. Asked for again soon, as by the cases of a sweep, it is
-   !> not measured anew.
+   !> The fastest of a few, so that a busy machine does not flatter the counts. Asked for again soon, as by the cases of
+   !> a sweep, it is not measured anew.
    function work_unit_seconds(cells_x, cells_y) result(seconds)
       integer, intent(in) :: cells_x, cells_y   !! cells over the whole domain
       real(dp) :: seconds

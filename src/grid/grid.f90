@@ -6,9 +6,10 @@ module ehlwave_grid
    private
    public :: new_grid, new_line_grid
 
-   !> Nodes X(0:nx), Y(0:ny). On the outer boundary P = 0 or, of a flooded domain, that of the far field; unknown P at i = 1..nx-1, j = first_row..last_row.
-   !> On a half domain Y(0) = 0 is the line of symmetry and row 0 is unknown too. The grid of a line contact has one
-   !> dimension: ny = 0, and row 0 is its own neighbour across, so that differences along Y vanish.
+   !> Nodes X(0:nx), Y(0:ny). On the outer boundary P = 0 or, of a flooded domain, that of the far field; unknown P at i
+   !> = 1..nx-1, j = first_row..last_row. On a half domain Y(0) = 0 is the line of symmetry and row 0 is unknown too.
+   !> The grid of a line contact has one dimension: ny = 0, and row 0 is its own neighbour across, so that differences
+   !> along Y vanish.
    type, public :: grid_t
       integer :: nx = 0, ny = 0             !! cells along X; stored cells along Y
       real(dp) :: hx = 0, hy = 0            !! mesh sizes in X and Y
@@ -126,7 +127,8 @@ contains
       coarser%weight = self%weight(::self%row_ratio)
    end function coarser
 
-   !> Integral over the whole domain by the sum of nodal values times hX hY; of a line contact over its strip, 4/3 int dX.
+   !> Integral over the whole domain by the sum of nodal values times hX hY; of a line contact over its strip, 4/3 int
+   !> dX.
    pure real(dp) function real_integral(self, field) result(integral)
       class(grid_t), intent(in) :: self
       real(dp), intent(in) :: field(0:, 0:)   !! (0:nx, 0:ny)

@@ -29,11 +29,13 @@ module ehlwave_case_definition
       character(len=path_length) :: surface_file = ''    !! measured surface in place of waviness
       ! &grid
       real(dp) :: x_min = -2.5_dp, x_max = 1.5_dp, y_max = 2
-      integer :: cells_x = 256, cells_y = 256            !! 0: chosen by the plan; cells_y of a line contact: completed to 1
+      integer :: cells_x = 256, cells_y = 256            !! 0: chosen by the plan; cells_y of a line contact: completed
+                                                         !! to 1
       integer :: largest_cells = 0                       !! limit of what the plan chooses, completed
       character(len=name_length) :: domain = 'auto'
       character(len=name_length) :: edges = 'flooded'
-      real(dp) :: domain_scale = 0                       !! no key: of the domain over that of the keys; 0: chosen by the plan
+      real(dp) :: domain_scale = 0                       !! no key: of the domain over that of the keys; 0: chosen by
+                                                         !! the plan
       ! &solver
       real(dp) :: tolerance = 1e-6_dp
       real(dp) :: step_tolerance = 1e-4_dp
@@ -54,7 +56,8 @@ module ehlwave_case_definition
       real(dp) :: end_time = 0                           !! 0: until the amplitude is measured
       ! &output
       logical :: fields = .false.
-      integer :: fields_every = 0                        !! time steps from one set of fields to the next; 0: the last alone
+      integer :: fields_every = 0                        !! time steps from one set of fields to the next; 0: the last
+                                                         !! alone
       logical :: sensitivities = .false.
    end type case_t
 

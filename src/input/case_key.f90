@@ -24,7 +24,8 @@ module ehlwave_case_key
       logical :: applies = .true.                    !! to the case at hand: refused where it is given and does not
       character(len=160) :: when = ''                !! the same for people: 'belongs to ...'
       logical :: is_written = .true.                 !! in the effective input of the case at hand, if it applies
-      logical :: is_late = .false.                   !! added after stores were made: written where it is not the default
+      logical :: is_late = .false.                   !! added after stores were made: written where it is not the
+                                                     !! default
       logical :: can_vary = .true.                   !! in a sweep
       character(len=key_length) :: file = ''         !! of a key that names a file to be read: its name in results
       ! filled in by the list

@@ -2,9 +2,9 @@
 !>
 !> A new key is a component of case_t and its statement here; reading, sweeping, effective input, identity, messages
 !> and the printed reference follow. What keys in a row have in common is said once before them (`common`). Give a key
-!> that is added `is_late=.true.`: then cases that do not use it keep their identity, and stores their results. Where its
-!> default is not what cases were before, see `case_text`. What contradicts what stands in `case_completion`. A key that
-!> names a file to be read has a `file`, by which `case/case_files` and the results know it.
+!> that is added `is_late=.true.`: then cases that do not use it keep their identity, and stores their results. Where
+!> its default is not what cases were before, see `case_text`. What contradicts what stands in `case_completion`. A key
+!> that names a file to be read has a `file`, by which `case/case_files` and the results know it.
 module ehlwave_case_keys
    use ehlwave_case_definition, only: case_t, path_length
    use ehlwave_case_key, only: key_t
@@ -60,13 +60,14 @@ contains
       call visit_solver(case, list)
       call visit_dynamics(case, list)
       call list%enter('output', 'What is computed besides, and kept.')
-      call list%see(case%fields, key_t('fields', 'whether the last fields are kept even without --output', is_written=.false., &
-         can_vary=.false.))
-      call list%see(case%fields_every, key_t('fields_every', 'time steps from one kept set of fields to the next; with '// &
-         '--output a march writes pressure, film and shear stress over time; 0: the last fields alone', minimum=0.0_dp, &
-         is_late=.true., can_vary=.false.))
-      call list%see(case%sensitivities, key_t('sensitivities', 'whether film and linear response are differentiated by alpha '// &
-         'and by the stress of the flow law', is_late=.true.))
+      call list%see(case%fields, key_t('fields', 'whether the last fields are kept even without --output', &
+         is_written=.false., can_vary=.false.))
+      call list%see(case%fields_every, key_t('fields_every', 'time steps from one kept set of fields to the next; '// &
+         'with '// &
+         '--output a march writes pressure, film and shear stress over time; 0: the last fields alone', &
+         minimum=0.0_dp, is_late=.true., can_vary=.false.))
+      call list%see(case%sensitivities, key_t('sensitivities', 'whether film and linear response are '// &
+         'differentiated by alpha and by the stress of the flow law', is_late=.true.))
    end subroutine visit_case_keys
 
    subroutine visit_conditions(case, list)
@@ -75,31 +76,32 @@ contains
 
       call list%enter('conditions', 'Either the Moes parameters M, L and D or dimensional data.')
       list%common%is_written = case%is_dimensional
-      call list%see(case%data%radius_x_m, key_t('radius_x_m', 'reduced radius in the rolling direction', unit='m', above=0.0_dp, &
-         is_required=.true.))
-      call list%see(case%data%radius_y_m, key_t('radius_y_m', 'reduced radius across; none: line contact', unit='m', above=0.0_dp))
+      call list%see(case%data%radius_x_m, key_t('radius_x_m', 'reduced radius in the rolling direction', unit='m', &
+         above=0.0_dp, is_required=.true.))
+      call list%see(case%data%radius_y_m, key_t('radius_y_m', 'reduced radius across; none: line contact', unit='m', &
+         above=0.0_dp))
       list%common%is_written = .true.
       call list%see(case%data%reduced_modulus_pa, key_t('reduced_modulus_pa', "reduced elastic modulus E': 2/E' = "// &
-         '(1 - nu1^2)/E1 + (1 - nu2^2)/E2; also besides M, L and D, for friction and flow laws other than newtonian', unit='Pa', &
-         above=0.0_dp))
+         '(1 - nu1^2)/E1 + (1 - nu2^2)/E2; also besides M, L and D, for friction and flow laws other than newtonian', &
+         unit='Pa', above=0.0_dp))
       list%common%is_written = case%is_dimensional
       call list%see(case%data%load_n, key_t('load_n', 'load', unit='N', above=0.0_dp))
-      call list%see(case%data%load_n_per_m, key_t('load_n_per_m', 'load per length of a line contact; in place of load_n and '// &
-         'radius_y_m', unit='N/m', above=0.0_dp))
-      call list%see(case%data%mean_speed_m_per_s, key_t('mean_speed_m_per_s', 'mean speed (u1 + u2)/2', unit='m/s', above=0.0_dp, &
-         is_required=.true.))
-      call list%see(case%data%viscosity_pa_s, key_t('viscosity_pa_s', 'viscosity at ambient pressure', unit='Pa s', above=0.0_dp, &
-         is_required=.true.))
+      call list%see(case%data%load_n_per_m, key_t('load_n_per_m', 'load per length of a line contact; in place of '// &
+         'load_n and radius_y_m', unit='N/m', above=0.0_dp))
+      call list%see(case%data%mean_speed_m_per_s, key_t('mean_speed_m_per_s', 'mean speed (u1 + u2)/2', unit='m/s', &
+         above=0.0_dp, is_required=.true.))
+      call list%see(case%data%viscosity_pa_s, key_t('viscosity_pa_s', 'viscosity at ambient pressure', unit='Pa s', &
+         above=0.0_dp, is_required=.true.))
       list%common%is_written = .not. case%is_dimensional
       call list%see(case%load_parameter_m, key_t('load_parameter_m', 'load parameter M of Moes', above=0.0_dp, &
          is_required=.true.))
-      call list%see(case%lubricant_parameter_l, key_t('lubricant_parameter_l', 'lubricant parameter L of Moes; 0: isoviscous', &
-         minimum=0.0_dp, is_required=.true.))
-      call list%see(case%radius_ratio_d, key_t('radius_ratio_d', 'ratio of the reduced radii D = Rx/Ry; 1: circular, 0.005 or '// &
-         'more: elliptical, 0: line contact', minimum=0.0_dp, is_required=.true.))
+      call list%see(case%lubricant_parameter_l, key_t('lubricant_parameter_l', 'lubricant parameter L of Moes; 0: '// &
+         'isoviscous', minimum=0.0_dp, is_required=.true.))
+      call list%see(case%radius_ratio_d, key_t('radius_ratio_d', 'ratio of the reduced radii D = Rx/Ry; 1: '// &
+         'circular, 0.005 or more: elliptical, 0: line contact', minimum=0.0_dp, is_required=.true.))
       list%common%is_written = .true.
-      call list%see(case%slip_parameter, key_t('slip_parameter', 'slip parameter S = u1/ubar; speed of the wavy surface over '// &
-         'the mean speed', minimum=0.0_dp, maximum=2.0_dp))
+      call list%see(case%slip_parameter, key_t('slip_parameter', 'slip parameter S = u1/ubar; speed of the wavy '// &
+         'surface over the mean speed', minimum=0.0_dp, maximum=2.0_dp))
    end subroutine visit_conditions
 
    subroutine visit_waviness(case, list)
@@ -115,24 +117,28 @@ contains
       call list%see(case%wavelength_over_a, key_t('wavelength_over_a', 'wavelength lambda/a', above=0.0_dp, &
          applies=is_wavy .and. .not. is_custom, when=one_length))
       list%common = key_t(applies=is_custom, when="orientation = 'custom'")
-      call list%see(case%wavelength_x_over_a, key_t('wavelength_x_over_a', 'wavelength along X over a; 0: no variation along X', &
-         minimum=0.0_dp))
-      call list%see(case%wavelength_y_over_a, key_t('wavelength_y_over_a', 'wavelength along Y over a; 0: no variation along Y', &
-         minimum=0.0_dp))
-      call list%see(case%oblique, key_t('oblique', 'whether the pattern is one plane wave cos(kx X + ky Y) in place of the '// &
-         'product of cosines'))
+      call list%see(case%wavelength_x_over_a, key_t('wavelength_x_over_a', 'wavelength along X over a; 0: no '// &
+         'variation along X', minimum=0.0_dp))
+      call list%see(case%wavelength_y_over_a, key_t('wavelength_y_over_a', 'wavelength along Y over a; 0: no '// &
+         'variation along Y', minimum=0.0_dp))
+      call list%see(case%oblique, key_t('oblique', 'whether the pattern is one plane wave cos(kx X + ky Y) in '// &
+         'place of the product of cosines'))
       list%common = key_t(is_written=is_wavy)
-      call list%see(case%amplitude_over_film, key_t('amplitude_over_film', 'amplitude Ai over the smooth central film thickness', &
-         above=0.0_dp, maximum=1.0_dp))
-      call list%see(case%response, key_t('response', "response to the waves; 'transient': waves of this amplitude in time, "// &
-         "'periodic': what these come to, by a march that starts close to it (where it is not found one from rest takes over), "// &
+      call list%see(case%amplitude_over_film, key_t('amplitude_over_film', 'amplitude Ai over the smooth central '// &
+         'film thickness', above=0.0_dp, maximum=1.0_dp))
+      call list%see(case%response, key_t('response', "response to the waves; 'transient': waves of this amplitude "// &
+         "in time, "// &
+         "'periodic': what these come to, by a march that starts close to it (where it is not found one from rest "// &
+         "takes over), "// &
          "'harmonic': the linear response to small waves, without time steps, 'both': march and response", &
          choices='transient periodic harmonic both'))
       call list%enter('surface', 'A measured surface in place of &waviness.')
-      call list%see(case%surface_file, key_t('file', 'surface written by `ehlwave surface`; it enters at x_min, moves '// &
-         'with S and is followed until its trailing end is at the contact centre, or end_time; needs dimensional conditions. '// &
-         'The whole domain is computed unless it is even in Y. With --output, surface_position_m says which x of the surface '// &
-         'was at the centre for each film_at_centre', maximum=real(path_length, dp), file='surface', &
+      call list%see(case%surface_file, key_t('file', 'surface written by `ehlwave surface`; it enters at x_min, '// &
+         'moves '// &
+         'with S and is followed until its trailing end is at the contact centre, or end_time; needs dimensional '// &
+         'conditions. '// &
+         'The whole domain is computed unless it is even in Y. With --output, surface_position_m says which x of '// &
+         'the surface was at the centre for each film_at_centre', maximum=real(path_length, dp), file='surface', &
          is_written=case%surface_file /= ''))
    end subroutine visit_waviness
 
@@ -145,18 +151,20 @@ contains
       call list%enter('grid', 'Domain, in units of a (X) and b (Y), and cells.')
       call list%see(case%x_min, key_t('x_min', 'X of the inlet boundary', maximum=-1.0_dp))
       call list%see(case%x_max, key_t('x_max', 'X of the outlet boundary', minimum=1.0_dp))
-      call list%see(case%y_max, key_t('y_max', 'Y of the side boundary', minimum=1.0_dp, applies=is_elliptical, when=elliptical))
-      call list%see(case%cells_x, key_t('cells_x', 'cells along X over the whole domain; even, best if they can be halved '// &
-         'several times; 0: chosen so that the case is resolved', minimum=0.0_dp, maximum=8192.0_dp))
+      call list%see(case%y_max, key_t('y_max', 'Y of the side boundary', minimum=1.0_dp, applies=is_elliptical, &
+         when=elliptical))
+      call list%see(case%cells_x, key_t('cells_x', 'cells along X over the whole domain; even, best if they can be '// &
+         'halved several times; 0: chosen so that the case is resolved', minimum=0.0_dp, maximum=8192.0_dp))
       call list%see(case%cells_y, key_t('cells_y', 'cells along Y over the whole domain; as cells_x', minimum=0.0_dp, &
          maximum=8192.0_dp, applies=is_elliptical, when=elliptical))
-      call list%see(case%largest_cells, key_t('largest_cells', 'limit of what is chosen', minimum=64.0_dp, maximum=8192.0_dp, &
-         default='1024; of line contacts 8192', is_written=min(case%cells_x, case%cells_y) == 0))
-      call list%see(case%domain, key_t('domain', "computed domain; 'auto': half of it where the case is even in Y, 'whole': "// &
-         'always all of it', choices='auto whole', applies=is_elliptical, when=elliptical))
-      call list%see(case%edges, key_t('edges', "pressure at the edges of the domain; 'flooded': that of the oil farther out; "// &
-         "with accuracy a domain of the usual size is enlarged where that takes more; 'truncated': 0, which starves the "// &
-         "contact a little", choices='flooded truncated'))
+      call list%see(case%largest_cells, key_t('largest_cells', 'limit of what is chosen', minimum=64.0_dp, &
+         maximum=8192.0_dp, default='1024; of line contacts 8192', is_written=min(case%cells_x, case%cells_y) == 0))
+      call list%see(case%domain, key_t('domain', "computed domain; 'auto': half of it where the case is even in Y, "// &
+         "'whole': "//'always all of it', choices='auto whole', applies=is_elliptical, when=elliptical))
+      call list%see(case%edges, key_t('edges', "pressure at the edges of the domain; 'flooded': that of the oil "// &
+         "farther out; "// &
+         "with accuracy a domain of the usual size is enlarged where that takes more; 'truncated': 0, which "// &
+         "starves the contact a little", choices='flooded truncated'))
    end subroutine visit_grid
 
    subroutine visit_solver(case, list)
@@ -166,33 +174,36 @@ contains
       call list%enter('solver', 'How the equations are solved, and how well.')
       call list%see(case%tolerance, key_t('tolerance', 'tolerance of steady states: mass residual and load error', &
          minimum=1e-12_dp, maximum=0.1_dp))
-      call list%see(case%step_tolerance, key_t('step_tolerance', 'tolerance of time steps at 20 % amplitude; reduced in '// &
-         'proportion for smaller waves', minimum=1e-12_dp, maximum=0.1_dp))
-      call list%see(case%response_tolerance, key_t('response_tolerance', 'tolerance of the linear response: its residual', &
-         minimum=1e-12_dp, maximum=0.1_dp, is_late=.true.))
-      call list%see(case%time_step_over_cell, key_t('time_step_over_cell', 'time step dT/hX; a whole number or one over a '// &
-         'whole number; below 1 only adds samples between the steps of dT = hX', above=0.0_dp))
-      call list%see(case%largest_steps, key_t('largest_steps', 'largest number of Newton steps, or multigrid cycles, of a '// &
-         'solution', minimum=1.0_dp, maximum=10000.0_dp))
-      call list%see(case%settling_periods, key_t('settling_periods', 'periods to wait before the amplitude is measured; once '// &
-         'the pattern has reached the outlet end', minimum=0.0_dp, maximum=1000.0_dp))
-      call list%see(case%largest_total_steps, key_t('largest_total_steps', 'largest number of Newton steps of a case on the '// &
-         'finest grid; rescues included; 0: 600, and 40 for each time step, 300 for each phase of a standing pattern, and no '// &
-         'more work than keeps a case within ten times its plan', minimum=0.0_dp, maximum=1e9_dp, &
+      call list%see(case%step_tolerance, key_t('step_tolerance', 'tolerance of time steps at 20 % amplitude; '// &
+         'reduced in proportion for smaller waves', minimum=1e-12_dp, maximum=0.1_dp))
+      call list%see(case%response_tolerance, key_t('response_tolerance', 'tolerance of the linear response: its '// &
+         'residual', minimum=1e-12_dp, maximum=0.1_dp, is_late=.true.))
+      call list%see(case%time_step_over_cell, key_t('time_step_over_cell', 'time step dT/hX; a whole number or one '// &
+         'over a whole number; below 1 only adds samples between the steps of dT = hX', above=0.0_dp))
+      call list%see(case%largest_steps, key_t('largest_steps', 'largest number of Newton steps, or multigrid '// &
+         'cycles, of a solution', minimum=1.0_dp, maximum=10000.0_dp))
+      call list%see(case%settling_periods, key_t('settling_periods', 'periods to wait before the amplitude is '// &
+         'measured; once the pattern has reached the outlet end', minimum=0.0_dp, maximum=1000.0_dp))
+      call list%see(case%largest_total_steps, key_t('largest_total_steps', 'largest number of Newton steps of a '// &
+         'case on the '// &
+         'finest grid; rescues included; 0: 600, and 40 for each time step, 300 for each phase of a standing '// &
+         'pattern, and no more work than keeps a case within ten times its plan', minimum=0.0_dp, maximum=1e9_dp, &
          is_written=case%largest_total_steps > 0))
-      call list%see(case%method, key_t('method', "method of solution; 'fas': FAS multigrid with hybrid line relaxation, the "// &
-         "paper's method, 'petsc': the finest level by PETSc's variational inequality solver, an independent check (builds "// &
-         "with PETSc)", choices='newton fas petsc'))
-      call list%see(case%cycle, key_t('cycle', 'multigrid cycle', choices='f v w', default="'f'", applies=case%method == 'fas', &
-         when="method = 'fas'"))
-      call list%see(case%deformation, key_t('deformation', "how the deformation is computed; 'auto': by the faster one, "// &
-         "'fft'; 'mlmi': multilevel multi-integration, whose error is far below that of the discretisation", &
+      call list%see(case%method, key_t('method', "method of solution; 'fas': FAS multigrid with hybrid line "// &
+         "relaxation, the "// &
+         "paper's method, 'petsc': the finest level by PETSc's variational inequality solver, an independent check "// &
+         "(builds with PETSc)", choices='newton fas petsc'))
+      call list%see(case%cycle, key_t('cycle', 'multigrid cycle', choices='f v w', default="'f'", &
+         applies=case%method == 'fas', when="method = 'fas'"))
+      call list%see(case%deformation, key_t('deformation', "how the deformation is computed; 'auto': by the faster "// &
+         "one, 'fft'; 'mlmi': multilevel multi-integration, whose error is far below that of the discretisation", &
          choices='auto fft mlmi'))
-      call list%see(case%error_estimate, key_t('error_estimate', "estimate of the error of Ad/Ai; 'coarse_grid': from the "// &
+      call list%see(case%error_estimate, key_t('error_estimate', "estimate of the error of Ad/Ai; 'coarse_grid': "// &
+         "from the "// &
          "same case on 2 and 4 times the mesh size (5 to 15 % of the time), 'model': the error that the plan expects", &
          choices='coarse_grid model'))
-      call list%see(case%accuracy, key_t('accuracy', 'relative error wanted in Ad/Ai, of smooth contacts in H(0,0); e.g. '// &
-         '0.01: chooses cells, time step and tolerances that are not given', above=0.0_dp, maximum=0.2_dp))
+      call list%see(case%accuracy, key_t('accuracy', 'relative error wanted in Ad/Ai, of smooth contacts in '// &
+         'H(0,0); e.g. 0.01: chooses cells, time step and tolerances that are not given', above=0.0_dp, maximum=0.2_dp))
    end subroutine visit_solver
 
    subroutine visit_dynamics(case, list)
@@ -202,11 +213,12 @@ contains
       call list%enter('dynamics', 'Load and mutual approach in time.')
       call list%see(case%load_balance, key_t('load_balance', 'what moves the mutual approach', &
          choices='force_balance equation_of_motion'))
-      call list%see(case%natural_frequency, key_t('natural_frequency', 'dimensionless natural frequency Omega', above=0.0_dp, &
-         applies=case%load_balance == 'equation_of_motion', when="load_balance = 'equation_of_motion'"))
-      call list%see(case%load_factor, key_t('load_factor', 'load from T = 0 on over that of the steady state; a load step', &
+      call list%see(case%natural_frequency, key_t('natural_frequency', 'dimensionless natural frequency Omega', &
+         above=0.0_dp, applies=case%load_balance == 'equation_of_motion', when="load_balance = 'equation_of_motion'"))
+      call list%see(case%load_factor, key_t('load_factor', 'load from T = 0 on over that of the steady state; a '// &
+         'load step', above=0.0_dp))
+      call list%see(case%end_time, key_t('end_time', 'T to which is marched; none: until the amplitude is measured', &
          above=0.0_dp))
-      call list%see(case%end_time, key_t('end_time', 'T to which is marched; none: until the amplitude is measured', above=0.0_dp))
    end subroutine visit_dynamics
 
 end module ehlwave_case_keys

@@ -10,8 +10,8 @@ module ehlwave_case_text
    private
    public :: case_identity, effective_input, input_identity, input_text
 
-   ! Lines of keys that were added after stores were made, with what cases were before, which is not the default: always written,
-   ! no part of the identity.
+   ! Lines of keys that were added after stores were made, with what cases were before, which is not the default: always
+   ! written, no part of the identity.
    character(len=*), parameter :: former(1) = ["  edges = 'truncated'"//new_line('a')]
 
 contains
@@ -28,8 +28,8 @@ contains
       end if
    end function effective_input
 
-   !> The keys that make a case, group by group: all but those that do not apply, say that there is none (a value outside
-   !> the bounds, an empty text), or were added later and are not used.
+   !> The keys that make a case, group by group: all but those that do not apply, say that there is none (a value
+   !> outside the bounds, an empty text), or were added later and are not used.
    function input_text(list, defaults) result(text)
       type(key_list_t), intent(in) :: list
       type(key_list_t), intent(in) :: defaults     !! the same keys with their defaults
@@ -65,8 +65,8 @@ contains
       identity = input_identity(effective_input(case, defaults))
    end function case_identity
 
-   !> Identity of an effective input: 16 hexadecimal digits, the 64-bit FNV-1a hash of it, without lines that say what went without
-   !> saying when the first stores were made.
+   !> Identity of an effective input: 16 hexadecimal digits, the 64-bit FNV-1a hash of it, without lines that say what
+   !> went without saying when the first stores were made.
    function input_identity(input) result(identity)
       character(len=*), intent(in) :: input
       character(len=16) :: identity

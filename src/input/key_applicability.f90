@@ -20,7 +20,8 @@ contains
       type(error_t), allocatable, intent(inout) :: error
       type(key_list_t) :: given
       given = case_key_list(input%case)
-      if (any(input%is_given(:given%count) .and. .not. given%keys(:given%count)%applies)) call drop_idle(input, given, error)
+      if (any(input%is_given(:given%count) .and. .not. given%keys(:given%count)%applies)) call drop_idle(input, given, &
+         error)
    end subroutine check_applicability
 
    !> The same where there is such a key.
@@ -35,7 +36,8 @@ contains
       do k = 1, given%count
          if (given%keys(k)%applies .or. .not. input%is_given(k)) cycle
          if (.not. (input%may_idle(k) .or. is_none(given%values(k), defaults%values(k)))) then
-            call raise(error, shown_key(given, k)//' belongs to '//trim(given%keys(k)%when)//': remove it, or change that')
+            call raise(error, shown_key(given, k)//' belongs to '//trim(given%keys(k)%when)// &
+               ': remove it, or change that')
             return
          end if
          call input%set([k], [defaults%values(k)])
@@ -58,7 +60,8 @@ contains
             if (is_allowed(key, value)) cycle
             defaults = case_values()
             if (is_none(value, defaults%values(k))) then
-               call raise(error, '&'//trim(key%group)//' '//trim(key%name)//' is missing: '//trim(key%when)//' needs it')
+               call raise(error, '&'//trim(key%group)//' '//trim(key%name)//' is missing: '//trim(key%when)// &
+                  ' needs it')
             else
                call raise(error, shown_key(given, k)//' is out of range: write a value '//bounds_text(key))
             end if

@@ -1,6 +1,7 @@
 !> Values that are allowed for a key: one check of kind, bounds and choices for namelists, lists and tables alike.
 module ehlwave_key_bounds
-   use ehlwave_case_key, only: choice_length, key_t, key_value_t, number_kind, truth_kind, whole_kind, word_kind, words_of
+   use ehlwave_case_key, only: choice_length, key_t, key_value_t, number_kind, truth_kind, whole_kind, word_kind, &
+      words_of
    use ehlwave_kinds, only: dp
    use ehlwave_namelist_scanner, only: value_t
    use ehlwave_namelist_values, only: read_value

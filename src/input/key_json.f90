@@ -13,7 +13,8 @@ module ehlwave_key_json
 
 contains
 
-   !> All keys of a case in one object on one line: {"keys": [{"group": ..., "name": ..., ...}, ...]}, in the order of the reference.
+   !> All keys of a case in one object on one line: {"keys": [{"group": ..., "name": ..., ...}, ...]}, in the order of
+   !> the reference.
    function case_key_json() result(text)
       character(len=:), allocatable :: text
       type(key_list_t) :: list
@@ -27,8 +28,8 @@ contains
       text = '{"keys": ['//text(3:)//']}'
    end function case_key_json
 
-   !> What is known of a key. A bound that it does not have is null, and so is a default that is no value: `default_text` tells
-   !> both in the words of the reference.
+   !> What is known of a key. A bound that it does not have is null, and so is a default that is no value:
+   !> `default_text` tells both in the words of the reference.
    function key_json(key, default) result(text)
       type(key_t), intent(in) :: key
       type(key_value_t), intent(in) :: default

@@ -1,20 +1,24 @@
-!> A list of keys with their values: made from a table of keys, looked up by name, given back to what the table is about.
+!> A list of keys with their values: made from a table of keys, looked up by name, given back to what the table is
+!> about.
 module ehlwave_key_list
-   use ehlwave_case_key, only: choice_length, key_t, key_value_t, most_keys, number_kind, truth_kind, whole_kind, word_kind
+   use ehlwave_case_key, only: choice_length, key_t, key_value_t, most_keys, number_kind, truth_kind, whole_kind, &
+      word_kind
    use ehlwave_kinds, only: dp
    implicit none (type, external)
    private
    public :: find_key
 
-   !> A table is a procedure that calls `begin`, `enter` for every group, and `see` for every key with the component that
-   !> holds its value. That makes the list; with `gives_back` it gives the values of a list made before to the components.
+   !> A table is a procedure that calls `begin`, `enter` for every group, and `see` for every key with the component
+   !> that holds its value. That makes the list; with `gives_back` it gives the values of a list made before to the
+   !> components.
    type, public :: key_list_t
       integer :: count = 0                           !! keys seen
       type(key_t), allocatable :: keys(:)            !! at least `count`
       type(key_value_t), allocatable :: values(:)
       logical :: gives_back = .false.
       logical :: has_keys = .true.                   !! false: makes values only, which costs a fraction
-      type(key_t) :: common                          !! holds for all keys that follow in the group: applies, is_late, ...
+      type(key_t) :: common                          !! holds for all keys that follow in the group: applies, is_late,
+                                                     !! ...
       character(len=choice_length), private :: group = ''
       character(len=256), private :: group_help = ''
    contains

@@ -19,11 +19,13 @@ contains
       type(key_list_t), intent(inout) :: list
 
       call list%enter('lubricant', 'Viscosity and density of the lubricant, and how it shears.')
-      call list%see(oil%pressure_viscosity_per_pa, key_t('pressure_viscosity_per_pa', 'pressure-viscosity coefficient alpha; '// &
-         'sets ph = alphabar/alpha, also where M, L and D are given', unit='1/Pa', above=0.0_dp, applies=oil%takes_alpha(), &
+      call list%see(oil%pressure_viscosity_per_pa, key_t('pressure_viscosity_per_pa', 'pressure-viscosity '// &
+         'coefficient alpha; '// &
+         'sets ph = alphabar/alpha, also where M, L and D are given', unit='1/Pa', above=0.0_dp, &
+         applies=oil%takes_alpha(), &
          when=alpha_laws//' (the others have alpha from their parameters: the film-forming coefficient)'))
-      call list%see(oil%roelands%index, key_t('roelands_index', "index z of Roelands' viscosity", above=0.0_dp, maximum=2.0_dp, &
-         applies=oil%takes_alpha(), when=alpha_laws))
+      call list%see(oil%roelands%index, key_t('roelands_index', "index z of Roelands' viscosity", above=0.0_dp, &
+         maximum=2.0_dp, applies=oil%takes_alpha(), when=alpha_laws))
       call list%see(oil%viscosity_law, key_t('viscosity_law', 'viscosity against pressure', choices=viscosity_laws))
       call list%see(oil%density_law, key_t('density_law', 'density against pressure', choices=density_laws))
       call visit_flow_law(oil, list)
@@ -50,12 +52,13 @@ contains
       call belong(list, 'flow_law', eyring, oil%flow_law)
       call list%see(oil%eyring_stress_pa, key_t('eyring_stress_pa', 'Eyring stress tau0', unit='Pa', above=0.0_dp))
       call belong(list, 'flow_law', carreau, oil%flow_law)
-      call list%see(oil%carreau_modulus_pa, key_t('carreau_modulus_pa', 'stress G at which thinning begins', unit='Pa', &
-         above=0.0_dp))
+      call list%see(oil%carreau_modulus_pa, key_t('carreau_modulus_pa', 'stress G at which thinning begins', &
+         unit='Pa', above=0.0_dp))
       call list%see(oil%carreau_exponent, key_t('carreau_exponent', 'exponent n of the shear rate; 1: Newtonian', &
          minimum=0.1_dp, maximum=1.0_dp))
       list%common = key_t(is_late=.true.)
-      call list%see(oil%limiting_stress_over_pressure, key_t('limiting_stress_over_pressure', 'limiting shear stress over '// &
+      call list%see(oil%limiting_stress_over_pressure, key_t('limiting_stress_over_pressure', 'limiting shear '// &
+         'stress over '// &
          'pressure; beyond it a warning is given, since the limit is not modelled', above=0.0_dp, maximum=1.0_dp))
    end subroutine visit_flow_law
 
@@ -64,19 +67,23 @@ contains
       type(key_list_t), intent(inout) :: list
 
       call belong(list, 'viscosity_law', mcewen, oil%viscosity_law)
-      call list%see(oil%mcewen%alpha0_per_pa, key_t('mcewen_coefficient_per_pa', 'coefficient alpha0 of (1 + alpha0 p/q)^q', &
-         unit='1/Pa', above=0.0_dp))
+      call list%see(oil%mcewen%alpha0_per_pa, key_t('mcewen_coefficient_per_pa', 'coefficient alpha0 of (1 + '// &
+         'alpha0 p/q)^q', unit='1/Pa', above=0.0_dp))
       call list%see(oil%mcewen%exponent, key_t('mcewen_exponent', 'exponent q of (1 + alpha0 p/q)^q', above=1.0_dp))
       call belong(list, 'viscosity_law', yasutomi, oil%viscosity_law)
       call list%see(oil%yasutomi%c1, key_t('yasutomi_c1', 'C1 of the improved Yasutomi law', above=0.0_dp))
-      call list%see(oil%yasutomi%c2_k, key_t('yasutomi_c2_k', 'C2 of the improved Yasutomi law', unit='K', above=0.0_dp))
-      call list%see(oil%yasutomi%above_glass_k, key_t('yasutomi_above_glass_k', 'temperature of the oil above its glass '// &
-         'transition at ambient pressure, T - Tg0', unit='K', above=0.0_dp))
-      call list%see(oil%yasutomi%a1_k, key_t('yasutomi_a1_k', 'A1 of Tg = Tg0 + A1 ln(1 + A2 p)', unit='K', above=0.0_dp))
-      call list%see(oil%yasutomi%a2_per_pa, key_t('yasutomi_a2_per_pa', 'A2 of Tg = Tg0 + A1 ln(1 + A2 p)', unit='1/Pa', &
+      call list%see(oil%yasutomi%c2_k, key_t('yasutomi_c2_k', 'C2 of the improved Yasutomi law', unit='K', &
          above=0.0_dp))
-      call list%see(oil%yasutomi%b1_per_pa, key_t('yasutomi_b1_per_pa', 'b1 of F = (1 + b1 p)^b2', unit='1/Pa', above=0.0_dp))
-      call list%see(oil%yasutomi%b2, key_t('yasutomi_b2', 'b2 of F = (1 + b1 p)^b2; below 0', minimum=-10.0_dp, maximum=-1e-6_dp))
+      call list%see(oil%yasutomi%above_glass_k, key_t('yasutomi_above_glass_k', 'temperature of the oil above its '// &
+         'glass transition at ambient pressure, T - Tg0', unit='K', above=0.0_dp))
+      call list%see(oil%yasutomi%a1_k, key_t('yasutomi_a1_k', 'A1 of Tg = Tg0 + A1 ln(1 + A2 p)', unit='K', &
+         above=0.0_dp))
+      call list%see(oil%yasutomi%a2_per_pa, key_t('yasutomi_a2_per_pa', 'A2 of Tg = Tg0 + A1 ln(1 + A2 p)', &
+         unit='1/Pa', above=0.0_dp))
+      call list%see(oil%yasutomi%b1_per_pa, key_t('yasutomi_b1_per_pa', 'b1 of F = (1 + b1 p)^b2', unit='1/Pa', &
+         above=0.0_dp))
+      call list%see(oil%yasutomi%b2, key_t('yasutomi_b2', 'b2 of F = (1 + b1 p)^b2; below 0', minimum=-10.0_dp, &
+         maximum=-1e-6_dp))
    end subroutine visit_viscosity_laws
 
    !> Doolittle's viscosity and Tait's density, which share the volume.
@@ -92,8 +99,8 @@ contains
                           when="density_law = '"//tait//"' or viscosity_law = '"//doolittle//"'")
       call list%see(oil%tait%modulus_pa, key_t('tait_modulus_pa', 'bulk modulus at ambient pressure, K0', unit='Pa', &
          above=0.0_dp))
-      call list%see(oil%tait%modulus_rate, key_t('tait_modulus_rate', "rate of change of the bulk modulus with pressure, K0'; "// &
-         'near 11', above=0.0_dp))
+      call list%see(oil%tait%modulus_rate, key_t('tait_modulus_rate', "rate of change of the bulk modulus with "// &
+         "pressure, K0'; "//'near 11', above=0.0_dp))
    end subroutine visit_free_volume
 
    !> Measured viscosities, and the temperature at which the oil has them.

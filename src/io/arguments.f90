@@ -33,7 +33,8 @@ contains
          i = i + 1
          call get_command_argument(i, argument, length)
          if (length > longest) then
-            call raise(error, 'argument '//to_text(i)//' has '//to_text(length)//' characters: give at most '//to_text(longest))
+            call raise(error, 'argument '//to_text(i)//' has '//to_text(length)//' characters: give at most '// &
+               to_text(longest))
             return
          end if
          if (argument(1:1) /= '-' .or. argument == '-') then
@@ -50,7 +51,8 @@ contains
                call get_command_argument(i, value, length)      ! blank after the last one
                if (length > longest) value = ''
             end if
-            if (value == '') call raise(error, trim(name)//' needs a value, of at most '//to_text(longest)//' characters')
+            if (value == '') call raise(error, trim(name)//' needs a value, of at most '//to_text(longest)// &
+               ' characters')
          else if (.not. any(switches == name) .or. equal <= longest) then
             call raise(error, 'unknown option '//shown(trim(argument)))
          end if

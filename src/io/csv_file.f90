@@ -71,8 +71,8 @@ contains
          else if (.not. allocated(table%names)) then
             call take_names(table, number, error)
          else if (table%count - cells /= size(table%names)) then
-            call raise(error, path//':'//to_text(number)//': '//to_text(table%count - cells)//' values where the header has '// &
-                       to_text(size(table%names))//' columns')
+            call raise(error, path//':'//to_text(number)//': '//to_text(table%count - cells)// &
+               ' values where the header has '//to_text(size(table%names))//' columns')
          else
             if (table%count > size(table%names)*size(table%line)) table%line = [table%line, table%line, number]
             table%line(table%count/size(table%names)) = number
@@ -95,7 +95,8 @@ contains
          table%names(i) = lower_case(table%text(table%first(i):table%last(i)))
          call known%add(text_identity(trim(table%names(i))), place)
          if (place == i) cycle
-         call raise(error, table%path//':'//to_text(number)//": column '"//shown(trim(table%names(i)))//"' is given twice")
+         call raise(error, table%path//':'//to_text(number)//": column '"//shown(trim(table%names(i)))// &
+            "' is given twice")
          return
       end do
       table%count = 0

@@ -1,7 +1,8 @@
 !> One HDF5 file being written: datasets with units, names and dimensions that xarray reads.
 !>
-!> The status of every call of the library that makes or writes something counts. The file is made in memory; `finish` writes it, waits for the disk and only then gives it its
-!> name, so that a reader never sees a broken file. (The library itself notices a full disk late, and can crash then.)
+!> The status of every call of the library that makes or writes something counts. The file is made in memory; `finish`
+!> writes it, waits for the disk and only then gives it its name, so that a reader never sees a broken file. (The
+!> library itself notices a full disk late, and can crash then.)
 module ehlwave_hdf5_file
    use, intrinsic :: iso_c_binding, only: c_loc, c_null_ptr, c_ptr
    use ehlwave_errors, only: error_t, raise
@@ -78,7 +79,8 @@ contains
       call h5close_f(status(5))
       call self%note(status)
       if (.not. self%is_good) then
-         call raise(error, 'making '//self%path//' failed: is there too little memory? What was there before is unchanged')
+         call raise(error, 'making '//self%path//' failed: is there too little memory? What was there before is '// &
+            'unchanged')
          return
       end if
       call replace_file(self%path, image, written)
@@ -176,7 +178,8 @@ contains
       call h5pcreate_f(h5p_dataset_create_f, properties, status(1))
       if (product(extent) >= compressed_from) then
          chunk = extent
-         chunk(size(chunk)) = max(1_hsize_t, min(extent(size(extent)), longest_chunk*extent(size(extent))/product(extent)))
+         chunk(size(chunk)) = max(1_hsize_t, &
+            min(extent(size(extent)), longest_chunk*extent(size(extent))/product(extent)))
          call h5pset_chunk_f(properties, size(chunk), chunk, status(2))
          call h5pset_shuffle_f(properties, status(3))
          call h5pset_deflate_f(properties, deflate_level, status(4))
@@ -185,7 +188,8 @@ contains
    end function storage
 
    !> One dataset and what belongs to it: units, long_name and its scales.
-   subroutine write_values(self, name, in_memory, in_file, extent, values, units, long_name, scale, second_scale, third_scale)
+   subroutine write_values(self, name, in_memory, in_file, extent, values, units, long_name, scale, second_scale, &
+      third_scale)
       type(hdf5_file_t), intent(inout) :: self
       character(len=*), intent(in) :: name, units, long_name
       integer(hid_t), intent(in) :: in_memory, in_file       !! types
@@ -234,8 +238,8 @@ contains
       character(len=*), intent(in) :: name, units, long_name
       real(dp), intent(in), target, contiguous :: values(..)
       character(len=*), intent(in), optional :: scale, second_scale, third_scale   !! of the first dimension, and so on
-      call write_values(self, name, h5t_native_double, h5t_native_double, shape(values, hsize_t), c_loc(values), units, &
-                        long_name, scale, second_scale, third_scale)
+      call write_values(self, name, h5t_native_double, h5t_native_double, shape(values, hsize_t), c_loc(values), &
+         units, long_name, scale, second_scale, third_scale)
    end subroutine write_reals
 
    !> Whole numbers, one or over one dimension.
@@ -244,8 +248,8 @@ contains
       character(len=*), intent(in) :: name, units, long_name
       integer, intent(in), target, contiguous :: values(..)
       character(len=*), intent(in), optional :: scale
-      call write_values(self, name, h5t_native_integer, h5t_native_integer, shape(values, hsize_t), c_loc(values), units, &
-                        long_name, scale)
+      call write_values(self, name, h5t_native_integer, h5t_native_integer, shape(values, hsize_t), c_loc(values), &
+         units, long_name, scale)
    end subroutine write_integers
 
    !> Texts over one dimension, in a fixed length, padded with nulls in the file. The attribute _Encoding is what xarray

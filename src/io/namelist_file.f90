@@ -125,8 +125,8 @@ contains
       if (.not. allocated(items)) return
       if (size(items) > 1) then
          problem = to_text(size(items))//' values ('//shown(items(1)%text)//', '//shown(items(2)%text)// &
-                   trim(merge(', ...', '     ', size(items) > 2))//') where one is needed: write one, with a point as '// &
-                   'decimal mark, and ''='' after each key'
+                   trim(merge(', ...', '     ', size(items) > 2))//') where one is needed: write one, with a point '// &
+                   'as decimal mark, and ''='' after each key'
          call self%refuse(group, key, problem, error)
       else
          item = items(1)

@@ -42,7 +42,8 @@ contains
       allocate (groups(0))
       if (allocated(self%groups)) groups = self%groups
       problem = ''
-      if (.not. any(groups == group)) problem = 'unknown group &'//trim(group)//': '//advice(group, groups, '&', 'groups')
+      if (.not. any(groups == group)) problem = 'unknown group &'//trim(group)//': '// &
+         advice(group, groups, '&', 'groups')
    end function group_problem
 
    !> Empty for a known key of a known group; otherwise what is wrong and what to change.

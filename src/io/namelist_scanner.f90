@@ -115,8 +115,8 @@ contains
       call check_name(s, 'group')
       group%name = lower_case(s%token%text)
       call s%found%group_index%add(text_identity(trim(group%name)), i)
-      if (i <= s%found%n_groups) call s%fail(group%line, 'group &'//trim(group%name)//' is given twice (first on line '// &
-                                             to_text(s%found%groups(i)%line)//'): put all its keys into one')
+      if (i <= s%found%n_groups) call s%fail(group%line, 'group &'//trim(group%name)// &
+         ' is given twice (first on line '//to_text(s%found%groups(i)%line)//'): put all its keys into one')
       if (i > size(s%found%groups)) s%found%groups = [s%found%groups, s%found%groups]   ! room for as many again
       s%found%groups(i) = group
       s%found%n_groups = i
@@ -143,8 +143,8 @@ contains
       call check_name(s, 'key')
       entry = entry_t(group%name, lower_case(s%token%text), s%token%line, first=s%found%n_values + 1)
       call s%found%entry_index%add(text_identity(trim(entry%group)//' '//trim(entry%key)), i)
-      if (i <= s%found%n_entries) call s%fail(entry%line, 'key '''//trim(entry%key)//''' is given twice (first on line '// &
-                                              to_text(s%found%entries(i)%line)//'): remove one')
+      if (i <= s%found%n_entries) call s%fail(entry%line, 'key '''//trim(entry%key)// &
+         ''' is given twice (first on line '//to_text(s%found%entries(i)%line)//'): remove one')
       call shift(s)
       call shift(s)
       needs_value = .true.
@@ -179,7 +179,8 @@ contains
 
       select case (s%token%kind)
       case (end_of_text)
-         call s%fail(group%line, 'group &'//trim(group%name)//' is not closed: put ''/'' on a line of its own at its end')
+         call s%fail(group%line, 'group &'//trim(group%name)// &
+            ' is not closed: put ''/'' on a line of its own at its end')
       case ('&')
          call s%fail(s%token%line, 'group &'//trim(group%name)//' of line '//to_text(group%line)// &
                      ' is not closed: put ''/'' on a line of its own before this one')
@@ -188,8 +189,8 @@ contains
       case ('=', ',')
          call s%fail(s%token%line, ''''//s%token%kind//''' without a key before it: write ''key = value''')
       case default
-         if (begins_key(s)) call s%fail(s%token%line, '''('' after '''//shown(s%token%text)//''': array elements are not '// &
-                                        'accepted: write the whole list as ''key = a, b, c''')
+         if (begins_key(s)) call s%fail(s%token%line, '''('' after '''//shown(s%token%text)// &
+            ''': array elements are not accepted: write the whole list as ''key = a, b, c''')
          call s%fail(s%token%line, 'no key before '''//shown(s%token%text)//''', or no ''='' after it: '// &
                      'write ''key = value''')
       end select
@@ -247,8 +248,8 @@ contains
       repeats = 0
       if (star <= 10) read (s%token%text(:star - 1), *) repeats
       if (repeats < 1 .or. repeats > max_values) then
-         call s%fail(s%token%line, 'repeat count in '''//shown(s%token%text)//''' of key '''//key//''' must be from 1 to '// &
-                     to_text(max_values))
+         call s%fail(s%token%line, 'repeat count in '''//shown(s%token%text)//''' of key '''//key// &
+            ''' must be from 1 to '//to_text(max_values))
       else if (star < len(s%token%text)) then
          s%token%text = s%token%text(star + 1:)
       else if (s%after%kind == quoted .and. s%after%is_attached) then

@@ -19,8 +19,8 @@ module ehlwave_namelist_tokens
       logical :: is_attached = .false.            !! nothing stands between this token and the one before
    end type token_t
 
-   !> A place in a text, and the first thing that is wrong with the text. What is read after that is of no meaning, so one
-   !> check at the end is enough.
+   !> A place in a text, and the first thing that is wrong with the text. What is read after that is of no meaning, so
+   !> one check at the end is enough.
    type :: cursor_t
       character(len=:), allocatable :: path       !! for messages
       character(len=:), allocatable :: text

@@ -3,7 +3,8 @@ module ehlwave_output_path
    use ehlwave_errors, only: error_t, raise
    use ehlwave_own_result, only: is_own_result
    use ehlwave_paths, only: is_same_file
-   use ehlwave_posix, only: clear_temporaries, file_kind, kind_file, kind_folder, kind_link, kind_none, reason_text, try_file
+   use ehlwave_posix, only: clear_temporaries, file_kind, kind_file, kind_folder, kind_link, kind_none, reason_text, &
+      try_file
    use ehlwave_text, only: shown
    implicit none (type, external)
    private
@@ -13,9 +14,9 @@ module ehlwave_output_path
 
 contains
 
-   !> Refuse a name under which no file can be made, under which there is something else than a regular file, or a file that the run
-   !> reads: those are never replaced. A file that is no result of the programs is replaced where overwriting is asked for. Removes
-   !> what a process that died has left of this file.
+   !> Refuse a name under which no file can be made, under which there is something else than a regular file, or a file
+   !> that the run reads: those are never replaced. A file that is no result of the programs is replaced where
+   !> overwriting is asked for. Removes what a process that died has left of this file.
    subroutine check_output_path(path, inputs, overwrites, error)
       character(len=*), intent(in) :: path
       character(len=*), intent(in) :: inputs(:)   !! files that the run reads; blank: none
@@ -64,8 +65,8 @@ contains
       integer :: i
       do i = 1, size(inputs)
          if (allocated(error) .or. inputs(i) == '') cycle
-         if (is_same_file(path, trim(inputs(i)))) call raise(error, 'cannot write '//path//': it is the same file as '// &
-            trim(inputs(i))//', which the run reads; give another name')
+         if (is_same_file(path, trim(inputs(i)))) call raise(error, 'cannot write '//path// &
+            ': it is the same file as '//trim(inputs(i))//', which the run reads; give another name')
       end do
    end subroutine refuse_inputs
 
@@ -75,8 +76,10 @@ contains
       type(error_t), allocatable, intent(inout) :: error
       if (allocated(error) .or. overwrites) return
       if (file_kind(path) == kind_none) return
-      if (.not. is_own_result(path)) call raise(error, 'cannot write '//path//': it exists and is no result of ehlwave, or '// &
-         'a damaged one; move it away or give another name (--overwrite replaces it and, of a sweep, drops the store, too)')
+      if (.not. is_own_result(path)) call raise(error, 'cannot write '//path// &
+         ': it exists and is no result of ehlwave, or '// &
+         'a damaged one; move it away or give another name (--overwrite replaces it and, of a sweep, drops the '// &
+         'store, too)')
    end subroutine refuse_foreign
 
    subroutine refuse_unwritable(path, error)

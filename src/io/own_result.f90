@@ -2,9 +2,10 @@
 module ehlwave_own_result
    use, intrinsic :: iso_c_binding, only: c_funloc, c_loc, c_ptr
    use ehlwave_posix, only: file_kind, guarded, kind_file
-   use hdf5, only: h5aclose_f, h5aexists_f, h5aget_type_f, h5aopen_f, h5aread_f, h5close_f, h5eset_auto_f, h5f_acc_rdonly_f, &
-      h5fclose_f, h5fopen_f, h5open_f, h5t_fortran_s1, h5t_string_f, h5tclose_f, h5tcopy_f, h5tget_class_f, h5tget_size_f, &
-      h5tis_variable_str_f, h5tset_size_f, hid_t, size_t
+   use hdf5, only: h5aclose_f, h5aexists_f, h5aget_type_f, h5aopen_f, h5aread_f, h5close_f, h5eset_auto_f, &
+      h5f_acc_rdonly_f, &
+      h5fclose_f, h5fopen_f, h5open_f, h5t_fortran_s1, h5t_string_f, h5tclose_f, h5tcopy_f, h5tget_class_f, &
+      h5tget_size_f, h5tis_variable_str_f, h5tset_size_f, hid_t, size_t
    implicit none (type, external)
    private
    public :: is_own_result
@@ -22,14 +23,15 @@ module ehlwave_own_result
 
 contains
 
-   !> A regular file that says that it is one: HDF5 with the attributes `format` and `program_version` of ours. One that cannot be
-   !> read is none.
+   !> A regular file that says that it is one: HDF5 with the attributes `format` and `program_version` of ours. One that
+   !> cannot be read is none.
    logical function is_own_result(path)
       character(len=*), intent(in) :: path
       is_own_result = .false.
       if (file_kind(path) /= kind_file) return
       looking = looking_t(path=path)
-      if (guarded(c_funloc(read_attributes)) == 0) is_own_result = any(formats == looking%format) .and. looking%has_version
+      if (guarded(c_funloc(read_attributes)) == 0) is_own_result = any(formats == looking%format) .and. &
+         looking%has_version
    end function is_own_result
 
    !> The library does not survive every file that is damaged or meant to harm.

@@ -31,7 +31,8 @@ contains
       integer :: k
       text = ''
       do k = 1, list%count
-         if (list%items(k)%exists) text = text//',['//string_json(list%items(k)%name)//',"'//trim(list%items(k)%kind)//'"]'
+         if (list%items(k)%exists) text = text//',['//string_json(list%items(k)%name)//',"'// &
+            trim(list%items(k)%kind)//'"]'
       end do
       text = '['//text(2:)//']'
    end function json_columns

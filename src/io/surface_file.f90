@@ -7,9 +7,10 @@ module ehlwave_surface_file
    use ehlwave_posix, only: close_file, guarded, open_file, reason_text
    use ehlwave_text, only: to_text
    use h5lt, only: h5ltget_dataset_info_f, h5ltget_dataset_ndims_f, h5ltread_dataset_double_f
-   use hdf5, only: h5close_f, h5d_virtual_f, h5dclose_f, h5dget_create_plist_f, h5dget_storage_size_f, h5dopen_f, h5eset_auto_f, &
-      h5f_acc_rdonly_f, h5fclose_f, h5fopen_f, h5l_type_hard_f, h5lget_info_f, h5open_f, h5pclose_f, h5pget_external_count_f, &
-      h5pget_layout_f, h5pget_nfilters_f, h5t_float_f, h5t_integer_f, hid_t, hsize_t, size_t
+   use hdf5, only: h5close_f, h5d_virtual_f, h5dclose_f, h5dget_create_plist_f, h5dget_storage_size_f, h5dopen_f, &
+      h5eset_auto_f, &
+      h5f_acc_rdonly_f, h5fclose_f, h5fopen_f, h5l_type_hard_f, h5lget_info_f, h5open_f, h5pclose_f, &
+      h5pget_external_count_f, h5pget_layout_f, h5pget_nfilters_f, h5t_float_f, h5t_integer_f, hid_t, hsize_t, size_t
    implicit none (type, external)
    private
    public :: read_surface_file
@@ -46,7 +47,8 @@ contains
       step_y = 0
       call open_file(path, unit, bytes, status)
       if (status /= 0) then
-         call raise(error, '&surface file = '''//path//''': cannot be read ('//reason_text(status)//'); ehlwave surface writes one')
+         call raise(error, '&surface file = '''//path//''': cannot be read ('//reason_text(status)// &
+            '); ehlwave surface writes one')
          return
       end if
       status = close_file(unit)
@@ -82,18 +84,19 @@ contains
             if (allocated(reading%error)) then
                continue
             else if (size(reading%extent) /= 2 .or. size(reading%extent_x) /= 1 .or. size(reading%extent_y) /= 1) then
-               call raise(reading%error, '&surface file = '''//path//''': needs height over (y, x), and x and y, in metres; '// &
-                          'ehlwave surface writes them')
+               call raise(reading%error, '&surface file = '''//path// &
+                  ''': needs height over (y, x), and x and y, in metres; ehlwave surface writes them')
             else if (any(reading%extent /= [reading%extent_x, reading%extent_y])) then
-               call raise(reading%error, '&surface file = '''//path//''': x and y do not have the numbers of points of height')
+               call raise(reading%error, '&surface file = '''//path// &
+                  ''': x and y do not have the numbers of points of height')
             end if
          end if
          call h5close_f(status)
       end associate
    end subroutine read_datasets
 
-   !> Numbers of a dataset in Fortran order; extent has no element when there is no such dataset. Fails, before it asks for
-   !> memory, on more numbers than a surface may have and on some that the file claims and does not hold.
+   !> Numbers of a dataset in Fortran order; extent has no element when there is no such dataset. Fails, before it asks
+   !> for memory, on more numbers than a surface may have and on some that the file claims and does not hold.
    subroutine read_numbers(path, file, name, values, extent, error)
       character(len=*), intent(in) :: path
       integer(hid_t), intent(in) :: file
@@ -124,8 +127,8 @@ contains
       if (status < 0 .or. (kind /= h5t_float_f .and. kind /= h5t_integer_f)) then
          extent = [integer(hsize_t) ::]
       else if (points > most_points) then
-         call raise(error, '&surface file = '''//path//''': '//name//' has '//to_text(points, 3)//' points, more than '// &
-                    to_text(most_points, 3)//': cut or resample it')
+         call raise(error, '&surface file = '''//path//''': '//name//' has '//to_text(points, 3)// &
+            ' points, more than '//to_text(most_points, 3)//': cut or resample it')
       else
          if ((points*bytes > held .and. points > always_read) .or. bytes > largest_number) stored = 0
          fits = can_allocate(int(8*points, c_size_t))
@@ -134,13 +137,13 @@ contains
             allocate (values(product(extent)))
             call h5ltread_dataset_double_f(file, name, values, extent, status)
          end if
-         if (stored == 0 .or. .not. fits .or. status < 0) call raise(error, '&surface file = '''//path//''': the numbers of '// &
-            name//' cannot be read: the file is damaged or was not written to its end')
+         if (stored == 0 .or. .not. fits .or. status < 0) call raise(error, '&surface file = '''//path// &
+            ''': the numbers of '//name//' cannot be read: the file is damaged or was not written to its end')
       end if
    end subroutine read_numbers
 
-   !> How many bytes a file holds of a dataset, and whether its numbers are in other files: those are not read. A dataset that is not
-   !> there has no bytes.
+   !> How many bytes a file holds of a dataset, and whether its numbers are in other files: those are not read. A
+   !> dataset that is not there has no bytes.
    subroutine look_at_storage(file, name, stored, held, is_elsewhere)
       integer(hid_t), intent(in) :: file
       character(len=*), intent(in) :: name

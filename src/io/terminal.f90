@@ -1,5 +1,5 @@
-!> Output of a program on standard output and standard error. Names of files and texts of stores are of somebody: no byte of them that
-!> a terminal would obey passes here.
+!> Output of a program on standard output and standard error. Names of files and texts of stores are of somebody: no
+!> byte of them that a terminal would obey passes here.
 module ehlwave_terminal
    use, intrinsic :: iso_fortran_env, only: error_unit, output_unit
    use ehlwave_posix, only: append_text, is_broken_pipe
@@ -36,9 +36,9 @@ contains
       write (error_unit, '(a)') program//': '//shown(message, most_printed)
    end subroutine complain
 
-   !> Print the last line of the output, or a text that is all of it. `is_written` tells whether it and all before it have
-   !> arrived: Fortran's own output does not notice a full disk, but what it could not write it tries again before each line
-   !> that follows. A reader who has seen enough and closed the pipe, as `head` does, is no error.
+   !> Print the last line of the output, or a text that is all of it. `is_written` tells whether it and all before it
+   !> have arrived: Fortran's own output does not notice a full disk, but what it could not write it tries again before
+   !> each line that follows. A reader who has seen enough and closed the pipe, as `head` does, is no error.
    subroutine print_last(line, is_written)
       character(len=*), intent(in) :: line
       logical, intent(out) :: is_written

@@ -10,7 +10,8 @@ module ehlwave_complex_gmres
 
 #include "gmres.inc"
 
-   !> conj(a) b with four partial sums each of real and imaginary parts, so that it is vectorised and the same on every run.
+   !> conj(a) b with four partial sums each of real and imaginary parts, so that it is vectorised and the same on every
+   !> run.
    pure complex(dp) function dot(a, b)
       complex(dp), intent(in), contiguous :: a(:), b(:)
       real(dp) :: re(4), im(4)

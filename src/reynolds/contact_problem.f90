@@ -17,7 +17,8 @@ module ehlwave_contact_problem
    implicit none (type, external)
    private
 
-   !> A contact and what its solution is given: the steady problem of smooth surfaces at first; a time march gives it more.
+   !> A contact and what its solution is given: the steady problem of smooth surfaces at first; a time march gives it
+   !> more.
    type, extends(given_t), public :: contact_problem_t
       type(grid_t) :: grid
       type(conditions_t) :: conditions
@@ -57,7 +58,8 @@ contains
       integer :: j
 
       self%grid = grid
-      if (conditions%is_line() .and. .not. allocated(self%deformation)) allocate (deformation_line_t :: self%deformation)
+      if (conditions%is_line() .and. &
+         .not. allocated(self%deformation)) allocate (deformation_line_t :: self%deformation)
       if (.not. allocated(self%deformation)) allocate (deformation_fft_t :: self%deformation)
       call self%deformation%init(grid, conditions%elliptic%kappa, conditions%elliptic%k)
       self%transport = steady_transport(grid)
@@ -81,7 +83,8 @@ contains
       if (allocated(other%film_flow)) self%film_flow = other%film_flow
    end subroutine take_oil
 
-   !> Other conditions of a contact with the same ratio of radii, on which grid and kernel depend, and the oil under them.
+   !> Other conditions of a contact with the same ratio of radii, on which grid and kernel depend, and the oil under
+   !> them.
    subroutine set_conditions(self, conditions, rheology)
       class(contact_problem_t), intent(inout) :: self
       type(conditions_t), intent(in) :: conditions
@@ -116,8 +119,8 @@ contains
       if (allocated(given%rough)) h = h + given%rough
    end subroutine film_of
 
-   !> Film of a first guess. Surfaces that overlap, as those of thin films on grids that are too coarse for them, are opened to
-   !> the film of the formula at the closest point: where there is no film no equation makes sense.
+   !> Film of a first guess. Surfaces that overlap, as those of thin films on grids that are too coarse for them, are
+   !> opened to the film of the formula at the closest point: where there is no film no equation makes sense.
    subroutine film_of_guess(self, given, guess)
       class(contact_problem_t), intent(inout) :: self
       type(given_t), intent(in) :: given

@@ -4,8 +4,8 @@
 !> by exp(alpha P) at these low pressures, P = -ln(1 - alpha q)/alpha: one more equation for each node of the edges.
 !> Edges of a truncated domain have no such nodes, P = 0 there.
 !>
-!> H counts without roughness: of waves that pass an edge the far field sees the mean (Ad/Ai, M = 20, L = 5, D = 1, on the paper's
-!> domain: 0.05 % off in place of 0.28 %).
+!> H counts without roughness: of waves that pass an edge the far field sees the mean (Ad/Ai, M = 20, L = 5, D = 1, on
+!> the paper's domain: 0.05 % off in place of 0.28 %).
 module ehlwave_edge_values
    use ehlwave_conditions, only: conditions_t
    use ehlwave_far_field, only: far_field_t, new_far_field
@@ -22,7 +22,8 @@ module ehlwave_edge_values
    !> The nodes, and the far field there.
    type, public :: edge_values_t
       integer, allocatable :: i(:), j(:)        !! nodes
-      integer, allocatable :: link(:)           !! of `poiseuille_links` by which the next node inside sees it, 0 for corners
+      integer, allocatable :: link(:)           !! of `poiseuille_links` by which the next node inside sees it, 0 for
+                                                !! corners
       real(dp), allocatable :: strength(:)      !! A
       real(dp) :: load = 0                      !! borne outside the domain, over the nominal one
       real(dp), private :: thickening = 0       ! alpha: d ln(eta)/dP at P = 0

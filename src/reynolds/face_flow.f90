@@ -6,8 +6,8 @@
 !> (eps_1 + eps_2) (P_2 - P_1), 2 hX rho Qhat_x along X and (2 hY/kappa) rho Qhat_y along Y, so that 1/(2 hX^2) and
 !> kappa^2/(2 hY^2) weight them in the Reynolds equation.
 module ehlwave_face_flow
-   use ehlwave_film_flow, only: along_x, along_y, film_flow_t, flow_by_gx, flow_by_gy, flow_by_h, flow_by_ln_eta, flow_q, &
-      flow_values
+   use ehlwave_film_flow, only: along_x, along_y, film_flow_t, flow_by_gx, flow_by_gy, flow_by_h, flow_by_ln_eta, &
+      flow_q, flow_values
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
    use ehlwave_work_unit, only: place_operations, point_operations
@@ -15,8 +15,8 @@ module ehlwave_face_flow
    private
    public :: new_face_flow
 
-   !> Faces from nodes (i, j) to (i + 1, j) or, along Y, to (i, j + 1). All arrays (0:nx, 0:ny); zero off the faces of unknown
-   !> nodes. With node 1 the face's own and node 2 the one beyond, its flux changes by
+   !> Faces from nodes (i, j) to (i + 1, j) or, along Y, to (i, j + 1). All arrays (0:nx, 0:ny); zero off the faces of
+   !> unknown nodes. With node 1 the face's own and node 2 the one beyond, its flux changes by
    !>
    !>     by_p1 q_1 + by_p2 q_2 + by_h1 dH_1 + by_h2 dH_2 + own (q_2 - q_1) + cross (d_1 + d_2)
    !>
@@ -153,7 +153,8 @@ contains
       integer, intent(in) :: node(2)             !! first node of the first face
       real(dp), intent(in) :: gx(:), gy(:)       !! dP/dX and kappa dP/dY, (faces)
       real(dp), intent(in) :: weight(2)          !! half of 2 hX or of 2 hY/kappa; the same of `cross`
-      real(dp) :: flow(flow_values, 2*size(gx))  ! Qhat at the first nodes, then at those beyond, of faces with a gradient
+      ! Qhat at the first nodes, then at those beyond, of faces with a gradient
+      real(dp) :: flow(flow_values, 2*size(gx))
       real(dp), dimension(2*size(gx)) :: fluidity, grad_x, grad_y, h     ! there
       integer :: across, along, driven(size(gx)), f, i, i2, j2, k, l, n, points
 
@@ -187,8 +188,10 @@ contains
             i = f + i2
             l = k + n
             self%flux(f, j1) = weight(1)*(rho(f, j1)*flow(flow_q, k) + rho(i, j2)*flow(flow_q, l))
-            self%by_p1(f, j1) = weight(1)*(drho(f, j1)*flow(flow_q, k) + rho(f, j1)*dln_eta(f, j1)*flow(flow_by_ln_eta, k))
-            self%by_p2(f, j1) = weight(1)*(drho(i, j2)*flow(flow_q, l) + rho(i, j2)*dln_eta(i, j2)*flow(flow_by_ln_eta, l))
+            self%by_p1(f, j1) = weight(1)*(drho(f, j1)*flow(flow_q, k) &
+               + rho(f, j1)*dln_eta(f, j1)*flow(flow_by_ln_eta, k))
+            self%by_p2(f, j1) = weight(1)*(drho(i, j2)*flow(flow_q, l) &
+               + rho(i, j2)*dln_eta(i, j2)*flow(flow_by_ln_eta, l))
             self%by_h1(f, j1) = weight(1)*rho(f, j1)*flow(flow_by_h, k)
             self%by_h2(f, j1) = weight(1)*rho(i, j2)*flow(flow_by_h, l)
             self%own(f, j1) = rho(f, j1)*flow(along, k) + rho(i, j2)*flow(along, l)
@@ -197,8 +200,8 @@ contains
       end associate
    end subroutine set_row
 
-   !> Faces of a row through which no pressure drives anything, as those of a Newtonian oil: where the film is cavitated only signs of
-   !> what they say count.
+   !> Faces of a row through which no pressure drives anything, as those of a Newtonian oil: where the film is cavitated
+   !> only signs of what they say count.
    pure subroutine rest(self, oil, lambdabar, node, shift, n)
       class(face_flow_t), intent(inout) :: self
       type(node_oil_t), intent(in) :: oil

@@ -18,7 +18,8 @@ module ehlwave_flow
       real(dp), allocatable :: f_p(:, :)    !! d(rho H)/dP at fixed H; by H it is rho
       real(dp), allocatable :: eps_p(:, :)  !! d eps/dP at fixed H
       real(dp), allocatable :: eps_h(:, :)  !! d eps/dH
-      type(face_flow_t), allocatable :: along_x, along_y     !! through faces along X and along Y; not of a Newtonian oil
+      type(face_flow_t), allocatable :: along_x, along_y     !! through faces along X and along Y; not of a Newtonian
+                                                             !! oil
       logical, private :: has_faces = .false.                ! whether these are those of the state
    contains
       procedure :: evaluate
@@ -100,8 +101,8 @@ contains
       call self%along_y%evaluate_y(grid, kappa, film, self%node_oil_t)
    end subroutine evaluate_faces
 
-   !> Whether stresses thin the oil so little that linear changes are those of a Newtonian one, for a preconditioner: by what a
-   !> pressure gradient along X drives through the faces, eps_1 + eps_2 of a Newtonian oil.
+   !> Whether stresses thin the oil so little that linear changes are those of a Newtonian one, for a preconditioner: by
+   !> what a pressure gradient along X drives through the faces, eps_1 + eps_2 of a Newtonian oil.
    pure logical function thins_little(self)
       class(flow_t), intent(in) :: self
       integer :: n

@@ -11,7 +11,8 @@ module ehlwave_given
       type(transport_t) :: transport           !! wedge and squeeze, with terms of earlier times
       type(load_balance_t) :: load
       real(dp), allocatable :: rough(:, :)     !! Rough(X, Y, T), (0:nx, 0:ny); not allocated for smooth surfaces
-      real(dp), allocatable :: edge_rough(:)   !! the same at the nodes of flooded edges, where `rough` holds something else
+      real(dp), allocatable :: edge_rough(:)   !! the same at the nodes of flooded edges, where `rough` holds something
+                                               !! else
    contains
       procedure :: blend
    end type given_t

@@ -18,7 +18,8 @@ module ehlwave_near_kernel
    type, public :: near_kernel_t
       integer :: reach_x = 2, reach_y = 1          !! largest offsets
       integer :: entries = 15                      !! of the pattern
-      real(dp), allocatable :: influence(:, :)     !! (-reach_x-2:reach_x+2, -reach_y-1:reach_y+1) of a cell at an offset
+      real(dp), allocatable :: influence(:, :)     !! (-reach_x-2:reach_x+2, -reach_y-1:reach_y+1) of a cell at an
+                                                   !! offset
    contains
       procedure :: entry_at
    end type near_kernel_t
@@ -27,13 +28,13 @@ module ehlwave_near_kernel
 
 contains
 
-   !> Pattern isotropic in metres but for its stretch: cells measure a hX by b hY, so it reaches hY/(kappa hX) cells along
-   !> X for one along Y, or the reverse; at most `largest_reach`. That of a line contact reaches as far as it may.
+   !> Pattern isotropic in metres but for its stretch: cells measure a hX by b hY, so it reaches hY/(kappa hX) cells
+   !> along X for one along Y, or the reverse; at most `largest_reach`. That of a line contact reaches as far as it may.
    !>
-   !> A kernel that is simply cut has a symbol that oscillates and is negative for waves of two cells along Y, which makes
-   !> factors of the matrix amplify there. So it is tapered: multiplied by a power of
-   !> (1 - |i|/(reach_x+1)) (1 - |j|/(reach_y+1)); with power 1 (the Bartlett window, whose symbol is positive) its symbol
-   !> is positive for all waves.
+   !> A kernel that is simply cut has a symbol that oscillates and is negative for waves of two cells along Y, which
+   !> makes factors of the matrix amplify there. So it is tapered: multiplied by a power of (1 - |i|/(reach_x+1)) (1 -
+   !> |j|/(reach_y+1)); with power 1 (the Bartlett window, whose symbol is positive) its symbol is positive for all
+   !> waves.
    pure function new_near_kernel(grid, kappa, k, settings) result(self)
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: kappa, k        !! ellipticity and complete elliptic integral

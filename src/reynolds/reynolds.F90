@@ -1,9 +1,9 @@
 !> The discrete Reynolds equation: its residual, and all that follows from it.
 !>
 !> The flow along the pressure gradient goes through the faces between neighbouring nodes. This module alone knows how
-!> much: the flux through a face (`face_flux`), its change (`face_change`), the links of a node (`poiseuille_links`), the
-!> diagonal (`reynolds_scale`) and how the oil a node takes in depends on its own pressure (`intake`). In a Newtonian oil eps
-!> is averaged between nodes; the fluxes of another oil are those of `ehlwave_face_flow`.
+!> much: the flux through a face (`face_flux`), its change (`face_change`), the links of a node (`poiseuille_links`),
+!> the diagonal (`reynolds_scale`) and how the oil a node takes in depends on its own pressure (`intake`). In a
+!> Newtonian oil eps is averaged between nodes; the fluxes of another oil are those of `ehlwave_face_flow`.
 module ehlwave_reynolds
    use ehlwave_complex_wedge, only: complex_wedge_t => wedge_t
    use ehlwave_face_flow, only: face_flow_t
@@ -187,17 +187,20 @@ contains
             call add_link(flow%along_y, mesh%cy, [i, j], .true., by_p(k, 1), by_p(k, 4), by_h(k, 1), by_h(k, 4))
             ! the face below a line of symmetry mirrors that above it
             below = mesh%grid%below(j)
-            call add_link(flow%along_y, mesh%cy, [i, min(j, below)], below > j, by_p(k, 1), by_p(k, 5), by_h(k, 1), by_h(k, 5))
+            call add_link(flow%along_y, mesh%cy, [i, min(j, below)], below > j, by_p(k, 1), by_p(k, 5), by_h(k, 1), &
+               by_h(k, 5))
          end do
       end do
    end subroutine general_links
 
-   !> Terms that the flow through a face adds to the derivatives of a node's residual, by itself and by the other node of the face.
+   !> Terms that the flow through a face adds to the derivatives of a node's residual, by itself and by the other node
+   !> of the face.
    pure subroutine add_link(faces, c, face, is_first, own_p, other_p, own_h, other_h)
       type(face_flow_t), intent(in) :: faces
       real(dp), intent(in) :: c              !! weight of a flux
       integer, intent(in) :: face(2)
-      logical, intent(in) :: is_first        !! whether the node is the face's first: then what flows through it flows in
+      logical, intent(in) :: is_first        !! whether the node is the face's first: then what flows through it flows
+                                             !! in
       real(dp), intent(inout) :: own_p, other_p, own_h, other_h
 
       associate (i => face(1), j => face(2))

@@ -10,7 +10,8 @@ module ehlwave_shear_stress
    private
    public :: friction_above, friction_of, knows_stress, mean_shear_stress, node_gradient, shear_stress
 
-   real(dp), parameter, public :: least_pressure = 1e-12_dp   !! P of nodes that bear; solvers leave 1e-30 at some cavitated ones
+   real(dp), parameter, public :: least_pressure = 1e-12_dp   !! P of nodes that bear; solvers leave 1e-30 at some
+                                                              !! cavitated ones
 
 contains
 
@@ -50,7 +51,8 @@ contains
       friction_above = friction_of(problem%grid, stress, state%p, above)
    end function friction_above
 
-   !> Mean of the shear stresses at the two surfaces along X, tau in Pa, (0:nx, 0:ny); unallocated where it is not known.
+   !> Mean of the shear stresses at the two surfaces along X, tau in Pa, (0:nx, 0:ny); unallocated where it is not
+   !> known.
    subroutine mean_shear_stress(problem, state, stress_pa)
       type(contact_problem_t), intent(in) :: problem
       type(state_t), intent(in) :: state
@@ -70,7 +72,8 @@ contains
 
    !> Stress tau/ph, B and tangent factors at all nodes:
    !>
-   !>     tau/ph = (K ph/E') sigma_m/N0,   K = 1 of a line;   Newtonian: sigma_m/N0 = (lambdabar/3) (S - 1) eta/H, as sigma_m = B.
+   !>     tau/ph = (K ph/E') sigma_m/N0,   K = 1 of a line;   Newtonian: sigma_m/N0 = (lambdabar/3) (S - 1) eta/H, as
+   !>     sigma_m = B.
    !>
    !> B and factors of a Newtonian oil are left 0.
    subroutine shear_stress(problem, state, stress, b, factor_x, factor_y)

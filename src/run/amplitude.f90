@@ -18,8 +18,8 @@ contains
    end function sampled_amplitude
 
    !> Least squares fit of mean + c cos(omega T) + s sin(omega T); returns c + i s, which stands for the real part of
-   !> (c + i s) exp(-i omega T) and has the amplitude of the wave as its modulus. NaN where the samples do not determine these three numbers: fewer than three of them,
-   !> or all at two phases of the wave only (two time steps per period).
+   !> (c + i s) exp(-i omega T) and has the amplitude of the wave as its modulus. NaN where the samples do not determine
+   !> these three numbers: fewer than three of them, or all at two phases of the wave only (two time steps per period).
    pure complex(dp) function fitted_harmonic(time, film, period)
       real(dp), intent(in) :: time(:)   !! T of the samples
       real(dp), intent(in) :: film(:)   !! H(0,0) at these times
@@ -29,8 +29,9 @@ contains
       fitted_harmonic = cmplx(c(2), c(3), dp)
    end function fitted_harmonic
 
-   !> Mean of an oscillation whose samples need not fill whole periods: that of the same fit. Where there is none, the mean of
-   !> the samples, which is off by up to the amplitude over their number for each part of a period that is missing.
+   !> Mean of an oscillation whose samples need not fill whole periods: that of the same fit. Where there is none, the
+   !> mean of the samples, which is off by up to the amplitude over their number for each part of a period that is
+   !> missing.
    pure real(dp) function fitted_mean(time, film, period)
       real(dp), intent(in) :: time(:)   !! T of the samples
       real(dp), intent(in) :: film(:)   !! H(0,0) at these times

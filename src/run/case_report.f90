@@ -29,14 +29,17 @@ contains
       character(len=:), allocatable :: shortage
 
       associate (c => plan%conditions)
-         write (unit, '(a)') 'Conditions   M = '//to_text(c%m, 6)//', L = '//to_text(c%l, 6)//', D = '//to_text(c%d, 6)// &
-            ', S = '//to_text(case%slip_parameter, 6)
-         if (c%is_line()) write (unit, '(a)') '             line contact: H in units of a^2/(2 Rx), V = (lambda/a) M^(3/4) L^(-1/2)'
-         write (unit, '(a)') '             kappa = '//to_text(c%elliptic%kappa, 6)//', gamma = '//to_text(c%gamma, 6)// &
-            ', alphabar = '//to_text(c%alphabar, 6)//', lambdabar = '//to_text(c%lambdabar, 6)
-         if (c%hertz_pressure_pa > 0) write (unit, '(a)') '             ph = '//to_text(c%hertz_pressure_pa*1e-9_dp, 5)//' GPa'
+         write (unit, '(a)') 'Conditions   M = '//to_text(c%m, 6)//', L = '//to_text(c%l, 6)//', D = '// &
+            to_text(c%d, 6)//', S = '//to_text(case%slip_parameter, 6)
+         if (c%is_line()) write (unit, '(a)') '             line contact: H in units of a^2/(2 Rx), V = (lambda/a) '// &
+            'M^(3/4) L^(-1/2)'
+         write (unit, '(a)') '             kappa = '//to_text(c%elliptic%kappa, 6)//', gamma = '// &
+            to_text(c%gamma, 6)//', alphabar = '//to_text(c%alphabar, 6)//', lambdabar = '//to_text(c%lambdabar, 6)
+         if (c%hertz_pressure_pa > 0) write (unit, '(a)') '             ph = '// &
+            to_text(c%hertz_pressure_pa*1e-9_dp, 5)//' GPa'
          if (c%has_dimensions .and. c%is_line()) then
-            write (unit, '(a)') '             a = '//to_text(c%a_m*1e3_dp, 5)//' mm, c = '//to_text(c%c_m*1e6_dp, 5)//' um'
+            write (unit, '(a)') '             a = '//to_text(c%a_m*1e3_dp, 5)//' mm, c = '// &
+               to_text(c%c_m*1e6_dp, 5)//' um'
          else if (c%has_dimensions) then
             write (unit, '(a)') '             a = '//to_text(c%a_m*1e3_dp, 5)//' mm, b = '// &
                to_text(c%b_m*1e3_dp, 5)//' mm, c = '//to_text(c%c_m*1e6_dp, 5)//' um'
@@ -50,26 +53,32 @@ contains
          else
             write (unit, '(a)') 'Waviness     '//waviness_text(case)
          end if
-         if (plan%surfaces%is_rough() .and. case%orientation /= 'none' .and. case%amplitude_over_film > linear_limit(case)) &
-            write (unit, '(a)') '             WARNING: such waves may respond unlike small ones: take amplitude_over_film '// &
-            'below '//to_text(linear_limit(case), 2)//', or compare by response = ''both'''
+         if (plan%surfaces%is_rough() .and. case%orientation /= 'none' .and. &
+            case%amplitude_over_film > linear_limit(case)) &
+            write (unit, '(a)') '             WARNING: such waves may respond unlike small ones: take '// &
+            'amplitude_over_film below '//to_text(linear_limit(case), 2)//', or compare by response = ''both'''
          write (unit, '(a)') 'Run          '//run_text(case, plan)
          write (unit, '(a)') 'Solver       '//solver_text(case)
-         write (unit, '(a)') 'Domain       '//to_text(plan%x_min, 4)//' <= X <= '//to_text(plan%x_max, 4)//width_text(plan)
+         write (unit, '(a)') 'Domain       '//to_text(plan%x_min, 4)//' <= X <= '//to_text(plan%x_max, 4)// &
+            width_text(plan)
          write (unit, '(a)') '             edges '//edges_text(case, plan)
          if (c%is_line()) then
             write (unit, '(a)') 'Grid         '//to_text(plan%cells_x)//' cells, hX = '//to_text(plan%hx, 5)// &
                ' ('//plan%grid_reason//')'
          else
-            write (unit, '(a)') 'Grid         '//to_text(plan%cells_x)//' x '//to_text(plan%cells_y)//' cells on the whole '// &
+            write (unit, '(a)') 'Grid         '//to_text(plan%cells_x)//' x '//to_text(plan%cells_y)// &
+               ' cells on the whole '// &
                'domain, hX = '//to_text(plan%hx, 5)//', hY = '//to_text(plan%hy, 5)//' ('//plan%grid_reason//')'
          end if
-         write (unit, '(a)') 'Deformation  '//trim(merge('FFT ', 'MLMI', plan%deformation == 'fft'))//' on the finest grid ('// &
+         write (unit, '(a)') 'Deformation  '//trim(merge('FFT ', 'MLMI', plan%deformation == 'fft'))// &
+            ' on the finest grid ('// &
             trim(merge('the faster one', 'asked for     ', case%deformation == 'auto'))//'), method '//trim(case%method)
-         write (unit, '(a)') 'Resolution   hX over the inlet length = '//to_text(plan%resolution%inlet, 3)//resolution_text(plan)
+         write (unit, '(a)') 'Resolution   hX over the inlet length = '//to_text(plan%resolution%inlet, 3)// &
+            resolution_text(plan)
          write (unit, '(a)') '             gap at x_min over film = '//to_text(plan%resolution%inlet_gap, 3)// &
             trim(merge(' (flooded)                                             ', &
-                       ' (below 8 the boundary makes the film somewhat thinner)', plan%resolution%inlet_gap >= flooded_inlet_gap))
+                       ' (below 8 the boundary makes the film somewhat thinner)', &
+                       plan%resolution%inlet_gap >= flooded_inlet_gap))
          if (plan%resolution%is_resolved) then
             write (unit, '(a)') '             resolved'
          else
@@ -101,7 +110,8 @@ contains
       type(case_plan_t), intent(in) :: plan
       character(len=:), allocatable :: text
       if (plan%has_work_cap()) then
-         text = 'at most '//to_text(plan%largest_work/work_unit_operations(plan%cells_x, plan%cells_y), 2)//' work units'
+         text = 'at most '//to_text(plan%largest_work/work_unit_operations(plan%cells_x, plan%cells_y), 2)// &
+            ' work units'
       else
          text = 'at most '//to_text(plan%largest_total_steps)//' steps (largest_total_steps)'
       end if
@@ -203,7 +213,8 @@ contains
       if (ieee_is_finite(result%central_film)) call print_smooth_film()
       call print_shear()
       if (plan%surfaces%is_measured() .and. is_solved(result%status)) then
-         if (plan%first_sample < result%time_steps) write (unit, '(a)') 'Rough film   h(0,0) while the surface passes: mean '// &
+         if (plan%first_sample < result%time_steps) write (unit, &
+            '(a)') 'Rough film   h(0,0) while the surface passes: mean '// &
             to_text(result%mean_film*plan%conditions%c_m*1e6_dp, 5)//', lowest '// &
             to_text(minval(result%film_history(plan%first_sample + 1:))*plan%conditions%c_m*1e6_dp, 5)//', highest '// &
             to_text(maxval(result%film_history(plan%first_sample + 1:))*plan%conditions%c_m*1e6_dp, 5)//' um'
@@ -216,7 +227,8 @@ contains
             to_text(result%f_r*result%v2, 5)//', f(r) = '//to_text(result%f_r, 5)
       end if
       call print_sensitivities()
-      if (ieee_is_finite(result%central_film_error)) write (unit, '(a)') 'Estimated    relative errors of the grid: H(0,0) '// &
+      if (ieee_is_finite(result%central_film_error)) write (unit, &
+         '(a)') 'Estimated    relative errors of the grid: H(0,0) '// &
          to_text(result%central_film_error, 2)//', smallest H '//to_text(result%minimum_film_error, 2)// &
          friction_error()//trim(merge(' (from a model)', '               ', result%film_error_basis == 'model'))// &
          amplitude_error()
@@ -261,21 +273,22 @@ contains
       function amplitude_error() result(text)
          character(len=:), allocatable :: text
          text = ''
-         if (ieee_is_finite(result%amplitude_ratio_error)) text = ', Ad/Ai '//to_text(result%amplitude_ratio_error, 2)// &
+         if (ieee_is_finite(result%amplitude_ratio_error)) text = ', Ad/Ai '// &
+            to_text(result%amplitude_ratio_error, 2)// &
             trim(merge(' (from coarser grids)', ' (from a model)      ', result%amplitude_error_basis == 'coarse_grid'))
       end function amplitude_error
 
       subroutine print_response()
          associate (r => result%harmonic)
-            write (unit, '(a)') 'Response     Ad/Ai = '//to_text(r%ratio, 5)//' (small waves, no change of the mean film), '// &
-               'phase '//to_text(r%phase, 4)//' rad'//formula()
+            write (unit, '(a)') 'Response     Ad/Ai = '//to_text(r%ratio, 5)// &
+               ' (small waves, no change of the mean film), phase '//to_text(r%phase, 4)//' rad'//formula()
             if (ieee_is_finite(r%extrapolated)) write (unit, '(a)') '             extrapolated to mesh size 0: '// &
                to_text(r%extrapolated, 5)//', estimated discretisation error '//to_text(100*r%error, 2)//' %'
             if (ieee_is_finite(r%waves%centre%fit%misfit)) write (unit, '(a)') '             with the surface: '// &
                to_text(abs(r%waves%centre%fit%attenuated), 4)//' of Ai, with the oil: '// &
                to_text(abs(r%waves%centre%fit%complementary), 4)//', left: '//to_text(r%waves%centre%fit%misfit, 2)
-            write (unit, '(a)') '             '//to_text(r%linear_steps)//' GMRES steps, '//to_text(r%counted_work_units, 4)// &
-               ' work units'
+            write (unit, '(a)') '             '//to_text(r%linear_steps)//' GMRES steps, '// &
+               to_text(r%counted_work_units, 4)//' work units'
          end associate
       end subroutine print_response
 
@@ -288,8 +301,8 @@ contains
             associate (r => result%by_oil(x))
                response = ''
                if (ieee_is_finite(r%response)) response = ', Ad/Ai with '//to_text(r%response, 4)
-               if (ieee_is_finite(r%film)) write (unit, '(a)') 'Sensitivity  H(0,0) goes with the power '//to_text(r%film, 4)// &
-                  ' of '//trim(by(x))//response
+               if (ieee_is_finite(r%film)) write (unit, '(a)') 'Sensitivity  H(0,0) goes with the power '// &
+                  to_text(r%film, 4)//' of '//trim(by(x))//response
             end associate
          end do
       end subroutine print_sensitivities
@@ -298,7 +311,8 @@ contains
          associate (r => result%shear)
             if (ieee_is_finite(r%friction_coefficient)) write (unit, '(a)') 'Friction     coefficient '// &
                to_text(r%friction_coefficient, 5)//largest_b()
-            if (ieee_is_finite(r%inlet_rise_k)) write (unit, '(a)') '             estimated temperature rise: inlet '// &
+            if (ieee_is_finite(r%inlet_rise_k)) write (unit, '(a)') '             estimated temperature rise: '// &
+               'inlet '// &
                to_text(r%inlet_rise_k, 2)//' K, contact '//to_text(r%contact_rise_k, 2)//' K (the model is isothermal)'
          end associate
          if (result%warning /= '') write (unit, '(a)') 'Warning      '//result%warning
@@ -308,8 +322,10 @@ contains
          character(len=:), allocatable :: text
          associate (r => result%shear)
             text = ' (Newtonian oil)'
-            if (ieee_is_finite(r%largest_b)) text = ', B up to '//to_text(r%largest_b, 3)//', small gradients at the '// &
-               'centre drive '//to_text(r%tangent_factor(1), 4)//' (X) and '//to_text(r%tangent_factor(2), 4)//' (Y) times Newton'
+            if (ieee_is_finite(r%largest_b)) text = ', B up to '//to_text(r%largest_b, 3)// &
+               ', small gradients at the '// &
+               'centre drive '//to_text(r%tangent_factor(1), 4)//' (X) and '//to_text(r%tangent_factor(2), 4)// &
+               ' (Y) times Newton'
          end associate
       end function largest_b
 

@@ -11,7 +11,8 @@ module ehlwave_case_result
 
    integer, parameter, public :: rung_length = 12
 
-   !> Derivatives by the logarithm of a property of the oil, all else of the contact the same; NaN: not asked for, or none.
+   !> Derivatives by the logarithm of a property of the oil, all else of the contact the same; NaN: not asked for, or
+   !> none.
    type, public :: oil_sensitivity_t
       real(dp) :: film = no_value                    !! of ln H(0,0)
       real(dp) :: response = no_value                !! of ln(Ad/Ai), small waves
@@ -40,14 +41,17 @@ module ehlwave_case_result
       type(error_parts_t) :: film_errors = error_parts_t(mesh=no_value)    !! of H(0,0)
       type(error_parts_t) :: ratio_errors = error_parts_t(mesh=no_value)   !! of Ad/Ai
       real(dp) :: error_estimate = no_value          !! sum of the parts of the one that the case is about
-      real(dp) :: settling = 0                       !! relative error of Ad/Ai by what it has changed since the period before
+      real(dp) :: settling = 0                       !! relative error of Ad/Ai by what it has changed since the period
+                                                     !! before
       integer :: refinements = 0                     !! runs on finer grids than the first, for an accuracy
       ! waviness
       real(dp) :: amplitude_ratio = no_value         !! Ad/Ai by theory eq. (14)
       real(dp) :: amplitude_ratio_fit = no_value     !! Ad/Ai by harmonic fit
-      real(dp) :: phase_fit = no_value               !! radian by which H(0,0) follows the pattern there, by harmonic fit
+      real(dp) :: phase_fit = no_value               !! radian by which H(0,0) follows the pattern there, by harmonic
+                                                     !! fit
       real(dp) :: mean_film = no_value               !! mean of H(0,0) over the measured periods
-      character(len=8) :: route = ''                 !! what that is from: a march from 'rest', or one that started in 'waves'
+      character(len=8) :: route = ''                 !! what that is from: a march from 'rest', or one that started in
+                                                     !! 'waves'
       real(dp) :: v = 0, v2 = 0, f_r = 0             !! theory eq. (17), (16), (15)
       real(dp) :: formula_ratio = 0                  !! theory eq. (18)
       type(harmonic_result_t) :: harmonic            !! linear response, if asked for

@@ -134,8 +134,8 @@ contains
          text = '; the cap of '//to_text(plan%largest_total_steps)//' steps (&solver largest_total_steps) is used up'
       else if (rescue%work_left <= 0) then
          text = '; the cap of '//to_text(plan%largest_work/work_unit_operations(plan%cells_x, plan%cells_y), 3)// &
-                ' work units, which keeps a case within '//to_text(most_work, 3)//' times its plan, is used up: &solver '// &
-                'largest_total_steps sets another'
+                ' work units, which keeps a case within '//to_text(most_work, 3)// &
+                ' times its plan, is used up: &solver largest_total_steps sets another'
       end if
    end function spent_text
 

@@ -47,7 +47,8 @@ contains
       if (plan%steps > 0) parts%algebraic = expected_step_error(case%step_tolerance)
       if (result%amplitude_error_basis == 'model') parts%mesh = plan%model_margin()*parts%mesh
       if (result%amplitude_error_basis == 'coarse_grid') &
-         parts%mesh = max(0.0_dp, result%amplitude_ratio_error - parts%algebraic - parts%time)   ! coarser grids take longer steps
+         ! coarser grids take longer steps
+         parts%mesh = max(0.0_dp, result%amplitude_ratio_error - parts%algebraic - parts%time)
       if (ieee_is_finite(result%harmonic%ratio)) &
          parts%amplitude = abs(result%amplitude_ratio_fit/result%harmonic%ratio - 1)
    end function errors_in_time
@@ -81,7 +82,8 @@ contains
       character(len=:), allocatable :: ahead, text
 
       text = 'edges '//trim(case%edges)
-      if (case%edges == 'truncated') text = text//' (P = 0, film '//to_text(100*plan%film_domain_error, 2)//' % too thin)'
+      if (case%edges == 'truncated') text = text//' (P = 0, film '//to_text(100*plan%film_domain_error, 2)// &
+         ' % too thin)'
       if (plan%surfaces%is_rough() .and. .not. plan%surfaces%is_measured()) then
          text = text//'; waves respond as small ones up to Ai = '//to_text(100*linear_limit(case), 2)//' % of the film'
          if (case%amplitude_over_film > linear_limit(case)) text = text//', asked for '// &

@@ -37,9 +37,9 @@ contains
       estimate_error = abs(values(1) - values(2))/((2**order - 1)*abs(values(1)))
    end function estimate_error
 
-   !> Order to expect of the response to waves with two grids, by what the mesh leaves of the inlet and of waves: 2 where it
-   !> resolves them well, 1 where it barely does (M = 1000, D = 1: 1.1 with hX = 0.25 inlet lengths), and not above that of the film where
-   !> three levels show it.
+   !> Order to expect of the response to waves with two grids, by what the mesh leaves of the inlet and of waves: 2
+   !> where it resolves them well, 1 where it barely does (M = 1000, D = 1: 1.1 with hX = 0.25 inlet lengths), and not
+   !> above that of the film where three levels show it.
    pure real(dp) function likely_order(film_order, resolution, steepness)
       real(dp), intent(in) :: film_order   !! NaN: not known
       type(resolution_t), intent(in) :: resolution

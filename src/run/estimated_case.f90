@@ -38,11 +38,11 @@ contains
    !> Run a case as planned; with `error_estimate = 'coarse_grid'` also on grids of two and four times the mesh
    !> size and time step (about a tenth of the cost), where these can tell anything, for a Richardson
    !> estimate; what the step tolerance is expected to leave is added, as no grid shows it. Otherwise the
-   !> estimate is the expected error of the plan, if there is one. Linear responses come with their own estimate, `harmonic_error`;
-   !> without a transient there is none of its Ad/Ai. `shared`: see run_case.
+   !> estimate is the expected error of the plan, if there is one. Linear responses come with their own estimate,
+   !> `harmonic_error`; without a transient there is none of its Ad/Ai. `shared`: see run_case.
    !>
-   !> `keeper` keeps the march of the case itself; stopped in a coarse run, the case counts as interrupted, and its coarse
-   !> runs start again. When its time is up in a coarse run, the estimate is that of the plan.
+   !> `keeper` keeps the march of the case itself; stopped in a coarse run, the case counts as interrupted, and its
+   !> coarse runs start again. When its time is up in a coarse run, the estimate is that of the plan.
    subroutine run_estimated_case(case, plan, monitor, result, shared, keeper)
       type(case_t), intent(in) :: case              !! completed input
       type(case_plan_t), intent(in) :: plan

@@ -63,14 +63,17 @@ contains
          call file%write('film_response', abs(result%harmonic%h), '1', 'amplitude of H over Ai, small waves', 'x', 'y')
          call file%write('film_phase', atan2(aimag(result%harmonic%h), real(result%harmonic%h)), 'rad', &
                          'phase of H, exp(-i w T) with a crest of the pattern at the origin at T = 0', 'x', 'y')
-         call file%write('pressure_response', abs(result%harmonic%p), '1', 'amplitude of P over Ai, small waves', 'x', 'y')
+         call file%write('pressure_response', abs(result%harmonic%p), '1', 'amplitude of P over Ai, small waves', 'x', &
+            'y')
          call file%write('pressure_phase', atan2(aimag(result%harmonic%p), real(result%harmonic%p)), 'rad', &
                          'phase of P', 'x', 'y')
       end if
       if (case%fields .and. allocated(result%harmonic%waves%rows)) then
          associate (row => result%harmonic%waves%rows)
-            call write_complex(file, 'attenuated_by_row', row%fit%attenuated, 'wave that moves with the surface over Ai')
-            call write_complex(file, 'complementary_by_row', row%fit%complementary, 'wave that moves with the oil over Ai')
+            call write_complex(file, 'attenuated_by_row', row%fit%attenuated, &
+               'wave that moves with the surface over Ai')
+            call write_complex(file, 'complementary_by_row', row%fit%complementary, &
+               'wave that moves with the oil over Ai')
          end associate
       end if
       call file%finish(error)
@@ -85,7 +88,8 @@ contains
       call file%dimension('field_time')
       call file%write('pressure_over_time', history%p, '1', 'P = p/ph over time', 'x', 'y', 'field_time')
       call file%write('film_over_time', history%h, '1', 'H = h/c over time', 'x', 'y', 'field_time')
-      if (allocated(history%shear_stress_pa)) call file%write('mean_shear_stress_over_time_pa', history%shear_stress_pa, 'Pa', &
+      if (allocated(history%shear_stress_pa)) call file%write('mean_shear_stress_over_time_pa', &
+         history%shear_stress_pa, 'Pa', &
          'mean of the shear stresses at the two surfaces along x, over time', 'x', 'y', 'field_time')
    end subroutine write_history
 

@@ -11,7 +11,8 @@ module ehlwave_field_history
       integer :: count = 0                               !! sets of fields that are kept
       real(dp), allocatable :: time(:)                   !! T of each
       real(dp), allocatable :: p(:, :, :), h(:, :, :)    !! (0:nx, 0:ny, sets)
-      real(dp), allocatable :: shear_stress_pa(:, :, :)  !! as of `mean_shear_stress`; unallocated where that is not known
+      real(dp), allocatable :: shear_stress_pa(:, :, :)  !! as of `mean_shear_stress`; unallocated where that is not
+                                                         !! known
       integer, private :: every = 0                      ! steps from one set to the next
    contains
       procedure :: begin

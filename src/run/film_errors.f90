@@ -12,11 +12,13 @@ module ehlwave_film_errors
    private
    public :: estimate_film_errors
 
-   real(dp), parameter :: minimum_margin = 2   !! error of the smallest film over that of the film, where the model stands in
+   real(dp), parameter :: minimum_margin = 2   !! error of the smallest film over that of the film, where the model
+                                               !! stands in
 
 contains
 
-   !> From the levels that have solutions of the case; where there is none to compare with from the model, with a margin.
+   !> From the levels that have solutions of the case; where there is none to compare with from the model, with a
+   !> margin.
    subroutine estimate_film_errors(case, plan, multigrid, result)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
@@ -28,7 +30,8 @@ contains
       result%central_film_error = estimate_error(multigrid%levels(n:1:-1)%central_film)
       result%film_order = observed_order(multigrid%levels(n:1:-1)%central_film)
       result%minimum_film_error = estimate_error(multigrid%levels(n:1:-1)%minimum_film, &
-                                                 likely_order(result%film_order, plan%resolution, plan%thinning%steepness))
+                                                 likely_order(result%film_order, plan%resolution, &
+                                                 plan%thinning%steepness))
       result%film_error_basis = 'coarse_grid'
       if (.not. ieee_is_finite(result%central_film_error)) then
          result%film_error_basis = 'model'

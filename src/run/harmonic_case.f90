@@ -46,8 +46,8 @@ contains
       result%harmonic%linear_steps = response%linear_steps
       result%status = response%status
       if (response%status /= status_converged) then
-         result%message = 'linear response '//status_name(response%status)//' after '//to_text(response%linear_steps)// &
-                          ' GMRES steps, residual reduced to '//to_text(response%reduction, 3)
+         result%message = 'linear response '//status_name(response%status)//' after '// &
+            to_text(response%linear_steps)//' GMRES steps, residual reduced to '//to_text(response%reduction, 3)
          return
       end if
       call result%harmonic%take(response%film, response%pressure, response%approach)

@@ -18,13 +18,16 @@ module ehlwave_harmonic_result
       complex(dp) :: pressure = (no_value, no_value)   !! transfer function from the pattern to P(0,0)
       complex(dp) :: film_limit = (no_value, no_value), &   !! transfer functions at mesh size 0
                      pressure_limit = (no_value, no_value)
-      real(dp) :: error = no_value           !! estimated discretisation error of `ratio` and bound for `extrapolated`, relative
+      real(dp) :: error = no_value           !! estimated discretisation error of `ratio` and bound for `extrapolated`,
+                                             !! relative
       character(len=12) :: error_basis = ''  !! what that is from: 'coarse_grid' or 'model'
       integer :: linear_steps = 0            !! GMRES steps on the grid of the case
       real(dp) :: work_units = no_value      !! of the response on the grid of the case, without the steady state
       real(dp) :: counted_work_units = no_value   !! the same, counted
-      real(dp) :: mean_rise = no_value       !! change of the mean of H(0,0) over Ai, second order, for the Ai of the case
-      real(dp) :: smallest_film = no_value   !! smallest H with waves of that Ai, to second order; none where they would touch
+      real(dp) :: mean_rise = no_value       !! change of the mean of H(0,0) over Ai, second order, for the Ai of the
+                                             !! case
+      real(dp) :: smallest_film = no_value   !! smallest H with waves of that Ai, to second order; none where they would
+                                             !! touch
       logical :: surfaces_touch = .false.       !! mean film and rise do not exceed the amplitude somewhere
       real(dp) :: smallest_film_x = no_value, smallest_film_y = no_value   !! where it is
       type(two_wave_result_t) :: waves       !! of which the film consists under slip

@@ -21,8 +21,8 @@ module ehlwave_march_case
    public :: march_settings, run_moving, step_limits, step_tolerance, take_last_period
 
    real(dp), parameter :: settling_share = 0.5_dp      !! of the change from period to period that is still to come
-   !> Newton's method with the patches of elliptical contacts ends closely below a tolerance: the whole of it would leave up to
-   !> seven times as much of Ad/Ai.
+   !> Newton's method with the patches of elliptical contacts ends closely below a tolerance: the whole of it would
+   !> leave up to seven times as much of Ad/Ai.
    real(dp), parameter :: newton_share = 0.3_dp
    real(dp), parameter :: usual_amplitude = 0.2_dp     !! Ai over the film for which step_tolerance is meant
 
@@ -46,7 +46,8 @@ contains
       real(dp), intent(in) :: central_film      !! smooth H(0,0)
       type(solve_limits_t) :: limits
       limits = solve_limits_t(tolerance=step_tolerance(case, plan, central_film), largest_steps=case%largest_steps)
-      if (case%method == 'newton' .and. .not. plan%conditions%is_line()) limits%tolerance = newton_share*limits%tolerance
+      if (case%method == 'newton' .and. .not. plan%conditions%is_line()) limits%tolerance = &
+         newton_share*limits%tolerance
    end function step_limits
 
    !> Tolerance of time steps, relative to the film; for small waves it has to follow their amplitude.
@@ -100,7 +101,8 @@ contains
       if (result%status == status_interrupted .and. keeps) call keeper%save()
       result%time_steps = history%steps
       result%residual = worse(worse(result%residual, history%worst_residual), multigrid%levels(finest)%report%residual)
-      result%load_error = worse(worse(result%load_error, history%worst_load_error), multigrid%levels(finest)%report%load_error)
+      result%load_error = worse(worse(result%load_error, history%worst_load_error), &
+         multigrid%levels(finest)%report%load_error)
       result%nonlinear_steps = result%nonlinear_steps + history%nonlinear_steps
       result%linear_steps = result%linear_steps + history%linear_steps
       result%time = history%time(:history%steps)
@@ -119,12 +121,14 @@ contains
       else if (plan%surfaces%moves() .and. plan%measures) then
          result%route = 'rest'
          call take_last_period(plan, history, plan%first_sample, plan%surfaces%list(plan%surfaces%main)%start, result)
-         result%settling = change_in_a_period(case, plan, history, result%amplitude_ratio_fit*march%settings%amplitude())
+         result%settling = change_in_a_period(case, plan, history, &
+            result%amplitude_ratio_fit*march%settings%amplitude())
       end if
    end subroutine run_moving
 
-   !> Relative error of the amplitude in the last period, by what it has changed since the period before; 0 where that one still
-   !> has what came in before the waves. Measured from rest: 0.02 to 0.8 of the change is still to come, most where it is small.
+   !> Relative error of the amplitude in the last period, by what it has changed since the period before; 0 where that
+   !> one still has what came in before the waves. Measured from rest: 0.02 to 0.8 of the change is still to come, most
+   !> where it is small.
    real(dp) function change_in_a_period(case, plan, history, amplitude) result(change)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan

@@ -2,7 +2,8 @@
 !> stored, or written to HDF5 files follows from it, so a new quantity is one entry here and what computes it.
 !>
 !> An entry gives name, long name, how the value is got, the unit where the number is not a plain one, and where only
-!> some cases have it, which (`exists`). What is a key as well is described in the table of keys: `add_key` takes it over.
+!> some cases have it, which (`exists`). What is a key as well is described in the table of keys: `add_key` takes it
+!> over.
 module ehlwave_quantities
    use ehlwave_case_account, only: blank_result
    use ehlwave_case_definition, only: case_t
@@ -63,7 +64,8 @@ contains
       call list%add('deformation', 'fft or mlmi on the finest grid', trim(plan%deformation))
       call list%add('expected_error', 'relative error expected by the plan', plan%expected_error)
       call add_key(list, keys, 'edges')
-      call list%add('domain_error', 'relative error expected by the edges of the domain, besides expected_error', plan%domain_error)
+      call list%add('domain_error', 'relative error expected by the edges of the domain, besides expected_error', &
+         plan%domain_error)
       call list%add('expected_mesh_error', 'part of it by the mesh', plan%expected%mesh)
       call list%add('expected_time_error', 'part of it by steps longer than hX', plan%expected%time)
       call list%add('expected_algebraic_error', 'part of it by the tolerances', plan%expected%algebraic)
@@ -110,8 +112,8 @@ contains
       call add_key(list, keys, 'step_tolerance')
       call add_key(list, keys, 'tolerance')
       associate (c => plan%conditions)
-         call list%add('central_film_formula', 'central film by theory eq. (H1), of a line contact (H2), (h/Rx)(2U)^(-1/2)', &
-                       moes_film_formula(c))
+         call list%add('central_film_formula', 'central film by theory eq. (H1), of a line contact (H2), '// &
+            '(h/Rx)(2U)^(-1/2)', moes_film_formula(c))
          call list%add('semi_axis_a_m', 'Hertz semi-axis along rolling', c%a_m, unit='m', exists=c%has_dimensions)
          call list%add('semi_axis_b_m', 'Hertz semi-axis across rolling', c%b_m, unit='m', &
                        exists=c%has_dimensions .and. .not. c%is_line())
@@ -166,8 +168,10 @@ contains
       call list%add('residual', 'largest mass residual of the solutions', result%residual)
       call list%add('amplitude_ratio', 'Ad/Ai from the samples', result%amplitude_ratio)
       call list%add('amplitude_ratio_fit', 'Ad/Ai from a harmonic fit', result%amplitude_ratio_fit)
-      call list%add('phase_fit', 'phase of the harmonic fit against the pattern at the centre', result%phase_fit, unit='rad')
-      call list%add('mean_film', 'mean of H(0,0) over what is measured: a period, all phases, or a surface', result%mean_film)
+      call list%add('phase_fit', 'phase of the harmonic fit against the pattern at the centre', result%phase_fit, &
+         unit='rad')
+      call list%add('mean_film', 'mean of H(0,0) over what is measured: a period, all phases, or a surface', &
+         result%mean_film)
       call list%add('march_from', "what the march that Ad/Ai is from started in: 'rest' or 'waves'", trim(result%route))
       call list%add('central_film_error', 'estimated relative error of central_film', result%central_film_error)
       call list%add('minimum_film_error', 'estimated relative error of minimum_film', result%minimum_film_error)
@@ -198,7 +202,8 @@ contains
       call list%add(of//'_error_mesh', 'relative error of '//what//' by the mesh', parts%mesh)
       call list%add(of//'_error_domain', 'the same by the edges of the domain', parts%domain)
       call list%add(of//'_error_time', 'the same by steps longer than hX', parts%time)
-      call list%add(of//'_error_amplitude', 'the same by the size of the waves, which respond unlike small ones', parts%amplitude)
+      call list%add(of//'_error_amplitude', 'the same by the size of the waves, which respond unlike small ones', &
+         parts%amplitude)
       call list%add(of//'_error_settling', 'the same by what still changes from period to period', parts%settling)
       call list%add(of//'_error_algebraic', 'the same by the tolerances', parts%algebraic)
    end subroutine add_parts
@@ -221,7 +226,8 @@ contains
          call list%add('length_b_m', 'Hertz semi-axis in y', c%b_m, unit='m', &
                        exists=c%has_dimensions .and. .not. c%is_line())
          call list%add('length_c_m', 'Hertz approach', c%c_m, unit='m', exists=c%has_dimensions)
-         call list%add('hertz_pressure_pa', 'largest Hertz pressure', c%hertz_pressure_pa, unit='Pa', exists=c%has_dimensions)
+         call list%add('hertz_pressure_pa', 'largest Hertz pressure', c%hertz_pressure_pa, unit='Pa', &
+            exists=c%has_dimensions)
       end associate
    end subroutine add_smooth_film
 
@@ -233,15 +239,16 @@ contains
       associate (r => result%shear, c => plan%conditions)
          call list%add('friction_coefficient', 'friction of the smooth contact over the load, mean of both surfaces', &
                        r%friction_coefficient)
-         call list%add('largest_b', 'largest |B|, shear rate times viscosity over the stress of the flow law', r%largest_b)
-         call list%add('tangent_factor_x', 'flow along X under a small gradient over the Newtonian one, at the centre', &
-                       r%tangent_factor(1))
-         call list%add('tangent_factor_y', 'flow along Y under a small gradient over the Newtonian one, at the centre', &
-                       r%tangent_factor(2))
+         call list%add('largest_b', 'largest |B|, shear rate times viscosity over the stress of the flow law', &
+            r%largest_b)
+         call list%add('tangent_factor_x', 'flow along X under a small gradient over the Newtonian one, at the '// &
+            'centre', r%tangent_factor(1))
+         call list%add('tangent_factor_y', 'flow along Y under a small gradient over the Newtonian one, at the '// &
+            'centre', r%tangent_factor(2))
          call list%add('share_beyond_limit', 'share of the load borne where the shear stress is above its limit', &
                        r%share_beyond_limit)
-         call list%add('inlet_temperature_rise_k', 'estimated temperature rise of the oil in the inlet', r%inlet_rise_k, unit='K', &
-                       exists=c%has_dimensions)
+         call list%add('inlet_temperature_rise_k', 'estimated temperature rise of the oil in the inlet', &
+            r%inlet_rise_k, unit='K', exists=c%has_dimensions)
          call list%add('contact_temperature_rise_k', 'estimated mean temperature rise of the oil in the contact', &
                        r%contact_rise_k, unit='K', exists=c%has_dimensions)
       end associate
@@ -259,22 +266,26 @@ contains
       call add_complex(list, 'harmonic_pressure', 'transfer function pattern (in c) to P(0,0)', harmonic%pressure)
       call list%add('harmonic_approach', 'amplitude of the approach over Ai', harmonic%approach_ratio)
       call list%add('harmonic_extrapolated', 'harmonic_ratio at mesh size 0', harmonic%extrapolated)
-      call add_complex(list, 'harmonic_extrapolated', 'transfer function pattern to H(0,0) at mesh size 0', harmonic%film_limit)
-      call add_complex(list, 'harmonic_pressure_extrapolated', 'transfer function pattern (in c) to P(0,0) at mesh size 0', &
-                       harmonic%pressure_limit)
+      call add_complex(list, 'harmonic_extrapolated', 'transfer function pattern to H(0,0) at mesh size 0', &
+         harmonic%film_limit)
+      call add_complex(list, 'harmonic_pressure_extrapolated', &
+         'transfer function pattern (in c) to P(0,0) at mesh size 0', harmonic%pressure_limit)
       call list%add('harmonic_error', 'estimated relative error of harmonic_ratio', harmonic%error)
       call list%add('harmonic_error_basis', 'what harmonic_error is from', trim(harmonic%error_basis))
-      call list%add('mean_film_rise', 'mean film less smooth film over Ai, second order, linear response', harmonic%mean_rise)
+      call list%add('mean_film_rise', 'mean film less smooth film over Ai, second order, linear response', &
+         harmonic%mean_rise)
       call list%add('smallest_film', 'smallest film with waves of Ai anywhere at any time, second order', &
                     harmonic%smallest_film)
-      call list%add('smallest_film_x', 'X of the smallest film with waves, or of where they would touch', harmonic%smallest_film_x)
-      call list%add('smallest_film_y', 'Y of the smallest film with waves, or of where they would touch', harmonic%smallest_film_y)
-      call list%add('surfaces_touch', '1 when waves of Ai would touch the other surface, second order: there is no smallest_film', &
-                    harmonic%surfaces_touch)
+      call list%add('smallest_film_x', 'X of the smallest film with waves, or of where they would touch', &
+         harmonic%smallest_film_x)
+      call list%add('smallest_film_y', 'Y of the smallest film with waves, or of where they would touch', &
+         harmonic%smallest_film_y)
+      call list%add('surfaces_touch', '1 when waves of Ai would touch the other surface, second order: there is no '// &
+         'smallest_film', harmonic%surfaces_touch)
       call add_waves(list, harmonic%waves%centre)
       call list%add('harmonic_linear_steps', 'GMRES steps of the linear response', harmonic%linear_steps)
-      call list%add('harmonic_work_units', 'processor time of the linear response in plain FFT convolutions of the grid', &
-                    harmonic%work_units)
+      call list%add('harmonic_work_units', 'processor time of the linear response in plain FFT convolutions of the '// &
+         'grid', harmonic%work_units)
       call list%add('harmonic_counted_work_units', 'the same counted', harmonic%counted_work_units)
    end subroutine add_response
 
@@ -288,12 +299,12 @@ contains
       integer :: x
 
       do x = 1, size(by_oil)
-         call list%add('film_sensitivity_'//trim(by(x)), 'd ln H(0,0) of the smooth contact/d ln '//trim(of(x)), by_oil(x)%film, &
-                       exists=case%sensitivities)
-         call list%add('response_sensitivity_'//trim(by(x)), 'd ln harmonic_ratio/d ln '//trim(of(x)), by_oil(x)%response, &
-                       exists=case%sensitivities)
-         call list%add('response_real_by_'//trim(by(x)), 'd harmonic_real/d ln '//trim(of(x)), by_oil(x)%response_real, &
-                       exists=case%sensitivities)
+         call list%add('film_sensitivity_'//trim(by(x)), 'd ln H(0,0) of the smooth contact/d ln '//trim(of(x)), &
+            by_oil(x)%film, exists=case%sensitivities)
+         call list%add('response_sensitivity_'//trim(by(x)), 'd ln harmonic_ratio/d ln '//trim(of(x)), &
+            by_oil(x)%response, exists=case%sensitivities)
+         call list%add('response_real_by_'//trim(by(x)), 'd harmonic_real/d ln '//trim(of(x)), &
+            by_oil(x)%response_real, exists=case%sensitivities)
          call list%add('response_imaginary_by_'//trim(by(x)), 'd harmonic_imaginary/d ln '//trim(of(x)), &
                        by_oil(x)%response_imaginary, exists=case%sensitivities)
       end do
@@ -304,7 +315,8 @@ contains
       type(quantity_list_t), intent(inout) :: list
       type(wave_row_t), intent(in) :: row
       call add_complex(list, 'attenuated', 'wave of the film that moves with the surface, over Ai', row%fit%attenuated)
-      call add_complex(list, 'complementary', 'wave of the film that moves with the oil, over Ai', row%fit%complementary)
+      call add_complex(list, 'complementary', 'wave of the film that moves with the oil, over Ai', &
+         row%fit%complementary)
       call add_complex(list, 'psi', 'wave number of the complementary wave', row%fit%psi, unit='1/a')
       call list%add('two_wave_misfit', 'what both waves leave of the film, rms over Ai, |X| <= 0.5', row%fit%misfit)
       call add_complex(list, 'attenuated_formula', 'attenuated wave over Ai in closed form', row%attenuated)
@@ -332,11 +344,13 @@ contains
       call list%add('rescued_solutions', 'solutions that took more than the direct solve', result%rescued_solutions)
       call list%add('seconds', 'wall time of the case', result%seconds, unit='s')
       call list%add('work_units', 'wall time in plain FFT convolutions of the grid', result%work_units)
-      call list%add('counted_work_units', 'the same counted, without error estimates and sensitivities', result%counted_work_units)
-      call list%add('total_work_units', 'the same with them, and with runs on coarser and finer grids', result%total_work_units)
+      call list%add('counted_work_units', 'the same counted, without error estimates and sensitivities', &
+         result%counted_work_units)
+      call list%add('total_work_units', 'the same with them, and with runs on coarser and finer grids', &
+         result%total_work_units)
       call list%add('peak_memory_mib', 'peak memory of the process so far', result%peak_memory_mib, unit='MiB')
-      call list%add_list('residual_history', 'mass residual of the solution that failed, before each step and at the end', &
-                         result%residual_history)
+      call list%add_list('residual_history', 'mass residual of the solution that failed, before each step and at '// &
+         'the end', result%residual_history)
    end subroutine add_effort
 
 end module ehlwave_quantities

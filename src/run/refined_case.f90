@@ -25,12 +25,12 @@ module ehlwave_refined_case
 
 contains
 
-   !> Run a case as planned, see `run_estimated_case`. With an accuracy and flooded edges it is run again on finer grids while the
-   !> estimate is above it; `plan` is then that of the result. What stays above it is `inaccurate`. With truncated edges, which
-   !> old results have, the estimate is told and nothing follows from it.
+   !> Run a case as planned, see `run_estimated_case`. With an accuracy and flooded edges it is run again on finer grids
+   !> while the estimate is above it; `plan` is then that of the result. What stays above it is `inaccurate`. With
+   !> truncated edges, which old results have, the estimate is told and nothing follows from it.
    !>
-   !> A case that is stopped in a finer run counts as interrupted; its finer runs start again. When its time is up there, the result
-   !> before stands.
+   !> A case that is stopped in a finer run counts as interrupted; its finer runs start again. When its time is up
+   !> there, the result before stands.
    subroutine run_refined_case(case, plan, monitor, result, shared, keeper)
       type(case_t), intent(in) :: case              !! completed input
       type(case_plan_t), intent(inout) :: plan
@@ -119,7 +119,8 @@ contains
       parts = parts_of(case, result)
       others = max(parts%mesh, parts%domain, parts%time, parts%algebraic)
       text = ': ask for less, or leave cells and domain to the plan with a larger largest_cells '// &
-         '(and &solver largest_total_steps, where a finer run would take a case beyond '//to_text(most_work, 3)//' times its plan)'
+         '(and &solver largest_total_steps, where a finer run would take a case beyond '//to_text(most_work, 3)// &
+         ' times its plan)'
       if (parts%amplitude > others) text = ': take amplitude_over_film below '//to_text(linear_limit(case), 2)// &
          ", or response = 'harmonic'"
       if (parts%settling > max(others, parts%amplitude)) text = ': take more settling_periods'

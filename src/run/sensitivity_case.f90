@@ -24,7 +24,8 @@ contains
       associate (level => steady%multigrid%levels(size(steady%multigrid%levels)))
          do x = 1, size(steady%by_oil)
             if (steady%by_oil(x)%status == status_converged) result%by_oil(x)%film = &
-               level%problem%grid%value_at_centre(steady%by_oil(x)%state%h)/level%problem%grid%value_at_centre(level%state%h)
+               level%problem%grid%value_at_centre(steady%by_oil(x)%state%h) &
+               /level%problem%grid%value_at_centre(level%state%h)
          end do
       end associate
    end subroutine find_film_sensitivities
@@ -39,7 +40,8 @@ contains
 
       do x = 1, size(steady%by_oil)
          if (steady%by_oil(x)%status /= status_converged) cycle
-         call differentiate_response(steady%response, steady%multigrid%levels, response, x, steady%by_oil(x), derivative)
+         call differentiate_response(steady%response, steady%multigrid%levels, response, x, steady%by_oil(x), &
+            derivative)
          if (derivative%status /= status_converged) cycle
          result%by_oil(x)%response_real = real(derivative%film, dp)
          result%by_oil(x)%response_imaginary = aimag(derivative%film)

@@ -23,7 +23,8 @@ module ehlwave_shared_steady
       type(full_multigrid_t) :: multigrid
       type(rescue_t) :: rescue                       !! as the steady state left it, for what follows in a case
       type(harmonic_solver_t) :: response            !! about the finest level
-      type(tangent_change_t) :: by_oil(2)            !! of its state, by ln(alpha) and by ln(stress), see `differentiate`
+      type(tangent_change_t) :: by_oil(2)            !! of its state, by ln(alpha) and by ln(stress), see
+                                                     !! `differentiate`
       type(harmonic_solver_t) :: coarse_response     !! about the next coarser one, if `has_coarse`
       logical :: has_coarse = .false.
       real(dp) :: work = 0                           !! operations that the steady state took
@@ -46,8 +47,8 @@ module ehlwave_shared_steady
 
 contains
 
-   !> The input on which the steady state of a case depends: all of its input but the waves and what is done with them, of a Newtonian oil but
-   !> the sliding, too. Cells, domain and cap on the steps are those of the plan.
+   !> The input on which the steady state of a case depends: all of its input but the waves and what is done with them,
+   !> of a Newtonian oil but the sliding, too. Cells, domain and cap on the steps are those of the plan.
    function steady_key(case, plan) result(key)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
@@ -81,7 +82,8 @@ contains
          if (self%key == key .and. serves(self, plan)) then
             self%kept_work = self%work
             self%mark = self%multigrid%work()
-            do n = 1, size(self%multigrid%levels)   ! the film of a Newtonian oil does not depend on sliding, its friction does
+            ! the film of a Newtonian oil does not depend on sliding, its friction does
+            do n = 1, size(self%multigrid%levels)
                self%multigrid%levels(n)%problem%conditions%slip_parameter = plan%conditions%slip_parameter
             end do
             return
@@ -107,7 +109,8 @@ contains
       work_so_far = self%kept_work + (self%multigrid%work() - self%mark)
    end function work_so_far
 
-   !> Whether a steady state may be rescued: where the grid does not resolve the case the result is not worth the effort.
+   !> Whether a steady state may be rescued: where the grid does not resolve the case the result is not worth the
+   !> effort.
    pure logical function climbs(plan)
       type(case_plan_t), intent(in) :: plan
       climbs = plan%resolution%is_resolved
@@ -143,7 +146,8 @@ contains
          call self%multigrid%solve_level(n - 1, limits_of(case), report)
          self%has_coarse = report%status == status_converged
       end if
-      if (plan%kind == run_harmonic) deallocate (self%multigrid%solver)   ! nothing nonlinear follows: give the memory back
+      ! nothing nonlinear follows: give the memory back
+      if (plan%kind == run_harmonic) deallocate (self%multigrid%solver)
       self%response%tolerance = case%response_tolerance
       self%coarse_response%tolerance = case%response_tolerance
       call self%response%init(self%multigrid%levels)
@@ -164,7 +168,8 @@ contains
       work_before = self%multigrid%work()
       self%by_oil = tangent_change_t()
       call self%response%find_tangent(self%multigrid%levels)
-      associate (levels => self%multigrid%levels, oil => self%multigrid%levels(size(self%multigrid%levels))%problem%rheology, &
+      associate (levels => self%multigrid%levels, &
+         oil => self%multigrid%levels(size(self%multigrid%levels))%problem%rheology, &
                  tolerance => min(tangent_tolerance, case%tolerance))
          if (oil%depends_on_alpha()) &
             call differentiate_steady(self%response%tangent, levels, by_alpha, tolerance, self%by_oil(by_alpha))

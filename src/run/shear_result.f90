@@ -51,8 +51,9 @@ contains
          end if
          if (.not. knows_stress(c)) return
          self%friction_coefficient = friction_of(grid, stress, state%p, 0.0_dp)
-         self%share_beyond_limit = grid%integral(merge(state%p, 0.0_dp, &
-                                                       abs(stress) > limiting_stress_over_pressure*state%p))/grid%integral(state%p)
+         self%share_beyond_limit = &
+            grid%integral(merge(state%p, 0.0_dp, abs(stress) > limiting_stress_over_pressure*state%p)) &
+            /grid%integral(state%p)
          if (c%has_dimensions) call self%estimate_temperatures(c, grid%value_at_centre(state%h))
       end associate
    end subroutine take
@@ -70,7 +71,8 @@ contains
          self%inlet_film_factor = inlet_film_factor(thermal, data%viscosity_pa_s, u, 2*abs(s - 1), &
                                                     ph/data%reduced_modulus_pa)
          self%inlet_rise_k = inlet_rise_k(thermal, self%inlet_film_factor)
-         stress_pa = abs(self%friction_coefficient)*ph*merge(pi/4, 2/3.0_dp, conditions%is_line())   ! times mean pressure
+         ! times mean pressure
+         stress_pa = abs(self%friction_coefficient)*ph*merge(pi/4, 2/3.0_dp, conditions%is_line())
          self%contact_rise_k = film_rise_k(thermal, stress_pa, 2*abs(s - 1)*u, central_film*conditions%c_m) &
                                + surface_rise_k(thermal, stress_pa, s*u, (2 - s)*u, conditions%a_m)
       end associate
@@ -84,12 +86,14 @@ contains
 
       text = ''
       if (is_above(self%share_beyond_limit, much_load)) text = '; the shear stress is above '// &
-         to_text(limiting_stress_over_pressure, 3)//' of the pressure where '//to_text(100*self%share_beyond_limit, 2)// &
+         to_text(limiting_stress_over_pressure, 3)//' of the pressure where '// &
+         to_text(100*self%share_beyond_limit, 2)// &
          ' % of the load is borne, and no limit is modelled: friction is too high'
       if (is_above(1 - self%inlet_film_factor, 1 - thin_film)) text = text//'; the inlet would warm by about '// &
          to_text(self%inlet_rise_k, 2)//' K, which makes the film '//to_text(100*(1 - self%inlet_film_factor), 2)// &
          ' % thinner, and the model is isothermal'
-      if (is_above(self%contact_rise_k, warm_contact_k)) text = text//'; the oil in the contact would warm by about '// &
+      if (is_above(self%contact_rise_k, warm_contact_k)) text = text// &
+         '; the oil in the contact would warm by about '// &
          to_text(self%contact_rise_k, 2)//' K, and the model is isothermal: friction is too high'
       text = text(min(3, len(text) + 1):)
    end function warning

@@ -12,7 +12,8 @@ module ehlwave_capped_solver
 
    type, public :: capped_solver_t
       integer :: steps_left = huge(1)      !! nonlinear steps of the finest level that the case may still take
-      real(dp) :: work_left = huge(1.0_dp) !! operations that it may still take, but for those of the step that passes it
+      real(dp) :: work_left = huge(1.0_dp) !! operations that it may still take, but for those of the step that passes
+                                           !! it
       real(dp) :: thinnest = huge(1.0_dp)  !! smallest H of all that `attempt` solved, places of a continuation too,
       real(dp) :: highest = 0              !! and largest P
    contains
@@ -74,8 +75,8 @@ contains
       end associate
    end subroutine attempt_from_coarsest
 
-   !> Take the steps of an attempt from the cap, and add those of earlier ones to its report. No solver may pass off a state
-   !> as converged that is not finite or has no film.
+   !> Take the steps of an attempt from the cap, and add those of earlier ones to its report. No solver may pass off a
+   !> state as converged that is not finite or has no film.
    pure subroutine close_attempt(self, state, report, spent)
       class(capped_solver_t), intent(inout) :: self
       type(state_t), intent(in) :: state

@@ -1,4 +1,5 @@
-!> Paths from a problem that has been solved to one that has not, and those in M and L and in the stress of the flow law.
+!> Paths from a problem that has been solved to one that has not, and those in M and L and in the stress of the flow
+!> law.
 module ehlwave_continuation
    use ehlwave_conditions, only: conditions_from_moes, conditions_t
    use ehlwave_errors, only: error_t
@@ -10,7 +11,8 @@ module ehlwave_continuation
 
    real(dp), parameter :: load_ratio = 4       !! M of a case over M of its neighbour at distance 1
    real(dp), parameter :: viscous_ratio = 2    !! the same of L, from distance 2 on
-   real(dp), parameter :: stress_ratio = 100   !! stress of the flow law of the neighbour at distance 0 over that of a case
+   real(dp), parameter :: stress_ratio = 100   !! stress of the flow law of the neighbour at distance 0 over that of a
+                                               !! case
    real(dp), parameter :: smallest_step = 0.02_dp
 
    !> Place on a path from 0 (solved) to 1 (wanted), with steps that grow and shrink.
@@ -24,8 +26,8 @@ module ehlwave_continuation
       procedure :: can_retry
    end type adaptive_path_t
 
-   !> A contact with smaller M, and smaller L if it is farther away, with the same D; or the same contact with an oil that is
-   !> more nearly Newtonian.
+   !> A contact with smaller M, and smaller L if it is farther away, with the same D; or the same contact with an oil
+   !> that is more nearly Newtonian.
    type, public :: neighbour_t
       type(conditions_t), private :: goal
       type(rheology_t), private :: goal_rheology

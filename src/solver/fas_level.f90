@@ -1,4 +1,5 @@
-!> Full approximation scheme (FAS) on one level: the coarse problem of a fine state, and the correction from its solution.
+!> Full approximation scheme (FAS) on one level: the coarse problem of a fine state, and the correction from its
+!> solution.
 module ehlwave_fas_level
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_equations, only: equations_t
@@ -112,7 +113,8 @@ contains
          before = state
          allocate (change, mold=state%p)
          call prolong(coarse%equations%mesh%grid, coarse%state%p - coarse%restricted%p, change)
-         where (self%equations%scale > 0 .and. .not. self%equations%is_cavitated) state%p = max(0.0_dp, state%p + change)
+         where (self%equations%scale > 0 .and. .not. self%equations%is_cavitated) state%p = max(0.0_dp, state%p &
+            + change)
          state%delta = state%delta + coarse%state%delta - coarse%restricted%delta
          call problem%film_of(self%equations%given, state%p, state%delta, state%h)
          call limit%shorten(before, state)

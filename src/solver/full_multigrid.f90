@@ -37,8 +37,8 @@ contains
 
    !> Steady solution on the finest level, from a Hertz guess on the coarsest.
    !>
-   !> Coarse grids may be too coarse for the case: from a level that does not converge the next one does not get what that
-   !> came to, but the guess of Hertz. Only the report of the finest level counts.
+   !> Coarse grids may be too coarse for the case: from a level that does not converge the next one does not get what
+   !> that came to, but the guess of Hertz. Only the report of the finest level counts.
    subroutine solve(self, limits, coarse_tolerance)
       class(full_multigrid_t), intent(inout) :: self
       type(solve_limits_t), intent(in) :: limits        !! for the finest level
@@ -64,8 +64,9 @@ contains
       end do
    end subroutine solve
 
-   !> Solve the levels next below a solved finest one that have no solution of this contact, each from the next finer one: error
-   !> estimates compare them. Full multigrid leaves none where a level did not converge from the coarser ones, a rescue none at all.
+   !> Solve the levels next below a solved finest one that have no solution of this contact, each from the next finer
+   !> one: error estimates compare them. Full multigrid leaves none where a level did not converge from the coarser
+   !> ones, a rescue none at all.
    subroutine solve_below(self, limits)
       class(full_multigrid_t), intent(inout) :: self
       type(solve_limits_t), intent(in) :: limits

@@ -20,13 +20,14 @@ module ehlwave_hierarchy
       type(contact_problem_t) :: problem
       type(state_t) :: state
       type(solve_report_t) :: report
-      real(dp) :: central_film = no_value, minimum_film = no_value   !! of its steady solution; NaN: none for this contact
+      real(dp) :: central_film = no_value, minimum_film = no_value   !! of its steady solution; NaN: none for this
+                                                                     !! contact
    contains
       procedure :: has_film
    end type level_t
 
-   !> It owns the levels, and solvers work on those of the hierarchy that is given to them. FFTW ties the deformation of a
-   !> level to its place in memory: a hierarchy is not to be copied.
+   !> It owns the levels, and solvers work on those of the hierarchy that is given to them. FFTW ties the deformation of
+   !> a level to its place in memory: a hierarchy is not to be copied.
    type, public :: hierarchy_t
       type(level_t), allocatable :: levels(:)   !! level 1 is the coarsest
    contains
@@ -71,8 +72,8 @@ contains
       end do
    end subroutine build
 
-   !> Give all levels other conditions of a contact with the same ratio of radii, and the oil under them. The films of the levels
-   !> were those of another contact and are forgotten.
+   !> Give all levels other conditions of a contact with the same ratio of radii, and the oil under them. The films of
+   !> the levels were those of another contact and are forgotten.
    subroutine set_conditions(self, conditions, rheology)
       class(hierarchy_t), intent(inout) :: self
       type(conditions_t), intent(in) :: conditions

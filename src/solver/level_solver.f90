@@ -23,8 +23,8 @@ module ehlwave_level_solver
       end subroutine init_solver
 
       !> Improve the state of a level, a first guess of P and Delta, until the equations of its problem hold within the
-      !> limits; H belongs to it on return. Nothing is kept from earlier solves: the outcome depends on the problem and the
-      !> guess only. Nothing else in the hierarchy changes.
+      !> limits; H belongs to it on return. Nothing is kept from earlier solves: the outcome depends on the problem and
+      !> the guess only. Nothing else in the hierarchy changes.
       subroutine solve_level(self, hierarchy, l, limits, report)
          import :: hierarchy_t, level_solver_t, solve_limits_t, solve_report_t
          implicit none (type, external)

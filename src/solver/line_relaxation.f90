@@ -25,8 +25,9 @@ module ehlwave_line_relaxation
    !> It grows with the square of their aspect: single changes in long cells deform many of their neighbours.
    real(dp), parameter :: switch_of_squares = 3
 
-   !> The same of an oil that is not Newtonian. The ratio counts the flow along X and across; where sliding makes that along X
-   !> several times easier, less of it couples one line to the next, and single changes spread at ratios that would do otherwise.
+   !> The same of an oil that is not Newtonian. The ratio counts the flow along X and across; where sliding makes that
+   !> along X several times easier, less of it couples one line to the next, and single changes spread at ratios that
+   !> would do otherwise.
    real(dp), parameter :: switch_of_easy_flow = 6
 
    type, public :: line_relaxation_t
@@ -57,7 +58,8 @@ contains
 
       associate (grid => problem%grid, kappa => problem%conditions%elliptic%kappa, k => problem%conditions%elliptic%k)
          aspect = grid%hy/(kappa*grid%hx)
-         self%switch = merge(switch_of_easy_flow, switch_of_squares, allocated(problem%film_flow))*max(aspect, 1/aspect)**2
+         self%switch = merge(switch_of_easy_flow, switch_of_squares, allocated(problem%film_flow))*max(aspect, &
+            1/aspect)**2
          self%reach = max(3, min(5, nint(aspect)))
          self%share_x = 0.5_dp*max(0.5_dp, aspect**2/(1 + aspect**2))
          self%share_y = 0.5_dp - self%share_x
@@ -207,8 +209,8 @@ contains
             g(link) = self%influence(link_i(link) - d, abs(link_j(link)), kind)
          end do
          do i = i1, i2
-            self%band%a(i, d) = self%by_h(i, 1)*g(1) + self%by_h(i, 2)*g(2) + self%by_h(i, 3)*g(3) + self%by_h(i, 4)*g(4) &
-                              + self%by_h(i, 6)*g(6)
+            self%band%a(i, d) = self%by_h(i, 1)*g(1) + self%by_h(i, 2)*g(2) + self%by_h(i, 3)*g(3) &
+               + self%by_h(i, 4)*g(4) + self%by_h(i, 6)*g(6)
          end do
          do link = 1, links
             if (link == 5) cycle      ! added to 4

@@ -23,7 +23,8 @@ module ehlwave_local_solver
          type(equations_t), intent(in) :: equations     !! of the problem, with what it is given, at the state
          type(solve_limits_t), intent(in) :: limits     !! of the solve that asks
          type(state_t), intent(in) :: state
-         real(dp), allocatable, intent(out) :: p(:, :)  !! of the whole, (0:nx, 0:ny); not allocated where none was found
+         real(dp), allocatable, intent(out) :: p(:, :)  !! of the whole, (0:nx, 0:ny); not allocated where none was
+                                                        !! found
       end subroutine improve_part
    end interface
 

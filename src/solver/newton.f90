@@ -21,7 +21,8 @@ module ehlwave_newton
    real(dp), parameter :: lowest_pressure = -0.02_dp   !! of an iterate; solutions are clipped at 0
    real(dp), parameter :: last_step_share = 0.2_dp   !! of the tolerance, left by the linear solver in the last step
    ! Of oils that are not Newtonian:
-   real(dp), parameter :: much_worse = 2         !! right side over the smallest so far above which a step is taken back by halves
+   real(dp), parameter :: much_worse = 2         !! right side over the smallest so far above which a step is taken back
+                                                 !! by halves
    integer, parameter :: most_halvings = 10
    real(dp), parameter :: progress = 0.9_dp      !! of the smallest right side, or less, to be reached in so many steps
    integer, parameter :: patience = 15
@@ -206,8 +207,8 @@ contains
       end associate
    end subroutine assemble
 
-   !> Let the local solver do what it can, and assemble again. Where that is no gain for the whole, as upstream in steady
-   !> states, which carry all that the part changes downstream, take it back.
+   !> Let the local solver do what it can, and assemble again. Where that is no gain for the whole, as upstream in
+   !> steady states, which carry all that the part changes downstream, take it back.
    recursive subroutine improve_part(self, problem, limits, state, worth, is_gain)
       class(newton_t), intent(inout) :: self
       type(contact_problem_t), intent(inout) :: problem
@@ -235,9 +236,10 @@ contains
       call assemble(self, problem, state, worth)
    end subroutine improve_part
 
-   !> Go half of the way back to the state before, again and again, while the right side is much larger than the smallest so far.
-   !> The flow of oils that are not Newtonian can grow exponentially with the pressure gradient: a step that makes the steep end
-   !> steeper would be paid back by one factor e a step (line contact, M = 300, L = 12, tau0 = 0.5 MPa: from 0.2 to 1e7 in one step).
+   !> Go half of the way back to the state before, again and again, while the right side is much larger than the
+   !> smallest so far. The flow of oils that are not Newtonian can grow exponentially with the pressure gradient: a step
+   !> that makes the steep end steeper would be paid back by one factor e a step (line contact, M = 300, L = 12, tau0 =
+   !> 0.5 MPa: from 0.2 to 1e7 in one step).
    subroutine go_back(self, problem, before, best, state, worth)
       class(newton_t), intent(inout) :: self
       type(contact_problem_t), intent(in) :: problem
@@ -256,7 +258,8 @@ contains
       end do
    end subroutine go_back
 
-   !> Norm of the right side without the nodes that are cavitated and were not, or were and are not: their equation is another.
+   !> Norm of the right side without the nodes that are cavitated and were not, or were and are not: their equation is
+   !> another.
    real(dp) function worth_of_same(self) result(worth)
       class(newton_t), intent(in) :: self
       associate (now => self%linear%levels(self%linear%finest)%equations%is_cavitated, n => self%linear%n)

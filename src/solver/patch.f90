@@ -13,8 +13,8 @@ module ehlwave_patch
 
 contains
 
-   !> Grid of the nodes first(1)..last(1), first(2)..last(2) of another, of an elliptical contact: their outer ones are known, but
-   !> for a line of symmetry.
+   !> Grid of the nodes first(1)..last(1), first(2)..last(2) of another, of an elliptical contact: their outer ones are
+   !> known, but for a line of symmetry.
    pure function patch_grid(grid, first, last) result(self)
       type(grid_t), intent(in) :: grid
       integer, intent(in) :: first(2), last(2)   !! i and j
@@ -33,9 +33,9 @@ contains
       self%weight = grid%weight(first(2):last(2))
    end function patch_grid
 
-   !> Give a level, whose problem was laid out for a patch of this size, problem and state of the patch at the state of the whole: the
-   !> pressure at its outer nodes and the approach are held, the gap is what the pressure outside leaves. Of a patch beside the
-   !> line of symmetry the deformation by its mirror image is held too.
+   !> Give a level, whose problem was laid out for a patch of this size, problem and state of the patch at the state of
+   !> the whole: the pressure at its outer nodes and the approach are held, the gap is what the pressure outside leaves.
+   !> Of a patch beside the line of symmetry the deformation by its mirror image is held too.
    subroutine cut(whole, equations, state, grid, first, patch)
       type(contact_problem_t), intent(in) :: whole
       type(equations_t), intent(in) :: equations   !! of the whole at the state
@@ -64,7 +64,8 @@ contains
          if (allocated(transport%carried)) deallocate (transport%carried)
          allocate (transport%carried(0:grid%nx, 0:grid%ny), source=0.0_dp)
          if (allocated(from%carried)) transport%carried = from%carried(first(1):last(1), first(2):last(2))
-         if (first(1) > 0) transport%carried(1, :) = transport%carried(1, :) &   ! the second node upstream of it is outside
+         ! the second node upstream of it is outside
+         if (first(1) > 0) transport%carried(1, :) = transport%carried(1, :) &
             + transport%w2(1)*equations%flow%f(first(1) - 1, first(2):last(2))
       end associate
    end subroutine cut

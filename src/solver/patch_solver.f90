@@ -1,8 +1,9 @@
 !> Nonlinear elimination of the steep end of the pressure (Lanzkron, Rose and Wilkes 1996).
 !>
-!> Where waves pass the place where the pressure ends steeply, a guess is off by as much there as a factor in the viscosity, in a
-!> hundred nodes of ten thousands, and Newton's method on the whole would take three or four steps for these alone. Solved in the
-!> patch that holds them, everything else held, they take a few steps of a few per cent of the cost.
+!> Where waves pass the place where the pressure ends steeply, a guess is off by as much there as a factor in the
+!> viscosity, in a hundred nodes of ten thousands, and Newton's method on the whole would take three or four steps for
+!> these alone. Solved in the patch that holds them, everything else held, they take a few steps of a few per cent of
+!> the cost.
 module ehlwave_patch_solver
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_equations, only: equations_t
@@ -86,8 +87,8 @@ contains
       end associate
    end subroutine make_room
 
-   !> The patch: all nodes whose residual is not small against the largest one, and some around. None (last = first) where that is
-   !> not worth it.
+   !> The patch: all nodes whose residual is not small against the largest one, and some around. None (last = first)
+   !> where that is not worth it.
    subroutine find(grid, equations, state, limits, first, last, quiet)
       type(grid_t), intent(in) :: grid
       type(equations_t), intent(in) :: equations

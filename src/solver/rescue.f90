@@ -23,9 +23,11 @@ module ehlwave_rescue
    integer, parameter, public :: rung_direct = 0, rung_restart = 1, rung_continuation = 2, rung_newton = 3, &
                                  rung_damped = 4, rung_petsc = 5
 
-   type(step_limit_t), parameter :: short_steps = step_limit_t(largest_change=0.05_dp, smallest_film_factor=0.5_dp)   !! of damped
+   !> of damped
+   type(step_limit_t), parameter :: short_steps = step_limit_t(largest_change=0.05_dp, smallest_film_factor=0.5_dp)
    integer, parameter :: damped_patience = 4           !! times as many steps as usual
-   integer, parameter :: steps_below = 20              !! for a level that starts from the solution of the next finer one
+   integer, parameter :: steps_below = 20              !! for a level that starts from the solution of the next finer
+                                                       !! one
 
    type, extends(capped_solver_t), public :: rescue_t
       logical :: is_ready = .true.       !! climb the ladder; false: only what costs little
@@ -54,7 +56,8 @@ contains
    end function rung_name
 
    !> Steady state on the finest level: full multigrid, then the ladder. The report of the finest level holds the
-   !> steps of all attempts. However it was found, the levels next below end with solutions of the same contact, or with none.
+   !> steps of all attempts. However it was found, the levels next below end with solutions of the same contact, or with
+   !> none.
    subroutine solve_steady(self, multigrid, limits, coarse_tolerance)
       class(rescue_t), intent(inout) :: self
       type(full_multigrid_t), intent(inout) :: multigrid
@@ -158,8 +161,8 @@ contains
       end associate
    end subroutine climb
 
-   !> Continuation in M and L, before that in the stress of the flow law: solve an easier neighbour from scratch, then approach
-   !> the case from it.
+   !> Continuation in M and L, before that in the stress of the flow law: solve an easier neighbour from scratch, then
+   !> approach the case from it.
    subroutine continue_conditions(self, multigrid, limits, coarse_tolerance)
       type(rescue_t), intent(inout) :: self
       type(full_multigrid_t), intent(inout) :: multigrid

@@ -13,7 +13,8 @@ module ehlwave_solve_report
    type, public :: solve_limits_t
       real(dp) :: tolerance = 1e-6_dp   !! on the mass residual and the load error of `solve_report_t`
       integer :: largest_steps = 40     !! nonlinear steps or cycles
-      real(dp) :: largest_work = huge(1.0_dp)   !! operations from which on no further step begins, see `ehlwave_work_unit`
+      real(dp) :: largest_work = huge(1.0_dp)   !! operations from which on no further step begins, see
+                                                !! `ehlwave_work_unit`
       real(dp) :: film_unit = 0         !! of the mass residual; 0: the film at the contact centre
    end type solve_limits_t
 

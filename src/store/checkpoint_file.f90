@@ -108,8 +108,8 @@ contains
       text = format_line//new_line('a')//self%identity//new_line('a')
    end function heading
 
-   !> Everything that the next steps depend on, to the bytes or from them. The steady state and `share` are not among it:
-   !> they follow from the case.
+   !> Everything that the next steps depend on, to the bytes or from them. The steady state and `share` are not among
+   !> it: they follow from the case.
    subroutine pass_march(bytes, march, seconds)
       type(bytes_t), intent(inout) :: bytes
       type(march_t), intent(inout) :: march     !! when read: of the same shape

@@ -1,7 +1,8 @@
 !> Append-only files of records that survive a writer killed at any moment.
 !>
 !> A record is a line:  CHECKSUM LENGTH TEXT, the CRC-32 of the text in 8 hexadecimal digits and its length in
-!> bytes. One call to the system appends it, and nothing that was written is ever changed. Read by `ehlwave_record_reader`.
+!> bytes. One call to the system appends it, and nothing that was written is ever changed. Read by
+!> `ehlwave_record_reader`.
 module ehlwave_record_file
    use ehlwave_clock, only: wall_seconds
    use ehlwave_errors, only: error_t, raise

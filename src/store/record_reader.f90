@@ -1,7 +1,7 @@
 !> Reads files of records (see ehlwave_record_file) piece by piece, whatever their length.
 !>
-!> Only lines whose checksum and length are right are believed; what a kill, a full disk or a damaged byte leaves behind is
-!> passed over and counted.
+!> Only lines whose checksum and length are right are believed; what a kill, a full disk or a damaged byte leaves behind
+!> is passed over and counted.
 module ehlwave_record_reader
    use ehlwave_errors, only: error_t, raise
    use ehlwave_kinds, only: i8
@@ -92,7 +92,8 @@ contains
          self%skips_line = self%position == 1
       end if
       self%whole = find_character(self%text(:self%filled), new_line('a'), back=.true.)
-      if (self%is_at_end .and. .not. self%skips_line) self%whole = self%filled   ! a last line without end counts as cut off
+      ! a last line without end counts as cut off
+      if (self%is_at_end .and. .not. self%skips_line) self%whole = self%filled
    end subroutine refill
 
    subroutine close_reader(self)

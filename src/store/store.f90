@@ -18,8 +18,8 @@
 !>     columns [[name, kind],...]  of the cases that follow, again whenever they change
 !>     case [values] CHECKSUM    it is done, whatever its status; the checksum is that of the text of its columns
 !>
-!> Items that many records depend on (run, input, columns) stand a second time after the first case: no damaged line takes more
-!> than one case with it.
+!> Items that many records depend on (run, input, columns) stand a second time after the first case: no damaged line
+!> takes more than one case with it.
 module ehlwave_store
    use ehlwave_clock, only: time_stamp
    use ehlwave_errors, only: error_t, raise

@@ -69,7 +69,8 @@ module ehlwave_store_contents
 
 contains
 
-   !> Read a store; one that is not there is empty. Fails when it is something else, and when something in it cannot be read.
+   !> Read a store; one that is not there is empty. Fails when it is something else, and when something in it cannot be
+   !> read.
    subroutine read_store(folder, identify, contents, error, ranks_of_last_run)
       character(len=*), intent(in) :: folder
       procedure(identity_of_input) :: identify
@@ -87,7 +88,8 @@ contains
       if (.not. allocated(names)) then
          names = ''
          kind = file_kind(path)
-         if (kind /= kind_none .and. .not. allocated(error)) call raise(error, 'cannot read '//path//': '//reason_text(status))
+         if (kind /= kind_none .and. .not. allocated(error)) call raise(error, 'cannot read '//path//': '// &
+            reason_text(status))
       end if
       rank = 0
       if (present(ranks_of_last_run)) rank = ranks_of_last_run
@@ -171,8 +173,8 @@ contains
       end associate
    end subroutine take_record
 
-   !> Keep the record of a case unless there is one of a later run. One without its columns, or whose identity is not that of
-   !> its input, counts as damaged.
+   !> Keep the record of a case unless there is one of a later run. One without its columns, or whose identity is not
+   !> that of its input, counts as damaged.
    subroutine take_case(text, identify, log, layout, contents)
       character(len=*), intent(in) :: text
       procedure(identity_of_input) :: identify

@@ -28,7 +28,8 @@ module ehlwave_store_defaults
 
 contains
 
-   !> Read it. Fails where the folder is no store or has links for parts, where the file is damaged, and where the records are lost.
+   !> Read it. Fails where the folder is no store or has links for parts, where the file is damaged, and where the
+   !> records are lost.
    subroutine read_origin(folder, origin, error)
       character(len=*), intent(in) :: folder
       type(origin_t), intent(out) :: origin

@@ -29,8 +29,8 @@ contains
       is_there = file_kind(folder) /= kind_none
       if (.not. is_there) return
       if (.not. allocated(names)) then
-         call raise(error, folder//' is not a folder that can be read ('//reason_text(status)//'): move it away, or name '// &
-                    'another results file')
+         call raise(error, folder//' is not a folder that can be read ('//reason_text(status)// &
+            '): move it away, or name another results file')
          return
       end if
       text = ''
@@ -50,8 +50,8 @@ contains
       end if
    end subroutine check_store
 
-   !> Whether a folder without the first line of a store can be one: it holds nothing but what a store has, and no list of cases
-   !> unless there is a log of a run.
+   !> Whether a folder without the first line of a store can be one: it holds nothing but what a store has, and no list
+   !> of cases unless there is a log of a run.
    logical function may_be_store(folder, names)
       character(len=*), intent(in) :: folder, names
       character(len=:), allocatable :: foreign
@@ -77,8 +77,8 @@ contains
       end do
    end function has_logs
 
-   !> Refuse a name of results in a folder that belongs to a store, at whatever depth: what else is in a store than its runs have put
-   !> there makes it unusable.
+   !> Refuse a name of results in a folder that belongs to a store, at whatever depth: what else is in a store than its
+   !> runs have put there makes it unusable.
    subroutine refuse_inside_store(path, error)
       character(len=*), intent(in) :: path       !! of a file, which need not be there
       type(error_t), allocatable, intent(inout) :: error
@@ -90,7 +90,8 @@ contains
       folder = real_path(path(:slash)//'.')
       do while (index(folder, '/', back=.true.) > 1)
          if (is_store(folder)) then
-            call raise(error, 'cannot write '//path//': '//folder//' is the store of a sweep; give a name in another folder')
+            call raise(error, 'cannot write '//path//': '//folder// &
+               ' is the store of a sweep; give a name in another folder')
             return
          end if
          folder = folder(:index(folder, '/', back=.true.) - 1)
@@ -113,8 +114,8 @@ contains
       type(error_t), allocatable, intent(inout) :: error
       if (file_kind(folder//'/'//cases_name) == kind_none .or. allocated(error)) return
       if (has_logs(folder)) return
-      call raise(error, folder//'/'//records_name//' has lost the records of all runs ('//cases_name//' lists what was to '// &
-                 'run): put them back, or begin anew with --overwrite')
+      call raise(error, folder//'/'//records_name//' has lost the records of all runs ('//cases_name// &
+         ' lists what was to run): put them back, or begin anew with --overwrite')
    end subroutine refuse_lost_records
 
    !> Refuse to work on a store of which a part is a link: what it leads to may be of somebody.
@@ -132,15 +133,16 @@ contains
       parts = [folders, files]
       do i = 1, size(parts)
          if (file_kind(folder//'/'//trim(parts(i))) /= kind_link) cycle
-         call raise(error, folder//'/'//trim(parts(i))//' is a link, which no part of a store may be: put what it leads to '// &
-                    'in its place, or name another results file')
+         call raise(error, folder//'/'//trim(parts(i))//' is a link, which no part of a store may be: put what it '// &
+            'leads to in its place, or name another results file')
          return
       end do
    end subroutine refuse_links
 
    !> Make or take over the folder of a store for this job, and lock it.
    !>
-   !> Fails when the folder cannot be written, is something else, has links for parts, or when another job is at work on it.
+   !> Fails when the folder cannot be written, is something else, has links for parts, or when another job is at work on
+   !> it.
    subroutine take_folder(folder, generation, warning, error)
       character(len=*), intent(in) :: folder
       integer, intent(in) :: generation         !! of the defaults that its cases have
@@ -159,8 +161,8 @@ contains
       select case (status)
       case (lock_taken)
       case (lock_refused)
-         call raise(error, folder//' is in use by another job, which holds its lock: wait for its end, or name another '// &
-                    'results file')
+         call raise(error, folder//' is in use by another job, which holds its lock: wait for its end, or name '// &
+            'another results file')
       case (lock_absent)
          warning = 'the file system of '//folder//' has no locks: make sure that no other job uses it at the same time'
       case default

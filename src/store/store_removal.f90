@@ -2,8 +2,8 @@
 module ehlwave_store_removal
    use ehlwave_errors, only: error_t, raise
    use ehlwave_paths, only: remove_folder, remove_within
-   use ehlwave_posix, only: file_kind, is_temporary, kind_file, kind_folder, kind_none, list_folder, lock_file, lock_refused, &
-      reason_text
+   use ehlwave_posix, only: file_kind, is_temporary, kind_file, kind_folder, kind_none, list_folder, lock_file, &
+      lock_refused, reason_text
    use ehlwave_store_folder, only: check_store, has_logs, refuse_links
    use ehlwave_store_names, only: files, folders, foreign_name, lock_name, part_name
    use ehlwave_text, only: next_line, shown
@@ -13,8 +13,8 @@ module ehlwave_store_removal
 
 contains
 
-   !> Remove the files of a store, and its folders if nothing else is in them. Fails, before anything is removed, when it is in use,
-   !> when a part is a link or no regular file, or when somebody has put a file into it.
+   !> Remove the files of a store, and its folders if nothing else is in them. Fails, before anything is removed, when
+   !> it is in use, when a part is a link or no regular file, or when somebody has put a file into it.
    subroutine discard_store(folder, error)
       character(len=*), intent(in) :: folder
       type(error_t), allocatable, intent(inout) :: error
@@ -46,7 +46,8 @@ contains
             call raise(error, 'cannot remove '//folder//'/'//trim(files(i))//': '//reason_text(status))
       end do
       do i = size(folders), 0, -1
-         if (.not. allocated(error)) call remove_folder(folder//'/'//part_name(i), status)   ! one that is not empty stays
+         ! one that is not empty stays
+         if (.not. allocated(error)) call remove_folder(folder//'/'//part_name(i), status)
       end do
    end subroutine discard_store
 
@@ -65,7 +66,8 @@ contains
       last = -1
       do while (next_line(names, first, last) .and. foreign == '')
          kind = file_kind(path//'/'//names(first:last))
-         if (kind /= merge(kind_folder, kind_file, part == '' .and. any(folders == names(first:last)))) foreign = names(first:last)
+         if (kind /= merge(kind_folder, kind_file, part == '' .and. any(folders == names(first:last)))) foreign = &
+            names(first:last)
       end do
       if (foreign /= '') call raise(error, folder//merge('/', ' ', part /= '')//part//" holds '"//shown(foreign)// &
          "', which no sweep has put there: move it away; nothing has been removed")

@@ -65,8 +65,8 @@ contains
       width = 0
       if (allocated(text)) width = index(text, new_line('a'))
       if (width <= identity_length) then
-         call raise(error, folder//' has no list of cases yet: no job has begun to work on it, or the file '//cases_name// &
-                    ' is lost; the sweep, started again, writes it')
+         call raise(error, folder//' has no list of cases yet: no job has begun to work on it, or the file '// &
+            cases_name//' is lost; the sweep, started again, writes it')
       else if (modulo(len(text), width) /= 0) then
          call raise(error, folder//'/'//cases_name//' is not whole: the sweep, started again, writes it anew')
       end if

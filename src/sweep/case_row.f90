@@ -45,9 +45,9 @@ contains
       end do
    end subroutine find_columns
 
-   !> Give the values of a row to a case. An empty cell leaves what the case groups give; 0 of a key that has no value by
-   !> default (a wavelength, an end time) says that there is none. What could say so and does not must apply to the row;
-   !> what needs a value in every row (cells_y beside line contacts) is left out where it does not apply.
+   !> Give the values of a row to a case. An empty cell leaves what the case groups give; 0 of a key that has no value
+   !> by default (a wavelength, an end time) says that there is none. What could say so and does not must apply to the
+   !> row; what needs a value in every row (cells_y beside line contacts) is left out where it does not apply.
    subroutine set_row(table, row, list, columns, input, error)
       type(csv_t), intent(in) :: table
       integer, intent(in) :: row
@@ -71,14 +71,16 @@ contains
             input%f_v = f_v%number
          else
             is_set(i) = .true.
-            call read_cell(table, row, i, list%keys(columns(i)), item, list%values(columns(i)), values(i), is_none(i), error)
+            call read_cell(table, row, i, list%keys(columns(i)), item, list%values(columns(i)), values(i), is_none(i), &
+               error)
          end if
       end do
       if (allocated(error)) return
       call input%set(pack(columns, is_set), pack(values, is_set))
       input%is_given(pack(columns, is_set .and. is_none)) = .false.
       do i = 1, size(columns)
-         if (is_set(i)) input%may_idle(columns(i)) = .not. says_nothing(list%values(columns(i)), list%values(columns(i)))
+         if (is_set(i)) input%may_idle(columns(i)) = .not. says_nothing(list%values(columns(i)), &
+            list%values(columns(i)))
       end do
       if (.not. input%f_v > 0) return
       i = find_key(list%keys, 'wavelength_over_a')

@@ -22,8 +22,8 @@ module ehlwave_case_table
 
 contains
 
-   !> Read a sweep file. Its cases have the defaults that its store was begun with. Fails when it, its CSV file or any of its
-   !> cases is not right.
+   !> Read a sweep file. Its cases have the defaults that its store was begun with. Fails when it, its CSV file or any
+   !> of its cases is not right.
    subroutine read_sweep(path, sweep, error, output, begins_anew)
       character(len=*), intent(in) :: path
       type(sweep_t), intent(out) :: sweep
@@ -57,7 +57,8 @@ contains
       call file%check_all_used(error)
       if (allocated(error)) return
       if (settings%case_file /= '' .and. (size(lists%keys) > 0 .or. lists%has_f_v)) then
-         call raise(error, file%place(sweep_group, 'case_file')//'&sweep gives case_file and lists: give one of the two')
+         call raise(error, file%place(sweep_group, 'case_file')// &
+            '&sweep gives case_file and lists: give one of the two')
          return
       end if
       base%may_idle = base%is_given
@@ -65,7 +66,8 @@ contains
       sweep%files = [character(len=max(len(path), len_trim(settings%case_file))) :: path, settings%case_file]
       if (settings%case_file /= '') then
          call read_csv(trim(settings%case_file), rows, error)
-         if (.not. allocated(error)) call refuse_too_many(rows%path//': has ', real(size(rows%line), dp), ' rows', error)
+         if (.not. allocated(error)) call refuse_too_many(rows%path//': has ', real(size(rows%line), dp), ' rows', &
+            error)
          call find_columns(rows, table, columns, error)
          if (allocated(error)) return
          call sweep%begin(size(rows%line), settings%unresolved == 'skip')
@@ -79,7 +81,8 @@ contains
       sweep%notice = sweep%notice//found
       if (is_old .and. any(sweep%cases%edges == edges_of_old_stores) .and. .not. says(base, table, sweep, 'edges')) &
          sweep%notice = sweep%notice//"NOTICE: the store of "//sweep%output//" was begun when edges were '"// &
-         edges_of_old_stores//"' by default: its cases go on so; &grid edges in the sweep file says otherwise"//new_line('a')
+         edges_of_old_stores//"' by default: its cases go on so; &grid edges in the sweep file says otherwise"// &
+         new_line('a')
       if (size(sweep%cases) == 0) call raise(error, path//': no cases are left to run'// &
          merge(' (all are unresolved)', '                     ', sweep%skipped > 0))
    end subroutine read_sweep

@@ -41,15 +41,16 @@ contains
       seconds = exp(min(100.0_dp, max(-100.0_dp, dot_product(self%coefficients, features))))
    end function seconds
 
-   !> Fit to finished cases; those without a time are left out. Without any the model is the plan's cost, and with `expected`
-   !> so scaled that it agrees with these on average; they count as one finished case known to a factor of 2.
+   !> Fit to finished cases; those without a time are left out. Without any the model is the plan's cost, and with
+   !> `expected` so scaled that it agrees with these on average; they count as one finished case known to a factor of 2.
    pure function fit_cost_model(features, seconds, expected) result(model)
       real(dp), intent(in) :: features(:, :)   !! (feature_count, cases)
       real(dp), intent(in) :: seconds(:)       !! wall times
       real(dp), intent(in), optional :: expected(:)   !! wall times that the plans expect; NaN: no model
       type(cost_model_t) :: model
       real(dp), parameter :: weight_of_plans = 2
-      real(dp) :: middle(feature_count), shift   ! features of the cases with a model, on average; ln(expected) less prior there
+      ! features of the cases with a model, on average; ln(expected) less prior there
+      real(dp) :: middle(feature_count), shift
       real(dp) :: normal(feature_count, feature_count), right(feature_count), difference(feature_count)
       logical :: is_solved
       integer :: i, j

@@ -1,9 +1,9 @@
 !> The messages between rank 0 and the others: all of MPI that the work on cases needs.
 !>
 !> A request is answered by a case (number 0: there is none), every case by its outcome, and rank 0 sends exactly one
-!> `stop` to each of the others. A case travels as its effective input, so only rank 0 reads the sweep file; results do not
-!> travel: every rank puts its own into the store. Rank 0 does not wait until a case is received: whoever it is for may be in the
-!> middle of a long step.
+!> `stop` to each of the others. A case travels as its effective input, so only rank 0 reads the sweep file; results do
+!> not travel: every rank puts its own into the store. Rank 0 does not wait until a case is received: whoever it is for
+!> may be in the middle of a long step.
 module ehlwave_messages
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_file, only: case_from_text
@@ -28,10 +28,10 @@ module ehlwave_messages
       type(mpi_request) :: request = mpi_request_null
    end type letter_t
 
-   !> Messages on their way, which stay where they are until they are received: answers of rank 0, outcomes of another rank. A rank that has
-   !> at most n unanswered requests has received its last answer but n when it asks again, and rank 0 the outcomes before that, so
-   !> that n places are enough for each receiver. (MPI_Send of more than 256 bytes waits, in Open MPI 4.1, until the receiver
-   !> looks at its messages: rank 0 does that between two cases of its own.)
+   !> Messages on their way, which stay where they are until they are received: answers of rank 0, outcomes of another
+   !> rank. A rank that has at most n unanswered requests has received its last answer but n when it asks again, and
+   !> rank 0 the outcomes before that, so that n places are enough for each receiver. (MPI_Send of more than 256 bytes
+   !> waits, in Open MPI 4.1, until the receiver looks at its messages: rank 0 does that between two cases of its own.)
    type, public :: outbox_t
       type(mpi_comm), private :: comm
       type(letter_t), allocatable, private :: letters(:, :)   ! (n, receivers)

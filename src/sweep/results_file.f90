@@ -1,7 +1,8 @@
 !> HDF5 file of a sweep: one row per case over the dimension `case`, whatever its status.
 !>
-!> The rows are made from the sweep file (what each case is) and from the store (what it came to). Nothing but the columns
-!> that `run_columns` takes from the runs is named here: the others are those of the table of quantities and of the records.
+!> The rows are made from the sweep file (what each case is) and from the store (what it came to). Nothing but the
+!> columns that `run_columns` takes from the runs is named here: the others are those of the table of quantities and of
+!> the records.
 module ehlwave_results_file
    use ehlwave_case_account, only: blank_result
    use ehlwave_case_keys, only: case_key_list
@@ -48,7 +49,8 @@ contains
       integer :: i, layout, n
 
       n = size(sweep%cases)
-      table = case_record(sweep%cases(1), sweep%plans(1), blank_result(sweep%cases(1), sweep%plans(1)), no_store, '', '')
+      table = case_record(sweep%cases(1), sweep%plans(1), blank_result(sweep%cases(1), sweep%plans(1)), no_store, '', &
+         '')
       call add_layout(json_columns(table), contents, layout)
       do i = 1, n
          place(i) = contents%index%find(sweep%identity(i))
@@ -68,8 +70,8 @@ contains
       call file%finish(error)
    end subroutine write_results
 
-   !> Columns that follow from the sweep file; pending cases have them, too. Of a finished case its record says what was used: another
-   !> version can have planned it otherwise, and for an accuracy it can have been run on finer grids.
+   !> Columns that follow from the sweep file; pending cases have them, too. Of a finished case its record says what was
+   !> used: another version can have planned it otherwise, and for an accuracy it can have been run on finer grids.
    subroutine write_inputs(file, sweep, contents, place)
       type(hdf5_file_t), intent(inout) :: file
       type(sweep_t), intent(in) :: sweep

@@ -1,8 +1,8 @@
 !> Dynamic distribution of cases over MPI ranks: the longest expected first, cases of one steady state together.
 !>
 !> Rank 0 schedules and computes: it answers messages between the steps of its own cases. Every other rank
-!> keeps one case in reserve, so that nobody waits for rank 0, and has its first before rank 0 takes one. One rank runs the same code
-!> without messages.
+!> keeps one case in reserve, so that nobody waits for rank 0, and has its first before rank 0 takes one. One rank runs
+!> the same code without messages.
 module ehlwave_scheduler
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t
@@ -31,7 +31,8 @@ module ehlwave_scheduler
       procedure :: exchange => hear
    end type worker_t
 
-   !> Rank 0: the queue, served whenever a case of its own reports progress. What else rank 0 does, who extends it knows.
+   !> Rank 0: the queue, served whenever a case of its own reports progress. What else rank 0 does, who extends it
+   !> knows.
    type, abstract, extends(case_watch_t), public :: leader_t
       type(queue_t) :: queue
       logical :: is_store_broken = .false.    !! a rank could not store a case

@@ -37,10 +37,12 @@ module ehlwave_sweep_cases
       integer :: defaults = newest_defaults        !! generation of the defaults of keys that its cases have
       character(len=:), allocatable :: files(:)    !! that it was read from
       integer :: skipped = 0                       !! unresolved cases left out on request
-      integer, allocatable :: varied(:)            !! numbers of the keys that its lists or columns give; unallocated: none
+      integer, allocatable :: varied(:)            !! numbers of the keys that its lists or columns give; unallocated:
+                                                   !! none
       character(len=:), allocatable :: notice      !! what the user should know about the sweep file, lines
       type(identity_index_t) :: index              !! from identity to number of the case
-      integer, allocatable, private :: told(:)     ! of these, those that have no column of their own in plans and reports
+      ! of these, those that have no column of their own in plans and reports
+      integer, allocatable, private :: told(:)
       logical, private :: skips_unresolved = .false.
    contains
       procedure :: begin
@@ -60,8 +62,10 @@ contains
       character(len=*), intent(in) :: what         !! is counted, behind the number
       type(error_t), allocatable, intent(inout) :: error
       if (allocated(error) .or. cases <= most_cases) return
-      call raise(error, start//to_text(cases, 15)//what//', which take about '//to_text(1e-6_dp*kilobytes_per_case*cases, 2)// &
-                 ' GB; one sweep can have '//to_text(nint(most_cases))//': shorten it, or run parts with results of their own')
+      call raise(error, start//to_text(cases, 15)//what//', which take about '// &
+         to_text(1e-6_dp*kilobytes_per_case*cases, 2)// &
+                 ' GB; one sweep can have '//to_text(nint(most_cases))// &
+                 ': shorten it, or run parts with results of their own')
    end subroutine refuse_too_many
 
    !> An empty list, to which cases are to be added.
@@ -94,7 +98,8 @@ contains
 
       list = case_key_list()
       wavelength = find_key(list%keys, 'wavelength_over_a')
-      self%varied = pack([(i, i=1, list%count)], [(any(keys == i) .or. (has_f_v .and. i == wavelength), i=1, list%count)])
+      self%varied = pack([(i, i=1, list%count)], &
+         [(any(keys == i) .or. (has_f_v .and. i == wavelength), i=1, list%count)])
       self%told = pack(self%varied, [(all(shown_anyway /= list%keys(self%varied(i))%name), i=1, size(self%varied))])
    end subroutine vary
 
@@ -106,7 +111,8 @@ contains
       if (allocated(self%varied)) varies = any(self%varied == key)
    end function varies
 
-   !> Values that identify a case, of the keys that vary and have no column of their own in plans and reports: 'key = value, ...'.
+   !> Values that identify a case, of the keys that vary and have no column of their own in plans and reports: 'key =
+   !> value, ...'.
    function variation(self, case) result(text)
       class(sweep_t), intent(in) :: self
       integer, intent(in) :: case

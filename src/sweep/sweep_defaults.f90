@@ -42,14 +42,15 @@ contains
       end if
       if (.not. is_possible) then
          call raise(error, folder//' contradicts itself: its file '//defaults_name//' is that of generation '// &
-                    to_text(origin%filed)//', its records say '//records//'. One of them is of another store, or damaged: put '// &
+                    to_text(origin%filed)//', its records say '//records// &
+                    '. One of them is of another store, or damaged: put '// &
                     'the right one back, or remove '//defaults_name//' to have the records decide')
       else if (origin%filed /= not_said) then
          generation = origin%filed
       else if (recorded /= not_said) then
          generation = recorded
-         if (generation > 0) notice = 'NOTICE: '//folder//' had lost its file '//defaults_name//'; its records say '//records// &
-                                      ', and it goes on so'//new_line('a')
+         if (generation > 0) notice = 'NOTICE: '//folder//' had lost its file '//defaults_name// &
+            '; its records say '//records//', and it goes on so'//new_line('a')
       end if
    end subroutine choose_defaults
 

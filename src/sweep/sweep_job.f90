@@ -61,8 +61,8 @@ contains
       call wait_for_all(comm)
    end subroutine run_job
 
-   !> Wait until every rank is here, without the processor: who waits in MPI itself takes it from rank 0, which writes the results, where
-   !> ranks share cores.
+   !> Wait until every rank is here, without the processor: who waits in MPI itself takes it from rank 0, which writes
+   !> the results, where ranks share cores.
    subroutine wait_for_all(comm)
       type(mpi_comm), intent(in) :: comm
       type(mpi_request) :: request

@@ -31,17 +31,19 @@ contains
       type(key_list_t), intent(inout) :: list
 
       call list%begin()
-      call list%enter(sweep_group, 'Of sweep files only: lists of any of the keys above, in place of what its group gives, '// &
-         'and the keys below. The other groups hold what all cases share.')
-      call list%see(settings%case_file, key_t('case_file', 'CSV file of cases in place of lists; its columns are named as the '// &
-         'keys above, or f_v', maximum=real(path_length, dp)))
-      call list%see(settings%output, key_t('output', 'results file; its name ends in .h5', maximum=real(path_length, dp)))
-      call list%see(settings%unresolved, key_t('unresolved', "cases that their grid does not resolve; 'skip' leaves them out", &
-         choices='run skip'))
-      call list%see(settings%limits%largest_case_seconds, key_t('largest_case_seconds', 'wall time after which a case is given '// &
+      call list%enter(sweep_group, 'Of sweep files only: lists of any of the keys above, in place of what its '// &
+         'group gives, and the keys below. The other groups hold what all cases share.')
+      call list%see(settings%case_file, key_t('case_file', 'CSV file of cases in place of lists; its columns are '// &
+         'named as the keys above, or f_v', maximum=real(path_length, dp)))
+      call list%see(settings%output, key_t('output', 'results file; its name ends in .h5', &
+         maximum=real(path_length, dp)))
+      call list%see(settings%unresolved, key_t('unresolved', "cases that their grid does not resolve; 'skip' "// &
+         "leaves them out", choices='run skip'))
+      call list%see(settings%limits%largest_case_seconds, &
+         key_t('largest_case_seconds', 'wall time after which a case is given '// &
          'up as over_budget; steps are limited by largest_steps', unit='s', above=0.0_dp))
-      call list%see(settings%limits%checkpoint_seconds, key_t('checkpoint_seconds', 'wall time between two checkpoints of a '// &
-         'time march', unit='s', minimum=0.0_dp))
+      call list%see(settings%limits%checkpoint_seconds, key_t('checkpoint_seconds', 'wall time between two '// &
+         'checkpoints of a time march', unit='s', minimum=0.0_dp))
    end subroutine visit_sweep_keys
 
    !> Reference of all keys of a sweep file: those of a case, then its own.

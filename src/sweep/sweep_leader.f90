@@ -1,5 +1,5 @@
-!> Work of rank 0 in a run of a sweep besides scheduling: it takes over the store, keeps the user and the results file up to
-!> date, and says at the end what became of it all.
+!> Work of rank 0 in a run of a sweep besides scheduling: it takes over the store, keeps the user and the results file
+!> up to date, and says at the end what became of it all.
 module ehlwave_sweep_leader
    use, intrinsic :: iso_fortran_env, only: output_unit
    use ehlwave_case_list, only: case_list_t
@@ -77,16 +77,18 @@ contains
 
       folder = store_path(sweep%output)
       has_store = .false.   ! results without a store were not made by this sweep: they are not replaced unasked
-      if (folder == sweep%output) call raise(error, "results file '"//shown(folder)//"' has the name of a store: give one "// &
-                                             "that ends in .h5")
+      if (folder == sweep%output) call raise(error, "results file '"//shown(folder)// &
+         "' has the name of a store: give one that ends in .h5")
       call refuse_inside_store(sweep%output, error)
       call check_output_path(sweep%output, files_read(sweep), options%overwrite, error)
       if (options%overwrite) call refuse_dropped_inputs(folder, files_read(sweep), error)
       if (options%overwrite) call discard_store(folder, error)
       if (.not. (allocated(error) .or. options%overwrite)) call check_store(folder, has_store, error)
       inquire (file=sweep%output, exist=has_results)
-      if (has_results .and. .not. (has_store .or. options%overwrite .or. allocated(error))) call raise(error, 'results file '// &
-         sweep%output//' exists but not its store '//folder//': move it away, name another with --output, or give --overwrite')
+      if (has_results .and. .not. (has_store .or. options%overwrite .or. allocated(error))) call raise(error, &
+         'results file '// &
+         sweep%output//' exists but not its store '//folder// &
+         ': move it away, name another with --output, or give --overwrite')
       store%defaults = sweep%defaults
       call prepare_store(folder, store, warning, error)
       if (options%overwrite) call drop_foreign_results(sweep%output, error)
@@ -149,8 +151,8 @@ contains
       integer :: i
       do i = 1, size(files)
          if (allocated(error)) return
-         if (is_within(trim(files(i)), folder)) call raise(error, trim(files(i))//', which the sweep reads, is in '//folder// &
-            ', which --overwrite would drop: move it')
+         if (is_within(trim(files(i)), folder)) call raise(error, trim(files(i))//', which the sweep reads, is in '// &
+            folder//', which --overwrite would drop: move it')
       end do
    end subroutine refuse_dropped_inputs
 
@@ -211,7 +213,8 @@ contains
          if (place > 0) stored(contents%cases(place)%status) = stored(contents%cases(place)%status) + 1
       end do
       lost = self%progress%done() - sum(stored)
-      if (lost > 0 .and. .not. allocated(error)) call raise(error, to_text(lost)//' cases were reported as done but are '// &
+      if (lost > 0 .and. .not. allocated(error)) call raise(error, to_text(lost)// &
+         ' cases were reported as done but are '// &
          'not in the store '//self%writer%folder//': is the disk broken? The same command computes them again')
 
       call self%progress%tick(self%queue%seconds_left(), is_last=.true.)
@@ -224,8 +227,8 @@ contains
       end if
       if (self%is_store_broken .or. allocated(error)) code = exit_not_written
       call print_last(time_stamp()//' the end, exit status '//to_text(code), is_written)
-      if (.not. is_written) call complain('ehlwave-sweep', 'standard output could not be written; the results are in '// &
-                                          self%writer%folder)
+      if (.not. is_written) call complain('ehlwave-sweep', &
+         'standard output could not be written; the results are in '//self%writer%folder)
       if (.not. is_written .and. code /= exit_unfinished) code = exit_not_written
       if (self%is_store_broken) call complain('ehlwave-sweep', trim(self%reason))
       if (allocated(error)) call complain('ehlwave-sweep', error%message)

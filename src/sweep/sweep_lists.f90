@@ -39,8 +39,8 @@ module ehlwave_sweep_lists
 
 contains
 
-   !> Read the lists of all keys of a table, and f_v. Fails on values that a key refuses, on keys that cannot vary, and on
-   !> more combinations than one sweep may have.
+   !> Read the lists of all keys of a table, and f_v. Fails on values that a key refuses, on keys that cannot vary, and
+   !> on more combinations than one sweep may have.
    subroutine read_lists(file, table, self, error)
       type(namelist_t), intent(inout) :: file
       type(key_list_t), intent(in) :: table          !! with the defaults
@@ -59,10 +59,12 @@ contains
       if (allocated(error)) return
       self%has_f_v = size(self%lists) > size(self%keys)
       if (self%has_f_v .and. any(self%keys == quick(size(quick)))) then
-         call raise(error, file%place(sweep_group, 'f_v')//'&sweep gives wavelength_over_a and f_v: give one of the two')
+         call raise(error, file%place(sweep_group, 'f_v')// &
+            '&sweep gives wavelength_over_a and f_v: give one of the two')
          return
       end if
-      call refuse_too_many(file%place(sweep_group, '')//'the lists of &sweep have ', self%combinations(), ' combinations', error)
+      call refuse_too_many(file%place(sweep_group, '')//'the lists of &sweep have ', self%combinations(), &
+         ' combinations', error)
    end subroutine read_lists
 
    !> Append the list of one key, if the file has one. What is in it twice counts once.

@@ -37,8 +37,8 @@ contains
          end if
       end do
       if (unlisted > 0) then
-         call say(output_unit, 'NOTICE: the store also holds '//to_text(unlisted)//' finished cases that this sweep '// &
-            'file does not list; they stay in the store and out of the results file')
+         call say(output_unit, 'NOTICE: the store also holds '//to_text(unlisted)// &
+            ' finished cases that this sweep file does not list; they stay in the store and out of the results file')
          call print_changed_settings(sweep, contents)
       end if
       if (other_build > 0 .and. retry /= 'version') call say(output_unit, 'NOTICE: '//to_text(other_build)// &
@@ -76,7 +76,8 @@ contains
       waviness = index(input, '&waviness')
       grid = index(input, '&grid')
       text = ''
-      if (lubricant > 0 .and. waviness > lubricant .and. grid > waviness) text = input(lubricant:waviness - 1)//input(grid:)
+      if (lubricant > 0 .and. waviness > lubricant .and. grid > waviness) text = input(lubricant:waviness - 1)// &
+         input(grid:)
    end function settings_of
 
 end module ehlwave_sweep_notices

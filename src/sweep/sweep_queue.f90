@@ -10,11 +10,11 @@ module ehlwave_sweep_queue
    private
    public :: new_queue
 
-   !> Linear responses about one steady state form a group, those of the same frequency one after the other, as they share factors;
-   !> every other case is a group of its own. A rank stays with
-   !> its group as long as there is something left in it, then takes the longest group that nobody has begun, and in the
-   !> end helps with the group that has most left, at the price of one more steady state. So no rank idles while there
-   !> are cases, and the numbers depend on none of this.
+   !> Linear responses about one steady state form a group, those of the same frequency one after the other, as they
+   !> share factors; every other case is a group of its own. A rank stays with its group as long as there is something
+   !> left in it, then takes the longest group that nobody has begun, and in the end helps with the group that has most
+   !> left, at the price of one more steady state. So no rank idles while there are cases, and the numbers depend on
+   !> none of this.
    !>
    !> The model of the time of a case is fitted anew, and the queue sorted again, whenever the number of finished
    !> cases has grown by a half.
@@ -31,7 +31,8 @@ module ehlwave_sweep_queue
       real(dp), allocatable, private :: expected(:)  ! of each case
       logical, allocatable, private :: to_run(:)
       real(dp), allocatable, private :: features(:, :), seconds(:)   ! of all cases; seconds 0: not finished
-      real(dp), allocatable, private :: planned(:)   ! seconds by the plan, NaN: no model; not allocated: nothing is known
+      ! seconds by the plan, NaN: no model; not allocated: nothing is known
+      real(dp), allocatable, private :: planned(:)
       integer, private :: known = 0, refit_at = 1
    contains
       procedure :: is_empty

@@ -32,7 +32,8 @@ contains
             if (plan%kind /= run_march) run = to_text(1 + plan%phases)//' steady states'
             if (plan%kind == run_smooth) run = '1 steady state'
             if (plan%kind == run_harmonic) run = 'linear response'
-            write (line, '(i7,f9.1,f8.3,f9.4,2x,a12,f11.4,i7,a,i0,t76,a,t97,a)') i, plan%conditions%m, plan%conditions%l, &
+            write (line, '(i7,f9.1,f8.3,f9.4,2x,a12,f11.4,i7,a,i0,t76,a,t97,a)') i, plan%conditions%m, &
+               plan%conditions%l, &
                plan%conditions%d, case%orientation, case%wavelength_over_a, plan%cells_x, ' x ', plan%cells_y, &
                trim(run), merge('yes', 'NO ', plan%resolution%is_resolved)
             call say(unit, line//sweep%variation(i))
@@ -57,7 +58,8 @@ contains
       errors = merge(plans%expected_error, 0.0_dp, ieee_is_finite(plans%expected_error))
       worst = maxloc(errors, 1, mask=errors > 0)
       text = 'Expected     '
-      if (worst > 0) text = text//duration(sum(seconds, mask=ieee_is_finite(seconds)))//' of computing on this machine (a '// &
+      if (worst > 0) text = text//duration(sum(seconds, mask=ieee_is_finite(seconds)))// &
+         ' of computing on this machine (a '// &
          'model, usually right within a factor 2), errors up to '//to_text(errors(worst), 2)//' (case '// &
          to_text(worst)//'), '
       call say(unit, text//to_text(maxval(memory_mib), 2)//' MiB a rank, and what MPI takes')

@@ -63,8 +63,8 @@ contains
       is_finished = size(found) == n
       failed = count(.not. is_success(contents%cases(found)%status))
       call say(unit, 'Store        '//folder//', '//trim(merge('a job is at work ', 'no job is at work', is_working)))
-      call say(unit, 'Cases        '//to_text(n)//': '//to_text(size(found))//' finished, '//to_text(n - size(found))// &
-         ' left')
+      call say(unit, 'Cases        '//to_text(n)//': '//to_text(size(found))//' finished, '// &
+         to_text(n - size(found))//' left')
       do status = 0, last_status
          if (any(contents%cases(found)%status == status)) &
             call say(unit, counted(count(contents%cases(found)%status == status), 16, status_name(status)))
@@ -127,7 +127,8 @@ contains
          place = maxloc(contents%cases(found)%seconds, 1, mask=.not. is_shown)
          is_shown(place) = .true.
          call say(unit, merge('Slowest      ', '             ', k == 1)// &
-            one_case(contents, found(place), variation(place))//', '//to_text(contents%cases(found(place))%seconds, 4)//' s')
+            one_case(contents, found(place), variation(place))//', '//to_text(contents%cases(found(place))%seconds, &
+            4)//' s')
       end do
    end subroutine print_slowest
 

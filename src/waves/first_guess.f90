@@ -14,7 +14,8 @@ module ehlwave_first_guess
    !> Solutions that the first guess is made from.
    type, public :: past_t
       type(state_t) :: steady, before, earlier, earliest   ! of smooth surfaces; at T - dT, T - 2 dT, T - 3 dT
-      real(dp), allocatable :: known_p(:, :, :)            ! (0:nx, 0:ny, 0:3): a period before T, T - dT, ...; absent: none
+      ! (0:nx, 0:ny, 0:3): a period before T, T - dT, ...; absent: none
+      real(dp), allocatable :: known_p(:, :, :)
       real(dp) :: known_delta(0:3) = 0
    end type past_t
 
@@ -34,10 +35,10 @@ contains
       share = 1/(1 + spread_weight*equations%flow%mobility()/(level%problem%grid%hx*equations%self_influence))
    end function carried_share
 
-   !> First guess: P0, which is the solution a period before or else the steady state, and what solutions differ from it, p = P - P0,
-   !> extrapolated. Where the film is carried along, along the characteristic: 3 p(i-m, k-1) - 3 p(i-2m, k-2) + p(i-3m, k-3);
-   !> elsewhere in time at fixed X: 3 p(k-1) - 3 p(k-2) + p(k-3); in between, by share. The latter stays in the range of the
-   !> neighbours at the step before.
+   !> First guess: P0, which is the solution a period before or else the steady state, and what solutions differ from
+   !> it, p = P - P0, extrapolated. Where the film is carried along, along the characteristic: 3 p(i-m, k-1) - 3 p(i-2m,
+   !> k-2) + p(i-3m, k-3); elsewhere in time at fixed X: 3 p(k-1) - 3 p(k-2) + p(k-3); in between, by share. The latter
+   !> stays in the range of the neighbours at the step before.
    pure subroutine extrapolate(m, share, past, state)
       integer, intent(in) :: m                       !! cells that a feature travels in one step
       real(dp), intent(in) :: share(0:, 0:)          !! (0:nx, 0:ny)
@@ -46,7 +47,8 @@ contains
 
       if (allocated(past%known_p)) then
          associate (known => past%known_p)
-            call extrapolate_about(m, share, past, known(:, :, 0), known(:, :, 1), known(:, :, 2), known(:, :, 3), state%p)
+            call extrapolate_about(m, share, past, known(:, :, 0), known(:, :, 1), known(:, :, 2), known(:, :, 3), &
+               state%p)
          end associate
       else
          associate (p0 => past%steady%p)
@@ -73,7 +75,8 @@ contains
             do i = 0, ubound(p, 1) - 1
                still = now(i, j) + 3*((p1(i, j) - then1(i, j)) - (p2(i, j) - then2(i, j))) + (p3(i, j) - then3(i, j))
                moved = still
-               if (i > 3*m) moved = now(i, j) + 3*((p1(i - m, j) - then1(i - m, j)) - (p2(i - 2*m, j) - then2(i - 2*m, j))) &
+               if (i > 3*m) moved = now(i, j) &
+                  + 3*((p1(i - m, j) - then1(i - m, j)) - (p2(i - 2*m, j) - then2(i - 2*m, j))) &
                                     + (p3(i - 3*m, j) - then3(i - 3*m, j))
                still = held(still, neighbour_range(p1, i, j))
                p(i, j) = max(0.0_dp, share(i, j)*moved + (1 - share(i, j))*still)
@@ -82,8 +85,8 @@ contains
       end associate
    end subroutine extrapolate_about
 
-   !> First guess of the first steps from known waves: the solution before and what these change. Extrapolation would amplify the
-   !> errors of the waves.
+   !> First guess of the first steps from known waves: the solution before and what these change. Extrapolation would
+   !> amplify the errors of the waves.
    subroutine carry_on(past, waves, t, dt, state)
       type(past_t), intent(in) :: past
       type(known_waves_t), intent(in) :: waves

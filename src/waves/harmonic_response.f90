@@ -16,8 +16,8 @@ module ehlwave_harmonic_response
    implicit none (type, external)
    private
 
-   !> Of the linear residual: 1e-4 leaves up to 0.3 % where Ad/Ai is a few per cent (2e-4 of Ai), 1e-5 a tenth of that for one or
-   !> two steps more.
+   !> Of the linear residual: 1e-4 leaves up to 0.3 % where Ad/Ai is a few per cent (2e-4 of Ai), 1e-5 a tenth of that
+   !> for one or two steps more.
    real(dp), parameter :: response_tolerance = 1e-5_dp
 
    !> The response to a pattern of amplitude A, to first order in A. The pattern is the real part of, theory eq. (W1),
@@ -96,7 +96,8 @@ contains
       call self%tangent%init(levels)
    end subroutine find_tangent
 
-   !> The same for a response, which counts the work of a tangent that an earlier one found: counts do not depend on their order.
+   !> The same for a response, which counts the work of a tangent that an earlier one found: counts do not depend on
+   !> their order.
    subroutine count_tangent(self, levels)
       type(harmonic_solver_t), intent(inout) :: self
       type(level_t), intent(inout) :: levels(:)
@@ -113,8 +114,8 @@ contains
       end if
    end subroutine count_tangent
 
-   !> Operator for changes of one frequency, and its factors unless they are there. Those of a real change that does not turn are the
-   !> tangent's.
+   !> Operator for changes of one frequency, and its factors unless they are there. Those of a real change that does not
+   !> turn are the tangent's.
    subroutine set_frequency(self, levels, frequency, inertia, is_real)
       class(harmonic_solver_t), intent(inout) :: self
       type(level_t), intent(inout), target :: levels(:)   !! those of `init`
@@ -143,8 +144,8 @@ contains
       end associate
    end subroutine set_frequency
 
-   !> Response to one pattern. It depends on nothing but the steady state and the pattern: factors of the one before are used again where
-   !> its frequency is the same. Of a pattern that varies along Y only all is real.
+   !> Response to one pattern. It depends on nothing but the steady state and the pattern: factors of the one before are
+   !> used again where its frequency is the same. Of a pattern that varies along Y only all is real.
    subroutine respond(self, levels, waviness, natural_frequency, steps_per_cell, response)
       class(harmonic_solver_t), intent(inout) :: self
       type(level_t), intent(inout), target :: levels(:)   !! those of `init`: their deformation is used

@@ -1,5 +1,5 @@
-!> Waves in a contact as they are known before a march: the periodic solution to second order in their amplitude, and what the
-!> march on a coarser grid found besides.
+!> Waves in a contact as they are known before a march: the periodic solution to second order in their amplitude, and
+!> what the march on a coarser grid found besides.
 module ehlwave_known_waves
    use ehlwave_grid, only: grid_t
    use ehlwave_harmonic_response, only: harmonic_response_t, harmonic_solver_t
@@ -21,8 +21,9 @@ module ehlwave_known_waves
    !>
    !>     u(T) = u0 + A^2 u20 + Re(A u1 exp(-i w T)) + Re(A^2 u22 exp(-2 i w T)),     u = P, H, Delta,
    !>
-   !> with the linear response u1, the change of the mean u20 and the second harmonic u22. They are those of the differences in time of
-   !> a march with dT = hX or a whole part of it: a march that starts in these waves has nothing to settle at first and second order.
+   !> with the linear response u1, the change of the mean u20 and the second harmonic u22. They are those of the
+   !> differences in time of a march with dT = hX or a whole part of it: a march that starts in these waves has nothing
+   !> to settle at first and second order.
    type, public :: known_waves_t
       real(dp) :: frequency = 0                        !! w in units of 1/T
       real(dp), private :: amplitude = 0               ! A in units of c
@@ -46,8 +47,8 @@ module ehlwave_known_waves
 
 contains
 
-   !> Find them about the steady state of the finest of `levels`. Without the first order there is nothing; what is not found of the
-   !> second order is left out.
+   !> Find them about the steady state of the finest of `levels`. Without the first order there is nothing; what is not
+   !> found of the second order is left out.
    subroutine find(self, levels, waviness, amplitude, natural_frequency, steps_per_cell, is_found)
       class(known_waves_t), intent(out) :: self
       type(level_t), intent(inout), target :: levels(:)   !! coarsest first
@@ -98,7 +99,8 @@ contains
       call self%limit(state)
    end function state_at
 
-   !> Limit a state near these waves to what can be: where the smooth pressure ends, P stays in the range of its smooth neighbours.
+   !> Limit a state near these waves to what can be: where the smooth pressure ends, P stays in the range of its smooth
+   !> neighbours.
    pure subroutine limit(self, state)
       class(known_waves_t), intent(in) :: self
       type(state_t), intent(inout) :: state
@@ -129,7 +131,8 @@ contains
       end do
    end function to_second_order
 
-   !> Take what the last three solutions of a march on the grid of half as many cells have besides the waves known there to second order.
+   !> Take what the last three solutions of a march on the grid of half as many cells have besides the waves known there
+   !> to second order.
    subroutine take_rest(self, fine, coarse_grid, coarse, last, t, dt)
       class(known_waves_t), intent(inout) :: self
       type(grid_t), intent(in) :: fine, coarse_grid

@@ -6,7 +6,8 @@ module ehlwave_last_period
    implicit none (type, external)
    private
 
-   !> Solutions at equal distances in time, a few more than a period of them, in single precision: they are for first guesses.
+   !> Solutions at equal distances in time, a few more than a period of them, in single precision: they are for first
+   !> guesses.
    type, public :: last_period_t
       real(dp), private :: period = 0, distance = 0          ! T, the latter between samples
       real(dp), private :: newest = 0                        ! T of the last sample

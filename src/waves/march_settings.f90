@@ -21,7 +21,8 @@ module ehlwave_march_settings
    end type march_settings_t
 
    integer, parameter :: most_periods = 4              !! after which a solution is taken to repeat
-   real(dp), parameter :: many_steps = 24              !! of a period: six points interpolate 1e-5 of a wave between them
+   real(dp), parameter :: many_steps = 24              !! of a period: six points interpolate 1e-5 of a wave between
+                                                       !! them
    real(dp), parameter :: whole = 1e-3_dp              !! of a step
 
 contains
@@ -39,8 +40,8 @@ contains
       amplitude = self%surfaces%list(self%surfaces%main)%amplitude(self%film)
    end function amplitude
 
-   !> After what time a periodic solution repeats at a step of the march, or nearly so: of some periods the multiple that is nearest to
-   !> whole steps; a period that has many is interpolated between them as well.
+   !> After what time a periodic solution repeats at a step of the march, or nearly so: of some periods the multiple
+   !> that is nearest to whole steps; a period that has many is interpolated between them as well.
    pure real(dp) function repeat_time(self, grid)
       class(march_settings_t), intent(in) :: self
       type(grid_t), intent(in) :: grid       !! that is marched

@@ -1,6 +1,7 @@
 !> The change of the mean by small waves, to second order in their amplitude: one more linear solve, theory eq. (S7).
 !>
-!> With the steady state u0, the linear response u1 to a pattern of amplitude A, and J0 the Jacobian of the steady state,
+!> With the steady state u0, the linear response u1 to a pattern of amplitude A, and J0 the Jacobian of the steady
+!> state,
 !>
 !>     u2 = -J0^(-1) < R(u0 + A Re(u1 exp(-i phi))) - R(u0) >,    the mean over phases phi.
 !>
@@ -18,13 +19,14 @@ module ehlwave_mean_film
    private
    public :: find_mean_change, has_mean
 
-   !> Of the linear residual: 1e-4 leaves 0.1 % of the rise in the median of 48 cases, but 26 % at M = 50, D = 0.12, longitudinal, 2.8 a;
-   !> 1e-5 leaves 0.4 % there, 1e-6 0.1 %. A step of GMRES each.
+   !> Of the linear residual: 1e-4 leaves 0.1 % of the rise in the median of 48 cases, but 26 % at M = 50, D = 0.12,
+   !> longitudinal, 2.8 a; 1e-5 leaves 0.4 % there, 1e-6 0.1 %. A step of GMRES each.
    real(dp), parameter :: tolerance = 1e-6_dp
 
-   !> Amplitude over H(0,0) at which the mean residual is taken, before it is scaled with the square of the amplitude. At the
-   !> steep end of the pressure large waves leave the range of the second order: M = 100, D = 1, transverse, 0.5 a, 65 x 65
-   !> nodes, rise over Ai at Ai = 0.2 H(0,0): 0.0362 taken at 0.2, 0.0393 at 0.02 and below, 0.0389 in a long march.
+   !> Amplitude over H(0,0) at which the mean residual is taken, before it is scaled with the square of the amplitude.
+   !> At the steep end of the pressure large waves leave the range of the second order: M = 100, D = 1, transverse, 0.5
+   !> a, 65 x 65 nodes, rise over Ai at Ai = 0.2 H(0,0): 0.0362 taken at 0.2, 0.0393 at 0.02 and below, 0.0389 in a long
+   !> march.
    real(dp), parameter, public :: probe_over_film = 0.005_dp
 
    !> Change of the mean and, with it, the thinnest film that occurs.

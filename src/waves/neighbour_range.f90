@@ -1,14 +1,15 @@
 !> Pressures held in the range of their neighbours.
 !>
-!> The steep end of the pressure moves by less than a cell from one state to the next, and an extrapolation or an expansion across it
-!> would be off by half the Hertz pressure.
+!> The steep end of the pressure moves by less than a cell from one state to the next, and an extrapolation or an
+!> expansion across it would be off by half the Hertz pressure.
 module ehlwave_neighbour_range
    use ehlwave_kinds, only: dp
    implicit none (type, external)
    private
    public :: held, neighbour_range
 
-   real(dp), parameter :: margin = 0.02_dp   !! of P beyond; measured: fewest Newton steps of first guesses between 0.005 and 0.05
+   real(dp), parameter :: margin = 0.02_dp   !! of P beyond; measured: fewest Newton steps of first guesses between
+                                             !! 0.005 and 0.05
 
 contains
 

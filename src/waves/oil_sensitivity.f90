@@ -1,10 +1,10 @@
 !> How film and response answer to the oil: derivatives by alpha and stress of the flow law, theory eq. (W10), (W11).
 !>
-!> Load, speed, geometry, E', viscosity at ambient pressure and all else of the oil stay as they are, so that of the dimensionless
-!> numbers only these change:
+!> Load, speed, geometry, E', viscosity at ambient pressure and all else of the oil stay as they are, so that of the
+!> dimensionless numbers only these change:
 !>
-!>     alpha    ln(eta/eta0) in proportion at every pressure; M, lambdabar, ph/p0 and N0 are fixed, L and alphabar in proportion
-!>     stress   tau0 of Ree-Eyring, G of Carreau: N0 as 1/stress
+!>     alpha    ln(eta/eta0) in proportion at every pressure; M, lambdabar, ph/p0 and N0 are fixed, L and alphabar in
+!>     proportion stress   tau0 of Ree-Eyring, G of Carreau: N0 as 1/stress
 !>
 !> With R(u, x) = 0 the steady equations of the state u, x = ln(alpha) or ln(stress), J0 their Jacobian,
 !>
@@ -14,9 +14,9 @@
 !>
 !>     L du1/dx = -(dL/du du/dx + dL/dx) u1.
 !>
-!> Both right sides are centred differences of residuals, dR/dx at the state and the second along (du/dx, 1), with a step of
-!> 1e-5, of second order, which leaves about 1e-8 of the result. The nodes that are cavitated stay so. Of flooded edges the
-!> steady pressures and the load outside are differentiated, what waves change there is not.
+!> Both right sides are centred differences of residuals, dR/dx at the state and the second along (du/dx, 1), with a
+!> step of 1e-5, of second order, which leaves about 1e-8 of the result. The nodes that are cavitated stay so. Of
+!> flooded edges the steady pressures and the load outside are differentiated, what waves change there is not.
 module ehlwave_oil_sensitivity
    use ehlwave_conditions, only: conditions_t
    use ehlwave_harmonic_response, only: harmonic_response_t, harmonic_solver_t

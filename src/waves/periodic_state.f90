@@ -18,8 +18,9 @@ module ehlwave_periodic_state
    implicit none (type, external)
    private
 
-   !> The state that a march from rest reaches: on each grid a march starts in the linear response, the change of the mean, and what the
-   !> march on the next coarser grid found besides, and ends when the film upstream of the centre repeats.
+   !> The state that a march from rest reaches: on each grid a march starts in the linear response, the change of the
+   !> mean, and what the march on the next coarser grid found besides, and ends when the film upstream of the centre
+   !> repeats.
    type, public :: periodic_state_t
       type(march_t) :: march                  !! on the finest grid
       type(solve_report_t) :: report          !! of its last step
@@ -32,16 +33,18 @@ module ehlwave_periodic_state
       procedure :: at_times
    end type periodic_state_t
 
-   real(dp), parameter :: coarse_change = 2            !! of a film that repeats, on coarser grids, over that on the finest
+   real(dp), parameter :: coarse_change = 2            !! of a film that repeats, on coarser grids, over that on the
+                                                       !! finest
    real(dp), parameter :: coarse_tolerance = 1e-3_dp   !! of the time steps of coarser grids
    real(dp), parameter :: fewest_points = 16            !! mesh sizes on a wave
-   integer, parameter :: points = 6                     !! of interpolation in time; four leave 1e-3 of A where a period has ten steps
+   integer, parameter :: points = 6                     !! of interpolation in time; four leave 1e-3 of A where a period
+                                                        !! has ten steps
    real(dp), parameter :: farthest_upstream = -1       !! X, from where the film has to repeat
 
 contains
 
-   !> From the coarsest of the levels that resolves the waves to the finest. All levels have their steady states of smooth surfaces;
-   !> they keep them, the finest has the last solution of the march if the state is found.
+   !> From the coarsest of the levels that resolves the waves to the finest. All levels have their steady states of
+   !> smooth surfaces; they keep them, the finest has the last solution of the march if the state is found.
    subroutine find(self, multigrid, settings, rescue, limits, largest_change, monitor)
       class(periodic_state_t), intent(inout) :: self
       type(full_multigrid_t), intent(inout), target :: multigrid
@@ -78,15 +81,16 @@ contains
                cycle
             end if
             self%linear_steps = self%linear_steps + waves%linear_steps
-            if (has_rest) call hand_up(self%march, coarse_waves, multigrid%levels(l - 1)%problem%grid, level%problem%grid, waves)
+            if (has_rest) call hand_up(self%march, coarse_waves, multigrid%levels(l - 1)%problem%grid, &
+               level%problem%grid, waves)
             here = settings
             here%steps = ceiling(settings%steps*0.5_dp**(n - l))
             given = level%problem%given_t
             smooth = level%state
             self%is_found = .false.
             if (l == n) coarse%tolerance = limits%tolerance
-            call march_level(self, multigrid, l, waves, here, t, coarse, largest_change*merge(1.0_dp, coarse_change, l == n), &
-                             monitor)
+            call march_level(self, multigrid, l, waves, here, t, coarse, largest_change*merge(1.0_dp, coarse_change, &
+               l == n), monitor)
             if (monitor%request /= go_on) return
             has_rest = self%is_found
             coarse_waves = waves
@@ -111,8 +115,8 @@ contains
       end associate
    end subroutine hand_up
 
-   !> Film and approach of the march at other times, T = times, if its last period went on to repeat: film and mutual approach there. Of a
-   !> state that was found.
+   !> Film and approach of the march at other times, T = times, if its last period went on to repeat: film and mutual
+   !> approach there. Of a state that was found.
    function at_times(self, times) result(history)
       class(periodic_state_t), intent(in) :: self
       real(dp), intent(in) :: times(0:)
@@ -126,7 +130,8 @@ contains
       associate (march => self%march%result)
          dt = march%time(march%steps) - march%time(march%steps - 1)
          do k = 0, history%steps
-            place = (times(k) - march%time(0) - self%repeats*ceiling((times(k) - march%time(march%steps))/self%repeats))/dt
+            place = (times(k) - march%time(0) &
+               - self%repeats*ceiling((times(k) - march%time(march%steps))/self%repeats))/dt
             base = min(max(floor(place) - points/2 + 1, 0), march%steps - points + 1)
             associate (weights => lagrange_weights(points, place - base))
                history%central_film(k) = dot_product(weights, march%central_film(base:base + points - 1))

@@ -1,6 +1,7 @@
 !> The response to small waves at twice their frequency, to second order in their amplitude, by theory eq. (W8).
 !>
-!> With the steady state u0, the linear response u1 to a pattern of amplitude A, and J(2w) the operator for changes of twice the frequency,
+!> With the steady state u0, the linear response u1 to a pattern of amplitude A, and J(2w) the operator for changes of
+!> twice the frequency,
 !>
 !>     u2 = -J(2w)^(-1) 2 < R(u0 + A Re(u1 exp(-i phi))) exp(2 i phi) >,    the mean over phases phi,
 !>
@@ -22,8 +23,8 @@ module ehlwave_second_harmonic
 
 contains
 
-   !> Response u2 to waves of amplitude 1: it goes with the square of the amplitude, as the real part of u2 exp(-2 i w T). The solver
-   !> is left with the operator of 2w.
+   !> Response u2 to waves of amplitude 1: it goes with the square of the amplitude, as the real part of u2 exp(-2 i w
+   !> T). The solver is left with the operator of 2w.
    subroutine find_second_harmonic(solver, levels, first, frequency, natural_frequency, steps_per_cell, second)
       type(harmonic_solver_t), intent(inout) :: solver
       type(level_t), intent(inout), target :: levels(:)   !! those of `solver`, coarsest first
@@ -47,7 +48,8 @@ contains
       end associate
    end subroutine find_second_harmonic
 
-   !> Right side: minus the second harmonic of the weighted residual; 0 at cavitated nodes, in the load row and at the edges.
+   !> Right side: minus the second harmonic of the weighted residual; 0 at cavitated nodes, in the load row and at the
+   !> edges.
    subroutine second_residual(solver, level, first, turn, steps_per_cell, b)
       type(harmonic_solver_t), intent(in) :: solver
       type(level_t), intent(inout) :: level               !! the finest

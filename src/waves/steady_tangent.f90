@@ -67,7 +67,8 @@ contains
    subroutine solve(self, levels, b, tolerance, change, in_single)
       class(steady_tangent_t), intent(inout) :: self
       type(level_t), intent(inout), target :: levels(:)   !! those of `init`: their deformation is used
-      real(dp), intent(in), contiguous :: b(:)            !! (linear%n), 0 at cavitated nodes; at flooded edges in units of P
+      real(dp), intent(in), contiguous :: b(:)            !! (linear%n), 0 at cavitated nodes; at flooded edges in units
+                                                          !! of P
       real(dp), intent(in) :: tolerance                   !! of the linear residual
       type(tangent_change_t), intent(out) :: change
       logical, intent(in), optional :: in_single          !! products, whose convolutions are good to 1e-7 then

@@ -46,7 +46,8 @@ module ehlwave_time_march
       type(march_settings_t) :: settings
       type(march_result_t) :: result
       type(past_t) :: past
-      type(known_waves_t), allocatable, private :: waves   ! that it started in, see `start_in`; absent: it started from rest
+      ! that it started in, see `start_in`; absent: it started from rest
+      type(known_waves_t), allocatable, private :: waves
       type(last_period_t), private :: period               ! of the finest level, with `waves`
       integer, private :: l = 0                ! level that is marched
       real(dp), private :: start = 0           ! T before the first step

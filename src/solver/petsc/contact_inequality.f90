@@ -165,7 +165,8 @@ contains
       end associate
    end subroutine multiply
 
-   !> Longest step, at most 1, from x_0 along -x with pressures cut off at 0 that keeps to the limits; 0 if there is none.
+   !> Longest step, at most 1, from x_0 along -x with pressures cut off at 0 that keeps to the limits; 0 if there is
+   !> none.
    real(dp) function step_length(self, x) result(step)
       class(contact_inequality_t), intent(inout) :: self
       real(dp), intent(in) :: x(:)
@@ -236,7 +237,8 @@ contains
          allocate (at_edges, film_change, mold=self%change)
          at_edges = 0
          do k = 1, edges%count()
-            at_edges(edges%i(k), edges%j(k)) = -self%base_equations%edge_slope(k)*self%film_change(edges%i(k), edges%j(k))
+            at_edges(edges%i(k), edges%j(k)) = -self%base_equations%edge_slope(k)*self%film_change(edges%i(k), &
+               edges%j(k))
          end do
          call self%problem%deformation%apply(at_edges, film_change)
          self%change = self%change + at_edges
@@ -248,8 +250,8 @@ contains
    subroutine multiply_reynolds(self)
       class(contact_inequality_t), intent(inout) :: self
       associate (equations => self%base_equations)
-         call reynolds_change(equations%mesh, equations%given%transport, equations%flow, self%change, self%film_change, &
-                              self%r_change)
+         call reynolds_change(equations%mesh, equations%given%transport, equations%flow, self%change, &
+            self%film_change, self%r_change)
       end associate
    end subroutine multiply_reynolds
 

@@ -1,7 +1,7 @@
 !> The Fortran side of petsc_snes.c: its types and its solver, and the callbacks that give it the equations.
 module ehlwave_petsc_binding
-   use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_f_procpointer, c_funloc, c_funptr, c_int, &
-      c_loc, c_ptr
+   use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_f_procpointer, c_funloc, c_funptr, &
+      c_int, c_loc, c_ptr
    use ehlwave_contact_inequality, only: contact_inequality_t
    use ehlwave_petsc_library, only: find_solver
    use ehlwave_status, only: status_converged, status_over_budget

@@ -1,8 +1,8 @@
 !> The discrete problem of one level solved by SNES of PETSc: an independent reference.
 !>
 !> Shares with `newton` the discrete equations only: Newton's method, active set, line search, GMRES and the
-!> incomplete factors are PETSc's (SNESVINEWTONRSLS, Benson and Munson 2006). Ask `require_petsc` first whether PETSc can
-!> be had; without it a solve ends where it began, as a failed one.
+!> incomplete factors are PETSc's (SNESVINEWTONRSLS, Benson and Munson 2006). Ask `require_petsc` first whether PETSc
+!> can be had; without it a solve ends where it began, as a failed one.
 module ehlwave_petsc_solver
    use ehlwave_contact_inequality, only: contact_inequality_t
    use ehlwave_hierarchy, only: hierarchy_t
