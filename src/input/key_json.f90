@@ -28,7 +28,7 @@ contains
       text = '{"keys": ['//text(3:)//']}'
    end function case_key_json
 
-   !> What is known of a key. A bound that it does not have is null, and so is a default that is no value:
+   !> The facts about a key. A bound that it does not have is null, and so is a default that is no value:
    !> `default_text` tells both in the words of the reference.
    function key_json(key, default) result(text)
       type(key_t), intent(in) :: key
