@@ -19,7 +19,8 @@ while(todo)
   endif()
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${document})
   file(READ ${document} text)
-  string(REPLACE "](" "<link>" text "${text}")   # a bracket of its own would join what follows to one
+  string(REPLACE "](" "<link>" text "${text}")
+  string(REGEX REPLACE "[][;]" " " text "${text}")   # brackets and semicolons would join or split what follows
   string(REGEX MATCHALL "<link>[^)# \n]+" links "${text}")
   foreach(link IN LISTS links)
     string(REPLACE "<link>" "" link "${link}")

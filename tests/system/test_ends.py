@@ -49,7 +49,8 @@ class Files(Ends):
         (self.folder/"out.h5").write_text("before")
         for bytes_ in (0, 1, 4096, 20000):
             with self.subTest(bytes=bytes_):
-                outcome = self.call(CASE, "case.nml", "--quiet", "--output", "out.h5", before=limited("RLIMIT_FSIZE", bytes_))
+                outcome = self.call(CASE, "case.nml", "--quiet", "--output", "out.h5", "--overwrite",
+                                    before=limited("RLIMIT_FSIZE", bytes_))
                 self.assertEqual(outcome.returncode, NOT_WRITTEN, outcome.stderr)
                 self.assertRegex(outcome.stderr, r"^ehlwave-case: cannot write out.h5: File too large[^\n]*\n$")
                 self.assertEqual((self.folder/"out.h5").read_text(), "before")
