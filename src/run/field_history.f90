@@ -62,7 +62,8 @@ contains
    subroutine finish(self)
       class(field_history_t), intent(inout) :: self
 
-      if (self%every <= 0 .or. self%count == size(self%time)) return
+      if (self%every <= 0) return
+      if (self%count == size(self%time)) return
       self%time = self%time(:self%count)
       self%p = self%p(:, :, :self%count)
       self%h = self%h(:, :, :self%count)
