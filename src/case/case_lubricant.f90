@@ -3,7 +3,9 @@ module ehlwave_case_lubricant
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_files, only: case_file_t, case_files
    use ehlwave_conditions, only: conditions_t
+   use ehlwave_density_law, only: density_law_t
    use ehlwave_errors, only: error_t, raise
+   use ehlwave_flow_law, only: flow_law_t
    use ehlwave_key_applicability, only: check_needed
    use ehlwave_kinds, only: dp
    use ehlwave_number_file, only: read_number_table
@@ -111,18 +113,28 @@ contains
    real(dp) function pressure_viscosity(case)
       type(case_t), intent(in) :: case
       class(viscosity_law_t), allocatable :: law
-      allocate (law, source=case%oil%viscosity())
+      type(error_t), allocatable :: ignored
+      call case%oil%make_viscosity(law, ignored)
       pressure_viscosity = law%coefficient()
    end function pressure_viscosity
 
-   !> The oil of a case under its conditions.
+   !> The oil of a case under its conditions. Laws are made by subroutines: results of functions of an abstract type
+   !> would not be freed by some compilers.
    function case_lubricant(case, conditions) result(rheology)
       type(case_t), intent(in) :: case
       type(conditions_t), intent(in) :: conditions
       type(rheology_t) :: rheology
-      rheology = new_rheology(case%oil%viscosity(), case%oil%density(), conditions%hertz_pressure_pa)
-      if (.not. case%oil%is_newtonian()) &
-         call rheology%use_flow(case%oil%flow(), conditions%data%reduced_modulus_pa*case%oil%stress_pa())
+      class(viscosity_law_t), allocatable :: viscosity
+      class(density_law_t), allocatable :: density
+      class(flow_law_t), allocatable :: flow
+      type(error_t), allocatable :: ignored
+
+      call case%oil%make_viscosity(viscosity, ignored)
+      call case%oil%make_density(density)
+      rheology = new_rheology(viscosity, density, conditions%hertz_pressure_pa)
+      if (case%oil%is_newtonian()) return
+      call case%oil%make_flow(flow)
+      call rheology%use_flow(flow, conditions%data%reduced_modulus_pa*case%oil%stress_pa())
    end function case_lubricant
 
 end module ehlwave_case_lubricant

@@ -59,7 +59,8 @@ module ehlwave_oil
       procedure :: make_viscosity
       procedure :: viscosity
       procedure :: density
-      procedure :: flow
+      procedure :: make_density
+      procedure :: make_flow
       procedure :: is_newtonian
       procedure :: takes_alpha
       procedure :: takes_temperature
@@ -112,9 +113,9 @@ contains
    end function viscosity
 
    !> The density law that the oil follows.
-   pure function density(self) result(law)
+   pure subroutine make_density(self, law)
       class(oil_t), intent(in) :: self
-      class(density_law_t), allocatable :: law
+      class(density_law_t), allocatable, intent(inout) :: law   !! unallocated before
 
       select case (self%density_law)
       case (dowson_higginson)
@@ -124,12 +125,19 @@ contains
       case (tait)
          allocate (law, source=self%tait)
       end select
+   end subroutine make_density
+
+   !> The same as a function.
+   pure function density(self) result(law)
+      class(oil_t), intent(in) :: self
+      class(density_law_t), allocatable :: law
+      call self%make_density(law)
    end function density
 
    !> The flow law that the oil follows; unallocated for a Newtonian oil.
-   pure function flow(self) result(law)
+   pure subroutine make_flow(self, law)
       class(oil_t), intent(in) :: self
-      class(flow_law_t), allocatable :: law
+      class(flow_law_t), allocatable, intent(inout) :: law   !! unallocated before
 
       select case (self%flow_law)
       case (eyring)
@@ -137,7 +145,7 @@ contains
       case (carreau)
          allocate (law, source=new_carreau_law(self%carreau_exponent))
       end select
-   end function flow
+   end subroutine make_flow
 
    !> Whether the shear stress is proportional to the shear rate.
    elemental logical function is_newtonian(self)
