@@ -14,7 +14,7 @@ while(todo)
   else()
     install(FILES ${document} DESTINATION ${CMAKE_INSTALL_DOCDIR}/${folder} COMPONENT core)
   endif()
-  if(NOT document MATCHES "\\.md$")
+  if(NOT document MATCHES "\\.md$" OR document MATCHES "^postprocess/manual/")   # links of those are of the site
     continue()
   endif()
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${document})
