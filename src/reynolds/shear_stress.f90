@@ -92,7 +92,7 @@ contains
          factor_y = stress
          scale = c%elliptic%k*c%hertz_pressure_pa/c%data%reduced_modulus_pa
          allocate (gx, gy, mold=stress)
-         call node_gradient(grid, c%elliptic%kappa, p, gx, gy)
+         if (allocated(problem%film_flow)) call node_gradient(grid, c%elliptic%kappa, p, gx, gy)
          do j = 0, grid%ny
             call problem%rheology%evaluate(grid%nx + 1, p(:, j), rho, drho, fluidity, dln_eta)
             if (allocated(problem%film_flow)) then
