@@ -1,4 +1,4 @@
-!> The discrete contact problem on one grid: everything but the unknowns.
+!> A contact on one grid: everything but the unknowns and what its solution is given.
 module ehlwave_contact_problem
    use ehlwave_conditions, only: conditions_t
    use ehlwave_deformation, only: deformation_t
@@ -10,16 +10,13 @@ module ehlwave_contact_problem
    use ehlwave_given, only: given_t
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
-   use ehlwave_load_balance, only: force_balance
    use ehlwave_rheology, only: rheology_t
    use ehlwave_state, only: state_t
-   use ehlwave_transport, only: steady_transport
    implicit none (type, external)
    private
 
-   !> A contact and what its solution is given: the steady problem of smooth surfaces at first; a time march gives it
-   !> more.
-   type, extends(given_t), public :: contact_problem_t
+   !> A contact, its oil and its gap, the same for all solutions on this grid.
+   type, public :: contact_problem_t
       type(grid_t) :: grid
       type(conditions_t) :: conditions
       type(rheology_t) :: rheology
@@ -33,14 +30,13 @@ module ehlwave_contact_problem
       procedure :: take_oil
       procedure :: set_conditions
       procedure :: film
-      procedure :: film_of
+      procedure :: smooth_film
       procedure :: film_of_guess
-      procedure :: set_rough
    end type contact_problem_t
 
 contains
 
-   !> Steady problem of smooth surfaces on a grid.
+   !> A contact on a grid.
    subroutine init(self, grid, conditions, rheology)
       class(contact_problem_t), intent(inout) :: self
       type(grid_t), intent(in) :: grid
@@ -50,7 +46,7 @@ contains
       call self%set_conditions(conditions, rheology)
    end subroutine init
 
-   !> All of a steady problem that knows no oil.
+   !> All of it that knows no oil.
    subroutine lay_out(self, grid, conditions)
       class(contact_problem_t), intent(inout) :: self
       type(grid_t), intent(in) :: grid
@@ -62,9 +58,6 @@ contains
          .not. allocated(self%deformation)) allocate (deformation_line_t :: self%deformation)
       if (.not. allocated(self%deformation)) allocate (deformation_fft_t :: self%deformation)
       call self%deformation%init(grid, conditions%elliptic%kappa, conditions%elliptic%k)
-      self%transport = steady_transport(grid)
-      self%load = force_balance(1.0_dp)
-      if (allocated(self%rough)) deallocate (self%rough)
       if (allocated(self%smooth_gap)) deallocate (self%smooth_gap)
       allocate (self%smooth_gap(0:grid%nx, 0:grid%ny))
       do j = 0, grid%ny
@@ -99,25 +92,24 @@ contains
    end subroutine set_conditions
 
    !> Film thickness H = -Delta + S X^2 + (1 - S) Y^2 + Rough + Dbar(P), theory eq. (8).
-   subroutine film(self, p, delta, h)
+   subroutine film(self, given, p, delta, h)
       class(contact_problem_t), intent(inout) :: self
+      type(given_t), intent(in) :: given   !! its roughness counts
       real(dp), intent(in) :: p(0:, 0:)    !! P, (0:nx, 0:ny)
       real(dp), intent(in) :: delta        !! mutual approach
       real(dp), intent(out) :: h(0:, 0:)   !! H, (0:nx, 0:ny)
-      call self%film_of(self%given_t, p, delta, h)
+      call self%smooth_film(p, delta, h)
+      if (allocated(given%rough)) h = h + given%rough
    end subroutine film
 
-   !> The same with the roughness of something else given.
-   subroutine film_of(self, given, p, delta, h)
+   !> The same of smooth surfaces.
+   subroutine smooth_film(self, p, delta, h)
       class(contact_problem_t), intent(inout) :: self
-      type(given_t), intent(in) :: given
       real(dp), intent(in) :: p(0:, 0:), delta
       real(dp), intent(out) :: h(0:, 0:)
-
       call self%deformation%apply(p, h)
       h = h + self%smooth_gap - delta
-      if (allocated(given%rough)) h = h + given%rough
-   end subroutine film_of
+   end subroutine smooth_film
 
    !> Film of a first guess. Surfaces that overlap, as those of thin films on grids that are too coarse for them, are
    !> opened to the film of the formula at the closest point: where there is no film no equation makes sense.
@@ -127,20 +119,11 @@ contains
       type(state_t), intent(inout) :: guess   !! P and Delta; H on return
       real(dp) :: gap
 
-      call self%film_of(given, guess%p, guess%delta, guess%h)
+      call self%film(given, guess%p, guess%delta, guess%h)
       if (minval(guess%h) > 0) return
       gap = expected_film(self%conditions) - minval(guess%h)
       guess%delta = guess%delta - gap
       guess%h = guess%h + gap
    end subroutine film_of_guess
-
-   !> Set the roughness added to the gap.
-   pure subroutine set_rough(self, rough)
-      class(contact_problem_t), intent(inout) :: self
-      real(dp), intent(in) :: rough(0:, 0:)   !! (0:nx, 0:ny)
-      if (.not. allocated(self%rough)) &
-         allocate (self%rough(0:self%grid%nx, 0:self%grid%ny))
-      self%rough = rough
-   end subroutine set_rough
 
 end module ehlwave_contact_problem

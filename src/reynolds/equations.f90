@@ -12,11 +12,10 @@ module ehlwave_equations
    implicit none (type, external)
    private
 
-   !> They are posed by what is given, the terms of a problem or, in a multigrid cycle, right sides that a finer grid
-   !> hands down. All arrays (0:nx, 0:ny), zero or false off the unknown nodes.
+   !> Work space of their evaluation, with what is given: that of a level or, in a multigrid cycle, right sides that a
+   !> finer grid hands down. All arrays (0:nx, 0:ny), zero or false off the unknown nodes.
    type, public :: equations_t
       type(mesh_t) :: mesh
-      type(given_t) :: given                      !! what poses them
       real(dp) :: self_influence = 0              !! deformation at a node under its own unit pressure
       type(flow_t) :: flow                        !! coefficients at the state last evaluated
       real(dp), allocatable :: residual(:, :)     !! R there
@@ -36,14 +35,13 @@ module ehlwave_equations
 
 contains
 
-   !> Work space for a problem, and the equations posed by it.
+   !> Work space for a problem.
    subroutine init(self, problem)
       class(equations_t), intent(out) :: self
       type(contact_problem_t), intent(in) :: problem
 
       associate (grid => problem%grid, elliptic => problem%conditions%elliptic)
          self%mesh = new_mesh(grid, elliptic%kappa)
-         self%given = problem%given_t
          self%self_influence = cell_influence(0.0_dp, 0.0_dp, grid%hx, grid%hy, elliptic%kappa, elliptic%k)
          self%flow = new_flow(grid)
          allocate (self%residual(0:grid%nx, 0:grid%ny), self%scale(0:grid%nx, 0:grid%ny), source=0.0_dp)
@@ -54,19 +52,20 @@ contains
    end subroutine init
 
    !> Coefficients, residual, scale and cavitated nodes of a state whose film belongs to its pressure.
-   pure subroutine evaluate(self, problem, state)
+   pure subroutine evaluate(self, problem, given, state)
       class(equations_t), intent(inout) :: self
       type(contact_problem_t), intent(in) :: problem
+      type(given_t), intent(in) :: given
       type(state_t), intent(in) :: state
 
       call self%flow%evaluate(problem%rheology, problem%conditions%lambdabar, state%p, state%h)
       if (allocated(problem%film_flow)) &
          call self%flow%evaluate_faces(problem%film_flow, problem%grid, self%mesh%kappa)
-      call reynolds_residual(self%mesh, self%given%transport, self%flow, self%residual)
-      call self%set_scale(abs(self%given%transport%w0))
+      call reynolds_residual(self%mesh, given%transport, self%flow, self%residual)
+      call self%set_scale(abs(given%transport%w0))
       self%is_cavitated = self%scale > 0 .and. state%p + self%scale*self%residual <= 0
       self%edges = problem%edges
-      call self%edges%compare(self%given, state%p, state%h, self%edge_excess, self%edge_slope)
+      call self%edges%compare(given, state%p, state%h, self%edge_excess, self%edge_slope)
    end subroutine evaluate
 
    !> Operations of the last evaluation, see `ehlwave_work_unit`.
@@ -91,10 +90,11 @@ contains
    end subroutine set_scale
 
    !> Residual of the load balance; of a flooded domain with the load that is borne outside.
-   pure real(dp) function load_residual(self, state)
+   pure real(dp) function load_residual(self, given, state)
       class(equations_t), intent(in) :: self
+      type(given_t), intent(in) :: given
       type(state_t), intent(in) :: state
-      load_residual = self%given%load%residual(self%mesh%grid%integral(state%p), state%delta)
+      load_residual = given%load%residual(self%mesh%grid%integral(state%p), state%delta)
       if (self%edges%count() > 0) load_residual = load_residual + self%edges%load
    end function load_residual
 

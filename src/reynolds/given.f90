@@ -1,12 +1,15 @@
 !> Data of a solution besides its contact: earlier times, load, roughness.
 module ehlwave_given
+   use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
    use ehlwave_load_balance, only: load_balance_t
-   use ehlwave_transport, only: transport_t
+   use ehlwave_transport, only: steady_transport, transport_t
    implicit none (type, external)
    private
+   public :: steady_given
 
-   !> Terms that change from one solution of a contact to the next.
+   !> Terms that change from one solution of a contact to the next. Each level of a hierarchy owns one (`level_t`);
+   !> equations are evaluated with it and keep nothing of it.
    type, public :: given_t
       type(transport_t) :: transport           !! wedge and squeeze, with terms of earlier times
       type(load_balance_t) :: load
@@ -14,10 +17,26 @@ module ehlwave_given
       real(dp), allocatable :: edge_rough(:)   !! the same at the nodes of flooded edges, where `rough` holds something
                                                !! else
    contains
+      procedure :: set_rough
       procedure :: blend
    end type given_t
 
 contains
+
+   !> The steady state of smooth surfaces under the nominal load.
+   pure function steady_given(grid) result(given)
+      type(grid_t), intent(in) :: grid
+      type(given_t) :: given
+      given%transport = steady_transport(grid)
+   end function steady_given
+
+   !> Set the roughness added to the gap.
+   pure subroutine set_rough(self, rough)
+      class(given_t), intent(inout) :: self
+      real(dp), intent(in) :: rough(0:, 0:)   !! (0:nx, 0:ny)
+      if (.not. allocated(self%rough)) allocate (self%rough(0:ubound(rough, 1), 0:ubound(rough, 2)))
+      self%rough = rough
+   end subroutine set_rough
 
    !> The data between this (0) and `later` (1, to the last digit): roughness, terms of earlier times, load. What is
    !> not there counts as `later` has it, roughness as none.

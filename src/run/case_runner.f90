@@ -181,13 +181,12 @@ contains
 
       finest = size(multigrid%levels)
       smooth = multigrid%levels(finest)%state
-      given_smooth = multigrid%levels(finest)%problem%given_t
+      given_smooth = multigrid%levels(finest)%given
       amplitude = plan%surfaces%list(plan%surfaces%main)%amplitude(result%central_film)
       do n = 1, plan%phases
          turn(n) = real(n - 1, dp)/plan%phases
-         associate (problem => multigrid%levels(finest)%problem)
-            call problem%set_rough(plan%surfaces%rough_fixed(problem%grid%x, problem%grid%y, 2*pi*turn(n), &
-                                                           result%central_film))
+         associate (grid => multigrid%levels(finest)%problem%grid, given => multigrid%levels(finest)%given)
+            call given%set_rough(plan%surfaces%rough_fixed(grid%x, grid%y, 2*pi*turn(n), result%central_film))
          end associate
          multigrid%levels(finest)%state = smooth
          work_before = multigrid%work()

@@ -4,6 +4,7 @@ module ehlwave_fas_level
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_equations, only: equations_t
    use ehlwave_kinds, only: dp
+   use ehlwave_given, only: given_t
    use ehlwave_line_relaxation, only: line_relaxation_t
    use ehlwave_real_transfer, only: full_weighting => restrict, inject, prolong
    use ehlwave_state, only: new_state, state_t
@@ -12,9 +13,11 @@ module ehlwave_fas_level
    implicit none (type, external)
    private
 
-   !> The data of a cycle on one level.
+   !> The data of a cycle on one level. Only coarse levels have a `given`: the finest takes that of the hierarchy's
+   !> level.
    type, public :: fas_level_t
-      type(equations_t) :: equations               !! on coarse levels posed by the next finer one
+      type(given_t) :: given                       !! by the next finer level, see `restrict`
+      type(equations_t) :: equations
       type(state_t) :: state                       !! present iterate
       type(state_t) :: restricted                  !! on coarse levels: as it came from the finer one
       type(line_relaxation_t), private :: relaxation
@@ -38,21 +41,23 @@ contains
    end subroutine init
 
    !> Evaluate the equations at the state, whose film belongs to its pressure.
-   subroutine evaluate(self, problem)
+   subroutine evaluate(self, problem, given)
       class(fas_level_t), intent(inout) :: self
       type(contact_problem_t), intent(in) :: problem
-      call self%equations%evaluate(problem, self%state)
+      type(given_t), intent(in) :: given
+      call self%equations%evaluate(problem, given, self%state)
    end subroutine evaluate
 
    !> Sweeps from an evaluated state to an evaluated state.
-   subroutine relax(self, problem, sweeps)
+   subroutine relax(self, problem, given, sweeps)
       class(fas_level_t), intent(inout) :: self
       type(contact_problem_t), intent(inout) :: problem
+      type(given_t), intent(in) :: given
       integer, intent(in) :: sweeps
       integer :: n
       do n = 1, sweeps
-         call self%relaxation%relax(problem, self%equations, self%state)
-         call self%evaluate(problem)
+         call self%relaxation%relax(problem, given, self%equations, self%state)
+         call self%evaluate(problem, given)
       end do
    end subroutine relax
 
@@ -67,13 +72,14 @@ contains
    !>     load_c(P_c, Delta_c) = load_c(I P_f, Delta_f) - load_f(P_f, Delta_f)
    !>
    !> R_f is restricted by full weighting of the nodes that are not cavitated, by injection to cavitated ones.
-   subroutine restrict(self, problem, fine)
+   subroutine restrict(self, problem, fine, fine_given)
       class(fas_level_t), intent(inout) :: self
       type(contact_problem_t), intent(inout) :: problem     !! of this level
       type(fas_level_t), intent(in) :: fine                 !! evaluated
+      type(given_t), intent(in) :: fine_given               !! with this
       real(dp), allocatable :: deformation(:, :), weighted(:, :), dropped(:, :)
 
-      associate (grid => problem%grid, given => self%equations%given, state => self%state, r => fine%equations%residual)
+      associate (grid => problem%grid, given => self%given, state => self%state, r => fine%equations%residual)
          call inject(grid, fine%state%p, state%p)
          call inject(grid, fine%state%h, state%h)
          state%delta = fine%state%delta
@@ -81,29 +87,31 @@ contains
          call problem%deformation%apply(state%p, deformation)
          given%rough = state%h + state%delta - problem%smooth_gap - deformation
 
-         given%edge_rough = problem%edges%rough_from(fine%equations%edges, fine%equations%given, grid%row_ratio)
-         given%transport%wedge_t = implicit_part(fine%equations%given%transport, grid)
+         given%edge_rough = problem%edges%rough_from(fine%equations%edges, fine_given, grid%row_ratio)
+         given%transport%wedge_t = implicit_part(fine_given%transport, grid)
          if (allocated(given%transport%carried)) deallocate (given%transport%carried)
-         call self%evaluate(problem)
+         call self%evaluate(problem, given)
          dropped = merge(0.0_dp, r, fine%equations%is_cavitated)
          call full_weighting(grid, dropped, weighted)
          where (fine%equations%is_cavitated(::2, ::grid%row_ratio)) weighted = r(::2, ::grid%row_ratio)
          allocate (given%transport%carried, mold=state%p)
          given%transport%carried = self%equations%residual - weighted
-         call self%evaluate(problem)
+         call self%evaluate(problem, given)
 
-         given%load = fine%equations%given%load
+         given%load = fine_given%load
          given%load%carried = 0
-         given%load%carried = fine%equations%load_residual(fine%state) - self%equations%load_residual(state)
+         given%load%carried = fine%equations%load_residual(fine_given, fine%state) &
+                              - self%equations%load_residual(given, state)
          self%restricted = state
       end associate
    end subroutine restrict
 
    !> Add the change of the coarse state to that of this level, where there is pressure, and evaluate; no pressure falls
    !> below zero.
-   subroutine correct(self, problem, coarse)
+   subroutine correct(self, problem, given, coarse)
       class(fas_level_t), intent(inout) :: self
       type(contact_problem_t), intent(inout) :: problem     !! of this level
+      type(given_t), intent(in) :: given                    !! to it
       type(fas_level_t), intent(in) :: coarse               !! solved
       type(step_limit_t) :: limit
       real(dp), allocatable :: change(:, :)
@@ -116,10 +124,10 @@ contains
          where (self%equations%scale > 0 .and. .not. self%equations%is_cavitated) state%p = max(0.0_dp, state%p &
             + change)
          state%delta = state%delta + coarse%state%delta - coarse%restricted%delta
-         call problem%film_of(self%equations%given, state%p, state%delta, state%h)
+         call problem%film(given, state%p, state%delta, state%h)
          call limit%shorten(before, state)
       end associate
-      call self%evaluate(problem)
+      call self%evaluate(problem, given)
    end subroutine correct
 
 end module ehlwave_fas_level

@@ -3,6 +3,7 @@
 !> Brandt (1977); for these contacts Venner (1991), Venner and Lubrecht (2000).
 module ehlwave_fas_multigrid
    use ehlwave_fas_level, only: fas_level_t
+   use ehlwave_given, only: given_t
    use ehlwave_hierarchy, only: hierarchy_t
    use ehlwave_kinds, only: dp
    use ehlwave_level_solver, only: level_solver_t
@@ -59,19 +60,19 @@ contains
       end if
       allocate (report%history(0))
       work_before = hierarchy%work()
-      associate (problem => hierarchy%levels(l)%problem, level => self%levels(l), state => self%levels(l)%state)
-         level%equations%given = problem%given_t
+      associate (problem => hierarchy%levels(l)%problem, given => hierarchy%levels(l)%given, level => self%levels(l), &
+                 state => self%levels(l)%state)
          state = hierarchy%levels(l)%state
-         call problem%film_of_guess(problem%given_t, state)
-         call level%evaluate(problem)
+         call problem%film_of_guess(given, state)
+         call level%evaluate(problem, given)
          do k = 0, limits%largest_steps
-            call report%judge(level%equations, state, solve_limits_t(tolerance=limits%tolerance))
+            call report%judge(given, level%equations, state, solve_limits_t(tolerance=limits%tolerance))
             report%history = [report%history, report%residual]
             if (report%status /= status_stalled) exit
             if (report%residual > divergence*report%history(1)) report%status = status_diverged
             if (report%status == status_diverged .or. k == limits%largest_steps) exit
             if (hierarchy%work() - work_before >= limits%largest_work) exit
-            call fas_cycle(self, hierarchy, l, self%cycle, direct_share*report%residual)
+            call fas_cycle(self, hierarchy, l, given, self%cycle, direct_share*report%residual)
             report%nonlinear_steps = k + 1
          end do
          report%linear_steps = report%nonlinear_steps*(sweeps_before + sweeps_after)
@@ -80,10 +81,11 @@ contains
    end subroutine solve
 
    !> One cycle from an evaluated state to an evaluated state.
-   recursive subroutine fas_cycle(self, hierarchy, l, cycle, tolerance)
+   recursive subroutine fas_cycle(self, hierarchy, l, given, cycle, tolerance)
       class(fas_t), intent(inout) :: self
       type(hierarchy_t), intent(inout) :: hierarchy
       integer, intent(in) :: l
+      type(given_t), intent(in) :: given        !! to that level
       character(len=1), intent(in) :: cycle
       real(dp), intent(in) :: tolerance         !! of the coarsest level
       integer :: visit
@@ -92,13 +94,14 @@ contains
          call solve_directly(self, hierarchy, tolerance)
          return
       end if
-      call self%levels(l)%relax(hierarchy%levels(l)%problem, sweeps_before)
-      call self%levels(l - 1)%restrict(hierarchy%levels(l - 1)%problem, self%levels(l))
+      call self%levels(l)%relax(hierarchy%levels(l)%problem, given, sweeps_before)
+      call self%levels(l - 1)%restrict(hierarchy%levels(l - 1)%problem, self%levels(l), given)
       do visit = 1, merge(1, 2, cycle == 'v' .or. l == 2)
-         call fas_cycle(self, hierarchy, l - 1, merge('v', cycle, cycle == 'f' .and. visit == 2), tolerance)
+         call fas_cycle(self, hierarchy, l - 1, self%levels(l - 1)%given, &
+                        merge('v', cycle, cycle == 'f' .and. visit == 2), tolerance)
       end do
-      call self%levels(l)%correct(hierarchy%levels(l)%problem, self%levels(l - 1))
-      call self%levels(l)%relax(hierarchy%levels(l)%problem, sweeps_after)
+      call self%levels(l)%correct(hierarchy%levels(l)%problem, given, self%levels(l - 1))
+      call self%levels(l)%relax(hierarchy%levels(l)%problem, given, sweeps_after)
    end subroutine fas_cycle
 
    !> Newton's method, for what a finer level poses on the coarsest.
@@ -109,7 +112,7 @@ contains
       type(solve_report_t) :: report
 
       associate (coarsest => self%levels(1))
-         call self%direct%improve(hierarchy%levels(:1), coarsest%equations%given, coarsest%state, &
+         call self%direct%improve(hierarchy%levels(:1), coarsest%given, coarsest%state, &
                                   solve_limits_t(tolerance=tolerance, largest_steps=direct_steps), report)
          if (.not. report%residual <= report%history(1)) coarsest%state = coarsest%restricted    ! better no correction
       end associate

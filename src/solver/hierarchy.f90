@@ -5,6 +5,7 @@ module ehlwave_hierarchy
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_deformation_mlmi, only: deformation_mlmi_t
    use ehlwave_formula, only: expected_film
+   use ehlwave_given, only: given_t, steady_given
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp, no_value
    use ehlwave_real_transfer, only: inject, interpolate
@@ -15,9 +16,10 @@ module ehlwave_hierarchy
    private
    public :: hertz_guess, work_of
 
-   !> One level: its problem, its unknowns and what the last solve of it came to.
+   !> One level: its problem, what its solution is given, its unknowns and what the last solve of it came to.
    type, public :: level_t
       type(contact_problem_t) :: problem
+      type(given_t) :: given       !! the steady state of smooth surfaces at first; a time march gives more
       type(state_t) :: state
       type(solve_report_t) :: report
       real(dp) :: central_film = no_value, minimum_film = no_value   !! of its steady solution; NaN: none for this
@@ -66,6 +68,7 @@ contains
          associate (level => self%levels(l))
             if (deformation == 'mlmi') allocate (deformation_mlmi_t :: level%problem%deformation)
             call level%problem%init(grid, conditions, rheology)
+            level%given = steady_given(grid)
             level%state = new_state(grid)
          end associate
          if (l > 1) grid = grid%coarser()

@@ -8,10 +8,12 @@
 module ehlwave_line_relaxation
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_equations, only: equations_t
+   use ehlwave_given, only: given_t
    use ehlwave_kernel, only: cell_influence
    use ehlwave_kinds, only: dp
    use ehlwave_real_band, only: band_t, new_band
    use ehlwave_real_near_rows, only: link_i, link_j, links, node_links
+   use ehlwave_real_wedge, only: wedge_t
    use ehlwave_state, only: new_state, state_t
    use ehlwave_step_limit, only: step_limit_t
    use ehlwave_work_unit, only: relaxation_operations
@@ -95,9 +97,10 @@ contains
    end subroutine init
 
    !> One sweep over all lines; then the film of the new pressure.
-   subroutine relax(self, problem, equations, state)
+   subroutine relax(self, problem, given, equations, state)
       class(line_relaxation_t), intent(inout) :: self
       type(contact_problem_t), intent(inout) :: problem
+      type(given_t), intent(in) :: given
       type(equations_t), intent(in) :: equations      !! evaluated at the state
       type(state_t), intent(inout) :: state
       type(step_limit_t) :: limit
@@ -115,7 +118,7 @@ contains
             n = last_wet(equations%is_cavitated(1:grid%nx - 1, j))
             change(n + 1:grid%nx - 1, j) = -state%p(n + 1:grid%nx - 1, j)
             if (n == 0) cycle
-            call set_up_line(self, equations, j, n)
+            call set_up_line(self, given%transport, equations, j, n)
             self%band%n = n
             call self%band%factorise()
             call self%band%solve(self%delta)
@@ -139,8 +142,8 @@ contains
                state%p(i, j) = max(0.0_dp, state%p(i, j) + change(i, j))
             end do
          end do
-         call problem%edges%impose(equations%given, state%h, state%p)   ! one sweep behind: of the film before it
-         call problem%film_of(equations%given, state%p, state%delta, state%h)
+         call problem%edges%impose(given, state%h, state%p)   ! one sweep behind: of the film before it
+         call problem%film(given, state%p, state%delta, state%h)
          call limit%shorten(self%before, state)
       end associate
    end subroutine relax
@@ -155,14 +158,15 @@ contains
 
    !> Linear system of one line: changes that make its residuals vanish. The pressure changes of earlier lines are
    !> taken into account (Gauss-Seidel), their deformation is not; that of the line itself is, within reach.
-   subroutine set_up_line(self, equations, j, n)
+   subroutine set_up_line(self, transport, equations, j, n)
       class(line_relaxation_t), intent(inout) :: self
+      class(wedge_t), intent(in) :: transport
       type(equations_t), intent(in) :: equations
       integer, intent(in) :: j, n              !! line; its first nodes, the others are cavitated
       real(dp) :: self_wedge
       integer :: d, first, i, jm, jp, last
 
-      associate (mesh => equations%mesh, flow => equations%flow, transport => equations%given%transport, &
+      associate (mesh => equations%mesh, flow => equations%flow, &
                  change => self%change, by_p => self%by_p, by_h => self%by_h)
          jm = mesh%grid%below(j)
          jp = mesh%grid%above(j)

@@ -2,6 +2,7 @@
 module ehlwave_local_solver
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_equations, only: equations_t
+   use ehlwave_given, only: given_t
    use ehlwave_kinds, only: dp
    use ehlwave_solve_report, only: solve_limits_t
    use ehlwave_state, only: state_t
@@ -15,12 +16,13 @@ module ehlwave_local_solver
 
    abstract interface
       !> Find a better pressure for a part of the domain, the rest held.
-      subroutine improve_part(self, problem, equations, limits, state, p)
-         import :: contact_problem_t, dp, equations_t, local_solver_t, solve_limits_t, state_t
+      subroutine improve_part(self, problem, given, equations, limits, state, p)
+         import :: contact_problem_t, dp, equations_t, given_t, local_solver_t, solve_limits_t, state_t
          implicit none (type, external)
          class(local_solver_t), intent(inout) :: self
          type(contact_problem_t), intent(inout) :: problem
-         type(equations_t), intent(in) :: equations     !! of the problem, with what it is given, at the state
+         type(given_t), intent(in) :: given
+         type(equations_t), intent(in) :: equations     !! of the problem, with what is given, at the state
          type(solve_limits_t), intent(in) :: limits     !! of the solve that asks
          type(state_t), intent(in) :: state
          real(dp), allocatable, intent(out) :: p(:, :)  !! of the whole, (0:nx, 0:ny); not allocated where none was

@@ -3,6 +3,7 @@ module ehlwave_near_matrix
    use, intrinsic :: iso_c_binding, only: c_int
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_equations, only: equations_t
+   use ehlwave_given, only: given_t
    use ehlwave_kinds, only: dp
    use ehlwave_load_balance, only: load_factor
    use ehlwave_near_kernel, only: near_kernel_t, near_settings_t, new_near_kernel
@@ -59,8 +60,9 @@ contains
    end subroutine init
 
    !> Nonzeros of the rows -weight dR, local terms and deformation by the nearest cells, and of the load row.
-   subroutine fill(self, equations, by_delta, weight, a)
+   subroutine fill(self, given, equations, by_delta, weight, a)
       class(near_matrix_t), intent(inout) :: self
+      type(given_t), intent(in) :: given
       type(equations_t), intent(in) :: equations    !! evaluated at the point of linearisation
       real(dp), intent(in) :: by_delta(0:, 0:)      !! dR/dDelta, (0:nx, 0:ny)
       real(dp), intent(in) :: weight(0:, 0:)        !! of the Reynolds rows
@@ -68,7 +70,7 @@ contains
       real(dp) :: rows(equations%mesh%grid%last_row - equations%mesh%grid%first_row + 1, self%kernel%entries)
       integer :: di, dj, entry, i, j, load_row
 
-      associate (grid => equations%mesh%grid, given => equations%given, kernel => self%kernel)
+      associate (grid => equations%mesh%grid, kernel => self%kernel)
          entry = 0
          load_row = self%row_start(size(self%row_start) - 1)
          do i = 1, grid%nx - 1

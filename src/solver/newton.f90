@@ -69,12 +69,10 @@ contains
       integer, intent(in) :: l
       type(solve_limits_t), intent(in) :: limits
       type(solve_report_t), intent(out) :: report
-      type(given_t) :: given
       type(state_t) :: state
 
-      given = hierarchy%levels(l)%problem%given_t
       state = hierarchy%levels(l)%state
-      call self%improve(hierarchy%levels(:l), given, state, limits, report)
+      call self%improve(hierarchy%levels(:l), hierarchy%levels(l)%given, state, limits, report)
       hierarchy%levels(l)%state = state
    end subroutine solve
 
@@ -101,21 +99,21 @@ contains
       associate (problem => levels(size(levels))%problem, equations => self%linear%levels(size(levels))%equations)
          call problem%film_of_guess(given, state)
          do k = 0, limits%largest_steps
-            call assemble(self, problem, state, worth)
+            call assemble(self, problem, given, state, worth)
             if (k == 0) then
                best = worth
                last_gain = 0
             end if
             if (allocated(problem%film_flow)) then
                if (k > 0) then
-                  call go_back(self, problem, before, best, state, worth)
+                  call go_back(self, problem, given, before, best, state, worth)
                   if (any(self%cavitated_before .neqv. equations%is_cavitated)) best = max(best, worth)
                end if
                if (worth < progress*best) last_gain = k
                best = min(best, worth)
             end if
-            if (asks_local) call improve_part(self, problem, limits, state, worth, asks_local)
-            call report%judge(equations, state, limits)
+            if (asks_local) call improve_part(self, problem, given, limits, state, worth, asks_local)
+            call report%judge(given, equations, state, limits)
             report%history = [report%history, report%residual]
             if (report%status /= status_stalled .or. k == limits%largest_steps) exit
             if (allocated(problem%film_flow) .and. k > last_gain + patience) exit
@@ -151,8 +149,7 @@ contains
          call linear%borrow(levels, in_single=.true.)
          call linear%start(n)
          linear%inertia = given%load%inertia
-         linear%levels(n)%equations%given = given
-         call set_wedge(linear)
+         call set_wedge(linear, given%transport)
          self%gmres%largest_steps = self%largest_krylov
          if (allocated(self%film_change)) then
             if (all(shape(self%film_change) == [nx + 1, ny + 1])) return
@@ -177,16 +174,17 @@ contains
    end function next_forcing
 
    !> Equations and right side at the present state.
-   subroutine assemble(self, problem, state, worth)
+   subroutine assemble(self, problem, given, state, worth)
       class(newton_t), intent(inout), target :: self
       type(contact_problem_t), intent(in) :: problem
+      type(given_t), intent(in) :: given
       type(state_t), intent(in) :: state
       real(dp), intent(out) :: worth   !! Euclidean norm of the right side
       real(dp), pointer, contiguous :: b(:, :)
       integer :: i, j
 
       associate (grid => problem%grid, linear => self%linear, level => self%linear%levels(self%linear%finest))
-         call level%equations%evaluate(problem, state)
+         call level%equations%evaluate(problem, given, state)
          call linear%count_evaluation()
          call linear%weigh(linear%finest)
          b(0:grid%nx, 0:grid%ny) => self%rhs(:linear%n - 1)
@@ -202,16 +200,17 @@ contains
          do i = 1, level%equations%edges%count()
             b(level%equations%edges%i(i), level%equations%edges%j(i)) = -level%equations%edge_excess(i)
          end do
-         self%rhs(linear%n) = -level%equations%load_residual(state)
+         self%rhs(linear%n) = -level%equations%load_residual(given, state)
          worth = sqrt(sum(self%rhs**2))
       end associate
    end subroutine assemble
 
    !> Let the local solver do what it can, and assemble again. Where that is no gain for the whole, as upstream in
    !> steady states, which carry all that the part changes downstream, take it back.
-   recursive subroutine improve_part(self, problem, limits, state, worth, is_gain)
+   recursive subroutine improve_part(self, problem, given, limits, state, worth, is_gain)
       class(newton_t), intent(inout) :: self
       type(contact_problem_t), intent(inout) :: problem
+      type(given_t), intent(in) :: given
       type(solve_limits_t), intent(in) :: limits
       type(state_t), intent(inout) :: state
       real(dp), intent(inout) :: worth       !! norm of the right side
@@ -222,27 +221,28 @@ contains
 
       is_gain = .true.
       associate (equations => self%linear%levels(self%linear%finest)%equations)
-         call self%local%improve_part(problem, equations, limits, state, p)
+         call self%local%improve_part(problem, given, equations, limits, state, p)
          if (.not. allocated(p)) return
          before = state
          worth_before = worth
          state%p = p
-         call problem%film_of(equations%given, state%p, state%delta, state%h)
+         call problem%film(given, state%p, state%delta, state%h)
       end associate
-      call assemble(self, problem, state, worth)
+      call assemble(self, problem, given, state, worth)
       is_gain = worth < worth_before
       if (is_gain) return
       state = before
-      call assemble(self, problem, state, worth)
+      call assemble(self, problem, given, state, worth)
    end subroutine improve_part
 
    !> Go half of the way back to the state before, again and again, while the right side is much larger than the
    !> smallest so far. The flow of oils that are not Newtonian can grow exponentially with the pressure gradient: a step
    !> that makes the steep end steeper would be paid back by one factor e a step (line contact, M = 300, L = 12, tau0 =
    !> 0.5 MPa: from 0.2 to 1e7 in one step).
-   subroutine go_back(self, problem, before, best, state, worth)
+   subroutine go_back(self, problem, given, before, best, state, worth)
       class(newton_t), intent(inout) :: self
       type(contact_problem_t), intent(in) :: problem
+      type(given_t), intent(in) :: given
       type(state_t), intent(in) :: before
       real(dp), intent(in) :: best               !! smallest norm of the right side so far
       type(state_t), intent(inout) :: state
@@ -254,7 +254,7 @@ contains
          state%p = 0.5_dp*(before%p + state%p)
          state%h = 0.5_dp*(before%h + state%h)
          state%delta = 0.5_dp*(before%delta + state%delta)
-         call assemble(self, problem, state, worth)
+         call assemble(self, problem, given, state, worth)
       end do
    end subroutine go_back
 

@@ -2,6 +2,7 @@
 module ehlwave_patch
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_equations, only: equations_t
+   use ehlwave_given, only: given_t
    use ehlwave_grid, only: grid_t
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp
@@ -36,8 +37,9 @@ contains
    !> Give a level, whose problem was laid out for a patch of this size, problem and state of the patch at the state of
    !> the whole: the pressure at its outer nodes and the approach are held, the gap is what the pressure outside leaves.
    !> Of a patch beside the line of symmetry the deformation by its mirror image is held too.
-   subroutine cut(whole, equations, state, grid, first, patch)
+   subroutine cut(whole, given, equations, state, grid, first, patch)
       type(contact_problem_t), intent(in) :: whole
+      type(given_t), intent(in) :: given           !! to the whole
       type(equations_t), intent(in) :: equations   !! of the whole at the state
       type(state_t), intent(in) :: state
       type(grid_t), intent(in) :: grid             !! of the patch
@@ -49,12 +51,12 @@ contains
       patch%state = new_state(grid)
       patch%state%p = state%p(first(1):last(1), first(2):last(2))
       patch%state%delta = state%delta
-      associate (problem => patch%problem, transport => patch%problem%transport, from => equations%given%transport)
+      associate (problem => patch%problem, transport => patch%given%transport, from => given%transport)
          problem%grid = grid
          call problem%take_oil(whole)
          call problem%deformation%apply(patch%state%p, patch%state%h)
          problem%smooth_gap = state%h(first(1):last(1), first(2):last(2)) + state%delta - patch%state%h
-         problem%load = held_approach(state%delta, grid%integral(patch%state%p))
+         patch%given%load = held_approach(state%delta, grid%integral(patch%state%p))
          transport%cells_per_step = from%cells_per_step
          transport%steps_per_cell = from%steps_per_cell
          transport%is_local = from%is_local

@@ -7,6 +7,7 @@
 module ehlwave_patch_solver
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_equations, only: equations_t
+   use ehlwave_given, only: given_t, steady_given
    use ehlwave_grid, only: grid_t
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp
@@ -36,9 +37,10 @@ module ehlwave_patch_solver
 contains
 
    !> See the interface. What is done depends on the state alone.
-   subroutine improve_part(self, problem, equations, limits, state, p)
+   subroutine improve_part(self, problem, given, equations, limits, state, p)
       class(patch_solver_t), intent(inout) :: self
       type(contact_problem_t), intent(inout) :: problem
+      type(given_t), intent(in) :: given
       type(equations_t), intent(in) :: equations
       type(solve_limits_t), intent(in) :: limits
       type(state_t), intent(in) :: state
@@ -60,8 +62,8 @@ contains
       call make_room(self, problem, grid)
       associate (patch => self%patch(1))
          patch%problem%deformation%work = 0
-         call cut(problem, equations, state, grid, first, patch)
-         call self%newton%improve(self%patch, patch%problem%given_t, patch%state, patch_limits, report)
+         call cut(problem, given, equations, state, grid, first, patch)
+         call self%newton%improve(self%patch, patch%given, patch%state, patch_limits, report)
          problem%deformation%work = problem%deformation%work + patch%problem%deformation%work
          if (.not. report%residual < 0.5_dp*report%history(1)) return
          p = state%p
@@ -83,6 +85,7 @@ contains
          end associate
          call patch%problem%lay_out(grid, problem%conditions)
          call patch%problem%take_oil(problem)
+         patch%given = steady_given(grid)
          call self%newton%init_levels(self%patch)
       end associate
    end subroutine make_room

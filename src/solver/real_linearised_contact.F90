@@ -16,7 +16,7 @@ module ehlwave_real_linearised_contact
    use ehlwave_real_transfer, only: prolong, restrict
    use ehlwave_real_wedge, only: wedge_t
    use ehlwave_reynolds, only: flow_links, poiseuille_links, reynolds_change
-   use ehlwave_transport, only: implicit_part
+   use ehlwave_transport, only: implicit_part, transport_t
    use ehlwave_work_unit, only: weights => real_weights
    implicit none (type, external)
    private
@@ -24,13 +24,14 @@ module ehlwave_real_linearised_contact
 
 #include "linearised_contact.inc"
 
-   !> Let wedge and squeeze be those of what the finest level is given, on all levels.
-   subroutine set_wedge(self)
+   !> Let wedge and squeeze be those that the finest level is given, on all levels.
+   subroutine set_wedge(self, transport)
       type(linearised_contact_t), intent(inout) :: self
+      type(transport_t), intent(in) :: transport
       integer :: l
 
       associate (levels => self%levels, n => self%finest)
-         levels(n)%wedge = implicit_part(levels(n)%equations%given%transport, levels(n)%equations%mesh%grid)
+         levels(n)%wedge = implicit_part(transport, levels(n)%equations%mesh%grid)
          do l = n - 1, 1, -1
             levels(l)%wedge = implicit_part(levels(l + 1)%wedge, levels(l)%equations%mesh%grid)
          end do

@@ -216,19 +216,19 @@ contains
       logical :: is_solved
 
       associate (level => multigrid%levels(size(multigrid%levels)))
-         now = level%problem%given_t
+         now = level%given
          last = before
          is_solved = .true.
          do while (is_solved .or. path%can_retry())
             if (is_solved .and. path%is_at_end()) exit
             call path%advance(is_solved)
-            level%problem%given_t = given_before%blend(now, path%place)
+            level%given = given_before%blend(now, path%place)
             level%state = last
             call self%attempt(multigrid, limits)
             is_solved = level%report%status == status_converged
             if (is_solved) last = level%state
          end do
-         level%problem%given_t = now
+         level%given = now
       end associate
    end subroutine continue_step
 

@@ -2,6 +2,7 @@
 module ehlwave_solve_report
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_equations, only: equations_t
+   use ehlwave_given, only: given_t
    use ehlwave_kinds, only: dp
    use ehlwave_state, only: state_t
    use ehlwave_status, only: status_converged, status_not_finite, status_stalled
@@ -37,9 +38,10 @@ contains
 
    !> Measure the three errors of a state and judge them: `status` becomes converged, not finite, or stalled, which it
    !> remains if nothing better follows. A residual that is not finite anywhere makes `residual` so.
-   subroutine judge(self, equations, state, limits)
+   subroutine judge(self, given, equations, state, limits)
       class(solve_report_t), intent(inout) :: self
-      type(equations_t), intent(in) :: equations        !! evaluated at the state
+      type(given_t), intent(in) :: given
+      type(equations_t), intent(in) :: equations        !! evaluated with it at the state
       type(state_t), intent(in) :: state                !! with the film of its pressure
       type(solve_limits_t), intent(in) :: limits
       real(dp) :: centre, error
@@ -64,7 +66,7 @@ contains
             error = edge_error(equations, state)
             self%residual = max(self%residual, error)
          end if
-         self%load_error = abs(equations%load_residual(state))/abs(equations%given%load%force)
+         self%load_error = abs(equations%load_residual(given, state))/abs(given%load%force)
       end associate
       if (.not. (ieee_is_finite(self%residual) .and. ieee_is_finite(self%load_error))) then
          self%status = status_not_finite

@@ -31,7 +31,7 @@ contains
       type(equations_t) :: equations
 
       call equations%init(level%problem)
-      call equations%evaluate(level%problem, level%state)
+      call equations%evaluate(level%problem, level%given, level%state)
       share = 1/(1 + spread_weight*equations%flow%mobility()/(level%problem%grid%hx*equations%self_influence))
    end function carried_share
 

@@ -3,7 +3,7 @@ module ehlwave_harmonic_response
    use ehlwave_complex_gmres, only: gmres_t
    use ehlwave_complex_linearised_contact, only: linearised_contact_t
    use ehlwave_cycle_settings, only: response_cycle
-   use ehlwave_given, only: given_t
+   use ehlwave_given, only: given_t, steady_given
    use ehlwave_grid, only: grid_t
    use ehlwave_hierarchy, only: level_t, work_of
    use ehlwave_kinds, only: dp
@@ -11,7 +11,7 @@ module ehlwave_harmonic_response
    use ehlwave_state, only: state_t
    use ehlwave_status, only: status_converged, status_not_finite, status_stalled
    use ehlwave_steady_tangent, only: steady_tangent_t, tangent_change_t
-   use ehlwave_transport, only: harmonic_wedge, steady_transport
+   use ehlwave_transport, only: harmonic_wedge
    use ehlwave_waviness, only: waviness_t
    implicit none (type, external)
    private
@@ -72,6 +72,7 @@ contains
    subroutine init(self, levels)
       class(harmonic_solver_t), intent(inout) :: self
       type(level_t), intent(inout) :: levels(:)   !! coarsest first
+      type(given_t) :: given
       type(state_t) :: state
       integer :: n
 
@@ -81,9 +82,9 @@ contains
       call self%linear%start(n)
       state = levels(n)%state
       associate (problem => levels(n)%problem, equations => self%linear%levels(n)%equations)
-         equations%given = given_t(transport=steady_transport(problem%grid))
-         call problem%film_of(equations%given, state%p, state%delta, state%h)
-         call equations%evaluate(problem, state)
+         given = steady_given(problem%grid)
+         call problem%film(given, state%p, state%delta, state%h)
+         call equations%evaluate(problem, given, state)
       end associate
    end subroutine init
 

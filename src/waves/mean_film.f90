@@ -96,7 +96,7 @@ contains
          do k = 0, phases - 1
             state = tangent%state
             call response%add_to(state, amplitude*exp(cmplx(0, -2*pi*k/phases, dp)))
-            call finest%equations%evaluate(level%problem, state)
+            call finest%equations%evaluate(level%problem, tangent%given, state)
             level%problem%deformation%work = level%problem%deformation%work + finest%equations%work()
             r = r - finest%equations%residual/phases
          end do

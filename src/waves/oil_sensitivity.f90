@@ -123,7 +123,7 @@ contains
       else
          call level%problem%set_conditions(beside, oil%with_stress(exp(dx)))
       end if
-      call tangent%linear%levels(tangent%linear%finest)%equations%evaluate(level%problem, state)
+      call tangent%linear%levels(tangent%linear%finest)%equations%evaluate(level%problem, tangent%given, state)
       call level%problem%set_conditions(conditions, oil)
    end subroutine evaluate_beside
 

@@ -85,7 +85,7 @@ contains
                level%problem%grid, waves)
             here = settings
             here%steps = ceiling(settings%steps*0.5_dp**(n - l))
-            given = level%problem%given_t
+            given = level%given
             smooth = level%state
             self%is_found = .false.
             if (l == n) coarse%tolerance = limits%tolerance
@@ -97,7 +97,7 @@ contains
             t = self%march%result%time(self%march%result%steps)
             self%report = level%report
             if (l == n .and. self%is_found) return
-            level%problem%given_t = given
+            level%given = given
             level%state = smooth
          end associate
       end do

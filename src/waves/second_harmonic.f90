@@ -8,6 +8,7 @@
 !> R the residual of a time step, whose earlier times are earlier phases. Five phases see all that is of second order.
 module ehlwave_second_harmonic
    use ehlwave_equations, only: equations_t
+   use ehlwave_given, only: given_t
    use ehlwave_harmonic_response, only: harmonic_response_t, harmonic_solver_t
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp, pi
@@ -60,6 +61,7 @@ contains
       complex(dp), pointer, contiguous :: r(:, :)
       real(dp), allocatable :: history(:, :, :)
       type(equations_t) :: equations
+      type(given_t) :: given
       type(state_t) :: state
       real(dp) :: phase, probe
       integer :: k, n
@@ -69,8 +71,8 @@ contains
          r(0:grid%nx, 0:grid%ny) => b(:solver%linear%n - 1)
          probe = probe_over_film*grid%value_at_centre(level%state%h)
          call equations%init(problem)
-         equations%given%transport = characteristic_transport(grid, 1, steps_per_cell)
-         allocate (history(0:grid%nx, 0:grid%ny, equations%given%transport%history_length()))
+         given%transport = characteristic_transport(grid, 1, steps_per_cell)
+         allocate (history(0:grid%nx, 0:grid%ny, given%transport%history_length()))
          b = 0
          do k = 0, phases - 1
             phase = 2*pi*k/phases
@@ -79,8 +81,8 @@ contains
                call first%add_to(state, probe*exp(cmplx(0, n*turn - phase, dp)))
                if (n > 0) history(:, :, n) = problem%rheology%density(state%p)*state%h
             end do
-            call equations%given%transport%carry(grid, history)
-            call equations%evaluate(problem, state)
+            call given%transport%carry(grid, history)
+            call equations%evaluate(problem, given, state)
             level%problem%deformation%work = level%problem%deformation%work + equations%work()
             r = r - exp(cmplx(0, 2*phase, dp))*equations%residual*(2/(phases*probe**2))
          end do

@@ -1,14 +1,13 @@
 !> A steady contact linearised about its solution: what a small change of its equations does to it.
 module ehlwave_steady_tangent
    use ehlwave_cycle_settings, only: diagonal_shift, newton_cycle
-   use ehlwave_given, only: given_t
+   use ehlwave_given, only: given_t, steady_given
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp
    use ehlwave_real_gmres, only: gmres_t
    use ehlwave_real_linearised_contact, only: linearised_contact_t, set_wedge
    use ehlwave_state, only: new_state, state_t
    use ehlwave_status, only: status_converged, status_not_finite, status_stalled
-   use ehlwave_transport, only: steady_transport
    implicit none (type, external)
    private
 
@@ -24,6 +23,7 @@ module ehlwave_steady_tangent
    type, public :: steady_tangent_t
       type(linearised_contact_t) :: linear
       type(state_t) :: state                        !! the steady state of smooth surfaces
+      type(given_t) :: given                        !! with which it is one, whatever a level is given
       type(gmres_t), private :: gmres
       logical, private :: is_factorised = .false.   ! without a diagonal shift
    contains
@@ -46,9 +46,9 @@ contains
       associate (linear => self%linear, problem => levels(n)%problem)
          call linear%init(levels, newton_cycle)
          call linear%start(n)
-         linear%levels(n)%equations%given = given_t(transport=steady_transport(problem%grid))
-         call problem%film_of(linear%levels(n)%equations%given, self%state%p, self%state%delta, self%state%h)
-         call set_wedge(linear)
+         self%given = steady_given(problem%grid)
+         call problem%film(self%given, self%state%p, self%state%delta, self%state%h)
+         call set_wedge(linear, self%given%transport)
       end associate
       call self%stand(levels(n))
    end subroutine init
@@ -58,7 +58,7 @@ contains
       class(steady_tangent_t), intent(inout) :: self
       type(level_t), intent(in) :: level   !! the finest
       associate (linear => self%linear)
-         call linear%levels(linear%finest)%equations%evaluate(level%problem, self%state)
+         call linear%levels(linear%finest)%equations%evaluate(level%problem, self%given, self%state)
          call linear%weigh(linear%finest)
       end associate
    end subroutine stand

@@ -1,7 +1,6 @@
 !> March in time of one contact with moving waviness, from the smooth steady state.
 module ehlwave_time_march
    use ehlwave_clock, only: wall_seconds
-   use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_first_guess, only: carried_share, carry_on, extrapolate, look_up, past_t
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_given, only: given_t
@@ -83,21 +82,22 @@ contains
       self%l = size(levels)
       self%start = 0
       if (allocated(self%waves)) deallocate (self%waves)
-      associate (grid => levels(self%l)%problem%grid, problem => levels(self%l)%problem, state => levels(self%l)%state)
-         problem%transport = characteristic_transport(grid, settings%cells_per_step, settings%steps_per_cell)
-         problem%load = force_balance(1.0_dp)
+      associate (problem => levels(self%l)%problem, grid => levels(self%l)%problem%grid, &
+                 given => levels(self%l)%given, state => levels(self%l)%state)
+         given%transport = characteristic_transport(grid, settings%cells_per_step, settings%steps_per_cell)
+         given%load = force_balance(1.0_dp)
          if (settings%natural_frequency > 0) &
-            problem%load = equation_of_motion(1.0_dp, settings%natural_frequency, self%settings%time_step(grid))
+            given%load = equation_of_motion(1.0_dp, settings%natural_frequency, self%settings%time_step(grid))
          if (allocated(self%history)) deallocate (self%history)
-         allocate (self%history(0:grid%nx, 0:grid%ny, problem%transport%history_length()))
+         allocate (self%history(0:grid%nx, 0:grid%ny, given%transport%history_length()))
          do n = 1, size(self%history, 3)
             self%history(:, :, n) = problem%rheology%density(state%p)*state%h
          end do
          self%approach = state%delta
-         call problem%transport%carry(grid, self%history)
-         call problem%load%carry(self%approach)
-         self%given = problem%given_t   ! what the steady state would be given as a time step
-         problem%load%force = settings%force
+         call given%transport%carry(grid, self%history)
+         call given%load%carry(self%approach)
+         self%given = given   ! what the steady state would be given as a time step
+         given%load%force = settings%force
          self%past = past_t(state, state, state, state)
          self%share = carried_share(levels(self%l))
          allocate (self%result%time(0:settings%steps), self%result%central_film(0:settings%steps), &
@@ -127,8 +127,8 @@ contains
             if (n >= 1 .and. n <= size(history, 3)) history(:, :, n) = problem%rheology%density(states(n)%p)*states(n)%h
          end do
          self%approach = states(1:3)%delta
-         call pose_step(self, problem, t)
-         self%given = problem%given_t
+         call pose_step(self, problem%grid, t, level%given)
+         self%given = level%given
          level%state = states(0)
          call note(self, level, 0, t)
          self%past = past_t(self%past%steady, states(0), states(1), states(2))
@@ -179,7 +179,7 @@ contains
       associate (level => multigrid%levels(self%l), settings => self%settings)
          dt = settings%time_step(level%problem%grid)
          t = self%start + (self%result%steps + 1)*dt
-         call pose_step(self, level%problem, t)
+         call pose_step(self, level%problem%grid, t, level%given)
          if (allocated(self%waves) .and. self%result%steps < young) then
             call carry_on(self%past, self%waves, t, dt, level%state)
          else if (settings%steps_per_cell == 1) then
@@ -196,14 +196,15 @@ contains
       end associate
    end subroutine take_step
 
-   !> Make a problem that of the step to time t.
-   subroutine pose_step(self, problem, t)
+   !> Give what the step to time t is given.
+   subroutine pose_step(self, grid, t, given)
       class(march_t), intent(in) :: self
-      type(contact_problem_t), intent(inout) :: problem
+      type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: t
-      call problem%set_rough(rough_at(self, problem%grid, t))
-      call problem%transport%carry(problem%grid, self%history)
-      call problem%load%carry(self%approach)
+      type(given_t), intent(inout) :: given
+      call given%set_rough(rough_at(self, grid, t))
+      call given%transport%carry(grid, self%history)
+      call given%load%carry(self%approach)
    end subroutine pose_step
 
    !> Roughness at time t: everywhere when the march started in waves, else behind the front.
@@ -232,7 +233,7 @@ contains
          past%earlier = past%before
          past%before = level%state
       end associate
-      self%given = level%problem%given_t
+      self%given = level%given
    end subroutine keep_step
 
    !> Write the solution at time t into the account as step k, and as the latest into what the differences in time use.

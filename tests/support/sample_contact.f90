@@ -4,7 +4,9 @@ module sample_contact
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_errors, only: error_t
    use ehlwave_full_multigrid, only: full_multigrid_t
+   use ehlwave_given, only: given_t, steady_given
    use ehlwave_grid, only: grid_t, new_grid
+   use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp
    use ehlwave_oil, only: oil_t
    use ehlwave_rheology, only: new_rheology, rheology_t
@@ -13,7 +15,8 @@ module sample_contact
    use ehlwave_transport, only: characteristic_transport
    implicit none (type, external)
    private
-   public :: make_contact, make_conditions, make_rheology, make_multigrid, start_time_step, bump_pressure, noise
+   public :: make_contact, make_level, make_conditions, make_rheology, make_multigrid, &
+      start_time_step, bump_pressure, noise
 
 contains
 
@@ -36,16 +39,17 @@ contains
       rheology = new_rheology(oil%viscosity(), oil%density(), conditions%hertz_pressure_pa)
    end function make_rheology
 
-   !> Make a problem the step that follows a state at rest, with a wave in the gap.
-   subroutine start_time_step(problem, state)
-      type(contact_problem_t), intent(inout) :: problem
+   !> What the step is given that follows a state at rest, with a wave in the gap.
+   subroutine start_time_step(problem, state, given)
+      type(contact_problem_t), intent(in) :: problem
       type(state_t), intent(in) :: state
+      type(given_t), intent(inout) :: given
       real(dp), allocatable :: history(:, :, :)
       allocate (history(0:problem%grid%nx, 0:problem%grid%ny, 2))
       history = spread(problem%rheology%density(state%p)*state%h, 3, 2)
-      problem%transport = characteristic_transport(problem%grid, 1, 1)
-      call problem%transport%carry(problem%grid, history)
-      call problem%set_rough(0.02_dp*spread(cos(8*problem%grid%x), 2, problem%grid%ny + 1))
+      given%transport = characteristic_transport(problem%grid, 1, 1)
+      call given%transport%carry(problem%grid, history)
+      call given%set_rough(0.02_dp*spread(cos(8*problem%grid%x), 2, problem%grid%ny + 1))
    end subroutine start_time_step
 
    !> Steady contact on the default domain.
@@ -61,6 +65,16 @@ contains
       call problem%init(new_grid(-2.5_dp, 1.5_dp, 2.0_dp, cells_x, cells_y, is_half), conditions, &
                         make_rheology(conditions, viscosity_law))
    end subroutine make_contact
+
+   !> A level of its own with that contact, and what its steady state is given.
+   subroutine make_level(level, m, d, cells, is_half)
+      type(level_t), intent(inout) :: level
+      real(dp), intent(in) :: m, d
+      integer, intent(in) :: cells   !! in both directions
+      logical, intent(in) :: is_half
+      call make_contact(level%problem, m, d, cells, cells, is_half)
+      level%given = steady_given(level%problem%grid)
+   end subroutine make_level
 
    !> A hierarchy of steady contacts on the default domain, `cells` in both directions, and its solvers.
    subroutine make_multigrid(multigrid, m, d, cells, is_half, method)

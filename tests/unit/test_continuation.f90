@@ -4,7 +4,7 @@ program test_continuation
    use ehlwave_continuation, only: adaptive_path_t, neighbour_t
    use ehlwave_eyring_law, only: eyring_law_t
    use ehlwave_full_multigrid, only: full_multigrid_t
-   use ehlwave_given, only: given_t
+   use ehlwave_given, only: given_t, steady_given
    use ehlwave_kinds, only: dp
    use ehlwave_load_balance, only: force_balance
    use ehlwave_rescue, only: rung_continuation, rung_damped, rung_direct, rung_name, rung_newton, rung_petsc, rung_restart
@@ -114,21 +114,21 @@ contains
 
    subroutine check_blend()
       type(contact_problem_t) :: problem
-      type(given_t) :: smooth, rough
+      type(given_t) :: between, smooth, rough
       real(dp), allocatable :: crest(:, :)
       call make_contact(problem, 100.0_dp, 1.0_dp, 24, 24, .true.)
-      smooth = problem%given_t
+      smooth = steady_given(problem%grid)
+      rough = smooth
       allocate (crest(0:problem%grid%nx, 0:problem%grid%ny), source=0.3_dp)
-      call problem%set_rough(crest)
-      problem%load = force_balance(2.0_dp)
-      rough = problem%given_t
-      problem%given_t = smooth%blend(rough, 0.25_dp)
-      call test%check_close([problem%rough(3, 4), problem%load%force], [0.075_dp, 1.25_dp], 'a quarter of the way', &
+      call rough%set_rough(crest)
+      rough%load = force_balance(2.0_dp)
+      between = smooth%blend(rough, 0.25_dp)
+      call test%check_close([between%rough(3, 4), between%load%force], [0.075_dp, 1.25_dp], 'a quarter of the way', &
                             relative=1e-14_dp)
-      problem%given_t = rough%blend(smooth, 0.0_dp)
-      call test%check_close(problem%load%force, 2.0_dp, 'begins where it was', relative=0.0_dp)
-      problem%given_t = smooth%blend(rough, 1.0_dp)
-      call test%check_close([problem%rough(3, 4), problem%load%force], [0.3_dp, 2.0_dp], 'ends where it shall', &
+      between = rough%blend(smooth, 0.0_dp)
+      call test%check_close(between%load%force, 2.0_dp, 'begins where it was', relative=0.0_dp)
+      between = smooth%blend(rough, 1.0_dp)
+      call test%check_close([between%rough(3, 4), between%load%force], [0.3_dp, 2.0_dp], 'ends where it shall', &
                             relative=0.0_dp)
    end subroutine check_blend
 

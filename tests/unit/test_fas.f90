@@ -3,9 +3,9 @@
 program test_fas
    use, intrinsic :: ieee_arithmetic, only: ieee_all, ieee_quiet_nan, ieee_set_flag, ieee_set_halting_mode, &
       ieee_value
-   use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_fas_level, only: fas_level_t
    use ehlwave_full_multigrid, only: full_multigrid_t
+   use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp
    use ehlwave_load_balance, only: equation_of_motion
    use ehlwave_newton, only: newton_t
@@ -44,13 +44,12 @@ contains
       call make_multigrid(levels, 100.0_dp, d, cells, is_half, chosen)
    end subroutine make_levels
 
-   !> Make a problem the time step with an equation of motion and a wave that follows a state at rest.
-   subroutine start_heavy_step(problem, state)
-      type(contact_problem_t), intent(inout) :: problem
-      type(state_t), intent(in) :: state
-      call start_time_step(problem, state)
-      problem%load = equation_of_motion(1.0_dp, 5.0_dp, problem%grid%hx)
-      call problem%load%carry(spread(state%delta, 1, 3))
+   !> Give a level the time step with an equation of motion and a wave that follows its state, at rest.
+   subroutine start_heavy_step(level)
+      type(level_t), intent(inout) :: level
+      call start_time_step(level%problem, level%state, level%given)
+      level%given%load = equation_of_motion(1.0_dp, 5.0_dp, level%problem%grid%hx)
+      call level%given%load%carry(spread(level%state%delta, 1, 3))
    end subroutine start_heavy_step
 
    !> The coarse problem of a solution: no residual, no change by Newton's method, no correction. That of another state
@@ -72,7 +71,7 @@ contains
       call levels%solve(solve_limits_t(tolerance=1e-12_dp), 1e-3_dp)
       n = size(levels%levels)
       if (is_step) then
-         call start_heavy_step(levels%levels(n)%problem, levels%levels(n)%state)
+         call start_heavy_step(levels%levels(n))
          call levels%solve_level(n, solve_limits_t(tolerance=1e-12_dp), report)
          levels%levels(n)%report = report
       end if
@@ -84,31 +83,31 @@ contains
          call newton%init(levels%hierarchy_t, n - 1)
 
          on_fine%state = solution
-         call on_fine%evaluate(fine%problem)
-         call on_coarse%restrict(coarse, on_fine)
+         call on_fine%evaluate(fine%problem, fine%given)
+         call on_coarse%restrict(coarse, on_fine, fine%given)
          call test%check_close(maxval(abs(on_coarse%equations%residual), mask=.not. on_coarse%equations%is_cavitated), 0.0_dp, &
                                name//': coarse residual of the solution', absolute=1e-9_dp)
-         call test%check_close(on_coarse%equations%load_residual(on_coarse%state), 0.0_dp, &
+         call test%check_close(on_coarse%equations%load_residual(on_coarse%given, on_coarse%state), 0.0_dp, &
                                name//': coarse load of the solution', absolute=1e-10_dp)
-         call newton%improve(levels%levels(:n - 1), on_coarse%equations%given, on_coarse%state, &
+         call newton%improve(levels%levels(:n - 1), on_coarse%given, on_coarse%state, &
                              solve_limits_t(tolerance=1e-11_dp), report)
          call test%check(report%status == status_converged, name//': coarse problem')
          call test%check_close(maxval(abs(on_coarse%state%p - on_coarse%restricted%p)), 0.0_dp, name//': coarse solution', &
                                absolute=1e-8_dp)
-         call on_fine%correct(fine%problem, on_coarse)
+         call on_fine%correct(fine%problem, fine%given, on_coarse)
          call test%check_close([maxval(abs(on_fine%state%p - solution%p)), on_fine%state%delta - solution%delta], &
                                [0.0_dp, 0.0_dp], name//': no correction at the solution', absolute=1e-8_dp)
 
          associate (state => on_fine%state)
             state%p = solution%p*(1 + 1e-3_dp*spread(cos(3*fine%problem%grid%x), 2, fine%problem%grid%ny + 1))
             state%delta = solution%delta + 1e-4_dp
-            call fine%problem%film(state%p, state%delta, state%h)
+            call fine%problem%film(fine%given, state%p, state%delta, state%h)
             error = sqrt(sum((state%p - solution%p)**2))
-            call on_fine%evaluate(fine%problem)
-            call on_coarse%restrict(coarse, on_fine)
-            call newton%improve(levels%levels(:n - 1), on_coarse%equations%given, on_coarse%state, &
+            call on_fine%evaluate(fine%problem, fine%given)
+            call on_coarse%restrict(coarse, on_fine, fine%given)
+            call newton%improve(levels%levels(:n - 1), on_coarse%given, on_coarse%state, &
                                 solve_limits_t(tolerance=1e-8_dp), report)
-            call on_fine%correct(fine%problem, on_coarse)
+            call on_fine%correct(fine%problem, fine%given, on_coarse)
             print '(a)', name//': smooth error left by the coarse correction '// &
                to_text(sqrt(sum((state%p - solution%p)**2))/error, 2)
             call test%check(sqrt(sum((state%p - solution%p)**2)) < 0.3_dp*error, name//': a smooth error is corrected')
@@ -171,14 +170,14 @@ contains
 
       call make_levels(fas, 0.35_dp, 64, 'fas', .true.)
       call fas%solve(limits, 1e-3_dp)
-      associate (level => fas%levels(size(fas%levels)), coarse => fas%levels(size(fas%levels) - 1)%problem)
+      associate (level => fas%levels(size(fas%levels)), coarse => fas%levels(size(fas%levels) - 1)%given)
          first = level%state
          call test%check(.not. allocated(coarse%rough), 'no roughness left')
          call test%check(.not. allocated(coarse%transport%carried), 'no carried terms left')
          call test%check(.not. coarse%transport%is_local, 'steady transport is back')
          call test%check_close([coarse%load%carried, coarse%load%force], [0.0_dp, 1.0_dp], 'load balance is back', &
                                absolute=0.0_dp)
-         call start_heavy_step(level%problem, level%state)
+         call start_heavy_step(level)
          call fas%solve_level(size(fas%levels), limits, report)
          call test%check(report%status == status_converged, 'another problem')
          call test%check(maxval(abs(level%state%p - first%p)) > 1e-3_dp, 'it has another solution')

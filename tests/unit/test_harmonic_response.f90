@@ -3,6 +3,7 @@ program test_harmonic_response
    use ehlwave_complex_wedge, only: wedge_t
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_equations, only: equations_t
+   use ehlwave_given, only: given_t
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_harmonic_response, only: harmonic_response_t, harmonic_solver_t
    use ehlwave_kinds, only: dp
@@ -143,12 +144,13 @@ contains
       complex(dp), intent(in) :: factor, q(0:, 0:), delta, g(0:, 0:)
       real(dp), intent(out) :: r(0:, 0:)
       type(equations_t) :: equations
+      type(given_t) :: given
       type(state_t) :: now
       complex(dp) :: turned
       real(dp), allocatable :: history(:, :, :)
       integer :: n
 
-      associate (grid => problem%grid, transport => equations%given%transport)
+      associate (grid => problem%grid, transport => given%transport)
          call equations%init(problem)
          transport = characteristic_transport(grid, 1, 1)
          now = new_state(grid)
@@ -156,10 +158,10 @@ contains
          do n = 2, 0, -1
             turned = factor*exp(cmplx(0, frequency*n*grid%hx, dp))
             now%p = state%p + real(turned*q, dp)
-            call problem%film(now%p, state%delta + real(turned*delta, dp), now%h)
+            call problem%smooth_film(now%p, state%delta + real(turned*delta, dp), now%h)
             now%h = now%h + real(turned*g, dp)
             if (n == 0) call transport%carry(grid, history)
-            call equations%evaluate(problem, now)
+            call equations%evaluate(problem, given, now)
             if (n > 0) history(:, :, n) = equations%flow%f
          end do
          r = equations%residual

@@ -3,6 +3,7 @@
 program test_line_relaxation
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_equations, only: equations_t
+   use ehlwave_given, only: given_t
    use ehlwave_hierarchy, only: hierarchy_t
    use ehlwave_kinds, only: dp
    use ehlwave_line_relaxation, only: line_relaxation_t
@@ -11,7 +12,7 @@ program test_line_relaxation
    use ehlwave_state, only: new_state, state_t
    use ehlwave_status, only: status_converged
    use ehlwave_text, only: to_text
-   use sample_contact, only: make_contact, noise, start_time_step
+   use sample_contact, only: make_level, noise, start_time_step
    use testing, only: test_t
    implicit none (type, external)
 
@@ -36,13 +37,13 @@ contains
       type(state_t) :: solution
 
       allocate (single%levels(1))
-      associate (problem => single%levels(1)%problem)
-         call make_contact(problem, m, d, cells, cells, is_half)
+      associate (problem => single%levels(1)%problem, given => single%levels(1)%given)
+         call make_level(single%levels(1), m, d, cells, is_half)
          call solve(single, solution, name)
-         call check_smoothing(problem, solution, name//', steady')
-         call start_time_step(problem, solution)
+         call check_smoothing(problem, given, solution, name//', steady')
+         call start_time_step(problem, solution, given)
          call solve(single, solution, name//', time step')
-         call check_smoothing(problem, solution, name//', time step')
+         call check_smoothing(problem, given, solution, name//', time step')
       end associate
    end subroutine check_contact
 
@@ -69,8 +70,9 @@ contains
    end subroutine solve
 
    !> Two sweeps on the solution with noise: the noise falls in the inlet and in the middle of the contact.
-   subroutine check_smoothing(problem, solution, name)
+   subroutine check_smoothing(problem, given, solution, name)
       type(contact_problem_t), intent(inout) :: problem
+      type(given_t), intent(in) :: given
       type(state_t), intent(in) :: solution
       character(len=*), intent(in) :: name
       type(line_relaxation_t) :: relaxation
@@ -83,8 +85,8 @@ contains
       call relaxation%init(problem)
       call equations%init(problem)
       state = solution
-      call equations%evaluate(problem, state)
-      call relaxation%relax(problem, equations, state)
+      call equations%evaluate(problem, given, state)
+      call relaxation%relax(problem, given, equations, state)
       call test%check_close(maxval(abs(state%p - solution%p)), 0.0_dp, name//': a solution stays', absolute=1e-8_dp)
 
       state = solution
@@ -93,11 +95,11 @@ contains
             if (solution%p(i, j) > 0) state%p(i, j) = solution%p(i, j)*(1 + size_of_error*noise(i, j))
          end do
       end do
-      call problem%film(state%p, state%delta, state%h)
+      call problem%film(given, state%p, state%delta, state%h)
       call measure(problem, solution, state, inlet(0), middle(0))
       do n = 1, 2
-         call equations%evaluate(problem, state)
-         call relaxation%relax(problem, equations, state)
+         call equations%evaluate(problem, given, state)
+         call relaxation%relax(problem, given, equations, state)
          call measure(problem, solution, state, inlet(n), middle(n))
       end do
       print '(a)', name//': noise left in the inlet '//to_text(inlet(2)/inlet(0), 2)//', in the middle '// &
@@ -108,7 +110,7 @@ contains
       call test%check(middle(2) < 0.35_dp*middle(0), name//': two sweeps, middle')
 
       allocate (h, mold=state%h)
-      call problem%film(state%p, state%delta, h)
+      call problem%film(given, state%p, state%delta, h)
       call test%check_close(maxval(abs(h - state%h)), 0.0_dp, name//': the film belongs to the pressure', absolute=1e-12_dp)
    end subroutine check_smoothing
 
@@ -143,17 +145,17 @@ contains
       integer :: n
 
       allocate (single%levels(1))
-      associate (problem => single%levels(1)%problem)
-         call make_contact(problem, 100.0_dp, 1.0_dp, cells, cells, .true.)
+      associate (problem => single%levels(1)%problem, given => single%levels(1)%given)
+         call make_level(single%levels(1), 100.0_dp, 1.0_dp, cells, .true.)
          call solve(single, solution, 'cavitation')
          state = solution
          state%p(52:58, 0:4) = state%p(52:58, 0:4) + 0.01_dp     ! X = 0.75 to 1.1
-         call problem%film(state%p, state%delta, state%h)
+         call problem%film(given, state%p, state%delta, state%h)
          call relaxation%init(problem)
          call equations%init(problem)
          do n = 1, 10
-            call equations%evaluate(problem, state)
-            call relaxation%relax(problem, equations, state)
+            call equations%evaluate(problem, given, state)
+            call relaxation%relax(problem, given, equations, state)
             call test%check(minval(state%p) >= 0, 'no pressure below zero')
          end do
       end associate

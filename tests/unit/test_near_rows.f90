@@ -7,7 +7,7 @@ program test_near_rows
    use ehlwave_real_near_rows, only: near_rows
    use ehlwave_reynolds, only: new_mesh, reynolds_change
    use ehlwave_text, only: to_text
-   use ehlwave_transport, only: characteristic_transport
+   use ehlwave_transport, only: characteristic_transport, steady_transport, transport_t
    use sample_contact, only: bump_pressure, make_contact
    use testing, only: test_t
    implicit none (type, external)
@@ -25,25 +25,28 @@ program test_near_rows
 contains
 
    !> State and flow coefficients of a pressure that is even in Y.
-   subroutine linearise(problem, flow, is_transient)
+   subroutine linearise(problem, flow, transport, is_transient)
       type(contact_problem_t), intent(inout) :: problem
       type(flow_t), intent(out) :: flow
+      type(transport_t), intent(out) :: transport
       logical, intent(in) :: is_transient
       real(dp), allocatable :: h(:, :), p(:, :)
       associate (grid => problem%grid)
-         if (is_transient) problem%transport = characteristic_transport(grid, 2, 1)
+         transport = steady_transport(grid)
+         if (is_transient) transport = characteristic_transport(grid, 2, 1)
          allocate (p(0:grid%nx, 0:grid%ny), h(0:grid%nx, 0:grid%ny))
          p = 0.5_dp*bump_pressure(grid)
-         call problem%film(p, -0.2_dp, h)
+         call problem%smooth_film(p, -0.2_dp, h)
          flow = new_flow(grid)
          call flow%evaluate(problem%rheology, problem%conditions%lambdabar, p, h)
       end associate
    end subroutine linearise
 
    !> jacobian(:, :, i, j): change of the residual under unit pressure at node (i, j), whole domain.
-   subroutine dense(problem, flow, jacobian)
+   subroutine dense(problem, flow, transport, jacobian)
       type(contact_problem_t), intent(inout) :: problem
       type(flow_t), intent(in) :: flow
+      type(transport_t), intent(in) :: transport
       real(dp), intent(out) :: jacobian(0:, 0:, 0:, 0:)
       real(dp), allocatable, dimension(:, :) :: change, dh
       integer :: i, j
@@ -53,7 +56,7 @@ contains
             change = 0
             change(i, j) = 1
             call problem%deformation%apply(change, dh)
-            call reynolds_change(new_mesh(problem%grid, problem%conditions%elliptic%kappa), problem%transport, flow, change, &
+            call reynolds_change(new_mesh(problem%grid, problem%conditions%elliptic%kappa), transport, flow, change, &
                                  dh, jacobian(:, :, i, j))
          end do
       end do
@@ -65,22 +68,23 @@ contains
       logical, intent(in) :: is_half, is_transient
       type(contact_problem_t) :: problem, whole
       type(flow_t) :: flow, flow_whole
+      type(transport_t) :: transport
       type(near_kernel_t) :: kernel
       real(dp), allocatable :: expected(:), jacobian(:, :, :, :), rows(:, :)
       integer :: di, dj, i, j, jj, low, target_i, target_j
 
       call make_contact(whole, 100.0_dp, d, nx, ny, .false.)
-      call linearise(whole, flow_whole, is_transient)
+      call linearise(whole, flow_whole, transport, is_transient)
       allocate (jacobian(0:nx, 0:ny, 0:nx, 0:ny))
-      call dense(whole, flow_whole, jacobian)
+      call dense(whole, flow_whole, transport, jacobian)
       call make_contact(problem, 100.0_dp, d, nx, ny, is_half)
-      call linearise(problem, flow, is_transient)
+      call linearise(problem, flow, transport, is_transient)
       low = merge(ny/2, 0, is_half)
       associate (grid => problem%grid, elliptic => problem%conditions%elliptic)
          kernel = new_near_kernel(grid, elliptic%kappa, elliptic%k, near_settings_t())
          allocate (rows(grid%first_row:grid%last_row, kernel%entries), expected(kernel%entries))
          do i = 1, nx - 1
-            call near_rows(kernel, new_mesh(grid, elliptic%kappa), problem%transport, flow, i, rows)
+            call near_rows(kernel, new_mesh(grid, elliptic%kappa), transport, flow, i, rows)
             do j = grid%first_row, grid%last_row
                expected = 0
                do di = -kernel%reach_x, kernel%reach_x

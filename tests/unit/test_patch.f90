@@ -2,6 +2,7 @@
 program test_patch
    use ehlwave_equations, only: equations_t
    use ehlwave_full_multigrid, only: full_multigrid_t
+   use ehlwave_given, only: steady_given
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp
    use ehlwave_newton, only: newton_t
@@ -37,10 +38,11 @@ contains
       allocate (patch(1))
       do k = 1, 2
          associate (level => multigrid%levels(n))
-            if (k == 2) call start_time_step(level%problem, level%state)
-            call level%problem%film(level%state%p, level%state%delta, level%state%h)
+            if (k == 2) call start_time_step(level%problem, level%state, level%given)
+            call level%problem%film(level%given, level%state%p, level%state%delta, level%state%h)
             call patch(1)%problem%init(patch_grid(level%problem%grid, first, last), level%problem%conditions, &
                                        level%problem%rheology)
+            patch(1)%given = steady_given(patch(1)%problem%grid)
             call compare(place//trim(merge(', steady', ', moving', k == 1)), level, patch(1), first, last)
          end associate
       end do
@@ -60,16 +62,17 @@ contains
       j = (first(2) + last(2))/2
       do k = 1, 2
          call of_whole%init(whole%problem)
-         call of_whole%evaluate(whole%problem, whole%state)
+         call of_whole%evaluate(whole%problem, whole%given, whole%state)
          if (k == 1) then
-            call cut(whole%problem, of_whole, whole%state, patch_grid(whole%problem%grid, first, last), first, patch)
+            call cut(whole%problem, whole%given, of_whole, whole%state, &
+                     patch_grid(whole%problem%grid, first, last), first, patch)
          else
             patch%state%p(i - first(1), j - first(2)) = patch%state%p(i - first(1), j - first(2)) + 1e-3_dp
          end if
-         call patch%problem%film(patch%state%p, patch%state%delta, patch%state%h)
+         call patch%problem%film(patch%given, patch%state%p, patch%state%delta, patch%state%h)
          call of_patch%init(patch%problem)
-         call of_patch%evaluate(patch%problem, patch%state)
-         scale = maxval(abs(of_whole%given%transport%w0))*maxval(whole%state%h(first(1):last(1), first(2):last(2)))
+         call of_patch%evaluate(patch%problem, patch%given, patch%state)
+         scale = maxval(abs(whole%given%transport%w0))*maxval(whole%state%h(first(1):last(1), first(2):last(2)))
          associate (inner => of_patch%residual(1:last(1) - first(1) - 1, merge(0, 1, first(2) == 0):last(2) - first(2) - 1), &
                     outer => of_whole%residual(first(1) + 1:last(1) - 1, first(2) + merge(0, 1, first(2) == 0):last(2) - 1))
             call test%check_close(maxval(abs(inner - outer))/scale, 0.0_dp, what//': residuals', &
@@ -77,7 +80,7 @@ contains
          end associate
          if (k == 2) exit
          whole%state%p(i, j) = whole%state%p(i, j) + 1e-3_dp
-         call whole%problem%film(whole%state%p, whole%state%delta, whole%state%h)
+         call whole%problem%film(whole%given, whole%state%p, whole%state%delta, whole%state%h)
       end do
       whole%state%p(i, j) = whole%state%p(i, j) - 1e-3_dp
    end subroutine compare
@@ -96,7 +99,7 @@ contains
       call solve(multigrid)
       limits = solve_limits_t(1e-9_dp, 40)
       associate (level => multigrid%levels(n))
-         call start_time_step(level%problem, level%state)
+         call start_time_step(level%problem, level%state, level%given)
          guess = level%state
          call multigrid%solve_level(n, limits, helped)
          solution = level%state

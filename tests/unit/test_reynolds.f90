@@ -7,6 +7,7 @@ program test_reynolds
    use ehlwave_equations, only: equations_t
    use ehlwave_eyring_law, only: eyring_law_t
    use ehlwave_flow_law, only: flow_law_t
+   use ehlwave_given, only: given_t, steady_given
    use ehlwave_kinds, only: dp
    use ehlwave_oil, only: barus, roelands
    use ehlwave_reynolds, only: reynolds_change
@@ -39,8 +40,9 @@ program test_reynolds
 contains
 
    !> Residual with the film that belongs to a pressure and an approach.
-   subroutine residual_of(problem, equations, p, delta, r)
+   subroutine residual_of(problem, given, equations, p, delta, r)
       type(contact_problem_t), intent(inout) :: problem
+      type(given_t), intent(in) :: given
       type(equations_t), intent(inout) :: equations
       real(dp), intent(in) :: p(0:, 0:)
       real(dp), intent(in) :: delta
@@ -48,8 +50,8 @@ contains
       type(state_t) :: state
       state = new_state(problem%grid)
       state%p = p
-      call problem%film(p, delta, state%h)
-      call equations%evaluate(problem, state)
+      call problem%smooth_film(p, delta, state%h)
+      call equations%evaluate(problem, given, state)
       r = equations%residual
    end subroutine residual_of
 
@@ -63,6 +65,7 @@ contains
       type(conditions_t) :: conditions
       type(rheology_t) :: oil
       type(equations_t) :: equations
+      type(given_t) :: given
       real(dp), parameter :: step = 1e-6_dp, delta = -0.2_dp, ddelta = 0.3_dp
       real(dp), allocatable, dimension(:, :) :: change, dh, down, dr, expected, p, up
       real(dp), allocatable :: history(:, :, :)
@@ -80,11 +83,12 @@ contains
          conditions%slip_parameter = 1.4_dp
          call problem%set_conditions(conditions, oil)
       end if
+      given = steady_given(problem%grid)
       associate (grid => problem%grid)
          if (cells_per_step > 0) then
-            problem%transport = characteristic_transport(grid, cells_per_step, 1)
+            given%transport = characteristic_transport(grid, cells_per_step, 1)
             allocate (history(0:grid%nx, 0:grid%ny, 2), source=0.3_dp)
-            call problem%transport%carry(grid, history)
+            call given%transport%carry(grid, history)
          end if
          allocate (p(0:grid%nx, 0:grid%ny), source=0.0_dp)
          p = 0.5_dp*bump_pressure(grid)
@@ -96,28 +100,29 @@ contains
             end do
          end do
          call equations%init(problem)
-         call residual_of(problem, equations, p - step*change, delta - step*ddelta, down)
-         call residual_of(problem, equations, p + step*change, delta + step*ddelta, up)
+         call residual_of(problem, given, equations, p - step*change, delta - step*ddelta, down)
+         call residual_of(problem, given, equations, p + step*change, delta + step*ddelta, up)
          expected = (up - down)/(2*step)
-         call residual_of(problem, equations, p, delta, dr)
+         call residual_of(problem, given, equations, p, delta, dr)
          call problem%deformation%apply(change, dh)
          dh = dh - ddelta
-         call reynolds_change(equations%mesh, problem%transport, equations%flow, change, dh, dr)
+         call reynolds_change(equations%mesh, given%transport, equations%flow, change, dh, dr)
          dr = dr*equations%scale
          expected = expected*equations%scale
          call test%check_close(reshape(dr, [size(dr)]), reshape(expected, [size(dr)]), what, &
                                absolute=1e-7_dp*maxval(abs(expected)))
          call test%check(maxval(abs(expected)) > 1e-3_dp, what//' is not zero')
-         call check_order(problem, p, delta, change, ddelta, dr, what)
-         call check_complex(equations, change, dh, dr, what)
+         call check_order(problem, given, p, delta, change, ddelta, dr, what)
+         call check_complex(equations, given, change, dh, dr, what)
          call test%check(all(equations%scale(1:grid%nx - 1, grid%first_row:grid%last_row) > 0) .and. &
                          all(abs(equations%scale(0, :)) <= 0), 'scale is positive at unknown nodes only')
       end associate
    end subroutine check_jacobian
 
    !> Taylor test: what the product leaves of a change of the residual shrinks with the square of the step.
-   subroutine check_order(problem, p, delta, change, ddelta, product, what)
+   subroutine check_order(problem, given, p, delta, change, ddelta, product, what)
       type(contact_problem_t), intent(inout) :: problem
+      type(given_t), intent(in) :: given
       real(dp), intent(in) :: p(0:, 0:), change(0:, 0:), delta, ddelta   !! state, and the change of it
       real(dp), intent(in) :: product(0:, 0:)                            !! times the scale at the state
       character(len=*), intent(in) :: what
@@ -128,10 +133,10 @@ contains
       integer :: k
 
       call equations%init(problem)
-      call residual_of(problem, equations, p, delta, at_state)
+      call residual_of(problem, given, equations, p, delta, at_state)
       scale = equations%scale
       do k = 1, 2
-         call residual_of(problem, equations, p + steps(k)*change, delta + steps(k)*ddelta, moved)
+         call residual_of(problem, given, equations, p + steps(k)*change, delta + steps(k)*ddelta, moved)
          left(k) = norm2(scale*(moved - at_state) - steps(k)*product)
       end do
       order = log(left(1)/left(2))/log(2.0_dp)
@@ -140,8 +145,9 @@ contains
    end subroutine check_order
 
    !> The complex product with real weights is that of both parts.
-   subroutine check_complex(equations, change, dh, scaled, what)
+   subroutine check_complex(equations, given, change, dh, scaled, what)
       type(equations_t), intent(in) :: equations
+      type(given_t), intent(in) :: given
       real(dp), intent(in) :: change(0:, 0:), dh(0:, 0:)
       real(dp), intent(in) :: scaled(0:, 0:)   !! the real product times the scale
       character(len=*), intent(in) :: what
@@ -150,9 +156,9 @@ contains
       complex(dp) :: dr(0:ubound(change, 1), 0:ubound(change, 2))
 
       wedge = new_wedge(ubound(change, 1))
-      wedge%w0 = equations%given%transport%w0
-      wedge%w1 = equations%given%transport%w1
-      wedge%w2 = equations%given%transport%w2
+      wedge%w0 = given%transport%w0
+      wedge%w1 = given%transport%w1
+      wedge%w2 = given%transport%w2
       call reynolds_change(equations%mesh, wedge, equations%flow, factor*change, factor*dh, dr)
       call test%check_close(maxval(abs(dr*equations%scale - factor*scaled))/maxval(abs(scaled)), 0.0_dp, what//', complex', &
                             absolute=1e-12_dp)
@@ -169,7 +175,7 @@ contains
          state = new_state(grid)
          state%h = spread(3 + grid%x, 2, grid%ny + 1)
          call equations%init(problem)
-         call equations%evaluate(problem, state)
+         call equations%evaluate(problem, steady_given(grid), state)
          associate (r => equations%residual)
             call test%check_close(reshape(r(1:15, 1:15), [225]), spread(-1.0_dp, 1, 225), 'wedge alone', absolute=1e-12_dp)
             call test%check(all(abs(r(0, :)) <= 0) .and. all(abs(r(:, 16)) <= 0), 'zero on the boundary')
@@ -186,9 +192,9 @@ contains
       call make_contact(whole, 100.0_dp, 0.35_dp, 24, 16, .false.)
       allocate (on_half(0:24, 0:8), on_whole(0:24, 0:16))
       call equations%init(half)
-      call residual_of(half, equations, 0.5_dp*bump_pressure(half%grid), -0.2_dp, on_half)
+      call residual_of(half, steady_given(half%grid), equations, 0.5_dp*bump_pressure(half%grid), -0.2_dp, on_half)
       call equations%init(whole)
-      call residual_of(whole, equations, 0.5_dp*bump_pressure(whole%grid), -0.2_dp, on_whole)
+      call residual_of(whole, steady_given(whole%grid), equations, 0.5_dp*bump_pressure(whole%grid), -0.2_dp, on_whole)
       call test%check_close(reshape(on_half, [225]), reshape(on_whole(:, 8:), [225]), 'half against whole', &
                             absolute=1e-12_dp*maxval(abs(on_whole)))
    end subroutine compare_half_with_whole

@@ -3,6 +3,7 @@ program test_solve_report
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan, ieee_positive_inf, ieee_quiet_nan, ieee_value
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_equations, only: equations_t
+   use ehlwave_given, only: steady_given
    use ehlwave_kinds, only: dp
    use ehlwave_load_balance, only: load_factor
    use ehlwave_solve_report, only: solve_limits_t, solve_report_t
@@ -54,7 +55,7 @@ contains
    subroutine judge(tolerance, expected, what)
       real(dp), intent(in) :: tolerance
       character(len=*), intent(in) :: expected, what
-      call report%judge(equations, state, solve_limits_t(tolerance=tolerance))
+      call report%judge(steady_given(problem%grid), equations, state, solve_limits_t(tolerance=tolerance))
       call test%check_equal(status_name(report%status), expected, what)
    end subroutine judge
 

@@ -10,6 +10,7 @@ program test_four_routes
    use ehlwave_equations, only: equations_t
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_grid, only: new_grid
+   use ehlwave_given, only: steady_given
    use ehlwave_kinds, only: dp, pi
    use ehlwave_petsc_library, only: finish_petsc, is_petsc_built, require_petsc
    use ehlwave_solve_report, only: solve_limits_t, solve_report_t
@@ -109,7 +110,7 @@ contains
          h = h + problem%smooth_gap - state%delta
          call test%check_close(maxval(abs(h - state%h)), 0.0_dp, name//': film', absolute=1e-12_dp)
          call equations%init(problem)
-         call equations%evaluate(problem, state_t(state%p, h, state%delta))
+         call equations%evaluate(problem, steady_given(grid), state_t(state%p, h, state%delta))
          r = equations%residual
          unit = grid%hx/grid%value_at_centre(h)
          call test%check_close(maxval(abs(r), mask=state%p > limits%tolerance)*unit, 0.0_dp, &
@@ -154,13 +155,13 @@ contains
       call make_levels(levels, 100.0_dp, 12.05_dp, 1.0_dp, method, 'fft')
       call levels%solve(limits, 1e-3_dp)
       associate (level => levels%levels(size(levels%levels)))
-         associate (problem => level%problem, grid => level%problem%grid)
+         associate (problem => level%problem, given => level%given, grid => level%problem%grid)
             allocate (history(0:grid%nx, 0:grid%ny, 2))
             history = spread(problem%rheology%density(level%state%p)*level%state%h, 3, 2)
-            problem%transport = characteristic_transport(grid, 1, 1)
+            given%transport = characteristic_transport(grid, 1, 1)
             do k = 1, 8
-               call problem%transport%carry(grid, history)
-               call problem%set_rough(0.02_dp*spread(cos(4*pi*(grid%x - k*grid%hx)), 2, grid%ny + 1))
+               call given%transport%carry(grid, history)
+               call given%set_rough(0.02_dp*spread(cos(4*pi*(grid%x - k*grid%hx)), 2, grid%ny + 1))
                call levels%solve_level(size(levels%levels), limits, report)
                call test%check(report%status == status_converged, method//': time step')
                history(:, :, 2) = history(:, :, 1)

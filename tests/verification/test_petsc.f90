@@ -14,7 +14,7 @@ program test_petsc
    use ehlwave_status, only: status_converged, status_name
    use ehlwave_text, only: to_text
    use ehlwave_real_transfer, only: interpolate
-   use sample_contact, only: make_contact, start_time_step
+   use sample_contact, only: make_level, start_time_step
    use testing, only: test_t
    implicit none (type, external)
 
@@ -55,7 +55,7 @@ contains
       call compare(name//', from Hertz', single, hertz(single), smooth)
       call make_single(coarse, m, d, cells/2, is_half=.true.)
       call compare(name//', coarser grid', coarse, hertz(coarse), on_coarse)
-      associate (problem => single%levels(1)%problem, grid => single%levels(1)%problem%grid)
+      associate (given => single%levels(1)%given, grid => single%levels(1)%problem%grid)
          guess = new_state(grid)
          call interpolate(coarse%levels(1)%problem%grid, grid, on_coarse%p, guess%p)
          guess%p = max(guess%p, 0.0_dp)
@@ -67,15 +67,15 @@ contains
          do j = 0, grid%ny
             pattern(:, j) = amplitude*cos(2*pi*grid%y(j))
          end do
-         call problem%set_rough(pattern)
+         call given%set_rough(pattern)
          call compare(name//', trough along the centre line', single, smooth, wavy)
-         call problem%set_rough(-pattern)
+         call given%set_rough(-pattern)
          call compare(name//', crest along the centre line', single, smooth, wavy)
          do j = 0, grid%ny
             pattern(:, j) = amplitude*cos(2*pi*grid%x)
          end do
-         call start_time_step(problem, smooth)
-         call problem%set_rough(pattern)
+         call start_time_step(single%levels(1)%problem, smooth, given)
+         call given%set_rough(pattern)
       end associate
       call compare(name//', time step', single, smooth, wavy)
    end subroutine compare_contact
@@ -86,7 +86,7 @@ contains
       integer, intent(in) :: cells
       logical, intent(in) :: is_half
       allocate (single%levels(1))
-      call make_contact(single%levels(1)%problem, m, d, cells, cells, is_half)
+      call make_level(single%levels(1), m, d, cells, is_half)
    end subroutine make_single
 
    !> First guess of a single level.

@@ -96,7 +96,7 @@ contains
       integer :: k
 
       associate (level => multigrid%levels(size(multigrid%levels)))
-         associate (problem => level%problem, grid => level%problem%grid)
+         associate (problem => level%problem, given => level%given, grid => level%problem%grid)
             is_good = level%report%status == status_converged
             film(0) = grid%value_at_centre(level%state%h)
             time(0) = 0
@@ -105,13 +105,13 @@ contains
             history = spread(problem%rheology%density(level%state%p)*level%state%h, 3, 2)
             do k = 1, steps
                time(k) = k*grid%hx
-               problem%transport = characteristic_transport(grid, 1, 1)
-               call problem%transport%carry(grid, history)
+               given%transport = characteristic_transport(grid, 1, 1)
+               call given%transport%carry(grid, history)
                if (k == 1) then
-                  problem%transport%w0 = 1/grid%hx
-                  problem%transport%carried(1:, :) = -history(:grid%nx - 1, :, 1)/grid%hx
+                  given%transport%w0 = 1/grid%hx
+                  given%transport%carried(1:, :) = -history(:grid%nx - 1, :, 1)/grid%hx
                end if
-               call problem%set_rough(amplitude*wave%shape_at(grid%x, grid%y, time(k)))
+               call given%set_rough(amplitude*wave%shape_at(grid%x, grid%y, time(k)))
                call multigrid%solve_level(size(multigrid%levels), solve_limits_t(tolerance=1e-7_dp), report)
                is_good = is_good .and. report%status == status_converged
                film(k) = grid%value_at_centre(level%state%h)

@@ -3,6 +3,7 @@ module ehlwave_contact_inequality
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_equations, only: equations_t
+   use ehlwave_given, only: given_t
    use ehlwave_kinds, only: dp
    use ehlwave_load_balance, only: load_factor
    use ehlwave_near_matrix, only: near_matrix_t
@@ -35,6 +36,7 @@ module ehlwave_contact_inequality
       real(dp), allocatable :: best(:)            !! vector of the best state judged since `start`
       type(solve_report_t) :: report              !! errors and status of the state judged last, and the history
       type(contact_problem_t), pointer, private :: problem => null()
+      type(given_t), pointer, private :: given => null()
       integer, private :: rows = 0                ! unknown nodes along Y
       real(dp), private :: tolerance = 0
       real(dp), private :: last_work = huge(1.0_dp)   ! of the grid, from which on no further step begins
@@ -82,15 +84,16 @@ contains
 
    !> Begin a solve with a guess as the best state. A guess whose surfaces overlap is opened first, to the film of the
    !> formula at the closest point.
-   subroutine start(self, problem, guess, limits)
+   subroutine start(self, problem, given, guess, limits)
       class(contact_inequality_t), intent(inout) :: self
-      type(contact_problem_t), intent(inout), target :: problem   !! must live until the end of the solve
+      type(contact_problem_t), intent(inout), target :: problem   !! must live until the end of the solve, and so must
+      type(given_t), intent(in), target :: given
       type(state_t), intent(in) :: guess
       type(solve_limits_t), intent(in) :: limits
       type(solve_report_t) :: blank
 
       self%problem => problem
-      self%equations%given = problem%given_t
+      self%given => given
       self%tolerance = limits%tolerance
       self%last_work = problem%deformation%work + limits%largest_work
       self%report = blank
@@ -98,7 +101,7 @@ contains
       self%least = huge(1.0_dp)
       self%state = guess
       self%state%p = max(guess%p, 0.0_dp)
-      call problem%film_of_guess(problem%given_t, self%state)
+      call problem%film_of_guess(given, self%state)
       call pack_field(self, self%state%p/unit, self%best)
       self%best(self%n) = self%state%delta/unit
       call self%return_to_best()
@@ -108,7 +111,7 @@ contains
    subroutine return_to_best(self)
       class(contact_inequality_t), intent(inout) :: self
       call visit(self, self%best)
-      call self%report%judge(self%equations, self%state, solve_limits_t(tolerance=self%tolerance))
+      call self%report%judge(self%given, self%equations, self%state, solve_limits_t(tolerance=self%tolerance))
       self%weight = sqrt(sqrt(self%equations%scale))
    end subroutine return_to_best
 
@@ -119,7 +122,7 @@ contains
       type(solve_report_t), intent(inout) :: report
       state = self%state
       report = self%report
-      nullify (self%problem)
+      nullify (self%problem, self%given)
    end subroutine finish
 
    !> f = F(x).
@@ -129,7 +132,7 @@ contains
       real(dp), intent(inout) :: f(:)
       call visit(self, x)
       call pack_field(self, -self%weight*self%equations%residual/unit, f)
-      f(self%n) = self%equations%load_residual(self%state)/unit
+      f(self%n) = self%equations%load_residual(self%given, self%state)/unit
    end subroutine evaluate
 
    !> Linearise about x; `a`: nonzeros of the near matrix.
@@ -145,7 +148,7 @@ contains
       self%film_change = -1   ! Delta column: dH = -1
       call follow_edges(self)
       call multiply_reynolds(self)
-      call self%near_matrix%fill(self%base_equations, self%r_change, self%weight, a)
+      call self%near_matrix%fill(self%given, self%base_equations, self%r_change, self%weight, a)
    end subroutine linearise
 
    !> y = F'(x_0) x, deformation by FFT included; x_0: where it was linearised.
@@ -161,7 +164,7 @@ contains
          call follow_edges(self)
          call multiply_reynolds(self)
          call pack_field(self, -self%weight*self%r_change, y)
-         y(self%n) = load_factor*problem%grid%integral(self%change) + problem%load%inertia*x(self%n)
+         y(self%n) = load_factor*problem%grid%integral(self%change) + self%given%load%inertia*x(self%n)
       end associate
    end subroutine multiply
 
@@ -180,8 +183,8 @@ contains
       step = 1
       if (largest > self%limit%largest_change) step = self%limit%largest_change/largest
       do trial = 1, largest_trials
-         call self%problem%film(max(self%base%p - step*self%change, 0.0_dp), self%base%delta - step*unit*x(self%n), &
-                                self%film_change)
+         call self%problem%film(self%given, max(self%base%p - step*self%change, 0.0_dp), &
+                                self%base%delta - step*unit*x(self%n), self%film_change)
          if (all(self%film_change >= self%limit%smallest_film_factor*self%base%h)) return
          step = 0.7_dp*step
       end do
@@ -194,7 +197,7 @@ contains
       real(dp), intent(in) :: x(:)
 
       call visit(self, x)
-      call self%report%judge(self%equations, self%state, solve_limits_t(tolerance=self%tolerance))
+      call self%report%judge(self%given, self%equations, self%state, solve_limits_t(tolerance=self%tolerance))
       self%report%history = [self%report%history, self%report%residual]
       judge = self%report%status
       if (judge == status_not_finite .or. .not. self%report%worst() < self%least) return
@@ -217,12 +220,12 @@ contains
       associate (problem => self%problem, state => self%state)
          call unpack_field(self, unit, x, state%p)
          state%delta = unit*x(self%n)
-         call problem%film(state%p, state%delta, state%h)
+         call problem%film(self%given, state%p, state%delta, state%h)
          do pass = 1, merge(edge_passes, 0, problem%edges%count() > 0)
-            call problem%edges%impose(problem%given_t, state%h, state%p)
-            call problem%film(state%p, state%delta, state%h)
+            call problem%edges%impose(self%given, state%h, state%p)
+            call problem%film(self%given, state%p, state%delta, state%h)
          end do
-         call self%equations%evaluate(problem, state)
+         call self%equations%evaluate(problem, self%given, state)
       end associate
    end subroutine visit
 
@@ -250,7 +253,7 @@ contains
    subroutine multiply_reynolds(self)
       class(contact_inequality_t), intent(inout) :: self
       associate (equations => self%base_equations)
-         call reynolds_change(equations%mesh, equations%given%transport, equations%flow, self%change, &
+         call reynolds_change(equations%mesh, self%given%transport, equations%flow, self%change, &
             self%film_change, self%r_change)
       end associate
    end subroutine multiply_reynolds

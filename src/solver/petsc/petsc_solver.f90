@@ -59,7 +59,7 @@ contains
                             self%linear_tolerance)
       associate (inequality => self%inequality, level => hierarchy%levels(l))
          inequality%limit = self%limit
-         call inequality%start(level%problem, level%state, limits)
+         call inequality%start(level%problem, level%given, level%state, limits)
          do round = 1, 2
             if (inequality%report%status /= status_stalled .or. settings%largest_steps <= 0) exit
             if (inequality%is_spent()) exit
