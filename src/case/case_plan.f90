@@ -7,7 +7,7 @@ module ehlwave_case_plan
    use ehlwave_case_files, only: case_file_t, case_files, note_digest
    use ehlwave_case_lubricant, only: case_lubricant
    use ehlwave_conditions, only: conditions_t
-   use ehlwave_domain_choice, only: choose_domain, expected_domain_errors
+   use ehlwave_domain_choice, only: chosen_scale, expected_domain_errors, scale_domain
    use ehlwave_error_parts, only: error_parts_t
    use ehlwave_errors, only: error_t, raise
    use ehlwave_grid_choice, only: choose_grid, formula_ratio
@@ -97,11 +97,13 @@ module ehlwave_case_plan
 
 contains
 
-   !> Plan of a completed case. Fails when the case asks for something that cannot be run.
-   subroutine make_plan(case, plan, error)
+   !> Plan of a completed case. Fails when the case asks for something that cannot be run. A coarser or finer plan of a
+   !> case that has one takes its domain from that.
+   subroutine make_plan(case, plan, error, domain_scale)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(out) :: plan
       type(error_t), allocatable, intent(inout) :: error
+      real(dp), intent(in), optional :: domain_scale   !! of the domain over that of the keys; absent: chosen
       type(case_t) :: copy
       real(dp) :: errors(2), thickening
 
@@ -115,7 +117,12 @@ contains
       end associate
       thickening = plan%rheology%thickening()
       copy = case
-      call choose_domain(copy, plan%conditions, thickening, plan%domain_scale)
+      if (present(domain_scale)) then
+         plan%domain_scale = domain_scale
+      else
+         plan%domain_scale = chosen_scale(case, plan%conditions, thickening)
+      end if
+      call scale_domain(copy, plan%domain_scale)
       plan%x_min = copy%x_min
       plan%x_max = copy%x_max
       plan%y_max = copy%y_max

@@ -8,7 +8,7 @@ module ehlwave_domain_choice
    use ehlwave_kinds, only: dp
    implicit none (type, external)
    private
-   public :: choose_domain, expected_domain_errors, may_enlarge
+   public :: chosen_scale, expected_domain_errors, may_enlarge, scale_domain
 
    ! Measured, domains of (-2.5, 1.5, 2) to (-40, 8, 24): P = 0 at the edges leaves 0.55 to 0.75 of the thickening alpha
    ! q of the inlet edge for M = 20 to 500, and the load outside in the power by which the film of the formula falls
@@ -22,29 +22,30 @@ module ehlwave_domain_choice
 
 contains
 
-   !> Enlarge the domain of a case as far as its accuracy needs: by a power of 2, the outlet by the root of it. That is
-   !> done with flooded edges and a domain of the usual size; any other stays. A coarser grid of a case has the scale of
-   !> the case.
-   pure subroutine choose_domain(case, conditions, thickening, scale)
-      type(case_t), intent(inout) :: case
+   !> How many times as large as that of a case a domain has to be for its accuracy: a power of 2. It is more than 1
+   !> with flooded edges and a domain of the usual size only.
+   pure real(dp) function chosen_scale(case, conditions, thickening) result(scale)
+      type(case_t), intent(in) :: case
       type(conditions_t), intent(in) :: conditions
       real(dp), intent(in) :: thickening   !! d ln(eta)/dP at P = 0
-      real(dp), intent(out) :: scale
       real(dp) :: errors(2)
 
-      scale = case%domain_scale
-      if (.not. scale > 0) then
-         scale = 1
-         do while (may_enlarge(case, scale))
-            errors = expected_domain_errors(case, conditions, thickening, scale)
-            if (errors(2) <= share_of_accuracy*case%accuracy) exit
-            scale = 2*scale
-         end do
-      end if
+      scale = 1
+      do while (may_enlarge(case, scale))
+         errors = expected_domain_errors(case, conditions, thickening, scale)
+         if (errors(2) <= share_of_accuracy*case%accuracy) exit
+         scale = 2*scale
+      end do
+   end function chosen_scale
+
+   !> Enlarge the domain of a case, the outlet by the root of the scale.
+   pure subroutine scale_domain(case, scale)
+      type(case_t), intent(inout) :: case
+      real(dp), intent(in) :: scale
       case%x_min = scale*case%x_min
       case%x_max = sqrt(scale)*case%x_max
       case%y_max = scale*case%y_max
-   end subroutine choose_domain
+   end subroutine scale_domain
 
    !> Whether the plan may take a larger domain than `scale` times that of a case.
    pure logical function may_enlarge(case, scale)
@@ -52,7 +53,7 @@ contains
       real(dp), intent(in) :: scale
       type(case_t) :: usual
       may_enlarge = case%accuracy > 0 .and. case%edges == 'flooded' .and. len_trim(case%surface_file) == 0 .and. &
-         .not. case%domain_scale > 0 .and. scale < largest_scale .and. &
+         scale < largest_scale .and. &
          maxval(abs([case%x_min - usual%x_min, case%x_max - usual%x_max, case%y_max - usual%y_max])) <= 0
    end function may_enlarge
 

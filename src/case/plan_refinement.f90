@@ -33,28 +33,28 @@ contains
       logical, intent(out) :: is_finer
       type(case_t) :: copy
       type(error_t), allocatable :: error
-      real(dp) :: factor, room
+      real(dp) :: factor, room, scale
 
       is_finer = .false.
       room = case%accuracy - (parts%total() - parts%mesh)
       copy = case
       copy%accuracy = 0                             ! what it chooses is chosen here
       copy%time_step_over_cell = real(plan%cells_per_step, dp)/plan%steps_per_cell
-      copy%domain_scale = plan%domain_scale
-      if (parts%domain > largest_domain_share*case%accuracy .and. may_enlarge(case, plan%domain_scale)) then
-         copy%domain_scale = 2*plan%domain_scale
+      scale = plan%domain_scale
+      if (parts%domain > largest_domain_share*case%accuracy .and. may_enlarge(case, scale)) then
+         scale = 2*plan%domain_scale
          room = room + 0.5_dp*parts%domain
       end if
       if (.not. room > 0) return
       factor = min(max(1.0_dp, sqrt(parts%mesh/(aim*room))), largest_factor)
-      factor = factor*copy%domain_scale/plan%domain_scale
+      factor = factor*scale/plan%domain_scale
       do
          copy%cells_x = plan%cells_x
          copy%cells_y = plan%cells_y
          if (case%cells_x == 0) copy%cells_x = smallest_size(factor*plan%cells_x, case%largest_cells)
          if (case%cells_y == 0) copy%cells_y = smallest_size(factor*plan%cells_y, case%largest_cells)
          if (factor < smallest_factor .or. (copy%cells_x <= plan%cells_x .and. copy%cells_y <= plan%cells_y)) return
-         call make_plan(copy, finer, error)
+         call make_plan(copy, finer, error, scale)
          if (allocated(error)) return
          if (finer%expected_work() <= work_left) exit
          factor = step_back*factor

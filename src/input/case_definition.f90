@@ -34,8 +34,6 @@ module ehlwave_case_definition
       integer :: largest_cells = 0                       !! limit of what the plan chooses, completed
       character(len=name_length) :: domain = 'auto'
       character(len=name_length) :: edges = 'flooded'
-      real(dp) :: domain_scale = 0                       !! no key: of the domain over that of the keys; 0: chosen by
-                                                         !! the plan
       ! &solver
       real(dp) :: tolerance = 1e-6_dp
       real(dp) :: step_tolerance = 1e-4_dp

@@ -106,7 +106,6 @@ contains
       coarse_case%fields = .false.
       coarse_case%fields_every = 0
       coarse_case%sensitivities = .false.
-      coarse_case%domain_scale = plan%domain_scale
       coarse_case%accuracy = 0                    ! is that of the case itself
       if (case%response /= 'periodic') coarse_case%response = 'transient'   ! others have their own estimate
       coarse_case%time_step_over_cell = real(plan%cells_per_step, dp)/plan%steps_per_cell
@@ -116,7 +115,7 @@ contains
          if (any(modulo(cells, 2*factor) /= 0 .or. cells/factor < fewest_cells)) return
          coarse_case%cells_x = cells(1)/factor
          if (.not. plan%conditions%is_line()) coarse_case%cells_y = cells(2)/factor
-         call make_plan(coarse_case, coarse_plan, error)
+         call make_plan(coarse_case, coarse_plan, error, plan%domain_scale)
          if (allocated(error)) return
          if (.not. can_tell(coarse_plan)) return
          coarse_plan%largest_work = min(coarse_plan%largest_work, plan%largest_work - result%all_work)
