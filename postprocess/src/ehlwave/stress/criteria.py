@@ -20,7 +20,7 @@ def hydrostatic(stress: Stress) -> Any:  # noqa: ANN401 - as the stresses
 
 
 def von_mises(stress: Stress) -> Any:  # noqa: ANN401
-    """Return the equivalent stress of von Mises, (3 J2)^(1/2)."""
+    """Return the equivalent stress of von Mises, (3 J2)^(1/2), theory eq. (B4)."""
     return np.sqrt(3 * _second_invariant(_deviator(stress)))
 
 

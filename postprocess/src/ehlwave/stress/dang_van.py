@@ -1,4 +1,4 @@
-"""Dang Van's criterion over the histories of many material points.
+"""Dang Van's criterion over the histories of many material points, theory eq. (B5).
 
     factor = max over time of tau(t)/(tau_f - c sigma_H(t)),
 
