@@ -1,4 +1,4 @@
-"""scripts/error-vs-time from its sweep to its tables and figures, on a few small runs."""
+"""scripts/study error-vs-time from its sweep to its tables and figures, on a few small runs."""
 
 import contextlib
 import io

@@ -1,4 +1,4 @@
-"""A short run of the fuzzer over everything that reads a file; scripts/fuzz is the long form."""
+"""A short run of the fuzzer over everything that reads a file; scripts/study fuzz is the long form."""
 
 import os
 import sys

@@ -17,7 +17,8 @@ from ehlwave_program import namelist, run
 
 ROOT = Path(__file__).resolve().parents[2]
 FOLDERS_OF_BUILDS = ("build", ".git")
-READMES = sorted(path.relative_to(ROOT).as_posix() for path in [*ROOT.rglob("README.md"), ROOT/"postprocess/examples/cluster.md"]
+PAGES = [ROOT/"postprocess/examples/cluster.md", *(ROOT/"postprocess/manual/explanation").glob("*.md")]
+READMES = sorted(path.relative_to(ROOT).as_posix() for path in [*ROOT.rglob("README.md"), *PAGES]
                  if not {*FOLDERS_OF_BUILDS, "node_modules", ".venv"} & {*path.relative_to(ROOT).parts})
 
 NOT_RUN = {
@@ -25,16 +26,14 @@ NOT_RUN = {
     "scripts/test": "is what runs this test",
     "scripts/manual": "takes a minute; scripts/test --label manual runs it",
     "scripts/build release": "has made the programs of this test",
+    "scripts/run-sweep SWEEP.nml": "stands for the files of the reader",
     "scripts/run-sweep inputs/paper_quick.nml": "takes minutes; planned here, and smaller results stand in for its results",
     'settings=$(scripts/python-environment) && eval "$settings"': "installs packages; this test has its own `ehlwave`",
     "python3 -m venv venv && . venv/bin/activate": "installs packages",
     "pip install ./postprocess": "installs packages; system/test_packaging makes the wheel",
-    "scripts/stability-map --quick": "takes minutes; system/test_stability_map runs it on fewer cases",
-    "scripts/stability-map": "takes an hour",
-    "scripts/stability-map --sliding": "takes minutes",
     "mpirun -n 2 build/release/drivers/ehlwave-sweep inputs/paper_harmonic.nml": "takes a minute; planned here",
-    "scripts/linearity": "takes minutes; tests/test_linearity.py has its report",
-    "scripts/check-transients": "takes a quarter of an hour; verification/test_slip_transients runs some of it",
+    "scripts/study linearity": "takes minutes; tests/test_linearity.py has its report",
+    "scripts/study transients": "takes a quarter of an hour; verification/test_slip_transients runs some of it",
     "sbatch --ntasks=64 EHLWAVE/scripts/batch/slurm.sh SWEEP.nml results.h5": "needs Slurm; system/test_slurm starts one",
     "sbatch --ntasks=64 --array=0-2 EHLWAVE/scripts/batch/slurm.sh A.nml B.nml C.nml": "needs Slurm; system/test_slurm",
     "sbatch --ntasks=64 $EHLWAVE_HOME/scripts/batch/slurm.sh SWEEP.nml results.h5": "needs Slurm; system/test_slurm",
@@ -225,7 +224,10 @@ class Commands(unittest.TestCase):
 
     def check_link(self, readme, target):
         name, _, anchor = target.partition("#")
-        path = ((ROOT/readme).parent/name).resolve() if name else ROOT/readme
+        if name.startswith("/"):   # of pages of the manual: from the top level on
+            path = ROOT/name[1:]
+        else:
+            path = ((ROOT/readme).parent/name).resolve() if name else ROOT/readme
         self.assertTrue(path.exists())
         if anchor:
             headings = re.findall(r"^#+ (.*)$", path.read_text(encoding="utf-8"), re.MULTILINE)

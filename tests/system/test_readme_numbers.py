@@ -64,8 +64,6 @@ def top_level():
     surfaces = table("microgeometry/table.csv")
     small = [row for row in surfaces if float(row["amplitude_over_film"]) < 0.3]
     bounds = [Bound(100*max(float(row[f"error_{by}_over_rq"]) for row in small)) for by in ("default", "table", "formula")]
-    rolling, sliding = re.search(r"VALIDATED_ROLLING, VALIDATED_SLIDING = ([\d.]+), ([\d.]+)",
-                                 (ROOT/"postprocess/src/ehlwave/deform/amplitude.py").read_text()).groups()
     marched, small_wave = (small_waves(name, orientation="isotropic")[0] for name in ("march", "linear_response"))
     minutes = sum(cells("full/stages.csv", "seconds"))/60
     return [
@@ -75,7 +73,7 @@ def top_level():
          [small_wave, marched, marched/small_wave]),
         ("gain factors of {} to {} (M = 100", [min(across()), max(across())]),
         ("longitudinal waves stand still and gain a factor of {}.", small_waves("factor", orientation="longitudinal")),
-        ("above an amplitude of {} % of the film ({} % under slip) nothing was compared", percents([float(rolling), float(sliding)])),
+        ("above an amplitude of {} % of the film ({} % under slip) nothing was compared", percents(validated())),
         ("differ from simulated ones by at most {} % of Rq where the amplitude is below 30 % of the film. "
          "With a table computed for the contact (`--table`) it is {} %, with the paper's formula {} %", bounds),
     ]
@@ -171,10 +169,7 @@ def validation():
         where = {"film": film, "formula": formula, "D": "all"}
         claims.append((f"| {printed} | {{}} % | {{}} % | {{}} %", [cell("validation/films.csv", name, **where)
                                                                  for name in ("mean, %", "rms, %", "worst, %")]))
-    errors = re.search(r"FIT_ERROR, LINE_FIT_ERROR = ([\d.]+), ([\d.]+)",
-                       (ROOT/"postprocess/src/ehlwave/contact/conditions.py").read_text()).groups()
-    return [*claims, ("too thin and {} % too thick in 95 % of contacts", [100*float(errors[0])]),
-            ("up to 40 %, in line contacts up to {} %", [100*float(errors[1])])]
+    return claims
 
 
 def better_formula():
@@ -209,15 +204,20 @@ def two_waves():
     for slip in ("1.3", "0.7"):
         for text, column in (("computed waves", "error, computed waves"), ("law alone", "error, law")):
             claims.append((f"| {slip}, {text} | {{}} | {{}} | {{}} | {{}} |", percents(cells("two_waves/passing.csv", column, S=slip))))
+    seconds = sum(cell("full/stages.csv", "seconds", stage=name) for name in ("two_waves", "sliding"))
+    return [*claims, ("computes what this needs ({} s on two cores)", [seconds])]
+
+
+def rolling():
+    """The transfer of pure rolling."""
     closer, formula = "closer fit, conditions held out", "recommended formula, four numbers"
     rms = [cell("two_waves/rolling.csv", "rms of Ad/Ai", formula=name) for name in (closer, formula)]
     mean, most = ([cell("two_waves/rolling.csv", column, formula=name) for name in (closer, formula)]
                   for column in ("mean of formula/Ad below 0.1", "largest of it"))
-    claims.append(("rms of Ad/Ai {} (recommended {}), with phase {}; below Ad/Ai = 0.1 it is {} % too large in the mean "
-                   "and {} % at most ({} % and a factor {}).",
-                   [*rms, cell("two_waves/rolling.csv", "rms with phase", formula=closer), *percents([mean[0] - 1, most[0] - 1, mean[1] - 1]),
-                    most[1]]))
-    return claims
+    return [("rms of Ad/Ai {} (recommended {}), with phase {}; below Ad/Ai = 0.1 it is {} % too large in the mean "
+             "and {} % at most ({} % and a factor {}).",
+             [*rms, cell("two_waves/rolling.csv", "rms with phase", formula=closer), *percents([mean[0] - 1, most[0] - 1, mean[1] - 1]),
+              most[1]])]
 
 
 def atlas():
@@ -242,15 +242,21 @@ def atlas():
     return [*claims, ("have the law alone, within {}, {} and {} of Ai", [slip[1], slip[2], slip[0]])]
 
 
+def validated():
+    """Amplitudes up to which predictions were compared with marches."""
+    text = (ROOT/"postprocess/src/ehlwave/deform/amplitude.py").read_text()
+    return [float(one) for one in re.search(r"VALIDATED_ROLLING, VALIDATED_SLIDING = ([\d.]+), ([\d.]+)", text).groups()]
+
+
 def postprocess():
-    rolling, sliding = re.search(r"VALIDATED_ROLLING, VALIDATED_SLIDING = ([\d.]+), ([\d.]+)",
-                                 (ROOT/"postprocess/src/ehlwave/deform/amplitude.py").read_text()).groups()
-    seconds = sum(cell("full/stages.csv", "seconds", stage=name) for name in ("two_waves", "sliding"))
-    return [
-        ("Above an amplitude of {} of the film, under slip {}, no prediction was compared", [float(rolling), float(sliding)]),
-        ("computes what this needs ({} s on two cores)", [seconds]),
-        *microgeometry(), *study(), *validation(), *better_formula(), *two_waves(), *atlas(),
-    ]
+    return [("Above an amplitude of {} of the film, under slip {}, no prediction was compared", validated())]
+
+
+def roughness():
+    errors = re.search(r"FIT_ERROR, LINE_FIT_ERROR = ([\d.]+), ([\d.]+)",
+                       (ROOT/"postprocess/src/ehlwave/contact/conditions.py").read_text()).groups()
+    return [*microgeometry(), *postprocess(), ("too thin and {} % too thick in 95 % of contacts", [100*float(errors[0])]),
+            ("up to 40 %, in line contacts up to {} %", [100*float(errors[1])])]
 
 
 def record():
@@ -320,8 +326,11 @@ def errors_and_costs():
     ]
 
 
+MANUAL = "postprocess/manual/explanation"
 CLAIMS = {"README.md": top_level, "postprocess/README.md": postprocess, "postprocess/record/README.md": record,
-          "src/case/README.md": lambda: [*speeds(), *errors_and_costs()]}
+          f"{MANUAL}/accuracy.md": lambda: [*speeds(), *errors_and_costs()], f"{MANUAL}/atlas.md": atlas,
+          f"{MANUAL}/roughness.md": roughness, f"{MANUAL}/paper.md": lambda: [*study(), *validation(), *better_formula(), *rolling()],
+          f"{MANUAL}/slip.md": two_waves}
 
 
 def words(path):

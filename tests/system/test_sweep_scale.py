@@ -35,8 +35,8 @@ class SweepScale(unittest.TestCase):
             self.assertIn(f"{CASES} finished, 0 left", outcome.stdout)
 
     def test_disk_of_a_case(self):
-        """What the README says of real cases; what is the same for any number of them falls out of the difference."""
-        text = (Path(__file__).parents[2]/"src"/"sweep"/"README.md").read_text()
+        """What the manual says of real cases; what is the same for any number of them falls out of the difference."""
+        text = (Path(__file__).parents[2]/"postprocess/manual/explanation/sweeps.md").read_text()
         said = re.search(r"smooth (\S+) and (\S+) kB a case, linear responses (\S+) and (\S+) kB", text)
         patterns = {}, {"orientation": "transverse", "wavelength_over_a": 2, "response": "harmonic"}
         for number, pattern in enumerate(patterns):

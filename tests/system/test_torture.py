@@ -1,4 +1,4 @@
-"""A sweep that is killed, stopped and starved of disk at random moments, and one whose system fails; scripts/torture is the
+"""A sweep that is killed, stopped and starved of disk at random moments, and one whose system fails; scripts/study torture is the
 long form."""
 
 import os

@@ -1,6 +1,6 @@
 """Every key is drawn, and numbers of random inputs are within what they say of themselves.
 
-scripts/check-accuracy --all-keys does the same for hundreds of inputs.
+scripts/study accuracy --all-keys does the same for hundreds of inputs.
 """
 
 import json

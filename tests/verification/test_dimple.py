@@ -15,7 +15,7 @@ except ImportError as error:
     print(f"SKIPPED: ehlwave cannot be imported ({error})")
     sys.exit(SKIPPED)
 
-PLACE = 21.14   # um, of the dimple on the surface when the film has it where it was published; found by scripts/validate
+PLACE = 21.14   # um, of the dimple on the surface when the film has it where it was published; found by scripts/study validation
 
 
 class RollingDimple(unittest.TestCase):

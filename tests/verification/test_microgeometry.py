@@ -1,6 +1,6 @@
 """Roughness predicted by a harmonic table against the full transient, on a coarse grid.
 
-scripts/validate-microgeometry does the same for four surfaces at two conditions on finer grids.
+scripts/study microgeometry does the same for four surfaces at two conditions on finer grids.
 """
 
 import sys

@@ -24,7 +24,7 @@ class Atlas(Networks):
     Parameters
     ----------
     data : xarray.Dataset
-        As :func:`load_atlas` reads it; ``scripts/atlas`` makes it.
+        As :func:`load_atlas` reads it; ``scripts/study atlas`` makes it.
 
     Examples
     --------
@@ -38,7 +38,7 @@ class Atlas(Networks):
     def __init__(self, data: xr.Dataset) -> None:
         """Take the networks."""
         if data.attrs.get("format") != FORMAT_NAME:
-            raise ResultsError(f"not a file of scripts/atlas (format {data.attrs.get('format')!r})")
+            raise ResultsError(f"not an atlas of ehlwave (format {data.attrs.get('format')!r})")
         super().__init__(data, KINDS[data.attrs["kind"]])
 
     def at(self, keys: Mapping[str, float]) -> Chart:
@@ -99,7 +99,7 @@ def load_atlas(path: str | Path = SHIPPED) -> Atlas:
     Parameters
     ----------
     path : path
-        File of ``scripts/atlas``.
+        File of ``scripts/study atlas``.
 
     Raises
     ------

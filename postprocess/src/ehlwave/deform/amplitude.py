@@ -7,7 +7,7 @@ from ehlwave.contact.conditions import Conditions
 
 VALIDATED_ROLLING, VALIDATED_SLIDING = 0.62, 0.3
 """Largest amplitude over film of a march that a prediction was compared with: the sputtered pattern
-(``record/microgeometry``), under slip the waves of ``scripts/check-transients``."""
+(``record/microgeometry``), under slip the waves of ``scripts/study transients``."""
 
 ROLLING_FACTOR = 0.05
 SLIP_FACTORS = (68.0, 18.0)
@@ -20,7 +20,7 @@ PROFILE_FACTOR = 0.15
 
 RISE_ERRORS = {"rolling": 0.067, "sliding": 0.12, "line": 0.017}
 """Of the rise of the mean film over the film, per (amplitude/film)^2: 95 % of the waves in contacts
-that the networks have not seen (``scripts/atlas --validate``)."""
+that the networks have not seen (``scripts/study atlas --validate``)."""
 
 LARGEST_RISE = 0.5
 """Of the film: a larger change in second order says that the series does not hold."""
