@@ -36,7 +36,14 @@ include_patterns = [
     "postprocess/manual/**",
     "build/manual/pages/**",
 ]
-exclude_patterns = ["build/[!m]*", "build/manual/html", "**/tests/**", "**/.*", "**/CMakeFiles/**"]
+exclude_patterns = [
+    "build/[!m]*",
+    "build/manual/html",
+    "**/tests/**",
+    ".*",
+    "**/.*",
+    "**/CMakeFiles/**",
+]
 
 myst_enable_extensions = ["amsmath", "colon_fence", "dollarmath"]
 myst_heading_anchors = 4
@@ -72,9 +79,10 @@ def link_folders(_app: Any, document: str, source: list[str]) -> None:  # noqa: 
 
     def target(match: re.Match[str]) -> str:
         text, place = match[1], match[2]
-        if "://" in place or not (here / place).is_dir():
+        folder = root / place[1:] if place.startswith("/") else here / place
+        if "://" in place or not folder.is_dir():
             return match[0]
-        if not (here / place / "README.md").exists():
+        if not (folder / "README.md").exists():
             return text
         return f"[{text}]({place.rstrip('/')}/README.md)"
 

@@ -1,4 +1,4 @@
-"""What this project's own studies need: not installed, ``scripts/`` puts it on the path.
+"""Modules of this project's own studies: not installed, ``scripts/`` puts them on the path.
 
 ``programs`` runs the programs of the build, for the tests too; the others are one study each:
 

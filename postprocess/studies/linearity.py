@@ -33,7 +33,7 @@ COLUMNS = (
     "range_over_linear",
     "phase_difference",
 )
-"""What the table of :func:`linearity_points` is written with."""
+"""Formats of the table of :func:`linearity_points`."""
 
 _PATTERN = ("load_parameter_m", "radius_ratio_d", "orientation", "wavelength_over_a")
 _STYLE = {"font.size": 8.5, "axes.labelsize": 9.5, "legend.fontsize": 8}

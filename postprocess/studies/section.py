@@ -1,4 +1,4 @@
-"""What the parts of the study hand to the report: sections of text, tables and figures."""
+"""Sections of the report: text, tables and figures."""
 
 from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ProcessPoolExecutor
@@ -56,7 +56,7 @@ class Section:
     tables: list[Table] = field(default_factory=list)
     pictures: list[Picture] = field(default_factory=list)
     files: list[Path] = field(default_factory=list)
-    """What :func:`write_section` wrote."""
+    """Files that :func:`write_section` wrote."""
 
 
 Parts = Sequence[tuple[str, Callable[[Path], Section]]]

@@ -34,7 +34,7 @@ class Row:
 
 
 METHODS: dict[str, dict[str, str]] = {"newton": {}, "fas": {"cycle": "v"}}
-"""What is compared, with the keys of ``&solver`` that a march is meant to be used with."""
+"""Methods that are compared, with the keys of ``&solver`` for a march."""
 
 COARSE, FINE = 256, 1024
 """Cells along X and Y."""

@@ -1,4 +1,4 @@
-"""What lubrication does to the stress of a rough surface, and which of two bodies suffers.
+"""The effect of lubrication on the stress of a rough surface, and on each of two bodies.
 
 ``python -m studies.stress --output DIR`` computes the tables and pictures of ``record/stress``:
 waves of one length, and random roughness, in a contact of 1.5 GPa; dry, lubricated and smooth side

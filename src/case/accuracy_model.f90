@@ -1,8 +1,8 @@
-!> Discretisation error and cost to expect of a case, before it is run.
+!> Expected discretisation error and cost of a case, before it is run.
 !>
 !> The functions were fitted to the runs of `scripts/study error-vs-time`; the coefficients are those of
 !> postprocess/record/error-vs-time/models.csv, which also says how far each function is from the runs. They are
-!> what experience tells, no bounds: the results carry estimates made from their own grids.
+!> fits, no bounds. Results carry estimates from their own grids.
 module ehlwave_accuracy_model
    use ehlwave_conditions, only: conditions_t
    use ehlwave_kinds, only: dp

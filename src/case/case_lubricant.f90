@@ -1,4 +1,4 @@
-!> The lubricant of a case: what it needs, and its laws as the equations take them.
+!> The lubricant of a case: its mandatory keys, and its laws in the form that the equations use.
 module ehlwave_case_lubricant
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_files, only: case_file_t, case_files

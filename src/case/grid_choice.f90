@@ -1,4 +1,4 @@
-!> The grid of a case: cells as asked, or the smallest of a list of sizes that resolves inlet sweep and waves.
+!> The grid of a case: cells as given, or the smallest of a list of sizes that resolves inlet sweep and waves.
 module ehlwave_grid_choice
    use ehlwave_accuracy_model, only: largest_mesh, points_for
    use ehlwave_case_definition, only: case_t, usual_largest_cells

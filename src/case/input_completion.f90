@@ -1,4 +1,4 @@
-!> The input of one case as it was given made a case: what depends on which keys were given.
+!> Makes a case from the input as given: defaults that depend on which keys were given.
 module ehlwave_input_completion
    use ehlwave_case_completion, only: case_conditions, complete_case
    use ehlwave_case_definition, only: case_t

@@ -1,14 +1,17 @@
-!> Up to which amplitude waves respond as small ones do.
+!> The amplitude up to which waves respond as small ones do.
 !>
-!> The difference of Ad/Ai grows with the square of Ai. Measured by marches beside linear responses, 96 x 96 cells,
-!> transverse waves of 0.6 and 1.2 a, factors of (Ai over the film)^2 of
+!> The relative difference of Ad/Ai grows with the square of Ai: difference = factor (Ai/film)^2. Factors were measured
+!> by marches beside linear responses (96 x 96 cells, transverse waves of 0.6 and 1.2 a):
 !>
-!>     M, L, D          S = 1     0.8, 1.2        0.5                       1.5                        Newtonian;
-!>     Ree-Eyring of 5 MPa 100, 12.05, 1    0.05      0.04; 0.2       0.05, 0.15; 0.1, 0.5      0.12; 0.4 (1.2 a) 80, 8,
-!>     0.5                                 0.07, 1.8; 0.07, 4.4      12 to 17 (0.6 a), 1.1; 0.2 (1.2 a)
+!>     M, L, D, S                       Newtonian                         Ree-Eyring of 5 MPa
+!>     100, 12.05, 1, 1                 0.05
+!>     100, 12.05, 1, 0.8 and 1.2       0.04                              0.2
+!>     100, 12.05, 1, 0.5               0.05, 0.15                        0.1, 0.5
+!>     100, 12.05, 1, 1.5               0.12                              0.4 (1.2 a)
+!>     80, 8, 0.5, 0.5                  0.07, 1.8                         0.07, 4.4
+!>     80, 8, 0.5, 1.5                  12 to 17 (0.6 a), 1.1 (1.2 a)     0.2 (1.2 a)
 !>
-!> The wave that the oil carries makes it, and it differs that much from case to case: the range below is that of the
-!> worst.
+!> The wave that the oil carries makes the difference, which varies much between cases. The range is that of the worst.
 module ehlwave_linear_range
    use ehlwave_case_definition, only: case_t
    use ehlwave_kinds, only: dp

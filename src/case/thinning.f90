@@ -1,7 +1,7 @@
-!> Errors and work to expect of an oil that is not Newtonian, over those of a Newtonian one.
+!> Expected errors and work of an oil that is not Newtonian, relative to those of a Newtonian one.
 !>
-!> Its film is thinner, its inlet as much steeper, and the flow across the film needs more points. Measured: H(0,0) on
-!> 64 to 192 cells of 60 random contacts (M 8 to 250, L 2 to 17, D 0.05 to 1, S 0.2 to 1.8, Ree-Eyring 0.1 to 20 MPa,
+!> Its film is thinner, its inlet steeper by the same factor, and the flow across the film needs more points. Measured:
+!> H(0,0) on 64 to 192 cells of 60 random contacts (M 8 to 250, L 2 to 17, D 0.05 to 1, S 0.2 to 1.8, Ree-Eyring 0.1 to 20 MPa,
 !> Carreau n 0.35 to 1). The error over that of the Newtonian model is the Newtonian film over the film, and both are
 !> about 1 + 0.15 (1 - n) ph^2/(E' tau0):
 !>

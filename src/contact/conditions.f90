@@ -1,4 +1,4 @@
-!> Operating conditions of an EHL contact: Moes parameters, Hertz scales and everything between.
+!> Operating conditions of an EHL contact: Moes parameters, Hertz scales, and the relations between them.
 module ehlwave_conditions
    use ehlwave_elliptic_integrals, only: ellipticity, ellipticity_integrals, ellipticity_integrals_t, line_integrals
    use ehlwave_errors, only: error_t, raise

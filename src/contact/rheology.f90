@@ -1,4 +1,4 @@
-!> The laws of an oil as the dimensionless equations ask for them: of P, at the reference temperature.
+!> The laws of an oil for the dimensionless equations: functions of P, at the reference temperature.
 module ehlwave_rheology
    use ehlwave_density_law, only: density_law_t
    use ehlwave_film_flow, only: film_flow_t, new_film_flow

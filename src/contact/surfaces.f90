@@ -1,4 +1,4 @@
-!> The rough surfaces of a contact: what they add to the gap together.
+!> The rough surfaces of a contact, and the sum of their heights in the gap.
 module ehlwave_surfaces
    use ehlwave_kinds, only: dp
    use ehlwave_waviness, only: no_waviness, waviness_t

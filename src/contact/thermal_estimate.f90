@@ -1,4 +1,4 @@
-!> How warm the oil would get: estimates for a warning, since the model is isothermal.
+!> Estimated temperature rise of the oil, for a warning: the model is isothermal.
 module ehlwave_thermal_estimate
    use ehlwave_kinds, only: dp, pi
    implicit none (type, external)

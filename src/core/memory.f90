@@ -1,4 +1,4 @@
-!> How much memory this process can have, and its end where there is no more.
+!> The memory that this process can have, and its end if there is no more.
 module ehlwave_memory
    use, intrinsic :: iso_c_binding, only: c_double, c_int, c_size_t
    use ehlwave_kinds, only: dp

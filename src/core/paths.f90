@@ -1,4 +1,4 @@
-!> POSIX calls for names: which file one leads to, removing without following links.
+!> POSIX calls for names: the file that a name leads to, removal without following links.
 module ehlwave_paths
    use, intrinsic :: iso_c_binding, only: c_char, c_int, c_long, c_null_char
    implicit none (type, external)

@@ -1,4 +1,4 @@
-!> The input of one case: every key with its default. `case_keys` says what each means and may be.
+!> The input of one case: every key with its default. `case_keys` has their meaning and bounds.
 module ehlwave_case_definition
    use ehlwave_case_key, only: name_length => choice_length
    use ehlwave_conditions, only: contact_data_t

@@ -1,4 +1,4 @@
-!> One key of an input: what is said about it, and its value whatever its kind.
+!> One key of an input: its description, and its value of any kind.
 module ehlwave_case_key
    use ehlwave_kinds, only: dp
    use ehlwave_text, only: to_text

@@ -1,5 +1,4 @@
-!> A list of keys with their values: made from a table of keys, looked up by name, given back to what the table is
-!> about.
+!> A list of keys with their values: made from a table of keys, looked up by name, written back to the case.
 module ehlwave_key_list
    use ehlwave_case_key, only: choice_length, key_t, key_value_t, most_keys, number_kind, truth_kind, whole_kind, &
       word_kind

@@ -1,4 +1,4 @@
-!> An input file in Fortran namelist format: its groups and keys, where they stand, and which nobody asked for.
+!> An input file in Fortran namelist format: its groups and keys, their lines, and the unknown ones.
 !>
 !> The reader is our own because a compiler's reports nearly all mistakes as 'End of file' and lets NaN,
 !> 1d400, empty values and doubled keys pass. Use: `load`, then `value_of` or `values_of` for every key there

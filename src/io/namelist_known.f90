@@ -1,4 +1,4 @@
-!> Groups and keys somebody asked for, and advice about those nobody did.
+!> Known groups and keys, and advice about unknown ones.
 module ehlwave_namelist_known
    use ehlwave_identity_index, only: identity_index_t, text_identity
    use ehlwave_namelist_scanner, only: name_length

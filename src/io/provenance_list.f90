@@ -1,4 +1,4 @@
-!> Where a result comes from: this build, and what it runs with, as quantities.
+!> Provenance of a result, as quantities: this build, and the libraries that it runs with.
 module ehlwave_provenance_list
    use ehlwave_posix, only: library_text
    use ehlwave_provenance, only: build_type, compiler, compiler_flags, git_revision, library_versions, program_version

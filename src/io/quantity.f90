@@ -1,4 +1,4 @@
-!> Quantities: values with a name, a unit and a long name, whatever they are going to be written to.
+!> Quantities: values with a name, a unit and a long name, for any kind of output.
 module ehlwave_quantity
    use ehlwave_kinds, only: dp, no_value
    implicit none (type, external)

@@ -1,5 +1,5 @@
-!> Output of a program on standard output and standard error. Names of files and texts of stores are of somebody: no
-!> byte of them that a terminal would obey passes here.
+!> Output of a program on standard output and standard error. Names of files and texts of stores can hold control
+!> sequences. They are removed here.
 module ehlwave_terminal
    use, intrinsic :: iso_fortran_env, only: error_unit, output_unit
    use ehlwave_posix, only: append_text, is_broken_pipe

@@ -1,4 +1,4 @@
-!> A text told by the lines in which it differs from another one.
+!> A text stored as the lines in which it differs from another one.
 module ehlwave_text_difference
    use ehlwave_text, only: next_line, to_text
    implicit none (type, external)

@@ -1,9 +1,8 @@
-!> The table of quantities: what a case is, what its plan says and what it came to. Everything that is printed as JSON,
-!> stored, or written to HDF5 files follows from it, so a new quantity is one entry here and what computes it.
+!> The table of quantities: input, plan and result of a case. JSON, stores and HDF5 files follow from it, so a new
+!> quantity is one entry here and the code that computes it.
 !>
-!> An entry gives name, long name, how the value is got, the unit where the number is not a plain one, and where only
-!> some cases have it, which (`exists`). What is a key as well is described in the table of keys: `add_key` takes it
-!> over.
+!> An entry has a name, a long name and the value. It has a unit where the number is not dimensionless, and `exists`
+!> where only some cases have it. `add_key` takes the description of a quantity that is also a key from its table.
 module ehlwave_quantities
    use ehlwave_case_account, only: blank_result
    use ehlwave_case_definition, only: case_t

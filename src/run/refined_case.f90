@@ -1,4 +1,4 @@
-!> Runs one case, and again on finer grids where its estimated error is above the accuracy asked for.
+!> Runs one case, and again on finer grids if its estimated error is above the `accuracy` of the input.
 module ehlwave_refined_case
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_case_definition, only: case_t

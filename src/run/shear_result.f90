@@ -1,4 +1,4 @@
-!> How the oil of a solution shears: stress, friction, and estimates of what the model leaves out.
+!> Shear of the oil in a solution: stress, friction, and estimates of heat and stress limit, which are not modelled.
 module ehlwave_shear_result
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_conditions, only: conditions_t

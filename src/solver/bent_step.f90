@@ -1,4 +1,4 @@
-!> A Newton step that knows how the viscosity grows.
+!> A Newton step for residuals that grow exponentially with the pressure, as the viscosity does.
 module ehlwave_bent_step
    use ehlwave_equations, only: equations_t
    use ehlwave_kinds, only: dp

@@ -1,5 +1,4 @@
-!> Paths from a problem that has been solved to one that has not, and those in M and L and in the stress of the flow
-!> law.
+!> Continuation from a solved problem to an unsolved one, and its paths in M and L and in the stress of the flow law.
 module ehlwave_continuation
    use ehlwave_conditions, only: conditions_from_moes, conditions_t
    use ehlwave_errors, only: error_t

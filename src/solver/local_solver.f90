@@ -1,4 +1,4 @@
-!> The helper that Newton's method asks where little of the domain spoils a residual.
+!> The interface of a local solve before a Newton step, for a residual that a small part of the domain dominates.
 module ehlwave_local_solver
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_equations, only: equations_t

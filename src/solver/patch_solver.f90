@@ -1,9 +1,8 @@
 !> Nonlinear elimination of the steep end of the pressure (Lanzkron, Rose and Wilkes 1996).
 !>
-!> Where waves pass the place where the pressure ends steeply, a guess is off by as much there as a factor in the
-!> viscosity, in a hundred nodes of ten thousands, and Newton's method on the whole would take three or four steps for
-!> these alone. Solved in the patch that holds them, everything else held, they take a few steps of a few per cent of
-!> the cost.
+!> Waves move the steep end of the pressure. The first guess is then off by a factor in the viscosity, at a hundred
+!> nodes of ten thousands. Newton's method on the whole would take three or four steps for these nodes alone. In a patch
+!> that holds them they take a few steps, each for a few per cent of the cost. All else is held.
 module ehlwave_patch_solver
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_equations, only: equations_t

@@ -1,4 +1,4 @@
-!> The rescue ladder: what is tried when a solve fails, rung by rung, under one cap on the work of a case.
+!> The rescue ladder: further attempts when a solve fails, rung by rung, under one cap on the work of a case.
 !>
 !> Rungs, in this order: from the solution before (time steps only), continuation from an easier neighbour, Newton's
 !> method where another one was asked for, Newton's method with short steps, PETSc where the build has it.

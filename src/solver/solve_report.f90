@@ -1,4 +1,4 @@
-!> When a solve stops, and what came of it.
+!> The end of a solve, and the report of its outcome.
 module ehlwave_solve_report
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_equations, only: equations_t

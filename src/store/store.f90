@@ -1,4 +1,4 @@
-!> The store of a sweep: a folder with everything that is known for sure, written so that nothing can spoil it.
+!> The store of a sweep: a folder with every finished case, written so that nothing that ends a job can spoil it.
 !>
 !>     store                     one line: format and its version
 !>     defaults                  generation of the defaults of keys that its cases have; not there: as the records say
@@ -6,7 +6,7 @@
 !>     cases                     identity and expected cost of each case of the sweep
 !>     records/RUN-RANK.log      what each rank of each run (of the program) has done; see ehlwave_record_file
 !>     checkpoints/IDENTITY      marches under way
-!>     fields/IDENTITY.h5        fields of a case, when they are asked for
+!>     fields/IDENTITY.h5        fields of a case, if the input asks for them
 !>
 !> A rank appends to files of its own only. Records are, in this order in each file,
 !>

@@ -1,4 +1,4 @@
-!> Content of a store: every record that can be believed, read from the logs of all ranks of all runs.
+!> Content of a store: every valid record, read from the logs of all ranks of all runs.
 module ehlwave_store_contents
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_errors, only: error_t, raise

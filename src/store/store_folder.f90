@@ -1,4 +1,4 @@
-!> The folder of a store: where it is, whether it is one, the lock that keeps other jobs away.
+!> The folder of a store: its place, a check that it is a store, the lock that keeps other jobs away.
 module ehlwave_store_folder
    use, intrinsic :: iso_c_binding, only: c_long
    use ehlwave_errors, only: error_t, raise

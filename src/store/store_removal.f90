@@ -1,4 +1,4 @@
-!> Removes a store: files with names of ours, never through a link, and nothing that somebody else has put there.
+!> Removes a store: only files with the names that runs give, never through a link.
 module ehlwave_store_removal
    use ehlwave_errors, only: error_t, raise
    use ehlwave_paths, only: remove_folder, remove_within

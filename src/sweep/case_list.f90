@@ -1,4 +1,4 @@
-!> The list of all cases of a sweep that its store keeps, with what their time is told from and what varies: `--status`
+!> The list of all cases of a sweep that its store keeps, with expected costs and the keys that vary. With it `--status`
 !> needs no sweep file.
 module ehlwave_case_list
    use ehlwave_cost_model, only: feature_count

@@ -1,4 +1,4 @@
-!> The record of a case in the store of a sweep: all that its report offers, and where and when it ran.
+!> The record of a case in the store of a sweep: all quantities of its report, place and time of its run.
 module ehlwave_case_record
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t

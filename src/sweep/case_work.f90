@@ -1,4 +1,4 @@
-!> Works through one case of a sweep: run it, store what it came to.
+!> Works through one case of a sweep: runs it, and stores its result.
 module ehlwave_case_work
    use ehlwave_case_account, only: refused_result
    use ehlwave_case_definition, only: case_t

@@ -1,8 +1,7 @@
 !> HDF5 file of a sweep: one row per case over the dimension `case`, whatever its status.
 !>
-!> The rows are made from the sweep file (what each case is) and from the store (what it came to). Nothing but the
-!> columns that `run_columns` takes from the runs is named here: the others are those of the table of quantities and of
-!> the records.
+!> The rows are made from the sweep file (inputs) and from the store (results). Only the columns of `run_columns` are
+!> named here. The others are those of the table of quantities and of the records.
 module ehlwave_results_file
    use ehlwave_case_account, only: blank_result
    use ehlwave_case_keys, only: case_key_list

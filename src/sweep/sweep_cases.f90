@@ -1,4 +1,4 @@
-!> The cases of a sweep: completed, planned, no two alike.
+!> The cases of a sweep: completed, planned, each once.
 module ehlwave_sweep_cases
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_input, only: case_input_t

@@ -1,4 +1,4 @@
-!> Which defaults of keys the cases of a sweep have: those that its store was begun with, as its records tell.
+!> The defaults of keys of a sweep: those that its store was begun with, as its records say.
 module ehlwave_sweep_defaults
    use ehlwave_errors, only: error_t, raise
    use ehlwave_store_defaults, only: not_said, origin_t, read_origin

@@ -1,4 +1,4 @@
-!> Time to expect of the cases of a sweep before any has run.
+!> Expected time of the cases of a sweep before any has run.
 module ehlwave_sweep_expectation
    use ehlwave_case_plan, only: case_plan_t
    use ehlwave_kinds, only: dp

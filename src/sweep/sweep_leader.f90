@@ -1,5 +1,5 @@
 !> Work of rank 0 in a run of a sweep besides scheduling: it takes over the store, keeps the user and the results file
-!> up to date, and says at the end what became of it all.
+!> up to date, and reports the outcome at the end.
 module ehlwave_sweep_leader
    use, intrinsic :: iso_fortran_env, only: output_unit
    use ehlwave_case_list, only: case_list_t

@@ -1,4 +1,4 @@
-!> Counts the cases of a sweep and tells how it goes, a line from time to time.
+!> Counts the cases of a sweep, and prints a line of progress from time to time.
 module ehlwave_sweep_progress
    use, intrinsic :: iso_fortran_env, only: output_unit
    use ehlwave_outcome, only: outcome_t

@@ -1,5 +1,5 @@
-!> Waves in a contact as they are known before a march: the periodic solution to second order in their amplitude, and
-!> what the march on a coarser grid found besides.
+!> Waves in a contact before a march: the periodic solution to second order in their amplitude, and the correction that
+!> the march on a coarser grid found.
 module ehlwave_known_waves
    use ehlwave_grid, only: grid_t
    use ehlwave_harmonic_response, only: harmonic_response_t, harmonic_solver_t

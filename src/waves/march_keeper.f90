@@ -1,5 +1,5 @@
-!> Who keeps the state of a march, so that it can go on in another run of the program: a march hands itself up and does
-!> not know where it is kept.
+!> The interface of a keeper of marches: it stores the state of a march, so that another run of the program goes on with
+!> it. A march does not know where it is kept.
 module ehlwave_march_keeper
    use ehlwave_kinds, only: dp
    use ehlwave_time_march, only: march_t

@@ -1,4 +1,4 @@
-!> Who looks at the solutions of a march on its way: a march shows them and does not know what becomes of them.
+!> The interface of a watcher of marches: it sees each solution on the way.
 module ehlwave_march_watcher
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp

@@ -5,7 +5,7 @@
 !>
 !>     u2 = -J0^(-1) < R(u0 + A Re(u1 exp(-i phi))) - R(u0) >,    the mean over phases phi.
 !>
-!> The derivative in time has no mean. Four phases see all that is of second order. A pattern that varies along Y only
+!> The derivative in time has no mean. Four phases are exact to second order. A pattern that varies along Y only
 !> stands still: its mean is that of crest and trough, two phases.
 module ehlwave_mean_film
    use ehlwave_harmonic_response, only: harmonic_response_t

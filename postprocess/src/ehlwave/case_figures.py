@@ -27,7 +27,7 @@ _STYLE = {"font.size": 8.5, "axes.labelsize": 9, "axes.titlesize": 9.5, "legend.
 
 @dataclass(frozen=True)
 class Units:
-    """What numbers of a file are multiplied by, and their names.
+    """Factors and names of the units of a picture.
 
     In um, GPa and us where the case has dimensions; otherwise 1, in units of a, b, c, ph.
     """

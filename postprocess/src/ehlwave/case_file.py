@@ -16,7 +16,7 @@ from ehlwave.hdf5 import read_dataset
 FORMAT_NAME = "ehlwave-case"
 FIELDS = ("pressure", "film")
 NEEDED = {"x": ("x",), "y": ("y",)} | dict.fromkeys(FIELDS, ("y", "x"))
-"""What pictures are drawn from, with its dimensions."""
+"""Fields that pictures are drawn from, with their dimensions."""
 
 FILM_SHOWN = 2.0
 """Thickest film that is shown, over that of the smooth contact's centre: the inlet is far above."""

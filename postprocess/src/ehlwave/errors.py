@@ -54,7 +54,7 @@ class SurfaceError(ResultsError):
 
 
 class RangeError(ResultsError, ValueError):
-    """What is asked for lies outside what was computed; nothing is extrapolated.
+    """A value lies outside the computed range; nothing is extrapolated.
 
     The message names the quantity, its value and the range.
 

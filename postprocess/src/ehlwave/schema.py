@@ -37,7 +37,7 @@ EDGES = ("flooded", "truncated")
 """Pressures at the edges of the domain, the column ``edges``."""
 
 EDGES_BEFORE = "truncated"
-"""What cases had before there was such a column."""
+"""Values of cases from before there was such a column."""
 
 SMOOTH = "none"
 """The ``orientation`` of a case without waviness."""

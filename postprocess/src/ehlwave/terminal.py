@@ -1,4 +1,4 @@
-"""What reaches the terminal: text alone, whatever stands in names and files."""
+"""Text for the terminal, without the control sequences that names and files can hold."""
 
 import contextlib
 import io

@@ -11,7 +11,7 @@ from typing import Any
 Row = dict[str, Any]
 
 FACTOR, SLACK = 1.5, 0.002
-"""What a number may be off by: so many times its declared error, and so much of it besides."""
+"""Allowed deviation of a number: so many times its declared error, and so much of it."""
 LIMIT = 4 / 3
 NOTHING = 1e-12
 """Numbers that are zero but for rounding, such as friction in pure rolling."""

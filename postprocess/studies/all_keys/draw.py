@@ -27,7 +27,7 @@ Row = dict[str, Any]
 
 @dataclass
 class Contact:
-    """What is drawn before the keys, since several of them follow from it."""
+    """Random choices before the keys, because several keys follow from them."""
 
     rng: np.random.Generator
     folder: Path

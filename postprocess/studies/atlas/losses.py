@@ -1,4 +1,4 @@
-"""What networks of an atlas make small: what responses, films and their errors lack."""
+"""Losses of the networks of an atlas: misses of responses, films and their errors."""
 
 from dataclasses import dataclass, fields
 from typing import TypeVar
@@ -79,7 +79,7 @@ class Waves:
 
 @dataclass(frozen=True)
 class Films:
-    """What is known of contacts: logarithms, (contacts, films), by the coordinates of contacts."""
+    """Films of contacts: logarithms, (contacts, films), by the coordinates of contacts."""
 
     inputs: Floats
     numbers: Floats
@@ -115,7 +115,7 @@ class Errors:
 
 
 Task = Waves | Films | Errors
-"""What networks learn."""
+"""Data that networks learn from."""
 
 
 def part(record: Record, rows: NDArray[np.bool_]) -> Record:

@@ -1,4 +1,4 @@
-"""What the sweeps of the atlas came to, as contacts and their responses."""
+"""Results of the sweeps of the atlas, as contacts and their responses."""
 
 from collections.abc import Sequence
 from pathlib import Path

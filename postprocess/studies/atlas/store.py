@@ -20,7 +20,7 @@ PARTS = {
     "w3": (("network", "second", "output"), "weights of the outputs"),
     "b3": (("network", "one", "output"), "biases of the outputs"),
 }
-"""What the file has of each committee of networks: dimensions and description."""
+"""Content of the file for each committee of networks: dimensions and description."""
 
 MOST_STEPS = 32767
 """Of weights, which are kept in two bytes each."""

@@ -51,7 +51,7 @@ NUMBER = value_of("[0-9]{1,9}", int, "a whole number")
 POSITIVE = value_of(r"(?=.*[1-9])[0-9]{1,9}(\.[0-9]+)?", float, "a number above 0")
 PATH = value_of("(?s).+", lambda text: Path(text).resolve(), "a name")
 KINDS = {"N": COUNT, "SECONDS": COUNT, "COUNT": NUMBER, "MINUTES": POSITIVE}
-"""What an option wants, by the word that its help has for the value; others are paths."""
+"""Type of an option, by the word that its help has for the value; others are paths."""
 
 
 def option(name: str, value: str, about: str, default: object = None) -> Option:

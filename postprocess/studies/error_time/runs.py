@@ -1,4 +1,4 @@
-"""What is run: contacts, methods, grids, time steps and tolerances."""
+"""The runs: contacts, methods, grids, time steps and tolerances."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace

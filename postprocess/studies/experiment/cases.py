@@ -1,4 +1,4 @@
-"""What is run for the experiment: speeds, kinds of surface, grids, and variants of the model."""
+"""Cases of the experiment: speeds, kinds of surface, grids, and variants of the model."""
 
 from dataclasses import dataclass
 from pathlib import Path

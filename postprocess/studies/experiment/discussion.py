@@ -1,4 +1,4 @@
-"""What the results of the experiment mean, in words, with the numbers put in."""
+"""The discussion of the experiment, with the numbers put in."""
 
 from collections.abc import Sequence
 from pathlib import Path

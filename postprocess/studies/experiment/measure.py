@@ -1,4 +1,4 @@
-"""What is read off the results of the experiment, in micrometres."""
+"""Measures of the results of the experiment, in micrometres."""
 
 from collections.abc import Callable
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""What section 4 of Venner, Kaneta and Lubrecht (2000) prints: tables 1 and 2, and its text."""
+"""Numbers of section 4 of Venner, Kaneta and Lubrecht (2000): tables 1 and 2, and its text."""
 
 from typing import NamedTuple
 

@@ -64,7 +64,7 @@ class LambdaRatio:
     film_over_simulated: float
     rq_over_simulated: float
     own_error: float
-    """What its grid leaves off the simulated film, by its own estimate, relative."""
+    """Return the relative grid error of the simulated film, by its own estimate."""
 
     @property
     def at_mesh_zero(self) -> float:

@@ -11,7 +11,7 @@ from studies.paper.cases import DIRECTIONS
 
 Floats = NDArray[np.float64]
 Points = np.recarray
-"""What formulas are made of, one value per point and field; see :func:`points_of`."""
+"""Variables of formulas, one value per point and field; see :func:`points_of`."""
 
 
 def points_of(selected: xr.Dataset) -> Points:

@@ -1,4 +1,4 @@
-"""What a study was computed with: stages, times, versions, settings."""
+"""Provenance of a study: stages, times, versions, settings."""
 
 import platform
 from importlib.metadata import PackageNotFoundError, version

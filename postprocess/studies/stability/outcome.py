@@ -1,4 +1,4 @@
-"""What became of a case, and whether its result is honest."""
+"""The outcome of a case, and whether its result is honest."""
 
 import math
 from collections.abc import Sequence

@@ -1,1 +1,1 @@
-"""What sliding does to waviness: the law of the complementary wave, and what follows from it."""
+"""Waviness under slip: the law of the complementary wave, and its consequences."""

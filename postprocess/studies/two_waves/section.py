@@ -1,4 +1,4 @@
-"""What sliding does to waviness: the chapter of the report."""
+"""The chapter of the report on waviness under slip."""
 
 import itertools
 from pathlib import Path

@@ -28,7 +28,7 @@ DOMAINS = (Grid(16), Grid(16, WIDE_DOMAIN))
 
 @dataclass(frozen=True)
 class Dimple:
-    """What was run: the lines of both instants on the finer grid, and by how much they are off."""
+    """Result of the runs: lines of both instants on the finer grid, and their errors."""
 
     centre_um: float
     lines: dict[int, Line]

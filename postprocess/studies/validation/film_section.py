@@ -1,4 +1,4 @@
-"""What film formulas miss by over a map of M, L and D: section of the page."""
+"""Errors of film formulas over a map of M, L and D: section of the page."""
 
 from itertools import product
 from pathlib import Path

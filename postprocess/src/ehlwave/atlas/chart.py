@@ -89,7 +89,7 @@ class Chart:
         self._networks = networks
         self._place = kind.coordinates(keys)
         self.film_numbers = networks.films(self._place)[0]
-        """What the films are known by: those that the kind of the atlas names."""
+        """Return the coordinates of the films, as the kind of the atlas names them."""
         references = kind.references(keys)
         numbers = dict(zip(kind.films, self.film_numbers[:, None], strict=True))
         self._shape = kind.shape(kind.state(keys, references, numbers))

@@ -1,4 +1,4 @@
-"""What the atlases of contacts that roll, of those that slide and of line contacts differ in."""
+"""Settings that differ between the atlases: rolling, sliding and line contacts."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -17,7 +17,7 @@ def _keys_alone(keys: Keys, _: Floats, __: Mapping[str, Floats]) -> Keys:
 
 
 FILMS = ("film_ratio", "minimum_ratio")
-"""What is known of all contacts, see :attr:`Kind.films`."""
+"""Films of all kinds of contacts, see :attr:`Kind.films`."""
 
 
 @dataclass(frozen=True)

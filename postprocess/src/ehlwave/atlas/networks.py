@@ -1,4 +1,4 @@
-"""What an atlas knows: its networks, and the kind of contacts that they are of."""
+"""The networks of an atlas, and the kind of contacts that they are for."""
 
 import xarray as xr
 
@@ -22,7 +22,7 @@ class Networks:
         self.data = data
         self.kind = kind
         self.films = committee_of(data, "films")
-        """What is known of contacts, those that the kind names, by their coordinates."""
+        """Return the films that the kind names, by the coordinates of contacts."""
         self.waves = committee_of(data, "waves")
         """Numbers of waves, by their coordinates after those of their contacts."""
         self.film_errors = errors_of(data, "film_errors")
@@ -32,7 +32,7 @@ class Networks:
 
     @property
     def name(self) -> str:
-        """What it is and where it comes from.
+        """Return its description and origin.
 
         Examples
         --------

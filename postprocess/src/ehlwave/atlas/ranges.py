@@ -1,4 +1,4 @@
-"""What the atlas covers."""
+"""The ranges that the atlas covers."""
 
 CONTACT_RANGES = {
     "load_parameter_m": (20.0, 2000.0),

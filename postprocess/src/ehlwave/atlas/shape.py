@@ -74,7 +74,7 @@ class Seen:
 
 
 class Shape:
-    """What turns responses of contacts that roll into numbers that hardly change, and back.
+    """Turns responses of contacts that roll into numbers that hardly change, and back.
 
     The law is that of pure rolling, amplitude and phase; two numbers change its ratio. Takes M, L
     and D as arrays of one shape.

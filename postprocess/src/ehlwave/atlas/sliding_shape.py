@@ -22,7 +22,7 @@ STANDING = 1e4
 
 
 class SlidingShape(Shape):
-    """What contacts that slide make of waves: the law of the two waves, T = a + c.
+    """Responses of contacts that slide, by the law of the two waves, T = a + c.
 
     Two numbers change the ratio of c to the law, two are added to T. The pressure is that of the
     two waves, W(k) P = a - 1 + c W(k)/W(psi). The state of the contact centre has the film and the

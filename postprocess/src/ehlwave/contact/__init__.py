@@ -1,4 +1,4 @@
-"""What a contact is: its conditions and scales, its oil, and the two waves under slip.
+"""The contact: its conditions and scales, its oil, and the two waves under slip.
 
 Knows no surfaces, no atlas and no files of results.
 """

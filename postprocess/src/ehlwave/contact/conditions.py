@@ -119,7 +119,7 @@ class Conditions:
 
     @property
     def slender_gamma(self) -> float:
-        """What stands for gamma in laws of elliptical contacts: alphabar and L are what counts."""
+        """Return gamma for laws of elliptical contacts, which depend on alphabar and L alone."""
         return self.gamma * (SLENDER_OVER_LINE if self.is_line else 1.0)
 
     @property

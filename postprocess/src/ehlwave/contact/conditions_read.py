@@ -11,7 +11,7 @@ from ehlwave.contact.conditions import OIL_KEYS, Conditions, conditions_from_key
 from ehlwave.errors import SurfaceError
 
 KNOWN_LAWS = {"viscosity_law": "roelands", "density_law": "dowson_higginson"}
-"""What :class:`ehlwave.contact.medium.Oil` has; files may ask for others."""
+"""Laws of :class:`ehlwave.contact.medium.Oil`; files may name others."""
 
 LAW_PREFIXES = ("mcewen_", "yasutomi_", "doolittle_", "tait_")
 """Of the parameters of other laws."""
@@ -74,7 +74,7 @@ def _place(words: Sequence[str]) -> str:
 
 
 class GivenKeys(NamedTuple):
-    """What is said: known keys, laws of the oil without a place in them, their numbers."""
+    """Content of an input: known keys, other laws of the oil, their numbers."""
 
     keys: dict[str, Any]
     other_laws: list[str]

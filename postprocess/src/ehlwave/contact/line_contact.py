@@ -27,7 +27,7 @@ ROLLS_ALONE = (
     "a line contact answers for pure rolling alone (slip_parameter = 1): under slip compute it "
     f"(ehlwave.Case, ehlwave-case), or {_SLENDER}"
 )
-"""What to do about what is not covered."""
+"""Advice in refusals of line contacts."""
 
 
 def line_values(values: Mapping[str, float], alpha: float) -> dict[str, float]:

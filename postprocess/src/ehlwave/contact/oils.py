@@ -13,7 +13,7 @@ DENSITY_PA, DENSITY_LIMIT = 5.9e8, 1.34
 
 @dataclass(frozen=True)
 class Oil:
-    """What of the oil waves under slip depend on: Roelands' viscosity, and how it shears.
+    """Properties of an oil for waves under slip: Roelands' viscosity, and the flow law.
 
     Attributes
     ----------

@@ -79,7 +79,7 @@ class TwoWaves:
 
 @dataclass(frozen=True)
 class Launch:
-    """What decides how much of waves the inlet launches, and how it arrives; arrays over waves.
+    """Inlet parameters of the complementary wave: its launch and its way; arrays over waves.
 
     Attributes
     ----------
@@ -144,7 +144,7 @@ def launch_length(
 
 
 class SmoothContact(Protocol):
-    """What the law has to know of a contact; :class:`ehlwave.deform.Conditions` is one."""
+    """Interface of a contact for the law; :class:`ehlwave.deform.Conditions` is one."""
 
     @property
     def m(self) -> float:

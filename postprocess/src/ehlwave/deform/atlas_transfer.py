@@ -31,7 +31,7 @@ SHORT_WAVE_POWER = 1.5
 
 @dataclass(frozen=True)
 class Found:
-    """What is known of some waves, arrays of their shape."""
+    """Responses to some waves, arrays of their shape."""
 
     ratio: Complex
     error: Waves
@@ -77,7 +77,7 @@ class AtlasTransfer:
 
     @property
     def name(self) -> str:
-        """What it is."""
+        """Return its description."""
         return self._atlas.name
 
     @property

@@ -1,4 +1,4 @@
-"""What commas mean in a text table: columns, decimals or thousands.
+"""The meaning of commas in a text table: columns, decimals or thousands.
 
 ``-14,0`` is a position and a height, or one height; ``1,234`` is a little more than one, or more
 than a thousand. Where the table itself decides it is followed, where it does not both readings are

@@ -39,7 +39,7 @@ _MOST_POINTS = 100_000_000
 
 @dataclass(frozen=True)
 class ReadOptions:
-    """What a file does not say.
+    """Units and steps that a file does not state.
 
     Attributes
     ----------

@@ -24,7 +24,7 @@ LEAST_SHARE = 1e-6
 
 
 class Predicted(Protocol):
-    """What is predicted of a surface; :class:`ehlwave.deform.Deformed` is it."""
+    """Interface of a predicted surface; :class:`ehlwave.deform.Deformed` is one."""
 
     @property
     def surface(self) -> Surface:
@@ -36,7 +36,7 @@ class Predicted(Protocol):
 
     @property
     def transfer(self) -> Transfer | None:
-        """What it was predicted with."""
+        """Return the transfer that it was predicted with."""
 
     @property
     def window(self) -> Window:

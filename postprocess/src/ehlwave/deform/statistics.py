@@ -69,7 +69,7 @@ class FilmStatistics:
 
 @dataclass(frozen=True)
 class Components:
-    """What the harmonic components say of the whole.
+    """Statistics of the sum of all harmonic components.
 
     Attributes
     ----------

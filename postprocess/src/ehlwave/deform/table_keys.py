@@ -32,7 +32,7 @@ IN_COLUMNS = frozenset(
         "oblique",
     )
 )
-"""What the columns M, L, D, slip_parameter and the wavelengths say."""
+"""Keys that the columns M, L, D, slip_parameter and the wavelengths give."""
 
 OF_THE_OIL = (
     "pressure_viscosity_per_pa",
@@ -71,7 +71,7 @@ OF_MARCHES = (
     "load_factor",
     "end_time",
 )
-"""What a response in time depends on besides; the linear response does not."""
+"""Further keys of a response in time; the linear response does not depend on them."""
 
 OF_THE_SOLUTION = frozenset(
     (

@@ -31,7 +31,7 @@ class Transfer(Protocol):
 
     @property
     def name(self) -> str:
-        """What it is, for reports."""
+        """Return its description, for reports."""
 
     @property
     def covers_all(self) -> bool:
@@ -71,7 +71,7 @@ def orientation_and_wave(per_length_x: Waves, per_length_y: Waves) -> tuple[Wave
 
 
 class FormulaBasis:
-    """What formulas share: all components are covered, or none, for reasons; linear."""
+    """Base of formulas, which are linear. They cover all components, or none and say why."""
 
     conditions: Conditions
 

@@ -1,4 +1,4 @@
-"""What the histories of one body come to: criteria, Dang Van's factor, life, and their errors."""
+"""Results for one body: criteria, Dang Van's factor, life, and their errors."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass

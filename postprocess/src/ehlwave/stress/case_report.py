@@ -1,4 +1,4 @@
-"""What the stresses below a solved contact come to: table, JSON, figure."""
+"""The report of stresses below a solved contact: table, JSON, figure."""
 
 from dataclasses import asdict
 from pathlib import Path

@@ -29,7 +29,7 @@ class SmoothFilm(Protocol):
 
 
 class OperatingPoint(Protocol):
-    """What stresses have to know of a contact; :class:`ehlwave.Contact` is one."""
+    """Interface of a contact for stresses; :class:`ehlwave.Contact` is one."""
 
     conditions: Conditions
 

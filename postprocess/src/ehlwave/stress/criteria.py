@@ -1,4 +1,4 @@
-"""What of a stress decides: von Mises, largest shear, orthogonal shear, hydrostatic stress.
+"""Criteria of a stress: von Mises, largest shear, orthogonal shear, hydrostatic stress.
 
 Stresses are datasets as :func:`ehlwave.stress.stress_below` gives them, or any mapping of the six
 components to arrays of one shape; tension positive.

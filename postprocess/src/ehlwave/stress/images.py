@@ -1,4 +1,4 @@
-"""What images of a load, a period away, do to its stresses: found on a coarse grid, taken away.
+"""Stresses by periodic images of a load: found on a coarse grid, and subtracted.
 
 A transform makes the load repeat. A period of twice the grid keeps the images away, but their
 stress falls no faster than the third power of the distance. It is smooth, and depends on the load

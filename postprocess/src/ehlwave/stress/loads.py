@@ -1,4 +1,4 @@
-"""What acts on the surface of a body: arrays, checked, in one order of axes."""
+"""Loads on the surface of a body: arrays, checked, in one order of axes."""
 
 from dataclasses import dataclass
 
