@@ -66,9 +66,9 @@ Examples:
   ehlwave deform ball.csv --second disc.csv --conditions sliding.nml --formula two-waves
       --length-unit mm --height-unit um
 
-Under slip (slip_parameter in the conditions) the atlas has Ree-Eyring oils, eyring_stress_pa. Of
-others, also Carreau ones, carreau_modulus_pa and carreau_exponent, the law of the two waves is the
-formula that holds; a harmonic table of this slip is better."""
+Under slip (slip_parameter in the conditions) the atlas has Ree-Eyring oils (eyring_stress_pa). For
+other oils, also Carreau ones (carreau_modulus_pa, carreau_exponent), the law of the two waves
+holds. A harmonic table of this slip is better."""
 
 
 SURFACE_DESCRIPTION = """\
