@@ -10,6 +10,8 @@ from typing import Any
 import numpy as np
 
 from studies import programs, sweeps
+from studies.command import checks
+from studies.command.options import step_parser
 
 ASKED = "asked"
 FINER = "finer"
@@ -18,7 +20,6 @@ SILENT = 2 * ACCURACY
 """Errors above it have to be told by a status."""
 
 WAVY_AMPLITUDE = 0.02
-LARGEST_CELLS = 512
 ORIENTATIONS = ("transverse", "isotropic", "longitudinal", "custom")
 COMMON = {
     "conditions": {"reduced_modulus_pa": 2.26e11},
@@ -184,14 +185,10 @@ def report(folder: Path) -> int:
 
 def main() -> int:
     """Write a sweep, or report."""
-    parser = argparse.ArgumentParser(prog="python -m studies.accuracy", description=__doc__)
+    parser = step_parser(checks.accuracy, __doc__)
     parser.add_argument("what", choices=["asked", "finer", "report"])
     parser.add_argument("folder", type=Path)
-    parser.add_argument("--smooth", type=int, default=60, help="contacts without waves")
-    parser.add_argument("--wavy", type=int, default=60, help="linear responses")
-    parser.add_argument("--marches", type=int, default=12, help="waves in time")
-    parser.add_argument("--cells", type=int, default=LARGEST_CELLS, help="draw again beyond")
-    parser.add_argument("--seed", type=int, default=14, help="of the random numbers")
+    parser.set_defaults(seed=14)
     options = parser.parse_args()
     if options.what == "report":
         return report(options.folder)

@@ -18,6 +18,8 @@ from ehlwave.figures import COLOURS, write_figure
 from ehlwave.read import read_results
 from ehlwave.schema import CONVERGED, DIMENSION, UNRESOLVED
 from ehlwave.tables import write_dataset_csv
+from studies.command import maps
+from studies.command.options import step_parser
 from studies.sweeps import run_command
 
 COLUMNS = (
@@ -120,9 +122,8 @@ def linearity_figure(points: xr.Dataset) -> Figure:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Write table and figure, print the deviations; return 0, or 1 with a message."""
-    parser = argparse.ArgumentParser(prog="linearity", description=__doc__)
+    parser = step_parser(maps.linearity, __doc__)
     parser.add_argument("results", nargs="+", type=Path, metavar="RESULTS", help="HDF5 file")
-    parser.add_argument("--output", type=Path, default=Path(), metavar="DIR")
     return run_command(parser, _run, arguments)
 
 

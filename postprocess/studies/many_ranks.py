@@ -6,7 +6,6 @@ files on cases that take no time, which gives the time of rank 0 for one case, a
 sleep, beside which the simulation stands first. Then the simulation goes where no machine is.
 """
 
-import argparse
 import dataclasses
 import heapq
 import os
@@ -18,6 +17,8 @@ from collections import deque
 import numpy as np
 from numpy.typing import NDArray
 
+from studies.command import robustness
+from studies.command.options import step_parser
 from studies.programs import MPI_ENVIRONMENT, mpi_command
 
 CASES_FOR_SERVICE = 20_000
@@ -117,10 +118,8 @@ def measure(program: str, ranks: int, cases: int, mean: float) -> tuple[float, f
 
 def main() -> None:
     """Measure, compare, simulate, print."""
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = step_parser(robustness.many_ranks, __doc__)
     parser.add_argument("synthetic", help="the program synthetic_sweep of the build")
-    parser.add_argument("--ranks", type=int, default=10_000)
-    parser.add_argument("--cases-per-rank", type=int, default=50)
     chosen = parser.parse_args()
 
     _, service = measure(chosen.synthetic, RANKS_FOR_SERVICE, CASES_FOR_SERVICE, 0)

@@ -5,10 +5,11 @@ import itertools
 import math
 import sys
 from collections.abc import Iterator, Sequence
-from pathlib import Path
 from typing import Any
 
 from ehlwave.errors import ResultsError
+from studies.command import checks
+from studies.command.options import step_parser
 from studies.programs import Groups, solve
 from studies.sweeps import run_command, write_rows
 
@@ -111,10 +112,7 @@ def line(row: dict[str, Any]) -> str:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Print and write the table; return 0 if every case is good, else 1."""
-    parser = argparse.ArgumentParser(prog="check-periodic", description=__doc__)
-    parser.add_argument("--output", type=Path, required=True, help="folder; made when absent")
-    parser.add_argument("--cells", type=int, default=64, help="along each side")
-    parser.add_argument("--first", type=int, default=24, help="so many cases only")
+    parser = step_parser(checks.periodic, __doc__)
     return run_command(parser, _run, arguments)
 
 

@@ -5,9 +5,10 @@ import math
 import sys
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass
-from pathlib import Path
 
 from ehlwave.errors import ResultsError
+from studies.command import maps
+from studies.command.options import step_parser
 from studies.programs import Groups, solve
 from studies.sweeps import run_command, write_rows
 from studies.work_unit import convolutions
@@ -116,9 +117,7 @@ def measure(run: Callable[[Groups], Answer], repeats: int) -> list[Row]:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Measure, print and write the table; return 0, or 1 with a message."""
-    parser = argparse.ArgumentParser(prog="speed-table", description=__doc__)
-    parser.add_argument("--output", type=Path, required=True, help="folder; made when absent")
-    parser.add_argument("--repeats", type=int, default=3, help="runs, of which the fastest counts")
+    parser = step_parser(maps.speed, __doc__)
     return run_command(parser, _run, arguments)
 
 

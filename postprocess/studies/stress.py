@@ -5,10 +5,8 @@ waves of one length, and random roughness, in a contact of 1.5 GPa; dry, lubrica
 by side. Nothing is simulated.
 """
 
-import argparse
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -26,6 +24,8 @@ from ehlwave.figures import COLOURS, write_figure
 from ehlwave.stress.figures import STYLE
 from ehlwave.stress.rough import RoughStress, rough_stress
 from ehlwave.writing import Writer
+from studies.command import maps
+from studies.command.options import step_parser
 
 Floats = NDArray[np.float64]
 
@@ -206,8 +206,7 @@ def _share_lines(axes: Axes, table: pd.DataFrame) -> None:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Compute the study; return 0."""
-    parser = argparse.ArgumentParser(prog="studies.stress", description=__doc__)
-    parser.add_argument("--output", type=Path, default=Path("build/stress"), metavar="DIR")
+    parser = step_parser(maps.stress, __doc__)
     folder = parser.parse_args(arguments).output
     writer = Writer()
     writer.folder(folder)

@@ -12,6 +12,8 @@ from typing import Any
 
 from ehlwave.errors import ResultsError
 from ehlwave.read import read_results
+from studies.command import checks
+from studies.command.options import step_parser
 from studies.sweeps import run_command
 
 SMALL = 0.01
@@ -64,7 +66,7 @@ def line(row: Mapping[str, Any]) -> str:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Print the table; return 0 if every case is good, else 1."""
-    parser = argparse.ArgumentParser(prog="transients", description=__doc__)
+    parser = step_parser(checks.transients, __doc__)
     parser.add_argument("results", type=Path, metavar="RESULTS", help="HDF5 file of the sweep")
     return run_command(parser, _run, arguments)
 

@@ -224,5 +224,5 @@ def test_the_file_has_units_provenance_and_a_checksum(tmp_path: Path, kind: Kind
     data.to_netcdf(tmp_path / "damaged.nc", engine="scipy")
     with pytest.raises(ehlwave.ResultsError, match="damaged"):
         load_atlas(tmp_path / "damaged.nc")
-    with pytest.raises(ehlwave.ResultsError, match="not a file"):
+    with pytest.raises(ehlwave.ResultsError, match="not an atlas"):
         Atlas(data.assign_attrs(format="else"))

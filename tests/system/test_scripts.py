@@ -72,12 +72,6 @@ class Scripts(unittest.TestCase):
                 self.assertEqual(outcome.stdout.rstrip().split("\n"), comment_of(SCRIPTS/script))
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["stubs", "tree"])
 
-    def test_the_readme_names_every_study(self):
-        studies = re.findall(r"^  ([a-z][a-z-]+) +[A-Z]", self.call("study", "--help").stdout, re.MULTILINE)
-        self.assertGreater(len(studies), 10)
-        text = (ROOT/"postprocess"/"README.md").read_text()
-        self.assertEqual(re.findall(r"^\| `([a-z-]+)` \|", text[text.index("## Studies"):], re.MULTILINE), studies)
-
     def test_studies_need_a_python_that_is_new_enough(self):
         (self.folder/"stubs"/"python3").write_text("#!/bin/sh\nexit 1\n")
         (self.folder/"stubs"/"python3").chmod(0o755)

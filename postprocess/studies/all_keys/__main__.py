@@ -1,6 +1,5 @@
 """Whether numbers are what they say they are: random inputs over every key."""
 
-import argparse
 import json
 import sys
 from concurrent.futures import ThreadPoolExecutor
@@ -10,6 +9,8 @@ from ehlwave.writing import Writer
 from studies.all_keys.check import draw_planned, offenders, run_both
 from studies.all_keys.draw import Row
 from studies.all_keys.table import key_groups
+from studies.command import checks
+from studies.command.options import step_parser
 from studies.sweeps import write_rows
 
 
@@ -29,11 +30,9 @@ def _short(value: object) -> str:
 
 def main() -> int:
     """Draw, run, compare."""
-    parser = argparse.ArgumentParser(prog="python -m studies.all_keys", description=__doc__)
+    parser = step_parser(checks.accuracy, __doc__)
     parser.add_argument("folder", type=Path)
-    parser.add_argument("--count", type=int, default=300, help="inputs")
-    parser.add_argument("--seed", type=int, default=33, help="of the random numbers")
-    parser.add_argument("--ranks", type=int, default=1, help="cases at once")
+    parser.set_defaults(seed=33)
     parser.add_argument("--report", action="store_true", help="of what is there, run nothing")
     options = parser.parse_args()
     Writer().folder(options.folder)
@@ -46,7 +45,7 @@ def main() -> int:
     def run(number: int) -> Row:
         return run_both(number, *drawn[number], options.folder, known)
 
-    with ThreadPoolExecutor(options.ranks) as pool:
+    with ThreadPoolExecutor(options.at_once) as pool:
         cases = list(pool.map(run, range(len(drawn))))
     return report(cases, options.folder)
 

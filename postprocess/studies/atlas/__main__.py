@@ -17,6 +17,8 @@ from studies.atlas.fit import finished
 from studies.atlas.points import read_points
 from studies.atlas.store import write_atlas
 from studies.atlas.validate import judge
+from studies.command import atlas as command
+from studies.command.options import step_parser
 from studies.sweeps import run_command
 
 FILLING = {"rolling": 24, "sliding": 64, "line": 20}
@@ -31,13 +33,11 @@ RISE_BATCHES = {"rolling": 24, "sliding": 24}
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Do one step; return 0, or 1 with a message."""
-    parser = argparse.ArgumentParser(prog="atlas", description=__doc__)
+    parser = step_parser(command.atlas, __doc__)
     parser.add_argument("step", choices=("batch", "rises", "fit", "unseen", "validate"))
     parser.add_argument("folder", type=Path, help="of sweeps and their results; made when absent")
     parser.add_argument("--batch", type=int, default=0, metavar="N", help="counted from 0")
-    parser.add_argument("--kind", choices=tuple(KINDS), default="rolling")
-    parser.add_argument("--atlas", type=Path, metavar="FILE.nc", help="default: the package's")
-    parser.add_argument("--ranks", type=int, default=1, metavar="N", help="processes that fit")
+    parser.set_defaults(kind="rolling", at_once=1)
     return run_command(parser, _do, arguments)
 
 
@@ -46,7 +46,7 @@ def _do(options: argparse.Namespace) -> None:
     atlas = options.atlas or shipped(kind)
     batches = sorted(folder.glob(f"{kind.name}-[0-9][0-9].h5"))
     if step == "batch":
-        known = _known_before(options.batch, folder, kind, options.ranks)
+        known = _known_before(options.batch, folder, kind, options.at_once)
         if kind is LINE:
             print(line_design.write_batch(folder, options.batch, known))
         else:
@@ -57,7 +57,7 @@ def _do(options: argparse.Namespace) -> None:
     elif step == "fit":
         rises = folder / f"{kind.name}-rises.h5"
         data = read_points(batches, rises if rises.is_file() else None, kind)
-        write_atlas(finished(data, options.ranks), atlas)
+        write_atlas(finished(data, options.at_once), atlas)
         print(atlas)
     elif step == "unseen":
         if kind is LINE:

@@ -39,7 +39,8 @@ def atlas(options: argparse.Namespace) -> int:
     and the 95th percentile.
     """
     folder, kind = options.output, options.kind or "rolling"
-    of_kind, processes = ("--kind", kind), ("--ranks", os.environ["EHLWAVE_RANKS"])
+    of_kind = (f"--{options.kind}",) if options.kind else ()
+    processes = ("--ranks", os.environ["EHLWAVE_RANKS"])
     steps.prepare()
     os.environ["OMP_NUM_THREADS"] = "1"  # networks are fitted by processes
 

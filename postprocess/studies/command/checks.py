@@ -15,11 +15,11 @@ PARTS = ("dimple", "line", "films", "printed")
     flag("--all-keys", "draw inputs over every key in place of those contacts"),
     option("--output", "DIR", "default build/accuracy, with --all-keys build/accuracy-all-keys"),
     at_once(),
-    option("--smooth", "COUNT", "contacts without waves (default 60)"),
-    option("--wavy", "COUNT", "linear responses (default 60)"),
-    option("--marches", "COUNT", "waves in time (default 12)"),
-    option("--cells", "N", "contacts that need more are drawn again (default 512)"),
-    option("--count", "N", "with --all-keys: inputs (default 300)"),
+    option("--smooth", "COUNT", "contacts without waves (default 60)", 60),
+    option("--wavy", "COUNT", "linear responses (default 60)", 60),
+    option("--marches", "COUNT", "waves in time (default 12)", 12),
+    option("--cells", "N", "contacts that need more are drawn again (default 512)", 512),
+    option("--count", "N", "with --all-keys: inputs (default 300)", 300),
     option("--seed", "COUNT", "of the random numbers (default 14, with --all-keys 33)"),
 )
 def accuracy(options: argparse.Namespace) -> int:
@@ -68,8 +68,8 @@ def jacobian(options: argparse.Namespace) -> int:
 @study(
     "periodic",
     output("check-periodic"),
-    option("--cells", "N", "along each side (default 64)"),
-    option("--first", "N", "so many cases only"),
+    option("--cells", "N", "along each side (default 64)", 64),
+    option("--first", "N", "so many cases only (default 24, which is all)", 24),
     option("--program", "FILE", "an ehlwave-case to use; otherwise it is built"),
 )
 def periodic(options: argparse.Namespace) -> int:

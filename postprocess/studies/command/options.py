@@ -35,6 +35,15 @@ def study(name: str, *options: Option) -> Callable[[Run], Run]:
     return entered
 
 
+def step_parser(run: Run, about: str | None) -> argparse.ArgumentParser:
+    """Return the parser of the steps of a study, with the options of the study."""
+    name, options = next((name, one.options) for name, one in STUDIES.items() if one.run is run)
+    parser = argparse.ArgumentParser(f"a step of scripts/study {name}", description=about)
+    for words, keywords in options:
+        parser.add_argument(words, **keywords)
+    return parser
+
+
 def value_of(pattern: str, make: Callable[[str], Any], what: str) -> Callable[[str], Any]:
     """Return what reads a value of this pattern and refuses any other."""
 

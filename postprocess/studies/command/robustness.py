@@ -14,8 +14,8 @@ TARGET = value_of("|".join(TARGETS), str, f"one of {', '.join(TARGETS)}")
 
 @study(
     "many-ranks",
-    option("--ranks", "N", "default 10000"),
-    option("--cases-per-rank", "N", "default 50"),
+    option("--ranks", "N", "default 10000", 10_000),
+    option("--cases-per-rank", "N", "default 50", 50),
 )
 def many_ranks(options: argparse.Namespace) -> int:
     """Simulate a sweep on more ranks than there are, with measured service times.

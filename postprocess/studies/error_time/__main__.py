@@ -8,6 +8,8 @@ from pathlib import Path
 import pandas as pd
 
 from ehlwave.writing import Writer
+from studies.command import maps
+from studies.command.options import step_parser
 from studies.error_time import errors, figures, model
 from studies.error_time.runs import FULL, QUICK
 from studies.error_time.table import read_table, write_cases
@@ -16,10 +18,9 @@ from studies.sweeps import run_command
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Write the sweep, or tables and figures; return 0, or 1 with a message."""
-    parser = argparse.ArgumentParser(prog="error-vs-time", description=__doc__)
+    parser = step_parser(maps.error_vs_time, __doc__)
     parser.add_argument("step", choices=("cases", "report"))
     parser.add_argument("folder", type=Path, help="of all files; made when absent")
-    parser.add_argument("--quick", action="store_true", help="small grids, minutes")
     return run_command(parser, _run, arguments)
 
 

@@ -9,6 +9,8 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from ehlwave.writing import Writer
+from studies.command import checks
+from studies.command.options import step_parser
 from studies.microgeometry.compare import compare_speeds
 from studies.microgeometry.report import write_report
 from studies.microgeometry.simulate import (
@@ -29,11 +31,9 @@ RATIO_ALLOWED = 0.03  # of lambda ratios in one call
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Do one step; return 0, or 1 with a message, or when a prediction is too far off."""
-    parser = argparse.ArgumentParser(prog="validate-microgeometry", description=__doc__)
+    parser = step_parser(checks.microgeometry, __doc__)
     parser.add_argument("step", choices=("cases", "report"))
     parser.add_argument("folder", type=Path, help="of all files; made when absent")
-    parser.add_argument("--cells", type=int, default=128, metavar="N")
-    parser.add_argument("--tables", type=Path, metavar="DIR", help="of harmonic tables to use")
     return run_command(parser, _run, arguments)
 
 

@@ -7,6 +7,8 @@ from pathlib import Path
 
 from ehlwave.figures import write_figure
 from ehlwave.writing import Writer
+from studies.command import maps
+from studies.command.options import step_parser
 from studies.stability.cases import (
     OUTSIDE,
     corner_cases,
@@ -33,14 +35,12 @@ _SETS = {
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Write the sweep, or table and maps; return 1 when a case failed or claims too much."""
-    parser = argparse.ArgumentParser(prog="stability-map", description=__doc__)
+    parser = step_parser(maps.stability, __doc__)
     parser.add_argument("step", choices=("cases", "report"))
     parser.add_argument("folder", type=Path, help="of all files; made when absent")
-    parser.add_argument("--cases", choices=_SETS, default="full", help="default: full")
+    parser.add_argument("--cases", choices=_SETS, help="default: full")
+    parser.set_defaults(cases="full")
     parser.add_argument("--every", type=int, default=1, metavar="N", help="only every Nth case")
-    parser.add_argument(
-        "--limit", type=float, default=900, metavar="SECONDS", help="time a case may take"
-    )
     return run_command(parser, _run, arguments)
 
 

@@ -3,8 +3,9 @@
 import argparse
 import sys
 from collections.abc import Sequence
-from pathlib import Path
 
+from studies.command import checks
+from studies.command.options import step_parser
 from studies.sweeps import run_command
 from studies.validation.page import PARTS, write_validation
 
@@ -12,9 +13,7 @@ from studies.validation.page import PARTS, write_validation
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run what is missing, write the page; return 0, or 1 with a message."""
     names = [name for name, _ in PARTS]
-    parser = argparse.ArgumentParser(prog="validate", description=__doc__)
-    parser.add_argument("--output", type=Path, required=True, metavar="DIR")
-    parser.add_argument("--part", action="append", choices=names, help="default: all")
+    parser = step_parser(checks.validation, __doc__)
 
     def work(options: argparse.Namespace) -> None:
         written = write_validation(
