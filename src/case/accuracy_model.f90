@@ -31,16 +31,16 @@ module ehlwave_accuracy_model
 
 contains
 
-   !> Relative error of H(0,0) of a smooth contact: c hX^2 gamma M.
+   !> Relative error of H(0,0) of a smooth contact, theory eq. (E4): c hX^2 gamma M.
    pure real(dp) function expected_film_error(conditions, hx)
       type(conditions_t), intent(in) :: conditions
       real(dp), intent(in) :: hx    !! mesh size in X
       expected_film_error = film_factor*hx**2*conditions%steepness()
    end function expected_film_error
 
-   !> Relative error of Ad/Ai: c hX^2 gamma M (1 - F)^(1/2), F the ratio by the formula (the shorter the wave, the
-   !> nearer F to 1, the less of it is left to the inlet), c by whether the pattern moves, and what is due to waves
-   !> along Y, to steps longer than hX and to the step tolerance.
+   !> Relative error of Ad/Ai, theory eq. (E4): c hX^2 gamma M (1 - F)^(1/2). F is the ratio by the formula: the shorter
+   !> the wave, the nearer F to 1, and the less is left to the inlet. c goes by whether the pattern moves. Added is what
+   !> is due to waves along Y, to steps longer than hX and to the step tolerance.
    pure real(dp) function expected_ratio_error(conditions, formula_ratio, hx, points_y, cells_per_step, samples, &
                                                step_tolerance)
       type(conditions_t), intent(in) :: conditions

@@ -124,7 +124,7 @@ contains
       logical, intent(in) :: moves      !! whether the pattern does
       formula_ratio = amplitude_formula(anisotropy_factor(case%wavelength_x_over_a, case%wavelength_y_over_a) &
                                         *wave_parameter_v(conditions, case%wavelength_over_a))
-      if (moves) formula_ratio = formula_ratio*max(0.0_dp, 1 - abs(case%slip_parameter - 1)/slip_without_formula)
+      if (moves) formula_ratio = formula_ratio*max(0.0_dp, 1 - abs(conditions%slip_parameter - 1)/slip_without_formula)
    end function formula_ratio
 
 end module ehlwave_grid_choice

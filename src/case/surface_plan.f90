@@ -35,8 +35,8 @@ contains
          surfaces = new_surfaces(measured)
       else if (case%orientation /= 'none') then
          surfaces = new_surfaces(new_waviness(case%wavelength_x_over_a, &
-            conditions%elliptic%kappa*case%wavelength_y_over_a, &
-                                              case%oblique, case%x_min, case%slip_parameter, case%amplitude_over_film))
+                                              conditions%elliptic%kappa*case%wavelength_y_over_a, case%oblique, &
+                                              case%x_min, conditions%slip_parameter, case%amplitude_over_film))
       end if
    end subroutine plan_surfaces
 
@@ -56,7 +56,7 @@ contains
       if (.not. conditions%has_dimensions) then
          call raise(error, '&surface file holds metres: give &conditions by dimensional data (radius_x_m, ...) in '// &
             'place of load_parameter_m, lubricant_parameter_l and radius_ratio_d')
-      else if (.not. case%slip_parameter > 0) then
+      else if (.not. conditions%slip_parameter > 0) then
          call raise(error, '&surface file with slip_parameter = 0: the surface never enters the contact; give a '// &
                     'slip_parameter above 0')
       end if
@@ -69,7 +69,7 @@ contains
          error%message = '&surface file = '''//trim(case%surface_file)//''': '//error%message
          return
       end if
-      waviness = surface_waviness(surface, case%x_min, case%slip_parameter)
+      waviness = surface_waviness(surface, case%x_min, conditions%slip_parameter)
    end subroutine read_case_surface
 
    !> When the leading end of the surface is at the contact centre, and when its trailing end is, in T.

@@ -3,7 +3,7 @@
 !> Its film is thinner, its inlet steeper by the same factor, and the flow across the film needs more points. Measured:
 !> H(0,0) on 64 to 192 cells of 60 random contacts (M 8 to 250, L 2 to 17, D 0.05 to 1, S 0.2 to 1.8, Ree-Eyring 0.1 to
 !> 20 MPa, Carreau n 0.35 to 1). The error over that of the Newtonian model is the Newtonian film over the film. Both
-!> are about 1 + 0.15 (1 - n) ph^2/(E' tau0):
+!> are about 1 + 0.15 (1 - n) ph^2/(E' tau0), theory eq. (E7):
 !>
 !>     ph^2/(E' tau0)             0.6    2.5    3.4    10     17     23 (n = 0.57)   79      216 (n = 0.46)
 !>     error over the model       1.2    1.25   1.6    2.6    3.9    2.0             17      10.8

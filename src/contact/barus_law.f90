@@ -6,7 +6,7 @@ module ehlwave_barus_law
    implicit none (type, external)
    private
 
-   !> eta = eta0 exp(alpha p - beta (T - T0)): Barus, American Journal of Science 45, 1893, 87-96.
+   !> eta = eta0 exp(alpha p - beta (T - T0)): Barus, American Journal of Science 45, 1893, 87-96; theory eq. (R3).
    type, extends(alpha_law_t), public :: barus_law_t
    contains
       procedure :: evaluate

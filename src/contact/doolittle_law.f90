@@ -8,7 +8,7 @@ module ehlwave_doolittle_law
 
    !> eta = eta0 exp(B (R/(V/V0 - R) - R0/(1 - R0))),  R = R0 (1 + e (T - T0)): Doolittle, Journal of Applied Physics
    !> 22, 1951, 1471-1475, with the volume V of Tait's equation, V0 that at ambient pressure and T0; in this form Bair
-   !> 2019, chapter 6.
+   !> 2019, chapter 6; theory eq. (R7).
    type, extends(viscosity_law_t), public :: doolittle_law_t
       real(dp) :: factor = 0                   !! B, 2 to 6
       real(dp) :: occupied_fraction = 0        !! R0, volume occupied by molecules over volume at ambient pressure, 0.6

@@ -6,7 +6,7 @@ module ehlwave_dowson_higginson_density
    private
 
    !> rho/rho0 = (5.9e8 Pa + 1.34 p)/(5.9e8 Pa + p) (1 - eps (T - T0)): Dowson and Higginson, Elasto-hydrodynamic
-   !> Lubrication, Pergamon 1966.
+   !> Lubrication, Pergamon 1966; theory eq. (R1).
    type, extends(density_law_t), public :: dowson_higginson_density_t
       real(dp) :: expansion_per_k = 0   !! eps, 1/K
    contains

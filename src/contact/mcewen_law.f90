@@ -6,8 +6,8 @@ module ehlwave_mcewen_law
    private
 
    !> eta = eta0 (1 + alpha0 p/q)^q exp(-beta (T - T0)): McEwen, Journal of the Institute of Petroleum 38, 1952,
-   !> 646-654; Bair, High Pressure Rheology for Quantitative Elastohydrodynamics, 2nd ed., 2019, chapter 6. q -> inf is
-   !> Barus' law.
+   !> 646-654; Bair, High Pressure Rheology for Quantitative Elastohydrodynamics, 2nd ed., 2019, chapter 6; theory
+   !> eq. (R5). q -> inf is Barus' law.
    type, extends(viscosity_law_t), public :: mcewen_law_t
       real(dp) :: alpha0_per_pa = 0   !! d ln(eta)/dp at ambient pressure, 1/Pa
       real(dp) :: exponent = 0        !! q, above 1

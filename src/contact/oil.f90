@@ -57,8 +57,6 @@ module ehlwave_oil
       real(dp) :: limiting_stress_over_pressure = 0.08_dp
    contains
       procedure :: make_viscosity
-      procedure :: viscosity
-      procedure :: density
       procedure :: make_density
       procedure :: make_flow
       procedure :: is_newtonian
@@ -104,14 +102,6 @@ contains
       end select
    end subroutine make_viscosity
 
-   !> The same of an oil that is known to have one.
-   pure function viscosity(self) result(law)
-      class(oil_t), intent(in) :: self
-      class(viscosity_law_t), allocatable :: law
-      type(error_t), allocatable :: error
-      call self%make_viscosity(law, error)
-   end function viscosity
-
    !> The density law that the oil follows.
    pure subroutine make_density(self, law)
       class(oil_t), intent(in) :: self
@@ -126,13 +116,6 @@ contains
          allocate (law, source=self%tait)
       end select
    end subroutine make_density
-
-   !> The same as a function.
-   pure function density(self) result(law)
-      class(oil_t), intent(in) :: self
-      class(density_law_t), allocatable :: law
-      call self%make_density(law)
-   end function density
 
    !> The flow law that the oil follows; unallocated for a Newtonian oil.
    pure subroutine make_flow(self, law)

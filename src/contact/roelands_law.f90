@@ -11,7 +11,7 @@ module ehlwave_roelands_law
 
    !> ln(eta/eta0) = (alpha p0/z) ((1 + p/p0)^z theta^(-S0) - 1),  theta = (T - 138 K)/(T0 - 138 K),
    !> S0 = beta (T0 - 138 K) z/(alpha p0): Roelands, Correlational aspects of the viscosity-temperature-pressure
-   !> relationship of lubricating oils, Delft 1966.
+   !> relationship of lubricating oils, Delft 1966; theory eq. (R4).
    type, extends(alpha_law_t), public :: roelands_law_t
       real(dp) :: index = 0.68_dp       !! z
       real(dp) :: temperature_k = 0     !! T0, K; needed where beta is not 0

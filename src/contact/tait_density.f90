@@ -6,8 +6,8 @@ module ehlwave_tait_density
    private
 
    !> V/V0 = (1 + aV (T - T0)) (1 - ln(1 + (1 + K0') p/K)/(1 + K0')),  K = K0 exp(-bK (T - T0)), rho/rho0 = V0/V: Dymond
-   !> and Malhotra, International Journal of Thermophysics 9, 1988, 941-951; in this form Bair 2019, chapter 4. K0' is
-   !> near 11 for most liquids, K0 is 1 to 2 GPa at 20 to 40 C.
+   !> and Malhotra, International Journal of Thermophysics 9, 1988, 941-951; in this form Bair 2019, chapter 4; theory
+   !> eq. (R2). K0' is near 11 for most liquids, K0 is 1 to 2 GPa at 20 to 40 C.
    type, extends(density_law_t), public :: tait_density_t
       real(dp) :: modulus_pa = 0          !! K0, isothermal bulk modulus at ambient pressure and T0, Pa
       real(dp) :: modulus_rate = 11       !! K0', its rate of change with pressure there

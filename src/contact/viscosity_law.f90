@@ -44,7 +44,7 @@ module ehlwave_viscosity_law
 contains
 
    !> alpha* = 1/integral_0^inf eta(0)/eta(p) dp, 1/Pa, at T0: the reciprocal asymptotic isoviscous pressure (Blok
-   !> 1963). Zero for a law that does not rise with pressure from the first.
+   !> 1963), theory eq. (R8). Zero for a law that does not rise with pressure from the first.
    pure real(dp) function asymptotic_coefficient(law) result(alpha)
       class(viscosity_law_t), intent(in) :: law
       alpha = initial_slope(law)
@@ -52,7 +52,7 @@ contains
    end function asymptotic_coefficient
 
    !> The pressure-viscosity coefficient for film thickness formulas, 1/Pa (Bair, Liu and Wang, Journal of Tribology
-   !> 128, 2006, 624-631):
+   !> 128, 2006, 624-631), theory eq. (R9):
    !>
    !>     alpha_film = (1 - exp(-3))/integral_0^(3/alpha*) eta(0)/eta(p) dp,
    !>

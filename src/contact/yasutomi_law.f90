@@ -6,8 +6,8 @@ module ehlwave_yasutomi_law
    private
 
    !> log10(eta/eta_g) = -C1 (T - Tg) F/(C2 + (T - Tg) F),  Tg = Tg0 + A1 ln(1 + A2 p),  F = (1 + b1 p)^b2:
-   !> Bair, Mary, Bouscharain and Vergne, Proc. IMechE J: Journal of Engineering Tribology 227, 2013, 1056-1060. eta_g,
-   !> the viscosity at the glass transition, drops out of eta/eta0.
+   !> Bair, Mary, Bouscharain and Vergne, Proc. IMechE J: Journal of Engineering Tribology 227, 2013, 1056-1060; theory
+   !> eq. (R6). eta_g, the viscosity at the glass transition, drops out of eta/eta0.
    type, extends(viscosity_law_t), public :: yasutomi_law_t
       real(dp) :: c1 = 0, c2_k = 0                          !! C1, C2 in K
       real(dp) :: above_glass_k = 0                         !! T0 - Tg0, K

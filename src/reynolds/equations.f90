@@ -59,7 +59,7 @@ contains
       type(state_t), intent(in) :: state
 
       call self%flow%evaluate(problem%rheology, problem%conditions%lambdabar, state%p, state%h)
-      if (allocated(problem%film_flow)) &
+      if (.not. problem%rheology%is_newtonian()) &
          call self%flow%evaluate_faces(problem%film_flow, problem%grid, self%mesh%kappa)
       call reynolds_residual(self%mesh, given%transport, self%flow, self%residual)
       call self%set_scale(abs(given%transport%w0))

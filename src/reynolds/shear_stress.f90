@@ -8,7 +8,7 @@ module ehlwave_shear_stress
    use ehlwave_state, only: state_t
    implicit none (type, external)
    private
-   public :: friction_above, friction_of, knows_stress, mean_shear_stress, node_gradient, shear_stress
+   public :: friction_at, friction_of, knows_stress, mean_shear_stress, node_gradient, shear_stress
 
    real(dp), parameter, public :: least_pressure = 1e-12_dp   !! P of nodes that bear; solvers leave 1e-30 at some
                                                               !! cavitated ones
@@ -32,7 +32,7 @@ contains
       end do
    end subroutine node_gradient
 
-   !> The part of the friction coefficient that is borne where P is above a value, 0: all of it.
+   !> The part of the friction coefficient, theory eq. (T2), that is borne where P is above a value, 0: all of it.
    pure real(dp) function friction_of(grid, stress, p, above)
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: stress(0:, 0:)   !! tau/ph, (0:nx, 0:ny)
@@ -41,15 +41,14 @@ contains
       friction_of = load_factor*grid%integral(merge(stress, 0.0_dp, p > max(above, least_pressure)))
    end function friction_of
 
-   !> The same of a solution whose stresses are known.
-   real(dp) function friction_above(problem, state, above)
+   !> All of it, of a solution.
+   real(dp) function friction_at(problem, state)
       type(contact_problem_t), intent(in) :: problem
       type(state_t), intent(in) :: state
-      real(dp), intent(in) :: above
       real(dp), allocatable, dimension(:, :) :: b, factor_x, factor_y, stress
       call shear_stress(problem, state, stress, b, factor_x, factor_y)
-      friction_above = friction_of(problem%grid, stress, state%p, above)
-   end function friction_above
+      friction_at = friction_of(problem%grid, stress, state%p, 0.0_dp)
+   end function friction_at
 
    !> Mean of the shear stresses at the two surfaces along X, tau in Pa, (0:nx, 0:ny); unallocated where it is not
    !> known.
@@ -70,7 +69,7 @@ contains
       knows_stress = conditions%data%reduced_modulus_pa > 0 .and. conditions%hertz_pressure_pa > 0
    end function knows_stress
 
-   !> Stress tau/ph, B and tangent factors at all nodes:
+   !> Stress tau/ph, theory eq. (T1), B and tangent factors (S13) at all nodes:
    !>
    !>     tau/ph = (K ph/E') sigma_m/N0,   K = 1 of a line;   Newtonian: sigma_m/N0 = (lambdabar/3) (S - 1) eta/H, as
    !>     sigma_m = B.
@@ -92,10 +91,10 @@ contains
          factor_y = stress
          scale = c%elliptic%k*c%hertz_pressure_pa/c%data%reduced_modulus_pa
          allocate (gx, gy, mold=stress)
-         if (allocated(problem%film_flow)) call node_gradient(grid, c%elliptic%kappa, p, gx, gy)
+         if (.not. problem%rheology%is_newtonian()) call node_gradient(grid, c%elliptic%kappa, p, gx, gy)
          do j = 0, grid%ny
             call problem%rheology%evaluate(grid%nx + 1, p(:, j), rho, drho, fluidity, dln_eta)
-            if (allocated(problem%film_flow)) then
+            if (.not. problem%rheology%is_newtonian()) then
                call problem%film_flow%mean_stress(fluidity, h(:, j), gx(:, j), gy(:, j), stress(:, j), b(:, j), factor)
                factor_x(:, j) = factor(1, :)
                factor_y(:, j) = factor(2, :)

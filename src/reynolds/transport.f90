@@ -1,6 +1,6 @@
 !> Wedge and squeeze terms d(rho H)/dX + d(rho H)/dT, second order, one form for steady, transient and harmonic.
 !>
-!> At node i the sum of both terms is discretised as
+!> At node i the sum of both terms is discretised as, theory eq. (D8),
 !>
 !>     w0(i) f(i) + w1(i) f(i-1) + w2(i) f(i-2) + carried(i),      f = rho H at the present time,
 !>

@@ -24,11 +24,11 @@ contains
 
       associate (grid => problem%grid, c => problem%conditions, p => state%p, h => state%h)
          allocate (gx, gy, mold=p)
-         if (allocated(problem%film_flow)) call node_gradient(grid, c%elliptic%kappa, p, gx, gy)
+         if (.not. problem%rheology%is_newtonian()) call node_gradient(grid, c%elliptic%kappa, p, gx, gy)
          factor = 1
          do i = first, ubound(medium, 2)
             call problem%rheology%evaluate(grid%ny + 1, p(i, :), rho, drho, fluidity, dln_eta)
-            if (allocated(problem%film_flow)) &
+            if (.not. problem%rheology%is_newtonian()) &
                call problem%film_flow%mean_stress(fluidity, h(i, :), gx(i, :), gy(i, :), stress, b, factor)
             do j = 0, grid%ny
                medium(j, i) = wave_medium_t(rho=rho(j), drho=drho(j), h=h(i, j), kappa=c%elliptic%kappa, &

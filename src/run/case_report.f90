@@ -30,7 +30,7 @@ contains
 
       associate (c => plan%conditions)
          write (unit, '(a)') 'Conditions   M = '//to_text(c%m, 6)//', L = '//to_text(c%l, 6)//', D = '// &
-            to_text(c%d, 6)//', S = '//to_text(case%slip_parameter, 6)
+            to_text(c%d, 6)//', S = '//to_text(c%slip_parameter, 6)
          if (c%is_line()) write (unit, '(a)') '             line contact: H in units of a^2/(2 Rx), V = (lambda/a) '// &
             'M^(3/4) L^(-1/2)'
          write (unit, '(a)') '             kappa = '//to_text(c%elliptic%kappa, 6)//', gamma = '// &
@@ -252,7 +252,7 @@ contains
       function formula() result(text)
          character(len=:), allocatable :: text
          text = ''
-         if (.not. abs(case%slip_parameter - 1) > 0) text = '; formula '//to_text(result%formula_ratio, 5)
+         if (.not. abs(plan%conditions%slip_parameter - 1) > 0) text = '; formula '//to_text(result%formula_ratio, 5)
       end function formula
 
       function iterations() result(text)

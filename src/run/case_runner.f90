@@ -62,6 +62,7 @@ contains
       type(rescue_t) :: rescue
       logical :: is_found
       character(len=:), allocatable :: unresolved
+      real(dp), allocatable :: stress(:, :)   ! tau/ph of the smooth contact
       real(dp) :: besides, start
 
       start = wall_seconds()
@@ -73,8 +74,8 @@ contains
          call take_report(level%report, 'steady state of smooth surfaces', result)
          call monitor%step_done('steady state', 1, 1)
          if (result%status == status_converged) then
-            call take_smooth_film(case, plan, level, result)
-            call estimate_film_errors(case, plan, steady%multigrid%hierarchy_t, result)
+            call take_smooth_film(case, plan, level, stress, result)
+            call estimate_film_errors(plan, steady%multigrid%hierarchy_t, stress, result)
             if (case%sensitivities) call find_film_sensitivities(case, steady, result)
             if (plan%responds) &
                call run_response(case, plan, plan%surfaces%list(plan%surfaces%main), steady, result)
@@ -153,16 +154,17 @@ contains
    end subroutine compare_with_small_waves
 
    !> Film, pressure and friction of the smooth contact.
-   subroutine take_smooth_film(case, plan, level, result)
+   subroutine take_smooth_film(case, plan, level, stress, result)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       type(level_t), intent(in) :: level
+      real(dp), allocatable, intent(out) :: stress(:, :)
       type(case_result_t), intent(inout) :: result
       result%central_film = level%problem%grid%value_at_centre(level%state%h)
       result%minimum_film = minval(level%state%h)
       result%central_film_moes = result%central_film*plan%conditions%moes_film_factor
       result%max_pressure = maxval(level%state%p)
-      call result%shear%take(level%problem, level%state, case%oil%limiting_stress_over_pressure)
+      call result%shear%take(level%problem, level%state, case%oil%limiting_stress_over_pressure, stress)
       result%warning = result%shear%warning(case%oil%limiting_stress_over_pressure)
    end subroutine take_smooth_film
 

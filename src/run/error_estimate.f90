@@ -55,7 +55,8 @@ contains
       if (ieee_is_finite(film_order)) likely_order = min(likely_order, max(film_order, lowest_order))
    end function likely_order
 
-   !> log2 of |v(2h) - v(4h)|/|v(h) - v(2h)|; NaN without three finite values or where they do not differ.
+   !> Theory eq. (E2): log2 of |v(2h) - v(4h)|/|v(h) - v(2h)|; NaN without three finite values or where they do not
+   !> differ.
    pure real(dp) function observed_order(values)
       real(dp), intent(in) :: values(:)   !! on meshes h, 2h, 4h, ...: the finest first
       real(dp) :: fine, coarse

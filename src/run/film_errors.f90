@@ -1,7 +1,6 @@
 !> Discretisation errors of smooth film and friction.
 module ehlwave_film_errors
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-   use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_result, only: case_result_t
    use ehlwave_error_estimate, only: estimate_error, likely_order, observed_order
@@ -19,10 +18,10 @@ contains
 
    !> From the levels that have solutions of the case; where there is none to compare with from the model, with a
    !> margin.
-   subroutine estimate_film_errors(case, plan, multigrid, result)
-      type(case_t), intent(in) :: case
+   subroutine estimate_film_errors(plan, multigrid, stress, result)
       type(case_plan_t), intent(in) :: plan
       type(hierarchy_t), intent(in) :: multigrid
+      real(dp), allocatable, intent(in) :: stress(:, :)   !! tau/ph on the finest level, where it is known
       type(case_result_t), intent(inout) :: result
       integer :: n
 
@@ -39,7 +38,7 @@ contains
          result%minimum_film_error = minimum_margin*result%central_film_error
       end if
       if (ieee_is_finite(result%shear%friction_coefficient)) result%friction_error = &
-         estimate_friction_error(multigrid%levels(n:1:-1), result%central_film_error)
+         estimate_friction_error(multigrid%levels(n:1:-1), stress, result%central_film_error)
    end subroutine estimate_film_errors
 
 end module ehlwave_film_errors

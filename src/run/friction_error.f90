@@ -11,7 +11,7 @@ module ehlwave_friction_error
    use ehlwave_eyring_law, only: eyring_law_t
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp, no_value
-   use ehlwave_shear_stress, only: friction_above
+   use ehlwave_shear_stress, only: friction_at, friction_of
    implicit none (type, external)
    private
    public :: estimate_friction_error
@@ -33,21 +33,23 @@ contains
    !> Richardson's estimate; of oils whose stress goes with the rate of shear at least twice the error of the film, and
    !> at least what the growth of the spike since the next coarser level changes in the friction that the finest has
    !> above the pressure there.
-   real(dp) function estimate_friction_error(levels, film_error) result(error)
+   real(dp) function estimate_friction_error(levels, stress, film_error) result(error)
       type(level_t), intent(in) :: levels(:)     !! finest first, solved but for some
+      real(dp), intent(in) :: stress(0:, 0:)     !! tau/ph on the finest, (0:nx, 0:ny)
       real(dp), intent(in) :: film_error         !! of H(0,0), relative
       real(dp) :: friction(size(levels))
       integer :: l
 
       friction = no_value
-      do l = 1, size(levels)
-         if (levels(l)%has_film()) friction(l) = friction_above(levels(l)%problem, levels(l)%state, 0.0_dp)
+      if (levels(1)%has_film()) friction(1) = friction_of(levels(1)%problem%grid, stress, levels(1)%state%p, 0.0_dp)
+      do l = 2, size(levels)
+         if (levels(l)%has_film()) friction(l) = friction_at(levels(l)%problem, levels(l)%state)
       end do
       error = estimate_error(friction, usual_order)
       if (.not. ieee_is_finite(error)) error = film_share*film_error
       error = max(error, blunt_share*film_error)
       if (is_blunt(levels(1)) .or. abs(friction(1)) <= 0) return
-      error = max(error, newtonian_share*film_error, by_growth(levels)/abs(friction(1)))
+      error = max(error, newtonian_share*film_error, by_growth(levels, stress)/abs(friction(1)))
    end function estimate_friction_error
 
    !> Whether the stress of an oil hardly grows with its viscosity: Ree-Eyring's with the logarithm. That of Carreau's
@@ -55,7 +57,7 @@ contains
    pure logical function is_blunt(level)
       type(level_t), intent(in) :: level
       is_blunt = .false.
-      if (.not. allocated(level%problem%film_flow)) return
+      if (level%problem%rheology%is_newtonian()) return
       select type (law => level%problem%film_flow%law)
       type is (eyring_law_t)
          is_blunt = .true.
@@ -63,8 +65,9 @@ contains
    end function is_blunt
 
    !> Friction that another growth of the spike would add.
-   real(dp) function by_growth(levels)
+   real(dp) function by_growth(levels, stress)
       type(level_t), intent(in) :: levels(:)     !! finest first
+      real(dp), intent(in) :: stress(0:, 0:)
       real(dp) :: before, growth
       real(dp), dimension(1) :: dln_eta, drho, fluidity, rho
 
@@ -75,7 +78,7 @@ contains
             if (levels(2)%has_film()) before = min(before, maxval(levels(2)%state%p))
          end if
          growth = min(largest_growth, next_growth*dln_eta(1)*max(0.0_dp, highest - before))
-         by_growth = (exp(growth) - 1)*abs(friction_above(finest%problem, finest%state, before))
+         by_growth = (exp(growth) - 1)*abs(friction_of(finest%problem%grid, stress, finest%state%p, before))
       end associate
    end function by_growth
 

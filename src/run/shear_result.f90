@@ -31,21 +31,23 @@ module ehlwave_shear_result
 
 contains
 
-   !> Account of a steady solution: with tau the mean of the shear stresses at the two surfaces along X,
+   !> Account of a steady solution, theory eq. (T2): with tau the mean of the shear stresses at the two surfaces along
+   !> X,
    !>
    !>     friction coefficient = (3/(2 pi)) int tau/ph dX dY over P > 0,  of a line (2/pi) int tau/ph dX.
-   subroutine take(self, problem, state, limiting_stress_over_pressure)
+   subroutine take(self, problem, state, limiting_stress_over_pressure, stress)
       class(shear_result_t), intent(inout) :: self
       type(contact_problem_t), intent(in) :: problem
       type(state_t), intent(in) :: state
       real(dp), intent(in) :: limiting_stress_over_pressure     !! largest |tau|/p that an oil bears
-      real(dp), allocatable, dimension(:, :) :: b, factor_x, factor_y, stress
+      real(dp), allocatable, intent(out) :: stress(:, :)        !! tau/ph, (0:nx, 0:ny); unallocated where unknown
+      real(dp), allocatable, dimension(:, :) :: b, factor_x, factor_y
 
       self%tangent_factor = 1
-      if (.not. (allocated(problem%film_flow) .or. knows_stress(problem%conditions))) return
+      if (problem%rheology%is_newtonian() .and. .not. knows_stress(problem%conditions)) return
       call shear_stress(problem, state, stress, b, factor_x, factor_y)
       associate (grid => problem%grid, c => problem%conditions)
-         if (allocated(problem%film_flow)) then
+         if (.not. problem%rheology%is_newtonian()) then
             self%largest_b = maxval(abs(b), mask=state%p > least_pressure)
             self%tangent_factor = [grid%value_at_centre(factor_x), grid%value_at_centre(factor_y)]
          end if

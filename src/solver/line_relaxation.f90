@@ -60,8 +60,8 @@ contains
 
       associate (grid => problem%grid, kappa => problem%conditions%elliptic%kappa, k => problem%conditions%elliptic%k)
          aspect = grid%hy/(kappa*grid%hx)
-         self%switch = merge(switch_of_easy_flow, switch_of_squares, allocated(problem%film_flow))*max(aspect, &
-            1/aspect)**2
+         self%switch = merge(switch_of_squares, switch_of_easy_flow, problem%rheology%is_newtonian()) &
+                       *max(aspect, 1/aspect)**2
          self%reach = max(3, min(5, nint(aspect)))
          self%share_x = 0.5_dp*max(0.5_dp, aspect**2/(1 + aspect**2))
          self%share_y = 0.5_dp - self%share_x

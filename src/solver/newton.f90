@@ -104,7 +104,7 @@ contains
                best = worth
                last_gain = 0
             end if
-            if (allocated(problem%film_flow)) then
+            if (.not. problem%rheology%is_newtonian()) then
                if (k > 0) then
                   call go_back(self, problem, given, before, best, state, worth)
                   if (any(self%cavitated_before .neqv. equations%is_cavitated)) best = max(best, worth)
@@ -116,13 +116,13 @@ contains
             call report%judge(given, equations, state, limits)
             report%history = [report%history, report%residual]
             if (report%status /= status_stalled .or. k == limits%largest_steps) exit
-            if (allocated(problem%film_flow) .and. k > last_gain + patience) exit
+            if (.not. problem%rheology%is_newtonian() .and. k > last_gain + patience) exit
             if (work_of(levels) - work_before >= limits%largest_work) exit
 
             if (k > 0) forcing = next_forcing(self, forcing, worth/worth_before)
             forcing = min(self%loosest, max(forcing, last_step_share*limits%tolerance/report%residual))
             worth_before = worth
-            if (allocated(problem%film_flow)) before = state
+            if (.not. problem%rheology%is_newtonian()) before = state
             call linear_solve(self, levels, forcing, work_before + limits%largest_work, report)
             step = 1
             if (alternates(self, k)) step = 0.5_dp

@@ -2,6 +2,7 @@
 module sample_contact
    use ehlwave_conditions, only: conditions_from_moes, conditions_t
    use ehlwave_contact_problem, only: contact_problem_t
+   use ehlwave_density_law, only: density_law_t
    use ehlwave_errors, only: error_t
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_given, only: given_t, steady_given
@@ -13,9 +14,10 @@ module sample_contact
    use ehlwave_solver_choice, only: init_multigrid, method_t
    use ehlwave_state, only: state_t
    use ehlwave_transport, only: characteristic_transport
+   use ehlwave_viscosity_law, only: viscosity_law_t
    implicit none (type, external)
    private
-   public :: make_contact, make_level, make_conditions, make_rheology, make_multigrid, &
+   public :: make_contact, make_level, make_conditions, make_rheology, rheology_of, make_multigrid, &
       start_time_step, bump_pressure, noise
 
 contains
@@ -36,8 +38,22 @@ contains
       type(rheology_t) :: rheology
       type(oil_t) :: oil
       if (present(viscosity_law)) oil%viscosity_law = viscosity_law
-      rheology = new_rheology(oil%viscosity(), oil%density(), conditions%hertz_pressure_pa)
+      rheology = rheology_of(oil, conditions%hertz_pressure_pa)
    end function make_rheology
+
+   !> The laws of an oil at a Hertz pressure.
+   function rheology_of(oil, hertz_pressure_pa) result(rheology)
+      type(oil_t), intent(in) :: oil
+      real(dp), intent(in) :: hertz_pressure_pa
+      type(rheology_t) :: rheology
+      class(viscosity_law_t), allocatable :: viscosity
+      class(density_law_t), allocatable :: density
+      type(error_t), allocatable :: error
+      call oil%make_viscosity(viscosity, error)
+      if (allocated(error)) error stop 'rheology_of: '//error%message
+      call oil%make_density(density)
+      rheology = new_rheology(viscosity, density, hertz_pressure_pa)
+   end function rheology_of
 
    !> What the step is given that follows a state at rest, with a wave in the gap.
    subroutine start_time_step(problem, state, given)

@@ -8,7 +8,8 @@ program test_face_flow
    use ehlwave_grid, only: grid_t, new_grid, new_line_grid
    use ehlwave_kinds, only: dp
    use ehlwave_oil, only: oil_t
-   use ehlwave_rheology, only: new_rheology, rheology_t
+   use ehlwave_rheology, only: rheology_t
+   use sample_contact, only: rheology_of
    use testing, only: test_t
    implicit none (type, external)
 
@@ -19,7 +20,7 @@ program test_face_flow
    type(rheology_t) :: rheology
 
    default%pressure_viscosity_per_pa = 2e-8_dp
-   rheology = new_rheology(default%viscosity(), default%density(), 0.4e9_dp)
+   rheology = rheology_of(default, 0.4e9_dp)
    call check_newtonian(new_grid(-2.5_dp, 1.5_dp, 2.0_dp, cells, cells, is_half=.false.))
    call check_newtonian(new_grid(-2.5_dp, 1.5_dp, 2.0_dp, cells, cells, is_half=.true.))
    call check_newtonian(new_line_grid(-2.5_dp, 1.5_dp, cells))

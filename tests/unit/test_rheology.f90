@@ -5,7 +5,8 @@ program test_rheology
    use ehlwave_number_table, only: number_table_t
    use ehlwave_oil, only: barus, density_laws, dowson_higginson, incompressible, isoviscous, mcewen, oil_t, roelands, tait, &
       viscosity_laws
-   use ehlwave_rheology, only: new_rheology, rheology_t
+   use ehlwave_rheology, only: rheology_t
+   use sample_contact, only: rheology_of
    use testing, only: test_t
    implicit none (type, external)
 
@@ -45,15 +46,6 @@ contains
                                     reshape([0.0_dp, 2e8_dp, 5e8_dp, 9e8_dp, 0.05_dp, 0.9_dp, 70.0_dp, 1e4_dp], [4, 2]))
    end function oil_of
 
-   function rheology_of(viscosity_law, density_law, hertz_pressure_pa) result(rheology)
-      character(len=*), intent(in) :: viscosity_law, density_law
-      real(dp), intent(in) :: hertz_pressure_pa
-      type(rheology_t) :: rheology
-      type(oil_t) :: oil
-      oil = oil_of(viscosity_law, density_law)
-      rheology = new_rheology(oil%viscosity(), oil%density(), hertz_pressure_pa)
-   end function rheology_of
-
    !> rho, drho, fluidity, dln_eta at P.
    function at(rheology, p) result(values)
       type(rheology_t), intent(in) :: rheology
@@ -67,16 +59,16 @@ contains
       real(dp), parameter :: p = 0.7_dp, p0 = 1.96e8_dp, alpha = alphabar/ph
       real(dp) :: values(4)
 
-      values = at(rheology_of(roelands, dowson_higginson, ph), p)
+      values = at(rheology_of(oil_of(roelands, dowson_higginson), ph), p)
       call test%check_close(values(1), (5.9e8_dp + 1.34_dp*ph*p)/(5.9e8_dp + ph*p), 'Dowson-Higginson', relative=1e-14_dp)
       call test%check_close(1/values(3), exp(alpha*p0/z*((1 + ph*p/p0)**z - 1)), 'Roelands', relative=1e-12_dp)
-      values = at(rheology_of(roelands, dowson_higginson, ph), 0.0_dp)
+      values = at(rheology_of(oil_of(roelands, dowson_higginson), ph), 0.0_dp)
       call test%check_close([values(1), values(3:)], [1.0_dp, 1.0_dp, alphabar], 'ambient pressure', relative=1e-15_dp)
-      values = at(rheology_of(barus, incompressible, ph), p)
+      values = at(rheology_of(oil_of(barus, incompressible), ph), p)
       call test%check_close([values(1), values(3:)], [1.0_dp, exp(-alphabar*p), alphabar], 'Barus', relative=1e-13_dp)
-      values = at(rheology_of(isoviscous, incompressible, ph), p)
+      values = at(rheology_of(oil_of(isoviscous, incompressible), ph), p)
       call test%check_close(values, [1.0_dp, 0.0_dp, 1.0_dp, 0.0_dp], 'isoviscous', absolute=0.0_dp)
-      values = at(rheology_of(roelands, dowson_higginson, 0.0_dp), p)
+      values = at(rheology_of(oil_of(roelands, dowson_higginson), 0.0_dp), p)
       call test%check_close(values, [1.0_dp, 0.0_dp, 1.0_dp, 0.0_dp], 'constant where pascals are unknown', absolute=0.0_dp)
    end subroutine check_values
 
@@ -85,13 +77,13 @@ contains
       integer :: k
       associate (laws => words_of(viscosity_laws))
          do k = 1, size(laws)
-            call check_derivatives(trim(laws(k)), rheology_of(laws(k), dowson_higginson, ph))
+            call check_derivatives(trim(laws(k)), rheology_of(oil_of(laws(k), dowson_higginson), ph))
          end do
          call test%check(size(laws) >= 7, 'all viscosity laws')
       end associate
       associate (laws => words_of(density_laws))
          do k = 1, size(laws)
-            call check_derivatives(trim(laws(k)), rheology_of(roelands, laws(k), ph))
+            call check_derivatives(trim(laws(k)), rheology_of(oil_of(roelands, laws(k)), ph))
          end do
          call test%check(size(laws) >= 3, 'all density laws')
       end associate
@@ -130,7 +122,7 @@ contains
       real(dp) :: values(4), x
       integer :: k
 
-      rheology = rheology_of(mcewen, tait, ph)
+      rheology = rheology_of(oil_of(mcewen, tait), ph)
       do k = 1, size(pressures)
          if (k == 2) rheology = rheology%at_pressure(pressures(k))
          values = at(rheology, p)
@@ -150,7 +142,7 @@ contains
       real(dp) :: alone(n, 2), values(4)
       integer :: i
 
-      rheology = rheology_of(roelands, dowson_higginson, ph)
+      rheology = rheology_of(oil_of(roelands, dowson_higginson), ph)
       p = [(1.2_dp*i/n, i=1, n)]
       call rheology%evaluate(n, p, rho, drho, fluidity, dln_eta)
       do i = 1, n
@@ -164,10 +156,10 @@ contains
    !> No overflow at any pressure that an iterate can have; the builds with traps would stop here.
    subroutine check_extremes()
       real(dp) :: values(4)
-      values = at(rheology_of(roelands, dowson_higginson, 3e9_dp), 1000.0_dp)
+      values = at(rheology_of(oil_of(roelands, dowson_higginson), 3e9_dp), 1000.0_dp)
       call test%check(values(3) > 0, 'fluidity stays above 0')
       call test%check_close(values(1), 1.34_dp, 'density limit', relative=1e-3_dp)
-      values = at(rheology_of(barus, dowson_higginson, 3e9_dp), 1000.0_dp)
+      values = at(rheology_of(oil_of(barus, dowson_higginson), 3e9_dp), 1000.0_dp)
       call test%check(values(3) > 0, 'fluidity stays above 0')
    end subroutine check_extremes
 
