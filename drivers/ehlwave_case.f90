@@ -4,8 +4,7 @@ program ehlwave_case
    use ehlwave_arguments, only: arguments_t, read_arguments
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_file, only: read_case
-   use ehlwave_case_plan, only: case_plan_t, make_plan
-   use ehlwave_case_report, only: print_plan, print_result
+   use ehlwave_case_plan, only: make_plan
    use ehlwave_case_result, only: case_result_t
    use ehlwave_errors, only: error_t
    use ehlwave_field_file, only: write_case_file
@@ -15,13 +14,16 @@ program ehlwave_case
    use ehlwave_memory_plan, only: memory_shortage
    use ehlwave_output_path, only: check_output_path
    use ehlwave_petsc_library, only: finish_petsc
-   use ehlwave_posix, only: end_program, ignore_write_signals
+   use ehlwave_plan_report, only: print_plan
+   use ehlwave_planned_case, only: case_plan_t
+   use ehlwave_process, only: end_program, ignore_write_signals
    use ehlwave_provenance, only: git_revision, program_version
    use ehlwave_provenance_list, only: version_text
    use ehlwave_quantities, only: add_plan, add_result
    use ehlwave_quantity, only: quantity_list_t
    use ehlwave_quantity_output, only: json_object
    use ehlwave_refined_case, only: run_refined_case
+   use ehlwave_result_report, only: print_result
    use ehlwave_status, only: is_success
    use ehlwave_store_folder, only: refuse_inside_store
    use ehlwave_terminal, only: complain, print_last

@@ -1,7 +1,7 @@
 !> Whether a planned case fits into memory.
 module ehlwave_memory_plan
-   use ehlwave_case_plan, only: case_plan_t
    use ehlwave_memory, only: memory_limit_mib
+   use ehlwave_planned_case, only: case_plan_t
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private

@@ -1,12 +1,13 @@
 !> A finer plan of a case whose error turned out larger than was asked for.
 module ehlwave_plan_refinement
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_plan, only: case_plan_t, make_plan
+   use ehlwave_case_plan, only: make_plan
    use ehlwave_domain_choice, only: may_enlarge
    use ehlwave_error_parts, only: error_parts_t
    use ehlwave_errors, only: error_t
    use ehlwave_grid_choice, only: smallest_size
    use ehlwave_kinds, only: dp
+   use ehlwave_planned_case, only: case_plan_t
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private

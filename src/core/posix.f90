@@ -1,25 +1,20 @@
-!> POSIX calls: appending durably, locks, folders, signals, libraries that are loaded when they are asked for.
+!> POSIX calls for files: appending durably, locks, folders. Those for processes: `core/process`.
 !>
 !> Fortran's own output is not enough: compilers report a full disk late or never, and none can wait until a
 !> record is on the disk.
 module ehlwave_posix
-   use, intrinsic :: iso_c_binding, only: c_char, c_funptr, c_int, c_int32_t, c_long, c_null_char
+   use, intrinsic :: iso_c_binding, only: c_char, c_int, c_int32_t, c_long, c_null_char
    implicit none (type, external)
    private
-   public :: append_text, catch_signals, checksum, clear_temporaries, close_file, create_file, end_program, &
-      file_kind, find_character, find_procedure, guarded, ignore_write_signals, is_broken_pipe, is_locked, &
-      is_temporary, library_text, list_folder, lock_file, make_folder, open_file, process_id, read_bytes, reason_text, &
-      remove_file, replace_file, set_note, signal_caught, sync_file, try_file, watchdog
+   public :: append_text, checksum, clear_temporaries, close_file, create_file, file_kind, find_character, &
+      is_broken_pipe, is_locked, is_temporary, list_folder, lock_file, make_folder, open_file, read_bytes, &
+      reason_text, remove_file, replace_file, sync_file, try_file
 
    integer, parameter, public :: lock_taken = 0, lock_refused = 1, lock_absent = 2, lock_unwritable = -1
    !> of a name
    integer, parameter, public :: kind_none = 0, kind_file = 1, kind_folder = 2, kind_link = 3, kind_other = 4
 
    abstract interface
-      integer(c_int) function of_process() bind(c)
-         import :: c_int
-         implicit none (type, external)
-      end function of_process
       integer(c_int) function of_file(file) bind(c)
          import :: c_int
          implicit none (type, external)
@@ -39,8 +34,6 @@ module ehlwave_posix
       end function of_file_and_text
    end interface
 
-   procedure(of_process), bind(c, name='ehlwave_process_id') :: process_id        !! number of this process
-   procedure(of_process), bind(c, name='ehlwave_signal_caught') :: signal_caught  !! the last signal caught, 0 for none
    !> Wait until what was appended is on the disk. 0, or the system's error number.
    procedure(of_file), bind(c, name='ehlwave_sync') :: sync_file
    procedure(of_file), bind(c, name='ehlwave_close') :: close_file                !! 0, or the system's error number
@@ -52,7 +45,6 @@ module ehlwave_posix
    procedure(of_path), bind(c, name='ehlwave_lock') :: c_lock
    procedure(of_path), bind(c, name='ehlwave_is_locked') :: c_is_locked
    procedure(of_file_and_text), bind(c, name='ehlwave_append') :: c_append
-   procedure(of_file_and_text), bind(c, name='ehlwave_set_note') :: c_set_note
 
    interface
       integer(c_int32_t) function c_crc32(text, length) bind(c, name='ehlwave_crc32')
@@ -104,56 +96,11 @@ module ehlwave_posix
          character(kind=c_char), intent(inout) :: buffer(*)
          integer(c_long), value :: size
       end function c_list
-      !> From now on SIGTERM, SIGUSR1 and SIGINT are remembered; a second SIGINT ends the process as usual.
-      subroutine catch_signals() bind(c, name='ehlwave_catch_signals')
-         implicit none (type, external)
-      end subroutine catch_signals
-      !> End the program with an exit status and without a word, as `stop status, quiet=.true.` does, which gfortran
-      !> knows from 12 on.
-      subroutine end_program(status) bind(c, name='exit')
-         import :: c_int
-         implicit none (type, external)
-         integer(c_int), value :: status
-      end subroutine end_program
-      !> Do work of a library that may break down on what it is given: 0, or the signal that ended it; what it holds is
-      !> lost then.
-      integer(c_int) function guarded(work) bind(c, name='ehlwave_guarded')
-         import :: c_funptr, c_int
-         implicit none (type, external)
-         type(c_funptr), value :: work     !! of a procedure without arguments
-      end function guarded
-      !> From now on it is an error of writing, and not the end of the process, that nobody reads its output any more or
-      !> that a file would be longer than `ulimit -f` allows.
-      subroutine ignore_write_signals() bind(c, name='ehlwave_ignore_write_signals')
-         implicit none (type, external)
-      end subroutine ignore_write_signals
       integer(c_int) function c_is_broken_pipe(status) bind(c, name='ehlwave_is_broken_pipe')
          import :: c_int
          implicit none (type, external)
          integer(c_int), value :: status
       end function c_is_broken_pipe
-      !> End this process by SIGALRM unless called again within some seconds; 0: never.
-      subroutine watchdog(seconds) bind(c, name='ehlwave_watchdog')
-         import :: c_int
-         implicit none (type, external)
-         integer(c_int), value :: seconds
-      end subroutine watchdog
-      type(c_funptr) function c_find_procedure(library, name, loads, reason, size) bind(c, &
-         name='ehlwave_find_procedure')
-         import :: c_char, c_funptr, c_int, c_long
-         implicit none (type, external)
-         character(kind=c_char), intent(in) :: library(*), name(*)
-         integer(c_int), value :: loads
-         character(kind=c_char), intent(out) :: reason(*)
-         integer(c_long), value :: size
-      end function c_find_procedure
-      subroutine c_library_text(name, text, size) bind(c, name='ehlwave_library_text')
-         import :: c_char, c_long
-         implicit none (type, external)
-         character(kind=c_char), intent(in) :: name(*)
-         character(kind=c_char), intent(out) :: text(*)
-         integer(c_long), value :: size
-      end subroutine c_library_text
       subroutine c_reason(number, text, size) bind(c, name='ehlwave_reason')
          import :: c_char, c_int, c_long
          implicit none (type, external)
@@ -312,38 +259,6 @@ contains
       character(len=*), intent(in) :: path
       is_locked = c_is_locked(path//c_null_char) /= 0
    end function is_locked
-
-   !> The text that the next signal appends to a file by itself; an empty text: nothing. At most 256 bytes.
-   subroutine set_note(file, text)
-      integer, intent(in) :: file
-      character(len=*), intent(in) :: text
-      integer :: status
-      status = c_set_note(file, text, len(text, c_long))
-   end subroutine set_note
-
-   !> A C function of a shared library, not associated if there is none. `may_load`: load the library if it has not
-   !> been.
-   subroutine find_procedure(library, name, may_load, procedure, reason)
-      character(len=*), intent(in) :: library   !! a path, or a name to look for where the system looks
-      character(len=*), intent(in) :: name
-      logical, intent(in) :: may_load
-      type(c_funptr), intent(out) :: procedure
-      character(len=:), allocatable, intent(out) :: reason   !! the system's words for why there is none, else empty
-      character(len=1000) :: buffer
-      procedure = c_find_procedure(library//c_null_char, name//c_null_char, merge(1_c_int, 0_c_int, may_load), buffer, &
-                                   int(len(buffer), c_long))
-      reason = buffer(:index(buffer, c_null_char) - 1)
-   end subroutine find_procedure
-
-   !> The text that a loaded library has under a name, as `fftw_version` of FFTW; empty if there is none. Without a
-   !> name: name and version of the C library, empty if it does not say.
-   function library_text(name) result(text)
-      character(len=*), intent(in) :: name
-      character(len=:), allocatable :: text
-      character(len=200) :: buffer
-      call c_library_text(name//c_null_char, buffer, int(len(buffer), c_long))
-      text = buffer(:index(buffer, c_null_char) - 1)
-   end function library_text
 
    !> The system's words for an error number.
    function reason_text(status) result(text)

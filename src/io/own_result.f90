@@ -1,7 +1,8 @@
 !> Whether a file is a result of the programs, which may be replaced without a word.
 module ehlwave_own_result
    use, intrinsic :: iso_c_binding, only: c_funloc, c_loc, c_ptr
-   use ehlwave_posix, only: file_kind, guarded, kind_file
+   use ehlwave_posix, only: file_kind, kind_file
+   use ehlwave_process, only: guarded
    use hdf5, only: h5aclose_f, h5aexists_f, h5aget_type_f, h5aopen_f, h5aread_f, h5close_f, h5eset_auto_f, &
       h5f_acc_rdonly_f, &
       h5fclose_f, h5fopen_f, h5open_f, h5t_fortran_s1, h5t_string_f, h5tclose_f, h5tcopy_f, h5tget_class_f, &

@@ -1,6 +1,6 @@
 !> Provenance of a result, as quantities: this build, and the libraries that it runs with.
 module ehlwave_provenance_list
-   use ehlwave_posix, only: library_text
+   use ehlwave_process, only: library_text
    use ehlwave_provenance, only: build_type, compiler, compiler_flags, git_revision, library_versions, program_version
    use ehlwave_quantity, only: quantity_list_t
    use hdf5, only: h5get_libversion_f

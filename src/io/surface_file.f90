@@ -4,7 +4,8 @@ module ehlwave_surface_file
    use ehlwave_errors, only: error_t, raise
    use ehlwave_kinds, only: dp
    use ehlwave_memory, only: can_allocate
-   use ehlwave_posix, only: close_file, guarded, open_file, reason_text
+   use ehlwave_posix, only: close_file, open_file, reason_text
+   use ehlwave_process, only: guarded
    use ehlwave_text, only: to_text
    use h5lt, only: h5ltget_dataset_info_f, h5ltget_dataset_ndims_f, h5ltread_dataset_double_f
    use hdf5, only: h5close_f, h5d_virtual_f, h5dclose_f, h5dget_create_plist_f, h5dget_storage_size_f, h5dopen_f, &

@@ -2,10 +2,10 @@
 module ehlwave_case_account
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_result, only: case_result_t
    use ehlwave_formula, only: amplitude_formula, anisotropy_factor, wave_parameter_v, wave_parameter_v2
    use ehlwave_kinds, only: dp
+   use ehlwave_planned_case, only: case_plan_t
    use ehlwave_solve_report, only: solve_report_t
    use ehlwave_monitor, only: give_up, stop_now
    use ehlwave_status, only: is_success, status_interrupted, status_name, status_over_budget

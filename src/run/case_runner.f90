@@ -5,7 +5,6 @@ module ehlwave_case_runner
    use ehlwave_case_account, only: add_warning, blank_result, end_early, take_report
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_lubricant, only: extrapolation_text
-   use ehlwave_case_plan, only: case_plan_t, most_work, run_march, run_standing
    use ehlwave_case_result, only: case_result_t
    use ehlwave_clock, only: peak_memory_mib, wall_seconds
    use ehlwave_film_errors, only: estimate_film_errors
@@ -17,6 +16,8 @@ module ehlwave_case_runner
    use ehlwave_march_case, only: run_moving
    use ehlwave_march_keeper, only: march_keeper_t
    use ehlwave_monitor, only: go_on, monitor_t
+   use ehlwave_plan_effort, only: most_work
+   use ehlwave_planned_case, only: case_plan_t, run_march, run_standing
    use ehlwave_resolution, only: touching_reason
    use ehlwave_periodic_case, only: find_periodic_state
    use ehlwave_rescue, only: rescue_t, rung_name

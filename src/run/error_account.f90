@@ -4,11 +4,11 @@ module ehlwave_error_account
    use ehlwave_accuracy_model, only: expected_step_error
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_lubricant, only: extrapolation_text
-   use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_result, only: case_result_t
    use ehlwave_error_parts, only: error_parts_t
    use ehlwave_kinds, only: dp
    use ehlwave_linear_range, only: linear_limit
+   use ehlwave_planned_case, only: case_plan_t
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private

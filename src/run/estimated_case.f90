@@ -3,7 +3,7 @@ module ehlwave_estimated_case
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_accuracy_model, only: expected_step_error
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_plan, only: case_plan_t, make_plan
+   use ehlwave_case_plan, only: make_plan
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_runner, only: run_case
    use ehlwave_clock, only: wall_seconds
@@ -12,6 +12,7 @@ module ehlwave_estimated_case
    use ehlwave_kinds, only: dp
    use ehlwave_march_keeper, only: march_keeper_t
    use ehlwave_monitor, only: go_on, monitor_t, stop_now
+   use ehlwave_planned_case, only: case_plan_t
    use ehlwave_resolution, only: telling_inlet, telling_points_per_wave
    use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_status, only: is_success, status_interrupted, status_over_budget, status_pending

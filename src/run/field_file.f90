@@ -1,7 +1,6 @@
 !> HDF5 file of one case: its quantities, history at the contact centre, fields of the last solution, effective input.
 module ehlwave_field_file
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_text, only: effective_input
    use ehlwave_clock, only: time_stamp
@@ -9,6 +8,7 @@ module ehlwave_field_file
    use ehlwave_field_history, only: field_history_t
    use ehlwave_hdf5_file, only: hdf5_file_t
    use ehlwave_kinds, only: dp
+   use ehlwave_planned_case, only: case_plan_t
    use ehlwave_provenance_list, only: add_provenance
    use ehlwave_quantities, only: add_result
    use ehlwave_quantity, only: quantity_list_t

@@ -1,12 +1,12 @@
 !> Discretisation errors of smooth film and friction.
 module ehlwave_film_errors
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-   use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_result, only: case_result_t
    use ehlwave_error_estimate, only: estimate_error, likely_order, observed_order
    use ehlwave_friction_error, only: estimate_friction_error
    use ehlwave_hierarchy, only: hierarchy_t
    use ehlwave_kinds, only: dp
+   use ehlwave_planned_case, only: case_plan_t
    implicit none (type, external)
    private
    public :: estimate_film_errors

@@ -2,12 +2,12 @@
 module ehlwave_harmonic_case
    use ehlwave_case_account, only: add_warning
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_result, only: case_result_t
    use ehlwave_error_estimate, only: likely_order
    use ehlwave_harmonic_response, only: harmonic_response_t
    use ehlwave_kinds, only: dp
    use ehlwave_mean_film, only: find_mean_change, has_mean, mean_change_t
+   use ehlwave_planned_case, only: case_plan_t
    use ehlwave_sensitivity_case, only: find_response_sensitivities
    use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_status, only: status_converged, status_name

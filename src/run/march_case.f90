@@ -3,13 +3,13 @@ module ehlwave_march_case
    use ehlwave_amplitude, only: fitted_harmonic, fitted_mean, sampled_amplitude
    use ehlwave_case_account, only: end_early, keep_history, worse
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_result, only: case_result_t
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_kinds, only: dp, pi
    use ehlwave_march_keeper, only: march_keeper_t
    use ehlwave_march_settings, only: march_settings_t
    use ehlwave_monitor, only: go_on, monitor_t
+   use ehlwave_planned_case, only: case_plan_t
    use ehlwave_rescue, only: rescue_t
    use ehlwave_solve_report, only: solve_limits_t
    use ehlwave_status, only: status_converged, status_interrupted, status_name

@@ -3,12 +3,12 @@
 !>
 !> An entry has a name, a long name and the value. It has a unit where the number is not dimensionless, and `exists`
 !> where only some cases have it. `add_key` takes the description of a quantity that is also a key from its table.
+!> The file is long because it is one table.
 module ehlwave_quantities
    use ehlwave_case_account, only: blank_result
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_key, only: key_long_name, number_kind, truth_kind, whole_kind
    use ehlwave_case_keys, only: case_key_list
-   use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_result, only: case_result_t, oil_sensitivity_t
    use ehlwave_case_text, only: case_identity
    use ehlwave_key_list, only: find_key, key_list_t
@@ -17,6 +17,7 @@ module ehlwave_quantities
    use ehlwave_formula, only: moes_film_formula
    use ehlwave_harmonic_result, only: harmonic_result_t
    use ehlwave_kinds, only: dp
+   use ehlwave_planned_case, only: case_plan_t
    use ehlwave_quantity, only: quantity_list_t
    use ehlwave_status, only: status_name
    use ehlwave_two_wave_result, only: wave_row_t

@@ -2,7 +2,6 @@
 module ehlwave_refined_case
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_plan, only: case_plan_t, most_work
    use ehlwave_case_result, only: case_result_t
    use ehlwave_error_account, only: errors_text, take_errors
    use ehlwave_error_parts, only: error_parts_t
@@ -12,7 +11,9 @@ module ehlwave_refined_case
    use ehlwave_memory_plan, only: memory_shortage
    use ehlwave_march_keeper, only: march_keeper_t
    use ehlwave_monitor, only: go_on, monitor_t
+   use ehlwave_plan_effort, only: most_work
    use ehlwave_plan_refinement, only: refine_plan
+   use ehlwave_planned_case, only: case_plan_t
    use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_status, only: is_success, status_converged, status_inaccurate, status_interrupted
    use ehlwave_text, only: to_text

@@ -1,13 +1,13 @@
 !> Steady state of one contact and the linear systems about it, shared by all patterns that meet it.
 module ehlwave_shared_steady
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_plan, only: case_plan_t, run_harmonic
    use ehlwave_case_text, only: effective_input
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_grid, only: grid_t, new_grid, new_line_grid
    use ehlwave_harmonic_response, only: harmonic_solver_t
    use ehlwave_kinds, only: dp
    use ehlwave_oil_sensitivity, only: by_alpha, by_stress, differentiate_steady
+   use ehlwave_planned_case, only: case_plan_t, run_harmonic
    use ehlwave_rescue, only: rescue_t, rung_direct
    use ehlwave_solve_report, only: solve_limits_t, solve_report_t
    use ehlwave_solver_choice, only: init_multigrid, method_t

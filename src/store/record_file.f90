@@ -7,7 +7,8 @@ module ehlwave_record_file
    use ehlwave_clock, only: wall_seconds
    use ehlwave_errors, only: error_t, raise
    use ehlwave_kinds, only: dp
-   use ehlwave_posix, only: append_text, checksum, close_file, create_file, reason_text, set_note, sync_file
+   use ehlwave_posix, only: append_text, checksum, close_file, create_file, reason_text, sync_file
+   use ehlwave_process, only: set_note
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private

@@ -24,7 +24,8 @@ module ehlwave_store
    use ehlwave_clock, only: time_stamp
    use ehlwave_errors, only: error_t, raise
    use ehlwave_json, only: string_json
-   use ehlwave_posix, only: checksum, list_folder, process_id, reason_text
+   use ehlwave_posix, only: checksum, list_folder, reason_text
+   use ehlwave_process, only: process_id
    use ehlwave_provenance_list, only: add_provenance
    use ehlwave_quantity, only: quantity_list_t
    use ehlwave_quantity_output, only: json_columns, json_values

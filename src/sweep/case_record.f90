@@ -1,12 +1,12 @@
 !> The record of a case in the store of a sweep: all quantities of its report, place and time of its run.
 module ehlwave_case_record
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_text, only: input_identity
    use ehlwave_clock, only: time_stamp
    use ehlwave_errors, only: error_t
    use ehlwave_field_file, only: write_case_file
+   use ehlwave_planned_case, only: case_plan_t
    use ehlwave_quantities, only: add_result
    use ehlwave_quantity, only: quantity_list_t
    use ehlwave_store, only: store_t

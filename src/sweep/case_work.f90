@@ -2,7 +2,6 @@
 module ehlwave_case_work
    use ehlwave_case_account, only: refused_result
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_plan, only: case_plan_t, run_march
    use ehlwave_case_record, only: store_result
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_text, only: input_identity
@@ -14,7 +13,8 @@ module ehlwave_case_work
    use ehlwave_memory_plan, only: memory_shortage
    use ehlwave_monitor, only: give_up, go_on, monitor_t, stop_now
    use ehlwave_outcome, only: message_length, outcome_t
-   use ehlwave_posix, only: signal_caught, watchdog
+   use ehlwave_planned_case, only: case_plan_t, run_march
+   use ehlwave_process, only: signal_caught, watchdog
    use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_status, only: status_interrupted
    use ehlwave_store, only: store_t

@@ -6,8 +6,8 @@
 !> factor of e^0.5) keep the fit sane while few cases are finished: ridge regression.
 module ehlwave_cost_model
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-   use ehlwave_case_plan, only: case_plan_t, run_harmonic, run_smooth, run_standing
    use ehlwave_kinds, only: dp
+   use ehlwave_planned_case, only: case_plan_t, run_harmonic, run_smooth, run_standing
    use ehlwave_small_solve, only: solve_small
    implicit none (type, external)
    private

@@ -7,10 +7,11 @@
 module ehlwave_messages
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_file, only: case_from_text
-   use ehlwave_case_plan, only: case_plan_t, make_plan
+   use ehlwave_case_plan, only: make_plan
    use ehlwave_outcome, only: message_length, outcome_t
    use ehlwave_case_text, only: effective_input
    use ehlwave_errors, only: error_t, raise
+   use ehlwave_planned_case, only: case_plan_t
    use ehlwave_text, only: to_text
    use mpi_f08, only: mpi_any_source, mpi_any_tag, mpi_character, mpi_comm, mpi_get_count, mpi_iprobe, &
       mpi_isend, mpi_probe, mpi_recv, mpi_request, mpi_request_null, mpi_send, mpi_status, mpi_status_ignore, mpi_wait

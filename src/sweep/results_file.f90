@@ -5,13 +5,13 @@
 module ehlwave_results_file
    use ehlwave_case_account, only: blank_result
    use ehlwave_case_keys, only: case_key_list
-   use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_record, only: case_record
    use ehlwave_case_text, only: effective_input
    use ehlwave_errors, only: error_t
    use ehlwave_field_file, only: write_provenance
    use ehlwave_hdf5_file, only: hdf5_file_t
    use ehlwave_key_list, only: key_list_t
+   use ehlwave_planned_case, only: case_plan_t
    use ehlwave_quantities, only: add_case, add_key
    use ehlwave_quantity, only: quantity_list_t, quantity_t
    use ehlwave_quantity_output, only: json_columns, take_json

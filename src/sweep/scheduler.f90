@@ -5,13 +5,13 @@
 !> the same code without messages.
 module ehlwave_scheduler
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_plan, only: case_plan_t
    use ehlwave_outcome, only: outcome_t
    use ehlwave_case_text, only: effective_input
    use ehlwave_case_work, only: case_procedure, case_watch_t, work_on_case
    use ehlwave_errors, only: error_t
    use ehlwave_messages, only: ask, is_waiting, next_message, no_case, outbox_t, receive_case, receive_outcome, &
       receive_word, send_word, stop_work
+   use ehlwave_planned_case, only: case_plan_t
    use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_status, only: status_interrupted, status_pending
    use ehlwave_sweep_cases, only: sweep_t

@@ -4,13 +4,14 @@ module ehlwave_sweep_cases
    use ehlwave_case_input, only: case_input_t
    use ehlwave_case_key, only: key_length, value_text
    use ehlwave_case_keys, only: case_key_list
-   use ehlwave_case_plan, only: case_plan_t, make_plan
+   use ehlwave_case_plan, only: make_plan
    use ehlwave_case_text, only: case_identity
    use ehlwave_errors, only: error_t, raise
    use ehlwave_identity_index, only: identity_index_t, identity_length
    use ehlwave_input_completion, only: complete_input
    use ehlwave_key_list, only: find_key, key_list_t
    use ehlwave_kinds, only: dp
+   use ehlwave_planned_case, only: case_plan_t
    use ehlwave_store_names, only: newest_defaults
    use ehlwave_text, only: to_text
    implicit none (type, external)

@@ -1,7 +1,7 @@
 !> Expected time of the cases of a sweep before any has run.
 module ehlwave_sweep_expectation
-   use ehlwave_case_plan, only: case_plan_t
    use ehlwave_kinds, only: dp
+   use ehlwave_planned_case, only: case_plan_t
    use ehlwave_work_unit, only: expected_unit_seconds
    implicit none (type, external)
    private

@@ -1,10 +1,10 @@
 !> The cases that are left to run: the longest expected first, those that share a steady state by the same rank.
 module ehlwave_sweep_queue
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_plan, only: case_plan_t, run_harmonic
    use ehlwave_cost_model, only: cost_features, cost_model_t, feature_count, fit_cost_model
    use ehlwave_identity_index, only: identity_index_t, text_identity
    use ehlwave_kinds, only: dp
+   use ehlwave_planned_case, only: case_plan_t, run_harmonic
    use ehlwave_shared_steady, only: steady_key
    implicit none (type, external)
    private

@@ -1,9 +1,9 @@
 !> Plan and outcome of a sweep as text.
 module ehlwave_sweep_report
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-   use ehlwave_case_plan, only: case_plan_t, run_harmonic, run_march, run_smooth
    use ehlwave_kinds, only: dp
    use ehlwave_memory, only: memory_limit_mib
+   use ehlwave_planned_case, only: case_plan_t, run_harmonic, run_march, run_smooth
    use ehlwave_status, only: last_status, status_name, status_pending
    use ehlwave_sweep_cases, only: sweep_t
    use ehlwave_sweep_expectation, only: expected_seconds

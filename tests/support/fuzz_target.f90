@@ -10,12 +10,13 @@ program fuzz_target
    use, intrinsic :: iso_fortran_env, only: input_unit, output_unit
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_file, only: read_case
-   use ehlwave_case_plan, only: case_plan_t, make_plan
+   use ehlwave_case_plan, only: make_plan
    use ehlwave_case_text, only: input_identity
    use ehlwave_case_table, only: read_sweep
    use ehlwave_errors, only: error_t
    use ehlwave_json_reader, only: json_number, split_list
    use ehlwave_kinds, only: dp
+   use ehlwave_planned_case, only: case_plan_t
    use ehlwave_store_contents, only: contents_t, read_store
    use ehlwave_surface_file, only: read_surface_file
    use ehlwave_sweep_cases, only: sweep_t

@@ -2,13 +2,13 @@
 module synthetic_case
    use ehlwave_case_account, only: blank_result
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_text, only: case_identity
    use ehlwave_clock, only: rest_for, wall_seconds
    use ehlwave_kinds, only: dp, i8, pi
    use ehlwave_march_keeper, only: march_keeper_t
    use ehlwave_monitor, only: monitor_t
+   use ehlwave_planned_case, only: case_plan_t
    use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_status, only: status_converged
    implicit none (type, external)
@@ -71,7 +71,7 @@ program synthetic_sweep
    use ehlwave_clock, only: wall_seconds
    use ehlwave_errors, only: error_t
    use ehlwave_kinds, only: dp
-   use ehlwave_posix, only: end_program
+   use ehlwave_process, only: end_program
    use ehlwave_sweep_cases, only: sweep_t
    use ehlwave_sweep_job, only: run_job
    use ehlwave_sweep_leader, only: job_options_t

@@ -7,7 +7,7 @@ program test_case_bounds
    use ehlwave_case_input, only: case_input_t
    use ehlwave_case_key, only: choice_length, key_value_t, number_kind, truth_kind, value_text, whole_kind, words_of
    use ehlwave_case_keys, only: case_key_list
-   use ehlwave_case_plan, only: case_plan_t, make_plan
+   use ehlwave_case_plan, only: make_plan
    use ehlwave_case_text, only: effective_input
    use ehlwave_errors, only: error_t
    use ehlwave_input_completion, only: complete_input
@@ -15,6 +15,7 @@ program test_case_bounds
    use ehlwave_key_list, only: find_key, key_list_t
    use ehlwave_kinds, only: dp
    use ehlwave_namelist_scanner, only: value_t
+   use ehlwave_planned_case, only: case_plan_t
    use testing, only: test_t
    implicit none (type, external)
 

@@ -4,10 +4,11 @@ program test_case_lubricant
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_file, only: case_from_text
    use ehlwave_case_lubricant, only: pressure_viscosity
-   use ehlwave_case_plan, only: case_plan_t, make_plan
+   use ehlwave_case_plan, only: make_plan
    use ehlwave_case_text, only: case_identity, effective_input
    use ehlwave_errors, only: error_t
    use ehlwave_kinds, only: dp
+   use ehlwave_planned_case, only: case_plan_t
    use ehlwave_viscosity_law, only: film_forming_coefficient
    use testing, only: test_t
    implicit none (type, external)

@@ -2,9 +2,10 @@
 program test_case_plan
    use ehlwave_case_completion, only: complete_case
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_plan, only: case_plan_t, make_plan, run_march, run_smooth, run_standing
+   use ehlwave_case_plan, only: make_plan
    use ehlwave_errors, only: error_t
    use ehlwave_kinds, only: dp
+   use ehlwave_planned_case, only: case_plan_t, run_march, run_smooth, run_standing
    use ehlwave_text, only: to_text
    use testing, only: test_t
    implicit none (type, external)

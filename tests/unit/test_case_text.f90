@@ -4,12 +4,13 @@ program test_case_text
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_file, only: read_case
    use ehlwave_case_keys, only: case_key_list, case_values
-   use ehlwave_case_plan, only: case_plan_t, make_plan
+   use ehlwave_case_plan, only: make_plan
    use ehlwave_case_text, only: case_identity, effective_input, input_identity, input_text
    use ehlwave_errors, only: error_t
    use ehlwave_identity_index, only: text_identity
    use ehlwave_key_list, only: find_key, key_list_t
    use ehlwave_kinds, only: dp
+   use ehlwave_planned_case, only: case_plan_t
    use testing, only: test_t
    implicit none (type, external)
 

@@ -28,12 +28,13 @@ end module step_counter
 program test_checkpoint_file
    use ehlwave_case_completion, only: complete_case
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_plan, only: case_plan_t, make_plan
+   use ehlwave_case_plan, only: make_plan
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_runner, only: run_case
    use ehlwave_checkpoint_file, only: checkpoint_t
    use ehlwave_errors, only: error_t
    use ehlwave_kinds, only: i8
+   use ehlwave_planned_case, only: case_plan_t
    use ehlwave_posix, only: remove_file, replace_file
    use ehlwave_status, only: is_success, status_interrupted
    use ehlwave_text_file, only: read_whole_file

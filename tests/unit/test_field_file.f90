@@ -3,12 +3,13 @@ program test_field_file
    use ehlwave_case_account, only: blank_result
    use ehlwave_case_completion, only: complete_case
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_plan, only: case_plan_t, make_plan
+   use ehlwave_case_plan, only: make_plan
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_text, only: case_identity, effective_input
    use ehlwave_errors, only: error_t
    use ehlwave_field_file, only: write_case_file
    use ehlwave_kinds, only: dp
+   use ehlwave_planned_case, only: case_plan_t
    use hdf5_readback, only: attribute_of, numbers_of
    use testing, only: test_t
    implicit none (type, external)

@@ -3,11 +3,12 @@ program test_quantities
    use ehlwave_case_account, only: blank_result
    use ehlwave_case_completion, only: complete_case
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_plan, only: case_plan_t, make_plan
+   use ehlwave_case_plan, only: make_plan
    use ehlwave_case_result, only: case_result_t
    use ehlwave_errors, only: error_t
    use ehlwave_json_reader, only: json_string, split_list
    use ehlwave_kinds, only: dp, i8
+   use ehlwave_planned_case, only: case_plan_t
    use ehlwave_quantities, only: add_case, add_plan, add_result
    use ehlwave_quantity, only: quantity_list_t, quantity_t
    use ehlwave_quantity_output, only: json_columns, json_values, take_json

@@ -2,11 +2,12 @@
 program test_shear_result
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_file, only: case_from_text
-   use ehlwave_case_plan, only: case_plan_t, make_plan
+   use ehlwave_case_plan, only: make_plan
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_errors, only: error_t
    use ehlwave_grid, only: grid_t, new_grid
    use ehlwave_kinds, only: dp, pi
+   use ehlwave_planned_case, only: case_plan_t
    use ehlwave_shear_result, only: shear_result_t
    use ehlwave_shear_stress, only: mean_shear_stress
    use ehlwave_state, only: new_state, state_t

@@ -1,9 +1,10 @@
 !> The order in which ranks get the cases of a sweep.
 program test_steady_groups
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_plan, only: case_plan_t, make_plan
+   use ehlwave_case_plan, only: make_plan
    use ehlwave_errors, only: error_t
    use ehlwave_kinds, only: dp
+   use ehlwave_planned_case, only: case_plan_t
    use ehlwave_sweep_queue, only: new_queue, queue_t
    use testing, only: test_t
    implicit none (type, external)

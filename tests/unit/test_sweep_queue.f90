@@ -2,9 +2,9 @@
 program test_sweep_queue
    use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_plan, only: case_plan_t, run_march
    use ehlwave_cost_model, only: cost_features, cost_model_t, feature_count, fit_cost_model
    use ehlwave_kinds, only: dp
+   use ehlwave_planned_case, only: case_plan_t, run_march
    use ehlwave_sweep_queue, only: new_queue, queue_t
    use testing, only: test_t
    implicit none (type, external)

@@ -2,13 +2,13 @@
 module planned_case
    use ehlwave_case_account, only: blank_result
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_plan, only: case_plan_t
    use ehlwave_case_result, only: case_result_t
    use ehlwave_outcome, only: outcome_t
    use ehlwave_clock, only: wall_seconds
    use ehlwave_kinds, only: dp
    use ehlwave_march_keeper, only: march_keeper_t
    use ehlwave_monitor, only: give_up, go_on, monitor_t, stop_now
+   use ehlwave_planned_case, only: case_plan_t
    use ehlwave_scheduler, only: leader_t
    use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_status, only: status_converged, status_interrupted, status_over_budget

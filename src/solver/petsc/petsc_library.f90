@@ -2,7 +2,7 @@
 module ehlwave_petsc_library
    use, intrinsic :: iso_c_binding, only: c_associated, c_f_procpointer, c_funptr
    use ehlwave_errors, only: error_t, raise
-   use ehlwave_posix, only: find_procedure
+   use ehlwave_process, only: find_procedure
    use ehlwave_provenance, only: library_versions
    implicit none (type, external)
    private

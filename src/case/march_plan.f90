@@ -1,0 +1,84 @@
+!> The time steps of a plan: how long they are and how many.
+module ehlwave_march_plan
+   use ehlwave_accuracy_model, only: expected_long_step_error
+   use ehlwave_case_definition, only: case_t
+   use ehlwave_errors, only: error_t, raise
+   use ehlwave_kinds, only: dp
+   use ehlwave_planned_case, only: case_plan_t, run_march
+   use ehlwave_surface_plan, only: surface_times
+   use ehlwave_text, only: to_text
+   implicit none (type, external)
+   private
+   public :: plan_march
+
+   integer, parameter :: most_steps = 1000000
+   real(dp), parameter :: share_of_steps = 0.2_dp    !! of the accuracy, for steps longer than hX
+   real(dp), parameter :: fewest_long_steps = 32     !! time steps per wave that steps longer than hX must leave
+   real(dp), parameter :: outlet_end = 1             !! X of the outlet end of the Hertzian contact
+
+contains
+
+   !> Steps until the slower of the surface pattern (speed S) and of the pattern in the lubricant (speed 1) has
+   !> passed the outlet end, `settling_periods` more (measured: long waves, lambda = 2 a, are 2 per cent off in the
+   !> first period and below 0.1 per cent in the second), then one period. A measured surface is followed until its
+   !> trailing end is at the contact centre. An `end_time` overrides both; where it comes before the patterns have
+   !> passed and one period more, no amplitude is measured.
+   subroutine plan_march(case, plan, error)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(inout) :: plan
+      type(error_t), allocatable, intent(inout) :: error
+      real(dp) :: passed, settled, total
+
+      plan%kind = run_march
+      if (case%time_step_over_cell <= 0) then
+         plan%cells_per_step = chosen_step(case, plan)
+      else if (case%time_step_over_cell >= 1) then
+         plan%cells_per_step = nint(case%time_step_over_cell)
+      else
+         plan%steps_per_cell = nint(1/case%time_step_over_cell)
+      end if
+      plan%dt = plan%hx*plan%cells_per_step/plan%steps_per_cell
+      if (plan%surfaces%is_measured()) then
+         call surface_times(plan%surfaces, settled, total)
+         if (case%end_time > 0) total = case%end_time
+         settled = min(settled, total)
+      else if (plan%surfaces%moves()) then
+         passed = plan%surfaces%passing_time(outlet_end)
+         settled = passed + case%settling_periods*plan%surfaces%period()
+         total = settled + plan%surfaces%period()
+         if (case%end_time > 0) then
+            total = case%end_time
+            plan%measures = total - plan%surfaces%period() > passed - 0.5_dp*plan%dt
+            settled = max(0.0_dp, total - plan%surfaces%period())
+         end if
+      else
+         settled = case%end_time
+         total = case%end_time
+      end if
+      if (total/plan%dt > most_steps) then
+         call raise(error, 'the case needs '//to_text(total/plan%dt, 3)//' time steps, more than '// &
+                    to_text(most_steps)//': with slip_parameter near 0 the pattern hardly moves; use 0 for a '// &
+                    'pattern that stands still, or set &dynamics end_time')
+         return
+      end if
+      plan%steps = ceiling(total/plan%dt - 1e-9_dp)
+      plan%first_sample = ceiling(settled/plan%dt - 1e-9_dp)
+   end subroutine plan_march
+
+   !> dT/hX for the accuracy asked for: 2 for waves of at least 64 mesh sizes, where it adds little error (measured:
+   !> lambda = 2 a on 128 cells, 33 to 62 per cent of the GMRES steps of dT = hX), else 1: for shorter waves
+   !> longer steps save nothing. The linear response is that of steps of at most one cell.
+   pure integer function chosen_step(case, plan)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      real(dp) :: steps   ! per wave with dT = 2 hX
+
+      chosen_step = 1
+      if (.not. plan%surfaces%moves() .or. plan%responds .or. plan%is_periodic .or. &
+         case%load_balance /= 'force_balance') return
+      steps = plan%surfaces%period()/(2*plan%hx)
+      if (steps < fewest_long_steps) return
+      if (expected_long_step_error(2, steps) <= share_of_steps*case%accuracy) chosen_step = 2
+   end function chosen_step
+
+end module ehlwave_march_plan

@@ -1,0 +1,83 @@
+!> Errors and work to expect of a plan, and the cap on its work.
+module ehlwave_plan_effort
+   use ehlwave_accuracy_model, only: expected_long_step_error, expected_ratio_error, expected_step_error, &
+      steady_work_units, step_work_units
+   use ehlwave_case_definition, only: case_t
+   use ehlwave_grid_choice, only: formula_ratio
+   use ehlwave_kinds, only: dp
+   use ehlwave_linear_range, only: expected_nonlinearity
+   use ehlwave_planned_case, only: case_plan_t, run_harmonic, run_march, run_standing
+   implicit none (type, external)
+   private
+   public :: cap_work, expect
+
+   !> Work of a case over that of its plan, where it has no cap of its own; it ends at a share of that, since the step
+   !> at which it does is finished.
+   real(dp), parameter, public :: most_work = 10
+   real(dp), parameter :: share_of_most = 0.8_dp
+   real(dp), parameter :: cost_of_estimate = 1.15_dp !! of a case with its coarser grids over that without
+   real(dp), parameter :: response_work_units = 50   !! of a linear response on half a domain and the change of the
+                                                     !! mean; measured: 35 to 80
+   real(dp), parameter :: line_response_work_units = 250   !! the same of a line contact
+   real(dp), parameter :: load_step_cost = 4         !! time steps after a load step over others; measured at M = 300, L
+                                                     !! = 30, D = 1: 9
+   real(dp), parameter :: petsc_cost = 2             !! of a solution by PETSc, of one by Newton's method; measured: 0.9
+                                                     !! to 2.2
+   real(dp), parameter :: periodic_share = 0.4_dp    !! of a march that starts in the waves, of one from rest; measured:
+                                                     !! 0.2 to 0.6
+
+contains
+
+   !> Error and cost to expect of a plan that is complete but for them. Whole domains cost twice as much as half ones.
+   subroutine expect(case, plan)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(inout) :: plan
+      real(dp) :: samples, step_tolerance, steps_cost
+      logical :: is_newtonian
+
+      is_newtonian = plan%rheology%is_newtonian()
+      steps_cost = 1
+      samples = plan%resolution%samples
+      step_tolerance = case%step_tolerance
+      if (plan%kind == run_harmonic) then     ! has the frequency of steps dT = hX, and no tolerance of its own
+         if (plan%surfaces%moves()) samples = plan%surfaces%period()/plan%hx
+         step_tolerance = 0
+      end if
+      plan%expected%domain = plan%domain_error
+      plan%expected%mesh = plan%expected_film_mesh_error()
+      if (plan%surfaces%is_rough() .and. .not. plan%surfaces%is_measured()) then
+         plan%expected%mesh = expected_ratio_error(plan%conditions, &
+                                                   formula_ratio(case, plan%conditions, plan%surfaces%moves()), &
+                                                   plan%hx, &
+                                                   plan%resolution%points_y, 1, samples, 0.0_dp)*plan%thinning%steepness
+         if (samples > 0) plan%expected%time = expected_long_step_error(plan%cells_per_step, samples)
+         if (samples > 0) plan%expected%algebraic = expected_step_error(step_tolerance)
+         if (plan%kind == run_march .or. plan%kind == run_standing) plan%expected%amplitude = &
+            expected_nonlinearity(case)
+      end if
+      plan%expected_error = plan%expected%mesh + plan%expected%time + plan%expected%algebraic
+      associate (steady => steady_work_units(plan%conditions, plan%cells_x, is_newtonian, plan%thinning%cost), &
+                 step => step_work_units(plan%conditions, plan%cells_x, is_newtonian, plan%thinning%cost))
+         if (abs(case%load_factor - 1) > 0) steps_cost = load_step_cost
+         if (case%method == 'petsc') steps_cost = petsc_cost*steps_cost
+         plan%expected_work_units = (1 + 0.5_dp*plan%phases)*steady*merge(petsc_cost, 1.0_dp, case%method == 'petsc') &
+                                    + merge(periodic_share, 1.0_dp, plan%is_periodic)*plan%steps*step*steps_cost
+      end associate
+      if (plan%responds) plan%expected_work_units = plan%expected_work_units &
+         + merge(line_response_work_units, response_work_units, plan%conditions%is_line())
+      if (.not. (plan%is_half .or. plan%conditions%is_line())) plan%expected_work_units = 2*plan%expected_work_units
+      plan%work_with_estimates = plan%expected_work_units
+      if (plan%surfaces%is_rough() .and. plan%kind /= run_harmonic .and. case%error_estimate == 'coarse_grid') &
+         plan%work_with_estimates = cost_of_estimate*plan%expected_work_units
+   end subroutine expect
+
+   !> A case takes at most ten times the work that its plan expects, rescues, error estimates and runs on finer grids
+   !> included, unless it has a cap of its own, `largest_total_steps`.
+   subroutine cap_work(case, plan)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(inout) :: plan
+      plan%largest_work = huge(1.0_dp)
+      if (case%largest_total_steps == 0) plan%largest_work = share_of_most*most_work*plan%expected_work()
+   end subroutine cap_work
+
+end module ehlwave_plan_effort

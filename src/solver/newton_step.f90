@@ -1,0 +1,169 @@
+!> One step of Newton's method: right side, linear system, direction, length.
+module ehlwave_newton_step
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+   use ehlwave_bent_step, only: bend
+   use ehlwave_contact_problem, only: contact_problem_t
+   use ehlwave_cycle_settings, only: diagonal_shift
+   use ehlwave_given, only: given_t
+   use ehlwave_hierarchy, only: level_t, work_of
+   use ehlwave_kinds, only: dp
+   use ehlwave_real_gmres, only: gmres_t
+   use ehlwave_real_linearised_contact, only: linearised_contact_t, set_wedge
+   use ehlwave_solve_report, only: solve_report_t
+   use ehlwave_state, only: state_t
+   use ehlwave_step_limit, only: step_limit_t
+   implicit none (type, external)
+   private
+
+   !> The contact linearised on every level, of which the coarser ones precondition the finer, and the work space of a
+   !> step.
+   type, public :: newton_step_t
+      type(linearised_contact_t) :: linear
+      type(gmres_t) :: gmres
+      real(dp), allocatable, private :: rhs(:), change(:), film_change(:, :)
+      logical, allocatable :: cavitated_before(:, :)
+      logical, allocatable, private :: cavitated_earlier(:, :)
+   contains
+      procedure :: pose
+      procedure :: assemble
+      procedure :: worth_of_same
+      procedure :: solve
+      procedure :: alternates
+      procedure :: take
+   end type newton_step_t
+
+   real(dp), parameter :: lowest_pressure = -0.02_dp   !! of an iterate; solutions are clipped at 0
+
+contains
+
+   !> Make ready to solve the last of the levels with what is given.
+   subroutine pose(self, levels, given)
+      class(newton_step_t), intent(inout) :: self
+      type(level_t), intent(inout), target :: levels(:)
+      type(given_t), intent(in) :: given
+      integer :: n
+
+      n = size(levels)
+      associate (linear => self%linear, nx => levels(n)%problem%grid%nx, ny => levels(n)%problem%grid%ny)
+         call linear%borrow(levels, in_single=.true.)
+         call linear%start(n)
+         linear%inertia = given%load%inertia
+         call set_wedge(linear, given%transport)
+         if (allocated(self%film_change)) then
+            if (all(shape(self%film_change) == [nx + 1, ny + 1])) return
+            deallocate (self%rhs, self%change, self%film_change, self%cavitated_before, self%cavitated_earlier)
+         end if
+         allocate (self%rhs(linear%n), self%change(linear%n))
+         allocate (self%film_change(0:nx, 0:ny))
+         allocate (self%cavitated_before(0:nx, 0:ny), self%cavitated_earlier(0:nx, 0:ny), source=.false.)
+      end associate
+   end subroutine pose
+
+   !> Equations and right side at the present state.
+   subroutine assemble(self, problem, given, state, worth)
+      class(newton_step_t), intent(inout), target :: self
+      type(contact_problem_t), intent(in) :: problem
+      type(given_t), intent(in) :: given
+      type(state_t), intent(in) :: state
+      real(dp), intent(out) :: worth   !! Euclidean norm of the right side
+      real(dp), pointer, contiguous :: b(:, :)
+      integer :: i, j
+
+      associate (grid => problem%grid, linear => self%linear, level => self%linear%levels(self%linear%finest))
+         call level%equations%evaluate(problem, given, state)
+         call linear%count_evaluation()
+         call linear%weigh(linear%finest)
+         b(0:grid%nx, 0:grid%ny) => self%rhs(:linear%n - 1)
+         do j = 0, grid%ny
+            do i = 0, grid%nx
+               if (level%equations%is_cavitated(i, j)) then
+                  b(i, j) = -state%p(i, j)
+               else
+                  b(i, j) = -level%row_scale(i, j)*level%equations%residual(i, j)
+               end if
+            end do
+         end do
+         do i = 1, level%equations%edges%count()
+            b(level%equations%edges%i(i), level%equations%edges%j(i)) = -level%equations%edge_excess(i)
+         end do
+         self%rhs(linear%n) = -level%equations%load_residual(given, state)
+         worth = sqrt(sum(self%rhs**2))
+      end associate
+   end subroutine assemble
+
+   !> Norm of the right side without the nodes that are cavitated and were not, or were and are not: their equation is
+   !> another.
+   real(dp) function worth_of_same(self) result(worth)
+      class(newton_step_t), intent(in) :: self
+      associate (now => self%linear%levels(self%linear%finest)%equations%is_cavitated, n => self%linear%n)
+         worth = sqrt(sum(self%rhs(:n - 1)**2, mask=[self%cavitated_before .eqv. now]) + self%rhs(n)**2)
+      end associate
+   end function worth_of_same
+
+   !> Newton direction in `change`. The factors are made afresh: that costs about one GMRES step and a half, and factors
+   !> of the step before need two more on average, many more where the pattern moves the edge of the film. Where the
+   !> factors do not serve (incomplete ones can be unstable), they are made again with a stronger diagonal.
+   subroutine solve(self, levels, forcing, largest_work, report)
+      class(newton_step_t), intent(inout) :: self
+      type(level_t), intent(in) :: levels(:)
+      real(dp), intent(in) :: forcing
+      real(dp), intent(in) :: largest_work   !! on these levels, from which on nothing is tried again
+      type(solve_report_t), intent(inout) :: report
+      integer :: rung
+
+      do rung = 1, size(diagonal_shift)
+         call self%linear%factorise(rung)
+         report%factorisations = report%factorisations + 1
+         call self%gmres%solve(self%linear, self%rhs, self%change, forcing)
+         report%linear_steps = report%linear_steps + self%gmres%steps
+         if (self%gmres%steps > 0 .and. self%gmres%reduction < 0.5_dp) exit
+         if (work_of(levels) >= largest_work) exit
+      end do
+   end subroutine solve
+
+   !> Whether the active set goes back and forth between two sets; a half step then breaks the cycle.
+   logical function alternates(self, k)
+      class(newton_step_t), intent(inout) :: self
+      integer, intent(in) :: k   !! steps taken
+      associate (now => self%linear%levels(self%linear%finest)%equations%is_cavitated)
+         alternates = .false.
+         if (k >= 2) alternates = all(now .eqv. self%cavitated_earlier) .and. any(now .neqv. self%cavitated_before)
+         self%cavitated_earlier = self%cavitated_before
+         self%cavitated_before = now
+      end associate
+   end function alternates
+
+   !> Step along `change`, made shorter so that the pressure change and the film stay within their limits, and bent.
+   !> False if there is no step to take.
+   !>
+   !> Pressures may become slightly negative: the active set makes them zero in the next step. Clipping them at zero
+   !> here instead leaves neighbours with changes that counted on the negative value, and the active set can go round
+   !> in circles (measured: M = 50, D = 0.04, a cycle of four sets).
+   logical function take(self, problem, limit, longest, state) result(has_moved)
+      class(newton_step_t), intent(inout), target :: self
+      type(contact_problem_t), intent(inout) :: problem
+      type(step_limit_t), intent(in) :: limit
+      real(dp), intent(in) :: longest    !! step length, at most 1
+      type(state_t), intent(inout) :: state
+      real(dp), pointer, contiguous :: dp_(:, :)
+      real(dp) :: shorter, step
+
+      associate (grid => problem%grid, n => self%linear%n)
+         dp_(0:grid%nx, 0:grid%ny) => self%change(:n - 1)
+         has_moved = ieee_is_finite(maxval(abs(dp_))) .and. ieee_is_finite(self%change(n))
+         if (.not. has_moved) return
+         step = longest*limit%of_pressure(dp_)
+         call bend(self%linear%levels(self%linear%finest)%equations, step, dp_)
+         dp_ = max(dp_, lowest_pressure - state%p)
+         self%change(n) = step*self%change(n)
+         call problem%deformation%apply(dp_, self%film_change)
+         self%film_change = self%film_change - self%change(n)
+         shorter = limit%of_film(state%h, self%film_change)
+         has_moved = shorter > 0
+         state%p = state%p + shorter*dp_
+         state%delta = state%delta + shorter*self%change(n)
+         state%h = state%h + shorter*self%film_change      ! the film is linear in P and Delta
+      end associate
+   end function take
+
+end module ehlwave_newton_step
