@@ -1,5 +1,6 @@
 !> Elastic deformation by FFT convolution with the exact cell kernel.
 module ehlwave_deformation_fft
+   use ehlwave_assertions, only: assert, checks
    use ehlwave_deformation, only: deformation_t
    use ehlwave_double_convolution, only: double_convolution_t => convolution_t
    use ehlwave_grid, only: grid_t
@@ -32,6 +33,8 @@ contains
       real(dp), intent(in) :: k       !! complete elliptic integral of the first kind
       type(kernel_transform_t) :: kernel
 
+      if (checks) call assert(min(grid%hx, grid%hy) > 0 .and. kappa > 0 .and. k > 0, &
+                              'deformation%init: positive mesh sizes and kappa')
       kernel = new_kernel_transform(grid, kappa, k)
       call self%double%init(grid, kernel)
       call self%single%init(grid, kernel)
@@ -45,6 +48,7 @@ contains
       real(dp), intent(in), contiguous :: p(0:, 0:)    !! pressure at the nodes, (0:nx, 0:ny), zero on the outer
                                                        !! boundary
       real(dp), intent(out), contiguous :: d(0:, 0:)   !! deformation, (0:nx, 0:ny)
+      if (checks) call assert(all(shape(p) == shape(d)), 'deformation%apply: one grid')
       self%work = self%work + self%operations
       call self%double%apply(p, d)
    end subroutine apply

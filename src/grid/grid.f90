@@ -1,5 +1,6 @@
 !> One uniform grid over the contact: the whole domain, its half Y >= 0 when the case is even in Y, or one line along X.
 module ehlwave_grid
+   use ehlwave_assertions, only: assert, checks
    use ehlwave_kinds, only: dp
    use ehlwave_lagrange, only: lagrange_weights
    implicit none (type, external)
@@ -45,6 +46,11 @@ contains
       type(grid_t) :: self
       integer :: i, j
 
+      if (checks) then
+         call assert(x_max > x_min .and. y_max > 0, 'new_grid: a domain of positive size')
+         call assert(min(cells_x, cells_y) > 0 .and. .not. (is_half .and. modulo(cells_y, 2) /= 0), &
+                     'new_grid: cells, of half a domain an even number across')
+      end if
       self%nx = cells_x
       self%hx = (x_max - x_min)/cells_x
       self%hy = 2*y_max/cells_y
@@ -72,6 +78,7 @@ contains
 
       integer :: i
 
+      if (checks) call assert(x_max > x_min .and. cells_x > 0, 'new_line_grid: cells, and a domain of positive size')
       self%nx = cells_x
       self%hx = (x_max - x_min)/cells_x
       self%hy = strip_width

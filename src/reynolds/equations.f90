@@ -1,5 +1,6 @@
 !> The discrete equations of a contact evaluated at a state.
 module ehlwave_equations
+   use ehlwave_assertions, only: assert, checks
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_edge_values, only: edge_values_t
    use ehlwave_flow, only: flow_t, new_flow
@@ -58,6 +59,7 @@ contains
       type(given_t), intent(in) :: given
       type(state_t), intent(in) :: state
 
+      if (checks) call check_shapes(self, given, state)
       call self%flow%evaluate(problem%rheology, problem%conditions%lambdabar, state%p, state%h)
       if (.not. problem%rheology%is_newtonian()) &
          call self%flow%evaluate_faces(problem%film_flow, problem%grid, self%mesh%kappa)
@@ -67,6 +69,19 @@ contains
       self%edges = problem%edges
       call self%edges%compare(given, state%p, state%h, self%edge_excess, self%edge_slope)
    end subroutine evaluate
+
+   !> Preconditions of an evaluation: what is given and the state belong to the grid.
+   pure subroutine check_shapes(self, given, state)
+      class(equations_t), intent(in) :: self
+      type(given_t), intent(in) :: given
+      type(state_t), intent(in) :: state
+      call assert(allocated(self%residual), 'equations%evaluate: init came first')
+      call assert(all(shape(state%p) == shape(self%residual)) .and. all(shape(state%h) == shape(self%residual)), &
+                  'equations%evaluate: a state of this grid')
+      call assert(ubound(given%transport%w0, 1) == self%mesh%grid%nx, 'equations%evaluate: given for this grid')
+      if (allocated(given%rough)) call assert(all(shape(given%rough) == shape(self%residual)), &
+                                              'equations%evaluate: roughness on this grid')
+   end subroutine check_shapes
 
    !> Operations of the last evaluation, see `ehlwave_work_unit`.
    pure real(dp) function work(self)

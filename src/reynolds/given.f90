@@ -1,5 +1,6 @@
 !> Data of a solution besides its contact: earlier times, load, roughness.
 module ehlwave_given
+   use ehlwave_assertions, only: assert, checks
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
    use ehlwave_load_balance, only: load_balance_t
@@ -34,6 +35,7 @@ contains
    pure subroutine set_rough(self, rough)
       class(given_t), intent(inout) :: self
       real(dp), intent(in) :: rough(0:, 0:)   !! (0:nx, 0:ny)
+      if (checks .and. allocated(self%rough)) call assert(all(shape(rough) == shape(self%rough)), 'set_rough: one grid')
       if (.not. allocated(self%rough)) allocate (self%rough(0:ubound(rough, 1), 0:ubound(rough, 2)))
       self%rough = rough
    end subroutine set_rough

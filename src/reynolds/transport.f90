@@ -6,6 +6,7 @@
 !>
 !> where `carried` holds the known values of earlier times.
 module ehlwave_transport
+   use ehlwave_assertions, only: assert, checks
    use ehlwave_complex_wedge, only: complex_wedge_t => wedge_t, new_complex_wedge => new_wedge
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
@@ -56,6 +57,8 @@ contains
       real(dp) :: dt
       integer :: i
 
+      if (checks) call assert(min(cells_per_step, steps_per_cell) == 1, &
+                              'characteristic_transport: cells_per_step or steps_per_cell is 1')
       self%wedge_t = new_wedge(grid%nx)
       self%cells_per_step = cells_per_step
       self%steps_per_cell = steps_per_cell
@@ -154,6 +157,8 @@ contains
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: history(0:, 0:, :)   !! (0:nx, 0:ny, n): f at T - n dT
       integer :: j
+      if (checks) call assert(all(shape(history) == [grid%nx + 1, grid%ny + 1, self%history_length()]), &
+                              'carry: as many earlier times as the scheme takes, on the grid')
       do j = 0, grid%ny
          call self%carry_row(grid, j, history(:, j, :))
       end do

@@ -2,6 +2,7 @@
 !>
 !> Brandt (1977); for these contacts Venner (1991), Venner and Lubrecht (2000).
 module ehlwave_fas_multigrid
+   use ehlwave_assertions, only: assert, checks
    use ehlwave_fas_level, only: fas_level_t
    use ehlwave_given, only: given_t
    use ehlwave_hierarchy, only: hierarchy_t
@@ -54,6 +55,7 @@ contains
       real(dp) :: work_before
       integer :: k
 
+      if (checks) call assert(allocated(self%levels), 'fas%solve: init came first')
       if (l == 1) then
          call self%direct%solve(hierarchy, l, limits, report)
          return

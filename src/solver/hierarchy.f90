@@ -1,6 +1,7 @@
 !> The grids of one contact, with all that belongs to each.
 module ehlwave_hierarchy
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+   use ehlwave_assertions, only: assert, checks
    use ehlwave_conditions, only: conditions_t
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_deformation_mlmi, only: deformation_mlmi_t
@@ -55,6 +56,7 @@ contains
       type(grid_t) :: grid
       integer :: l, n
 
+      if (checks) call assert(any(deformation == ['fft ', 'mlmi']), 'hierarchy%build: deformation is fft or mlmi')
       grid = finest
       n = 1
       do while (grid%can_coarsen(fewest_cells))

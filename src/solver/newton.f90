@@ -1,5 +1,6 @@
 !> Newton's method with an active set for the cavitated nodes, GMRES inside.
 module ehlwave_newton
+   use ehlwave_assertions, only: assert, checks
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_cycle_settings, only: newton_cycle
    use ehlwave_given, only: given_t
@@ -82,6 +83,8 @@ contains
       integer :: k, last_gain
       logical :: asks_local
 
+      if (checks) call assert(allocated(state%p) .and. limits%tolerance > 0, &
+                              'newton%improve: a first guess and a tolerance')
       self%step%gmres%largest_steps = self%largest_krylov
       call self%step%pose(levels, given)
       allocate (report%history(0))

@@ -1,5 +1,6 @@
 !> Response of a steady contact to small harmonic waviness: one linear system, theory eq. (W2), no time stepping.
 module ehlwave_harmonic_response
+   use ehlwave_assertions, only: assert, checks
    use ehlwave_complex_gmres, only: gmres_t
    use ehlwave_complex_linearised_contact, only: linearised_contact_t
    use ehlwave_cycle_settings, only: response_cycle
@@ -193,6 +194,8 @@ contains
       complex(dp), allocatable, target :: x(:)
       complex(dp), pointer, contiguous :: q(:, :)
 
+      if (checks) call assert(size(b) == self%linear%n .and. self%tolerance > 0, &
+                              'respond_to: a right side of its system')
       associate (linear => self%linear, grid => self%linear%levels(self%linear%finest)%equations%mesh%grid)
          if (self%is_real) then
             call respond_really(self, levels, real(b, dp), response)

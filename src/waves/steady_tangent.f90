@@ -1,5 +1,6 @@
 !> A steady contact linearised about its solution: what a small change of its equations does to it.
 module ehlwave_steady_tangent
+   use ehlwave_assertions, only: assert, checks
    use ehlwave_cycle_settings, only: diagonal_shift, newton_cycle
    use ehlwave_given, only: given_t, steady_given
    use ehlwave_hierarchy, only: level_t
@@ -76,6 +77,7 @@ contains
       real(dp), pointer, contiguous :: q(:, :)
       integer :: rung
 
+      if (checks) call assert(size(b) == self%linear%n .and. tolerance > 0, 'tangent%solve: a right side of its system')
       associate (linear => self%linear, grid => levels(size(levels))%problem%grid)
          allocate (x(linear%n))
          call linear%borrow(levels, in_single)

@@ -1,5 +1,6 @@
 !> March in time of one contact with moving waviness, from the smooth steady state.
 module ehlwave_time_march
+   use ehlwave_assertions, only: assert, checks
    use ehlwave_clock, only: wall_seconds
    use ehlwave_first_guess, only: carried_share, carry_on, extrapolate, look_up, past_t
    use ehlwave_full_multigrid, only: full_multigrid_t
@@ -76,6 +77,10 @@ contains
       type(rescue_t), intent(in) :: rescue     !! what the steady state has left of it
       integer :: n
 
+      if (checks) then
+         call assert(allocated(levels(size(levels))%state%h), 'march%begin: a level at its steady state')
+         call assert(settings%steps > 0, 'march%begin: steps to take')
+      end if
       self%settings = settings
       self%rescue = rescue
       self%result = march_result_t()

@@ -2,7 +2,7 @@
 !> Skipped (77) in builds without PETSc.
 program test_petsc
    use, intrinsic :: iso_fortran_env, only: output_unit
-   use ehlwave_posix, only: end_program
+   use ehlwave_process, only: end_program
    use ehlwave_errors, only: error_t
    use ehlwave_hierarchy, only: hertz_guess, hierarchy_t
    use ehlwave_kinds, only: dp, pi

@@ -2,11 +2,12 @@
 program test_shared_steady
    use ehlwave_case_completion, only: complete_case
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_plan, only: case_plan_t, make_plan
+   use ehlwave_case_plan, only: make_plan
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_runner, only: run_case
    use ehlwave_errors, only: error_t
    use ehlwave_kinds, only: dp
+   use ehlwave_planned_case, only: case_plan_t
    use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_status, only: is_success
    use silent_monitor, only: silent_monitor_t
