@@ -10,7 +10,7 @@ from drawn_folders import CONDITIONS, DrawnFolder, Snapshot
 from matplotlib.figure import Figure
 from synthetic import make_columns, write_results
 
-from ehlwave import cli, figures
+from ehlwave import figures, results_cli
 from ehlwave.cli import main
 from ehlwave.deform import cli as deform_cli
 from ehlwave.refit import RefitRow
@@ -54,11 +54,11 @@ def small_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
         return Figure(figsize=(0.1, 0.1))
 
     fitted = RefitRow("all", "f_v", 15, 1, 0.1, c1=0.2, c2=0.03)
-    monkeypatch.setattr(cli, "refit_groups", lambda *_: [fitted])
+    monkeypatch.setattr(results_cli, "refit_groups", lambda *_: [fitted])
     monkeypatch.setattr(figures, "collapse_figure", empty)
     for module, name in (
-        (cli, "contact_figure"),
-        (cli, "case_figure"),
+        (results_cli, "contact_figure"),
+        (results_cli, "case_figure"),
         (deform_cli, "deformed_figure"),
         (deform_cli, "spectrum_figure"),
     ):

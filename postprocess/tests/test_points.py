@@ -28,14 +28,14 @@ def _mixed() -> Columns:
 
 def test_only_resolved_points_by_default(tmp_path: Path) -> None:
     points = select_points(_read(tmp_path, _mixed()))
-    assert points["case"].values.tolist() == list(range(8, 60))
+    assert points["case"].values.tolist() == list(range(9, 61))
     assert points["is_point_resolved"].all()
 
 
 def test_unresolved_points_on_demand(tmp_path: Path) -> None:
     points = select_points(_read(tmp_path, _mixed()), include_unresolved=True)
-    assert points["case"].values.tolist() == list(range(6, 60))
-    assert points["case"].values[~points["is_point_resolved"]].tolist() == [6, 7]
+    assert points["case"].values.tolist() == list(range(7, 61))
+    assert points["case"].values[~points["is_point_resolved"]].tolist() == [7, 8]
 
 
 def test_choice_of_ratio(tmp_path: Path) -> None:

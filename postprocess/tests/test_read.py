@@ -32,7 +32,7 @@ def test_files_are_joined_and_origin_is_kept(tmp_path: Path) -> None:
     del columns["cells_x"]
     second = write_results(tmp_path / "b.h5", columns, git_revision="two")
     results = read_results([first, second])
-    assert results["case"].values.tolist() == list(range(120))
+    assert results["case"].values.tolist() == list(range(1, 121))
     assert results["case_in_file"].values[[0, 59, 60, 119]].tolist() == [1, 60, 1, 60]
     assert results["git_revision"].values[[0, 119]].tolist() == ["one", "two"]
     assert results["source_file"].values[[0, 119]].tolist() == [str(first), str(second)]

@@ -10,11 +10,14 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from ehlwave import atlas, contact, deform, stress
     from ehlwave.atlas import Atlas, load_atlas
     from ehlwave.case_file import read_contact as read_case
     from ehlwave.deform import deform_surface, read_surface
     from ehlwave.driver import Case, Study
     from ehlwave.errors import (
+        ArgumentError,
+        EhlwaveError,
         ExtrapolationWarning,
         ProgramError,
         RangeError,
@@ -38,11 +41,15 @@ if TYPE_CHECKING:
     from ehlwave.read import read_results
     from ehlwave.refit import RefitRow, RefitSettings, refit_groups
 
+    __version__: str
+
 _HOMES = {
     "atlas": ("Atlas", "load_atlas"),
     "deform": ("deform_surface", "read_surface"),
     "driver": ("Case", "Study"),
     "errors": (
+        "ArgumentError",
+        "EhlwaveError",
         "ExtrapolationWarning",
         "ProgramError",
         "RangeError",
@@ -70,9 +77,11 @@ _PACKAGES = ("atlas", "contact", "deform", "stress")
 _HOME = {name: home for home, names in _HOMES.items() for name in names}
 
 __all__ = [
+    "ArgumentError",
     "Atlas",
     "Case",
     "Contact",
+    "EhlwaveError",
     "ExtrapolationWarning",
     "Film",
     "FitError",
@@ -112,6 +121,8 @@ def __getattr__(name: str) -> Any:  # noqa: ANN401
     """Import what is asked for."""
     if name == "read_case":
         return import_module("ehlwave.case_file").read_contact
+    if name == "__version__":
+        return import_module("ehlwave.version").version()
     if name in _PACKAGES:
         return import_module(f"ehlwave.{name}")
     if name in _HOME:
@@ -121,4 +132,4 @@ def __getattr__(name: str) -> Any:  # noqa: ANN401
 
 def __dir__() -> list[str]:
     """Return the names that can be asked for."""
-    return __all__
+    return [*__all__, *_PACKAGES, "__version__"]

@@ -1,24 +1,37 @@
 """Cases and studies by the built programs, their results as :class:`xarray.Dataset`."""
 
+from __future__ import annotations
+
 import json
+import os
 import subprocess
 import tempfile
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import pandas as pd
 import xarray as xr
 
 from ehlwave.errors import ProgramError
 from ehlwave.hdf5 import read_dataset
-from ehlwave.programs import find_program, namelist
+from ehlwave.labels import with_labels_of
+from ehlwave.programs import find_program, find_run_sweep, namelist
+from ehlwave.progress import Following, following, run_following
 from ehlwave.read import read_results
 from ehlwave.writing import write_new_text
 
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from ehlwave.keys import CaseKeys, StudyKeys
+
 OPTIONS = ("case_file", "output", "unresolved", "largest_case_seconds", "checkpoint_seconds")
 """Keys of ``&sweep`` that are not lists of values."""
+
+LABEL = "label"
+"""Column of a table of cases that names them; not a key of the program."""
 
 
 class Case:
@@ -46,7 +59,7 @@ class Case:
     converged Ad/Ai = 0.93
     """
 
-    def __init__(self, **keys: Any) -> None:  # noqa: ANN401
+    def __init__(self, **keys: Unpack[CaseKeys]) -> None:
         """Sort the keys into the groups of an input file."""
         self.groups = grouped(keys)
 
@@ -69,13 +82,17 @@ class Case:
         """
         return self._json("--plan")
 
-    def run(self, seconds: float | None = None) -> xr.Dataset:
+    def run(self, seconds: float | None = None, progress: Following = None) -> xr.Dataset:
         """Compute the case.
 
         Parameters
         ----------
         seconds : float, optional
             Wall time after which it is stopped.
+        progress : callable or False, optional
+            Called as ``progress(done, whole, text)`` for each line of progress; ``text`` says what
+            is counted, such as ``"time step"``. Without it a notebook shows a bar if tqdm is
+            installed; False: none.
 
         Returns
         -------
@@ -103,14 +120,20 @@ class Case:
         """
         with tempfile.TemporaryDirectory() as folder:
             output = Path(folder, "case.h5")
-            self._json("--output", str(output), seconds=seconds)
+            self._json("--output", str(output), seconds=seconds, progress=progress)
             return read_dataset(output)
 
-    def _json(self, *options: str, seconds: float | None = None) -> dict[str, Any]:
+    def _json(
+        self, *options: str, seconds: float | None = None, progress: Following = False
+    ) -> dict[str, Any]:
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder, "case.nml")
             write_new_text(path, namelist(self.groups))
-            done = _run("ehlwave-case", str(path), "--json", "--quiet", *options, seconds=seconds)
+            command = [str(find_program("ehlwave-case")), str(path), "--json", *options]
+            with following(progress) as callback:
+                quiet = [] if callback else ["--quiet"]
+                done = run_following([*command, *quiet], callback, "stderr", seconds)
+            _check(done, (0, 1))
         lines = done.stdout.rstrip().splitlines()
         return dict(json.loads(lines[-1]))
 
@@ -122,7 +145,8 @@ class Study:
     ----------
     grid : mapping or table
         A mapping of keys: every combination of those that are given as lists is a case, the others
-        are shared. Or a :class:`pandas.DataFrame`, or a list of mappings: one case a row.
+        are shared. Or a :class:`pandas.DataFrame`, or a list of mappings: one case a row. A column
+        ``label`` names the cases; results carry it.
     **shared
         Keys that all cases share, besides.
 
@@ -146,23 +170,35 @@ class Study:
     def __init__(
         self,
         grid: Mapping[str, Any] | pd.DataFrame | Sequence[Mapping[str, Any]],
-        **shared: Any,  # noqa: ANN401
+        **shared: Unpack[StudyKeys],
     ) -> None:
         """Take the grid or the rows."""
+        given: dict[str, Any] = dict(shared)
         if isinstance(grid, Mapping):
             lists = {key: list(value) for key, value in grid.items() if _is_list(value)}
             self.rows: pd.DataFrame | None = None
-            shared = {key: value for key, value in grid.items() if key not in lists} | shared
+            given = {key: value for key, value in grid.items() if key not in lists} | given
             grouped(lists)  # for its check
         else:
             lists, self.rows = {}, pd.DataFrame(grid)
-            grouped(dict.fromkeys(map(str, self.rows.columns), 0))
+            grouped(dict.fromkeys(map(str, self.rows.columns.drop(LABEL, errors="ignore")), 0))
         self.lists = lists
-        self.groups = grouped({key: value for key, value in shared.items() if key not in OPTIONS})
-        self.options = {key: value for key, value in shared.items() if key in OPTIONS}
+        self.groups = grouped({key: value for key, value in given.items() if key not in OPTIONS})
+        self.options = {key: value for key, value in given.items() if key in OPTIONS}
+
+    def __repr__(self) -> str:
+        """Return what varies, and over how many values."""
+        if self.rows is not None:
+            return f"Study({len(self.rows)} rows of {', '.join(map(str, self.rows.columns))})"
+        return f"Study({', '.join(f'{key}: {len(self.lists[key])}' for key in self.lists)})"
 
     def run(
-        self, output: str | Path | None = None, ranks: int = 1, seconds: float | None = None
+        self,
+        output: str | Path | None = None,
+        ranks: int = 1,
+        seconds: float | None = None,
+        restarts: int = 5,
+        progress: Following = None,
     ) -> xr.Dataset:
         """Compute all cases that are not in the store of `output`, and read all.
 
@@ -172,14 +208,20 @@ class Study:
             Results file, kept; the store of finished cases is beside it, so that the same call goes
             on where it was stopped. A temporary one if absent.
         ranks : int
-            MPI ranks; 1 runs the program without MPI's launcher.
+            MPI ranks. More than 1, or any number where ``EHLWAVE_LAUNCHER`` is set, are started by
+            ``run-sweep`` (``mpirun`` where there is no such script); 1 runs the program without MPI's launcher.
         seconds : float, optional
             Wall time after which it is stopped in good order; cases left are ``pending``.
+        restarts : int
+            How often ``run-sweep`` starts the rest again after a rank died.
+        progress : callable or False, optional
+            As of :meth:`Case.run`; cases are counted.
 
         Returns
         -------
         xarray.Dataset
-            As of :func:`ehlwave.read_results`: every column over ``case``, text as text.
+            As of :func:`ehlwave.read_results`: every column over ``case``, text as text. The
+            coordinate ``label`` has the labels of the rows where they were given.
 
         Raises
         ------
@@ -209,8 +251,13 @@ class Study:
             path = Path(folder, "study.nml")
             write_new_text(path, self._text(Path(folder), results))
             limit = [] if seconds is None else ["--time-limit", f"{seconds:g}"]
-            _run("ehlwave-sweep", str(path), *limit, ranks=ranks, fine=(0, 1, 85))
-            return read_results(results)
+            command, environment = _sweep_command(ranks, restarts)
+            with following(progress) as callback:
+                command += [str(path), *limit]
+                done = run_following(command, callback, "stdout", environment=environment)
+            _check(done, (0, 1, 85))
+            found = read_results(results)
+        return found if self.rows is None else with_labels_of(found, self.rows)
 
     def plan(self) -> str:
         """Return the list of cases with grids, steps and resolution; nothing is computed.
@@ -233,7 +280,9 @@ class Study:
         sweep = {**self.lists, **self.options, "output": str(results)}
         if self.rows is not None:
             table = folder / "cases.csv"
-            write_new_text(table, self.rows.to_csv(None, index=False))
+            write_new_text(
+                table, self.rows.drop(columns=LABEL, errors="ignore").to_csv(None, index=False)
+            )
             sweep["case_file"] = str(table)
         return namelist({**self.groups, "sweep": sweep})
 
@@ -289,19 +338,30 @@ def _is_list(value: object) -> bool:
     return isinstance(value, Iterable) and not isinstance(value, (str, Mapping))
 
 
-def _run(
-    name: str,
-    *arguments: str,
-    ranks: int = 1,
-    seconds: float | None = None,
-    fine: Sequence[int] = (0, 1),
+def _run(name: str, *arguments: str) -> subprocess.CompletedProcess[str]:
+    """Run a program; ProgramError with what it said unless its exit status is 0 or 1."""
+    done = run_following([str(find_program(name)), *arguments], None, "stdout")
+    return _check(done, (0, 1))
+
+
+def _sweep_command(ranks: int, restarts: int) -> tuple[list[str], dict[str, str]]:
+    """Return what starts a sweep, and its environment."""
+    program, environment = str(find_program("ehlwave-sweep")), dict(os.environ)
+    if ranks == 1 and not environment.get("EHLWAVE_LAUNCHER"):
+        return [program], environment
+    script = find_run_sweep()
+    if script is None:
+        return ["mpirun", "-n", str(ranks), program], environment
+    words = [str(script), "--ranks", str(ranks), "--restarts", str(restarts)]
+    return words, environment | {"EHLWAVE_SWEEP": program}
+
+
+def _check(
+    done: subprocess.CompletedProcess[str], fine: Sequence[int]
 ) -> subprocess.CompletedProcess[str]:
-    """Run a program; ProgramError with what it said unless its exit status is one of `fine`."""
-    command = [str(find_program(name)), *arguments]
-    if ranks > 1:
-        command = ["mpirun", "-n", str(ranks), *command]
-    done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=seconds)
+    """Return what was run; ProgramError with what it said unless its exit status is fine."""
     if done.returncode not in fine:
         said = (done.stderr or done.stdout).strip()
-        raise ProgramError(f"{' '.join(command)}: exit status {done.returncode}\n{said}")
+        command = " ".join(map(str, done.args))
+        raise ProgramError(f"{command}: exit status {done.returncode}\n{said}")
     return done

@@ -20,7 +20,37 @@ def printable(text: str, kept: str = "") -> str:
     return _UNPRINTABLE.sub(number, text)
 
 
-class ResultsError(Exception):
+class EhlwaveError(Exception):
+    """The base of all errors that this package raises on purpose.
+
+    Those that say that an argument makes no sense are a :class:`ValueError` besides.
+
+    Examples
+    --------
+    >>> import ehlwave
+    >>> try:
+    ...     ehlwave.Contact(load_parameter_m=100)
+    ... except ehlwave.EhlwaveError as error:
+    ...     print(type(error).__name__)
+    SurfaceError
+    """
+
+
+class ArgumentError(EhlwaveError, ValueError):
+    """An argument of a function makes no sense; the message names it.
+
+    Examples
+    --------
+    >>> import ehlwave
+    >>> try:
+    ...     ehlwave.f_of_r(-1)
+    ... except ehlwave.ArgumentError as error:
+    ...     print(error)
+    r is negative
+    """
+
+
+class ResultsError(EhlwaveError):
     """A results file, or what it holds, cannot be used.
 
     The message names the file and says what is wrong with it; the command prints it without a

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.optimize import leastsq
 
+from ehlwave.errors import EhlwaveError
 from ehlwave.formula import PAPER_C1, PAPER_C2, amplitude_ratio_formula
 
 Floats = NDArray[np.float64]
@@ -19,7 +20,7 @@ NO_INTERVAL: Interval = (float("nan"), float("nan"))
 _TOLERANCE = 1e-12
 
 
-class FitError(Exception):
+class FitError(EhlwaveError):
     """The points do not determine the coefficients; the message says why.
 
     Examples

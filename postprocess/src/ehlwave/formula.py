@@ -17,6 +17,8 @@ Ad/Ai                     (18)     (12)
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ehlwave.errors import ArgumentError
+
 Floats = NDArray[np.float64]
 
 PAPER_C1 = 0.15
@@ -264,12 +266,12 @@ def _wave_numbers(wavelength_x: ArrayLike, wavelength_y: ArrayLike) -> tuple[Flo
 def _not_negative(name: str, values: ArrayLike) -> Floats:
     array = np.asarray(values, dtype=np.float64)
     if np.any(array < 0):
-        raise ValueError(f"{name} is negative")
+        raise ArgumentError(f"{name} is negative")
     return array
 
 
 def _positive(name: str, values: ArrayLike) -> Floats:
     array = _not_negative(name, values)
     if np.any(array == 0):
-        raise ValueError(f"{name} is zero")
+        raise ArgumentError(f"{name} is zero")
     return array

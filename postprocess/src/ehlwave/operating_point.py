@@ -1,5 +1,7 @@
 """The one call: a contact, its film, its responses to waves, surfaces inside it."""
 
+from __future__ import annotations
+
 import math
 import sys
 import warnings
@@ -24,6 +26,9 @@ from ehlwave.deform.transfer import FormulaTransfer, RecommendedTransfer, Transf
 from ehlwave.errors import ExtrapolationWarning, RangeError, SurfaceError
 
 if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from ehlwave.keys import ContactKeys
     from ehlwave.stress.rough import RoughStress
 
 SLIPS = SLIDING_RANGES["slip_parameter"]
@@ -136,7 +141,7 @@ class Contact:
     Ad/Ai = 0.92 within 0.01
     """
 
-    def __init__(self, *, atlas: str | Path | None = None, **keys: Any) -> None:  # noqa: ANN401
+    def __init__(self, *, atlas: str | Path | None = None, **keys: Unpack[ContactKeys]) -> None:
         """Check the keys and find M, L and D."""
         self.conditions: Conditions = conditions_from_keys(keys, "Contact", needs_lengths=False)
         self._atlas = None if atlas is None else Path(atlas)
@@ -408,7 +413,7 @@ class Contact:
         surface: Surface | str | Path,
         second: Surface | str | Path | None = None,
         **options: Any,  # noqa: ANN401
-    ) -> "RoughStress":
+    ) -> RoughStress:
         """Return the stresses below both bodies with a measured surface, or one on each.
 
         Parameters

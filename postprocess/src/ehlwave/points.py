@@ -7,6 +7,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
+from ehlwave.choices import RATIO_COLUMNS, Ratio
 from ehlwave.errors import ResultsError
 from ehlwave.schema import (
     CONVERGED,
@@ -19,14 +20,8 @@ from ehlwave.schema import (
     UNRESOLVED,
 )
 
-Ratio = Literal["fit", "sampled", "harmonic"]
 Variable = Literal["f_v", "f_v2"]
 
-RATIO_COLUMNS: dict[Ratio, str] = {
-    "fit": "amplitude_ratio_fit",
-    "sampled": "amplitude_ratio",
-    "harmonic": "harmonic_extrapolated",
-}
 VARIABLES: tuple[Variable, Variable] = ("f_v", "f_v2")
 CONDITION = ("load_parameter_m", "lubricant_parameter_l", "radius_ratio_d")
 

@@ -48,6 +48,21 @@ def find_program(name: str) -> Path:
     )
 
 
+def find_run_sweep() -> Path | None:
+    """Return where the script ``run-sweep`` is; None if there is none, as beside the wheels.
+
+    In this order: the folder ``EHLWAVE_PROGRAMS``; the source tree of this package; ``PATH``.
+    """
+    folders = [Path(__file__).resolve().parents[3] / "scripts"]
+    if folder := os.environ.get("EHLWAVE_PROGRAMS"):
+        folders.insert(0, Path(folder))
+    for place in folders:
+        if os.access(place / "run-sweep", os.X_OK):
+            return place / "run-sweep"
+    found = shutil.which("run-sweep")
+    return None if found is None else Path(found)
+
+
 def namelist(groups: Groups) -> str:
     """Return the text of an input file, one key a line; lists become comma-separated values.
 

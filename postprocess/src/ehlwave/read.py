@@ -10,6 +10,7 @@ import xarray as xr
 
 from ehlwave.errors import ResultsError
 from ehlwave.hdf5 import opened, read_dataset
+from ehlwave.labels import LABEL, labels
 from ehlwave.schema import (
     DIMENSION,
     EDGES_BEFORE,
@@ -32,7 +33,8 @@ def read_results(paths: str | Path | Sequence[str | Path]) -> xr.Dataset:
     -------
     xarray.Dataset
         Every per-case dataset of the files as a variable over ``case``, with its ``units`` and
-        ``long_name``; text as stripped strings. ``case`` counts from 0 over all files; the
+        ``long_name``; text as stripped strings. ``case`` counts from 1 over all files, as
+        logs and ``--plan`` do; ``label`` says what varies. The
         coordinates ``source_file``, ``case_in_file``, ``program_version``, ``git_revision`` and
         ``compiler`` tell where each case comes from. Scalars are repeated for every case of their
         file; datasets of other shapes are left out. A column that only some files have is NaN for
@@ -70,7 +72,9 @@ def read_results(paths: str | Path | Sequence[str | Path]) -> xr.Dataset:
     joined = xr.concat(
         parts, dim=DIMENSION, data_vars="all", coords="all", compat="equals", join="outer"
     )
-    return joined.assign_coords({DIMENSION: np.arange(joined.sizes[DIMENSION])})
+    cases = np.arange(1, joined.sizes[DIMENSION] + 1)
+    named = (DIMENSION, np.array(labels(joined), dtype=np.str_))
+    return joined.assign_coords({DIMENSION: cases, LABEL: named})
 
 
 def _read_file(path: Path) -> xr.Dataset:

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 import xarray as xr
 
+from ehlwave.choices import REPLICATES, SEED
 from ehlwave.fit import (
     NO_INTERVAL,
     FitError,
@@ -41,8 +42,8 @@ class RefitSettings:
     RefitSettings(replicates=200, seed=20000, confidence=0.95)
     """
 
-    replicates: int = 1000
-    seed: int = 20000
+    replicates: int = REPLICATES
+    seed: int = SEED
     confidence: float = 0.95
 
 

@@ -51,6 +51,13 @@ SCALE_KEYS = ("semi_axis_a_m", "radius_x_m", "central_film_m")
 CARREAU_KEYS = ("carreau_modulus_pa", "carreau_exponent")
 OIL_KEYS = ("pressure_viscosity_per_pa", "roelands_index", "eyring_stress_pa", *CARREAU_KEYS)
 
+KNOWN_KEYS = tuple(
+    dict.fromkeys(
+        (*DIMENSIONAL_KEYS, LOAD_KEY, *MOES_KEYS, *SCALE_KEYS, *OIL_KEYS, "slip_parameter")
+    )
+)
+"""All that conditions are given by; ``python -m studies.typed_keys`` makes types of them."""
+
 THINNING_ERROR = 0.14
 """By how much less than in pure rolling films are under slip, relative: 97.5 % of contacts in the
 atlas of Ree-Eyring oils are below. A test compares."""
@@ -342,12 +349,10 @@ def _check_ratio(d: float, place: str) -> None:
 
 
 def _checked(keys: Mapping[str, Any], place: str) -> dict[str, float]:
-    known = list(dict.fromkeys((*DIMENSIONAL_KEYS, LOAD_KEY, *MOES_KEYS, *SCALE_KEYS)))
-    known += [*OIL_KEYS, "slip_parameter"]
     values: dict[str, float] = {}
     for key, value in keys.items():
-        if key not in known:
-            raise SurfaceError(f"{place}: unknown key {key}; known are {', '.join(known)}")
+        if key not in KNOWN_KEYS:
+            raise SurfaceError(f"{place}: unknown key {key}; known are {', '.join(KNOWN_KEYS)}")
         try:
             number = float(value)
         except (TypeError, ValueError):

@@ -31,6 +31,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ehlwave.contact.medium import INLET_VISCOSITY, Medium
+from ehlwave.errors import ArgumentError
 from ehlwave.formula import wave_and_direction
 from ehlwave.rolling import rolling_transfer
 
@@ -183,14 +184,14 @@ def two_waves(
 
     Raises
     ------
-    ValueError
-        If a pattern does not move: slip or wavelength_x is not above 0.
+    ArgumentError
+        A ValueError: a pattern does not move: slip or wavelength_x is not above 0.
     """
     wave_x, wave_y = np.broadcast_arrays(
         np.asarray(wavelength_x, dtype=float), np.asarray(wavelength_y, dtype=float)
     )
     if not slip > 0 or not np.all(wave_x > 0):
-        raise ValueError("waves that do not move: slip and wavelength_x have to be above 0")
+        raise ArgumentError("waves that do not move: slip and wavelength_x have to be above 0")
     kx = 2 * np.pi / wave_x
     with np.errstate(divide="ignore"):
         ky = np.where(wave_y > 0, 2 * np.pi / wave_y, 0.0)

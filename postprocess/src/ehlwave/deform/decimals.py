@@ -9,14 +9,11 @@ import csv
 import re
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Literal
 
 import numpy as np
 
+from ehlwave.choices import Decimal
 from ehlwave.errors import SurfaceError, printable
-
-Decimal = Literal["point", "comma"]
-DECIMALS: tuple[Decimal, ...] = ("point", "comma")
 
 _PAIR = re.compile(r"([-+]?\d+)\s*,\s*(\d+)$")
 _WHOLE = re.compile(r"[-+]?\d+$")

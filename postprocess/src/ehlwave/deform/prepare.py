@@ -15,18 +15,13 @@ adds components that the surface does not have. Three ways to deal with that:
 """
 
 from dataclasses import replace
-from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ehlwave.choices import FORMS, Form, Window
 from ehlwave.deform.surface import Heights, Surface
 
-Form = Literal["none", "mean", "plane", "quadratic"]
-Window = Literal["none", "taper", "mirror"]
-
-FORMS: dict[Form, int | None] = {"none": None, "mean": 0, "plane": 1, "quadratic": 2}
-WINDOWS: tuple[Window, ...] = ("mirror", "taper", "none")
 TAPERED_SHARE = 0.1
 """Of the length, at each end."""
 

@@ -1,0 +1,68 @@
+"""What the arguments of several commands share; needs the standard library alone."""
+
+import argparse
+from collections.abc import Callable
+from importlib import import_module
+from pathlib import Path
+
+from ehlwave.choices import DECIMALS, FORMS
+
+Run = Callable[[argparse.Namespace], None]
+
+
+def later(module: str, name: str) -> Run:
+    """Return a function that imports its module when it is called, so that help needs none."""
+
+    def run(options: argparse.Namespace) -> None:
+        getattr(import_module(module), name)(options)
+
+    return run
+
+
+def add_output(parser: argparse.ArgumentParser) -> None:
+    """Add the folder that files are written to."""
+    parser.add_argument(
+        "--output", type=Path, default=Path(), metavar="DIR", help="default: this directory"
+    )
+    add_overwrite(parser)
+
+
+def add_overwrite(parser: argparse.ArgumentParser) -> None:
+    """Add the option that lets outputs replace files that are not results of ours."""
+    text = "replace files that are not results of ehlwave; what is read is never replaced"
+    parser.add_argument("--overwrite", action="store_true", help=text)
+
+
+def add_reading(parser: argparse.ArgumentParser) -> None:
+    """Add the options that say what a surface file does not."""
+    parser.add_argument(
+        "--length-unit", metavar="UNIT", help="of positions and steps: m, mm, um, nm"
+    )
+    parser.add_argument("--height-unit", metavar="UNIT", help="of heights: m, mm, um, nm")
+    parser.add_argument(
+        "--step", type=float, metavar="LENGTH", help="sampling step, for files without positions"
+    )
+    parser.add_argument(
+        "--step-across", type=float, metavar="LENGTH", help="of a map's rows; default: --step"
+    )
+    parser.add_argument(
+        "--decimal",
+        choices=DECIMALS,
+        help="what decimals of a text file begin with, where the file does not decide it",
+    )
+    parser.add_argument(
+        "--rolling-axis",
+        choices=("x", "y"),
+        default="x",
+        help="rolling direction of a map: x along its rows, y across; of a trace: x if it was "
+        "measured along rolling, y if across (longitudinal ridges)",
+    )
+    parser.add_argument(
+        "--fill-missing", action="store_true", help="give missing heights their neighbour's"
+    )
+    parser.add_argument(
+        "--form",
+        choices=tuple(FORMS),
+        default="plane",
+        help="polynomial to remove: nothing, offset, tilt (default), tilt and curvature",
+    )

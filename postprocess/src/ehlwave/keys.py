@@ -1,0 +1,208 @@
+"""The keys of input files as types. Written by ``python -m studies.typed_keys``: do not edit."""
+
+from os import PathLike
+from typing import Literal, SupportsFloat, SupportsIndex, TypedDict
+
+Text = str | PathLike[str]
+
+
+class CaseKeys(TypedDict, total=False):
+    """Of one case."""
+
+    radius_x_m: SupportsFloat
+    """reduced radius in the rolling direction, m"""
+    radius_y_m: SupportsFloat
+    """reduced radius across; none: line contact, m"""
+    reduced_modulus_pa: SupportsFloat
+    """reduced elastic modulus E': 2/E' = (1 - nu1^2)/E1 + (1 - nu2^2)/E2"""
+    load_n: SupportsFloat
+    """load, N"""
+    load_n_per_m: SupportsFloat
+    """load per length of a line contact; in place of load_n and radius_y_m, N/m"""
+    mean_speed_m_per_s: SupportsFloat
+    """mean speed (u1 + u2)/2, m/s"""
+    viscosity_pa_s: SupportsFloat
+    """viscosity at ambient pressure, Pa s"""
+    load_parameter_m: SupportsFloat
+    """load parameter M of Moes"""
+    lubricant_parameter_l: SupportsFloat
+    """lubricant parameter L of Moes; 0: isoviscous"""
+    radius_ratio_d: SupportsFloat
+    """ratio of the reduced radii D = Rx/Ry"""
+    slip_parameter: SupportsFloat
+    """slip parameter S = u1/ubar; speed of the wavy surface over the mean speed"""
+    pressure_viscosity_per_pa: SupportsFloat
+    """pressure-viscosity coefficient alpha"""
+    roelands_index: SupportsFloat
+    """index z of Roelands' viscosity"""
+    viscosity_law: Literal[
+        "roelands",
+        "barus",
+        "isoviscous",
+        "mcewen",
+        "yasutomi",
+        "doolittle",
+        "table",
+    ]
+    """viscosity against pressure"""
+    density_law: Literal["dowson_higginson", "incompressible", "tait"]
+    """density against pressure"""
+    flow_law: Literal["newtonian", "eyring", "carreau"]
+    """shear rate against shear stress; 'eyring': Ree-Eyring, sinh(tau/tau0) tau0/eta"""
+    eyring_stress_pa: SupportsFloat
+    """Eyring stress tau0, Pa"""
+    carreau_modulus_pa: SupportsFloat
+    """stress G at which thinning begins, Pa"""
+    carreau_exponent: SupportsFloat
+    """exponent n of the shear rate; 1: Newtonian"""
+    limiting_stress_over_pressure: SupportsFloat
+    """limiting shear stress over pressure"""
+    mcewen_coefficient_per_pa: SupportsFloat
+    """coefficient alpha0 of (1 + alpha0 p/q)^q, 1/Pa"""
+    mcewen_exponent: SupportsFloat
+    """exponent q of (1 + alpha0 p/q)^q"""
+    yasutomi_c1: SupportsFloat
+    """C1 of the improved Yasutomi law"""
+    yasutomi_c2_k: SupportsFloat
+    """C2 of the improved Yasutomi law, K"""
+    yasutomi_above_glass_k: SupportsFloat
+    """temperature of the oil above its glass transition at ambient pressure, T - Tg0, K"""
+    yasutomi_a1_k: SupportsFloat
+    """A1 of Tg = Tg0 + A1 ln(1 + A2 p), K"""
+    yasutomi_a2_per_pa: SupportsFloat
+    """A2 of Tg = Tg0 + A1 ln(1 + A2 p), 1/Pa"""
+    yasutomi_b1_per_pa: SupportsFloat
+    """b1 of F = (1 + b1 p)^b2, 1/Pa"""
+    yasutomi_b2: SupportsFloat
+    """b2 of F = (1 + b1 p)^b2; below 0"""
+    doolittle_factor: SupportsFloat
+    """factor B of the Doolittle law"""
+    doolittle_occupied_fraction: SupportsFloat
+    """occupied volume over the volume at ambient pressure, R0"""
+    tait_modulus_pa: SupportsFloat
+    """bulk modulus at ambient pressure, K0, Pa"""
+    tait_modulus_rate: SupportsFloat
+    """rate of change of the bulk modulus with pressure, K0'; near 11"""
+    viscosity_table: Text
+    """CSV file of measured viscosities"""
+    temperature_k: SupportsFloat
+    """temperature T0 of the oil; may be left out with a table of one temperature, K"""
+    orientation: Literal["none", "transverse", "isotropic", "longitudinal", "custom"]
+    """orientation of the waves"""
+    wavelength_over_a: SupportsFloat
+    """wavelength lambda/a"""
+    wavelength_x_over_a: SupportsFloat
+    """wavelength along X over a; 0: no variation along X"""
+    wavelength_y_over_a: SupportsFloat
+    """wavelength along Y over a; 0: no variation along Y"""
+    oblique: bool
+    """whether the pattern is one plane wave cos(kx X + ky Y) in place of the product of cosines"""
+    amplitude_over_film: SupportsFloat
+    """amplitude Ai over the smooth central film thickness"""
+    response: Literal["transient", "periodic", "harmonic", "both"]
+    """response to the waves"""
+    file: Text
+    """surface written by `ehlwave surface`"""
+    x_min: SupportsFloat
+    """X of the inlet boundary"""
+    x_max: SupportsFloat
+    """X of the outlet boundary"""
+    y_max: SupportsFloat
+    """Y of the side boundary"""
+    cells_x: SupportsIndex
+    """cells along X over the whole domain; even, best if they can be halved several times"""
+    cells_y: SupportsIndex
+    """cells along Y over the whole domain; as cells_x"""
+    largest_cells: SupportsIndex
+    """limit of what is chosen"""
+    domain: Literal["auto", "whole"]
+    """computed domain; 'auto': half of it where the case is even in Y, 'whole': always all of it"""
+    edges: Literal["flooded", "truncated"]
+    """pressure at the edges of the domain; 'flooded': that of the oil farther out"""
+    tolerance: SupportsFloat
+    """tolerance of steady states: mass residual and load error"""
+    step_tolerance: SupportsFloat
+    """tolerance of time steps at 20 % amplitude; reduced in proportion for smaller waves"""
+    response_tolerance: SupportsFloat
+    """tolerance of the linear response: its residual"""
+    time_step_over_cell: SupportsFloat
+    """time step dT/hX; a whole number or one over a whole number"""
+    largest_steps: SupportsIndex
+    """largest number of Newton steps, or multigrid cycles, of a solution"""
+    settling_periods: SupportsIndex
+    """periods to wait before the amplitude is measured"""
+    largest_total_steps: SupportsIndex
+    """largest number of Newton steps of a case on the finest grid; rescues included"""
+    method: Literal["newton", "fas", "petsc"]
+    """method of solution"""
+    cycle: Literal["f", "v", "w"]
+    """multigrid cycle"""
+    deformation: Literal["auto", "fft", "mlmi"]
+    """how the deformation is computed; 'auto': by the faster one, 'fft'"""
+    error_estimate: Literal["coarse_grid", "model"]
+    """estimate of the error of Ad/Ai"""
+    accuracy: SupportsFloat
+    """relative error wanted in Ad/Ai, of smooth contacts in H(0,0)"""
+    load_balance: Literal["force_balance", "equation_of_motion"]
+    """what moves the mutual approach"""
+    natural_frequency: SupportsFloat
+    """dimensionless natural frequency Omega"""
+    load_factor: SupportsFloat
+    """load from T = 0 on over that of the steady state; a load step"""
+    end_time: SupportsFloat
+    """T to which is marched; none: until the amplitude is measured"""
+    fields: bool
+    """whether the last fields are kept even without --output"""
+    fields_every: SupportsIndex
+    """time steps from one kept set of fields to the next"""
+    sensitivities: bool
+    """whether film and linear response are differentiated by alpha and by the stress of the flow"""
+
+
+class StudyKeys(CaseKeys, total=False):
+    """Shared by all of a study."""
+
+    unresolved: Literal["run", "skip"]
+    largest_case_seconds: SupportsFloat
+    checkpoint_seconds: SupportsFloat
+    case_file: Text
+    output: Text
+
+
+class ContactKeys(TypedDict, total=False):
+    """Of :class:`ehlwave.Contact`."""
+
+    radius_x_m: SupportsFloat
+    """reduced radius in the rolling direction, m"""
+    radius_y_m: SupportsFloat
+    """reduced radius across; none: line contact, m"""
+    reduced_modulus_pa: SupportsFloat
+    """reduced elastic modulus E': 2/E' = (1 - nu1^2)/E1 + (1 - nu2^2)/E2"""
+    load_n: SupportsFloat
+    """load, N"""
+    mean_speed_m_per_s: SupportsFloat
+    """mean speed (u1 + u2)/2, m/s"""
+    viscosity_pa_s: SupportsFloat
+    """viscosity at ambient pressure, Pa s"""
+    load_n_per_m: SupportsFloat
+    """load per length of a line contact; in place of load_n and radius_y_m, N/m"""
+    load_parameter_m: SupportsFloat
+    """load parameter M of Moes"""
+    lubricant_parameter_l: SupportsFloat
+    """lubricant parameter L of Moes; 0: isoviscous"""
+    radius_ratio_d: SupportsFloat
+    """ratio of the reduced radii D = Rx/Ry"""
+    semi_axis_a_m: SupportsFloat
+    central_film_m: SupportsFloat
+    pressure_viscosity_per_pa: SupportsFloat
+    """pressure-viscosity coefficient alpha"""
+    roelands_index: SupportsFloat
+    """index z of Roelands' viscosity"""
+    eyring_stress_pa: SupportsFloat
+    """Eyring stress tau0, Pa"""
+    carreau_modulus_pa: SupportsFloat
+    """stress G at which thinning begins, Pa"""
+    carreau_exponent: SupportsFloat
+    """exponent n of the shear rate; 1: Newtonian"""
+    slip_parameter: SupportsFloat
+    """slip parameter S = u1/ubar; speed of the wavy surface over the mean speed"""

@@ -1,0 +1,94 @@
+"""Write the keys of the program as types, for editors and type checkers.
+
+python -m studies.typed_keys        writes src/ehlwave/keys.py from ehlwave-case --keys --json
+"""
+
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from ehlwave.contact.conditions import KNOWN_KEYS
+from ehlwave.driver import key_table
+from ehlwave.writing import Writer
+
+PLACE = Path(__file__).parents[1] / "src" / "ehlwave" / "keys.py"
+TYPES = {"number": "SupportsFloat", "whole": "SupportsIndex", "truth": "bool", "word": "str"}
+WIDTH = 100
+
+HEADER = '''\
+"""The keys of input files as types. Written by ``python -m studies.typed_keys``: do not edit."""
+
+from os import PathLike
+from typing import Literal, SupportsFloat, SupportsIndex, TypedDict
+
+Text = str | PathLike[str]
+'''
+
+CLASS = '''
+
+class {name}({base}, total=False):
+    """{text}"""
+
+'''
+
+OF_SWEEPS = {
+    "unresolved": 'Literal["run", "skip"]',
+    "largest_case_seconds": "SupportsFloat",
+    "checkpoint_seconds": "SupportsFloat",
+    "case_file": "Text",
+    "output": "Text",
+}
+"""Those of ``&sweep`` that are not lists, which the program does not list as JSON."""
+
+
+def module(keys: Sequence[dict[str, Any]]) -> str:
+    """Return the text of the module, from the rows of :func:`ehlwave.driver.key_table`."""
+    known = {key["name"]: key for key in keys}
+    contact = {name: known.get(name, {"kind": "number"}) for name in KNOWN_KEYS}
+    parts = [HEADER, CLASS.format(name="CaseKeys", base="TypedDict", text="Of one case.")]
+    parts += [_member(name, key) for name, key in known.items()]
+    parts.append(CLASS.format(name="StudyKeys", base="CaseKeys", text="Shared by all of a study."))
+    parts += [f"    {name}: {kind}\n" for name, kind in OF_SWEEPS.items()]
+    text = "Of :class:`ehlwave.Contact`."
+    parts.append(CLASS.format(name="ContactKeys", base="TypedDict", text=text))
+    parts += [_member(name, key) for name, key in contact.items()]
+    return "".join(parts)
+
+
+def _member(name: str, key: dict[str, Any]) -> str:
+    kind = TYPES[key["kind"]]
+    if kind == "str":
+        words = [f'"{word}"' for word in key["choices"]]
+        kind = f"Literal[{', '.join(words)}]" if words else "Text"
+        if len(line := f"    {name}: {kind}\n") > WIDTH:
+            kind = "Literal[\n" + "".join(f"        {word},\n" for word in words) + "    ]"
+    line = f"    {name}: {kind}\n"
+    if not key.get("help"):
+        return line
+    unit = "" if key["unit"] == "1" else f", {key['unit']}"
+    said = f"{key['help']}{unit}".replace('"', "'")
+    return line + f'    """{_cut(said)}"""\n'
+
+
+def _cut(text: str) -> str:
+    """Return a text that fits into a line, cut at a semicolon or comma where it is longer."""
+    room = WIDTH - 10
+    for mark in ("; ", ", ", " "):
+        while len(text) > room and mark in text:
+            text = text.rpartition(mark)[0]
+    return text.rstrip(":;,")
+
+
+def main(arguments: Sequence[str] = ()) -> int:
+    """Write the module."""
+    if arguments:
+        print(__doc__)
+        return 2
+    text = module(key_table().to_dict("records"))  # type: ignore[arg-type]
+    Writer(overwrite=True).text(PLACE, text)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
