@@ -10,7 +10,10 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from ehlwave import atlas, contact, deform, stress
+    from ehlwave import atlas as atlas
+    from ehlwave import contact as contact
+    from ehlwave import deform as deform
+    from ehlwave import stress as stress
     from ehlwave.atlas import Atlas, load_atlas
     from ehlwave.case_file import read_contact as read_case
     from ehlwave.deform import deform_surface, read_surface

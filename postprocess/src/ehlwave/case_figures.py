@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from ehlwave.case_file import central_film, check_field, number, positive
 from ehlwave.effective_input import keys_of_input
 from ehlwave.figures import COLOURS
+from ehlwave.scales_of_figures import aspect_note, readable_aspect
 
 Floats = NDArray[np.float64]
 
@@ -113,9 +114,13 @@ def _draw_map(
 
 
 def _frame(axes: Axes, field: xr.DataArray, units: Units) -> None:
-    axes.set(xlabel=units.names[0], ylabel=units.names[1], aspect="equal")
-    axes.set_xlim(*(units.x * np.clip([field["x"].min(), field["x"].max()], -REACH, REACH)))
-    axes.set_ylim(*(units.y * np.clip([field["y"].min(), field["y"].max()], -REACH, REACH)))
+    x, y = (
+        scale * np.clip([field[name].min(), field[name].max()], -REACH, REACH)
+        for name, scale in (("x", units.x), ("y", units.y))
+    )
+    sides = float(np.ptp(x)), float(np.ptp(y))
+    axes.set(xlabel=units.names[0], ylabel=units.names[1] + aspect_note(*sides), xlim=x, ylim=y)
+    axes.set_aspect(readable_aspect(*sides))
 
 
 def _draw_contours(axes: Axes, case: xr.Dataset, units: Units) -> None:

@@ -20,6 +20,7 @@ from ehlwave.labels import with_labels_of
 from ehlwave.programs import find_program, find_run_sweep, namelist
 from ehlwave.progress import Following, following, run_following
 from ehlwave.read import read_results
+from ehlwave.shown import Shown, html_table
 from ehlwave.writing import write_new_text
 
 if TYPE_CHECKING:
@@ -66,6 +67,10 @@ class Case:
     def __repr__(self) -> str:
         """Return the input file."""
         return namelist(self.groups)
+
+    def _repr_html_(self) -> str:
+        keys = {key: str(value) for group in self.groups.values() for key, value in group.items()}
+        return html_table("Case", keys)
 
     def plan(self) -> dict[str, Any]:
         """Return what would be computed, and on which grid, by the names of ``--plan --json``.
@@ -138,7 +143,7 @@ class Case:
         return dict(json.loads(lines[-1]))
 
 
-class Study:
+class Study(Shown):
     """Many cases for ``ehlwave-sweep``.
 
     Parameters
@@ -186,11 +191,11 @@ class Study:
         self.groups = grouped({key: value for key, value in given.items() if key not in OPTIONS})
         self.options = {key: value for key, value in given.items() if key in OPTIONS}
 
-    def __repr__(self) -> str:
+    def shown_rows(self) -> dict[str, str]:
         """Return what varies, and over how many values."""
         if self.rows is not None:
-            return f"Study({len(self.rows)} rows of {', '.join(map(str, self.rows.columns))})"
-        return f"Study({', '.join(f'{key}: {len(self.lists[key])}' for key in self.lists)})"
+            return {"rows": str(len(self.rows)), "of": ", ".join(map(str, self.rows.columns))}
+        return {key: f"{len(values)} values" for key, values in self.lists.items()}
 
     def run(
         self,
@@ -209,7 +214,8 @@ class Study:
             on where it was stopped. A temporary one if absent.
         ranks : int
             MPI ranks. More than 1, or any number where ``EHLWAVE_LAUNCHER`` is set, are started by
-            ``run-sweep`` (``mpirun`` where there is no such script); 1 runs the program without MPI's launcher.
+            ``run-sweep``, or by ``mpirun`` where there is no such script; 1 runs the program without
+            MPI's launcher.
         seconds : float, optional
             Wall time after which it is stopped in good order; cases left are ``pending``.
         restarts : int

@@ -72,14 +72,19 @@ def _is_of(row: dict[Hashable, object], keys: dict[str, float | str]) -> bool:
         own = keys.get(str(key))
         if own is None or value is None or value != value:
             continue
-        if isinstance(own, str):
-            if own.strip(".") != str(value).lower().strip("."):
-                return False
-        elif not isinstance(value, (int, float, np.number)):
-            return False
-        elif not abs(own - float(value)) <= NEARLY * abs(own):
+        if not (_is_word(own, value) if isinstance(own, str) else _is_number(own, value)):
             return False
     return True
+
+
+def _is_word(own: str, value: object) -> bool:
+    """Return whether a word, or a logical value such as .true., is that of a row."""
+    return own.strip(".") == str(value).lower().strip(".") or own == str(value)
+
+
+def _is_number(own: float, value: object) -> bool:
+    is_number = isinstance(value, (int, float, np.number))
+    return is_number and bool(abs(own - float(value)) <= NEARLY * abs(own))  # type: ignore[arg-type]
 
 
 def _follows(results: xr.Dataset, key: str) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 import math
 import sys
 import warnings
@@ -24,8 +25,13 @@ from ehlwave.deform.sliding import TwoWaveTransfer
 from ehlwave.deform.surface import Surface
 from ehlwave.deform.transfer import FormulaTransfer, RecommendedTransfer, Transfer
 from ehlwave.errors import ExtrapolationWarning, RangeError, SurfaceError
+from ehlwave.responses import response_table, responses_figure
+from ehlwave.shown import html_table, micrometres, within
 
 if TYPE_CHECKING:
+    import xarray as xr
+    from matplotlib.figure import Figure
+    from numpy.typing import ArrayLike
     from typing_extensions import Unpack
 
     from ehlwave.keys import ContactKeys
@@ -75,6 +81,15 @@ class Film:
     friction_error: float | None
     source: str
 
+    def _repr_html_(self) -> str:
+        rows = {"Hc, Moes": within(self.central_moes, self.central_error)}
+        rows["Hmin, Moes"] = within(self.minimum_moes, self.minimum_error)
+        rows["central film"] = micrometres(self.central_m)
+        rows["smallest film"] = micrometres(self.minimum_m)
+        if self.friction is not None:
+            rows["friction"] = within(self.friction, self.friction_error)
+        return html_table("Film", rows | {"source": self.source})
+
 
 @dataclass(frozen=True)
 class Response:
@@ -107,6 +122,12 @@ class Response:
     pressure: complex
     error: float
     source: str
+
+    def _repr_html_(self) -> str:
+        rows = {"film over Ai": f"{abs(self.film):.4g} within {self.error:.2g}"}
+        rows["lag"] = f"{math.degrees(cmath.phase(self.film)):.3g} degrees"
+        rows["pressure over Ai, ph/c"] = f"{abs(self.pressure):.4g}"
+        return html_table("Response", rows | {"source": self.source})
 
 
 class Contact:
@@ -153,6 +174,30 @@ class Contact:
         """Return M, L, D and S."""
         c = self.conditions
         return f"Contact(M={c.m:.5g}, L={c.l:.5g}, D={c.d:.5g}, S={c.slip_parameter:g})"
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return what is pickled: charts are looked up anew where they are needed."""
+        return vars(self) | {"_charts": {}}
+
+    def shown_rows(self) -> dict[str, str]:
+        """Return conditions, and the film where the atlas has it."""
+        c = self.conditions
+        rows = {"M, L, D, S": f"{c.m:.5g}, {c.l:.5g}, {c.d:.5g}, {c.slip_parameter:g}"}
+        rows["oil"] = c.oil.name
+        try:
+            film = self.film()
+        except RangeError as error:
+            return rows | {"film": str(error)}
+        if film.central_m is not None and film.minimum_m is not None:
+            rows["central film"] = within(film.central_m * 1e6, film.central_error, " um")
+            rows["smallest film"] = within(film.minimum_m * 1e6, film.minimum_error, " um")
+        else:
+            rows["central film, Moes"] = within(film.central_moes, film.central_error)
+            rows["smallest film, Moes"] = within(film.minimum_moes, film.minimum_error)
+        return rows | {"source": film.source}
+
+    def _repr_html_(self) -> str:
+        return html_table("Contact", self.shown_rows())
 
     def atlas(self) -> Atlas:
         """Return the atlas that answers are from.
@@ -302,6 +347,78 @@ class Contact:
             error=SLIP_ERRORS[oil],
             source=f"law of the two waves, {oil} oil",
         )
+
+    def responses(
+        self,
+        wavelength_over_a: ArrayLike | None = None,
+        angle_deg: ArrayLike | None = None,
+        slip_parameter: float | None = None,
+    ) -> xr.Dataset:
+        """Return the responses to every combination of wavelengths and angles, with their errors.
+
+        Parameters
+        ----------
+        wavelength_over_a : array_like, optional
+            As of :meth:`response`; 41 from 0.1 to 4 if absent.
+        angle_deg : array_like, optional
+            As of :meth:`response`; 0, 45 and 90 if absent.
+        slip_parameter : float, optional
+            As of :meth:`response`.
+
+        Returns
+        -------
+        xarray.Dataset
+            Over ``wavelength`` and ``angle``: ``film_real``, ``film_imag``, ``film_amplitude``,
+            ``film_phase``, ``film_error``, ``pressure_real``, ``pressure_imag``, with units and
+            long names. ``is_inside`` is False where a wave lies outside the atlas; there is NaN.
+
+        Raises
+        ------
+        RangeError
+            A ValueError: the contact or the slip lies outside the atlas.
+
+        Examples
+        --------
+        >>> import ehlwave
+        >>> contact = ehlwave.Contact(load_parameter_m=100, lubricant_parameter_l=10,
+        ...                           radius_ratio_d=1)
+        >>> found = contact.responses([0.5, 1, 9], angle_deg=[0, 90])
+        >>> found["film_amplitude"].values.round(2).tolist()
+        [[0.92, 0.65], [0.78, 0.38], [nan, nan]]
+        >>> found["is_inside"].values.all(axis=1).tolist()
+        [True, True, False]
+        """
+        waves, angles = wavelength_over_a, angle_deg
+        return response_table(self.response, self.conditions, waves, angles, slip_parameter)
+
+    def plot(
+        self,
+        wavelength_over_a: ArrayLike | None = None,
+        angle_deg: ArrayLike | None = None,
+        slip_parameter: float | None = None,
+    ) -> Figure:
+        """Draw the responses against wavelength, a curve an angle; bands are errors.
+
+        Parameters
+        ----------
+        wavelength_over_a, angle_deg, slip_parameter
+            As of :meth:`responses`.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            A notebook shows it; ``savefig`` writes it.
+
+        Examples
+        --------
+        >>> import ehlwave
+        >>> contact = ehlwave.Contact(load_parameter_m=100, lubricant_parameter_l=10,
+        ...                           radius_ratio_d=1)
+        >>> figure = contact.plot()
+        >>> [axes.get_ylabel() for axes in figure.axes][1]
+        'lag of the film [degrees]'
+        """
+        return responses_figure(self.responses(wavelength_over_a, angle_deg, slip_parameter))
 
     def transfer(self, by: str = "atlas") -> Transfer:
         """Return what gives the response of each component of a surface.

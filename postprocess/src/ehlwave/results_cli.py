@@ -41,6 +41,7 @@ COLLAPSE_COLUMNS = (
 
 
 def run_collapse(options: argparse.Namespace) -> None:
+    """Draw Ad/Ai against f(r) V2 and f(r) V, and write the points."""
     results = read_results(options.results)
     points = select_points(
         results,
@@ -65,6 +66,7 @@ def run_collapse(options: argparse.Namespace) -> None:
 
 
 def run_refit(options: argparse.Namespace) -> None:
+    """Fit the coefficients of the amplitude formula, and write them."""
     points = select_points(
         read_results(options.results),
         options.ratio,
@@ -81,21 +83,25 @@ def run_refit(options: argparse.Namespace) -> None:
 
 
 def run_table(options: argparse.Namespace) -> None:
+    """Count cases by status and list the failed ones."""
     print(tables.summary_text(read_results(options.results)))
 
 
 def run_export(options: argparse.Namespace) -> None:
+    """Write results, or fields of one case, for other programs."""
     results = read_results(options.results)
     tables.write_dataset_csv(options.csv, results, writer=options.writer)
     print(f"{options.csv}: {results.sizes['case']} cases")
 
 
 def run_contact(options: argparse.Namespace) -> None:
+    """Draw film and pressure of one case."""
     figure = contact_figure(read_contact(options.case))
     _write_picture(options, figure, options.case.stem)
 
 
 def run_plot(options: argparse.Namespace) -> None:
+    """Draw one case in um, GPa and us."""
     figure = case_figure(read_contact(options.case))
     _write_picture(options, figure, f"{options.case.stem}-case")
 
@@ -106,6 +112,7 @@ def _write_picture(options: argparse.Namespace, figure: Figure, name: str) -> No
 
 
 def run_harmonics(options: argparse.Namespace) -> None:
+    """Write a harmonic table."""
     points = select_points(read_results(options.results), edges=options.edges)
     count = write_harmonic_table(options.csv, points, options.writer)
     print(f"{options.csv}: {count} waves")

@@ -10,6 +10,7 @@ from ehlwave.atlas.coordinates import Complex, Floats
 from ehlwave.atlas.networks import Networks
 from ehlwave.atlas.shape import Seen
 from ehlwave.errors import RangeError
+from ehlwave.shown import Shown
 
 
 @dataclass(frozen=True)
@@ -37,8 +38,8 @@ class SmoothFilm:
     stress_error: float | None = None
 
 
-@dataclass(frozen=True)
-class Responses:
+@dataclass(frozen=True, repr=False)
+class Responses(Shown):
     """Responses at the contact centre to waves, arrays of one shape.
 
     Attributes
@@ -58,6 +59,10 @@ class Responses:
     pressure: Complex
     error: Floats
     rise: Floats
+
+    def shown_rows(self) -> dict[str, str]:
+        """Return how many waves there are, and the largest error."""
+        return {"waves": str(self.film.size), "errors": f"up to {np.max(self.error):.2g}"}
 
 
 class Chart:

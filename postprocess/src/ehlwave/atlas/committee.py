@@ -21,7 +21,7 @@ Layers = tuple[Singles, ...]
 """As LAYERS."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Committee:
     """Networks of the same inputs and outputs.
 
@@ -37,6 +37,11 @@ class Committee:
     centre: Floats
     scatter: Floats
     layers: Layers
+
+    def __repr__(self) -> str:
+        """Return how many networks there are, and their size."""
+        networks, inputs, hidden = self.layers[0].shape
+        return f"<Committee of {networks} networks, {inputs} inputs, layers of {hidden}>"
 
     def __call__(self, places: Floats) -> Floats:
         """Return the outputs at places, shape (n, inputs): shape (n, outputs)."""

@@ -2,7 +2,7 @@
 
 import hashlib
 import json
-from collections.abc import Callable
+from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
@@ -42,10 +42,23 @@ def committee_of(data: xr.Dataset, name: str) -> Committee:
     return Committee(centre, scatter, layers)
 
 
-def errors_of(data: xr.Dataset, name: str) -> Callable[[Floats], Floats]:
-    """Return what finds error bars: networks of ln of the errors, times what makes bars of them."""
-    log_errors, factors = committee_of(data, name), json.loads(data.attrs[f"{name}_factors"])
-    return lambda places: np.asarray(factors * np.exp(log_errors(places)))
+@dataclass(frozen=True)
+class ErrorBars:
+    """Finds error bars: networks of ln of the errors, times what makes bars of them."""
+
+    log_errors: Committee
+    factors: Floats
+
+    def __call__(self, places: Floats) -> Floats:
+        """Return the bars at places, shape (n, inputs): shape (n, outputs)."""
+        return np.asarray(self.factors * np.exp(self.log_errors(places)))
+
+
+def errors_of(data: xr.Dataset, name: str) -> ErrorBars:
+    """Return what finds the error bars of this name."""
+    return ErrorBars(
+        committee_of(data, name), np.asarray(json.loads(data.attrs[f"{name}_factors"]))
+    )
 
 
 def checksum(data: xr.Dataset) -> str:

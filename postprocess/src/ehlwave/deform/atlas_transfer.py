@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -74,6 +75,11 @@ class AtlasTransfer:
         self._lookups: dict[str, Callable[[Waves, Waves], Waves]] = {}
         """Film, real and imaginary, its error, and the rise of the mean film."""
         self._asked: tuple[Waves, Waves] | None = None
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return what is pickled: what was looked up is looked up anew."""
+        kept = {name: value for name, value in vars(self).items() if name != "_found"}
+        return kept | {"_lookups": {}, "_asked": None}
 
     @property
     def name(self) -> str:

@@ -38,6 +38,7 @@ def read_options(options: argparse.Namespace) -> ReadOptions:
 
 
 def run_deform(options: argparse.Namespace) -> None:
+    """Predict the shape of a surface, or two, inside the contact; print and write it."""
     conditions = _with_film(read_conditions(options.conditions))
     results = [_predicted(options, options.surface, conditions)]
     both = None
@@ -85,6 +86,7 @@ def _write(result: Deformed, folder: Path, writer: Writer) -> list[Path]:
 
 
 def run_surface(options: argparse.Namespace) -> None:
+    """Write a surface for the full simulation."""
     surface, form = read_surface(options.surface, read_options(options)), options.form
     start = options.period_start
     if options.period is not None:

@@ -1,14 +1,18 @@
 """Figures of a prediction: heights before and after, and their spectra."""
 
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ehlwave.deform.predict import Deformed
+from ehlwave.choices import Window
+from ehlwave.contact.conditions import Conditions
 from ehlwave.deform.prepare import judged_part
+from ehlwave.deform.spectrum import Spectrum
+from ehlwave.deform.surface import Heights, Surface
+from ehlwave.scales_of_figures import aspect_note, readable_aspect
 
 UM = 1e6
 BEFORE, AFTER = "0.55", "#0072B2"
@@ -16,8 +20,34 @@ MOST_PIXELS = 1024
 _STYLE: dict[Any, Any] = {"font.size": 8.5, "axes.labelsize": 9, "legend.fontsize": 8}
 
 
-def deformed_figure(result: Deformed) -> Figure:
+class Drawn(Protocol):
+    """A prediction; :class:`ehlwave.deform.Deformed` is one."""
+
+    @property
+    def surface(self) -> Surface:
+        """As made."""
+
+    @property
+    def height(self) -> Heights:
+        """In the contact, m."""
+
+    @property
+    def conditions(self) -> Conditions:
+        """Of the contact."""
+
+    @property
+    def window(self) -> Window:
+        """Treatment of the ends."""
+
+    @property
+    def spectra(self) -> dict[str, Spectrum]:
+        """Before and after, along x and y."""
+
+
+def deformed_figure(result: Drawn) -> Figure:
     """Draw a trace, or a map with its centre line, before and after; the contact to scale.
+
+    The difference is what the contact takes away: as made less as it is in the contact.
 
     Returns
     -------
@@ -32,15 +62,16 @@ def deformed_figure(result: Deformed) -> Figure:
             _draw_line(detail, result, 1.0)
             whole.legend(loc="lower right", bbox_to_anchor=(1, 1), frameon=False, ncols=2)
             return figure
-        figure = Figure(figsize=(6.4, 5.0), layout="constrained")
-        axes = figure.subplot_mosaic([["before", "after"], ["line", "line"]], height_ratios=[1, 1])
-        _draw_map(figure, axes["before"], axes["after"], result)
+        figure = Figure(figsize=(8.4, 5.0), layout="constrained")
+        maps = ["before", "after", "difference"]
+        axes = figure.subplot_mosaic([maps, ["line"] * 3], height_ratios=[1, 1])
+        _draw_maps(figure, [axes[name] for name in maps], result)
         _draw_line(axes["line"], result, 2.0)
         axes["line"].legend(loc="lower right", bbox_to_anchor=(1, 1), frameon=False, ncols=2)
     return figure
 
 
-def spectrum_figure(result: Deformed) -> Figure:
+def spectrum_figure(result: Drawn) -> Figure:
     """Draw the mean square of the components before and after against their wavelength.
 
     Neighbouring waves are collected in 24 bands per decade. Shaded: longer than the contact in this
@@ -76,7 +107,7 @@ def spectrum_figure(result: Deformed) -> Figure:
     return figure
 
 
-def _draw_line(axes: Axes, result: Deformed, half_width: float | None) -> None:
+def _draw_line(axes: Axes, result: Drawn, half_width: float | None) -> None:
     """Draw a trace, or the line y = middle of a map; ``half_width`` semi-axes about the middle."""
     surface = result.surface
     along_x = not surface.is_trace or surface.trace_axis == "x"
@@ -102,25 +133,41 @@ def _draw_line(axes: Axes, result: Deformed, half_width: float | None) -> None:
     axes.set_ylabel(r"height [$\mu$m]")
 
 
-def _draw_map(figure: Figure, before: Axes, after: Axes, result: Deformed) -> None:
+def _draw_maps(figure: Figure, panels: list[Axes], result: Drawn) -> None:
     surface = result.surface
     stride = tuple(max(1, count // MOST_PIXELS) for count in surface.height.shape)
     pick = (slice(None, None, stride[0]), slice(None, None, stride[1]))
     nx, ny = surface.height.shape
-    extent = (0.0, nx * surface.step_x_m * UM, 0.0, ny * surface.step_y_m * UM)
+    lengths = nx * surface.step_x_m * UM, ny * surface.step_y_m * UM
     part = judged_part((nx, ny), result.window)
-    low, high = np.percentile(surface.height[part][pick], [0.1, 99.9]) * UM
-    for axes, height, title in (
-        (before, surface.height, "before"),
-        (after, result.height, "in the contact"),
+    before, after = surface.height[pick] * UM, result.height[pick] * UM
+    left = before - after
+    limits = [np.percentile(surface.height[part][pick], [0.1, 99.9]) * UM] * 2
+    largest = float(np.percentile(np.abs((surface.height - result.height)[part]), 99.9)) * UM
+    limits.append(np.array([-1, 1]) * (largest or 1.0))
+    titles = "as made", "in the contact", "difference"
+    images = []
+    for axes, height, title, ends in zip(
+        panels, (before, after, left), titles, limits, strict=True
     ):
-        image = axes.imshow(
-            height[pick].T * UM, origin="lower", extent=extent, vmin=low, vmax=high, cmap="viridis"
+        images.append(
+            axes.imshow(
+                height.T,
+                origin="lower",
+                extent=(0.0, lengths[0], 0.0, lengths[1]),
+                vmin=ends[0],
+                vmax=ends[1],
+                cmap="RdBu_r" if title == "difference" else "viridis",
+                aspect=readable_aspect(*lengths),
+            )
         )
         axes.set_title(title, fontsize=9)
         axes.set_xlabel(r"$x$, rolling [$\mu$m]")
-    before.set_ylabel(r"$y$ [$\mu$m]")
-    figure.colorbar(image, ax=[before, after], label=r"height [$\mu$m]")
+    panels[0].set_ylabel(r"$y$ [$\mu$m]" + aspect_note(*lengths))
+    below: dict[str, Any] = {"location": "bottom", "aspect": 30}
+    figure.colorbar(images[1], ax=panels[:2], label=r"height [$\mu$m]", shrink=0.5, **below)
+    label = r"as made $-$ in the contact [$\mu$m]"
+    figure.colorbar(images[2], ax=panels[2], label=label, **below)
 
 
 def _bands(waves: np.ndarray, *squares: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

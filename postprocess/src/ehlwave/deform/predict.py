@@ -1,9 +1,11 @@
 """The deformed surface inside the contact, component by component (section 3.4 of the paper)."""
 
+from __future__ import annotations
+
 import math
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,6 +27,10 @@ from ehlwave.deform.statistics import (
 from ehlwave.deform.surface import Heights, Surface, checked_surface
 from ehlwave.deform.transfer import FormulaBasis, FormulaTransfer, Transfer
 from ehlwave.errors import SurfaceError
+from ehlwave.shown import Shown, micrometres, within
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 SINGLE_PRECISION_POINTS = 2**22
 """Maps with more points than this are transformed in single precision (relative error 1e-6)."""
@@ -35,8 +41,8 @@ Cutoffs = tuple[float | None, float | None]
 """Long and short cut-off of a filter, lambda_c and lambda_s, m."""
 
 
-@dataclass(frozen=True)
-class Deformed:
+@dataclass(frozen=True, repr=False)
+class Deformed(Shown):
     """A surface before and after it enters the contact.
 
     Attributes
@@ -76,6 +82,28 @@ class Deformed:
     error_m: float | None = None
     cutoffs_m: Cutoffs = (None, None)
     transfer: Transfer | None = field(default=None, repr=False, compare=False)
+
+    def shown_rows(self) -> dict[str, str]:
+        """Return what the prediction comes to."""
+        s = self.statistics
+        rows = {"surface": self.surface.name}
+        if s.lambda_ratio_after is not None:
+            rows["lambda ratio"] = within(s.lambda_ratio_after, s.lambda_error)
+        rows["mean film"] = micrometres(s.mean_film_m)
+        rows["Rq"] = f"{micrometres(s.rq_before_m)} before, {micrometres(s.rq_after_m)} after"
+        return rows | {"by": self.transfer_name, "warnings": str(len(self.warnings))}
+
+    def plot(self) -> Figure:
+        """Draw the surface before, in the contact, and the difference.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            A notebook shows it; ``savefig`` writes it.
+        """
+        from ehlwave.deform.figures import deformed_figure
+
+        return deformed_figure(self)
 
     @cached_property
     def pressure_pa(self) -> Heights:

@@ -12,6 +12,7 @@ from ehlwave.deform.ripple import PressureWaves, pressure_waves
 from ehlwave.deform.surface import Surface
 from ehlwave.deform.transfer import Transfer
 from ehlwave.errors import StressError
+from ehlwave.shown import Shown
 
 Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -43,8 +44,8 @@ class Predicted(Protocol):
         """How its ends were treated."""
 
 
-@dataclass(frozen=True)
-class Ripple:
+@dataclass(frozen=True, repr=False)
+class Ripple(Shown):
     """The pressure waves of one surface inside a contact.
 
     Attributes
@@ -70,6 +71,11 @@ class Ripple:
     amplitude: Complex
     waves: PressureWaves
     lines_m: Floats
+
+    def shown_rows(self) -> dict[str, str]:
+        """Return its slip, points and waves."""
+        waves = " x ".join(map(str, self.amplitude.shape))
+        return {"S": f"{self.slip:g}", "points": str(self.points), "waves": waves}
 
     @property
     def moves(self) -> bool:

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from ehlwave.contact.conditions import Conditions
 from ehlwave.deform.transfer import Transfer, shorter_than_contact
+from ehlwave.shown import Shown, micrometres
 
 Floats = NDArray[np.float64]
 
@@ -19,8 +20,8 @@ NEGLIGIBLE_SHARE = 1e-9
 """Of the mean square: below it a class of components is rounding, not surface."""
 
 
-@dataclass(frozen=True)
-class Spectrum:
+@dataclass(frozen=True, repr=False)
+class Spectrum(Shown):
     """Mean square of the components, m^2, before and after, by their waves per metre along x or y.
 
     The sum is the mean square of the surface that was transformed: Parseval. The first entry holds
@@ -31,6 +32,12 @@ class Spectrum:
     before: Floats
     after: Floats
     _bin: NDArray[np.intp] = field(repr=False)
+
+    def shown_rows(self) -> dict[str, str]:
+        """Return how many waves there are, and Rq before and after."""
+        before, after = (float(np.sqrt(part.sum())) for part in (self.before, self.after))
+        rq = f"{micrometres(before)} before, {micrometres(after)} after"
+        return {"waves": str(self.waves.size), "Rq": rq}
 
     def add(self, part: slice, before: Floats, after: Floats) -> None:
         """Add mean squares of a part of the waves that it was made for."""

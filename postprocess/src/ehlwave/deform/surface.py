@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from scipy import ndimage
 
 from ehlwave.errors import SurfaceError
+from ehlwave.shown import Shown, micrometres
 
 Heights = NDArray[np.floating]
 Axis = Literal["x", "y"]
@@ -19,8 +20,8 @@ STEEPEST_SLOPE = 1.0
 """Root mean square slope above which the units are taken to be wrong; 1 is 45 degrees."""
 
 
-@dataclass(frozen=True)
-class Surface:
+@dataclass(frozen=True, repr=False)
+class Surface(Shown):
     """Heights of a trace or a map, m, positive out of the material (a peak is positive).
 
     Attributes
@@ -43,6 +44,17 @@ class Surface:
     def is_trace(self) -> bool:
         """Whether heights are known along one direction only."""
         return 1 in self.height.shape
+
+    def shown_rows(self) -> dict[str, str]:
+        """Return name, points, length and Rq."""
+        lengths = [
+            f"{count} x {step * 1e6:.4g} um"
+            for count, step in zip(self.height.shape, (self.step_x_m, self.step_y_m), strict=True)
+            if count > 1
+        ]
+        kind = f"trace along {self.trace_axis}" if self.is_trace else "map"
+        rq = micrometres(float(np.std(self.height, dtype=np.float64)))
+        return {"name": self.name, kind: ", ".join(lengths), "Rq": rq}
 
     @property
     def trace_axis(self) -> Axis:

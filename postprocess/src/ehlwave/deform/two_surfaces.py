@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from ehlwave.deform.predict import Deformed
 from ehlwave.errors import SurfaceError
+from ehlwave.shown import Shown, micrometres
 from ehlwave.writing import Writer
 
 Floats = NDArray[np.float64]
@@ -16,8 +17,8 @@ Floats = NDArray[np.float64]
 UM = 1e6
 
 
-@dataclass(frozen=True)
-class FilmOfTwo:
+@dataclass(frozen=True, repr=False)
+class FilmOfTwo(Shown):
     """Film at the contact centre, m, while two deformed surfaces pass it; see :func:`film_of_two`.
 
     ``rolled_m`` counts the way of the mean speed, in steps of the finer surface. ``film_m`` is NaN
@@ -40,6 +41,15 @@ class FilmOfTwo:
     def surfaces_touch(self) -> bool:
         """Whether no film is left somewhere."""
         return bool(np.isnan(self.film_m).any())
+
+    def shown_rows(self) -> dict[str, str]:
+        """Return films and Rq."""
+        least = "none: the surfaces touch" if self.surfaces_touch else ""
+        return {
+            "mean film": micrometres(self.mean_film_m),
+            "Rq": micrometres(self.rq_m),
+            "smallest film": least or micrometres(self.smallest_film_m),
+        }
 
     def text(self) -> str:
         """Return what a user reads."""

@@ -7,6 +7,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
+from ehlwave.shown import Shown
 from ehlwave.stress.criteria import CRITERIA, largest_shear
 from ehlwave.stress.dang_van import Path, dang_van_factor, dang_van_path
 from ehlwave.stress.history import Histories
@@ -39,8 +40,8 @@ class Peak:
     smooth_pa: float = 0.0
 
 
-@dataclass(frozen=True)
-class BodyStress:
+@dataclass(frozen=True, repr=False)
+class BodyStress(Shown):
     """Stresses of one body.
 
     Attributes
@@ -96,6 +97,16 @@ class BodyStress:
     smooth_over_depth: Floats
     ripple_over_depth_pa: Floats
     path: Path
+
+    def shown_rows(self) -> dict[str, str]:
+        """Return the largest stresses, Dang Van's factor and the life."""
+        peaks = {key: f"{peak.value_pa * 1e-6:.4g} MPa" for key, peak in self.peaks.items()}
+        return {
+            "body": self.name,
+            **peaks,
+            "Dang Van's factor": f"{self.dang_van:.3g} within {self.dang_van_error:.2g}",
+            "life over smooth": f"{self.life_ratio:.3g}",
+        }
 
 
 def judge_body(

@@ -21,6 +21,7 @@ from ehlwave.stress.report import plain, stress_dataset, stress_json, stress_tex
 
 
 def run_stress(options: argparse.Namespace) -> None:
+    """Judge a file of ehlwave-case, or a measured surface; print and write it."""
     depths = None if options.depths is None else np.array(options.depths)
     written = (
         _of_case(options, depths) if options.conditions is None else _of_surface(options, depths)

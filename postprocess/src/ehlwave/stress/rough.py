@@ -14,6 +14,7 @@ from ehlwave.deform.predict import Deformed
 from ehlwave.deform.ripple import hertz_pressure_of
 from ehlwave.deform.rough_pressure import Ripple, ripple_of
 from ehlwave.errors import StressError
+from ehlwave.shown import Shown, within
 from ehlwave.stress.body import BodyStress, judge_body
 from ehlwave.stress.case import stress_of_case
 from ehlwave.stress.dang_van import fatigue_shear
@@ -34,8 +35,8 @@ DEPTHS = 10
 """That are chosen where none are given."""
 
 
-@dataclass(frozen=True)
-class RoughStress:
+@dataclass(frozen=True, repr=False)
+class RoughStress(Shown):
     """Stresses below a rough contact.
 
     Attributes
@@ -71,6 +72,19 @@ class RoughStress:
     cycles: float
     poisson_ratio: float
     warnings: list[str] = field(default_factory=list)
+
+    def shown_rows(self) -> dict[str, str]:
+        """Return pressures, friction, and Dang Van's factor of both bodies."""
+        rows = {
+            "Hertz pressure": f"{self.hertz_pa * 1e-9:.4g} GPa",
+            "pressure ripple": within(self.ripple_rq_pa * 1e-6, self.ripple_error, " MPa"),
+            "friction": f"{self.friction:.3g}",
+        }
+        for body in self.bodies:
+            rows[f"Dang Van's factor, {body.name}"] = (
+                f"{body.dang_van:.3g} within {body.dang_van_error:.2g}"
+            )
+        return rows | {"warnings": str(len(self.warnings))}
 
 
 def rough_stress(

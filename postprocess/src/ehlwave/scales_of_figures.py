@@ -1,0 +1,23 @@
+"""Scales of maps: equal along both axes, unless the map would become a sliver."""
+
+SLENDER = 2.0
+"""Longest side over the other, up to which both axes have one scale."""
+
+DRAWN = 1.5
+"""Longest side over the other of maps that are more slender."""
+
+
+def readable_aspect(width: float, height: float) -> float:
+    """Return how much longer a unit of y is drawn than one of x; 1 unless a map is slender."""
+    ratio = height / width
+    if 1 / SLENDER <= ratio <= SLENDER:
+        return 1.0
+    return (DRAWN if ratio > 1 else 1 / DRAWN) / ratio
+
+
+def aspect_note(width: float, height: float) -> str:
+    """Return what is said beside the axis of y where it has another scale."""
+    found = readable_aspect(width, height)
+    if found == 1:
+        return ""
+    return f", compressed {1 / found:.2g} times" if found < 1 else f", stretched {found:.2g} times"

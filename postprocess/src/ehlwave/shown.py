@@ -1,0 +1,42 @@
+"""How objects show themselves: a line of text, a table in notebooks; never their arrays."""
+
+from collections.abc import Mapping
+from html import escape
+
+
+def html_table(title: str, rows: Mapping[str, str]) -> str:
+    """Return a title and rows of names and texts as HTML."""
+    cells = "".join(
+        f"<tr><th style='text-align:left'>{escape(name)}</th>"
+        f"<td style='text-align:left'>{escape(text)}</td></tr>"
+        for name, text in rows.items()
+    )
+    return f"<div><strong>{escape(title)}</strong><table>{cells}</table></div>"
+
+
+class Shown:
+    """Shows what :meth:`shown_rows` returns."""
+
+    def shown_rows(self) -> dict[str, str]:
+        """Return what is shown, short texts by their names."""
+        raise NotImplementedError
+
+    def __repr__(self) -> str:
+        """Return the rows in one line."""
+        inside = "; ".join(f"{name}: {text}" for name, text in self.shown_rows().items())
+        return f"<{type(self).__name__} {inside}>"
+
+    def _repr_html_(self) -> str:
+        """Return the rows as a table, for notebooks."""
+        return html_table(type(self).__name__, self.shown_rows())
+
+
+def micrometres(length_m: float | None) -> str:
+    """Return a length in um, or that it is not known."""
+    return "not known" if length_m is None else f"{length_m * 1e6:.4g} um"
+
+
+def within(value: float, error: float | None, unit: str = "") -> str:
+    """Return a number with its relative error, where it is known."""
+    said = f"{value:.4g}{unit}"
+    return said if error is None else f"{said} within {100 * error:.2g} %"
