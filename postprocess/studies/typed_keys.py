@@ -16,11 +16,20 @@ PLACE = Path(__file__).parents[1] / "src" / "ehlwave" / "keys.py"
 TYPES = {"number": "SupportsFloat", "whole": "SupportsIndex", "truth": "bool", "word": "str"}
 WIDTH = 100
 
+OBJECTS = {"file": "Text | Surface | TopographyLike"}
+"""Keys that take more than the name of a file."""
+
 HEADER = '''\
 """The keys of input files as types. Written by ``python -m studies.typed_keys``: do not edit."""
 
+from __future__ import annotations
+
 from os import PathLike
-from typing import Literal, SupportsFloat, SupportsIndex, TypedDict
+from typing import TYPE_CHECKING, Literal, SupportsFloat, SupportsIndex, TypedDict
+
+if TYPE_CHECKING:
+    from ehlwave.deform.raw_surface import TopographyLike
+    from ehlwave.deform.surface import Surface
 
 Text = str | PathLike[str]
 '''
@@ -60,7 +69,7 @@ def _member(name: str, key: dict[str, Any]) -> str:
     kind = TYPES[key["kind"]]
     if kind == "str":
         words = [f'"{word}"' for word in key["choices"]]
-        kind = f"Literal[{', '.join(words)}]" if words else "Text"
+        kind = f"Literal[{', '.join(words)}]" if words else OBJECTS.get(name, "Text")
         if len(line := f"    {name}: {kind}\n") > WIDTH:
             kind = "Literal[\n" + "".join(f"        {word},\n" for word in words) + "    ]"
     line = f"    {name}: {kind}\n"

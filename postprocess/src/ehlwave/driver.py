@@ -42,7 +42,9 @@ class Case:
     ----------
     **keys
         Keys of its input file (``inputs/README.md``, ``ehlwave-case --keys``), whatever their
-        group: numbers, text, bool.
+        group: numbers, text, bool. ``file``, a measured surface, may be a
+        :class:`ehlwave.deform.Surface` or an object of SurfaceTopography; it is taken as it is, see
+        :func:`ehlwave.deform.simulation_surface`.
 
     Raises
     ------
@@ -133,7 +135,7 @@ class Case:
     ) -> dict[str, Any]:
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder, "case.nml")
-            write_new_text(path, namelist(self.groups))
+            write_new_text(path, namelist(_with_surface_file(self.groups, Path(folder))))
             command = [str(find_program("ehlwave-case")), str(path), "--json", *options]
             with following(progress) as callback:
                 quiet = [] if callback else ["--quiet"]
@@ -187,6 +189,12 @@ class Study(Shown):
         else:
             lists, self.rows = {}, pd.DataFrame(grid)
             grouped(dict.fromkeys(map(str, self.rows.columns.drop(LABEL, errors="ignore")), 0))
+        source = given.get("file", "")
+        if not isinstance(source, (str, Path)):
+            raise ProgramError(
+                f"file = {source!r}: a study is known by the names of its files: write the surface "
+                "by ehlwave.deform.write_simulation_surface"
+            )
         self.lists = lists
         self.groups = grouped({key: value for key, value in given.items() if key not in OPTIONS})
         self.options = {key: value for key, value in given.items() if key in OPTIONS}
@@ -214,8 +222,8 @@ class Study(Shown):
             on where it was stopped. A temporary one if absent.
         ranks : int
             MPI ranks. More than 1, or any number where ``EHLWAVE_LAUNCHER`` is set, are started by
-            ``run-sweep``, or by ``mpirun`` where there is no such script; 1 runs the program without
-            MPI's launcher.
+            ``run-sweep``, or by ``mpirun`` where there is no such script; 1 runs the program
+            without MPI's launcher.
         seconds : float, optional
             Wall time after which it is stopped in good order; cases left are ``pending``.
         restarts : int
@@ -338,6 +346,18 @@ def key_groups() -> dict[str, str]:
     """Return the group of each key."""
     table = key_table()
     return dict(zip(table["name"], table["group"], strict=True))
+
+
+def _with_surface_file(groups: dict[str, dict[str, Any]], folder: Path) -> dict[str, Any]:
+    """Return groups whose surface, if it is an object, is written to a file."""
+    source = groups.get("surface", {}).get("file")
+    if source is None or isinstance(source, (str, Path)):
+        return groups
+    from ehlwave.deform import read_surface, write_simulation_surface
+
+    path = folder / "surface.h5"
+    write_simulation_surface(read_surface(source), path)
+    return groups | {"surface": groups["surface"] | {"file": str(path)}}
 
 
 def _is_list(value: object) -> bool:

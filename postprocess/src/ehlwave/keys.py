@@ -1,7 +1,13 @@
 """The keys of input files as types. Written by ``python -m studies.typed_keys``: do not edit."""
 
+from __future__ import annotations
+
 from os import PathLike
-from typing import Literal, SupportsFloat, SupportsIndex, TypedDict
+from typing import TYPE_CHECKING, Literal, SupportsFloat, SupportsIndex, TypedDict
+
+if TYPE_CHECKING:
+    from ehlwave.deform.raw_surface import TopographyLike
+    from ehlwave.deform.surface import Surface
 
 Text = str | PathLike[str]
 
@@ -101,7 +107,7 @@ class CaseKeys(TypedDict, total=False):
     """amplitude Ai over the smooth central film thickness"""
     response: Literal["transient", "periodic", "harmonic", "both"]
     """response to the waves"""
-    file: Text
+    file: Text | Surface | TopographyLike
     """surface written by `ehlwave surface`"""
     x_min: SupportsFloat
     """X of the inlet boundary"""

@@ -20,6 +20,7 @@ from ehlwave.contact.two_waves import SLIP_ERRORS, two_waves
 from ehlwave.deform.atlas_transfer import AtlasTransfer, with_atlas_film
 from ehlwave.deform.predict import Cutoffs, Deformed, deform_surface
 from ehlwave.deform.prepare import Form, Window
+from ehlwave.deform.raw_surface import SurfaceSource
 from ehlwave.deform.read import ReadOptions, read_surface
 from ehlwave.deform.sliding import TwoWaveTransfer
 from ehlwave.deform.surface import Surface
@@ -456,7 +457,7 @@ class Contact:
 
     def deform(
         self,
-        surface: Surface | str | Path,
+        surface: Surface | SurfaceSource,
         by: str = "atlas",
         form: Form = "plane",
         ends: Window = "mirror",
@@ -467,14 +468,14 @@ class Contact:
 
         Parameters
         ----------
-        surface : Surface or path
-            As :func:`ehlwave.read_surface` reads it.
+        surface : Surface, path, array or topography
+            As :func:`ehlwave.read_surface` reads it; of an array give ``step``, in metres.
         by : {"atlas", "two-waves", "recommended", "paper"}
             What components are judged by. The film is the atlas' where the contact lies in it.
         form, ends, cutoffs_m
             See :func:`ehlwave.deform.deform_surface`; ``cutoffs_m`` is (lambda_c, lambda_s).
         **reading
-            Of :class:`ehlwave.deform.ReadOptions`, for what the file does not say.
+            Of :class:`ehlwave.deform.ReadOptions`, for what the surface does not say.
 
         Raises
         ------
@@ -508,11 +509,7 @@ class Contact:
             raise SurfaceError(
                 "Contact: a surface in metres needs semi_axis_a_m and radius_x_m besides M, L and D"
             )
-        measured = (
-            surface
-            if isinstance(surface, Surface)
-            else read_surface(surface, ReadOptions(**reading))
-        )
+        measured = read_surface(surface, ReadOptions(**reading))
         transfer = self.transfer(by)
         conditions = self.conditions
         try:
@@ -527,15 +524,15 @@ class Contact:
 
     def stress(
         self,
-        surface: Surface | str | Path,
-        second: Surface | str | Path | None = None,
+        surface: Surface | SurfaceSource,
+        second: Surface | SurfaceSource | None = None,
         **options: Any,  # noqa: ANN401
     ) -> RoughStress:
         """Return the stresses below both bodies with a measured surface, or one on each.
 
         Parameters
         ----------
-        surface, second : Surface or path
+        surface, second : Surface, path, array or topography
             Of the first body, whose slip parameter is that of the contact, and of the other one;
             without, that one is smooth.
         **options
@@ -560,15 +557,15 @@ class Contact:
 
         return stress_of_contact(self, surface, second, **options)
 
-    def lambda_ratio(self, surface: Surface | str | Path, **options: Any) -> float:  # noqa: ANN401
+    def lambda_ratio(self, surface: Surface | SurfaceSource, **options: Any) -> float:  # noqa: ANN401
         """Return the mean film over Rq of the deformed surface.
 
         Its error is ``deform(...).statistics.lambda_error``.
 
         Parameters
         ----------
-        surface : Surface or path
-            As :func:`ehlwave.read_surface` reads it.
+        surface : Surface, path, array or topography
+            As :func:`ehlwave.read_surface` reads it; of an array give ``step``, in metres.
         **options
             Other arguments of :meth:`deform`.
 

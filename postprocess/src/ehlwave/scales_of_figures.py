@@ -9,6 +9,8 @@ DRAWN = 1.5
 
 def readable_aspect(width: float, height: float) -> float:
     """Return how much longer a unit of y is drawn than one of x; 1 unless a map is slender."""
+    if not (width > 0 and height > 0):
+        return 1.0
     ratio = height / width
     if 1 / SLENDER <= ratio <= SLENDER:
         return 1.0

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -92,6 +92,16 @@ class Deformed(Shown):
         rows["mean film"] = micrometres(s.mean_film_m)
         rows["Rq"] = f"{micrometres(s.rq_before_m)} before, {micrometres(s.rq_after_m)} after"
         return rows | {"by": self.transfer_name, "warnings": str(len(self.warnings))}
+
+    def to_topography(self) -> Any:  # noqa: ANN401 - of a package that need not be there
+        """Return the deformed heights as an object of SurfaceTopography, in metres.
+
+        Raises
+        ------
+        SurfaceError
+            If SurfaceTopography is not installed.
+        """
+        return replace(self.surface, height=self.height).to_topography()
 
     def plot(self) -> Figure:
         """Draw the surface before, in the contact, and the difference.

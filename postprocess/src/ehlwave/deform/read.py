@@ -10,6 +10,15 @@ import h5py
 import numpy as np
 
 from ehlwave.deform.decimals import Decimal
+from ehlwave.deform.raw_surface import (
+    RawSurface,
+    SurfaceSource,
+    is_topography,
+    raw_array,
+    raw_instrument,
+    raw_topography,
+    refuse_large,
+)
 from ehlwave.deform.surface import (
     Axis,
     Surface,
@@ -22,7 +31,7 @@ from ehlwave.deform.surface import (
 from ehlwave.deform.text_table import TextTable, position_and_height, read_text_table
 from ehlwave.deform.units import METRES, metres
 from ehlwave.errors import ResultsError, SurfaceError, printable
-from ehlwave.hdf5 import DATA_PER_BYTE, check_is_file, opened, reason
+from ehlwave.hdf5 import check_is_file, opened, reason
 
 _TEXT = {".csv", ".txt", ".dat", ".prf", ".asc", ".tsv"}
 _HDF5 = {".h5", ".hdf5", ".nc"}
@@ -32,9 +41,6 @@ ARRAYS = ("height", "x", "y")
 
 LARGEST_STEP_DIFFERENCE = 1e-3
 """Relative, of a step that is given and that of the file."""
-
-_MOST_POINTS = 100_000_000
-"""In a file; what claims more is refused before memory is asked for."""
 
 
 @dataclass(frozen=True)
@@ -66,37 +72,19 @@ class ReadOptions:
     decimal: Decimal | None = None
 
 
-@dataclass
-class RawSurface:
-    """Heights as in a file, with what the file says about them.
-
-    ``height`` has one dimension (a trace), or two (rows of constant y).
-    """
-
-    height: np.ndarray
-    x: np.ndarray | None = None
-    y: np.ndarray | None = None
-    length_unit: str | None = None
-    height_unit: str | None = None
-    step: float | None = None
-    step_across: float | None = None
-    is_across: bool = False
-    """Whether a trace is known to run along y of its file."""
-    has_decimal_commas: bool = False
-    """Whether commas were taken as decimal ones."""
-
-
-def read_surface(path: str | Path, options: ReadOptions | None = None) -> Surface:
+def read_surface(path: SurfaceSource | Surface, options: ReadOptions | None = None) -> Surface:
     """Read a trace or a map.
 
     Parameters
     ----------
-    path : path
+    path : path, array, topography or Surface
         ``.csv``, ``.txt``: numbers separated by commas, semicolons, tabs or blanks; two columns
         (position, height), one column of heights, or a matrix of heights. ``.npy``: one or two
         dimensions; ``.npz`` and HDF5: ``height`` and, if there, positions ``x`` and ``y``, in HDF5
         with an attribute ``units``. Anything else (SDF, SUR, PLU, X3P, ...) is read by the package
-        SurfaceTopography when that is installed.
+        SurfaceTopography when that is installed. Or an array, taken as one in a ``.npy`` file but
+        in metres by default, with the step in `options`; an object of SurfaceTopography; or a
+        Surface, which is returned as it is.
     options : ReadOptions, optional
         What the file does not say.
 
@@ -124,9 +112,19 @@ def read_surface(path: str | Path, options: ReadOptions | None = None) -> Surfac
     >>> trace = ehlwave.read_surface("trace.csv", units)
     >>> trace.is_trace, trace.height.shape
     (True, (1000, 1))
+
+    The same from an array:
+
+    >>> units = ehlwave.deform.ReadOptions(length_unit="mm", height_unit="um", step=0.002)
+    >>> again = ehlwave.read_surface(height, units)
+    >>> bool(np.allclose(again.height, trace.height, rtol=0, atol=1e-15))
+    True
     """
-    file, chosen = Path(path), options or ReadOptions()
-    raw = _without_single_line(_read_raw(file, chosen))
+    if isinstance(path, Surface):
+        return path
+    chosen = options or ReadOptions()
+    file, found = _found(path, chosen)
+    raw = _without_single_line(found)
     if raw.height.ndim not in (1, 2):
         raise SurfaceError(f"{file}: heights have {raw.height.ndim} dimensions, not one or two")
     height_metres = _unit(file, chosen.height_unit or raw.height_unit, "heights", "--height-unit")
@@ -149,6 +147,17 @@ def read_surface(path: str | Path, options: ReadOptions | None = None) -> Surfac
     return map_surface(height, across, along, name)
 
 
+def _found(source: SurfaceSource, options: ReadOptions) -> tuple[Path, RawSurface]:
+    """Return what a source holds, and its name for messages."""
+    if isinstance(source, (str, Path)):
+        return Path(source), _read_raw(Path(source), options)
+    if is_topography(source):
+        place = Path(str(getattr(source, "info", {}).get("name", "topography")))
+        return place, raw_topography(source, place)
+    place = Path("array")
+    return place, raw_array(np.ma.asarray(source), place)
+
+
 def _without_single_line(raw: RawSurface) -> RawSurface:
     """Return a map of one row or one column as the trace it is."""
     if raw.height.ndim != 2 or 1 not in raw.height.shape:
@@ -165,7 +174,7 @@ def _read_raw(file: Path, options: ReadOptions) -> RawSurface:
     try:
         check_is_file(file)
         if suffix in _TEXT:
-            _refuse_large(file, file.stat().st_size // 2)
+            refuse_large(file, file.stat().st_size // 2)
             return _from_text(file, options)
         if suffix == ".npy":
             return RawSurface(_numbers(file, np.load(file, mmap_mode="r", allow_pickle=False)))
@@ -174,7 +183,7 @@ def _read_raw(file: Path, options: ReadOptions) -> RawSurface:
         if suffix in _HDF5:
             with opened(file) as inside:
                 return _from_hdf5(file, inside)
-        return _from_instrument(file)
+        return raw_instrument(file)
     except SurfaceError:
         raise
     except ResultsError as error:
@@ -192,7 +201,7 @@ def _from_archive(file: Path) -> RawSurface:
         sizes = {entry.filename: entry.file_size for entry in archive.infolist()}
         for name in (f"{name}.npy" for name in ARRAYS):
             if name in sizes:
-                _refuse_large(file, sizes[name] // 8)
+                refuse_large(file, sizes[name] // 8)
                 with archive.open(name) as entry:
                     points = _claimed_points(entry)
                 if points > sizes[name]:
@@ -211,11 +220,6 @@ def _claimed_points(entry: IO[bytes]) -> int:
     else:
         shape = np.lib.format.read_array_header_2_0(entry)[0]
     return math.prod(shape)
-
-
-def _refuse_large(file: Path, points: int) -> None:
-    if points > _MOST_POINTS:
-        raise SurfaceError(f"{file}: claims {points} numbers, more than {_MOST_POINTS}")
 
 
 def _from_text(file: Path, options: ReadOptions) -> RawSurface:
@@ -280,7 +284,7 @@ def _from_hdf5(file: Path, inside: h5py.File) -> RawSurface:
     arrays, units = {}, {}
     for name in ARRAYS:
         if name in inside:
-            _refuse_large(file, inside[name].size)
+            refuse_large(file, inside[name].size)
             arrays[name] = inside[name][()]
             unit = inside[name].attrs.get("units", "")
             units[name] = unit.decode() if isinstance(unit, bytes) else str(unit)
@@ -291,43 +295,6 @@ def _from_hdf5(file: Path, inside: h5py.File) -> RawSurface:
     if raw.height.ndim == 2 and "x" in inside["height"].dims[0].keys():  # noqa: SIM118
         raw.height = raw.height.T
     return raw
-
-
-def _from_instrument(file: Path) -> RawSurface:
-    try:
-        import SurfaceTopography  # optional, and slow to import
-    except ImportError as error:
-        raise SurfaceError(
-            f"{file}: this format is read by SurfaceTopography, which is not installed: "
-            "pip install SurfaceTopography (CSV, NumPy and HDF5 need nothing)"
-        ) from error
-    if h5py.is_hdf5(file):
-        with opened(file):
-            pass  # it stands for itself
-    try:
-        # Its readers raise whatever a damaged file makes them stumble into.
-        reader = SurfaceTopography.open_topography(str(file))
-        points = math.prod(reader.channels[0].nb_grid_pts)
-        _refuse_large(file, points)
-        if points > DATA_PER_BYTE * file.stat().st_size:
-            raise SurfaceError(f"{file}: claims {points} numbers that it cannot hold")
-        topography = reader.topography()
-        if not topography.is_uniform:
-            raise SurfaceError(f"{file}: points are not equidistant: resample to equal steps")
-        unit = topography.unit
-        height = np.ma.filled(np.ma.asarray(topography.heights(), dtype=np.float64), np.nan)
-        steps = topography.pixel_size
-    except SurfaceError:
-        raise
-    except Exception as error:
-        raise SurfaceError(
-            f"{file}: SurfaceTopography cannot read it ({type(error).__name__}: {reason(error)})"
-        ) from error
-    across = float(steps[1]) if len(steps) > 1 else None
-    # It holds heights as (x, y); files here are rows of constant y.
-    return RawSurface(
-        height.T, length_unit=unit, height_unit=unit, step=float(steps[0]), step_across=across
-    )
 
 
 def _steps(file: Path, raw: RawSurface, options: ReadOptions) -> tuple[float, float]:

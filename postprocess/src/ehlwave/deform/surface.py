@@ -1,12 +1,13 @@
 """A measured surface on a uniform grid, in metres."""
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy import ndimage
 
+from ehlwave.deform.raw_surface import topography_of
 from ehlwave.errors import SurfaceError
 from ehlwave.shown import Shown, micrometres
 
@@ -55,6 +56,17 @@ class Surface(Shown):
         kind = f"trace along {self.trace_axis}" if self.is_trace else "map"
         rq = micrometres(float(np.std(self.height, dtype=np.float64)))
         return {"name": self.name, kind: ", ".join(lengths), "Rq": rq}
+
+    def to_topography(self) -> Any:  # noqa: ANN401 - of a package that need not be there
+        """Return it as an object of SurfaceTopography, in metres: a line scan or a map.
+
+        Raises
+        ------
+        SurfaceError
+            If SurfaceTopography is not installed.
+        """
+        steps = self.step_x_m, self.step_y_m
+        return topography_of(self.height, steps, self.name)
 
     @property
     def trace_axis(self) -> Axis:

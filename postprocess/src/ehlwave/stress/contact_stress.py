@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike
 
 from ehlwave.contact.conditions import Conditions
 from ehlwave.deform.predict import Deformed
+from ehlwave.deform.raw_surface import SurfaceSource
 from ehlwave.deform.sliding import second_conditions
 from ehlwave.deform.surface import Surface
 from ehlwave.errors import RangeError
@@ -33,7 +34,7 @@ class OperatingPoint(Protocol):
 
     conditions: Conditions
 
-    def deform(self, surface: Surface | str | Path, **options: Any) -> Deformed:  # noqa: ANN401
+    def deform(self, surface: Surface | SurfaceSource, **options: Any) -> Deformed:  # noqa: ANN401
         """Return a measured surface as it is inside the contact."""
 
     def film(self) -> SmoothFilm:
@@ -42,8 +43,8 @@ class OperatingPoint(Protocol):
 
 def stress_of_contact(
     contact: OperatingPoint,
-    surface: Surface | str | Path,
-    second: Surface | str | Path | None = None,
+    surface: Surface | SurfaceSource,
+    second: Surface | SurfaceSource | None = None,
     *,
     friction: float | None = None,
     cycles: float = 1e8,
@@ -58,7 +59,7 @@ def stress_of_contact(
     ----------
     contact : Contact
         Its slip parameter is that of the first surface.
-    surface, second : Surface or path
+    surface, second : Surface, path, array or topography
         Rough surface of the first body, and of the other one, which is smooth without.
     friction : float, optional
         Traction over pressure; otherwise that of the atlas where it is known.
