@@ -12,6 +12,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import FuncFormatter
 
+from ehlwave.colour_key import COLOURS, Colours, colours_of, draw_key
 from ehlwave.fit import FitError, FormulaFit, fit_formula, point_weights
 from ehlwave.formula import PAPER_C1, PAPER_C2, amplitude_ratio_formula
 from ehlwave.points import Variable, of_orientation, resolved_only
@@ -26,8 +27,6 @@ FIGURE_NUMBERS: dict[Variable, int] = {"f_v2": 1, "f_v": 2}
 # The paper's markers, by radius ratio D; "$\odot$" is a circled dot.
 _PAPER_MARKERS = {1.0: "o", 0.35: "+", 0.12: r"$\odot$", 0.04: "x"}
 _OTHER_MARKERS = ("s", "^", "v", "D", "<", ">", "p", "*")
-# Colours that stay apart for colour-blind readers (Okabe and Ito).
-COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00")
 _GREY = "0.6"
 _STYLE: dict[Any, Any] = {
     "font.size": 8.5,
@@ -38,7 +37,7 @@ _STYLE: dict[Any, Any] = {
 }
 
 
-def collapse_figure(points: xr.Dataset, variable: Variable) -> Figure:
+def collapse_figure(points: xr.Dataset, variable: Variable, color_by: str | None = None) -> Figure:
     """Draw Ad/Ai against f(r) V2 (Figure 1) or f(r) V (Figure 2).
 
     Parameters
@@ -47,6 +46,8 @@ def collapse_figure(points: xr.Dataset, variable: Variable) -> Figure:
         From :func:`ehlwave.points.select_points`; unresolved points are drawn in grey.
     variable : {"f_v", "f_v2"}
         The abscissa, dimensionless.
+    color_by : str, optional
+        Column whose values colour the resolved points; without, D does.
 
     Returns
     -------
@@ -69,6 +70,7 @@ def collapse_figure(points: xr.Dataset, variable: Variable) -> Figure:
     >>> len(figure.axes)
     3
     """
+    colours = None if color_by is None else colours_of(points, color_by)
     refitted = _refitted(points, variable)
     resolved_x = resolved_only(points)[variable].values
     markers = _markers(points["radius_ratio_d"].values)
@@ -77,12 +79,15 @@ def collapse_figure(points: xr.Dataset, variable: Variable) -> Figure:
         panels = figure.subplots(1, len(ORIENTATIONS), sharex=True, sharey=True)
         for axes, orientation in zip(panels, ORIENTATIONS, strict=True):
             _draw_curves(axes, refitted, resolved_x)
-            _draw_points(axes, of_orientation(points, orientation), variable, markers)
+            _draw_points(axes, of_orientation(points, orientation), variable, markers, colours)
             _finish_panel(axes, orientation)
             axes.set_xlabel(X_LABELS[variable])
         panels[0].set_ylabel(r"$A_d/A_i$")
         has_grey = not points["is_point_resolved"].values.all()
-        panels[0].legend(handles=_point_handles(markers, has_grey), loc="lower left", frameon=False)
+        handles = _point_handles(markers, has_grey, "" if colours is None else "black")
+        panels[0].legend(handles=handles, loc="lower left", frameon=False)
+        if colours is not None:
+            draw_key(figure, panels, colours)
         panels[1].legend(handles=_curve_handles(refitted), loc="lower left", frameon=False)
     return figure
 
@@ -177,7 +182,11 @@ def _draw_curves(axes: Axes, refitted: FormulaFit | None, resolved_x: np.ndarray
 
 
 def _draw_points(
-    axes: Axes, points: xr.Dataset, variable: Variable, markers: dict[float, tuple[str, str]]
+    axes: Axes,
+    points: xr.Dataset,
+    variable: Variable,
+    markers: dict[float, tuple[str, str]],
+    colours: Colours | None,
 ) -> None:
     x, y = points[variable].values, points["deformed_ratio"].values
     error = points["deformed_error"].values
@@ -187,11 +196,23 @@ def _draw_points(
         for mask, shade, order in ((~resolved, _GREY, 1), (resolved, colour, 3)):
             chosen = of_ratio & mask
             if chosen.any():
-                style = _marker_style(marker, shade)
-                axes.plot(x[chosen], y[chosen], linestyle="none", zorder=order, **style)
-                has_bar = chosen & (error > 0)
-                bars = {"ecolor": shade, "elinewidth": 0.5, "fmt": "none", "zorder": order}
-                axes.errorbar(x[has_bar], y[has_bar], error[has_bar], **bars)
+                for part, own in _shades(points, chosen, shade, colours):
+                    style = _marker_style(marker, own)
+                    axes.plot(x[part], y[part], linestyle="none", zorder=order, **style)
+                    has_bar = part & (error > 0)
+                    bars = {"ecolor": own, "elinewidth": 0.5, "fmt": "none", "zorder": order}
+                    axes.errorbar(x[has_bar], y[has_bar], error[has_bar], **bars)
+
+
+def _shades(
+    points: xr.Dataset, chosen: np.ndarray, shade: str, colours: Colours | None
+) -> list[tuple[np.ndarray, str]]:
+    """Return the chosen points with their colour: one, or one a value of the column."""
+    if colours is None or shade == _GREY:
+        return [(chosen, shade)]
+    values = points[colours.column].values
+    parts = [(chosen & (values == value), own) for value, own in colours.by_value.items()]
+    return [(part, own) for part, own in parts if part.any()]
 
 
 def _finish_panel(axes: Axes, orientation: str) -> None:
@@ -215,10 +236,18 @@ def _marker_style(marker: str, colour: str) -> dict[str, Any]:
     }
 
 
-def _point_handles(markers: dict[float, tuple[str, str]], has_grey: bool) -> Sequence[Line2D]:
+def _point_handles(
+    markers: dict[float, tuple[str, str]], has_grey: bool, colour: str
+) -> Sequence[Line2D]:
     handles = [
-        Line2D([], [], linestyle="none", label=f"$D = {ratio:g}$", **_marker_style(*style))
-        for ratio, style in markers.items()
+        Line2D(
+            [],
+            [],
+            linestyle="none",
+            label=f"$D = {ratio:g}$",
+            **_marker_style(marker, colour or own),
+        )
+        for ratio, (marker, own) in markers.items()
     ]
     if has_grey:
         style = _marker_style("o", _GREY)

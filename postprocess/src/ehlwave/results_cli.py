@@ -10,6 +10,7 @@ from ehlwave import figures, tables
 from ehlwave.case_figures import case_figure
 from ehlwave.case_file import contact_figure, read_contact
 from ehlwave.deform.harmonics import write_harmonic_table
+from ehlwave.export import export
 from ehlwave.points import VARIABLES, remarks, resolved_only, select_points
 from ehlwave.read import read_results
 from ehlwave.refit import RefitSettings, refit_groups
@@ -58,7 +59,7 @@ def run_collapse(options: argparse.Namespace) -> None:
         name = f"figure{figures.FIGURE_NUMBERS[variable]}"
         if hidden := figures.outside_axes(points, variable):
             _note(f"{hidden} point(s) lie outside the axes of {name}")
-        figure = figures.collapse_figure(points, variable)
+        figure = figures.collapse_figure(points, variable, options.color_by)
         written += figures.write_figure(figure, options.output, name, writer=options.writer)
     resolved = int(points["is_point_resolved"].sum())
     print(f"{resolved} resolved and {points.sizes['case'] - resolved} unresolved points")
@@ -89,9 +90,9 @@ def run_table(options: argparse.Namespace) -> None:
 
 def run_export(options: argparse.Namespace) -> None:
     """Write results, or fields of one case, for other programs."""
-    results = read_results(options.results)
-    tables.write_dataset_csv(options.csv, results, writer=options.writer)
-    print(f"{options.csv}: {results.sizes['case']} cases")
+    kinds = ("csv", "parquet", "netcdf", "vtk")
+    targets = {kind: getattr(options, kind) for kind in kinds if getattr(options, kind)}
+    print("\n".join(export(options.results, targets, options.writer)))
 
 
 def run_contact(options: argparse.Namespace) -> None:

@@ -119,8 +119,12 @@ def write_dataset_csv(
     path: Path, data: xr.Dataset, columns: Sequence[str] = (), writer: Writer | None = None
 ) -> None:
     """Write columns of a per-case dataset, all by default, numbers with all their digits."""
-    table = data.to_dataframe().reset_index()[list(columns or [*data, *data.coords])]
-    _write_csv(path, table, writer)
+    _write_csv(path, dataset_table(data, columns), writer)
+
+
+def dataset_table(data: xr.Dataset, columns: Sequence[str] = ()) -> pd.DataFrame:
+    """Return columns of a per-case dataset, all by default, as a table."""
+    return data.to_dataframe().reset_index()[list(columns or [*data, *data.coords])]
 
 
 def write_refit_csv(path: Path, rows: Sequence[RefitRow], writer: Writer | None = None) -> None:

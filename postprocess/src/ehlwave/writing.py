@@ -18,7 +18,7 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ehlwave.errors import OutputError
+from ehlwave.errors import OutputError, ResultsError
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -138,6 +138,23 @@ class Writer:
     def table(self, path: str | Path, table: pd.DataFrame, **options: Any) -> Path:  # noqa: ANN401
         """Write a table as CSV; options are those of :meth:`pandas.DataFrame.to_csv`."""
         return self.text(path, table.to_csv(None, **({"index": False} | options)))
+
+    def parquet(self, path: str | Path, table: pd.DataFrame) -> Path:
+        """Write a table as Parquet.
+
+        Raises
+        ------
+        ResultsError
+            If pyarrow is not installed.
+        """
+        try:
+            import pyarrow  # noqa: F401
+        except ImportError as error:
+            raise ResultsError(
+                f"{path}: Parquet needs pyarrow: pip install 'ehlwave[parquet]', or write CSV"
+            ) from error
+        kept = table.rename(columns=str)
+        return self.file(path, lambda part: kept.to_parquet(part, engine="pyarrow", index=False))
 
     def dataset(self, path: str | Path, data: xr.Dataset) -> Path:
         """Write a dataset as HDF5."""

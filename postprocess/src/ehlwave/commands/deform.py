@@ -46,6 +46,13 @@ other oils, also Carreau ones (carreau_modulus_pa, carreau_exponent), the law of
 holds. A harmonic table of this slip is better."""
 
 
+LAMBDA_DESCRIPTION = """\
+Say whether a film separates rough surfaces: the mean film over the Rq of the surface as it is
+inside the contact, its error, and what it means. Takes what ehlwave deform takes, which says more.
+The limits, boundary below 1 and full film from 3, are those of Hamrock, Schmid and Jacobson
+(2004); they were made for the roughness of both surfaces as made."""
+
+
 SURFACE_DESCRIPTION = """\
 Write a trace or map for the full simulation: remove its form, fade the outer tenth at each end to
 zero so that nothing enters the contact as a step, and put it in metres, rolling direction first.
@@ -63,54 +70,17 @@ def add_deform_commands(commands: Any) -> None:  # noqa: ANN401 - argparse does 
         epilog=EPILOG,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    deform.add_argument(
-        "surface",
-        type=Path,
-        metavar="PROFILE",
-        help="trace or map: CSV, NumPy, HDF5, SDF, X3P, ...",
+    _add_prediction(deform)
+    deform.set_defaults(run=later("ehlwave.deform.cli", "run_deform"), brief=False)
+    ratio = commands.add_parser(
+        "lambda",
+        help="lambda ratio of a measured surface as it is inside the contact",
+        description=LAMBDA_DESCRIPTION,
+        epilog=EPILOG.replace("ehlwave deform", "ehlwave lambda"),
+        formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    deform.add_argument(
-        "--conditions", nargs="+", required=True, metavar="FILE|KEY=VALUE", help="see below"
-    )
-    add_reading(deform)
-    deform.add_argument(
-        "--ends", choices=WINDOWS, default="mirror", help="what is done about the ends; see below"
-    )
-    deform.add_argument(
-        "--cutoff",
-        type=float,
-        metavar="UM",
-        help="lambda_c of a Gaussian filter (ISO 16610), um: longer waves are left out as waviness",
-    )
-    deform.add_argument(
-        "--short-cutoff",
-        type=float,
-        metavar="UM",
-        help="lambda_s, um: shorter waves are left out as noise",
-    )
-    source = deform.add_mutually_exclusive_group()
-    source.add_argument(
-        "--refit", type=Path, metavar="FILE", help="coefficients from refit.csv or refit.json"
-    )
-    source.add_argument(
-        "--formula",
-        choices=("paper", "recommended", "two-waves"),
-        help="in place of the atlas: (18) as printed; the formula with a quarter of its error; the "
-        "law of the two waves, with phase, by which slip is judged where the atlas has none",
-    )
-    source.add_argument(
-        "--table", type=Path, metavar="FILE", help="harmonic table to use in place of the formula"
-    )
-    deform.add_argument(
-        "--second",
-        type=Path,
-        metavar="PROFILE",
-        help="the other surface, read alike, which moves with 2 - S",
-    )
-    deform.add_argument("--output", type=Path, metavar="DIR", help="write files and figures there")
-    add_overwrite(deform)
-    deform.add_argument("--json", action="store_true", help="print JSON instead of text")
-    deform.set_defaults(run=later("ehlwave.deform.cli", "run_deform"))
+    _add_prediction(ratio)
+    ratio.set_defaults(run=later("ehlwave.deform.cli", "run_deform"), brief=True)
     surface = commands.add_parser(
         "surface",
         help="write a measured surface for ehlwave-case",
@@ -144,3 +114,54 @@ def add_deform_commands(commands: Any) -> None:  # noqa: ANN401 - argparse does 
     )
     add_overwrite(surface)
     surface.set_defaults(run=later("ehlwave.deform.cli", "run_surface"))
+
+
+def _add_prediction(parser: argparse.ArgumentParser) -> None:
+    """Add the arguments of predictions."""
+    parser.add_argument(
+        "surface",
+        type=Path,
+        metavar="PROFILE",
+        help="trace or map: CSV, NumPy, HDF5, SDF, X3P, ...",
+    )
+    parser.add_argument(
+        "--conditions", nargs="+", required=True, metavar="FILE|KEY=VALUE", help="see below"
+    )
+    add_reading(parser)
+    parser.add_argument(
+        "--ends", choices=WINDOWS, default="mirror", help="what is done about the ends; see below"
+    )
+    parser.add_argument(
+        "--cutoff",
+        type=float,
+        metavar="UM",
+        help="lambda_c of a Gaussian filter (ISO 16610), um: longer waves are left out as waviness",
+    )
+    parser.add_argument(
+        "--short-cutoff",
+        type=float,
+        metavar="UM",
+        help="lambda_s, um: shorter waves are left out as noise",
+    )
+    source = parser.add_mutually_exclusive_group()
+    source.add_argument(
+        "--refit", type=Path, metavar="FILE", help="coefficients from refit.csv or refit.json"
+    )
+    source.add_argument(
+        "--formula",
+        choices=("paper", "recommended", "two-waves"),
+        help="in place of the atlas: (18) as printed; the formula with a quarter of its error; the "
+        "law of the two waves, with phase, by which slip is judged where the atlas has none",
+    )
+    source.add_argument(
+        "--table", type=Path, metavar="FILE", help="harmonic table to use in place of the formula"
+    )
+    parser.add_argument(
+        "--second",
+        type=Path,
+        metavar="PROFILE",
+        help="the other surface, read alike, which moves with 2 - S",
+    )
+    parser.add_argument("--output", type=Path, metavar="DIR", help="write files and figures there")
+    add_overwrite(parser)
+    parser.add_argument("--json", action="store_true", help="print JSON instead of text")

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.conditions_read import read_conditions
+from ehlwave.deform.answer import Answer, answer_of_two
 from ehlwave.deform.atlas_transfer import AtlasTransfer, with_atlas_film
 from ehlwave.deform.coefficients import read_coefficients
 from ehlwave.deform.figures import deformed_figure, spectrum_figure
@@ -16,7 +17,7 @@ from ehlwave.deform.period import cut_period
 from ehlwave.deform.predict import Deformed, deform_surface
 from ehlwave.deform.prepare import remove_form
 from ehlwave.deform.read import ReadOptions, read_surface
-from ehlwave.deform.report import report_json, report_text, write_results
+from ehlwave.deform.report import brief_text, plain, report_json, report_text, write_results
 from ehlwave.deform.simulation import simulation_surface, write_simulation_surface
 from ehlwave.deform.sliding import TwoWaveTransfer, second_conditions
 from ehlwave.deform.table import TableTransfer
@@ -68,15 +69,31 @@ def _metres(length_um: float | None) -> float | None:
 
 
 def _text(results: list[Deformed], both: FilmOfTwo | None, options: argparse.Namespace) -> str:
-    reports = [report_text(result, _others(result, options)) for result in results]
-    return "\n".join([*reports, *([] if both is None else [both.text()])])
+    reports = [
+        brief_text(result) if options.brief else report_text(result, _others(result, options))
+        for result in results
+    ]
+    if both is None:
+        return reports[0]
+    return "\n".join([f"Answer       {_answer(results, both).text()}", *reports, both.text()])
+
+
+def _answer(results: list[Deformed], both: FilmOfTwo) -> Answer:
+    first, second = (result.statistics for result in results)
+    return answer_of_two(both, first, second)
 
 
 def _json_text(results: list[Deformed], both: FilmOfTwo | None) -> str:
     if both is None:
         return report_json(results[0])
     first, second = (json.loads(report_json(result)) for result in results)
-    return json.dumps({"first": first, "second": second, "film": both.summary()}, indent=2)
+    document = {
+        "answer": _answer(results, both).summary(),
+        "first": first,
+        "second": second,
+        "film": both.summary(),
+    }
+    return json.dumps(plain(document), indent=2, allow_nan=False)
 
 
 def _write(result: Deformed, folder: Path, writer: Writer) -> list[Path]:

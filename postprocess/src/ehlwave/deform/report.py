@@ -11,22 +11,26 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
+from ehlwave.cf import with_cf
+from ehlwave.deform.answer import LIMITS_TEXT, answer_of
 from ehlwave.deform.predict import Deformed
 from ehlwave.deform.spectrum import Component
 from ehlwave.writing import Writer
 
 FORMAT_NAME = "ehlwave-deformed"
+TITLE = "ehlwave: a surface as made and in the contact"
 UM = 1e6
 CSV_FORMAT: Any = {"index": False, "float_format": "%.9g", "lineterminator": "\r\n"}
 
 
 def report_text(result: Deformed, others: Sequence[Deformed] = ()) -> str:
-    """Return what a user reads: conditions, statistics, what cannot be judged, warnings.
+    """Return what a user reads: the answer; conditions, statistics, what is not judged, warnings.
 
     `others`: the same surface by other transfers, for comparison.
     """
     c, s = result.conditions, result.statistics
     lines = [
+        f"Answer       {answer_of(s).text()}",
         f"Surface      {result.surface.name}: {_size_text(result)}; form removed: {result.form}; "
         f"ends: {result.window}",
         f"Conditions   M = {c.m:.6g}, L = {c.l:.6g}, D = {c.d:.6g}, S = {c.slip_parameter:g}; "
@@ -69,6 +73,13 @@ def report_text(result: Deformed, others: Sequence[Deformed] = ()) -> str:
     return "\n".join(lines)
 
 
+def brief_text(result: Deformed) -> str:
+    """Return the answer, then conditions, film, errors and warnings alone."""
+    kept = "Answer", "Conditions", "Reduced by", "Film", " ", "Warning"
+    lines = [line for line in report_text(result).splitlines() if line.startswith(kept)]
+    return "\n".join([lines[0], f"Limits       {LIMITS_TEXT}", *lines[1:]])
+
+
 def _film_lines(result: Deformed) -> list[str]:
     """Return mean and smallest film, and the lambda ratios with their error."""
     c, s = result.conditions, result.statistics
@@ -102,6 +113,7 @@ def report_json(result: Deformed) -> str:
     """Return the same as a JSON document; infinite and unknown numbers become null."""
     document = {
         "format": FORMAT_NAME,
+        "answer": answer_of(result.statistics).summary(),
         "surface": result.surface.name,
         "points": list(result.height.shape),
         "steps_m": [result.surface.step_x_m, result.surface.step_y_m],
@@ -116,7 +128,7 @@ def report_json(result: Deformed) -> str:
         "not_judged": [asdict(group) for group in result.unjudged],
         "warnings": result.warnings,
     }
-    return json.dumps(_plain(document), indent=2, allow_nan=False)
+    return json.dumps(plain(document), indent=2, allow_nan=False)
 
 
 def to_dataset(result: Deformed) -> xr.Dataset:
@@ -151,7 +163,7 @@ def write_results(result: Deformed, directory: Path, writer: Writer | None = Non
     """
     chosen = writer or Writer()
     paths = [
-        chosen.dataset(directory / "deformed.h5", to_dataset(result)),
+        chosen.dataset(directory / "deformed.h5", with_cf(to_dataset(result), TITLE)),
         chosen.table(directory / "spectrum.csv", _spectrum_table(result), **CSV_FORMAT),
         chosen.text(directory / "deformed.json", report_json(result) + "\n"),
     ]
@@ -219,11 +231,12 @@ def _ratio_text(part: float, whole: float) -> str:
     return f"ratio {part / whole:.4g}" if whole > 0 else "smooth"
 
 
-def _plain(value: Any) -> Any:  # noqa: ANN401
+def plain(value: Any) -> Any:  # noqa: ANN401
+    """Return a document for JSON: infinite and unknown numbers become null."""
     if isinstance(value, dict):
-        return {key: _plain(item) for key, item in value.items()}
+        return {key: plain(item) for key, item in value.items()}
     if isinstance(value, (list, tuple)):
-        return [_plain(item) for item in value]
+        return [plain(item) for item in value]
     if isinstance(value, (float, np.floating)):
         return float(value) if math.isfinite(value) else None
     return value
