@@ -1,5 +1,8 @@
 import re
+import subprocess
+import sys
 from pathlib import Path
+from types import SimpleNamespace
 
 import f90nml
 import numpy as np
@@ -10,6 +13,7 @@ import ehlwave
 from ehlwave.case_figures import case_figure, undeformed_history, units_of
 from ehlwave.driver import key_table
 from ehlwave.programs import find_program, namelist
+from ehlwave.progress import counted, following, run_following
 
 MOES = {"load_parameter_m": 60, "lubricant_parameter_l": 6, "radius_ratio_d": 1}
 COARSE = {"cells_x": 32, "cells_y": 32}
@@ -132,3 +136,129 @@ def test_a_study_returns_text_as_text_and_goes_on(tmp_path: Path) -> None:
     found = dict(zip(again["case_id"].values, again["seconds"].values, strict=True))
     assert all(found[name] == seconds for name, seconds in kept.items())
     assert "32 x 32" in study.plan()
+
+
+@needs_programs
+def test_a_case_says_how_far_it_is_and_stops_where_its_follower_fails() -> None:
+    waves = {"orientation": "transverse", "wavelength_over_a": 1, "amplitude_over_film": 0.1}
+    case = ehlwave.Case(**MOES, **COARSE, **waves)
+    said: list[tuple[int, int, str]] = []
+    result = case.run(progress=lambda *line: said.append(line))
+    assert result.attrs["status"] in ("converged", "unresolved")
+    assert "time step" in {text for _, _, text in said}
+    assert "steady state" in said[0][2]
+    done, whole, _ = [line for line in said if line[2] == "time step"][-1]
+    assert done == whole > 1
+
+    def fails(*_: object) -> None:
+        raise KeyError("a fault of the caller")
+
+    with pytest.raises(KeyError, match="a fault"):
+        case.run(progress=fails)
+
+
+@pytest.mark.parametrize(
+    ("line", "found"),
+    [
+        ("2026-11-23T21:00:31+0000 time step 3/88\n", (3, 88, "time step")),
+        (
+            "2026-11-23T21:00:31+0000 coarser grid: time step 1/44",
+            (1, 44, "coarser grid: time step"),
+        ),
+        ("2026-11-23T20:58:06+0000 6/9 cases, 0 failed, 0:01 elapsed", (6, 9, "cases")),
+        ("results in a/1/2.h5", None),
+        ("      6 converged", None),
+    ],
+)
+def test_lines_of_progress_are_known(line: str, found: tuple[int, int, str] | None) -> None:
+    assert counted(line) == found
+
+
+def test_a_program_that_is_followed_ends_in_time_and_keeps_both_streams() -> None:
+    code = "import sys; print('now 1/2 cases'); print('e', file=sys.stderr); sys.exit(3)"
+    said: list[tuple[int, int, str]] = []
+    done = run_following([sys.executable, "-c", code], lambda *line: said.append(line), "stdout")
+    assert (done.returncode, done.stdout, done.stderr) == (3, "now 1/2 cases\n", "e\n")
+    assert said == [(1, 2, "cases")]
+    sleeps = [sys.executable, "-c", "import time; time.sleep(600)"]
+    with pytest.raises(subprocess.TimeoutExpired):
+        run_following(sleeps, lambda *_: None, "stdout", seconds=0.2)
+
+
+def test_a_notebook_with_tqdm_shows_a_bar(monkeypatch: pytest.MonkeyPatch) -> None:
+    shown: list[tuple[int, int]] = []
+
+    class Bar:
+        total, n = 0, 0
+
+        def __enter__(self) -> "Bar":
+            return self
+
+        def __exit__(self, *_: object) -> None:
+            pass
+
+        def set_description(self, _: str) -> None:
+            shown.append((self.n, self.total))
+
+    class ZMQInteractiveShell:
+        pass
+
+    monkeypatch.setitem(sys.modules, "tqdm.auto", SimpleNamespace(tqdm=Bar))
+    with following(None) as callback:
+        assert callback is None  # this is no notebook
+    ipython = SimpleNamespace(get_ipython=ZMQInteractiveShell)
+    monkeypatch.setitem(sys.modules, "IPython", ipython)
+    with following(None) as callback:
+        assert callback is not None
+        callback(3, 8, "cases")
+    assert shown == [(3, 8)]
+    with following(False) as callback:
+        assert callback is None
+
+
+@needs_programs
+def test_a_study_has_labels_counts_from_one_and_goes_through_run_sweep(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # The launcher takes -n RANKS PROGRAM ...; its rank dies the first time.
+    launcher, mark = tmp_path / "launcher", tmp_path / "died"
+    text = f'#!/bin/sh\nshift 2\nif [ ! -e {mark} ]; then touch {mark}; kill -9 $$; fi\nexec "$@"\n'
+    launcher.write_text(text)
+    launcher.chmod(0o755)
+    monkeypatch.setenv("EHLWAVE_LAUNCHER", str(launcher))
+    rows = [
+        {"wavelength_over_a": 1.0, "label": "short"},
+        {"wavelength_over_a": 2.0, "label": "long"},
+        {"wavelength_over_a": 2.0, "label": "again"},
+    ]
+    study = ehlwave.Study(rows, **MOES, **COARSE, orientation="transverse", response="harmonic")
+    said: list[tuple[int, int, str]] = []
+    results = study.run(tmp_path / "r.h5", restarts=1, progress=lambda *line: said.append(line))
+    assert mark.exists()
+    assert results["case"].values.tolist() == [1, 2]
+    assert results["case_in_file"].values.tolist() == [1, 2]
+    assert results["label"].values.tolist() == ["short", "long; again"]
+    assert said[-1] == (2, 2, "cases")
+    again = ehlwave.read_results(tmp_path / "r.h5")
+    assert again["label"].values.tolist() == ["lambda/a = 1", "lambda/a = 2"]
+    plan = study.plan().splitlines()
+    assert [line.split()[0] for line in plan[1:3]] == ["1", "2"]
+    mark.unlink()
+    with pytest.raises(ehlwave.ProgramError, match="exit status 4"):
+        study.run(tmp_path / "s.h5", restarts=0)
+
+
+@needs_programs
+def test_a_case_takes_a_surface_as_an_object(tmp_path: Path) -> None:
+    x = np.arange(0, 2e-3, 4e-6)
+    waves = ehlwave.deform.trace_surface(2e-8 * np.cos(2 * np.pi * x / 2e-4), 4e-6)
+    trace = ehlwave.deform.simulation_surface(waves)
+    lengths = {"radius_x_m": 0.01, "radius_y_m": 0.01, "reduced_modulus_pa": 2e11, "load_n": 20}
+    keys = lengths | {"mean_speed_m_per_s": 0.5, "viscosity_pa_s": 0.1}
+    ehlwave.deform.write_simulation_surface(trace, tmp_path / "t.h5")
+    by_file = ehlwave.Case(**keys, **COARSE, file=str(tmp_path / "t.h5")).plan()
+    by_object = ehlwave.Case(**keys, **COARSE, file=trace).plan()
+    changed = {key for key in by_file if by_file[key] != by_object[key]}
+    assert changed <= {"case_id", "effective_input", "surface_file", "expected_seconds"}
+    with pytest.raises(ehlwave.ProgramError, match="write_simulation_surface"):
+        ehlwave.Study({"load_n": [20, 30]}, **keys, file=trace)

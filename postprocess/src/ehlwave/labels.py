@@ -26,8 +26,8 @@ SHORT = {
 }
 """How labels name keys; the words of those without a name say themselves what they are."""
 
-CHOSEN = ("cells_x", "cells_y", "x_min", "x_max", "y_max", "time_step_over_cell")
-"""Keys that the program chooses where they are not given: results vary in them by themselves."""
+CHOSEN = ("cells_x", "cells_y", "deformation", "error_estimate")
+"""Columns that vary by themselves: the program chooses them, or they are results of this name."""
 
 NEARLY = 1e-9
 """Relative difference of numbers that are the same."""

@@ -10,7 +10,6 @@ from typing import Any
 import h5py
 import numpy as np
 
-from ehlwave.cf import with_cf
 from ehlwave.contact.conditions_read import read_conditions, read_keys
 from ehlwave.deform.read import ReadOptions
 from ehlwave.errors import StressError
@@ -87,7 +86,7 @@ def _write(
     folder, writer = options.writer.folder(options.output), options.writer
     paths = [
         writer.text(folder / "stress.json", text + "\n"),
-        writer.dataset(folder / "stress.h5", with_cf(data, "ehlwave: stresses below a contact")),
+        writer.dataset(folder / "stress.h5", data),
     ]
     for name, figure in figures.items():
         paths += write_figure(figure, folder, name, writer=writer)
