@@ -25,11 +25,13 @@ def write_case(path: Path, *, in_metres: bool = True) -> Path:
     pressure = np.maximum(0, 1 - x[None, :] ** 2 / 4 - y[:, None] ** 2)
     film = 0.5 + np.broadcast_to(x**2, pressure.shape)
     units = {"units": "1"}
+    numbers = {"load_parameter_m": 100.0, "lubricant_parameter_l": 10.0, "minimum_film": 0.4}
+    numbers |= {"central_film": 0.5}
     case = xr.Dataset(
         {
             "pressure": (("y", "x"), pressure, units),
             "film": (("y", "x"), film, units | {"long_name": "H = h/c"}),
-            "central_film": ((), 0.5, units),
+            **{name: ((), value, units) for name, value in numbers.items()},
             "peak_memory_mib": ((), 20.0, {"units": "MiB"}),
         },
         coords={"x": ("x", x, units), "y": ("y", y, units)},

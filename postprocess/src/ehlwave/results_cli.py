@@ -16,6 +16,8 @@ from ehlwave.read import read_results
 from ehlwave.refit import RefitSettings, refit_groups
 
 COLLAPSE_COLUMNS = (
+    "case",
+    "label",
     "case_id",
     "source_file",
     "orientation",

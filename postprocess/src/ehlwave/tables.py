@@ -28,7 +28,8 @@ from ehlwave.writing import Writer
 VARIABLE_NAMES = {"f_v": "f V", "f_v2": "f V2"}
 
 _CASE_HEADINGS = {
-    "case_id": "case",
+    "case": "case",
+    "case_id": "id",
     "status": "status",
     "orientation": "orientation",
     "load_parameter_m": "M",
