@@ -18,6 +18,7 @@ import h5py
 import ehlwave
 from ehlwave.atlas.kinds import KINDS
 from ehlwave.atlas.ranges import WAVE_RANGE
+from ehlwave.cli import command_names
 from ehlwave.programs import find_program
 
 ROOT = Path(__file__).parents[2]
@@ -58,8 +59,7 @@ def commands() -> str:
     parts.append("## The command `ehlwave`\n")
     whole = _output(*EHLWAVE, "--help")
     parts.append(_section("ehlwave", whole))
-    names = re.search(r"\{([\w,-]+)\}", whole)
-    for name in names[1].split(",") if names else ():
+    for name in command_names():
         parts.append(_section(f"ehlwave {name}", _output(*EHLWAVE, name, "--help")))
     parts.append("## Scripts\n")
     for path in sorted((ROOT / "scripts").iterdir()):

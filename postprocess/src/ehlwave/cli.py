@@ -76,6 +76,12 @@ def command_parser() -> argparse.ArgumentParser:
     return parser
 
 
+def command_names() -> list[str]:
+    """Return the names of all commands."""
+    choices = (action.choices for action in command_parser()._actions)
+    return list(next(found for found in choices if isinstance(found, dict)))
+
+
 class _Version(argparse.Action):
     """Prints the version, which takes time to find, when it is asked for."""
 

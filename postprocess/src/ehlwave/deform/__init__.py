@@ -6,6 +6,7 @@ each by formula (18) or by a computed transfer, and add them up again.
 
 from ehlwave.contact.conditions import Conditions, conditions_from_keys
 from ehlwave.contact.conditions_read import read_conditions
+from ehlwave.deform.answer import Answer, answer_of, answer_of_two
 from ehlwave.deform.coefficients import read_coefficients
 from ehlwave.deform.figures import deformed_figure, spectrum_figure
 from ehlwave.deform.harmonics import harmonic_table
@@ -23,6 +24,7 @@ from ehlwave.deform.transfer import FormulaTransfer, RecommendedTransfer, Transf
 from ehlwave.deform.two_surfaces import FilmOfTwo, film_of_two
 
 __all__ = [
+    "Answer",
     "Conditions",
     "Deformed",
     "FilmOfTwo",
@@ -34,6 +36,8 @@ __all__ = [
     "TableTransfer",
     "Transfer",
     "TwoWaveTransfer",
+    "answer_of",
+    "answer_of_two",
     "conditions_from_keys",
     "cut_period",
     "deform_surface",
