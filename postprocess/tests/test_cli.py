@@ -107,9 +107,9 @@ def test_table_counts_and_lists_failures(tmp_path: Path, capsys: Capture) -> Non
     ]
     assert lines[1] == ["all", "60", "56", "1", "1", "1", "1", "55"]
     assert lines[2] == ["transverse", "20", "19", "0", "1", "0", "0", "18"]
-    assert [line.split()[:2] for line in failed.splitlines()[2:]] == [
-        ["case0000", "stalled"],
-        ["case0009", "not_finite"],
+    assert [line.split()[:3] for line in failed.splitlines()[2:]] == [
+        ["1", "case0000", "stalled"],
+        ["10", "case0009", "not_finite"],
     ]
 
 

@@ -127,7 +127,7 @@ def test_edges_are_not_mixed(tmp_path: Path) -> None:
     results = _read(tmp_path, columns)
     with pytest.raises(ResultsError, match="20 cases with flooded edges and 40"):
         select_points(results)
-    assert select_points(results, edges="flooded")["case"].values.tolist() == list(range(20))
+    assert select_points(results, edges="flooded")["case"].values.tolist() == list(range(1, 21))
 
 
 def test_results_of_before_have_truncated_edges(tmp_path: Path) -> None:
@@ -142,5 +142,5 @@ def test_inaccurate_points_on_demand(tmp_path: Path) -> None:
     columns["status"] = columns["status"].astype("U12")
     columns["status"][:3] = "inaccurate"
     results = _read(tmp_path, columns)
-    assert select_points(results)["case"].values.tolist() == list(range(3, 60))
+    assert select_points(results)["case"].values.tolist() == list(range(4, 61))
     assert select_points(results, include_inaccurate=True).sizes["case"] == 60

@@ -199,7 +199,7 @@ class Study(Shown):
         self.groups = grouped({key: value for key, value in given.items() if key not in OPTIONS})
         self.options = {key: value for key, value in given.items() if key in OPTIONS}
 
-    def shown_rows(self) -> dict[str, str]:
+    def _shown_rows(self) -> dict[str, str]:
         """Return what varies, and over how many values."""
         if self.rows is not None:
             return {"rows": str(len(self.rows)), "of": ", ".join(map(str, self.rows.columns))}

@@ -180,7 +180,7 @@ class Contact:
         """Return what is pickled: charts are looked up anew where they are needed."""
         return vars(self) | {"_charts": {}}
 
-    def shown_rows(self) -> dict[str, str]:
+    def _shown_rows(self) -> dict[str, str]:
         """Return conditions, and the film where the atlas has it."""
         c = self.conditions
         rows = {"M, L, D, S": f"{c.m:.5g}, {c.l:.5g}, {c.d:.5g}, {c.slip_parameter:g}"}
@@ -198,7 +198,7 @@ class Contact:
         return rows | {"source": film.source}
 
     def _repr_html_(self) -> str:
-        return html_table("Contact", self.shown_rows())
+        return html_table("Contact", self._shown_rows())
 
     def atlas(self) -> Atlas:
         """Return the atlas that answers are from.
@@ -385,7 +385,7 @@ class Contact:
         ...                           radius_ratio_d=1)
         >>> found = contact.responses([0.5, 1, 9], angle_deg=[0, 90])
         >>> found["film_amplitude"].values.round(2).tolist()
-        [[0.92, 0.65], [0.78, 0.38], [nan, nan]]
+        [[0.92, 0.65], [0.68, 0.39], [nan, nan]]
         >>> found["is_inside"].values.all(axis=1).tolist()
         [True, True, False]
         """

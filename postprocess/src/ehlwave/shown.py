@@ -15,20 +15,20 @@ def html_table(title: str, rows: Mapping[str, str]) -> str:
 
 
 class Shown:
-    """Shows what :meth:`shown_rows` returns."""
+    """Shows what ``_shown_rows`` returns."""
 
-    def shown_rows(self) -> dict[str, str]:
+    def _shown_rows(self) -> dict[str, str]:
         """Return what is shown, short texts by their names."""
         raise NotImplementedError
 
     def __repr__(self) -> str:
         """Return the rows in one line."""
-        inside = "; ".join(f"{name}: {text}" for name, text in self.shown_rows().items())
+        inside = "; ".join(f"{name}: {text}" for name, text in self._shown_rows().items())
         return f"<{type(self).__name__} {inside}>"
 
     def _repr_html_(self) -> str:
         """Return the rows as a table, for notebooks."""
-        return html_table(type(self).__name__, self.shown_rows())
+        return html_table(type(self).__name__, self._shown_rows())
 
 
 def micrometres(length_m: float | None) -> str:

@@ -60,7 +60,7 @@ class Responses(Shown):
     error: Floats
     rise: Floats
 
-    def shown_rows(self) -> dict[str, str]:
+    def _shown_rows(self) -> dict[str, str]:
         """Return how many waves there are, and the largest error."""
         return {"waves": str(self.film.size), "errors": f"up to {np.max(self.error):.2g}"}
 

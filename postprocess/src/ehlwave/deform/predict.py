@@ -83,7 +83,7 @@ class Deformed(Shown):
     cutoffs_m: Cutoffs = (None, None)
     transfer: Transfer | None = field(default=None, repr=False, compare=False)
 
-    def shown_rows(self) -> dict[str, str]:
+    def _shown_rows(self) -> dict[str, str]:
         """Return what the prediction comes to."""
         s = self.statistics
         rows = {"surface": self.surface.name}

@@ -72,7 +72,7 @@ class Ripple(Shown):
     waves: PressureWaves
     lines_m: Floats
 
-    def shown_rows(self) -> dict[str, str]:
+    def _shown_rows(self) -> dict[str, str]:
         """Return its slip, points and waves."""
         waves = " x ".join(map(str, self.amplitude.shape))
         return {"S": f"{self.slip:g}", "points": str(self.points), "waves": waves}

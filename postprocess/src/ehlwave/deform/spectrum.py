@@ -33,7 +33,7 @@ class Spectrum(Shown):
     after: Floats
     _bin: NDArray[np.intp] = field(repr=False)
 
-    def shown_rows(self) -> dict[str, str]:
+    def _shown_rows(self) -> dict[str, str]:
         """Return how many waves there are, and Rq before and after."""
         before, after = (float(np.sqrt(part.sum())) for part in (self.before, self.after))
         rq = f"{micrometres(before)} before, {micrometres(after)} after"

@@ -46,7 +46,7 @@ class Surface(Shown):
         """Whether heights are known along one direction only."""
         return 1 in self.height.shape
 
-    def shown_rows(self) -> dict[str, str]:
+    def _shown_rows(self) -> dict[str, str]:
         """Return name, points, length and Rq."""
         lengths = [
             f"{count} x {step * 1e6:.4g} um"

@@ -42,7 +42,7 @@ class FilmOfTwo(Shown):
         """Whether no film is left somewhere."""
         return bool(np.isnan(self.film_m).any())
 
-    def shown_rows(self) -> dict[str, str]:
+    def _shown_rows(self) -> dict[str, str]:
         """Return films and Rq."""
         least = "none: the surfaces touch" if self.surfaces_touch else ""
         return {

@@ -98,7 +98,7 @@ class BodyStress(Shown):
     ripple_over_depth_pa: Floats
     path: Path
 
-    def shown_rows(self) -> dict[str, str]:
+    def _shown_rows(self) -> dict[str, str]:
         """Return the largest stresses, Dang Van's factor and the life."""
         peaks = {key: f"{peak.value_pa * 1e-6:.4g} MPa" for key, peak in self.peaks.items()}
         return {

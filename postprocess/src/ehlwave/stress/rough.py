@@ -73,7 +73,7 @@ class RoughStress(Shown):
     poisson_ratio: float
     warnings: list[str] = field(default_factory=list)
 
-    def shown_rows(self) -> dict[str, str]:
+    def _shown_rows(self) -> dict[str, str]:
         """Return pressures, friction, and Dang Van's factor of both bodies."""
         rows = {
             "Hertz pressure": f"{self.hertz_pa * 1e-9:.4g} GPa",
