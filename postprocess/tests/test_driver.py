@@ -203,6 +203,7 @@ def test_a_notebook_with_tqdm_shows_a_bar(monkeypatch: pytest.MonkeyPatch) -> No
     class ZMQInteractiveShell:
         pass
 
+    monkeypatch.setitem(sys.modules, "ipywidgets", SimpleNamespace())
     monkeypatch.setitem(sys.modules, "tqdm.auto", SimpleNamespace(tqdm=Bar))
     with following(None) as callback:
         assert callback is None  # this is no notebook

@@ -10,9 +10,10 @@ from drawn_folders import CONDITIONS, DrawnFolder, Snapshot
 from matplotlib.figure import Figure
 from synthetic import make_columns, write_results
 
-from ehlwave import figures, results_cli
+from ehlwave import case_figures, figures, results_cli
 from ehlwave.cli import main
 from ehlwave.deform import cli as deform_cli
+from ehlwave.deform import figures as deform_figures
 from ehlwave.refit import RefitRow
 from ehlwave.writing import LIST_NAME, OutputError, Writer
 
@@ -58,9 +59,9 @@ def small_pictures(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(figures, "collapse_figure", empty)
     for module, name in (
         (results_cli, "contact_figure"),
-        (results_cli, "case_figure"),
-        (deform_cli, "deformed_figure"),
-        (deform_cli, "spectrum_figure"),
+        (case_figures, "case_figure"),
+        (deform_figures, "deformed_figure"),
+        (deform_figures, "spectrum_figure"),
     ):
         monkeypatch.setattr(module, name, empty)
     monkeypatch.setattr(deform_cli, "MOST_COMPARED", 0)

@@ -11,6 +11,7 @@ EXTRAS = {
     "pint": "units",
     "pyarrow": "parquet",
     "tqdm": "notebook",
+    "ipywidgets": "notebook",
 }
 """Extra of each package, by the name that is imported."""
 

@@ -14,7 +14,7 @@ Progress = Callable[[int, int, str], object]
 """Called with what is done, the whole, and what is counted: ``(32, 88, "time step")``."""
 
 Following = Progress | Literal[False] | None
-"""None: a bar in a notebook that has tqdm, nothing elsewhere; False: nothing."""
+"""None: a bar in a notebook that has tqdm and ipywidgets, nothing elsewhere; False: nothing."""
 
 _COUNT = re.compile(r"^\S+ (?:(?P<before>\D+) )?(?P<done>\d+)/(?P<whole>\d+)(?: (?P<after>\w+))?")
 """After the time of the day: ``time step 3/88`` of a case, ``3/9 cases, ...`` of a sweep."""
@@ -85,6 +85,7 @@ def following(progress: Following) -> Iterator[Progress | None]:
         yield None
         return
     try:
+        import_module("ipywidgets")  # without it a bar is text on standard error
         make = import_module("tqdm.auto").tqdm
     except ImportError:
         yield None
