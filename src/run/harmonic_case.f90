@@ -61,7 +61,7 @@ contains
          result%harmonic%p = response%p
          result%harmonic%h = response%h
       end if
-      result%harmonic%error = plan%model_margin()*plan%expected%mesh   ! unless a coarser grid tells more
+      result%harmonic%error = plan%model_ratio_error(result%max_pressure)   ! unless a coarser grid tells more
       result%harmonic%error_basis = 'model'
       if (.not. steady%has_coarse) return
       call steady%coarse_response%respond(steady%multigrid%levels(:n - 1), waves, case%natural_frequency, &
@@ -69,7 +69,7 @@ contains
       if (coarse%status /= status_converged) return
       call result%harmonic%extrapolate(coarse%film, coarse%pressure, &
                                        likely_order(result%film_order, plan%resolution, plan%thinning%steepness))
-      result%harmonic%error = max(result%harmonic%error, plan%least_ratio_error())
+      result%harmonic%error = max(result%harmonic%error, plan%least_ratio_error(result%central_film_error))
       result%harmonic%error_basis = 'coarse_grid'
    end subroutine run_response
 
