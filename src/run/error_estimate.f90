@@ -44,7 +44,7 @@ contains
       real(dp), intent(in) :: film_order   !! NaN: not known
       type(resolution_t), intent(in) :: resolution
       real(dp), intent(in) :: steepness    !! of the oil, see `thinning_t`: its inlet is shorter by the root of it
-      real(dp), intent(in), optional :: points_above   !! on a wave along X, above the fewest, that are enough; absent: 4
+      real(dp), intent(in), optional :: points_above   !! on a wave along X, above the fewest, that do; absent: 4
       real(dp), parameter :: fine_inlet = 0.15_dp, usual_points = 4
       real(dp) :: well, enough_along_x
 

@@ -19,8 +19,8 @@ module ehlwave_harmonic_case
    private
    public :: run_response
 
-   !> On a wave, above the fewest, that show the second order with two grids. With 4, errors of 12 to 18 points came out a
-   !> tenth to 1.7 times larger than said.
+   !> On a wave, above the fewest, that show the second order with two grids. With 4, errors of 12 to 18 points were 1.1
+   !> to 1.7 times those said.
    real(dp), parameter :: enough_points = 12
 
 contains
