@@ -16,7 +16,7 @@ from pathlib import Path
 
 from ehlwave_program import report
 from test_readme_commands import READMES
-from test_readme_numbers import CLAIMS, NUMBER, agrees, cell, found_in, table
+from test_readme_numbers import CLAIMS, NUMBER, agrees, found_in
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGES = [page for page in READMES if not any(part.startswith(".") for part in Path(page).parts)]
@@ -55,18 +55,9 @@ def also_compared():
     """Sentences by page, with their values, that `test_readme_numbers` has not."""
     formula = (ROOT/"postprocess/src/ehlwave/formula.py").read_text(encoding="utf-8")
     constants = [float(re.search(rf"^PAPER_{name} = ([\d.]+)$", formula, re.MULTILINE)[1]) for name in ("C1", "C2")]
-    rows = [row for row in table("linearity/linearity.csv") if row["amplitude_over_film"] == "0.9"]
-    off = {row["orientation"]: 100*abs(float(row["fit_over_linear"]) - 1) for row in rows}
     default = re.search(r"^\| `amplitude_over_film` \| `([\d.]+)`", (ROOT/"inputs/README.md").read_text(encoding="utf-8"), re.MULTILINE)[1]
-    transients = len((ROOT/"inputs/linearity.csv").read_text(encoding="utf-8").splitlines()) - 1
     return {
         "README.md": [("1/(1 + {} f V + {} (f V)^2)", constants), ("as waves of {} % of the film pass", [100*float(default)])],
-        "postprocess/record/README.md": [
-            ("{} % below linear for transverse, {} % below for isotropic and {} % above for longitudinal",
-             [off[name] for name in ("transverse", "isotropic", "longitudinal")]),
-            ("(inputs/linearity.csv, {} transients", [transients]),
-            ("(inputs/paper_quick.nml, {} resolved cases)", [cell("quick/refit.csv", "points", group="all", variable="f_v")]),
-        ],
     }
 
 
