@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 import f90nml
 
 from ehlwave.contact.conditions import OIL_KEYS, Conditions, conditions_from_keys
+from ehlwave.contact.slip import merged, refuse_both
 from ehlwave.errors import SurfaceError
 
 KNOWN_LAWS = {"viscosity_law": "roelands", "density_law": "dowson_higginson"}
@@ -54,10 +55,11 @@ def read_keys(words: Sequence[str]) -> "GivenKeys":
     for word in words:
         name, separator, value = word.partition("=")
         if separator and not Path(word).exists():
-            keys[name.strip()] = value.strip()
+            keys = merged(keys, {name.strip(): value.strip()})
         else:
             file = _from_file(Path(word))
-            keys |= file.keys
+            refuse_both(file.keys, f"conditions {word}")
+            keys = merged(keys, file.keys)
             others, parameters, law = file.other_laws, file.parameters, file.flow_law
     name = conditions_from_keys(keys, place=_place(words)).oil.name
     if law is not None and FLOW_LAWS.get(law) != name:
