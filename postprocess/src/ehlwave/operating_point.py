@@ -11,11 +11,12 @@ from ehlwave.atlas.atlas import Atlas, atlas_for, chart_of, load_atlas
 from ehlwave.atlas.chart import Chart
 from ehlwave.atlas.coordinates import wave_components
 from ehlwave.atlas.ranges import SLIDING_RANGES, WAVE_RANGE
-from ehlwave.contact.bodies import BODY_KEYS, FROM_BODIES, Body, contact_keys
-from ehlwave.contact.conditions import KNOWN_KEYS, Conditions, conditions_from_keys
+from ehlwave.contact.bodies import Body
+from ehlwave.contact.conditions import Conditions, conditions_from_keys
 from ehlwave.contact.data_sheet import Oil as DataSheetOil
 from ehlwave.contact.line_contact import ROLLS_ALONE, TRANSVERSE_ALONE
 from ehlwave.contact.slip import RATIO, SLIP, refuse_both, slip_of
+from ehlwave.contact.two_bodies import contact_keys
 from ehlwave.contact.two_waves import SLIP_ERRORS, two_waves
 from ehlwave.deform.atlas_transfer import AtlasTransfer, with_atlas_film
 from ehlwave.deform.predict import Cutoffs, Deformed, deform_surface
@@ -25,7 +26,6 @@ from ehlwave.deform.sliding import TwoWaveTransfer
 from ehlwave.deform.surface import Surface
 from ehlwave.deform.transfer import FormulaTransfer, RecommendedTransfer, Transfer
 from ehlwave.errors import ExtrapolationWarning, RangeError, SurfaceError
-from ehlwave.hints import did_you_mean, see
 from ehlwave.quantities import number, plain
 
 if TYPE_CHECKING:
@@ -126,8 +126,8 @@ class Contact:
         ``pressure_viscosity_per_pa`` (2.2e-8) and ``roelands_index`` (0.68) of the oil;
         ``slip_parameter`` (1) of the rough surface, or ``slide_to_roll_ratio`` (0); of a Ree-Eyring
         oil ``eyring_stress_pa``; relative errors of the oil, ``viscosity_error`` and
-        ``pressure_viscosity_error``, which films carry. Plain numbers are SI; quantities of pint are
-        converted. From two bodies: :meth:`from_bodies`.
+        ``pressure_viscosity_error``, which films carry. Plain numbers are SI; quantities of pint
+        are converted. From two bodies: :meth:`from_bodies`.
 
     Raises
     ------
@@ -190,27 +190,16 @@ class Contact:
         A steel ball on a glass disc, slide-to-roll ratio 0:
 
         >>> import ehlwave
-        >>> ball, disc = ehlwave.Body.ball(19.05e-3, material="steel"), ehlwave.Body(material="glass")
+        >>> ball = ehlwave.Body.ball(19.05e-3, material="steel")
+        >>> disc = ehlwave.Body(material="glass")
         >>> oil = ehlwave.Oil.from_grade(iso_vg=100, viscosity_index=95, temperature_k=313.15)
         >>> contact = ehlwave.Contact.from_bodies(ball, disc, oil=oil, load_n=20,
         ...                                       speeds_m_per_s=(0.2, 0.2))
         >>> contact
-        Contact(M=176.3, L=5.6347, D=1, S=1)
+        Contact(M=141.13, L=6.1412, D=1, S=1)
         """
-        clash = sorted(set(keys) & set(oil.keys())) if oil is not None else []
-        if clash:
-            raise SurfaceError(f"Contact: gives oil and {clash[0]}: remove one{see('oil')}")
-        unknown = [key for key in keys if key not in (*KNOWN_KEYS, *BODY_KEYS)]
-        if unknown:
-            known = [key for key in (*BODY_KEYS, *KNOWN_KEYS) if key not in FROM_BODIES]
-            raise SurfaceError(
-                f"Contact: unknown key {unknown[0]}{did_you_mean(unknown[0], known)}{see('bodies')}"
-            )
-        for key in FROM_BODIES:
-            if key in keys:
-                raise SurfaceError(f"Contact: {key} follows from the bodies: remove it")
-        found, names = contact_keys(body1, body2, keys)
-        contact = cls(atlas=atlas, **found, **({} if oil is None else oil.keys()))
+        found, names = contact_keys(body1, body2, oil, keys)
+        contact = cls(atlas=atlas, **found)
         contact.conditions = replace(contact.conditions, names=tuple(names))
         return contact
 
@@ -404,7 +393,11 @@ class Contact:
         "formula (18), the paper's coefficients"
         """
         if by == "atlas" and self.conditions.has_atlas:
-            return AtlasTransfer(self.conditions, self.atlas())
+            try:
+                return AtlasTransfer(self.conditions, self.atlas())
+            except RangeError as error:
+                law = "recommended" if self.conditions.slip_parameter == 1 else "two-waves"
+                raise RangeError(f"{error}. A law is used when named: by={law!r}") from error
         if by in ("atlas", "two-waves"):
             return TwoWaveTransfer(self.conditions)
         if by == "recommended":

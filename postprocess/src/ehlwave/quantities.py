@@ -144,6 +144,16 @@ def number(value: Any, name: str, place: str = "") -> float:  # noqa: ANN401 - w
     return found
 
 
+def in_si(value: Any, name: str) -> Any:  # noqa: ANN401 - a value, or a list of them
+    """Return the value of a key, or a list of values, in SI; question numbers as `number` does."""
+    found = plain(value, name)
+    if not is_quantity(value):
+        for one in found if isinstance(found, (list, tuple)) else [found]:
+            if isinstance(one, (int, float)) and not isinstance(one, bool):
+                question(one, name)
+    return found
+
+
 def question(value: float, name: str, start: str = "") -> None:
     """Raise SurfaceError, which asks whether a prefix was forgotten, outside what is plausible."""
     known = PLAUSIBLE.get(name)
@@ -170,4 +180,8 @@ def _meant(value: float, name: str, known: Plausible) -> str:
 def _written(value: float, factor: float) -> str:
     """Return value times factor, as people write it: 220e9."""
     power = round(math.log10(factor))
-    return f"{value:g}e{power}" if abs(power) > 3 and "e" not in f"{value:g}" else f"{value * factor:g}"
+    return (
+        f"{value:g}e{power}"
+        if abs(power) > 3 and "e" not in f"{value:g}"
+        else f"{value * factor:g}"
+    )

@@ -14,23 +14,25 @@ from ehlwave.quantities import PLAUSIBLE, unit_of
 
 Ranges = Mapping[str, tuple[float, float]]
 
-CHANGED_FIRST = (
-    "load_n",
-    "load_n_per_m",
-    "mean_speed_m_per_s",
-    "viscosity_pa_s",
-    "eyring_stress_pa",
-    "radius_x_m",
-    "radius_y_m",
-    "pressure_viscosity_per_pa",
-    "reduced_modulus_pa",
-)
-"""Quantities in the order in which people would change them."""
+COSTS = {
+    "load_n": 1.0,
+    "load_n_per_m": 1.0,
+    "mean_speed_m_per_s": 1.5,
+    "viscosity_pa_s": 3.0,
+    "eyring_stress_pa": 3.0,
+    "radius_x_m": 30.0,
+    "radius_y_m": 30.0,
+    "pressure_viscosity_per_pa": 100.0,
+    "reduced_modulus_pa": 100.0,
+}
+"""Quantities in the order in which people would change them, and how much they would mind."""
 
 LETTERS = {"load_parameter_m": "M", "lubricant_parameter_l": "L", "radius_ratio_d": "D"}
 STRESS = "stress_modulus_pa2"
 _STEP, _MARGIN = 1e-4, 0.02
 _DIGITS = 3
+_LARGEST_CHANGE = 1e3
+"""Of one quantity; beyond it the smallest change of several is said."""
 
 
 def refuse_outside(contact: Conditions, ranges: Ranges) -> None:
@@ -45,7 +47,7 @@ def refuse_outside(contact: Conditions, ranges: Ranges) -> None:
         raise RangeError(_slip_text(contact, ranges["slip_parameter"]))
     if not wrong or "mean_speed_m_per_s" not in given or not _follow(wrong, given):
         return
-    powers = {key: _powers(given, key, ranges) for key in CHANGED_FIRST if key in given}
+    powers = {key: _powers(given, key, ranges) for key in COSTS if key in given}
     single = {key: _interval(place, power, ranges) for key, power in powers.items()}
     names = {key: (name, factor) for key, name, factor in contact.names}
     texts = []
@@ -66,7 +68,7 @@ def refuse_outside(contact: Conditions, ranges: Ranges) -> None:
             text += f", or {name} of {_ends(low * factor, high * factor)} {_unit(key, name)}"
     else:
         text = f"this contact has {said}; {_nearest(place, given, powers, ranges, names)}"
-    raise RangeError(f"{text}. Or compute it: ehlwave-case, ehlwave.Case{see('atlas')}")
+    raise RangeError(f"{text}; or compute it: ehlwave-case, ehlwave.Case{see('atlas')}")
 
 
 def _is_inside(value: float, low: float, high: float) -> bool:
@@ -126,6 +128,8 @@ def _interval(
 
 def _is_plausible(key: str, value: float, factors: tuple[float, float]) -> bool:
     known = PLAUSIBLE[key]
+    if max(factors[0], 1 / factors[1]) > _LARGEST_CHANGE:
+        return False
     return value * factors[0] <= known.high and value * factors[1] >= known.low
 
 
@@ -146,8 +150,11 @@ def _nearest(
     now = np.log([place[name] for name in ranges])
     low, high = (np.log([ends[i] for ends in ranges.values()]) for i in (0, 1))
     room = np.minimum(_MARGIN, 0.25 * (high - low))
-    upper = np.concatenate([high - room - now, -(low + room - now)])
-    cost = 1.0 + np.array([CHANGED_FIRST.index(key) for key in keys])
+    # What is inside may stay where it is, at an end, too: circular contacts have D = 1.
+    most = np.where(now <= high, np.maximum(high - room, now), high - room)
+    least = np.where(now >= low, np.minimum(low + room, now), low + room)
+    upper = np.concatenate([most - now, now - least]) + 1e-12
+    cost = np.array([COSTS[key] for key in keys])
     both = np.vstack([matrix, -matrix])
     found = linprog(np.tile(cost, 2), A_ub=np.hstack([both, -both]), b_ub=upper, method="highs")
     if not found.success:
@@ -162,11 +169,10 @@ def _nearest(
 
 
 def _slip_text(contact: Conditions, ends: tuple[float, float]) -> str:
-    ratios = [ratio_of(end) for end in ends]
+    slip, (low, high) = contact.slip_parameter, ends
     return (
-        f"slip_parameter = {contact.slip_parameter:g} ({RATIO} = {ratio_of(contact.slip_parameter):g})"
-        f" lies outside the atlas, which holds {ends[0]:g} to {ends[1]:g} ({RATIO} {ratios[0]:g} to "
-        f"{ratios[1]:g}){see('slip')}"
+        f"slip_parameter = {slip:g} ({RATIO} = {ratio_of(slip):g}) lies outside the atlas, which "
+        f"holds {low:g} to {high:g} ({RATIO} {ratio_of(low):g} to {ratio_of(high):g}){see('slip')}"
     )
 
 

@@ -1,7 +1,7 @@
 """Estimates of the pressure-viscosity coefficient from viscosity, each with its scatter.
 
 alpha is the slope of ln eta at ambient pressure, that of Roelands' law. Scatters are the largest
-deviations from the measured oils of :data:`ehlwave.contact.measured_oils.MEASURED`; a test compares.
+deviations from the oils of :data:`ehlwave.contact.measured_oils.MEASURED`; a test compares.
 """
 
 import math
@@ -88,7 +88,7 @@ ESTIMATES = {
         _wooster, 0.31, ("mineral",), "Wooster, as quoted by Stachowiak and Batchelor, section 2.4"
     ),
     "so-klaus": Estimate(
-        _so_klaus, 0.39, ("mineral",), "So and Klaus, ASLE Transactions 23, 1980, 409-421"
+        _so_klaus, 0.40, ("mineral",), "So and Klaus, ASLE Transactions 23, 1980, 409-421"
     ),
 }
 """By name."""

@@ -1,28 +1,15 @@
-"""Two bodies, and the contact that they make: reduced radii, reduced modulus, mean speed and slip.
-
-1/Rx = 1/R1x + 1/R2x, 1/Ry = 1/R1y + 1/R2y, 2/E' = (1 - nu1^2)/E1 + (1 - nu2^2)/E2, and the mean
-speed (u1 + u2)/2: the definitions of ``src/theory.md``, section 1.
-"""
+"""One body of a contact: radii of curvature and elastic constants."""
 
 import math
-from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from ehlwave.contact.line_contact import LOAD_KEY
 from ehlwave.contact.materials import material as known_material
-from ehlwave.contact.slip import RATIO, SLIP, slip_of
 from ehlwave.errors import SurfaceError
 from ehlwave.hints import see
 from ehlwave.quantities import number, plain
 
 FLAT = math.inf
-
-BODY_KEYS = ("load_n", LOAD_KEY, "length_m", "speeds_m_per_s", "mean_speed_m_per_s", SLIP, RATIO)
-"""What users say of the contact of two bodies, besides the oil."""
-
-FROM_BODIES = ("radius_x_m", "radius_y_m", "reduced_modulus_pa", "semi_axis_a_m")
-"""What follows from them."""
 
 
 @dataclass(frozen=True)
@@ -96,7 +83,9 @@ class Body:
         """Return radii and constants."""
         radii = {"Rx": self.radius_x_m, "Ry": self.radius_y_m}
         curved = [f"{name} = {1e3 * r:.5g} mm" for name, r in radii.items() if math.isfinite(r)]
-        constants = f"E = {(self.elastic_modulus_pa or 0) / 1e9:.4g} GPa, nu = {self.poisson_ratio:g}"
+        constants = (
+            f"E = {(self.elastic_modulus_pa or 0) / 1e9:.4g} GPa, nu = {self.poisson_ratio:g}"
+        )
         return f"Body({', '.join(curved) or 'flat'}, {constants})"
 
     @classmethod
@@ -145,7 +134,9 @@ class Body:
         >>> ehlwave.Body.inner_race(7.94e-3, 39e-3, osculation=0.52, material="steel")
         Body(Rx = 15.53 mm, Ry = -4.1288 mm, E = 206 GPa, nu = 0.3)
         """
-        d, pitch, groove = _race(element_diameter_m, pitch_diameter_m, osculation, contact_angle_deg)
+        d, pitch, groove = _race(
+            element_diameter_m, pitch_diameter_m, osculation, contact_angle_deg
+        )
         return cls((pitch - d) / 2, groove, **elastic)
 
     @classmethod
@@ -167,7 +158,9 @@ class Body:
         >>> ehlwave.Body.outer_race(7.94e-3, 39e-3, osculation=0.53, material="steel")
         Body(Rx = -23.47 mm, Ry = -4.2082 mm, E = 206 GPa, nu = 0.3)
         """
-        d, pitch, groove = _race(element_diameter_m, pitch_diameter_m, osculation, contact_angle_deg)
+        d, pitch, groove = _race(
+            element_diameter_m, pitch_diameter_m, osculation, contact_angle_deg
+        )
         return cls(-(pitch + d) / 2, groove, **elastic)
 
 
@@ -178,7 +171,7 @@ def _radius(value: Any, name: str) -> float:  # noqa: ANN401 - what users give
     except (TypeError, ValueError):
         raise SurfaceError(f"Body: {name} = {value!r} is not a number") from None
     if math.isnan(radius) or radius == 0:
-        raise SurfaceError(f"Body: {name} = {value} is no radius: leave it out where a body is flat")
+        raise SurfaceError(f"Body: {name} = {value} is no radius: remove it where a body is flat")
     if math.isfinite(radius) and found is value:
         number(abs(radius), name, "Body")
     return radius
@@ -195,7 +188,8 @@ def _race(
     dm = number(pitch, "pitch_diameter_m", "Body")
     if dm <= d:
         raise SurfaceError(
-            f"Body: pitch_diameter_m = {dm:g} must be above the diameter of ball or roller, {d:g}"
+            f"Body: pitch_diameter_m = {dm:g} must be above the diameter of ball or roller, {d:g}, "
+            f"such as {5 * d:g}"
         )
     if osculation is not None and not 0.5 < osculation < 1:
         raise SurfaceError(
@@ -207,119 +201,3 @@ def _race(
         raise SurfaceError(f"Body: contact_angle_deg = {angle:g} must be at least 0 and below 90")
     groove = FLAT if osculation is None else -osculation * d
     return d, dm / math.cos(math.radians(angle)), groove
-
-
-def contact_keys(
-    body1: Body, body2: Body, given: Mapping[str, Any]
-) -> tuple[dict[str, Any], list[tuple[str, str, float]]]:
-    """Return keys of the contact of two bodies, and what users call those that have other names.
-
-    Parameters
-    ----------
-    body1, body2 : Body
-        The rough one first.
-    given : mapping
-        ``load_n``, of lines with ``length_m``, or ``load_n_per_m``; ``speeds_m_per_s`` (u1, u2), or
-        ``mean_speed_m_per_s`` with ``slide_to_roll_ratio`` or ``slip_parameter``. Others stay.
-
-    Raises
-    ------
-    SurfaceError
-        If the bodies do not touch as a contact that the model has, or data are missing.
-    """
-    for name, body in (("body1", body1), ("body2", body2)):
-        if not isinstance(body, Body):
-            raise SurfaceError(f"Contact: {name} = {body!r} is no ehlwave.Body{see('bodies')}")
-    keys: dict[str, Any] = {key: value for key, value in given.items() if value is not None}
-    keys["reduced_modulus_pa"] = 2 / sum(
-        (1 - body.poisson_ratio**2) / body.elastic_modulus_pa  # type: ignore[operator]
-        for body in (body1, body2)
-    )
-    across = _sum(body1.radius_y_m, body2.radius_y_m, "radius_y_m", may_be_flat=True)
-    keys["radius_x_m"] = _sum(body1.radius_x_m, body2.radius_x_m, "radius_x_m", may_be_flat=False)
-    names: list[tuple[str, str, float]] = []
-    if math.isinf(across):
-        _take_line_load(keys, names)
-    else:
-        keys["radius_y_m"] = across
-        _refuse_line_load(keys, keys["radius_x_m"] / across)
-    _take_speeds(keys, names)
-    return keys, names
-
-
-def _sum(first: float, second: float, name: str, may_be_flat: bool) -> float:
-    curvature = 1 / first + 1 / second
-    if curvature < 0 or (curvature == 0 and not (may_be_flat and math.isinf(first))):
-        what = "flat" if curvature == 0 and math.isinf(first) else "not touching in one place"
-        raise SurfaceError(
-            f"Contact: {name} = {first:g} and {second:g} m: bodies are {what} in this direction: "
-            "give one of them a radius, and a hollow one (negative) a larger radius than the other"
-            f"{see('bodies')}"
-        )
-    return 1 / curvature if curvature > 0 else FLAT
-
-
-def _take_line_load(keys: dict[str, Any], names: list[tuple[str, str, float]]) -> None:
-    load, length = keys.pop("load_n", None), keys.pop("length_m", None)
-    if LOAD_KEY in keys:
-        if load is not None:
-            raise SurfaceError(f"Contact: gives load_n and {LOAD_KEY}: remove one")
-        return
-    if load is None or length is None:
-        missing = "load_n" if load is None else "length_m"
-        raise SurfaceError(
-            f"Contact: {missing} is missing: both bodies are flat across rolling (radius_y_m), a "
-            f"line contact: give load_n and length_m, or {LOAD_KEY}{see('bodies')}"
-        )
-    total, over = number(load, "load_n", "Contact"), number(length, "length_m", "Contact")
-    if not (total > 0 and over > 0):
-        raise SurfaceError(f"Contact: load_n = {load} and length_m = {length} must be above 0")
-    keys[LOAD_KEY] = total / over
-    names.append((LOAD_KEY, "load_n", over))
-
-
-def _refuse_line_load(keys: Mapping[str, Any], ratio: float) -> None:
-    for key in (LOAD_KEY, "length_m"):
-        if key in keys:
-            raise SurfaceError(
-                f"Contact: {key} is of line contacts, and the bodies are curved across rolling: "
-                "give load_n alone, or leave radius_y_m out"
-            )
-    if ratio > 1 + 1e-12:
-        raise SurfaceError(
-            f"Contact: reduced radii have Rx/Ry = {ratio:.4g}: the contact is wider along rolling "
-            "than across, which is outside the model (Rx/Ry of 0.005 to 1): radius_x_m is the one "
-            f"along rolling{see('bodies')}"
-        )
-
-
-def _take_speeds(keys: dict[str, Any], names: list[tuple[str, str, float]]) -> None:
-    """Replace speeds of both surfaces by their mean and the slip of the first."""
-    if "speeds_m_per_s" not in keys:
-        return
-    speeds = keys.pop("speeds_m_per_s")
-    others = [key for key in ("mean_speed_m_per_s", SLIP, RATIO) if key in keys]
-    if others:
-        raise SurfaceError(f"Contact: {others[0]} follows from speeds_m_per_s: remove one")
-    try:
-        one, two = plain(speeds, "speeds_m_per_s")
-    except (TypeError, ValueError):
-        raise SurfaceError(
-            f"Contact: speeds_m_per_s = {speeds}: give both, (u1, u2); in pure rolling they are "
-            f"equal{see('slip')}"
-        ) from None
-    first, second = (number(u, "speeds_m_per_s", "Contact") for u in (abs(one), abs(two)))
-    first, second = math.copysign(first, one), math.copysign(second, two)
-    start = f"Contact: speeds_m_per_s = ({first:g}, {second:g})"
-    if first == -second:
-        what = "both are at rest" if first == 0 else "they are opposite and equal"
-        raise SurfaceError(f"{start}: {what}, so that no oil is drawn in: give a mean other than 0")
-    if first * second < 0:
-        raise SurfaceError(
-            f"{start}: the surfaces move in opposite directions, which is outside the model "
-            f"(slide_to_roll_ratio of -2 to 2): give speeds of one sign{see('slip')}"
-        )
-    mean = (first + second) / 2
-    keys["mean_speed_m_per_s"] = abs(mean)
-    keys[SLIP] = slip_of((first - second) / mean)
-    names.append(("mean_speed_m_per_s", "mean of speeds_m_per_s", 1.0))

@@ -22,7 +22,6 @@ from ehlwave.contact.line_contact import (
 )
 from ehlwave.contact.medium import Medium, hertz_medium
 from ehlwave.contact.oils import Oil
-from ehlwave.contact.slip import RATIO, refuse_both, slip_of
 from ehlwave.contact.scales import (
     alphabar,
     corrected_film,
@@ -32,6 +31,7 @@ from ehlwave.contact.scales import (
     moes_per_film,
     pressure_factor,
 )
+from ehlwave.contact.slip import RATIO, SLIP, refuse_both, slip_of
 from ehlwave.errors import SurfaceError
 from ehlwave.formula import v
 from ehlwave.hints import did_you_mean, see
@@ -59,8 +59,7 @@ DATA_ERRORS = ("viscosity_error", "pressure_viscosity_error")
 
 KNOWN_KEYS = tuple(
     dict.fromkeys(
-        (*DIMENSIONAL_KEYS, LOAD_KEY, *MOES_KEYS, *SCALE_KEYS, *OIL_KEYS, *DATA_ERRORS)
-        + ("slip_parameter", RATIO)
+        (*DIMENSIONAL_KEYS, LOAD_KEY, *MOES_KEYS, *SCALE_KEYS, *OIL_KEYS, *DATA_ERRORS, SLIP, RATIO)
     )
 )
 """All that conditions are given by."""
@@ -225,12 +224,12 @@ def conditions_from_keys(
         ``radius_y_m`` and ``load_n``;
         or ``load_parameter_m``, ``lubricant_parameter_l``, ``radius_ratio_d`` with
         ``semi_axis_a_m`` and, for the film thickness, ``radius_x_m``. In both cases
-        ``slip_parameter`` (1 if absent) or ``slide_to_roll_ratio``, and ``central_film_m``, which replaces the film thickness
-        formula where it is better known; of a Ree-Eyring oil ``eyring_stress_pa``, of a Carreau oil
-        ``carreau_modulus_pa`` and ``carreau_exponent`` (with M, L and D also
-        ``reduced_modulus_pa``), of which and of ``roelands_index`` waves under slip depend. Relative
-        errors of the oil's data, ``viscosity_error`` and ``pressure_viscosity_error``, count in
-        that of the film.
+        ``slip_parameter`` (1 if absent) or ``slide_to_roll_ratio``, and ``central_film_m``, which
+        replaces the film thickness formula where it is better known; of a Ree-Eyring oil
+        ``eyring_stress_pa``, of a Carreau oil ``carreau_modulus_pa`` and ``carreau_exponent``
+        (with M, L and D also ``reduced_modulus_pa``), of which and of ``roelands_index`` waves under slip depend.
+        Relative errors of the oil's data, ``viscosity_error`` and ``pressure_viscosity_error``,
+        count in that of the film.
     place : str
         Begins every message.
     needs_lengths : bool
@@ -361,7 +360,9 @@ def _oil_error(values: Mapping[str, float], m: float, l: float, d: float) -> flo
 
     eta, alpha = (values.get(key, 0.0) for key in DATA_ERRORS)
     return sum(
-        max(change(1 + a, 1 + b), change(1 - a, 1 - b)) for a, b in ((eta, 0.0), (0.0, alpha)) if a + b
+        max(change(1 + a, 1 + b), change(1 - a, 1 - b))
+        for a, b in ((eta, 0.0), (0.0, alpha))
+        if a + b
     )
 
 

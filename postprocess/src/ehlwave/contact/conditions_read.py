@@ -52,6 +52,8 @@ def read_keys(words: Sequence[str]) -> "GivenKeys":
     others: list[str] = []
     law: str | None = None
     parameters: dict[str, float] = {}
+    typed = [word.partition("=") for word in words]
+    refuse_both({name.strip(): value for name, mark, value in typed if mark}, _place(words))
     for word in words:
         name, separator, value = word.partition("=")
         if separator and not Path(word).exists():

@@ -274,7 +274,9 @@ def _check_names(sheet: Mapping[str, Any]) -> None:
 
 def _needed(sheet: Mapping[str, Any], name: str) -> float:
     if name not in sheet:
-        raise SurfaceError(f"Oil.from_grade: {name} is missing{see('oil')}")
+        raise SurfaceError(
+            f"Oil.from_grade: {name} is missing: give it, such as 313.15 (40 C){see('oil')}"
+        )
     return number(sheet[name], name, "Oil.from_grade")
 
 
@@ -285,8 +287,8 @@ def _walther(sheet: Mapping[str, Any]) -> tuple[Walther, float, str]:
         if cold not in ISO_GRADES:
             near = min(ISO_GRADES, key=lambda grade: abs(np.log(grade / max(cold, 1e-9))))
             raise SurfaceError(
-                f"Oil.from_grade: iso_vg = {cold:g} is no grade of ISO 3448; the nearest is {near}; "
-                f"or give viscosity_40c_mm2_per_s{see('oil')}"
+                f"Oil.from_grade: iso_vg = {cold:g} is no grade of ISO 3448: take {near}, the "
+                f"nearest, or give viscosity_40c_mm2_per_s{see('oil')}"
             )
         said = f"ISO VG {cold:g}"
     elif "viscosity_40c_mm2_per_s" in sheet:
@@ -294,20 +296,22 @@ def _walther(sheet: Mapping[str, Any]) -> tuple[Walther, float, str]:
         said = f"{cold:g} mm2/s at 40 C"
     else:
         raise SurfaceError(
-            "Oil.from_grade: iso_vg is missing: give it, or viscosity_40c_mm2_per_s"
+            "Oil.from_grade: iso_vg is missing: give it, such as 68, or viscosity_40c_mm2_per_s"
             f"{see('oil')}"
         )
     if "viscosity_100c_mm2_per_s" in sheet:
         hot = _needed(sheet, "viscosity_100c_mm2_per_s")
         said += f", {hot:g} mm2/s at 100 C"
     else:
-        index = number(sheet.get("viscosity_index", USUAL_INDEX), "viscosity_index", "Oil.from_grade")
+        index = number(
+            sheet.get("viscosity_index", USUAL_INDEX), "viscosity_index", "Oil.from_grade"
+        )
         hot = hot_viscosity(cold, index)
         said += f", viscosity index {index:g}"
     if not hot < cold:
         raise SurfaceError(
             f"Oil.from_grade: viscosity_100c_mm2_per_s = {hot:g} must be below that at 40 C, "
-            f"{cold:g}"
+            f"{cold:g}; mineral oils have {hot_viscosity(cold, USUAL_INDEX):.3g}"
         )
     return Walther.through((COLD_K, cold), (HOT_K, hot)), error, said
 
@@ -315,6 +319,8 @@ def _walther(sheet: Mapping[str, Any]) -> tuple[Walther, float, str]:
 def _alpha(sheet: Mapping[str, Any], state: State) -> tuple[float, float, str]:
     if "pressure_viscosity_per_pa" in sheet:
         alpha = _needed(sheet, "pressure_viscosity_per_pa")
-        error = number(sheet.get("pressure_viscosity_error", 0.0), "pressure_viscosity_error", "Oil")
+        error = number(
+            sheet.get("pressure_viscosity_error", 0.0), "pressure_viscosity_error", "Oil"
+        )
         return alpha, error, "given"
     return estimate_alpha(sheet.get("alpha", "gold"), state)

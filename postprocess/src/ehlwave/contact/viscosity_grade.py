@@ -123,6 +123,7 @@ def hot_viscosity(cold: float, index: float) -> float:
     ):
         raise SurfaceError(
             f"viscosity_index = {index:g} with {cold:g} mm2/s at 40 C: no oil of ASTM D2270 (2 "
-            f"mm2/s or more at 100 C) has both; give viscosity_100c_mm2_per_s{see('oil')}"
+            f"mm2/s or more at 100 C) has both; mineral oils have 95; or give "
+            f"viscosity_100c_mm2_per_s{see('oil')}"
         )
     return float(brentq(lambda hot: viscosity_index(cold, hot) - index, low, high, xtol=1e-12))

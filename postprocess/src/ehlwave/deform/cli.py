@@ -8,6 +8,7 @@ from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
+from ehlwave.command_line import add_ratio
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.conditions_read import read_conditions
 from ehlwave.deform.atlas_transfer import AtlasTransfer, with_atlas_film
@@ -97,6 +98,7 @@ def add_commands(commands: Any) -> None:  # noqa: ANN401 - argparse does not nam
     deform.add_argument(
         "--conditions", nargs="+", required=True, metavar="FILE|KEY=VALUE", help="see below"
     )
+    add_ratio(deform)
     add_reading(deform)
     deform.add_argument(
         "--ends", choices=WINDOWS, default="mirror", help="what is done about the ends; see below"
