@@ -185,7 +185,7 @@ def test_missing_heights_are_refused_or_filled(tmp_path: Path) -> None:
     broken[3, 4] = broken[7, 7] = np.nan
     np.save(tmp_path / "m.npy", broken)
     with pytest.raises(
-        SurfaceError, match=r"2 of 1000 heights are missing.*\(4, 3\).*fill-missing"
+        SurfaceError, match=r"2 of 1000 heights are missing.*\(4, 3\).*fill_missing"
     ):
         read_surface(tmp_path / "m.npy", UM)
     filled = read_surface(

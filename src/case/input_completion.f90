@@ -45,7 +45,8 @@ contains
       call complete_case(input%case, place, error)
    end subroutine complete_input
 
-   !> S = 1 + ratio/2 from whichever is given, theory section 1. Twelve decimals: 0.98 and a ratio of -0.04 are one case.
+   !> S = 1 + ratio/2 from whichever is given, theory section 1; to twelve decimals, so that 0.98 and a ratio of -0.04
+   !> are one case.
    subroutine settle_slip(input, list, error)
       type(case_input_t), intent(inout) :: input
       type(key_list_t), intent(in) :: list

@@ -90,7 +90,14 @@ class Body:
 
     @classmethod
     def ball(cls, ball_diameter_m: float, **elastic: Any) -> "Body":  # noqa: ANN401
-        """Return a ball of a diameter, m; `elastic` is the material, or both constants.
+        """Return a ball of a diameter.
+
+        Parameters
+        ----------
+        ball_diameter_m : float
+            Diameter, m.
+        **elastic
+            Material, or both constants.
 
         Examples
         --------
@@ -150,7 +157,12 @@ class Body:
     ) -> "Body":
         """Return the outer race, hollow along rolling, too: -(dm/cos(angle) + d)/2.
 
-        Parameters are those of :meth:`inner_race`.
+        Parameters
+        ----------
+        element_diameter_m, pitch_diameter_m, osculation, contact_angle_deg
+            As of :meth:`inner_race`.
+        **elastic
+            Material, or both constants.
 
         Examples
         --------

@@ -227,7 +227,8 @@ def conditions_from_keys(
         ``slip_parameter`` (1 if absent) or ``slide_to_roll_ratio``, and ``central_film_m``, which
         replaces the film thickness formula where it is better known; of a Ree-Eyring oil
         ``eyring_stress_pa``, of a Carreau oil ``carreau_modulus_pa`` and ``carreau_exponent``
-        (with M, L and D also ``reduced_modulus_pa``), of which and of ``roelands_index`` waves under slip depend.
+        (with M, L and D also ``reduced_modulus_pa``), of which and of ``roelands_index`` waves
+        under slip depend.
         Relative errors of the oil's data, ``viscosity_error`` and ``pressure_viscosity_error``,
         count in that of the film.
     place : str

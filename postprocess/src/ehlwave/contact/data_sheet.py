@@ -67,7 +67,7 @@ class Oil:
     >>> import ehlwave
     >>> oil = ehlwave.Oil.from_grade(iso_vg=68, viscosity_index=95, temperature_k=333.15)
     >>> print(oil)
-    24.1 mPa s and alpha = 18.0 1/GPa within 31 % at 60 C
+    24.2 mPa s and alpha = 17.8 1/GPa within 31 % at 60 C
     """
 
     viscosity_pa_s: float
@@ -143,7 +143,7 @@ class Oil:
         >>> oil = ehlwave.Oil.from_grade(viscosity_40c_mm2_per_s=46, viscosity_100c_mm2_per_s=7.9,
         ...                              kind="pao", temperature_k=343.15)
         >>> print(oil)
-        13.2 mPa s and alpha = 12.0 1/GPa within 31 % at 70 C
+        13.2 mPa s and alpha = 12.1 1/GPa within 31 % at 70 C
         """
         _check_names(sheet)
         kind, temperature = sheet.get("kind", "mineral"), _needed(sheet, "temperature_k")

@@ -3,7 +3,8 @@
 A table has one row per wave: the operating condition ``M``, ``L``, ``D``, and ``slip_parameter``
 (1 if absent) or ``slide_to_roll_ratio``; the wave by ``lambda_x_over_a`` and ``lambda_y_over_b``,
 0 standing for infinite, or by ``lambda_over_a`` (the smaller, both in units of a) and ``r`` =
-lambda_x/lambda_y; and the transfer by ``transfer_real`` and ``transfer_imag``, or by ``amplitude_ratio``, which has no phase.
+lambda_x/lambda_y; and the transfer by ``transfer_real`` and ``transfer_imag``, or by
+``amplitude_ratio``, which has no phase.
 CSV, or HDF5 with one dataset per column.
 
 The transfer is the ratio of the film's component at the contact centre to the surface's, both
