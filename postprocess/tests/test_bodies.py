@@ -1,14 +1,18 @@
 """Two bodies make the contact that their reduced radii and modulus make."""
 
 import math
+from pathlib import Path
 
 import numpy as np
+import pandas as pd
 import pytest
 from scipy.special import ellipe, ellipk
 
 import ehlwave
+from ehlwave.contact.conditions_read import read_conditions
 from ehlwave.contact.materials import MATERIALS
 from ehlwave.contact.slip import ratio_of, slip_of
+from ehlwave.deform.table_read import table_rows
 from ehlwave.errors import RangeError, SurfaceError
 
 OIL = {"viscosity_pa_s": 0.05, "pressure_viscosity_per_pa": 2e-8}
@@ -130,6 +134,29 @@ def test_slip_and_ratio_are_one(ratio: float) -> None:
     ratio = round(float(ratio), 2)
     assert slip_of(ratio) == float(f"{1 + ratio / 2:.4f}")  # the decimal that people would type
     assert ratio_of(slip_of(ratio)) == ratio
+
+
+def test_a_harmonic_table_may_have_ratios() -> None:
+    raw = pd.DataFrame({"M": [100.0] * 2, "L": 10.0, "D": 1.0, "r": 0.0, "amplitude_ratio": 0.5})
+    raw["lambda_over_a"] = [0.5, 1.0]
+    one = table_rows(raw.assign(slide_to_roll_ratio=0.3), "table")
+    other = table_rows(raw.assign(slip_parameter=1.15), "table")
+    pd.testing.assert_frame_equal(one, other)
+    with pytest.raises(SurfaceError, match=r"table: slip_parameter = .* and slide_to_roll_ratio"):
+        table_rows(raw.assign(slip_parameter=1.15, slide_to_roll_ratio=0.3), "table")
+
+
+def test_a_later_word_on_the_command_line_counts(tmp_path: Path) -> None:
+    file = tmp_path / "contact.nml"
+    moes = "load_parameter_m = 100, lubricant_parameter_l = 10, radius_ratio_d = 1"
+    file.write_text(f"&conditions {moes}, slip_parameter = 1.4 /")
+    words = [str(file), "semi_axis_a_m=1e-4", "slide_to_roll_ratio=0.3"]
+    assert read_conditions(words).slip_parameter == 1.15
+    assert read_conditions([*words[2:0:-1], words[0]]).slip_parameter == 1.4
+    file.write_text(f"&conditions {moes}, slide_to_roll_ratio = 0.3 /")
+    assert read_conditions(words[:2]).slip_parameter == 1.15
+    with pytest.raises(SurfaceError, match=r"slip_parameter = 1.1 and slide_to_roll_ratio = 0.3"):
+        read_conditions([*words, "slip_parameter=1.1"])
 
 
 def test_a_ratio_stands_wherever_a_slip_parameter_does() -> None:

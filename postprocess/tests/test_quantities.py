@@ -104,6 +104,23 @@ def test_usual_values_pass_and_a_million_off_is_asked_about(name: str) -> None:
                 number(value, name)
 
 
+def test_cases_and_studies_take_units() -> None:
+    try:
+        one = ehlwave.Case(**WITH_UNITS, cells_x=64, cells_y=64)
+    except ehlwave.ProgramError:
+        pytest.skip("the programs are not built")
+    other = ehlwave.Case(**PLAIN, cells_x=64, cells_y=64)
+    for key, value in other.groups["conditions"].items():
+        assert one.groups["conditions"][key] == pytest.approx(value, rel=1e-12)
+    lists = {"load_n": Q([0.02, 0.04], "kN"), "mean_speed_m_per_s": [Q(50, "cm/s"), Q(1, "m/s")]}
+    study = ehlwave.Study(lists, **{k: v for k, v in WITH_UNITS.items() if k not in lists})
+    assert study.lists["load_n"] == pytest.approx([20, 40])
+    assert study.lists["mean_speed_m_per_s"] == pytest.approx([0.5, 1])
+    rows = ehlwave.Study([{"load_n": Q(0.02, "kN")}, {"load_n": 40.0}], **PLAIN)
+    assert rows.rows is not None
+    assert rows.rows["load_n"].tolist() == pytest.approx([20, 40])
+
+
 def test_nothing_of_pint_is_imported() -> None:
     code = "import ehlwave, sys; ehlwave.Contact(load_parameter_m=100, lubricant_parameter_l=10, "
     code += "radius_ratio_d=1); sys.exit('pint' in sys.modules)"
