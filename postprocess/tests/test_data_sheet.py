@@ -46,6 +46,8 @@ def test_a_line_of_astm_d341_meets_its_points_and_lies_between() -> None:
     assert line.b == pytest.approx(3.57, abs=0.01)  # 3.4 to 3.7 of paraffinic oils
     thin = Walther.through((313.15, 1.2), (373.15, 0.6))  # where MacCoull's terms count
     assert thin.viscosity(373.15) == pytest.approx(0.6, rel=1e-10)
+    with pytest.raises(SurfaceError, match="where ASTM D341 ends"):
+        thin.viscosity(600)
 
 
 @pytest.mark.parametrize("name", MEASURED)

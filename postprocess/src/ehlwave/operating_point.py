@@ -15,7 +15,7 @@ from ehlwave.contact.bodies import Body
 from ehlwave.contact.conditions import Conditions, conditions_from_keys
 from ehlwave.contact.data_sheet import Oil as DataSheetOil
 from ehlwave.contact.line_contact import ROLLS_ALONE, TRANSVERSE_ALONE
-from ehlwave.contact.slip import RATIO, SLIP, refuse_both, slip_of
+from ehlwave.contact.slip import RATIO, SLIP, ratio_of, refuse_both, slip_of
 from ehlwave.contact.two_bodies import contact_keys
 from ehlwave.contact.two_waves import SLIP_ERRORS, two_waves
 from ehlwave.deform.atlas_transfer import AtlasTransfer, with_atlas_film
@@ -353,8 +353,8 @@ class Contact:
         low, high = SLIPS
         if not low <= slip <= high:
             raise RangeError(
-                f"slip_parameter = {slip:g} lies outside {low:g} to {high:g}, where the law of the "
-                "two waves is known to hold"
+                f"slip_parameter = {slip:g} ({RATIO} = {ratio_of(slip):g}) lies outside {low:g} to "
+                f"{high:g}, where the law of the two waves is known to hold"
             )
         rolling = replace(self.conditions, slip_parameter=1.0)
         conditions = with_atlas_film(rolling, self._atlas_for(rolling))

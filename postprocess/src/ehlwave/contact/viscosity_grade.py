@@ -20,6 +20,9 @@ ISO_GRADES += (2200, 3200)
 GRADE_ERROR = 0.10
 """Of ISO 3448: a grade is the viscosity at 40 C within 10 %."""
 
+THINNEST = 0.21
+"""Of ASTM D341, mm2/s."""
+
 INDEX_TERMS = (
     (2.0, 1.14673, 1.7576, -0.109, 0.84155, 1.5521, -0.077),
     (3.8, 3.38095, -15.4952, 33.196, 0.78571, 1.7929, -0.183),
@@ -77,8 +80,20 @@ class Walther:
         return cls(_walther(v1) + b * math.log10(t1), b)
 
     def viscosity(self, temperature_k: float) -> float:
-        """Return the kinematic viscosity, mm2/s."""
-        return _unwalther(self.a - self.b * math.log10(temperature_k))
+        """Return the kinematic viscosity, mm2/s.
+
+        Raises
+        ------
+        SurfaceError
+            Where it is so thin that the standard ends.
+        """
+        ordinate = self.a - self.b * math.log10(temperature_k)
+        if ordinate < _walther(THINNEST):
+            raise SurfaceError(
+                f"temperature_k = {temperature_k:g}: the oil would be thinner than {THINNEST:g} "
+                f"mm2/s, where ASTM D341 ends{see('oil')}"
+            )
+        return _unwalther(ordinate)
 
 
 def _index_limits(hot: float) -> tuple[float, float]:

@@ -68,8 +68,8 @@ Examples:
       --length-unit mm --height-unit um
 
 Under slip (slip_parameter in the conditions, or --slide-to-roll-ratio) the atlas has Ree-Eyring
-oils (eyring_stress_pa). For other oils, also Carreau ones (carreau_modulus_pa, carreau_exponent), the law of the two waves
-holds. A harmonic table of this slip is better."""
+oils (eyring_stress_pa). For other oils, also Carreau ones (carreau_modulus_pa,
+carreau_exponent), the law of the two waves holds. A harmonic table of this slip is better."""
 
 
 SURFACE_DESCRIPTION = """\
