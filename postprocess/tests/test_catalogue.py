@@ -7,6 +7,8 @@ from pathlib import Path
 
 import pytest
 
+import ehlwave
+
 FOLDER = Path(__file__).parents[1] / "examples" / "catalogue"
 SCRIPTS = sorted(FOLDER.glob("*.py"))
 RATIOS = {
@@ -23,6 +25,18 @@ def test_the_manual_names_them_all() -> None:
     page = (FOLDER.parents[1] / "manual" / "howto.md").read_text(encoding="utf-8")
     assert set(re.findall(r"`(\w+)\.py` \|", page)) == {path.stem for path in SCRIPTS}
     assert {path.stem for path in SCRIPTS} == set(RATIOS)
+
+
+def test_the_python_of_the_page_runs() -> None:
+    """Its indented blocks from the first on, those of input files and formulas left out."""
+    pint = pytest.importorskip("pint")
+    page = (FOLDER.parents[1] / "manual" / "howto.md").read_text(encoding="utf-8")
+    page = page.split("## Enter a slide-to-roll ratio")[0]
+    code = "\n".join(line[4:] for line in page.splitlines() if line.startswith("    "))
+    names: dict[str, object] = {"pint": pint}
+    exec(compile(code, "howto.md", "exec"), names)  # the page of this repository
+    assert isinstance(names["contact"], ehlwave.Contact)
+    assert names["contact"].film().central_m
 
 
 @pytest.mark.parametrize("path", SCRIPTS, ids=lambda path: path.stem)
