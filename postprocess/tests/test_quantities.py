@@ -76,6 +76,11 @@ def test_bodies_oils_and_surfaces_take_units() -> None:
         for cutoff in (Q(80, "um"), 80e-6)
     )
     assert cut == pytest.approx(same, rel=1e-9)
+    deep, same_depth = (
+        rolling.stress(trace, depths_m=depths).bodies[0].dang_van_depth_m
+        for depths in (Q([20, 60], "um"), np.array([20e-6, 60e-6]))
+    )
+    assert deep == pytest.approx(same_depth, rel=1e-12)
     angle = rolling.response(0.5, angle_deg=Q(np.pi / 4, "rad"))
     assert angle.film == pytest.approx(rolling.response(0.5, angle_deg=45).film)
 

@@ -5,8 +5,8 @@ import re
 from collections.abc import Iterator
 from typing import NoReturn
 
-from ehlwave.contact.slip import RATIO
 from ehlwave.hints import did_you_mean
+from ehlwave.slip import RATIO
 
 
 class Parser(argparse.ArgumentParser):

@@ -15,7 +15,6 @@ from ehlwave.contact.bodies import Body
 from ehlwave.contact.conditions import Conditions, conditions_from_keys
 from ehlwave.contact.data_sheet import Oil as DataSheetOil
 from ehlwave.contact.line_contact import ROLLS_ALONE, TRANSVERSE_ALONE
-from ehlwave.contact.slip import RATIO, SLIP, ratio_of, refuse_both, slip_of
 from ehlwave.contact.two_bodies import contact_keys
 from ehlwave.contact.two_waves import SLIP_ERRORS, two_waves
 from ehlwave.deform.atlas_transfer import AtlasTransfer, with_atlas_film
@@ -27,6 +26,7 @@ from ehlwave.deform.surface import Surface
 from ehlwave.deform.transfer import FormulaTransfer, RecommendedTransfer, Transfer
 from ehlwave.errors import ExtrapolationWarning, RangeError, SurfaceError
 from ehlwave.quantities import number, plain
+from ehlwave.slip import RATIO, SLIP, ratio_of, refuse_both, slip_of
 
 if TYPE_CHECKING:
     from ehlwave.stress.rough import RoughStress

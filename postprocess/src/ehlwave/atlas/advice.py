@@ -7,10 +7,10 @@ import numpy as np
 from scipy.optimize import linprog
 
 from ehlwave.contact.conditions import Conditions, moes_values
-from ehlwave.contact.slip import RATIO, ratio_of
 from ehlwave.errors import RangeError, SurfaceError
 from ehlwave.hints import see
 from ehlwave.quantities import PLAUSIBLE, unit_of
+from ehlwave.slip import RATIO, ratio_of
 
 Ranges = Mapping[str, tuple[float, float]]
 

@@ -31,11 +31,11 @@ from ehlwave.contact.scales import (
     moes_per_film,
     pressure_factor,
 )
-from ehlwave.contact.slip import RATIO, SLIP, refuse_both, slip_of
 from ehlwave.errors import SurfaceError
 from ehlwave.formula import v
 from ehlwave.hints import did_you_mean, see
 from ehlwave.quantities import number
+from ehlwave.slip import RATIO, SLIP, refuse_both, slip_of
 
 SMALLEST_RADIUS_RATIO = 0.005
 

@@ -8,8 +8,8 @@ from typing import Any, NamedTuple
 import f90nml
 
 from ehlwave.contact.conditions import OIL_KEYS, Conditions, conditions_from_keys
-from ehlwave.contact.slip import merged, refuse_both
 from ehlwave.errors import SurfaceError
+from ehlwave.slip import merged, refuse_both
 
 KNOWN_LAWS = {"viscosity_law": "roelands", "density_law": "dowson_higginson"}
 """Laws of :class:`ehlwave.contact.medium.Oil`; files may name others."""

@@ -12,10 +12,10 @@ from ehlwave.contact.bodies import FLAT, Body
 from ehlwave.contact.conditions import KNOWN_KEYS, MOES_KEYS
 from ehlwave.contact.data_sheet import Oil
 from ehlwave.contact.line_contact import LOAD_KEY
-from ehlwave.contact.slip import RATIO, SLIP, slip_of
 from ehlwave.errors import SurfaceError
 from ehlwave.hints import did_you_mean, see
 from ehlwave.quantities import number, plain
+from ehlwave.slip import RATIO, SLIP, slip_of
 
 BODY_KEYS = ("load_n", LOAD_KEY, "length_m", "speeds_m_per_s", "mean_speed_m_per_s", SLIP, RATIO)
 """What users say of the contact of two bodies, besides the oil."""

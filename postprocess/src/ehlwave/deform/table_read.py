@@ -25,12 +25,12 @@ import pandas as pd
 
 from ehlwave.contact.conditions import SMALLEST_RADIUS_RATIO
 from ehlwave.contact.scales import ellipticity
-from ehlwave.contact.slip import RATIO, SLIP, refuse_both, slip_of
 from ehlwave.deform.table_keys import table_columns
 from ehlwave.deform.table_matching import refuse_two_responses
 from ehlwave.errors import ResultsError, SurfaceError
 from ehlwave.formula import f_of_r
 from ehlwave.hdf5 import check_is_file, opened, reason
+from ehlwave.slip import RATIO, SLIP, refuse_both, slip_of
 
 CONDITION_COLUMNS = ("M", "L", "D")
 
