@@ -12,6 +12,8 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from ehlwave.atlas import Atlas, load_atlas
     from ehlwave.case_file import read_contact as read_case
+    from ehlwave.contact.bodies import Body
+    from ehlwave.contact.data_sheet import Oil
     from ehlwave.deform import deform_surface, read_surface
     from ehlwave.driver import Case, Study
     from ehlwave.errors import (
@@ -40,6 +42,8 @@ if TYPE_CHECKING:
 
 _HOMES = {
     "atlas": ("Atlas", "load_atlas"),
+    "contact.bodies": ("Body",),
+    "contact.data_sheet": ("Oil",),
     "deform": ("deform_surface", "read_surface"),
     "driver": ("Case", "Study"),
     "errors": (
@@ -71,12 +75,14 @@ _HOME = {name: home for home, names in _HOMES.items() for name in names}
 
 __all__ = [
     "Atlas",
+    "Body",
     "Case",
     "Contact",
     "ExtrapolationWarning",
     "Film",
     "FitError",
     "FormulaFit",
+    "Oil",
     "ProgramError",
     "RangeError",
     "RefitRow",

@@ -12,6 +12,7 @@ from matplotlib.figure import Figure
 from ehlwave import figures, tables
 from ehlwave.case_figures import case_figure
 from ehlwave.case_file import contact_figure, read_contact
+from ehlwave.command_line import Parser, as_options, with_ratio
 from ehlwave.deform.cli import add_commands, add_overwrite
 from ehlwave.deform.harmonics import write_harmonic_table
 from ehlwave.errors import ResultsError, printable
@@ -72,10 +73,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
             options.writer = Writer(
                 _inputs(options), overwrite=getattr(options, "overwrite", False)
             )
+            with_ratio(options)
             options.run(options)
             sys.stdout.flush()
         except ResultsError as error:
-            return _fail(str(error), BAD_INPUT)
+            return _fail(as_options(str(error), options), BAD_INPUT)
         except MemoryError:
             return _fail("not enough memory for what the files hold", BAD_INPUT)
         except BrokenPipeError:
@@ -169,7 +171,7 @@ def _harmonics(options: argparse.Namespace) -> None:
 
 
 def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(
+    parser = Parser(
         prog="ehlwave",
         description="Figures, fits and tables from ehlwave-sweep results; deformed surfaces.",
     )

@@ -13,7 +13,9 @@ import xarray as xr
 
 from ehlwave.errors import ProgramError
 from ehlwave.hdf5 import read_dataset
+from ehlwave.hints import did_you_mean, see
 from ehlwave.programs import find_program, namelist
+from ehlwave.quantities import in_si
 from ehlwave.read import read_results
 from ehlwave.writing import write_new_text
 
@@ -28,7 +30,7 @@ class Case:
     ----------
     **keys
         Keys of its input file (``inputs/README.md``, ``ehlwave-case --keys``), whatever their
-        group: numbers, text, bool.
+        group: numbers, text, bool. Plain numbers are SI; quantities of pint are converted.
 
     Raises
     ------
@@ -150,12 +152,17 @@ class Study:
     ) -> None:
         """Take the grid or the rows."""
         if isinstance(grid, Mapping):
+            grid = {key: in_si(value, key) for key, value in grid.items()}
             lists = {key: list(value) for key, value in grid.items() if _is_list(value)}
             self.rows: pd.DataFrame | None = None
             shared = {key: value for key, value in grid.items() if key not in lists} | shared
             grouped(lists)  # for its check
         else:
             lists, self.rows = {}, pd.DataFrame(grid)
+            for key in self.rows.columns:
+                if self.rows[key].dtype != object:
+                    continue
+                self.rows[key] = [in_si(value, str(key)) for value in self.rows[key]]
             grouped(dict.fromkeys(map(str, self.rows.columns), 0))
         self.lists = lists
         self.groups = grouped({key: value for key, value in shared.items() if key not in OPTIONS})
@@ -249,10 +256,11 @@ def grouped(keys: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
     known, groups = key_groups(), {}
     for key, value in keys.items():
         if key not in known:
-            near = [name for name in known if key.split("_")[0] in name]
-            hint = f"; do you mean {', '.join(near[:4])}?" if near else ""
-            raise ProgramError(f"unknown key {key}{hint} All keys: ehlwave-case --keys")
-        groups.setdefault(known[key], {})[key] = value
+            near = did_you_mean(key, known)
+            raise ProgramError(
+                f"unknown key {key}{near}; ehlwave-case --keys lists all{see('keys')}"
+            )
+        groups.setdefault(known[key], {})[key] = in_si(value, key)
     return groups
 
 

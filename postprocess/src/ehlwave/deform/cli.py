@@ -8,6 +8,7 @@ from dataclasses import fields
 from pathlib import Path
 from typing import Any
 
+from ehlwave.command_line import add_ratio
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.conditions_read import read_conditions
 from ehlwave.deform.atlas_transfer import AtlasTransfer, with_atlas_film
@@ -66,9 +67,9 @@ Examples:
   ehlwave deform ball.csv --second disc.csv --conditions sliding.nml --formula two-waves
       --length-unit mm --height-unit um
 
-Under slip (slip_parameter in the conditions) the atlas has Ree-Eyring oils (eyring_stress_pa). For
-other oils, also Carreau ones (carreau_modulus_pa, carreau_exponent), the law of the two waves
-holds. A harmonic table of this slip is better."""
+Under slip (slip_parameter in the conditions, or --slide-to-roll-ratio) the atlas has Ree-Eyring
+oils (eyring_stress_pa). For other oils, also Carreau ones (carreau_modulus_pa,
+carreau_exponent), the law of the two waves holds. A harmonic table of this slip is better."""
 
 
 SURFACE_DESCRIPTION = """\
@@ -97,6 +98,7 @@ def add_commands(commands: Any) -> None:  # noqa: ANN401 - argparse does not nam
     deform.add_argument(
         "--conditions", nargs="+", required=True, metavar="FILE|KEY=VALUE", help="see below"
     )
+    add_ratio(deform)
     add_reading(deform)
     deform.add_argument(
         "--ends", choices=WINDOWS, default="mirror", help="what is done about the ends; see below"

@@ -10,6 +10,7 @@ from typing import Any
 import h5py
 import numpy as np
 
+from ehlwave.command_line import add_ratio
 from ehlwave.contact.conditions_read import read_conditions, read_keys
 from ehlwave.deform.cli import add_overwrite, add_reading
 from ehlwave.deform.prepare import WINDOWS
@@ -60,6 +61,7 @@ def add_stress_command(commands: Any) -> None:  # noqa: ANN401 - argparse does n
     parser.add_argument(
         "--conditions", nargs="+", metavar="FILE|KEY=VALUE", help="as for deform: FILE is a surface"
     )
+    add_ratio(parser)
     parser.add_argument("--second", type=Path, metavar="PROFILE", help="surface of the other body")
     parser.add_argument(
         "--smooth",
