@@ -6,6 +6,7 @@ import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+from ehlwave.command_line import Parser, as_options, with_ratio
 from ehlwave.commands.deform import add_deform_commands
 from ehlwave.commands.results import add_results_commands
 from ehlwave.commands.stress import add_stress_command
@@ -37,10 +38,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
             options.writer = Writer(
                 _inputs(options), overwrite=getattr(options, "overwrite", False)
             )
+            with_ratio(options)
             options.run(options)
             sys.stdout.flush()
         except ResultsError as error:
-            return _fail(str(error), BAD_INPUT)
+            return _fail(as_options(str(error), options), BAD_INPUT)
         except MemoryError:
             return _fail("not enough memory for what the files hold", BAD_INPUT)
         except BrokenPipeError:
@@ -64,7 +66,7 @@ def _inputs(options: argparse.Namespace) -> Iterator[str | Path]:
 
 def command_parser() -> argparse.ArgumentParser:
     """Return the parser of all commands; needs the standard library alone."""
-    parser = argparse.ArgumentParser(
+    parser = Parser(
         prog="ehlwave",
         description="Figures, fits and tables from ehlwave-sweep results; deformed surfaces.",
     )
