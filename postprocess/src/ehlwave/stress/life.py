@@ -1,8 +1,9 @@
 """Life of a rough contact over that of a smooth one, and the share of a surface at risk.
 
-Ioannides and Harris (1985), Journal of Tribology 107, theory eq. (B6): the logarithm of the probability of survival
-after N cycles goes as N^e times the integral of <tau - tau_u>^c z^(-h) over the volume. c, h and e
-are those of Lundberg and Palmgren (1947) for point contacts; for line contacts they have e = 9/8.
+Ioannides and Harris (1985), Journal of Tribology 107, theory eq. (B6): the logarithm of the
+probability of survival after N cycles goes as N^e times the integral of <tau - tau_u>^c z^(-h)
+over the volume. c, h and e are those of Lundberg and Palmgren (1947) for point contacts; for line
+contacts they have e = 9/8.
 What the integral is multiplied by is not known here: ratios are what it is for.
 """
 
