@@ -24,6 +24,7 @@ from ehlwave.programs import find_program
 ROOT = Path(__file__).parents[2]
 EHLWAVE = (sys.executable, "-c", "from ehlwave.cli import main; main()")
 STRESS = "stress_modulus_pa2"
+FORMER = "# The former name of"
 PROGRAMS = ("ehlwave-case", "ehlwave-sweep")
 CASE = """&conditions load_parameter_m = 50, lubricant_parameter_l = 10, radius_ratio_d = 1 /
 &waviness orientation = 'transverse', wavelength_over_a = 2, response = 'harmonic' /
@@ -63,7 +64,7 @@ def commands() -> str:
         parts.append(_section(f"ehlwave {name}", _output(*EHLWAVE, name, "--help")))
     parts.append("## Scripts\n")
     for path in sorted((ROOT / "scripts").iterdir()):
-        if path.is_file() and os.access(path, os.X_OK):
+        if path.is_file() and os.access(path, os.X_OK) and FORMER not in path.read_text():
             parts.append(_section(f"scripts/{path.name}", _output(str(path), "--help")))
     parts.append("## Studies\n")
     study = str(ROOT / "scripts" / "study")

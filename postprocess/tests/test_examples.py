@@ -44,7 +44,7 @@ def said_by(name: str, *arguments: str) -> str:
 
 def test_no_example_is_left_out() -> None:
     names = {path.name for path in EXAMPLES.glob("*.py")}
-    assert names == {"academic.py", "deformed_trace.py", "engineer.py"}
+    assert names == {"academic.py", "dask_study.py", "deformed_trace.py", "engineer.py"}
 
 
 @needs_programs

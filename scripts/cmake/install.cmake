@@ -21,7 +21,11 @@ if(TARGET ehlwave_petsc)
   install(TARGETS ehlwave_petsc LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT petsc)
 endif()
 
-# Manual pages and completion are what the programs say of themselves, so a cross build goes without.
+# Manual pages and completion are what the commands say of themselves, so a cross build goes without. In a wheel they are data.
+set(shared ${CMAKE_INSTALL_DATADIR})
+if(DEFINED SKBUILD_DATA_DIR)
+  set(shared ${SKBUILD_DATA_DIR}/share)
+endif()
 if(NOT CMAKE_CROSSCOMPILING)
   set(pages)
   foreach(program ${programs})
@@ -31,10 +35,30 @@ if(NOT CMAKE_CROSSCOMPILING)
       DEPENDS ${program} scripts/cmake/describe scripts/cmake/manual.awk scripts/cmake/completion.awk VERBATIM)
     list(APPEND pages ${page})
   endforeach()
+  set(names ${programs})
+  if(NOT DEFINED SKBUILD)
+    set(page ${made}/run-sweep.1)
+    add_custom_command(OUTPUT ${page} ${made}/run-sweep
+      COMMAND sh ${CMAKE_SOURCE_DIR}/scripts/cmake/describe ${CMAKE_SOURCE_DIR}/scripts/run-sweep ${PROJECT_VERSION} ${made}
+      DEPENDS scripts/run-sweep scripts/cmake/describe scripts/cmake/manual.awk scripts/cmake/completion.awk VERBATIM)
+    list(APPEND pages ${page})
+    list(APPEND names run-sweep)
+  endif()
   add_custom_target(manual ALL DEPENDS ${pages})
-  install(FILES ${pages} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT core)
-  list(TRANSFORM programs PREPEND ${made}/ OUTPUT_VARIABLE completions)
-  install(FILES ${completions} DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT core)
+  install(FILES ${pages} DESTINATION ${shared}/man/man1 COMPONENT core)
+  list(TRANSFORM names PREPEND ${made}/ OUTPUT_VARIABLE completions)
+  install(FILES ${completions} DESTINATION ${shared}/bash-completion/completions COMPONENT core)
+  find_package(Python3 3.10 QUIET COMPONENTS Interpreter)
+  if(Python3_Interpreter_FOUND AND NOT DEFINED SKBUILD)
+    set(maker ${CMAKE_SOURCE_DIR}/postprocess/manual/command_pages.py)
+    file(GLOB_RECURSE parsers CONFIGURE_DEPENDS postprocess/src/ehlwave/cli.py postprocess/src/ehlwave/commands/*.py)
+    add_custom_command(OUTPUT ${made}/ehlwave.1 ${made}/ehlwave
+      COMMAND ${CMAKE_COMMAND} -E env PYTHONDONTWRITEBYTECODE=1 ${Python3_EXECUTABLE} ${maker} ${made} ${PROJECT_VERSION}
+      DEPENDS ${maker} ${parsers} VERBATIM)
+    add_custom_target(manual_python ALL DEPENDS ${made}/ehlwave.1)
+    install(FILES ${made}/ehlwave.1 DESTINATION ${shared}/man/man1 COMPONENT python)
+    install(FILES ${made}/ehlwave DESTINATION ${shared}/bash-completion/completions COMPONENT python)
+  endif()
 endif()
 
 # The scripts look for each other beside themselves, so bin has starters only.
@@ -49,7 +73,9 @@ install(FILES scripts/environment scripts/accept.csv DESTINATION ${data}/scripts
 install(DIRECTORY scripts/batch DESTINATION ${data}/scripts USE_SOURCE_PERMISSIONS COMPONENT core
         PATTERN "README.md" EXCLUDE)   # it is among the documents
 install(DIRECTORY inputs DESTINATION ${data} COMPONENT core)
-include(documents)
+if(NOT DEFINED SKBUILD)
+  include(documents)
+endif()
 
 set(modules ${CMAKE_INSTALL_DATADIR}/modulefiles)
 file(RELATIVE_PATH prefix_of_module ${CMAKE_INSTALL_PREFIX}/${modules}/ehlwave ${CMAKE_INSTALL_PREFIX})
@@ -59,9 +85,11 @@ install(FILES ${made}/modulefile DESTINATION ${modules}/ehlwave RENAME ${PROJECT
 install(DIRECTORY postprocess/src/ehlwave postprocess/src/ehlwave_post DESTINATION ${EHLWAVE_INSTALL_PYTHONDIR} COMPONENT python
         FILES_MATCHING PATTERN "*.py" PATTERN "*.nc" PATTERN "py.typed" PATTERN "__pycache__" EXCLUDE)
 file(RELATIVE_PATH python_folder ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_PREFIX}/${EHLWAVE_INSTALL_PYTHONDIR})
-file(STRINGS postprocess/pyproject.toml python_packages REGEX "^  \"[A-Za-z0-9-]+>=")
-list(TRANSFORM python_packages REPLACE "^  \"([A-Za-z0-9-]+)>=.*" "\\1")
-list(JOIN python_packages " " python_packages)
+file(READ postprocess/pyproject.toml python_packages)
+string(REGEX REPLACE ".*\ndependencies = \\[([^]]*)\\].*" "\\1" python_packages "${python_packages}")
+string(REGEX REPLACE ">=[0-9.]+|[\",\n]" "" python_packages "${python_packages}")
+string(STRIP "${python_packages}" python_packages)
+string(REGEX REPLACE " +" " " python_packages "${python_packages}")
 configure_file(${packaging}/ehlwave.in ${made}/starters/ehlwave @ONLY)
 install(PROGRAMS ${made}/starters/ehlwave DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT python)
 install(PROGRAMS ${made}/starters/ehlwave DESTINATION ${CMAKE_INSTALL_BINDIR} RENAME ehlwave-post COMPONENT python)

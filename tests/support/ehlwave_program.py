@@ -2,7 +2,9 @@
 
 import math
 import os
+import re
 import unittest
+from pathlib import Path
 
 from studies.programs import MPI_ENVIRONMENT, is_open_mpi, last_line, mpi_command, namelist, paper_edges, run, solve
 
@@ -14,6 +16,7 @@ __all__ = [
     "ONE_RANK",
     "SKIPPED",
     "TestCase",
+    "VERSION",
     "is_open_mpi",
     "last_line",
     "mpi_command",
@@ -26,6 +29,7 @@ __all__ = [
 
 HANGS_S = float(os.environ.get("EHLWAVE_HANGS_S", "3600"))/2   # a program that takes longer hangs, see tests/CMakeLists.txt
 SKIPPED = 77
+VERSION = re.search(r"project\(ehlwave VERSION (\S+)", (Path(__file__).parents[2]/"CMakeLists.txt").read_text())[1]
 IS_LONG = os.environ.get("EHLWAVE_LONG_TESTS", "0") != "0"   # scripts/test --long: more of the same
 ONE_RANK = {"OMPI_MCA_ess_singleton_isolated": "1", "OMPI_MCA_pml": "ob1", "OMPI_MCA_btl": "self"}
 """Environment in which Open MPI starts a sweep without a launcher in a third of the time: no daemon, no network."""

@@ -6,6 +6,7 @@ import os
 import re
 import shutil
 import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
@@ -99,7 +100,7 @@ class Install(unittest.TestCase):
         self.assertIn("EHLWAVE_HOME", self.run_here("bash", copy, "sweep.nml", status=2).stderr)
 
     def test_manual_and_completion_have_every_option(self):
-        for program in ("ehlwave-case", "ehlwave-sweep"):
+        for program in ("run-sweep", "ehlwave-case", "ehlwave-sweep"):
             options = re.findall(r"^  (--[a-z-]+)", self.run_here(self.prefix/"bin"/program, "--help").stdout, re.MULTILINE)
             page = (self.prefix/"share"/"man"/"man1"/f"{program}.1").read_text().replace("\\-", "-")
             completion = self.prefix/"share"/"bash-completion"/"completions"/program
@@ -109,6 +110,17 @@ class Install(unittest.TestCase):
                 self.assertRegex(page, rf"\n\.B {option}\b")
         offered = self.run_here("bash", "-c", COMPLETE, "-", completion, program, "--retry", "").stdout.split()
         self.assertEqual(offered, ["failed", "version"])
+
+    def test_manual_and_completion_have_every_command_of_python(self):
+        said = self.run_here(sys.executable, "-c", "from ehlwave.cli import main; main()", "--help", PYTHONPATH=str(ROOT/"postprocess/src")).stdout
+        commands = re.findall(r"^    ([a-z]+)\b", said, re.MULTILINE)
+        self.assertGreater(len(commands), 8)
+        page = (self.prefix/"share"/"man"/"man1"/"ehlwave.1").read_text()
+        self.assertEqual(re.findall(r"^\.SH EHLWAVE ([A-Z]+)$", page, re.MULTILINE), [name.upper() for name in commands])
+        completion = self.prefix/"share"/"bash-completion"/"completions"/"ehlwave"
+        complete = f". {completion}; COMP_WORDS=(ehlwave \"$@\"); COMP_CWORD=$#; _ehlwave ehlwave \"${{!#}}\"; echo \"${{COMPREPLY[@]}}\""
+        for words, offered in ((("",), [*commands, "--help"]), (("collapse", "--ratio", ""), ["fit", "sampled", "harmonic"])):
+            self.assertLessEqual(set(offered), set(self.run_here("bash", "-c", complete, "-", *words).stdout.split()))
 
     @unittest.skipUnless(shutil.which("tclsh"), "no tclsh")
     def test_the_module_names_folders_that_are_there(self):

@@ -1,5 +1,6 @@
 """The recipes of scripts/packaging agree with the project: versions, options of CMake, Python packages, files."""
 
+import json
 import re
 import subprocess
 import sys
@@ -12,7 +13,6 @@ PACKAGING = ROOT/"scripts"/"packaging"
 SPACK = PACKAGING/"spack"/"packages"/"ehlwave"/"package.py"
 VERSION = re.search(r"project\(ehlwave VERSION (\S+)", (ROOT/"CMakeLists.txt").read_text())[1]
 OTHER_NAME = {"matplotlib-base": "matplotlib"}   # what conda-forge calls a package without its windows
-ONLY_PYPI = {"SurfaceTopography"}                # not in Spack, for files of instruments, which the package can do without
 
 
 def wanted(text):
@@ -21,8 +21,11 @@ def wanted(text):
     return {OTHER_NAME.get(name, name): version for name, version in found}
 
 
-def dependencies(path):
-    return wanted(re.search(r"^dependencies = \[(.*?)\]", path.read_text(), re.DOTALL | re.MULTILINE)[1])
+def dependencies(*extras):
+    """The packages of the core and of some extras."""
+    text = (ROOT/"postprocess"/"pyproject.toml").read_text()
+    lists = [re.search(rf"^{name} = \[(.*?)\]$", text, re.DOTALL | re.MULTILINE)[1] for name in ("dependencies", *extras)]
+    return wanted("\n".join(lists))
 
 
 class Recorder:
@@ -64,12 +67,32 @@ def spack_recipe():
 
 class Packaging(unittest.TestCase):
     def test_versions(self):
-        places = {"CITATION.cff": r"^version: (\S+)", "postprocess/pyproject.toml": r'^version = "(.*)"',
+        places = {"CITATION.cff": r"^version: (\S+)", ".zenodo.json": r'^  "version": "(.*)"', "CHANGELOG.md": r"^## (\d\S+)", "postprocess/pyproject.toml": r'^version = "(.*)"',
                   "scripts/packaging/wheel/pyproject.toml": r'^version = "(.*)"',
                   "scripts/packaging/conda/recipe.yaml": r"^  version: (\d\S+)",
                   "scripts/packaging/spack/packages/ehlwave/package.py": r'^    version\("([^"]*)"'}
         for path, pattern in places.items():
             self.assertEqual(re.search(pattern, (ROOT/path).read_text(), re.MULTILINE)[1], VERSION, path)
+
+    def test_each_wheel_has_a_name_of_its_own_and_the_licence(self):
+        licence = (ROOT/"LICENSE").read_text()
+        for folder, name in ((ROOT/"postprocess", "ehlwave"), (PACKAGING/"wheel", "ehlwave-programs")):
+            text = (folder/"pyproject.toml").read_text()
+            self.assertIn(f'\nname = "{name}"\n', text)
+            self.assertIn('\nlicense-files = ["LICENSE"]\n', text)
+            self.assertEqual((folder/"LICENSE").read_text(), licence)
+            self.assertTrue((folder/"README.md").is_file())
+
+    def test_citations_agree(self):
+        citation = (ROOT/"CITATION.cff").read_text()
+        archive = json.loads((ROOT/".zenodo.json").read_text())
+        for text in (f'title: "{archive["title"]}"', f"license: {archive['license']}", *(f"name: {one['name']}" for one in archive["creators"])):
+            self.assertIn(text, citation)
+        paper = (ROOT/"postprocess"/"paper"/"paper.md").read_text()
+        entries = set(re.findall(r"^@\w+\{(\w+),", (ROOT/"postprocess"/"paper"/"paper.bib").read_text(), re.MULTILINE))
+        self.assertEqual(set(re.findall(r"@([A-Z]\w+)", paper)), entries)
+        for author in re.findall(r"^  - name: (.*)$", paper.split("affiliations:")[0], re.MULTILINE):
+            self.assertIn(f"name: {author}", citation)
 
     def test_options_of_cmake(self):
         known = set(re.findall(r"^\s*(?:option|set)\((EHLWAVE_\w+)", (ROOT/"CMakeLists.txt").read_text() +
@@ -80,9 +103,7 @@ class Packaging(unittest.TestCase):
             self.assertLessEqual(used, known, path)
 
     def test_python_packages(self):
-        expected = dependencies(ROOT/"postprocess"/"pyproject.toml")
-        self.assertEqual(dependencies(PACKAGING/"wheel"/"pyproject.toml"), expected)
-        expected = {name: version for name, version in expected.items() if name not in ONLY_PYPI}
+        expected = dependencies("figures")
         run = (PACKAGING/"conda"/"recipe.yaml").read_text().split("\n  run:\n")[1].split("\ntests:")[0]
         self.assertEqual({name: version for name, version in wanted(run).items() if name != "python"}, expected)
         self.assertEqual({name: version for name, version in wanted(SPACK.read_text()).items() if name in expected}, expected)

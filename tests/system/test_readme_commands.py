@@ -30,7 +30,8 @@ NOT_RUN = {
     "scripts/run-sweep inputs/paper_quick.nml": "takes minutes; planned here, and smaller results stand in for its results",
     'settings=$(scripts/python-environment) && eval "$settings"': "installs packages; this test has its own `ehlwave`",
     "python3 -m venv venv && . venv/bin/activate": "installs packages",
-    "pip install ./postprocess": "installs packages; system/test_packaging makes the wheel",
+    "pip install ./postprocess": "installs packages; system/test_packaging looks at the wheel",
+    "pip install './postprocess[figures,instruments]'": "installs packages",
     "mpirun -n 2 build/release/drivers/ehlwave-sweep inputs/paper_harmonic.nml": "takes a minute; planned here",
     "scripts/study linearity": "takes minutes; tests/test_linearity.py has its report",
     "scripts/study transients": "takes a quarter of an hour; verification/test_slip_transients runs some of it",
@@ -40,8 +41,8 @@ NOT_RUN = {
     "sbatch --ntasks=64 scripts/batch/slurm.sh study.nml results.h5": "needs Slurm; system/test_slurm",
     "qsub -v sweep=SWEEP.nml,results=results.h5,EHLWAVE_HOME=EHLWAVE EHLWAVE/scripts/batch/pbs.sh": "needs PBS",
     "cmake --preset native -DEHLWAVE_TESTS=OFF && cmake --build --preset native": "builds for minutes",
-    "cmake --install build/native --prefix /apps/ehlwave/0.1.0": "needs that build; system/test_install installs this one",
-    "module use /apps/ehlwave/0.1.0/share/modulefiles && module load ehlwave": "needs modules; system/test_install",
+    "cmake --install build/native --prefix /apps/ehlwave/0.2.0": "needs that build; system/test_install installs this one",
+    "module use /apps/ehlwave/0.2.0/share/modulefiles && module load ehlwave": "needs modules; system/test_install",
 }
 """Commands that are not run, and why."""
 

@@ -18,10 +18,15 @@ MISSING = object()
 FURTHER = ("cmake", "mpirun", "ehlwave-sweep", "apt-get", "sudo", "afl-fuzz")
 
 
+FORMER = {Path("check-accuracy"): "accuracy", Path("speed-table"): "speed"}
+"""Former names of studies."""
+
+
 def all_scripts():
     """What can be run or sourced, by its path below scripts."""
     files = [path for path in sorted(SCRIPTS.rglob("*")) if path.is_file() and path.suffix != ".in"]
-    return [path.relative_to(SCRIPTS) for path in files if path.read_bytes().startswith((b"#!/", b"# shellcheck"))]
+    found = [path.relative_to(SCRIPTS) for path in files if path.read_bytes().startswith((b"#!/", b"# shellcheck"))]
+    return [script for script in found if script not in FORMER]
 
 
 def own_scripts():
@@ -71,6 +76,12 @@ class Scripts(unittest.TestCase):
                 self.assertEqual((outcome.returncode, outcome.stderr), (0, ""))
                 self.assertEqual(outcome.stdout.rstrip().split("\n"), comment_of(SCRIPTS/script))
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["stubs", "tree"])
+
+    def test_former_names_are_studies(self):
+        for script, name in FORMER.items():
+            outcome = self.call(script, "--help")
+            self.assertEqual((outcome.returncode, outcome.stderr), (0, ""))
+            self.assertTrue(outcome.stdout.startswith(f"usage: scripts/study {name} "), outcome.stdout)
 
     def test_studies_need_a_python_that_is_new_enough(self):
         (self.folder/"stubs"/"python3").write_text("#!/bin/sh\nexit 1\n")

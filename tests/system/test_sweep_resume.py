@@ -8,7 +8,7 @@ import time
 import unittest
 from pathlib import Path
 
-from ehlwave_program import HANGS_S, MPI_ENVIRONMENT, is_open_mpi, mpi_command, namelist, run
+from ehlwave_program import HANGS_S, MPI_ENVIRONMENT, VERSION, is_open_mpi, mpi_command, namelist, run
 from hdf5_reading import h5py, read
 from store_reading import count_records, finished
 from torture import CIRCUMSTANCES
@@ -134,7 +134,7 @@ class SweepResume(unittest.TestCase):
     def test_other_versions_are_said(self):
         self.sweep(QUICK)
         log = next((self.store()/"records").glob("*.log"))
-        rewrite_records(log, lambda text: text.replace('"0.1.0"', '"0.0.9"') if text.startswith("run ") else text)
+        rewrite_records(log, lambda text: text.replace(f'"{VERSION}"', '"0.0.9"') if text.startswith("run ") else text)
         text = self.sweep(QUICK)
         self.assertIn("4 finished cases were computed by ehlwave 0.0.9", text)
         self.assertIn("0 to run", text)
@@ -142,7 +142,7 @@ class SweepResume(unittest.TestCase):
         self.assertEqual(set(data["program_version"]), {"0.0.9"})
         self.assertIn("4 to run", self.sweep(QUICK, "--retry", "version"))
         _, data = read(self.folder/"results.h5")
-        self.assertEqual(set(data["program_version"]), {"0.1.0"})
+        self.assertEqual(set(data["program_version"]), {VERSION})
 
     def test_failed_cases_are_kept_until_asked_for(self):
         failing = {**QUICK, "solver": {"largest_steps": 1}}

@@ -7,7 +7,7 @@ import unittest
 import zlib
 from pathlib import Path
 
-from ehlwave_program import ONE_RANK, namelist, run
+from ehlwave_program import ONE_RANK, VERSION, namelist, run
 
 SWEEP = {"sweep": {"load_parameter_m": [20, 25], "lubricant_parameter_l": 5, "radius_ratio_d": 1}, "grid": {"cells_x": 16, "cells_y": 16}}
 HARM = "\x1b]0;owned\x07\x1b[2J\x9b31m"
@@ -56,7 +56,7 @@ class Terminal(unittest.TestCase):
                     record = record.replace(word, b'"stalled"')
                 record = record.replace(b'"none"', b'"' + escaped + b'"').replace(b'""', b'"' + escaped + b'"')
             elif record.startswith(b"run "):
-                record = record.replace(b'"0.1.0"', b'"' + escaped + b'"')
+                record = record.replace(f'"{VERSION}"'.encode(), b'"' + escaped + b'"')
             lines.append(b"%08x %d %s\n" % (zlib.crc32(record), len(record), record))
         log.write_bytes(b"".join(lines))
         text = self.check("sweep", "--status", "results.h5", status=1)

@@ -6,7 +6,6 @@ Measured surfaces: :mod:`ehlwave.deform`. Stresses below them: :mod:`ehlwave.str
 imported on first use.
 """
 
-from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -128,14 +127,16 @@ __all__ = [
 
 def __getattr__(name: str) -> Any:  # noqa: ANN401
     """Import what is asked for."""
+    from ehlwave.extras import load
+
     if name == "read_case":
-        return import_module("ehlwave.case_file").read_contact
+        return load("ehlwave.case_file").read_contact
     if name == "__version__":
-        return import_module("ehlwave.version").version()
+        return load("ehlwave.version").version()
     if name in _PACKAGES:
-        return import_module(f"ehlwave.{name}")
+        return load(f"ehlwave.{name}")
     if name in _HOME:
-        return getattr(import_module(f"ehlwave.{_HOME[name]}"), name)
+        return getattr(load(f"ehlwave.{_HOME[name]}"), name)
     raise AttributeError(f"module 'ehlwave' has no attribute {name!r}")
 
 

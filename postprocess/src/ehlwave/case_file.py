@@ -1,17 +1,17 @@
 """One contact: film and pressure from the file that ``ehlwave-case --output`` writes."""
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 import xarray as xr
-from matplotlib import rc_context
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
-from matplotlib.layout_engine import ConstrainedLayoutEngine
 
 from ehlwave.errors import ResultsError
-from ehlwave.figures import COLOURS
 from ehlwave.hdf5 import read_dataset
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
 
 FORMAT_NAME = "ehlwave-case"
 FIELDS = ("pressure", "film")
@@ -142,11 +142,15 @@ def whole_domain(contact: xr.Dataset) -> xr.Dataset:
     return joined.assign_attrs(contact.attrs)
 
 
-def contact_figure(contact: xr.Dataset) -> Figure:
+def contact_figure(contact: xr.Dataset) -> "Figure":
     """Draw pressure and film: maps over X and Y, and along the centre line.
 
     A line contact has the latter alone. Film is over the central film of the smooth contact.
     """
+    from matplotlib import rc_context
+    from matplotlib.figure import Figure
+    from matplotlib.layout_engine import ConstrainedLayoutEngine
+
     is_line = contact["y"].size == 1
     film = (contact["film"] / central_film(contact)).clip(max=FILM_SHOWN)
     with rc_context(_STYLE):
@@ -160,7 +164,7 @@ def contact_figure(contact: xr.Dataset) -> Figure:
     return figure
 
 
-def _draw_map(axes: Axes, field: xr.DataArray, name: str, colours: str) -> None:
+def _draw_map(axes: "Axes", field: xr.DataArray, name: str, colours: str) -> None:
     mesh = axes.pcolormesh(
         field["x"], field["y"], field, cmap=colours, vmin=0, shading="gouraud", rasterized=True
     )
@@ -170,7 +174,9 @@ def _draw_map(axes: Axes, field: xr.DataArray, name: str, colours: str) -> None:
     _limit(axes, "y", field["y"])
 
 
-def _draw_line(axes: Axes, pressure: xr.DataArray, film: xr.DataArray) -> None:
+def _draw_line(axes: "Axes", pressure: xr.DataArray, film: xr.DataArray) -> None:
+    from ehlwave.figures import COLOURS
+
     axes.plot(film["x"], film.sel(y=0, method="nearest"), color=COLOURS[0])
     axes.set(title="$Y=0$", xlabel="$X$", ylim=(0, FILM_SHOWN))
     _limit(axes, "x", film["x"])
@@ -181,6 +187,6 @@ def _draw_line(axes: Axes, pressure: xr.DataArray, film: xr.DataArray) -> None:
     right.set_ylabel("$P$", color=COLOURS[1])
 
 
-def _limit(axes: Axes, which: str, positions: xr.DataArray) -> None:
+def _limit(axes: "Axes", which: str, positions: xr.DataArray) -> None:
     ends = np.clip((float(positions.min()), float(positions.max())), -REACH, REACH)
     axes.set(**{f"{which}lim": ends})

@@ -11,6 +11,7 @@ from ehlwave.commands.deform import add_deform_commands
 from ehlwave.commands.results import add_results_commands
 from ehlwave.commands.stress import add_stress_command
 from ehlwave.errors import ResultsError, printable
+from ehlwave.extras import advice
 from ehlwave.terminal import plain_text_only
 from ehlwave.version import version
 from ehlwave.writing import Writer
@@ -43,6 +44,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
             sys.stdout.flush()
         except ResultsError as error:
             return _fail(as_options(str(error), options), BAD_INPUT)
+        except ModuleNotFoundError as error:
+            if text := advice(error):
+                return _fail(text, BAD_INPUT)
+            raise
         except MemoryError:
             return _fail("not enough memory for what the files hold", BAD_INPUT)
         except BrokenPipeError:

@@ -2,14 +2,18 @@
 
 import warnings
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
-import lmfit
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.optimize import leastsq
 
 from ehlwave.errors import EhlwaveError
+from ehlwave.extras import load
 from ehlwave.formula import PAPER_C1, PAPER_C2, amplitude_ratio_formula
+
+if TYPE_CHECKING:
+    import lmfit
 
 Floats = NDArray[np.float64]
 Interval = tuple[float, float]
@@ -104,11 +108,12 @@ def fit_formula(
     if abscissa.size < MINIMUM_POINTS or np.unique(abscissa).size < MINIMUM_POINTS - 1:
         raise FitError(f"too few points ({abscissa.size}; at least {MINIMUM_POINTS} needed)")
 
-    def residual(parameters: lmfit.Parameters) -> Floats:
+    def residual(parameters: "lmfit.Parameters") -> Floats:
         values = parameters.valuesdict()
         curve = amplitude_ratio_formula(abscissa, values["c1"], values["c2"])
         return weights * (curve - measured)
 
+    lmfit = load("lmfit")
     parameters = lmfit.create_params(c1=PAPER_C1, c2=PAPER_C2)
     minimizer = lmfit.Minimizer(residual, parameters)
     result = minimizer.leastsq(xtol=_TOLERANCE, ftol=_TOLERANCE)
@@ -293,9 +298,10 @@ def _has_no_pole(x: Floats, c1: float, c2: float) -> bool:
 
 
 def _profile_intervals(
-    minimizer: lmfit.Minimizer, result: lmfit.minimizer.MinimizerResult, confidence: float
+    minimizer: "lmfit.Minimizer", result: "lmfit.minimizer.MinimizerResult", confidence: float
 ) -> tuple[Interval, Interval]:
     """Return lmfit's confidence intervals of c1 and c2; NaN where lmfit finds none."""
+    lmfit = load("lmfit")
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("error")

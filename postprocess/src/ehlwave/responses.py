@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ehlwave.atlas.ranges import WAVE_RANGE
 from ehlwave.contact.conditions import Conditions
+from ehlwave.extras import load
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -137,16 +138,15 @@ def responses_figure(responses: xr.Dataset) -> "Figure":
     responses : xarray.Dataset
         From :meth:`ehlwave.Contact.responses`.
     """
+    colours = load("ehlwave.figures").COLOURS
     from matplotlib.figure import Figure
-
-    from ehlwave.figures import COLOURS
 
     figure = Figure(figsize=(6.4, 2.9), layout="constrained")
     amplitude, phase = figure.subplots(1, 2, sharex=True)
     wave = responses["wavelength"].values
     for index, angle in enumerate(responses["angle"].values):
         one = responses.isel(angle=index)
-        colour = COLOURS[index % len(COLOURS)]
+        colour = colours[index % len(colours)]
         size, error = one["film_amplitude"].values, one["film_error"].values
         lag, lag_error = np.degrees(one["film_phase"].values), _phase_error(size, error)
         label = rf"{angle:g}$^\circ$"

@@ -2,18 +2,21 @@
 
 import argparse
 import sys
+from typing import TYPE_CHECKING
 
 import xarray as xr
-from matplotlib.figure import Figure
 
-from ehlwave import figures, tables
-from ehlwave.case_figures import case_figure
+from ehlwave import tables
 from ehlwave.case_file import contact_figure, read_contact
 from ehlwave.deform.harmonics import write_harmonic_table
 from ehlwave.export import export
+from ehlwave.extras import load
 from ehlwave.points import VARIABLES, remarks, resolved_only, select_points
 from ehlwave.read import read_results
 from ehlwave.refit import RefitSettings, refit_groups
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 COLLAPSE_COLUMNS = (
     "case",
@@ -45,6 +48,7 @@ COLLAPSE_COLUMNS = (
 
 def run_collapse(options: argparse.Namespace) -> None:
     """Draw Ad/Ai against f(r) V2 and f(r) V, and write the points."""
+    figures = load("ehlwave.figures")
     results = read_results(options.results)
     points = select_points(
         results,
@@ -105,12 +109,14 @@ def run_contact(options: argparse.Namespace) -> None:
 
 def run_plot(options: argparse.Namespace) -> None:
     """Draw one case in um, GPa and us."""
-    figure = case_figure(read_contact(options.case))
+    figure = load("ehlwave.case_figures").case_figure(read_contact(options.case))
     _write_picture(options, figure, f"{options.case.stem}-case")
 
 
-def _write_picture(options: argparse.Namespace, figure: Figure, name: str) -> None:
-    written = figures.write_figure(figure, options.output, name, writer=options.writer)
+def _write_picture(options: argparse.Namespace, figure: "Figure", name: str) -> None:
+    written = load("ehlwave.figures").write_figure(
+        figure, options.output, name, writer=options.writer
+    )
     print("\n".join(str(path) for path in written))
 
 

@@ -4,11 +4,12 @@ Section 3.4 of Venner, Kaneta and Lubrecht (2000): decompose a microgeometry int
 each by formula (18) or by a computed transfer, and add them up again.
 """
 
+from typing import TYPE_CHECKING, Any
+
 from ehlwave.contact.conditions import Conditions, conditions_from_keys
 from ehlwave.contact.conditions_read import read_conditions
 from ehlwave.deform.answer import Answer, answer_of, answer_of_two
 from ehlwave.deform.coefficients import read_coefficients
-from ehlwave.deform.figures import deformed_figure, spectrum_figure
 from ehlwave.deform.harmonics import harmonic_table
 from ehlwave.deform.period import cut_period
 from ehlwave.deform.predict import Deformed, deform_surface
@@ -22,6 +23,10 @@ from ehlwave.deform.table import TableTransfer
 from ehlwave.deform.table_read import read_table
 from ehlwave.deform.transfer import FormulaTransfer, RecommendedTransfer, Transfer
 from ehlwave.deform.two_surfaces import FilmOfTwo, film_of_two
+from ehlwave.extras import load
+
+if TYPE_CHECKING:
+    from ehlwave.deform.figures import deformed_figure, spectrum_figure
 
 __all__ = [
     "Answer",
@@ -62,3 +67,10 @@ __all__ = [
     "write_results",
     "write_simulation_surface",
 ]
+
+
+def __getattr__(name: str) -> Any:  # noqa: ANN401
+    """Import what draws on first use: it needs an extra."""
+    if name in ("deformed_figure", "spectrum_figure"):
+        return getattr(load("ehlwave.deform.figures"), name)
+    raise AttributeError(f"module 'ehlwave.deform' has no attribute {name!r}")

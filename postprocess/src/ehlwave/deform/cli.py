@@ -12,7 +12,6 @@ from ehlwave.contact.conditions_read import read_conditions
 from ehlwave.deform.answer import Answer, answer_of_two
 from ehlwave.deform.atlas_transfer import AtlasTransfer, with_atlas_film
 from ehlwave.deform.coefficients import read_coefficients
-from ehlwave.deform.figures import deformed_figure, spectrum_figure
 from ehlwave.deform.period import cut_period
 from ehlwave.deform.predict import Deformed, deform_surface
 from ehlwave.deform.prepare import remove_form
@@ -25,7 +24,6 @@ from ehlwave.deform.table_read import read_table
 from ehlwave.deform.transfer import FormulaTransfer, RecommendedTransfer, Transfer
 from ehlwave.deform.two_surfaces import FilmOfTwo, film_of_two
 from ehlwave.errors import RangeError, SurfaceError
-from ehlwave.figures import write_figure
 from ehlwave.writing import Writer
 
 MOST_COMPARED = 2**20
@@ -97,6 +95,9 @@ def _json_text(results: list[Deformed], both: FilmOfTwo | None) -> str:
 
 
 def _write(result: Deformed, folder: Path, writer: Writer) -> list[Path]:
+    from ehlwave.deform.figures import deformed_figure, spectrum_figure
+    from ehlwave.figures import write_figure
+
     written = write_results(result, folder, writer)
     written += write_figure(deformed_figure(result), folder, "deformed", writer=writer)
     return written + write_figure(spectrum_figure(result), folder, "spectrum", writer=writer)

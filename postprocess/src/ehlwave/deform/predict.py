@@ -27,6 +27,7 @@ from ehlwave.deform.statistics import (
 from ehlwave.deform.surface import Heights, Surface, checked_surface
 from ehlwave.deform.transfer import FormulaBasis, FormulaTransfer, Transfer
 from ehlwave.errors import SurfaceError
+from ehlwave.extras import load
 from ehlwave.quantities import plain
 from ehlwave.shown import Shown, micrometres, within
 
@@ -112,9 +113,7 @@ class Deformed(Shown):
         matplotlib.figure.Figure
             A notebook shows it; ``savefig`` writes it.
         """
-        from ehlwave.deform.figures import deformed_figure
-
-        return deformed_figure(self)
+        return load("ehlwave.deform.figures").deformed_figure(self)
 
     @cached_property
     def pressure_pa(self) -> Heights:

@@ -113,7 +113,7 @@ def raw_instrument(file: Path) -> RawSurface:
     except ImportError as error:
         raise SurfaceError(
             f"{file}: this format is read by SurfaceTopography, which is not installed: "
-            "pip install SurfaceTopography (CSV, NumPy and HDF5 need nothing)"
+            "pip install 'ehlwave[instruments]' (CSV, NumPy and HDF5 need nothing)"
         ) from error
     if h5py.is_hdf5(file):
         with opened(file):
@@ -152,7 +152,7 @@ def topography_of(height: NDArray[Any], steps: tuple[float, float], name: str) -
         from SurfaceTopography import Topography, UniformLineScan
     except ImportError as error:
         raise SurfaceError(
-            f"{name}: SurfaceTopography is not installed: pip install SurfaceTopography"
+            f"{name}: SurfaceTopography is not installed: pip install 'ehlwave[instruments]'"
         ) from error
     sizes = [count * step for count, step in zip(height.shape, steps, strict=True) if count > 1]
     values, info = np.asarray(height, dtype=np.float64), {"name": name}

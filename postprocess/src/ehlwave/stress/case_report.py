@@ -2,11 +2,10 @@
 
 from dataclasses import asdict
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import xarray as xr
-from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from ehlwave.stress.body import INNER
@@ -19,11 +18,15 @@ from ehlwave.stress.case import (
 )
 from ehlwave.stress.criteria import CRITERIA, Largest, largest, largest_shear
 from ehlwave.stress.dang_van import dang_van_factor, fatigue_shear
-from ehlwave.stress.figures import UM, section_figure
 from ehlwave.stress.report import MPA, NAMES
 from ehlwave.stress.waves import COMPONENTS
 
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
 Floats = NDArray[np.float64]
+
+UM = 1e6
 
 DEPTHS = 14
 POINTS = 128
@@ -134,8 +137,10 @@ def case_text(document: dict[str, Any]) -> str:
     return "\n".join(lines)
 
 
-def case_section(path: Path | str, stress: xr.Dataset) -> Figure:
+def case_section(path: Path | str, stress: xr.Dataset) -> "Figure":
     """Draw the section of one body of a solved contact."""
+    from ehlwave.stress.figures import section_figure
+
     contact = solved_contact(path)
     a, b = contact.scales_m
     pressure = contact.loads(1, contact.last)["pressure_pa"]

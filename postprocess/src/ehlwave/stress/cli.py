@@ -13,10 +13,8 @@ import numpy as np
 from ehlwave.contact.conditions_read import read_conditions, read_keys
 from ehlwave.deform.read import ReadOptions
 from ehlwave.errors import StressError
-from ehlwave.figures import write_figure
 from ehlwave.operating_point import Contact
 from ehlwave.stress.case_report import case_section, case_text, judge_case
-from ehlwave.stress.figures import depth_figure, predicted_section, ripple_figure
 from ehlwave.stress.report import plain, stress_dataset, stress_json, stress_text
 
 
@@ -68,6 +66,8 @@ def _of_surface(options: argparse.Namespace, depths: Any) -> list[Path]:  # noqa
     print(stress_json(result) if options.json else stress_text(result))
     if options.output is None:
         return []
+    from ehlwave.stress.figures import depth_figure, predicted_section, ripple_figure
+
     figures = {
         "section": predicted_section(result),
         "depth": depth_figure(result),
@@ -83,6 +83,8 @@ def _write(
     figures: dict[str, Any],
 ) -> list[Path]:
     """Write ``stress.json``, ``stress.h5`` and the figures; return the paths."""
+    from ehlwave.figures import write_figure
+
     folder, writer = options.writer.folder(options.output), options.writer
     paths = [
         writer.text(folder / "stress.json", text + "\n"),

@@ -3,8 +3,7 @@
 Ioannides and Harris (1985), Journal of Tribology 107, theory eq. (B6): the logarithm of the
 probability of survival after N cycles goes as N^e times the integral of <tau - tau_u>^c z^(-h)
 over the volume. c, h and e are those of Lundberg and Palmgren (1947) for point contacts; for line
-contacts they have e = 9/8.
-What the integral is multiplied by is not known here: ratios are what it is for.
+contacts they have e = 9/8. The factor of the integral is not known here, so only ratios count.
 """
 
 import numpy as np

@@ -1,8 +1,8 @@
 # Of a Spack repository of its own:
 #     spack repo add EHLWAVE/scripts/packaging/spack
-#     spack dev-build --source-path EHLWAVE ehlwave@0.1.0          or, of a variant:  ehlwave@0.1.0 +petsc
+#     spack dev-build --source-path EHLWAVE ehlwave@0.2.0          or, of a variant:  ehlwave@0.2.0 +petsc
 # dev-build takes the source from a checkout or an unpacked release. For `spack install` give an archive's address (file:// too)
-# and its SHA-256:  url = "..."  and  version("0.1.0", sha256="...");  a mirror without them will not do.
+# and its SHA-256:  url = "..."  and  version("0.2.0", sha256="...");  a mirror without them will not do.
 # --test=root runs the unit tests and ehlwave-accept.
 import os
 
@@ -15,7 +15,7 @@ class Ehlwave(CMakePackage, PythonExtension):
 
     license("MIT")
 
-    version("0.1.0")
+    version("0.2.0")
 
     variant("mpi", default=True, description="Sweeps over MPI ranks (ehlwave-sweep)")
     variant("petsc", default=False, description="PETSc's solver as a check and last resort")

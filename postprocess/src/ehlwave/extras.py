@@ -1,0 +1,39 @@
+"""Packages that are not always installed: each belongs to an extra of this package."""
+
+from importlib import import_module
+from types import ModuleType
+
+EXTRAS = {
+    "matplotlib": "figures",
+    "lmfit": "figures",
+    "SurfaceTopography": "instruments",
+    "panel": "app",
+    "pint": "units",
+    "pyarrow": "parquet",
+    "tqdm": "notebook",
+}
+"""Extra of each package, by the name that is imported."""
+
+
+def advice(error: ModuleNotFoundError) -> str | None:
+    """Return the command that installs a missing package; nothing if it is of no extra."""
+    package = (error.name or "").split(".")[0]
+    if package not in EXTRAS:
+        return None
+    return f"{package} is missing: pip install 'ehlwave[{EXTRAS[package]}]'"
+
+
+def load(module: str) -> ModuleType:
+    """Import a module that needs an extra.
+
+    Raises
+    ------
+    ModuleNotFoundError
+        If a package is missing; the message says which extra has it.
+    """
+    try:
+        return import_module(module)
+    except ModuleNotFoundError as error:
+        if text := advice(error):
+            raise ModuleNotFoundError(text, name=error.name) from None
+        raise
