@@ -10,6 +10,7 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from ehlwave import figures, tables
+from ehlwave.app.cli import add_app_command
 from ehlwave.case_figures import case_figure
 from ehlwave.case_file import contact_figure, read_contact
 from ehlwave.command_line import Parser, as_options, with_ratio
@@ -247,6 +248,7 @@ def _parser() -> argparse.ArgumentParser:
     plot.set_defaults(run=_plot)
     add_commands(commands)
     add_stress_command(commands)
+    add_app_command(commands)
     return parser
 
 
