@@ -6,6 +6,7 @@ import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+from ehlwave.app.cli import add_app_command
 from ehlwave.command_line import Parser, as_options, with_ratio
 from ehlwave.commands.deform import add_deform_commands
 from ehlwave.commands.results import add_results_commands
@@ -80,6 +81,7 @@ def command_parser() -> argparse.ArgumentParser:
     add_results_commands(commands)
     add_deform_commands(commands)
     add_stress_command(commands)
+    add_app_command(commands)
     return parser
 
 
