@@ -44,7 +44,7 @@ program ehlwave_case
       '  --help           this text', &
       '', &
       'Exit status: 0 converged (or unresolved, flagged in the result); 1 not converged, or inaccurate;', &
-      '             2 bad input or usage; 3 output could not be written; 4 too little memory', &
+      '             2 bad input or usage; 3 output could not be written; 4 too little memory or processor time', &
       '', &
       'A minimal input:   &conditions load_parameter_m = 100, lubricant_parameter_l = 12.05,', &
       '                   radius_ratio_d = 1 /', &

@@ -45,7 +45,7 @@ program ehlwave_sweep
       '  --version         version of the program; --verbose: with build, libraries, MPI, processor', &
       '  --help            this text', &
       '', &
-      'SIGTERM, SIGUSR1 and SIGINT stop a run as --time-limit does. scripts/run-sweep starts the rest of a', &
+      'SIGTERM, SIGUSR1, SIGINT and SIGXCPU stop a run as --time-limit does. scripts/run-sweep starts the rest of a', &
       'sweep again when a rank died.', &
       '', &
       'Exit status: 0 all cases converged (or are flagged unresolved); 1 all cases ran, some did not converge;', &

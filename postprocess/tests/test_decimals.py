@@ -99,10 +99,10 @@ def test_a_step_that_contradicts_the_file_is_refused(tmp_path: Path) -> None:
     lines = [f"{2 * k},{height}" for k, height in enumerate(HEIGHTS)]
     path = write(tmp_path, "x_um,z_nm", *lines)
     assert read_surface(path, ReadOptions(step=2.0)).step_x_m == pytest.approx(2e-6)
-    with pytest.raises(SurfaceError, match=r"--step 0.5 contradicts the file, whose step is 2:"):
+    with pytest.raises(SurfaceError, match=r"step=0.5 contradicts the file, whose step is 2:"):
         heights(path, step=0.5)
     stated = write(tmp_path, "Spacing: 2.0 um", "z_nm", *map(str, HEIGHTS))
-    with pytest.raises(SurfaceError, match=r"--step 1 contradicts the file, whose step is 2:"):
+    with pytest.raises(SurfaceError, match=r"step=1 contradicts the file, whose step is 2:"):
         heights(stated, step=1.0)
     # 0.002 mm is the step that it states
     in_mm = read_surface(stated, ReadOptions(step=0.002, length_unit="mm"))

@@ -102,7 +102,7 @@ def test_input_files_of_ehlwave_case_are_read_and_overridden(tmp_path: Path) -> 
         ({**EXPERIMENT, "load_parameter_m": 100}, "gives both"),
         ({**EXPERIMENT, "load": 1}, "unknown key load"),
         ({**EXPERIMENT, "load_n": -1}, "load_n = -1 must be above 0"),
-        ({**EXPERIMENT, "load_n": float("nan")}, "must be above 0"),
+        ({**EXPERIMENT, "load_n": float("nan")}, "not a finite number"),
         ({**EXPERIMENT, "load_n": "ten"}, "not a number"),
         ({**EXPERIMENT, "radius_y_m": 1e-3}, "D = Rx/Ry"),
         ({**EXPERIMENT, "slip_parameter": 3}, "0 to 2"),

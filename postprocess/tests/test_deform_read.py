@@ -185,7 +185,7 @@ def test_missing_heights_are_refused_or_filled(tmp_path: Path) -> None:
     broken[3, 4] = broken[7, 7] = np.nan
     np.save(tmp_path / "m.npy", broken)
     with pytest.raises(
-        SurfaceError, match=r"2 of 1000 heights are missing.*\(4, 3\).*fill-missing"
+        SurfaceError, match=r"2 of 1000 heights are missing.*\(4, 3\).*fill_missing"
     ):
         read_surface(tmp_path / "m.npy", UM)
     filled = read_surface(
@@ -221,9 +221,9 @@ def test_empty_cells_are_missing_heights(tmp_path: Path) -> None:
         ("t.csv", "x_um,z_um\n" + rows(np.zeros(9), np.ones(9)), "not equidistant"),
         ("t.csv", "x_um,z_um\n1,2\n3,four\n", "could not convert string 'four'"),
         ("t.csv", "x_um,z_um\n1,2\n3\n", "columns changed"),
-        ("t.csv", rows(2 * np.arange(40), HEIGHTS), "unit its heights are: set --height-unit"),
+        ("t.csv", rows(2 * np.arange(40), HEIGHTS), "unit its heights are: set height_unit="),
         ("t.csv", "x,z_um\n" + rows(np.arange(9.0), np.ones(9)), "its lengths are"),
-        ("t.csv", "z_um\n" + rows(HEIGHTS), "set --length-unit"),
+        ("t.csv", "z_um\n" + rows(HEIGHTS), "set length_unit="),
         ("t.csv", "x_nm,z_um\n" + rows(np.arange(40), HEIGHTS), "root mean square slope"),
         ("t.npy", "nonsense", "cannot be read as npy"),
         ("t.h5", "nonsense", "cannot be read as HDF5"),
@@ -249,7 +249,7 @@ def test_bad_arrays_get_clear_messages(tmp_path: Path) -> None:
     with pytest.raises(SurfaceError, match="complex"):
         read_surface(tmp_path / "c.npy", UM)
     np.save(tmp_path / "m.npy", MAP)
-    with pytest.raises(SurfaceError, match="give the sampling step by --step"):
+    with pytest.raises(SurfaceError, match="give the sampling step by step="):
         read_surface(tmp_path / "m.npy", ReadOptions("um", "um"))
     with pytest.raises(SurfaceError, match="unknown unit of length 'furlong'"):
         read_surface(tmp_path / "m.npy", ReadOptions("furlong", "um", 2.0))

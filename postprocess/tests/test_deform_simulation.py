@@ -74,7 +74,7 @@ def test_what_cannot_move_through_a_contact_is_refused() -> None:
     heights = 1e-8 * np.cos(np.arange(100.0))
     with pytest.raises(SurfaceError, match="nothing that moves"):
         simulation_surface(trace_surface(heights, 1e-6, "y"))
-    with pytest.raises(SurfaceError, match="--repeat 0"):
+    with pytest.raises(SurfaceError, match="repeat=0"):
         simulation_surface(trace_surface(heights, 1e-6), "none", 0)
 
 

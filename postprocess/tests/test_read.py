@@ -74,6 +74,17 @@ def test_an_unattached_dataset_of_other_length_is_no_obstacle(results_file: Path
     assert "levels" not in results
 
 
+def test_smallest_films_of_old_stores_that_are_none_are_flagged(tmp_path: Path) -> None:
+    columns = make_columns()
+    films = np.full(len(columns["case_id"]), 0.02)
+    films[[3, 5]] = [-0.005, 0]
+    path = write_results(tmp_path / "r.h5", {**columns, "smallest_film": films})
+    results = read_results(path)
+    assert np.isnan(results["smallest_film"].values[[3, 5]]).all()
+    assert np.flatnonzero(results["surfaces_touch"].values).tolist() == [3, 5]
+    assert results["smallest_film"].values[4] == films[4]
+
+
 def test_a_file_without_cases_is_read(tmp_path: Path) -> None:
     empty = {name: values[:0] for name, values in make_columns().items()}
     assert read_results([write_results(tmp_path / "r.h5", empty)]).sizes["case"] == 0

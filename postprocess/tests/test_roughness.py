@@ -62,6 +62,13 @@ def test_parameters_of_a_cosine_and_of_a_pit() -> None:
     assert areal["Sv"] > areal["Sp"]
 
 
+def test_equal_heights_have_no_roughness() -> None:
+    for level in (0.0, 3e-6, 0.1e-3 / 3):
+        found = roughness_parameters(np.full(1000, level), is_trace=True)
+        assert [found[name] for name in ("Ra", "Rq", "Rp", "Rv", "Rz", "Rt")] == [0] * 6, level
+        assert np.isnan([found["Rsk"], found["Rku"]]).all()
+
+
 @pytest.mark.parametrize(
     ("cutoffs", "said"), [((1.0,), "length"), ((5e-5, 6e-5), "must lie below")]
 )

@@ -10,6 +10,7 @@ module ehlwave_input_completion
    use ehlwave_kinds, only: dp
    use ehlwave_key_applicability, only: check_applicability
    use ehlwave_key_list, only: find_key, key_list_t
+   use ehlwave_text, only: to_text
    implicit none (type, external)
    private
    public :: complete_input
@@ -32,7 +33,8 @@ contains
       type(error_t), allocatable, intent(inout) :: error
 
       if (allocated(error)) return
-      call settle_conditions(input, list, error)
+      call settle_slip(input, list, error)
+      if (.not. allocated(error)) call settle_conditions(input, list, error)
       if (.not. allocated(error) .and. input%f_v > 0) call choose_wavelength(input, list, error)
       if (.not. allocated(error)) call check_applicability(input, error)
       if (allocated(error)) then
@@ -42,6 +44,27 @@ contains
       if (input%case%accuracy > 0) call choose_for_accuracy(input, list)
       call complete_case(input%case, place, error)
    end subroutine complete_input
+
+   !> S = 1 + ratio/2 from whichever is given, theory section 1; to twelve decimals, so that 0.98 and a ratio of -0.04
+   !> are one case.
+   subroutine settle_slip(input, list, error)
+      type(case_input_t), intent(inout) :: input
+      type(key_list_t), intent(in) :: list
+      type(error_t), allocatable, intent(inout) :: error
+      real(dp), parameter :: decimals = 1e12_dp
+
+      associate (s => input%case%slip_parameter, ratio => input%case%slide_to_roll_ratio)
+         if (input%is_given(find_key(list%keys, 'slide_to_roll_ratio'))) then
+            if (input%is_given(find_key(list%keys, 'slip_parameter'))) then
+               call raise(error, '&conditions slip_parameter = '//to_text(s, 6)//' and slide_to_roll_ratio = '// &
+                  to_text(ratio, 6)//' are two words for one speed: give one of the two')
+               return
+            end if
+            s = anint(decimals*(1 + ratio/2))/decimals
+         end if
+         ratio = anint(decimals*2*(s - 1))/decimals
+      end associate
+   end subroutine settle_slip
 
    !> The conditions are given by the three numbers, all of them, or by dimensional data, from which M, L and D follow.
    subroutine settle_conditions(input, list, error)

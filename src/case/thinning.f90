@@ -27,11 +27,16 @@ module ehlwave_thinning
    type, public :: thinning_t
       real(dp) :: steepness = 1   !! error on the same grid over that of a Newtonian oil
       real(dp) :: cost = 1        !! work over that of one whose flow takes least
+      real(dp) :: cost_factor = 2 !! within which the work of 17 of 20 random cases is that of the plan
    end type thinning_t
 
    real(dp), parameter :: factor = 0.15_dp
    real(dp), parameter :: rescue_factor = 0.6_dp, rescue_stress = 5   !! of ph^2/(E' tau0), from which on rescues are to
                                                                       !! be expected
+
+   !> The work of 84 to 86 per cent of cases was within a factor of 2 of the plan with 328 Newtonian oils, within 3 with
+   !> 140 that thin below `rescue_stress`, within 10 with 25 beyond.
+   real(dp), parameter :: factor_mild = 3, factor_strong = 10
 
 contains
 
@@ -49,6 +54,7 @@ contains
       stress = flow%n0/conditions%elliptic%k
       rate = conditions%lambdabar/3*abs(conditions%slip_parameter - 1)*stress/expected_film(conditions)
       self%steepness = 1 + factor*(1 - exponent)*stress
+      self%cost_factor = merge(factor_strong, factor_mild, stress > rescue_stress)
       self%cost = 1 + factor*stress*(1 + rate) + rescue_factor*max(0.0_dp, stress - rescue_stress)
    end function new_thinning
 

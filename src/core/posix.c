@@ -283,7 +283,7 @@ static void catch_signal(int number)
    errno = kept;
 }
 
-/* From now on SIGTERM, SIGUSR1 and SIGINT are remembered; a second SIGINT ends the process as usual. */
+/* From now on SIGTERM, SIGUSR1, SIGINT and SIGXCPU are remembered; a second SIGINT ends the process as usual. */
 void ehlwave_catch_signals(void)
 {
    struct sigaction action;
@@ -293,8 +293,17 @@ void ehlwave_catch_signals(void)
    sigemptyset(&action.sa_mask);
    sigaction(SIGTERM, &action, NULL);
    sigaction(SIGUSR1, &action, NULL);
+   sigaction(SIGXCPU, &action, NULL);
    action.sa_flags = SA_RESTART | SA_RESETHAND;
    sigaction(SIGINT, &action, NULL);
+}
+
+/* A process that has used up its processor time ends with a line and status 4, unless `ehlwave_catch_signals` remembers it. */
+static void end_for_time(int number)
+{
+   static const char text[] = "ehlwave: the processor time is used up that this process may have (ulimit -t)\n";
+   (void)number;
+   _exit(write(STDERR_FILENO, text, sizeof text - 1) < 0 ? 3 : 4);
 }
 
 /* From now on it is an error of writing, and not the end of the process, that nobody reads its output any more (EPIPE) or
@@ -303,6 +312,7 @@ void ehlwave_ignore_write_signals(void)
 {
    signal(SIGPIPE, SIG_IGN);
    signal(SIGXFSZ, SIG_IGN);
+   signal(SIGXCPU, end_for_time);
 }
 
 int ehlwave_is_broken_pipe(int status) { return status == EPIPE; }

@@ -24,7 +24,7 @@ module ehlwave_process
          character(kind=c_char), intent(in) :: text(*)
          integer(c_long), value :: length
       end function c_set_note
-      !> From now on SIGTERM, SIGUSR1 and SIGINT are remembered; a second SIGINT ends the process as usual.
+      !> From now on SIGTERM, SIGUSR1, SIGINT and SIGXCPU are remembered; a second SIGINT ends the process as usual.
       subroutine catch_signals() bind(c, name='ehlwave_catch_signals')
          implicit none (type, external)
       end subroutine catch_signals
@@ -43,7 +43,8 @@ module ehlwave_process
          type(c_funptr), value :: work     !! of a procedure without arguments
       end function guarded
       !> From now on it is an error of writing, and not the end of the process, that nobody reads its output any more or
-      !> that a file would be longer than `ulimit -f` allows.
+      !> that a file would be longer than `ulimit -f` allows. At the end of the processor time (`ulimit -t`) a line is
+      !> printed, with status 4.
       subroutine ignore_write_signals() bind(c, name='ehlwave_ignore_write_signals')
          implicit none (type, external)
       end subroutine ignore_write_signals

@@ -9,6 +9,8 @@ module ehlwave_case_definition
    private
    public :: name_length, path_length
 
+   real(dp), parameter :: no_ratio = huge(1.0_dp)        ! not given; 0 is a ratio
+
    !> All keys, in the order of the groups.
    type, public :: case_t
       ! &conditions
@@ -16,6 +18,7 @@ module ehlwave_case_definition
       type(contact_data_t) :: data
       real(dp) :: load_parameter_m = 0, lubricant_parameter_l = 0, radius_ratio_d = 0
       real(dp) :: slip_parameter = 1
+      real(dp) :: slide_to_roll_ratio = no_ratio         !! the same in other words: completed from S, or S from it
       ! &lubricant
       type(oil_t) :: oil
       ! &waviness

@@ -102,6 +102,9 @@ contains
       list%common%is_written = .true.
       call list%see(case%slip_parameter, key_t('slip_parameter', 'slip parameter S = u1/ubar; speed of the wavy '// &
          'surface over the mean speed', minimum=0.0_dp, maximum=2.0_dp))
+      call list%see(case%slide_to_roll_ratio, key_t('slide_to_roll_ratio', 'slide-to-roll ratio (u1 - u2)/ubar; in '// &
+         'place of slip_parameter, S = 1 + ratio/2; surface 1 is the wavy one', minimum=-2.0_dp, maximum=2.0_dp, &
+         is_written=.false.))
    end subroutine visit_conditions
 
    subroutine visit_waviness(case, list)

@@ -40,13 +40,16 @@ contains
    !> Order to expect of the response to waves with two grids, by what the mesh leaves of the inlet and of waves: 2
    !> where it resolves them well, 1 where it barely does (M = 1000, D = 1: 1.1 with hX = 0.25 inlet lengths), and not
    !> above that of the film where three levels show it.
-   pure real(dp) function likely_order(film_order, resolution, steepness)
+   pure real(dp) function likely_order(film_order, resolution, steepness, points_above)
       real(dp), intent(in) :: film_order   !! NaN: not known
       type(resolution_t), intent(in) :: resolution
       real(dp), intent(in) :: steepness    !! of the oil, see `thinning_t`: its inlet is shorter by the root of it
-      real(dp), parameter :: fine_inlet = 0.15_dp, enough_along_x = 4   ! points on a wave above the fewest
-      real(dp) :: well
+      real(dp), intent(in), optional :: points_above   !! on a wave along X, above the fewest, that do; absent: 4
+      real(dp), parameter :: fine_inlet = 0.15_dp, usual_points = 4
+      real(dp) :: well, enough_along_x
 
+      enough_along_x = usual_points
+      if (present(points_above)) enough_along_x = points_above
       well = (coarsest_inlet - sqrt(steepness)*resolution%inlet)/(coarsest_inlet - fine_inlet)
       if (resolution%points_x > 0) well = min(well, (resolution%points_x - fewest_points_per_wave)/enough_along_x)
       if (resolution%points_y > 0) well = min(well, (resolution%points_y - fewest_points_per_wave) &

@@ -73,9 +73,10 @@ contains
       result%total_work_units = result%all_work/work_unit_operations(plan%cells_x, plan%cells_y)
       estimate = estimate_error([result%amplitude_ratio_fit, ratios], &
                                 likely_order(result%film_order, plan%resolution, plan%thinning%steepness))
-      result%amplitude_ratio_error = plan%model_margin()*plan%expected_error
+      result%amplitude_ratio_error = plan%model_ratio_error(result%max_pressure) + plan%expected%time &
+                                     + plan%expected%algebraic
       if (ieee_is_finite(estimate)) then
-         estimate = max(estimate, plan%least_ratio_error())
+         estimate = max(estimate, plan%least_ratio_error(result%central_film_error))
          result%amplitude_ratio_error = estimate
          if (plan%steps > 0) result%amplitude_ratio_error = estimate + expected_step_error(case%step_tolerance)
          result%amplitude_error_basis = 'coarse_grid'

@@ -19,6 +19,10 @@ module ehlwave_harmonic_case
    private
    public :: run_response
 
+   !> On a wave, above the fewest, that show the second order with two grids. With 4, errors of 12 to 18 points were 1.1
+   !> to 1.7 times those said.
+   real(dp), parameter :: enough_points = 12
+
 contains
 
    !> Response to waves about the converged steady state of a case and, for the error estimate, about that of the grid
@@ -61,15 +65,16 @@ contains
          result%harmonic%p = response%p
          result%harmonic%h = response%h
       end if
-      result%harmonic%error = plan%model_margin()*plan%expected%mesh   ! unless a coarser grid tells more
+      result%harmonic%error = plan%model_ratio_error(result%max_pressure)   ! unless a coarser grid tells more
       result%harmonic%error_basis = 'model'
       if (.not. steady%has_coarse) return
       call steady%coarse_response%respond(steady%multigrid%levels(:n - 1), waves, case%natural_frequency, &
                                           plan%steps_per_cell, coarse)
       if (coarse%status /= status_converged) return
       call result%harmonic%extrapolate(coarse%film, coarse%pressure, &
-                                       likely_order(result%film_order, plan%resolution, plan%thinning%steepness))
-      result%harmonic%error = max(result%harmonic%error, plan%least_ratio_error())
+                                       likely_order(result%film_order, plan%resolution, plan%thinning%steepness, &
+                                                 enough_points))
+      result%harmonic%error = max(result%harmonic%error, plan%least_ratio_error(result%central_film_error))
       result%harmonic%error_basis = 'coarse_grid'
    end subroutine run_response
 

@@ -24,6 +24,10 @@ module ehlwave_march_case
    !> Newton's method with the patches of elliptical contacts ends closely below a tolerance: the whole of it would
    !> leave up to seven times as much of Ad/Ai.
    real(dp), parameter :: newton_share = 0.3_dp
+   !> Of the tolerance, in line contacts. On fine grids waves change so little in a step that the extrapolated guess is
+   !> within the tolerance, and what it leaves adds up: 0.4 per cent of Ad/Ai = 1.013 on 432 cells, 3.4 per cent of
+   !> Ad/Ai = 0.0425 on 768.
+   real(dp), parameter :: guess_share = 0.01_dp
    real(dp), parameter :: usual_amplitude = 0.2_dp     !! Ai over the film for which step_tolerance is meant
 
 contains
@@ -46,8 +50,12 @@ contains
       real(dp), intent(in) :: central_film      !! smooth H(0,0)
       type(solve_limits_t) :: limits
       limits = solve_limits_t(tolerance=step_tolerance(case, plan, central_film), largest_steps=case%largest_steps)
-      if (case%method == 'newton' .and. .not. plan%conditions%is_line()) limits%tolerance = &
-         newton_share*limits%tolerance
+      if (case%method /= 'newton') return
+      if (plan%conditions%is_line()) then
+         limits%guess_share = guess_share
+      else
+         limits%tolerance = newton_share*limits%tolerance
+      end if
    end function step_limits
 
    !> Tolerance of time steps, relative to the film; for small waves it has to follow their amplitude.

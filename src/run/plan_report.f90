@@ -83,7 +83,8 @@ contains
          end if
          write (unit, '(a)') 'Expected     '//expected_text(plan)
          write (unit, '(a)') '             about '//to_text(plan%expected_seconds(), 2)//' s, '// &
-            to_text(plan%expected_work_units, 2)//' work units (models; usually right within a factor 2), '// &
+            to_text(plan%expected_work_units, 2)//' work units (models; usually right within a factor '// &
+            to_text(nint(plan%thinning%cost_factor))//'), '// &
             to_text(plan%expected_memory_mib(), 2)//' MiB; '//cap_text(plan)
          if (case%accuracy > 0 .and. plan%expected_error > case%accuracy) write (unit, '(a)') &
             '             ACCURACY '//to_text(case%accuracy, 3)//' NOT TO BE REACHED with largest_cells = '// &

@@ -112,6 +112,8 @@ contains
             if (asks_local) call improve_part(self, problem, given, limits, state, worth, asks_local)
             call report%judge(given, equations, state, limits)
             report%history = [report%history, report%residual]
+            if (k == 0 .and. report%status == status_converged .and. &
+                report%worst() > limits%guess_share*limits%tolerance) report%status = status_stalled
             if (report%status /= status_stalled .or. k == limits%largest_steps) exit
             if (.not. problem%rheology%is_newtonian() .and. k > last_gain + patience) exit
             if (work_of(levels) - work_before >= limits%largest_work) exit

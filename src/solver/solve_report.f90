@@ -17,6 +17,7 @@ module ehlwave_solve_report
       real(dp) :: largest_work = huge(1.0_dp)   !! operations from which on no further step begins, see
                                                 !! `ehlwave_work_unit`
       real(dp) :: film_unit = 0         !! of the mass residual; 0: the film at the contact centre
+      real(dp) :: guess_share = 1       !! of the tolerance, above which Newton's method leaves no first guess as it is
    end type solve_limits_t
 
    !> The outcome of a solve. Each equation is reported by itself.

@@ -60,7 +60,8 @@ contains
       text = 'Expected     '
       if (worst > 0) text = text//duration(sum(seconds, mask=ieee_is_finite(seconds)))// &
          ' of computing on this machine (a '// &
-         'model, usually right within a factor 2), errors up to '//to_text(errors(worst), 2)//' (case '// &
+         'model, usually right within a factor '//to_text(nint(maxval(plans%thinning%cost_factor)))// &
+         '), errors up to '//to_text(errors(worst), 2)//' (case '// &
          to_text(worst)//'), '
       call say(unit, text//to_text(maxval(memory_mib), 2)//' MiB a rank, and what MPI takes')
       if (any(memory_mib > memory_limit_mib())) call say(unit, '             TOO LITTLE MEMORY for '// &

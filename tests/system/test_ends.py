@@ -2,12 +2,13 @@
 
 import os
 import resource
+import signal
 import subprocess
 import tempfile
 import unittest
 from pathlib import Path
 
-from ehlwave_program import EIGHT_CASES, HANGS_S, MPI_ENVIRONMENT, is_open_mpi, last_line, namelist
+from ehlwave_program import EIGHT_CASES, HANGS_S, MPI_ENVIRONMENT, ONE_RANK, is_open_mpi, last_line, namelist
 from store_reading import finished
 
 CASE, SWEEP = os.environ["EHLWAVE_CASE"], os.environ["EHLWAVE_SWEEP"]
@@ -80,6 +81,30 @@ class Files(Ends):
         self.assertNotIn("again", outcome.stdout)
 
 
+class ProcessorTime(Ends):
+    """What `ulimit -t` ends: SIGXCPU."""
+
+    def test_a_case(self):
+        self.write_case(512)
+        process = subprocess.Popen([CASE, "case.nml"], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        with process:
+            for line in process.stdout:
+                if "work units" in line:   # the plan is printed
+                    break
+            process.send_signal(signal.SIGXCPU)
+            _, said = process.communicate(timeout=HANGS_S)
+        self.assertEqual(process.returncode, NO_MEMORY, said)
+        self.assertRegex(said, r"^ehlwave: the processor time is used up[^\n]*\n$")
+
+    @unittest.skipUnless(is_open_mpi(), "another MPI needs time of its own")
+    def test_a_sweep_stops_and_goes_on(self):
+        (self.folder/"long.nml").write_text(namelist({**EIGHT_CASES, "grid": {"cells_x": 512, "cells_y": 512}}))
+        limit = lambda: resource.setrlimit(resource.RLIMIT_CPU, (2, 600))   # noqa: E731
+        outcome = self.call(SWEEP, "long.nml", before=limit, **ONE_RANK)
+        self.assertEqual(outcome.returncode, UNFINISHED, outcome.stdout + outcome.stderr)
+        self.assertNotIn("Backtrace", outcome.stderr)
+
+
 @unittest.skipIf(IS_DEBUG, "the address sanitizer takes all addresses")
 class Memory(Ends):
     def test_a_plan_warns_and_the_run_is_refused(self):
@@ -87,12 +112,21 @@ class Memory(Ends):
         few = limited("RLIMIT_AS", 300*MIB)
         plan = self.call(CASE, "case.nml", "--plan", before=few)
         self.assertEqual(plan.returncode, 0, plan.stderr)
-        self.assertRegex(plan.stdout, r"TOO LITTLE MEMORY: the case needs about 1\d{3} MiB .* this process can have 2\d\d MiB")
+        self.assertRegex(plan.stdout, r"TOO LITTLE MEMORY: the case needs about 2\d{3} MiB .* this process can have 2\d\d MiB")
         self.assertNotIn("TOO LITTLE", self.call(CASE, "case.nml", "--plan").stdout)
         run = self.call(CASE, "case.nml", "--output", "out.h5", before=few)
         self.assertEqual(run.returncode, NO_MEMORY)
         self.assertRegex(run.stderr, r"^ehlwave-case: the case needs about [^\n]*\n$")
         self.assertEqual(self.names(), {"case.nml", "sweep.nml"})
+
+    def test_a_plan_knows_what_a_run_takes(self):
+        for cells, groups in ((128, {}), (512, {}), (512, {"waviness": {"orientation": "transverse", "wavelength_over_a": 0.5,
+                                                                       "response": "harmonic"}})):
+            with self.subTest(cells=cells, groups=groups):
+                self.write_case(cells, **groups)
+                planned = last_line(self.call(CASE, "case.nml", "--plan", "--json"))["expected_memory_mib"]
+                taken = last_line(self.call(CASE, "case.nml", "--json", "--quiet"))["peak_memory_mib"]
+                self.assertLess(abs(planned/taken - 1), 0.2, (planned, taken))
 
     def test_memory_that_runs_out_on_the_way(self):
         """The limit comes when the computation has begun, and leaves so much: smooth, in time, linear, by other methods."""

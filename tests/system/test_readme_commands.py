@@ -54,7 +54,7 @@ SHORTENED = {
 FORMULAS = ("Ad/Ai = ", "1/lambda_n^2 = ", "c = (G - a)", "G = T S^", "T = (1 + ")
 """How indented lines that are formulas begin."""
 
-PYTHON = ("import ", "ehlwave.", "contact", "results = ", "print(", "mean_speed_m_per_s=", "orientation=", "#")
+PYTHON = ("import ", "ehlwave.", "contact", "ball, disc = ", "oil = ", "results = ", "print(", "mean_speed_m_per_s=", "orientation=", "#")
 COMMANDS = ("build/", "scripts/", "ehlwave ", "ehlwave-", "python3 ", "pip ", "cmake ", "sbatch ", "qsub ", "module ", "mpirun ", "settings=")
 
 MOES = {"load_parameter_m": 100, "lubricant_parameter_l": 12.05, "radius_ratio_d": 1}

@@ -40,6 +40,13 @@ class RunSweep(unittest.TestCase):
         self.assertIn("start 1 of at most 5 again", outcome.stdout)
         self.assertTrue((self.folder/"results.h5").exists())
 
+    def test_no_ranks_are_bad_input(self):
+        for ranks in ("0", "-1", "two", ""):
+            outcome = subprocess.run([SCRIPT, "--ranks", ranks, "sweep.nml"], cwd=self.folder, text=True, capture_output=True, check=False,
+                                     timeout=HANGS_S)
+            self.assertEqual(outcome.returncode, 2, outcome.stdout + outcome.stderr)
+            self.assertRegex(outcome.stderr, r"^run-sweep: --ranks wants a whole number above 0[^\n]*\n$")
+
 
 if __name__ == "__main__":
     unittest.main()

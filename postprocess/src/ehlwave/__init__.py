@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     from ehlwave import stress as stress
     from ehlwave.atlas import Atlas, load_atlas
     from ehlwave.case_file import read_contact as read_case
+    from ehlwave.contact.bodies import Body
+    from ehlwave.contact.data_sheet import Oil
     from ehlwave.deform import deform_surface, read_surface
     from ehlwave.driver import Case, Study
     from ehlwave.errors import (
@@ -47,6 +49,8 @@ if TYPE_CHECKING:
 
 _HOMES = {
     "atlas": ("Atlas", "load_atlas"),
+    "contact.bodies": ("Body",),
+    "contact.data_sheet": ("Oil",),
     "deform": ("deform_surface", "read_surface"),
     "driver": ("Case", "Study"),
     "errors": (
@@ -81,6 +85,7 @@ _HOME = {name: home for home, names in _HOMES.items() for name in names}
 __all__ = [
     "ArgumentError",
     "Atlas",
+    "Body",
     "Case",
     "Contact",
     "EhlwaveError",
@@ -88,6 +93,7 @@ __all__ = [
     "Film",
     "FitError",
     "FormulaFit",
+    "Oil",
     "ProgramError",
     "RangeError",
     "RefitRow",

@@ -6,6 +6,8 @@ import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+from ehlwave.app.cli import add_app_command
+from ehlwave.command_line import Parser, as_options, with_ratio
 from ehlwave.commands.deform import add_deform_commands
 from ehlwave.commands.results import add_results_commands
 from ehlwave.commands.stress import add_stress_command
@@ -38,10 +40,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
             options.writer = Writer(
                 _inputs(options), overwrite=getattr(options, "overwrite", False)
             )
+            with_ratio(options)
             options.run(options)
             sys.stdout.flush()
         except ResultsError as error:
-            return _fail(str(error), BAD_INPUT)
+            return _fail(as_options(str(error), options), BAD_INPUT)
         except ModuleNotFoundError as error:
             if text := advice(error):
                 return _fail(text, BAD_INPUT)
@@ -69,7 +72,7 @@ def _inputs(options: argparse.Namespace) -> Iterator[str | Path]:
 
 def command_parser() -> argparse.ArgumentParser:
     """Return the parser of all commands; needs the standard library alone."""
-    parser = argparse.ArgumentParser(
+    parser = Parser(
         prog="ehlwave",
         description="Figures, fits and tables from ehlwave-sweep results; deformed surfaces.",
     )
@@ -78,6 +81,7 @@ def command_parser() -> argparse.ArgumentParser:
     add_results_commands(commands)
     add_deform_commands(commands)
     add_stress_command(commands)
+    add_app_command(commands)
     return parser
 
 

@@ -16,9 +16,11 @@ import xarray as xr
 
 from ehlwave.errors import ProgramError
 from ehlwave.hdf5 import read_dataset
+from ehlwave.hints import did_you_mean, see
 from ehlwave.labels import with_labels_of
 from ehlwave.programs import find_program, find_run_sweep, namelist
 from ehlwave.progress import Following, following, run_following
+from ehlwave.quantities import in_si
 from ehlwave.read import read_results
 from ehlwave.shown import Shown, html_table
 from ehlwave.writing import write_new_text
@@ -42,9 +44,9 @@ class Case:
     ----------
     **keys
         Keys of its input file (``inputs/README.md``, ``ehlwave-case --keys``), whatever their
-        group: numbers, text, bool. ``file``, a measured surface, may be a
-        :class:`ehlwave.deform.Surface` or an object of SurfaceTopography; it is taken as it is, see
-        :func:`ehlwave.deform.simulation_surface`.
+        group: numbers, text, bool. Plain numbers are SI; quantities of pint are converted.
+        ``file``, a measured surface, may be a :class:`ehlwave.deform.Surface` or an object of
+        SurfaceTopography; it is taken as it is, see :func:`ehlwave.deform.simulation_surface`.
 
     Raises
     ------
@@ -182,12 +184,17 @@ class Study(Shown):
         """Take the grid or the rows."""
         given: dict[str, Any] = dict(shared)
         if isinstance(grid, Mapping):
+            grid = {key: in_si(value, key) for key, value in grid.items()}
             lists = {key: list(value) for key, value in grid.items() if _is_list(value)}
             self.rows: pd.DataFrame | None = None
             given = {key: value for key, value in grid.items() if key not in lists} | given
             grouped(lists)  # for its check
         else:
             lists, self.rows = {}, pd.DataFrame(grid)
+            for key in self.rows.columns.drop(LABEL, errors="ignore"):
+                if self.rows[key].dtype != object:
+                    continue
+                self.rows[key] = [in_si(value, str(key)) for value in self.rows[key]]
             grouped(dict.fromkeys(map(str, self.rows.columns.drop(LABEL, errors="ignore")), 0))
         source = given.get("file", "")
         if not isinstance(source, (str, Path)):
@@ -312,10 +319,11 @@ def grouped(keys: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
     known, groups = key_groups(), {}
     for key, value in keys.items():
         if key not in known:
-            near = [name for name in known if key.split("_")[0] in name]
-            hint = f"; do you mean {', '.join(near[:4])}?" if near else ""
-            raise ProgramError(f"unknown key {key}{hint} All keys: ehlwave-case --keys")
-        groups.setdefault(known[key], {})[key] = value
+            near = did_you_mean(key, known)
+            raise ProgramError(
+                f"unknown key {key}{near}; ehlwave-case --keys lists all{see('keys')}"
+            )
+        groups.setdefault(known[key], {})[key] = in_si(value, key)
     return groups
 
 

@@ -118,7 +118,7 @@ class ProgramError(ResultsError):
     ...     ehlwave.Case(wavelength_over_b=1)
     ... except ehlwave.ProgramError as error:
     ...     print(str(error).split(";")[0])
-    unknown key wavelength_over_b
+    unknown key wavelength_over_b (did you mean wavelength_over_a?)
     """
 
 

@@ -37,6 +37,8 @@ class CaseKeys(TypedDict, total=False):
     """ratio of the reduced radii D = Rx/Ry"""
     slip_parameter: SupportsFloat
     """slip parameter S = u1/ubar; speed of the wavy surface over the mean speed"""
+    slide_to_roll_ratio: SupportsFloat
+    """slide-to-roll ratio (u1 - u2)/ubar; in place of slip_parameter, S = 1 + ratio/2"""
     pressure_viscosity_per_pa: SupportsFloat
     """pressure-viscosity coefficient alpha"""
     roelands_index: SupportsFloat
@@ -210,5 +212,9 @@ class ContactKeys(TypedDict, total=False):
     """stress G at which thinning begins, Pa"""
     carreau_exponent: SupportsFloat
     """exponent n of the shear rate; 1: Newtonian"""
+    viscosity_error: SupportsFloat
+    pressure_viscosity_error: SupportsFloat
     slip_parameter: SupportsFloat
     """slip parameter S = u1/ubar; speed of the wavy surface over the mean speed"""
+    slide_to_roll_ratio: SupportsFloat
+    """slide-to-roll ratio (u1 - u2)/ubar; in place of slip_parameter, S = 1 + ratio/2"""

@@ -10,12 +10,15 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ehlwave.atlas.atlas import Atlas, atlas_for, load_atlas
+from ehlwave.atlas.atlas import Atlas, atlas_for, chart_of, load_atlas
 from ehlwave.atlas.chart import Chart
 from ehlwave.atlas.coordinates import wave_components
 from ehlwave.atlas.ranges import SLIDING_RANGES, WAVE_RANGE
+from ehlwave.contact.bodies import Body
 from ehlwave.contact.conditions import Conditions, conditions_from_keys
+from ehlwave.contact.data_sheet import Oil as DataSheetOil
 from ehlwave.contact.line_contact import ROLLS_ALONE, TRANSVERSE_ALONE
+from ehlwave.contact.two_bodies import contact_keys
 from ehlwave.contact.two_waves import SLIP_ERRORS, two_waves
 from ehlwave.deform.atlas_transfer import AtlasTransfer, with_atlas_film
 from ehlwave.deform.predict import Cutoffs, Deformed, deform_surface
@@ -26,8 +29,10 @@ from ehlwave.deform.sliding import TwoWaveTransfer
 from ehlwave.deform.surface import Surface
 from ehlwave.deform.transfer import FormulaTransfer, RecommendedTransfer, Transfer
 from ehlwave.errors import ExtrapolationWarning, RangeError, SurfaceError
+from ehlwave.quantities import number, plain
 from ehlwave.responses import response_table, responses_figure
 from ehlwave.shown import html_table, micrometres, within
+from ehlwave.slip import RATIO, SLIP, ratio_of, refuse_both, slip_of
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -146,7 +151,10 @@ class Contact:
         line contact), then with ``semi_axis_a_m`` (Hertz semi-axis along rolling) and
         ``radius_x_m`` where metres are asked for;
         ``pressure_viscosity_per_pa`` (2.2e-8) and ``roelands_index`` (0.68) of the oil;
-        ``slip_parameter`` (1) of the rough surface; of a Ree-Eyring oil ``eyring_stress_pa``.
+        ``slip_parameter`` (1) of the rough surface, or ``slide_to_roll_ratio`` (0); of a Ree-Eyring
+        oil ``eyring_stress_pa``; relative errors of the oil, ``viscosity_error`` and
+        ``pressure_viscosity_error``, which films carry. Plain numbers are SI; quantities of pint
+        are converted. From two bodies: :meth:`from_bodies`.
 
     Raises
     ------
@@ -169,7 +177,58 @@ class Contact:
         self._atlas = None if atlas is None else Path(atlas)
         self._charts: dict[float, Chart] = {}
         stress = keys.get("eyring_stress_pa")
-        self._eyring_stress_pa = None if stress is None else float(stress)
+        self._eyring_stress_pa = None if stress is None else number(stress, "eyring_stress_pa")
+
+    @classmethod
+    def from_bodies(
+        cls,
+        body1: Body,
+        body2: Body,
+        *,
+        oil: DataSheetOil | None = None,
+        atlas: str | Path | None = None,
+        **keys: Any,  # noqa: ANN401
+    ) -> Contact:
+        """Return the contact of two bodies, the rough one first.
+
+        Reduced radii, reduced modulus, mean speed and slip follow from them (``src/theory.md``,
+        section 1). Where both bodies are flat across rolling it is a line contact.
+
+        Parameters
+        ----------
+        body1, body2 : Body
+            The rough body, and the other one.
+        oil : Oil, optional
+            In place of ``viscosity_pa_s``, ``pressure_viscosity_per_pa`` and other keys of an oil.
+        atlas : path, optional
+            As of :class:`Contact`.
+        **keys
+            ``load_n``, of a line contact with ``length_m``, or ``load_n_per_m``;
+            ``speeds_m_per_s``, those of both surfaces (u1, u2), or ``mean_speed_m_per_s`` with
+            ``slide_to_roll_ratio``; the keys of the oil.
+
+        Raises
+        ------
+        SurfaceError
+            If something is missing, given twice, or makes no contact that the model has.
+
+        Examples
+        --------
+        A steel ball on a glass disc, slide-to-roll ratio 0:
+
+        >>> import ehlwave
+        >>> ball = ehlwave.Body.ball(19.05e-3, material="steel")
+        >>> disc = ehlwave.Body(material="glass")
+        >>> oil = ehlwave.Oil.from_grade(iso_vg=100, viscosity_index=95, temperature_k=313.15)
+        >>> contact = ehlwave.Contact.from_bodies(ball, disc, oil=oil, load_n=20,
+        ...                                       speeds_m_per_s=(0.2, 0.2))
+        >>> contact
+        Contact(M=141.13, L=6.1412, D=1, S=1)
+        """
+        found, names = contact_keys(body1, body2, oil, keys)
+        contact = cls(atlas=atlas, **found)
+        contact.conditions = replace(contact.conditions, names=tuple(names))
+        return contact
 
     def __repr__(self) -> str:
         """Return M, L, D and S."""
@@ -214,14 +273,17 @@ class Contact:
         return self._atlas_for(self.conditions)
 
     def _atlas_for(self, conditions: Conditions) -> Atlas:
-        return atlas_for(conditions, None if self._atlas is None else load_atlas(self._atlas))
+        return atlas_for(conditions, self._own_atlas())
+
+    def _own_atlas(self) -> Atlas | None:
+        return None if self._atlas is None else load_atlas(self._atlas)
 
     def _chart(self, slip: float | None = None) -> Chart:
         """Return the responses of the contact, with another slip parameter where one is given."""
         own = self.conditions.slip_parameter if slip is None else slip
         if own not in self._charts:
             conditions = replace(self.conditions, slip_parameter=own)
-            self._charts[own] = self._atlas_for(conditions).at(conditions.atlas_keys())
+            self._charts[own] = chart_of(conditions, self._own_atlas())
         return self._charts[own]
 
     def film(self) -> Film:
@@ -254,8 +316,8 @@ class Contact:
             minimum_m=None if scale is None else film.minimum_moes * scale,
             central_moes=film.central_moes,
             minimum_moes=film.minimum_moes,
-            central_error=film.central_error + c.thinning_error,
-            minimum_error=film.minimum_error + c.thinning_error,
+            central_error=film.central_error + c.thinning_error + c.oil_error,
+            minimum_error=film.minimum_error + c.thinning_error + c.oil_error,
             friction=friction,
             friction_error=None if friction is None else film.stress_error,
             source=atlas.name,
@@ -266,6 +328,7 @@ class Contact:
         wavelength_over_a: float,
         angle_deg: float = 0.0,
         slip_parameter: float | None = None,
+        slide_to_roll_ratio: float | None = None,
     ) -> Response:
         """Return the response at the contact centre to small waves, from the atlas.
 
@@ -282,6 +345,8 @@ class Contact:
             that, for a Carreau oil (``carreau_modulus_pa``, ``carreau_exponent``) and for a
             Newtonian one the law of the two waves answers, with an error to match and without
             pressure (NaN). Longitudinal waves stand still: the atlas of pure rolling answers.
+        slide_to_roll_ratio : float, optional
+            In place of `slip_parameter`, S = 1 + ratio/2.
 
         Raises
         ------
@@ -300,6 +365,11 @@ class Contact:
         45 0.78
         90 0.65
         """
+        refuse_both({SLIP: slip_parameter, RATIO: slide_to_roll_ratio}, "response")
+        if slide_to_roll_ratio is not None:
+            slip_parameter = slip_of(number(slide_to_roll_ratio, RATIO, "response"))
+        wavelength_over_a = plain(wavelength_over_a, "wavelength_over_a")
+        angle_deg = plain(angle_deg, "angle_deg")
         low, high = WAVE_RANGE
         if not low * (1 - 1e-9) <= wavelength_over_a <= high * (1 + 1e-9):
             raise RangeError(
@@ -334,8 +404,8 @@ class Contact:
         low, high = SLIPS
         if not low <= slip <= high:
             raise RangeError(
-                f"slip_parameter = {slip:g} lies outside {low:g} to {high:g}, where the law of the "
-                "two waves is known to hold"
+                f"slip_parameter = {slip:g} ({RATIO} = {ratio_of(slip):g}) lies outside {low:g} to "
+                f"{high:g}, where the law of the two waves is known to hold"
             )
         rolling = replace(self.conditions, slip_parameter=1.0)
         conditions = with_atlas_film(rolling, self._atlas_for(rolling))
@@ -446,7 +516,11 @@ class Contact:
         "formula (18), the paper's coefficients"
         """
         if by == "atlas" and self.conditions.has_atlas:
-            return AtlasTransfer(self.conditions, self.atlas())
+            try:
+                return AtlasTransfer(self.conditions, self.atlas())
+            except RangeError as error:
+                law = "recommended" if self.conditions.slip_parameter == 1 else "two-waves"
+                raise RangeError(f"{error}. A law is used when named: by={law!r}") from error
         if by in ("atlas", "two-waves"):
             return TwoWaveTransfer(self.conditions)
         if by == "recommended":

@@ -38,7 +38,8 @@ def read_results(paths: str | Path | Sequence[str | Path]) -> xr.Dataset:
         coordinates ``source_file``, ``case_in_file``, ``program_version``, ``git_revision`` and
         ``compiler`` tell where each case comes from. Scalars are repeated for every case of their
         file; datasets of other shapes are left out. A column that only some files have is NaN for
-        the others.
+        the others. A ``smallest_film`` that is not above 0, as early versions stored it, is NaN,
+        and ``surfaces_touch`` of its case 1.
 
     Raises
     ------
@@ -130,6 +131,7 @@ def _labelled(path: Path, data: xr.Dataset) -> xr.Dataset:
         columns[name] = ((DIMENSION,), values, attributes)
     if "edges" not in columns:
         columns["edges"] = ((DIMENSION,), np.full(size, EDGES_BEFORE), {})
+    _flag_touching(columns, size)
     origin = {key: _text(data.attrs.get(key, "")) for key in PROVENANCE_ATTRIBUTES}
     origin["source_file"] = str(path)
     coordinates = {key: ((DIMENSION,), np.full(size, text)) for key, text in origin.items()}
@@ -140,6 +142,19 @@ def _labelled(path: Path, data: xr.Dataset) -> xr.Dataset:
             coordinates[key] = ((DIMENSION,), np.where(own == "", origin[key], own))
     coordinates["case_in_file"] = ((DIMENSION,), data[DIMENSION].values)
     return xr.Dataset(columns, coords=coordinates)
+
+
+def _flag_touching(columns: dict[str, Any], size: int) -> None:
+    """Take away smallest films that are none, which early versions stored, and say why."""
+    if "smallest_film" not in columns:
+        return
+    dims, films, attributes = columns["smallest_film"]
+    is_none = films <= 0
+    if not is_none.any():
+        return
+    columns["smallest_film"] = (dims, np.where(is_none, np.nan, films), attributes)
+    _, touch, attributes = columns.get("surfaces_touch", (dims, np.zeros(size, np.int32), {}))
+    columns["surfaces_touch"] = (dims, np.where(is_none, 1, touch).astype(touch.dtype), attributes)
 
 
 def _decoded(values: np.ndarray) -> np.ndarray:

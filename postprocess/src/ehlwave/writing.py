@@ -124,7 +124,7 @@ class Writer:
         if not self._overwrite and not is_result(place):
             raise OutputError(
                 f"{place}: exists and is not a result of ehlwave, or was changed since: name "
-                "another file, move this one away, or replace it by --overwrite"
+                "another file, move this one away, or replace it by overwrite=True"
             )
 
     def text(self, path: str | Path, text: str) -> Path:

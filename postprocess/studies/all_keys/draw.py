@@ -132,6 +132,10 @@ def _slip(c: Contact, row: Row) -> Value:
     return c.one_of(0.0, 2.0) if c.chance(0.05) else round(c.between(0.25, 1.75), 2)
 
 
+def _ratio(c: Contact, row: Row) -> Value:
+    return None if "slip_parameter" in row or c.chance(0.5) else round(c.between(-1.5, 1.5), 2)
+
+
 def _modulus(c: Contact, row: Row) -> Value:
     return MODULUS_PA if c.is_dimensional else c.power(5e10, 3e11)
 
@@ -291,6 +295,7 @@ DRAWS: dict[str, Draw] = {
         _share(0.2, lambda c, row: int(c.power(4, 40)))
     ),
     "sensitivities": _share(0.1, lambda c, row: True),
+    "slide_to_roll_ratio": _ratio,
 }
 
 

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import xarray as xr
 
+from ehlwave.atlas.advice import refuse_outside
 from ehlwave.atlas.chart import Chart
 from ehlwave.atlas.kind import shipped
 from ehlwave.atlas.kinds import KINDS, LINE, ROLLING, SLIDING
@@ -88,6 +89,19 @@ def atlas_for(conditions: Conditions, atlas: Atlas | None = None) -> Atlas:
             raise RangeError(ROLLS_ALONE)
         kind = LINE
     return atlas if atlas is not None and atlas.kind is kind else load_atlas(shipped(kind))
+
+
+def chart_of(conditions: Conditions, atlas: Atlas | None = None) -> Chart:
+    """Return the chart of a contact, in the atlas of :func:`atlas_for`.
+
+    Raises
+    ------
+    RangeError
+        If it lies outside; the message says what would be inside, in what it was given by.
+    """
+    found = atlas_for(conditions, atlas)
+    refuse_outside(conditions, found.kind.ranges)
+    return found.at(conditions.atlas_keys())
 
 
 @lru_cache(maxsize=4)

@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from ehlwave.choices import WINDOWS
+from ehlwave.command_line import add_ratio
 from ehlwave.commands.shared import add_overwrite, add_reading, later
 
 DESCRIPTION = """\
@@ -41,9 +42,9 @@ Examples:
   ehlwave deform ball.csv --second disc.csv --conditions sliding.nml --formula two-waves
       --length-unit mm --height-unit um
 
-Under slip (slip_parameter in the conditions) the atlas has Ree-Eyring oils (eyring_stress_pa). For
-other oils, also Carreau ones (carreau_modulus_pa, carreau_exponent), the law of the two waves
-holds. A harmonic table of this slip is better."""
+Under slip (slip_parameter in the conditions, or --slide-to-roll-ratio) the atlas has Ree-Eyring
+oils (eyring_stress_pa). For other oils, also Carreau ones (carreau_modulus_pa,
+carreau_exponent), the law of the two waves holds. A harmonic table of this slip is better."""
 
 
 LAMBDA_DESCRIPTION = """\
@@ -127,6 +128,7 @@ def _add_prediction(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--conditions", nargs="+", required=True, metavar="FILE|KEY=VALUE", help="see below"
     )
+    add_ratio(parser)
     add_reading(parser)
     parser.add_argument(
         "--ends", choices=WINDOWS, default="mirror", help="what is done about the ends; see below"

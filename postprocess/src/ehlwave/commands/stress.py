@@ -5,6 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from ehlwave.choices import WINDOWS
+from ehlwave.command_line import add_ratio
 from ehlwave.commands.shared import add_overwrite, add_reading, later
 
 DESCRIPTION = """\
@@ -46,6 +47,7 @@ def add_stress_command(commands: Any) -> None:  # noqa: ANN401 - argparse does n
     parser.add_argument(
         "--conditions", nargs="+", metavar="FILE|KEY=VALUE", help="as for deform: FILE is a surface"
     )
+    add_ratio(parser)
     parser.add_argument("--second", type=Path, metavar="PROFILE", help="surface of the other body")
     parser.add_argument(
         "--smooth",

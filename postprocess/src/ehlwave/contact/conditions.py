@@ -33,6 +33,9 @@ from ehlwave.contact.scales import (
 )
 from ehlwave.errors import SurfaceError
 from ehlwave.formula import v
+from ehlwave.hints import did_you_mean, see
+from ehlwave.quantities import number
+from ehlwave.slip import RATIO, SLIP, refuse_both, slip_of
 
 SMALLEST_RADIUS_RATIO = 0.005
 
@@ -51,9 +54,12 @@ SCALE_KEYS = ("semi_axis_a_m", "radius_x_m", "central_film_m")
 CARREAU_KEYS = ("carreau_modulus_pa", "carreau_exponent")
 OIL_KEYS = ("pressure_viscosity_per_pa", "roelands_index", "eyring_stress_pa", *CARREAU_KEYS)
 
+DATA_ERRORS = ("viscosity_error", "pressure_viscosity_error")
+"""Relative errors of what the oil is known by; the film carries them."""
+
 KNOWN_KEYS = tuple(
     dict.fromkeys(
-        (*DIMENSIONAL_KEYS, LOAD_KEY, *MOES_KEYS, *SCALE_KEYS, *OIL_KEYS, "slip_parameter")
+        (*DIMENSIONAL_KEYS, LOAD_KEY, *MOES_KEYS, *SCALE_KEYS, *OIL_KEYS, *DATA_ERRORS, SLIP, RATIO)
     )
 )
 """All that conditions are given by; ``python -m studies.typed_keys`` makes types of them."""
@@ -98,6 +104,13 @@ class Conditions:
         Film in m for one of 1 in the Moes scale.
     central_film_error : float or None
         Relative error of the central film; 0 of a given one.
+    oil_error : float
+        What errors of viscosity and pressure-viscosity coefficient make of the film, relative.
+    given : tuple of pairs
+        Keys and values that it was given by, SI.
+    names : tuple of triples
+        Key, name and factor of what users gave in other words: a value of the key times the factor
+        is what they call so.
     """
 
     m: float
@@ -113,6 +126,9 @@ class Conditions:
     oil: Oil = field(default_factory=Oil)
     metres_per_moes: float | None = None
     central_film_error: float | None = None
+    oil_error: float = 0.0
+    given: tuple[tuple[str, float], ...] = field(default=(), repr=False, compare=False)
+    names: tuple[tuple[str, str, float], ...] = field(default=(), repr=False, compare=False)
 
     @property
     def semi_axis_b_m(self) -> float:
@@ -208,10 +224,13 @@ def conditions_from_keys(
         ``radius_y_m`` and ``load_n``;
         or ``load_parameter_m``, ``lubricant_parameter_l``, ``radius_ratio_d`` with
         ``semi_axis_a_m`` and, for the film thickness, ``radius_x_m``. In both cases
-        ``slip_parameter`` (1 if absent) and ``central_film_m``, which replaces the film thickness
-        formula where it is better known; of a Ree-Eyring oil ``eyring_stress_pa``, of a Carreau oil
-        ``carreau_modulus_pa`` and ``carreau_exponent`` (with M, L and D also
-        ``reduced_modulus_pa``), of which and of ``roelands_index`` waves under slip depend.
+        ``slip_parameter`` (1 if absent) or ``slide_to_roll_ratio``, and ``central_film_m``, which
+        replaces the film thickness formula where it is better known; of a Ree-Eyring oil
+        ``eyring_stress_pa``, of a Carreau oil ``carreau_modulus_pa`` and ``carreau_exponent``
+        (with M, L and D also ``reduced_modulus_pa``), of which and of ``roelands_index`` waves
+        under slip depend.
+        Relative errors of the oil's data, ``viscosity_error`` and ``pressure_viscosity_error``,
+        count in that of the film.
     place : str
         Begins every message.
     needs_lengths : bool
@@ -223,6 +242,7 @@ def conditions_from_keys(
         If a key is unknown, missing or not a positive number, or both kinds are given.
     """
     values = _checked(keys, place)
+    given = tuple(values.items())
     has_moes = any(key in values for key in MOES_KEYS)
     both = ("radius_x_m", "reduced_modulus_pa")
     every = (*DIMENSIONAL_KEYS, LOAD_KEY)
@@ -248,7 +268,7 @@ def conditions_from_keys(
     )
     missing = [key for key in needed if key not in values]
     if missing:
-        raise SurfaceError(f"{place}: {missing[0]} is missing: {advice}")
+        raise SurfaceError(f"{place}: {missing[0]} is missing: {advice}{see('keys')}")
     if has_moes:
         values.setdefault("semi_axis_a_m", math.nan)
     else:
@@ -256,11 +276,11 @@ def conditions_from_keys(
             raise SurfaceError(
                 f"{place}: semi_axis_a_m follows from the dimensional data: remove it"
             )
-        values |= _moes_values(values, place)
-    return _complete(values, place)
+        values |= moes_values(values, place)
+    return _complete(values, place, given)
 
 
-def _moes_values(values: Mapping[str, float], place: str) -> dict[str, float]:
+def moes_values(values: Mapping[str, float], place: str) -> dict[str, float]:
     """Return M, L, D and the semi-axis a, m, that dimensional data give, eq. (1) and (2)."""
     alpha = values.get("pressure_viscosity_per_pa", Oil.pressure_viscosity_per_pa)
     if LOAD_KEY in values:
@@ -281,12 +301,15 @@ def _moes_values(values: Mapping[str, float], place: str) -> dict[str, float]:
     }
 
 
-def _complete(values: Mapping[str, float], place: str) -> Conditions:
+def _complete(
+    values: Mapping[str, float], place: str, given: tuple[tuple[str, float], ...]
+) -> Conditions:
     """Add what follows from M, L, D and the lengths, eq. (1) to (6)."""
     m, l, d = (values[key] for key in MOES_KEYS)  # noqa: E741
     semi_axis_a_m, film_m = values["semi_axis_a_m"], values.get("central_film_m")
     slip, oil = values.get("slip_parameter", 1.0), _oil(values, place)
     _check_ratio(d, place)
+    oil_error = _oil_error(values, m, l, d)
     kappa = ellipticity(d) if d > 0 else 0.0
     approach, metres_per_moes = None, None
     source, error = "given (central_film_m)", 0.0
@@ -301,6 +324,7 @@ def _complete(values: Mapping[str, float], place: str) -> Conditions:
             source, error = (_FIT_TEXT, FIT_ERROR) if d > 0 else (_LINE_FIT_TEXT, LINE_FIT_ERROR)
             if slip != 1 and oil.name != "Newtonian":  # the formulas are of oils that nothing thins
                 error += THINNING_ERROR
+            error += oil_error
     if film_m is None:
         source = "unknown: give central_film_m or radius_x_m"
     return Conditions(
@@ -317,6 +341,29 @@ def _complete(values: Mapping[str, float], place: str) -> Conditions:
         oil=oil,
         metres_per_moes=metres_per_moes,
         central_film_error=None if film_m is None else error,
+        oil_error=oil_error,
+        given=given,
+    )
+
+
+def _oil_error(values: Mapping[str, float], m: float, l: float, d: float) -> float:  # noqa: E741
+    """Return by how much the film changes, relative, where the oil's data change by their errors.
+
+    By the film formula: M goes with the viscosity as eta^(-3/4), of lines eta^(-1/2), L as
+    alpha eta^(1/4), and the film in the Moes scale is in units that go as eta^(1/2).
+    """
+    power = -0.5 if d == 0 else -0.75
+    film = moes_film(m, l, d)
+
+    def change(viscosity: float, alpha: float) -> float:
+        other = moes_film(m * viscosity**power, l * alpha * viscosity**0.25, d)
+        return abs(other * viscosity**0.5 / film - 1)
+
+    eta, alpha = (values.get(key, 0.0) for key in DATA_ERRORS)
+    return sum(
+        max(change(1 + a, 1 + b), change(1 - a, 1 - b))
+        for a, b in ((eta, 0.0), (0.0, alpha))
+        if a + b
     )
 
 
@@ -349,18 +396,23 @@ def _check_ratio(d: float, place: str) -> None:
 
 
 def _checked(keys: Mapping[str, Any], place: str) -> dict[str, float]:
+    refuse_both(keys, place)
     values: dict[str, float] = {}
     for key, value in keys.items():
         if key not in KNOWN_KEYS:
-            raise SurfaceError(f"{place}: unknown key {key}; known are {', '.join(KNOWN_KEYS)}")
-        try:
-            number = float(value)
-        except (TypeError, ValueError):
-            raise SurfaceError(f"{place}: {key} = {value!r} is not a number") from None
-        lowest_is_zero = key in ("slip_parameter", "radius_ratio_d")
-        if not math.isfinite(number) or number < 0 or (number == 0 and not lowest_is_zero):
+            raise SurfaceError(
+                f"{place}: unknown key {key}{did_you_mean(key, KNOWN_KEYS)}; known are "
+                f"{', '.join(KNOWN_KEYS)}{see('keys')}"
+            )
+        found = number(value, key, place)
+        if key == RATIO:
+            key, found = "slip_parameter", slip_of(found)
+        lowest_is_zero = key in ("slip_parameter", "radius_ratio_d", *DATA_ERRORS)
+        if found < 0 or (found == 0 and not lowest_is_zero):
             raise SurfaceError(f"{place}: {key} = {value} must be above 0")
-        values[key] = number
+        if key in DATA_ERRORS and found >= 1:
+            raise SurfaceError(f"{place}: {key} = {value} is relative: 0.1 is 10 %; give 0 to 1")
+        values[key] = found
     if values.get("slip_parameter", 1.0) > 2:
         raise SurfaceError(f"{place}: slip_parameter = {keys['slip_parameter']} must lie in 0 to 2")
     return values

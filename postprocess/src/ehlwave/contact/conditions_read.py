@@ -9,6 +9,7 @@ import f90nml
 
 from ehlwave.contact.conditions import OIL_KEYS, Conditions, conditions_from_keys
 from ehlwave.errors import SurfaceError
+from ehlwave.slip import merged, refuse_both
 
 KNOWN_LAWS = {"viscosity_law": "roelands", "density_law": "dowson_higginson"}
 """Laws of :class:`ehlwave.contact.medium.Oil`; files may name others."""
@@ -51,13 +52,16 @@ def read_keys(words: Sequence[str]) -> "GivenKeys":
     others: list[str] = []
     law: str | None = None
     parameters: dict[str, float] = {}
+    typed = [word.partition("=") for word in words]
+    refuse_both({name.strip(): value for name, mark, value in typed if mark}, _place(words))
     for word in words:
         name, separator, value = word.partition("=")
         if separator and not Path(word).exists():
-            keys[name.strip()] = value.strip()
+            keys = merged(keys, {name.strip(): value.strip()})
         else:
             file = _from_file(Path(word))
-            keys |= file.keys
+            refuse_both(file.keys, f"conditions {word}")
+            keys = merged(keys, file.keys)
             others, parameters, law = file.other_laws, file.parameters, file.flow_law
     name = conditions_from_keys(keys, place=_place(words)).oil.name
     if law is not None and FLOW_LAWS.get(law) != name:

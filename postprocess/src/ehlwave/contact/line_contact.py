@@ -24,7 +24,8 @@ TRANSVERSE_ALONE = (
     f"others {_SLENDER}"
 )
 ROLLS_ALONE = (
-    "a line contact answers for pure rolling alone (slip_parameter = 1): under slip compute it "
+    "a line contact answers for pure rolling alone (equal speeds, slip_parameter = 1, "
+    "slide_to_roll_ratio = 0): under slip compute it "
     f"(ehlwave.Case, ehlwave-case), or {_SLENDER}"
 )
 """Advice in refusals of line contacts."""

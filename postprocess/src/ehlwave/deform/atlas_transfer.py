@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import RectBivariateSpline
 
-from ehlwave.atlas.atlas import Atlas, atlas_for
+from ehlwave.atlas.atlas import Atlas, atlas_for, chart_of
 from ehlwave.atlas.chart import Chart
 from ehlwave.atlas.ranges import WAVE_RANGE
 from ehlwave.contact.conditions import Conditions
@@ -71,7 +71,7 @@ class AtlasTransfer:
             raise RangeError(f"{laws}: the atlas holds Roelands' oil; give a harmonic table")
         self._conditions = conditions
         self._atlas = atlas_for(conditions, atlas)
-        self._chart: Chart = self._atlas.at(conditions.atlas_keys())
+        self._chart: Chart = chart_of(conditions, atlas)
         self._lookups: dict[str, Callable[[Waves, Waves], Waves]] = {}
         """Film, real and imaginary, its error, and the rise of the mean film."""
         self._asked: tuple[Waves, Waves] | None = None
@@ -231,8 +231,8 @@ def with_atlas_film(conditions: Conditions, atlas: Atlas | None = None) -> Condi
     """
     if conditions.metres_per_moes is None or conditions.film_source.startswith("given"):
         return conditions
-    film = atlas_for(conditions, atlas).at(conditions.atlas_keys()).film()
-    error = film.central_error + conditions.thinning_error
+    film = chart_of(conditions, atlas).film()
+    error = film.central_error + conditions.thinning_error + conditions.oil_error
     source = f"atlas, within {100 * error:.1g} %"
     if conditions.thinning_error:
         source = f"atlas of pure rolling, up to {100 * error:.2g} % too thick under slip"

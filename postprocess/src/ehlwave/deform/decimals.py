@@ -94,8 +94,8 @@ def _is_decimal(file: Path, body: Sequence[str], names: int, decimal: Decimal | 
     columns = "a position and a height" if count == 2 else f"two of {count} heights in a row"
     raise SurfaceError(
         f"{file}: its numbers can be read in two ways: '{first}' is {columns}, or one number "
-        f"({first.replace(',', '.')}): say which by --decimal point (commas separate columns) or "
-        "--decimal comma"
+        f"({first.replace(',', '.')}): say which: decimal='point' (commas separate columns) or "
+        "decimal='comma'"
     )
 
 
@@ -139,14 +139,14 @@ def _without_commas(
     if any("." in line for line in body):
         raise SurfaceError(
             f"{file}: has points and commas in its numbers, as in '{printable(cells[0])[:40]}': "
-            "say --decimal point (commas between thousands) or --decimal comma (points between "
-            "them)"
+            "say decimal='point' (commas between thousands) or decimal='comma' (points "
+            "between them)"
         )
     if all(_THOUSANDS.match(cell) for cell in cells):
         raise SurfaceError(
             f"{file}: '{cells[0]}' is {cells[0].replace(',', '.')}, or "
-            f"{cells[0].replace(',', '')} with a comma between thousands: say which by --decimal "
-            "comma or --decimal point"
+            f"{cells[0].replace(',', '')} with a comma between thousands: say which: "
+            "decimal='comma' or decimal='point'"
         )
     return [line.replace(",", ".") for line in body]
 
@@ -159,6 +159,6 @@ def _as_said(file: Path, line: str, separator: str | None, decimal: Decimal) -> 
         if between in cell and not grouped.match(cell.strip()):
             raise SurfaceError(
                 f"{file}: '{printable(cell.strip())[:40]}' is no number with a decimal {decimal}: "
-                f"--decimal {decimal} contradicts the file"
+                f"decimal='{decimal}' contradicts the file"
             )
     return line.replace(between, "").replace(mark, ".")

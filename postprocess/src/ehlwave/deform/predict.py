@@ -28,6 +28,7 @@ from ehlwave.deform.surface import Heights, Surface, checked_surface
 from ehlwave.deform.transfer import FormulaBasis, FormulaTransfer, Transfer
 from ehlwave.errors import SurfaceError
 from ehlwave.extras import load
+from ehlwave.quantities import plain
 from ehlwave.shown import Shown, micrometres, within
 
 if TYPE_CHECKING:
@@ -207,6 +208,7 @@ def deform_surface(
     checked_surface(surface)
     _check_scale(surface, conditions)
     flat = remove_form(surface, form)
+    cutoffs_m = tuple(plain(cutoff, "cutoff_m") for cutoff in cutoffs_m)
     if any(cutoffs_m):
         flat = gaussian_filtered(flat, *cutoffs_m)
     working = flat.height
@@ -329,11 +331,11 @@ def _check_scale(surface: Surface, conditions: Conditions) -> None:
             raise SurfaceError(
                 f"{surface.name}: the step along {letter} is {step * 1e6:.4g} um, more than the "
                 f"contact's semi-axis {name} = {axis * 1e6:.4g} um: no component inside the "
-                "contact is resolved. Is --length-unit right?"
+                "contact is resolved. Is length_unit= right?"
             )
         if count * step < 0.1 * axis:
             raise SurfaceError(
                 f"{surface.name}: the surface is {count * step * 1e6:.4g} um long along {letter}, "
                 f"less than a tenth of the contact's semi-axis {name} = {axis * 1e6:.4g} um. "
-                "Is --length-unit right?"
+                "Is length_unit= right?"
             )

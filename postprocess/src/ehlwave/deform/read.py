@@ -127,7 +127,7 @@ def read_surface(path: SurfaceSource | Surface, options: ReadOptions | None = No
     raw = _without_single_line(found)
     if raw.height.ndim not in (1, 2):
         raise SurfaceError(f"{file}: heights have {raw.height.ndim} dimensions, not one or two")
-    height_metres = _unit(file, chosen.height_unit or raw.height_unit, "heights", "--height-unit")
+    height_metres = _unit(file, chosen.height_unit or raw.height_unit, "heights", "height_unit=")
     # One copy, and none of a large single-precision map's size in double precision.
     kind = raw.height.dtype if raw.height.dtype == np.float32 else np.float64
     height = np.array(raw.height, dtype=kind)
@@ -299,7 +299,7 @@ def _from_hdf5(file: Path, inside: h5py.File) -> RawSurface:
 
 def _steps(file: Path, raw: RawSurface, options: ReadOptions) -> tuple[float, float]:
     """Return the steps along x and y of the file, m."""
-    length = _unit(file, options.length_unit or raw.length_unit, "lengths", "--length-unit")
+    length = _unit(file, options.length_unit or raw.length_unit, "lengths", "length_unit=")
     # A unit that the user gives is that of positions too, not of a step stated with its own.
     stated = METRES.get(raw.length_unit or "", length) / length if options.length_unit else 1.0
     step, across = (None if own is None else own * stated for own in (raw.step, raw.step_across))
@@ -307,11 +307,11 @@ def _steps(file: Path, raw: RawSurface, options: ReadOptions) -> tuple[float, fl
         step = uniform_step(_positions(file, raw.x, raw.height.shape[-1], "x"), f"{file}: x")
     if raw.y is not None and raw.height.ndim == 2:
         across = uniform_step(_positions(file, raw.y, raw.height.shape[0], "y"), f"{file}: y")
-    step = _agreed(file, "--step", options.step, step)
-    across = _agreed(file, "--step-across", options.step_across, across)
+    step = _agreed(file, "step=", options.step, step)
+    across = _agreed(file, "step_across=", options.step_across, across)
     if step is None:
         hint = "; commas were taken as decimal ones" if raw.has_decimal_commas else ""
-        raise SurfaceError(f"{file}: has no positions: give the sampling step by --step{hint}")
+        raise SurfaceError(f"{file}: has no positions: give the sampling step by step={hint}")
     return step * length, (step if across is None else across) * length
 
 
@@ -321,8 +321,8 @@ def _agreed(file: Path, option: str, said: float | None, own: float | None) -> f
         return own if said is None else said
     if not abs(said - own) <= LARGEST_STEP_DIFFERENCE * abs(own):
         raise SurfaceError(
-            f"{file}: {option} {said:g} contradicts the file, whose step is {own:.6g}: leave the "
-            "option out, or remove the positions from the file"
+            f"{file}: {option}{said:g} contradicts the file, whose step is {own:.6g}: leave it "
+            "out, or remove the positions from the file"
         )
     return own
 

@@ -19,6 +19,9 @@ ALPHA = math.sqrt(math.log(2) / math.pi)
 SECTIONS = 5
 """Of the evaluation length, where no cut-off says how long they are."""
 
+NOTHING_M = 1e-15
+"""Heights that differ by less are equal but for rounding: a hundred thousandth of an atom."""
+
 
 def gaussian_filtered(
     surface: Surface, cutoff_m: float | None = None, short_cutoff_m: float | None = None
@@ -75,6 +78,8 @@ def roughness_parameters(
         Points of a section, those of one cut-off; a fifth of the length if absent.
     """
     z = height.ravel() - np.mean(height, dtype=np.float64)
+    if np.ptp(z) < NOTHING_M:
+        z = np.zeros_like(z)
     rq = float(np.sqrt(np.mean(z**2)))
     skewness, kurtosis = (float(np.mean(z**k) / rq**k) if rq > 0 else math.nan for k in (3, 4))
     shape = [float(np.mean(np.abs(z))), rq, skewness, kurtosis]

@@ -38,7 +38,7 @@ def simulation_surface(surface: Surface, form: Form = "plane", repeat: int = 1) 
             "give a map, or compute longitudinal waviness by ehlwave-case"
         )
     if repeat < 1:
-        raise SurfaceError(f"--repeat {repeat}: give a whole number of 1 or more")
+        raise SurfaceError(f"repeat={repeat}: give a whole number of 1 or more")
     flat = remove_form(surface, form)
     height = np.tile(flat.height.astype(np.float64), (repeat, 1))
     height = height * np.outer(taper(height.shape[0]), taper(height.shape[1]))

@@ -9,6 +9,7 @@ from scipy import ndimage
 
 from ehlwave.deform.raw_surface import topography_of
 from ehlwave.errors import SurfaceError
+from ehlwave.quantities import plain
 from ehlwave.shown import Shown, micrometres
 
 Heights = NDArray[np.floating]
@@ -85,7 +86,7 @@ def trace_surface(height: Heights, step_m: float, axis: Axis = "x", name: str = 
     SurfaceError
         As :func:`checked_surface`.
     """
-    values = np.asarray(height)
+    values, step_m = np.asarray(plain(height, "height_m")), plain(step_m, "step_m")
     if values.ndim != 1:
         raise SurfaceError(f"{name}: a trace has one dimension, got shape {values.shape}")
     if axis == "x":
@@ -101,7 +102,8 @@ def map_surface(height: Heights, step_x_m: float, step_y_m: float, name: str = "
     SurfaceError
         As :func:`checked_surface`.
     """
-    values = np.asarray(height)
+    values = np.asarray(plain(height, "height_m"))
+    step_x_m, step_y_m = plain(step_x_m, "step_x_m"), plain(step_y_m, "step_y_m")
     if values.ndim != 2 or 1 in values.shape:
         raise SurfaceError(f"{name}: a map has two dimensions, got shape {values.shape}")
     return checked_surface(Surface(values, step_x_m, step_y_m, name))
@@ -137,15 +139,15 @@ def checked_surface(surface: Surface) -> Surface:
         raise SurfaceError(
             f"{name}: {count} of {height.size} heights are missing (NaN or infinite), the first "
             f"at index {first[0] if surface.is_trace and first[1] == 0 else first}; fill them "
-            "with --fill-missing or in the instrument's software, or cut the surface to a "
+            "with fill_missing=True or in the instrument's software, or cut the surface to a "
             "measured part"
         )
     slope = rms_slope(surface)
     if slope > STEEPEST_SLOPE:
         raise SurfaceError(
             f"{name}: the root mean square slope is {slope:.3g} ({np.degrees(np.arctan(slope)):.0f}"
-            " degrees): the unit of the heights or of the lengths is wrong; set --height-unit "
-            "and --length-unit"
+            " degrees): the unit of the heights or of the lengths is wrong; set height_unit= "
+            "and length_unit="
         )
     return surface
 

@@ -25,6 +25,7 @@ IN_COLUMNS = frozenset(
         "lubricant_parameter_l",
         "radius_ratio_d",
         "slip_parameter",
+        "slide_to_roll_ratio",
         "orientation",
         "wavelength_over_a",
         "wavelength_x_over_a",

@@ -1,9 +1,10 @@
 """Read harmonic tables.
 
 A table has one row per wave: the operating condition ``M``, ``L``, ``D``, and ``slip_parameter``
-(1 if absent); the wave by ``lambda_x_over_a`` and ``lambda_y_over_b``, 0 standing for infinite,
-or by ``lambda_over_a`` (the smaller, both in units of a) and ``r`` = lambda_x/lambda_y; and the
-transfer by ``transfer_real`` and ``transfer_imag``, or by ``amplitude_ratio``, which has no phase.
+(1 if absent) or ``slide_to_roll_ratio``; the wave by ``lambda_x_over_a`` and ``lambda_y_over_b``,
+0 standing for infinite, or by ``lambda_over_a`` (the smaller, both in units of a) and ``r`` =
+lambda_x/lambda_y; and the transfer by ``transfer_real`` and ``transfer_imag``, or by
+``amplitude_ratio``, which has no phase.
 CSV, or HDF5 with one dataset per column.
 
 The transfer is the ratio of the film's component at the contact centre to the surface's, both
@@ -29,6 +30,7 @@ from ehlwave.deform.table_matching import refuse_two_responses
 from ehlwave.errors import ResultsError, SurfaceError
 from ehlwave.formula import f_of_r
 from ehlwave.hdf5 import check_is_file, opened, reason
+from ehlwave.slip import RATIO, SLIP, refuse_both, slip_of
 
 CONDITION_COLUMNS = ("M", "L", "D")
 
@@ -75,6 +77,7 @@ def table_rows(raw: pd.DataFrame, place: str) -> pd.DataFrame:
     SurfaceError
         If a column is missing or not numeric.
     """
+    raw = _with_slip(raw, place)
     needed = [*CONDITION_COLUMNS]
     needed += ["lambda_over_a", "r"] if "r" in raw else ["lambda_x_over_a", "lambda_y_over_b"]
     needed += ["transfer_real", "transfer_imag"] if "transfer_real" in raw else ["amplitude_ratio"]
@@ -85,7 +88,7 @@ def table_rows(raw: pd.DataFrame, place: str) -> pd.DataFrame:
             raise SurfaceError(f"{place}: column {column} does not hold numbers")
     _check_numbers(raw, needed, place)
     rows = raw[[*CONDITION_COLUMNS]].astype(float)
-    rows["slip_parameter"] = raw.get("slip_parameter", 1.0)
+    rows[SLIP] = raw.get(SLIP, 1.0)
     if "r" in raw:
         ratio, wave = raw["r"].to_numpy(float), raw["lambda_over_a"].to_numpy(float)
     else:
@@ -107,6 +110,16 @@ def table_rows(raw: pd.DataFrame, place: str) -> pd.DataFrame:
     rows = rows.assign(**table_columns(raw, place))[finite]
     refuse_two_responses(rows, place)
     return rows
+
+
+def _with_slip(raw: pd.DataFrame, place: str) -> pd.DataFrame:
+    """Return a table with the slip parameter where it has slide-to-roll ratios."""
+    refuse_both({name: "a column" for name in (SLIP, RATIO) if name in raw}, place)
+    if RATIO not in raw:
+        return raw
+    if raw[RATIO].dtype.kind not in "fiu":
+        raise SurfaceError(f"{place}: column {RATIO} does not hold numbers")
+    return raw.assign(**{SLIP: raw[RATIO].map(slip_of)}).drop(columns=RATIO)
 
 
 def _check_numbers(raw: pd.DataFrame, needed: list[str], place: str) -> None:

@@ -2,9 +2,8 @@
 
 Waves are exp(i (a x + b y)) with k = (a^2 + b^2)^(1/2); z points into the body. With u = a/k,
 v = b/k and s = kz the stresses are those below times exp(-s), per unit of load amplitude,
-compression positive, theory eq. (B1) and (B2). The forms are those of Tripp,
-Van Kuilenburg, Morales-Espejel and Werner (2003), Tribology Transactions 46, written for
-exponentials.
+compression positive, theory eq. (B1) and (B2). The forms are those of Tripp, Van Kuilenburg,
+Morales-Espejel and Werner (2003), Tribology Transactions 46, written for exponentials.
 
 | | pressure | traction on the body along x |
 | --- | --- | --- |

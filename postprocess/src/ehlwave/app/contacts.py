@@ -1,0 +1,73 @@
+"""From what the page asks for to a contact, and to the Python that makes it again.
+
+The one place of the page that knows how contacts and oils are made.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from ehlwave.contact.bodies import Body
+from ehlwave.contact.data_sheet import Oil
+from ehlwave.operating_point import Contact
+
+Numbers = Mapping[str, Any]
+"""Numbers in SI by keys; what is no number as it was typed."""
+
+
+@dataclass(frozen=True)
+class Given:
+    """What was entered.
+
+    Attributes
+    ----------
+    keys : mapping
+        Of :class:`ehlwave.Contact`, or of its ``from_bodies``.
+    bodies : pair of mapping, optional
+        Arguments of :class:`ehlwave.Body`, the rough one first.
+    oil : mapping
+        Arguments of `maker`.
+    maker : {"", "from_grade", "named"}
+        Of :class:`ehlwave.Oil`; the oil stands in `keys` where there is none.
+    """
+
+    keys: Numbers
+    bodies: tuple[Numbers, Numbers] | None = None
+    oil: Numbers = field(default_factory=dict)
+    maker: str = ""
+
+
+def made(given: Given) -> Contact:
+    """Return the contact.
+
+    Raises
+    ------
+    ResultsError
+        If something is missing or makes no sense.
+    """
+    oil = getattr(Oil, given.maker)(**given.oil) if given.maker else None
+    if given.bodies is not None:
+        first, second = (Body(**body) for body in given.bodies)
+        return Contact.from_bodies(first, second, oil=oil, **given.keys)
+    return Contact(**given.keys, **({} if oil is None else oil.keys()))
+
+
+def source(given: Given) -> str:
+    """Return Python that makes the contact."""
+    keys = dict(given.keys)
+    text = call(f"oil = ehlwave.Oil.{given.maker}", given.oil) if given.maker else ""
+    if given.bodies is None:
+        last = ["**oil.keys()"] if given.maker else []
+        return text + call("contact = ehlwave.Contact", keys, last=last)
+    for number, body in enumerate(given.bodies, 1):
+        text += call(f"body{number} = ehlwave.Body", body)
+    last = ["oil=oil"] if given.maker else []
+    return text + call("contact = ehlwave.Contact.from_bodies", keys, ["body1", "body2"], last)
+
+
+def call(
+    start: str, given: Numbers, first: list[str] | None = None, last: list[str] | None = None
+) -> str:
+    """Return a call, one argument a line."""
+    words = [*(first or []), *(f"{key}={value!r}" for key, value in given.items()), *(last or [])]
+    return f"{start}(\n" + "".join(f"    {word},\n" for word in words) + ")\n"

@@ -1,0 +1,110 @@
+"""The server of the page: one process, a session for each browser tab, threads for the work."""
+
+import html
+import socket
+from collections.abc import Sequence
+from typing import Any
+
+import panel as pn
+from bokeh.server.server import Server
+from tornado.web import RequestHandler
+
+from ehlwave.app.page import TITLE, Page
+from ehlwave.app.task import silence_extrapolation
+from ehlwave.app.uploads import LARGEST_MB
+from ehlwave.app.work import Pools
+from ehlwave.errors import ResultsError
+
+MOST_SESSIONS = 100
+MESSAGE_BYTES = 4 * 2**20
+"""Largest message of a browser; files come in smaller parts."""
+
+UNUSED_MS = 120_000
+"""Until a session without a browser ends: slow computers take a while to connect."""
+
+LOOPBACK = ("127.0.0.1", "localhost")
+
+SERVED = r"/|/ws|/favicon\.ico|/static/(js|extensions/panel)(/([\w@^.+-]|%5E)+)+"
+"""Paths that there are: the page, its socket, and what Panel and Bokeh bring for browsers."""
+
+
+class _Refused(RequestHandler):
+    """Answers that there is nothing, whatever is asked."""
+
+    def prepare(self) -> None:
+        """Answer."""
+        self.send_error(404)
+
+
+def serve(address: str, port: int, hosts: Sequence[str] = ()) -> None:
+    """Serve pages until interrupted.
+
+    Parameters
+    ----------
+    address : str
+        Network address to listen on.
+    port : int
+        0: any that is free.
+    hosts : sequence of str
+        Names that browsers reach it by, besides the address.
+
+    Raises
+    ------
+    ResultsError
+        If the address or port cannot be had.
+    """
+    pools = Pools()
+    server = make_server(address, port, hosts, pools)
+    try:
+        shown = "127.0.0.1" if address in ("0.0.0.0", "") else address
+        names = ", ".join(f"http://{name}:{server.port}" for name in [*hosts, shown])
+        print(
+            f"ehlwave app: {names} (files of {LARGEST_MB} MB at most; Ctrl+C ends it)", flush=True
+        )
+        server.run_until_shutdown()
+    finally:
+        pools.close()
+
+
+def make_server(address: str, port: int, hosts: Sequence[str], pools: Pools) -> Server:
+    """Return a server that listens already."""
+    silence_extrapolation()
+    pn.extension("filedropper", loading_indicator=False)
+    pn.config.inline = False
+    names = {*hosts, address, *(LOOPBACK if address in (*LOOPBACK, "0.0.0.0", "::") else ())}
+    sessions: set[Any] = set()
+
+    def page() -> pn.viewable.Viewable | pn.Template:
+        if len(sessions) >= MOST_SESSIONS:
+            return pn.pane.HTML("<p>The server is busy: try again in a minute.</p>")
+        document = pn.state.curdoc
+        session = document.session_context.id
+        sessions.add(session)
+        document.on_session_destroyed(lambda _: sessions.discard(session))
+        return Page(pools).template()
+
+    try:
+        port = port or _free_port(address)
+        server = pn.io.server.get_server(
+            {"/": page},
+            port=port,
+            address=address,
+            title=html.escape(TITLE),
+            websocket_origin=[f"{name}:{port}" for name in names if name],
+            websocket_max_message_size=MESSAGE_BYTES,
+            unused_session_lifetime=UNUSED_MS,
+        )
+    except OSError as error:
+        raise ResultsError(
+            f"app: cannot listen on {address}, port {port} ({error.strerror or error}): name "
+            "others by --address and --port"
+        ) from error
+    # Looked at before all others: the servers of Panel know more paths than the page needs.
+    server._tornado.add_handlers(".*", [(rf"(?!(?:{SERVED})$)(.*)|(.*\.\..*)", _Refused)])
+    return server
+
+
+def _free_port(address: str) -> int:
+    """Return a port that is free: origins of sockets are known by it before the server has one."""
+    with socket.create_server((address, 0)) as found:
+        return int(found.getsockname()[1])

@@ -1,0 +1,123 @@
+"""The measured surface of the page, and what its file does not say."""
+
+from typing import Any
+
+import panel as pn
+
+from ehlwave.app import quantities as q
+from ehlwave.app.contact_form import ContactForm
+from ehlwave.app.task import Task
+from ehlwave.app.uploads import LARGEST_MB
+from ehlwave.app.widgets import (
+    CARD,
+    FileField,
+    NumberField,
+    in_rows,
+    section,
+    select,
+    widgets_of,
+)
+from ehlwave.deform.decimals import DECIMALS
+from ehlwave.deform.prepare import FORMS, WINDOWS
+from ehlwave.errors import SurfaceError
+
+TRANSFERS = {
+    "Atlas of computed responses": "atlas",
+    "Law of the two waves": "two-waves",
+    "Recommended formula": "recommended",
+    "Formula of the paper": "paper",
+}
+AS_FILE = "as the file says"
+UNITS = (AS_FILE, "m", "mm", "um", "nm")
+
+
+class SurfaceForm:
+    """A measured surface, and what its file does not say."""
+
+    def __init__(self) -> None:
+        """Make the fields."""
+        self.file = FileField(sizing_mode="stretch_width", margin=(4, 6))
+        self.length = select("Unit of lengths", list(UNITS))
+        self.height = select("Unit of heights", list(UNITS))
+        self.axis = select("Measured", {"along rolling": "x", "across rolling": "y"})
+        self.form = select("Form removed", _first(list(FORMS), "plane"))
+        self.ends = select("Ends", _first(list(WINDOWS), "mirror"))
+        self.by = select("Judged by", TRANSFERS)
+        self.decimal = select("Decimals", [AS_FILE, *DECIMALS])
+        self.missing = select("Missing heights", {"refused": False, "filled": True})
+        self.step = NumberField(q.STEP)
+        self.cutoffs = [NumberField(one) for one in q.CUTOFFS]
+        numbers = [one.view for one in (self.step, *self.cutoffs)]
+        more = pn.Card(
+            in_rows([self.by, self.ends, self.decimal, self.missing, *numbers]),
+            title="More about the surface",
+            collapsed=True,
+            sizing_mode="stretch_width",
+            margin=(6, 4),
+            styles=CARD,
+        )
+        hint = pn.pane.HTML(
+            f"Trace or map, {LARGEST_MB} MB at most: text, NumPy, HDF5, SDF, SUR, PLU, X3P, ...",
+            margin=(4, 6, 0, 6),
+            styles={"font-size": "0.86em", "color": "#51626c"},
+        )
+        few = in_rows([self.length, self.height, self.axis, self.form])
+        self.view = section("Surface (optional)", hint, self.file, few, more)
+
+    def reading(self) -> dict[str, Any]:
+        """Return arguments of ReadOptions that are not the defaults."""
+        said = {
+            "length_unit": self.length.value,
+            "height_unit": self.height.value,
+            "rolling_axis": None if self.axis.value == "x" else "y",
+            "decimal": self.decimal.value,
+            "fill_missing": self.missing.value or None,
+            **_numbers(self.step),
+        }
+        return {key: value for key, value in said.items() if value not in (None, AS_FILE)}
+
+    def options(self) -> dict[str, Any]:
+        """Return arguments of :meth:`ehlwave.Contact.deform`."""
+        found: dict[str, Any] = {
+            "by": self.by.value,
+            "form": self.form.value,
+            "ends": self.ends.value,
+        }
+        cutoffs = [_numbers(one).get(one.key) for one in self.cutoffs]
+        return found | ({"cutoffs_m": tuple(cutoffs)} if any(cutoffs) else {})
+
+    @property
+    def widgets(self) -> list[Any]:
+        """Return what a user changes."""
+        chosen = [self.length, self.height, self.axis, self.form, self.ends, self.by]
+        chosen += [self.decimal, self.missing, self.file]
+        return [*chosen, *widgets_of([self.step, *self.cutoffs])]
+
+
+def task_of(contact: ContactForm, surface: SurfaceForm) -> Task:
+    """Return what is asked.
+
+    Raises
+    ------
+    SurfaceError
+        If a file was refused, or a number of the surface is none.
+    """
+    if surface.file.refused:
+        raise SurfaceError(f"the file: {surface.file.refused}")
+    upload = surface.file.upload()
+    if upload is None:
+        return Task(contact.given())
+    return Task(contact.given(), upload, surface.reading(), surface.options())
+
+
+def _numbers(field: NumberField) -> dict[str, float]:
+    found: dict[str, float] = {}
+    for key, value in field.given().items():
+        if isinstance(value, str) or value <= 0:
+            raise SurfaceError(f"{field.label}: {field.text.value!r} is not a number above 0")
+        found[key] = value
+    return found
+
+
+def _first(names: list[str], first: str) -> list[str]:
+    return [first, *(name for name in names if name != first)]

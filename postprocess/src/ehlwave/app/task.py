@@ -1,0 +1,110 @@
+"""From the numbers and the trace of a page to its answer; knows nothing of the page."""
+
+import io
+import warnings
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from threading import Lock
+from typing import Any
+
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+
+from ehlwave.app.contacts import Given, made
+from ehlwave.app.uploads import Upload, read_upload
+from ehlwave.deform.figures import deformed_figure, spectrum_figure
+from ehlwave.deform.predict import Deformed
+from ehlwave.deform.read import ReadOptions
+from ehlwave.errors import ExtrapolationWarning, RangeError
+from ehlwave.operating_point import Contact, Film
+
+DOTS_PER_INCH = 200
+_DRAWING = Lock()
+"""Settings of Matplotlib are those of the whole process."""
+
+
+@dataclass(frozen=True)
+class Task:
+    """What a page asks.
+
+    Attributes
+    ----------
+    given : Given
+        The contact as it was entered.
+    upload : Upload or None
+        A measured surface.
+    reading, options : mapping
+        Of :class:`ehlwave.deform.ReadOptions`, and of :meth:`ehlwave.Contact.deform`.
+    """
+
+    given: Given
+    upload: Upload | None = None
+    reading: Mapping[str, Any] = field(default_factory=dict)
+    options: Mapping[str, Any] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What the page shows.
+
+    Attributes
+    ----------
+    task : Task
+        What was asked.
+    contact : Contact
+        What answered.
+    film : Film or None
+        Of the smooth contact; None: it lies outside the atlas, `outside` says by what.
+    outside : str
+        Why there is no film.
+    found : Deformed or None
+        The surface inside the contact.
+    pictures : mapping
+        PNG files by their titles.
+    """
+
+    task: Task
+    contact: Contact
+    film: Film | None
+    outside: str
+    found: Deformed | None
+    pictures: Mapping[str, bytes]
+
+
+def answered(task: Task) -> Answer:
+    """Return the answer.
+
+    Raises
+    ------
+    ResultsError
+        If something was entered that cannot be used; the message is that of the command line.
+    """
+    contact = made(task.given)
+    found, pictures = None, {}
+    film, outside = None, ""
+    if task.upload is not None:
+        surface = read_upload(task.upload, ReadOptions(**task.reading))
+        found = contact.deform(surface, **task.options)
+        pictures["Surface before and in the contact"] = _png(deformed_figure, found)
+        pictures["Spectrum"] = _png(spectrum_figure, found)
+    try:
+        film = contact.film()
+    except RangeError as error:
+        if found is None:
+            raise
+        outside = str(error)
+    return Answer(task, contact, film, outside, found, pictures)
+
+
+def silence_extrapolation() -> None:
+    """Keep warnings of extrapolated numbers, which answers carry, out of the server's log."""
+    warnings.simplefilter("ignore", ExtrapolationWarning)
+
+
+def _png(draw: Any, found: Deformed) -> bytes:  # noqa: ANN401 - a function that returns a figure
+    file = io.BytesIO()
+    with _DRAWING:
+        figure: Figure = draw(found)
+        figure.set_dpi(DOTS_PER_INCH)
+        FigureCanvasAgg(figure).print_png(file)
+    return file.getvalue()

@@ -1,0 +1,85 @@
+"""Traces and maps that a browser sends: sizes are limited, names are not trusted."""
+
+import tempfile
+import zipfile
+from dataclasses import dataclass
+from pathlib import Path, PurePosixPath
+
+from ehlwave.deform.read import ReadOptions, read_surface
+from ehlwave.deform.surface import Surface
+from ehlwave.errors import ResultsError, SurfaceError, printable
+from ehlwave.hdf5 import opened
+from ehlwave.writing import Writer
+
+LARGEST_MB = 16
+LARGEST_BYTES = LARGEST_MB * 10**6
+"""Of a file."""
+
+UNPACKED_MB = 64
+"""Of what a packed file holds."""
+
+MOST_POINTS = 2**22
+"""Of a surface that the page judges; the command line takes larger ones."""
+
+LONGEST_NAME = 100
+
+
+@dataclass(frozen=True)
+class Upload:
+    """A file as the browser sent it."""
+
+    name: str
+    data: bytes = b""
+
+
+def file_name(name: str) -> str:
+    """Return the last part of a name, as one that a file of ours can have."""
+    last = PurePosixPath(printable(name).replace("\\", "/")).name
+    return last.lstrip(".")[-LONGEST_NAME:].lstrip() or "trace"
+
+
+def read_upload(upload: Upload, options: ReadOptions) -> Surface:
+    """Return the surface of a file, by the reader of the command line, from a private folder.
+
+    Raises
+    ------
+    SurfaceError
+        As :func:`ehlwave.read_surface`; or the file is too large for the page.
+    """
+    name = file_name(upload.name)
+    if len(upload.data) > LARGEST_BYTES:
+        raise SurfaceError(f"{name}: {too_large(len(upload.data))}")
+    with tempfile.TemporaryDirectory(prefix="ehlwave-app-") as folder:
+        path = Writer().data(Path(folder) / name, upload.data)
+        try:
+            _refuse_unpacked(path)
+            surface = read_surface(path, options)
+        except ResultsError as error:
+            # The command line says the name that it was given, too.
+            raise SurfaceError(str(error).replace(f"{folder}/", "")) from None
+    if surface.height.size > MOST_POINTS:
+        raise SurfaceError(
+            f"{name}: {surface.height.size} points, more than the {MOST_POINTS} that the page "
+            "takes: use the command, ehlwave deform"
+        )
+    return surface
+
+
+def too_large(size: int, most_mb: int = LARGEST_MB) -> str:
+    """Return why a file of this size, in bytes, is refused."""
+    return (
+        f"{size / 1e6:.1f} MB, more than the {most_mb} MB that the page takes: cut the surface "
+        "or use the command, ehlwave deform"
+    )
+
+
+def _refuse_unpacked(path: Path) -> None:
+    size = 0
+    if zipfile.is_zipfile(path):
+        with zipfile.ZipFile(path) as archive:
+            size = sum(entry.file_size for entry in archive.infolist())
+    elif path.suffix.lower() in (".h5", ".hdf5", ".nc"):
+        with opened(path) as inside:
+            size = sum(item.nbytes for item in inside.values() if hasattr(item, "nbytes"))
+    if size > UNPACKED_MB * 10**6:
+        raise SurfaceError(f"{path}: unpacked {too_large(size, UNPACKED_MB)}")

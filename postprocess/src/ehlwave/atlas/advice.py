@@ -1,0 +1,192 @@
+"""What a contact outside the atlas would have to be, in the quantities that it was given by."""
+
+import math
+from collections.abc import Mapping
+
+import numpy as np
+from scipy.optimize import linprog
+
+from ehlwave.contact.conditions import Conditions, moes_values
+from ehlwave.errors import RangeError, SurfaceError
+from ehlwave.hints import see
+from ehlwave.quantities import PLAUSIBLE, unit_of
+from ehlwave.slip import RATIO, ratio_of
+
+Ranges = Mapping[str, tuple[float, float]]
+
+COSTS = {
+    "load_n": 1.0,
+    "load_n_per_m": 1.0,
+    "mean_speed_m_per_s": 1.5,
+    "viscosity_pa_s": 3.0,
+    "eyring_stress_pa": 3.0,
+    "radius_x_m": 30.0,
+    "radius_y_m": 30.0,
+    "pressure_viscosity_per_pa": 100.0,
+    "reduced_modulus_pa": 100.0,
+}
+"""Quantities in the order in which people would change them, and how much they would mind."""
+
+LETTERS = {"load_parameter_m": "M", "lubricant_parameter_l": "L", "radius_ratio_d": "D"}
+STRESS = "stress_modulus_pa2"
+_STEP, _MARGIN = 1e-4, 0.02
+_DIGITS = 3
+_LARGEST_CHANGE = 1e3
+"""Of one quantity; beyond it the smallest change of several is said."""
+
+
+def refuse_outside(contact: Conditions, ranges: Ranges) -> None:
+    """Raise RangeError where a contact lies outside, and say what would lie inside.
+
+    A contact given by M, L and D is left to the message of the atlas itself.
+    """
+    place = contact.atlas_keys()
+    wrong = [key for key, (low, high) in ranges.items() if not _is_inside(place[key], low, high)]
+    given = dict(contact.given)
+    if "slip_parameter" in wrong:
+        raise RangeError(_slip_text(contact, ranges["slip_parameter"]))
+    if not wrong or "mean_speed_m_per_s" not in given or not _follow(wrong, given):
+        return
+    powers = {key: _powers(given, key, ranges) for key in COSTS if key in given}
+    single = {key: _interval(place, power, ranges) for key, power in powers.items()}
+    names = {key: (name, factor) for key, name, factor in contact.names}
+    texts = []
+    for key, ends in single.items():
+        if ends is not None and _is_plausible(key, given[key], ends):
+            texts.append((key, *(given[key] * end for end in ends)))
+    said = ", ".join(_coordinate(key, place[key], ranges[key]) for key in wrong)
+    if texts:
+        first, low, high = texts[0]
+        name, factor = names.get(first, (first, 1.0))
+        text = (
+            f"{name} = {given[first] * factor:.4g} gives {said}; with the rest as it is the atlas "
+            f"holds {_ends(low * factor, high * factor)} {_unit(first, name)}"
+        )
+        if len(texts) > 1:
+            key, low, high = texts[1]
+            name, factor = names.get(key, (key, 1.0))
+            text += f", or {name} of {_ends(low * factor, high * factor)} {_unit(key, name)}"
+    else:
+        text = f"this contact has {said}; {_nearest(place, given, powers, ranges, names)}"
+    raise RangeError(f"{text}; or compute it: ehlwave-case, ehlwave.Case{see('atlas')}")
+
+
+def _is_inside(value: float, low: float, high: float) -> bool:
+    return low * (1 - 1e-9) <= value <= high * (1 + 1e-9)
+
+
+def _follow(wrong: list[str], given: Mapping[str, float]) -> bool:
+    """Return whether one of them follows from several quantities; others are said as they are."""
+    return any(key in LETTERS or key == STRESS for key in wrong)
+
+
+def _coordinate(key: str, value: float, ends: tuple[float, float]) -> str:
+    name = LETTERS.get(key, "eyring_stress_pa reduced_modulus_pa" if key == STRESS else key)
+    return f"{name} = {value:.3g} (of {ends[0]:g} to {ends[1]:g})"
+
+
+def _coordinates(values: Mapping[str, float]) -> dict[str, float]:
+    """Return the coordinates in the atlas that quantities give, those that depend on them."""
+    found = moes_values(values, "contact")
+    found["pressure_viscosity_per_pa"] = values.get("pressure_viscosity_per_pa", 1.0)
+    if "eyring_stress_pa" in values:
+        found[STRESS] = values["eyring_stress_pa"] * values["reduced_modulus_pa"]
+    return found
+
+
+def _powers(given: Mapping[str, float], key: str, ranges: Ranges) -> dict[str, float]:
+    """Return with which power of a quantity each coordinate goes; all are fourths."""
+    before = _coordinates(given)
+    for step in (1 + _STEP, 1 / (1 + _STEP)):
+        try:
+            after = _coordinates({**given, key: given[key] * step})
+        except SurfaceError:  # D just beyond its end
+            continue
+        return {
+            name: round(4 * math.log(after[name] / before[name]) / math.log(step)) / 4
+            for name in ranges
+            if name in after and before[name] > 0
+        }
+    return {}
+
+
+def _interval(
+    place: Mapping[str, float], powers: Mapping[str, float], ranges: Ranges
+) -> tuple[float, float] | None:
+    """Return by which factors a quantity may change so that all lies inside; None: by none."""
+    least, most = 0.0, math.inf
+    for key, ends in ranges.items():
+        power = powers.get(key, 0.0)
+        if power == 0:
+            if not _is_inside(place[key], *ends):
+                return None
+            continue
+        factors = sorted((end / place[key]) ** (1 / power) for end in ends)
+        least, most = max(least, factors[0]), min(most, factors[1])
+    return (least, most) if least < most * (1 - _MARGIN) else None
+
+
+def _is_plausible(key: str, value: float, factors: tuple[float, float]) -> bool:
+    known = PLAUSIBLE[key]
+    if max(factors[0], 1 / factors[1]) > _LARGEST_CHANGE:
+        return False
+    return value * factors[0] <= known.high and value * factors[1] >= known.low
+
+
+def _nearest(
+    place: Mapping[str, float],
+    given: Mapping[str, float],
+    powers: Mapping[str, Mapping[str, float]],
+    ranges: Ranges,
+    names: Mapping[str, tuple[str, float]],
+) -> str:
+    """Return the smallest change of several quantities that leads inside, by linear programming.
+
+    Logarithms of coordinates are linear in those of quantities. What people would change last
+    counts most, and few are changed, since a corner is found.
+    """
+    keys = list(powers)
+    matrix = np.array([[powers[key].get(name, 0.0) for key in keys] for name in ranges])
+    now = np.log([place[name] for name in ranges])
+    low, high = (np.log([ends[i] for ends in ranges.values()]) for i in (0, 1))
+    room = np.minimum(_MARGIN, 0.25 * (high - low))
+    # What is inside may stay where it is, at an end, too: circular contacts have D = 1.
+    most = np.where(now <= high, np.maximum(high - room, now), high - room)
+    least = np.where(now >= low, np.minimum(low + room, now), low + room)
+    upper = np.concatenate([most - now, now - least]) + 1e-12
+    cost = np.array([COSTS[key] for key in keys])
+    both = np.vstack([matrix, -matrix])
+    found = linprog(np.tile(cost, 2), A_ub=np.hstack([both, -both]), b_ub=upper, method="highs")
+    if not found.success:
+        return "no change of what it was given by leads into the atlas"
+    steps = found.x[: len(keys)] - found.x[len(keys) :]
+    parts = []
+    for key, step in zip(keys, steps, strict=True):
+        if abs(step) > 1e-9:
+            name, factor = names.get(key, (key, 1.0))
+            parts.append(f"{name} = {given[key] * factor * math.exp(step):.3g} {_unit(key, name)}")
+    return f"the nearest inside the atlas has {' and '.join(parts)}"
+
+
+def _slip_text(contact: Conditions, ends: tuple[float, float]) -> str:
+    slip, (low, high) = contact.slip_parameter, ends
+    return (
+        f"slip_parameter = {slip:g} ({RATIO} = {ratio_of(slip):g}) lies outside the atlas, which "
+        f"holds {low:g} to {high:g} ({RATIO} {ratio_of(low):g} to {ratio_of(high):g}){see('slip')}"
+    )
+
+
+def _ends(low: float, high: float) -> str:
+    """Return both ends with three digits, rounded inwards."""
+    return f"{_rounded(low, math.ceil)} to {_rounded(high, math.floor)}"
+
+
+def _rounded(value: float, towards: object) -> str:
+    if value <= 0 or not math.isfinite(value):
+        return f"{value:g}"
+    unit = 10.0 ** (math.floor(math.log10(value)) - _DIGITS + 1)
+    return f"{towards(value / unit) * unit:.4g}"  # type: ignore[operator]
+
+
+def _unit(key: str, name: str) -> str:
+    return unit_of(name if unit_of(name) else key).replace("*", " ")

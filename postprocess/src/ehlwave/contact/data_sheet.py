@@ -1,0 +1,326 @@
+"""Oils as data sheets have them: what contacts are computed with, at one temperature."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, fields
+from typing import Any
+
+import numpy as np
+
+from ehlwave.contact.alpha_estimates import State, estimate_alpha
+from ehlwave.contact.measured_oils import DENSITY_15C, MEASURED, SOURCE, TEMPERATURES_K
+from ehlwave.contact.viscosity_grade import (
+    COLD_K,
+    GRADE_ERROR,
+    HOT_K,
+    ISO_GRADES,
+    Walther,
+    hot_viscosity,
+)
+from ehlwave.errors import SurfaceError
+from ehlwave.hints import did_you_mean, see
+from ehlwave.quantities import number
+
+DENSITY_K = 288.15
+"""15 C, where data sheets state densities."""
+
+DENSITIES = {"mineral": 880.0, "pao": 835.0, "ester": 920.0, "polyglycol": 1050.0}
+"""Usual densities at 15 C by the kind of base oil, kg/m3; a film changes by 0.7 % for 1 %."""
+
+EXPANSION_PER_K = 7e-4
+"""Usual of oils, 1/K, relative to 15 C."""
+
+USUAL_INDEX = 95.0
+"""Viscosity index of ISO 3448's mineral oils, of which the standard itself gives tables."""
+
+_STEP_K = 0.01
+
+
+@dataclass(frozen=True)
+class Oil:
+    """An oil at one temperature, for :meth:`ehlwave.Contact.from_bodies`.
+
+    Make it by :meth:`from_grade` or :meth:`named`, or from its own numbers.
+
+    Parameters
+    ----------
+    viscosity_pa_s : float
+        At ambient pressure, Pa s.
+    pressure_viscosity_per_pa : float
+        alpha, 1/Pa.
+    temperature_k : float, optional
+        Where these are so, K.
+    viscosity_error, pressure_viscosity_error : float
+        Relative; films carry what they make.
+    roelands_index : float
+        z of Roelands' law.
+    density_kg_per_m3 : float, optional
+        At this temperature.
+    viscosity_temperature_per_k : float, optional
+        beta = -d ln eta/dT at ambient pressure, 1/K.
+    eyring_stress_pa : float, optional
+        Of a Ree-Eyring oil, which contacts that slide need.
+    source : str
+        What the numbers are from.
+
+    Examples
+    --------
+    >>> import ehlwave
+    >>> oil = ehlwave.Oil.from_grade(iso_vg=68, viscosity_index=95, temperature_k=333.15)
+    >>> print(oil)
+    24.2 mPa s and alpha = 17.8 1/GPa within 31 % at 60 C
+    """
+
+    viscosity_pa_s: float
+    pressure_viscosity_per_pa: float
+    temperature_k: float | None = None
+    viscosity_error: float = 0.0
+    pressure_viscosity_error: float = 0.0
+    roelands_index: float = 0.68
+    density_kg_per_m3: float | None = None
+    viscosity_temperature_per_k: float | None = None
+    eyring_stress_pa: float | None = None
+    source: str = "given"
+
+    def __post_init__(self) -> None:
+        """Check and convert."""
+        for field in fields(self):
+            value = getattr(self, field.name)
+            if field.name != "source" and value is not None:
+                found = number(value, field.name, "Oil")
+                if found < 0 or (found == 0 and not field.name.endswith("_error")):
+                    raise SurfaceError(f"Oil: {field.name} = {value} must be above 0")
+                object.__setattr__(self, field.name, found)
+
+    def __str__(self) -> str:
+        """Return viscosity and alpha."""
+        error = self.pressure_viscosity_error
+        text = (
+            f"{1e3 * self.viscosity_pa_s:.3g} mPa s and alpha = "
+            f"{1e9 * self.pressure_viscosity_per_pa:.1f} 1/GPa"
+        )
+        text += f" within {error:.0%}".replace("%", " %") if error else ""
+        return text + (f" at {self.temperature_k - 273.15:g} C" if self.temperature_k else "")
+
+    def keys(self) -> dict[str, float]:
+        """Return the keys of a contact that the oil gives.
+
+        Examples
+        --------
+        >>> import ehlwave
+        >>> ehlwave.Oil(viscosity_pa_s=0.05, pressure_viscosity_per_pa=2e-8).keys()
+        {'viscosity_pa_s': 0.05, 'pressure_viscosity_per_pa': 2e-08, 'roelands_index': 0.68}
+        """
+        names = ["viscosity_pa_s", "pressure_viscosity_per_pa", "roelands_index"]
+        names += ["eyring_stress_pa"] if self.eyring_stress_pa is not None else []
+        errors = ("viscosity_error", "pressure_viscosity_error")
+        names += [name for name in errors if getattr(self, name) > 0]
+        return {name: getattr(self, name) for name in names}
+
+    @classmethod
+    def from_grade(cls, **sheet: Any) -> "Oil":  # noqa: ANN401 - the names below
+        """Return the oil of a data sheet at a temperature.
+
+        Parameters
+        ----------
+        **sheet
+            ``temperature_k``. The viscosity at 40 C: ``iso_vg`` (within 10 %, ISO 3448) or
+            ``viscosity_40c_mm2_per_s``. Its change with temperature:
+            ``viscosity_100c_mm2_per_s`` or ``viscosity_index`` (ASTM D2270; 95 if both are left
+            out); between them ASTM D341 holds. ``density_15c_kg_per_m3`` (usual of the kind if left
+            out). ``kind``: ``"mineral"`` (default), ``"pao"``, ``"ester"``, ``"polyglycol"``.
+            ``pressure_viscosity_per_pa`` at this temperature with ``pressure_viscosity_error``, or
+            ``alpha``, an estimate: ``"gold"`` (default), ``"wooster"``, ``"so-klaus"``; its scatter
+            becomes the error. ``roelands_index``, ``eyring_stress_pa``.
+
+        Raises
+        ------
+        SurfaceError
+            If a name is unknown, missing or contradicts another, or no oil has such numbers.
+
+        Examples
+        --------
+        >>> import ehlwave
+        >>> oil = ehlwave.Oil.from_grade(viscosity_40c_mm2_per_s=46, viscosity_100c_mm2_per_s=7.9,
+        ...                              kind="pao", temperature_k=343.15)
+        >>> print(oil)
+        13.2 mPa s and alpha = 12.1 1/GPa within 31 % at 70 C
+        """
+        _check_names(sheet)
+        kind, temperature = sheet.get("kind", "mineral"), _needed(sheet, "temperature_k")
+        walther, error, said = _walther(sheet)
+        density_15c = sheet.get("density_15c_kg_per_m3", DENSITIES.get(kind, DENSITIES["mineral"]))
+        density_15c = number(density_15c, "density_15c_kg_per_m3", "Oil")
+
+        def density(at_k: float) -> float:
+            return density_15c / (1 + EXPANSION_PER_K * (at_k - DENSITY_K))
+
+        def viscosity(at_k: float) -> float:
+            return 1e-6 * walther.viscosity(at_k) * density(at_k)
+
+        state = State(walther.viscosity(temperature), density(temperature), walther, kind)
+        alpha, scatter, source = _alpha(sheet, state)
+        step = _STEP_K
+        log_slope = np.log(viscosity(temperature - step) / viscosity(temperature + step))
+        others = {key: sheet[key] for key in ("roelands_index", "eyring_stress_pa") if key in sheet}
+        return cls(
+            viscosity_pa_s=viscosity(temperature),
+            pressure_viscosity_per_pa=alpha,
+            temperature_k=temperature,
+            viscosity_error=error,
+            pressure_viscosity_error=scatter,
+            density_kg_per_m3=state.density_kg_per_m3,
+            viscosity_temperature_per_k=float(log_slope / (2 * step)),
+            source=f"{said}, ASTM D341; alpha: {source}",
+            **others,
+        )
+
+    @classmethod
+    def named(cls, name: str, temperature_k: Any, **others: Any) -> "Oil":  # noqa: ANN401
+        """Return a measured oil by its name, between 30 and 100 C.
+
+        Between measured temperatures viscosity follows ASTM D341, alpha a straight line over T. The
+        source states no errors; none is carried.
+
+        Parameters
+        ----------
+        name : str
+            Of :data:`ehlwave.contact.measured_oils.MEASURED`.
+        temperature_k : float
+            Temperature, K.
+        **others
+            ``roelands_index``, ``eyring_stress_pa``.
+
+        Examples
+        --------
+        >>> import ehlwave
+        >>> print(ehlwave.Oil.named("heavy machine oil 153", temperature_k=333.15))
+        34 mPa s and alpha = 20.5 1/GPa at 60 C
+        """
+        if name not in MEASURED:
+            raise SurfaceError(
+                f"Oil: name = {name!r} is not known{did_you_mean(name, MEASURED)}; known are "
+                f"{', '.join(MEASURED)}{see('oil')}"
+            )
+        temperature = number(temperature_k, "temperature_k", "Oil")
+        alphas = MEASURED[name].alpha_per_gpa
+        known = [i for i, alpha in enumerate(alphas) if alpha is not None]
+        low, high = TEMPERATURES_K[known[0]], TEMPERATURES_K[-1]
+        if not low <= temperature <= high:
+            raise SurfaceError(
+                f"Oil: temperature_k = {temperature:g}: {name} was measured from {low:g} to "
+                f"{high:g} K"
+            )
+        i = 0 if temperature < TEMPERATURES_K[1] else 1
+        points = [
+            (t, 1e3 * eta / _usual_density(t))
+            for t, eta in zip(TEMPERATURES_K, MEASURED[name].viscosity_mpa_s, strict=True)
+        ]
+        line = Walther.through(points[i], points[i + 1])
+
+        def viscosity(at_k: float) -> float:
+            return 1e-6 * line.viscosity(at_k) * _usual_density(at_k)
+
+        step = _STEP_K
+        slope = np.log(viscosity(temperature - step) / viscosity(temperature + step)) / (2 * step)
+        measured = [alphas[k] for k in known]
+        return cls(
+            viscosity_pa_s=viscosity(temperature),
+            pressure_viscosity_per_pa=1e-9
+            * float(np.interp(temperature, [TEMPERATURES_K[k] for k in known], measured)),
+            temperature_k=temperature,
+            density_kg_per_m3=_usual_density(temperature),
+            viscosity_temperature_per_k=float(slope),
+            source=f"{name}: {SOURCE}",
+            **others,
+        )
+
+
+_SHEET = (
+    "temperature_k",
+    "iso_vg",
+    "viscosity_40c_mm2_per_s",
+    "viscosity_100c_mm2_per_s",
+    "viscosity_index",
+    "density_15c_kg_per_m3",
+    "kind",
+    "alpha",
+    "pressure_viscosity_per_pa",
+    "pressure_viscosity_error",
+    "roelands_index",
+    "eyring_stress_pa",
+)
+_CONTRADICTIONS = (
+    ("iso_vg", "viscosity_40c_mm2_per_s"),
+    ("viscosity_100c_mm2_per_s", "viscosity_index"),
+    ("alpha", "pressure_viscosity_per_pa"),
+)
+
+
+def _usual_density(temperature_k: float) -> float:
+    return DENSITY_15C / (1 + EXPANSION_PER_K * (temperature_k - DENSITY_K))
+
+
+def _check_names(sheet: Mapping[str, Any]) -> None:
+    for name in sheet:
+        if name not in _SHEET:
+            raise SurfaceError(
+                f"Oil.from_grade: unknown {name}{did_you_mean(name, _SHEET)}; known are "
+                f"{', '.join(_SHEET)}{see('oil')}"
+            )
+    for one, other in _CONTRADICTIONS:
+        if one in sheet and other in sheet:
+            raise SurfaceError(f"Oil.from_grade: gives {one} and {other}: remove one{see('oil')}")
+
+
+def _needed(sheet: Mapping[str, Any], name: str) -> float:
+    if name not in sheet:
+        raise SurfaceError(
+            f"Oil.from_grade: {name} is missing: give it, such as 313.15 (40 C){see('oil')}"
+        )
+    return number(sheet[name], name, "Oil.from_grade")
+
+
+def _walther(sheet: Mapping[str, Any]) -> tuple[Walther, float, str]:
+    """Return the line of D341, the relative error of its viscosities, and what it is of."""
+    if "iso_vg" in sheet:
+        cold, error = number(sheet["iso_vg"], "iso_vg", "Oil.from_grade"), GRADE_ERROR
+        if cold not in ISO_GRADES:
+            near = min(ISO_GRADES, key=lambda grade: abs(np.log(grade / max(cold, 1e-9))))
+            raise SurfaceError(
+                f"Oil.from_grade: iso_vg = {cold:g} is no grade of ISO 3448: take {near}, the "
+                f"nearest, or give viscosity_40c_mm2_per_s{see('oil')}"
+            )
+        said = f"ISO VG {cold:g}"
+    elif "viscosity_40c_mm2_per_s" in sheet:
+        cold, error = _needed(sheet, "viscosity_40c_mm2_per_s"), 0.0
+        said = f"{cold:g} mm2/s at 40 C"
+    else:
+        raise SurfaceError(
+            "Oil.from_grade: iso_vg is missing: give it, such as 68, or viscosity_40c_mm2_per_s"
+            f"{see('oil')}"
+        )
+    if "viscosity_100c_mm2_per_s" in sheet:
+        hot = _needed(sheet, "viscosity_100c_mm2_per_s")
+        said += f", {hot:g} mm2/s at 100 C"
+    else:
+        index = number(
+            sheet.get("viscosity_index", USUAL_INDEX), "viscosity_index", "Oil.from_grade"
+        )
+        hot = hot_viscosity(cold, index)
+        said += f", viscosity index {index:g}"
+    if not hot < cold:
+        raise SurfaceError(
+            f"Oil.from_grade: viscosity_100c_mm2_per_s = {hot:g} must be below that at 40 C, "
+            f"{cold:g}; mineral oils have {hot_viscosity(cold, USUAL_INDEX):.3g}"
+        )
+    return Walther.through((COLD_K, cold), (HOT_K, hot)), error, said
+
+
+def _alpha(sheet: Mapping[str, Any], state: State) -> tuple[float, float, str]:
+    if "pressure_viscosity_per_pa" in sheet:
+        alpha = _needed(sheet, "pressure_viscosity_per_pa")
+        error = number(
+            sheet.get("pressure_viscosity_error", 0.0), "pressure_viscosity_error", "Oil"
+        )
+        return alpha, error, "given"
+    return estimate_alpha(sheet.get("alpha", "gold"), state)

@@ -1,0 +1,197 @@
+"""Answers of the page without the page: numbers, contacts, files, threads."""
+
+import io
+import json
+import threading
+from pathlib import Path
+
+import numpy as np
+import pytest
+from app_traces import examples
+
+import ehlwave
+from ehlwave.app import quantities
+from ehlwave.app.contacts import Given, made, source
+from ehlwave.app.quantities import in_si
+from ehlwave.app.saving import document, script
+from ehlwave.app.shown import failure, headline, numbers
+from ehlwave.app.task import Task, answered
+from ehlwave.app.uploads import LARGEST_BYTES, Upload, file_name, read_upload
+from ehlwave.app.work import SMALL_BYTES, Pools
+from ehlwave.deform.read import ReadOptions
+from ehlwave.errors import SurfaceError
+
+KEYS = {
+    "radius_x_m": 0.0127,
+    "radius_y_m": 0.0127,
+    "reduced_modulus_pa": 2.26e11,
+    "load_n": 40.0,
+    "mean_speed_m_per_s": 4.0,
+    "viscosity_pa_s": 0.05,
+}
+
+
+@pytest.mark.parametrize(
+    ("text", "unit", "value"),
+    [
+        ("12.7", -3, 0.0127),
+        ("226", 9, 2.26e11),
+        ("22", -9, 2.2e-8),
+        ("1.1e3", -6, 0.0011),
+        ("60", None, 333.15),
+        (" 7 ", 0, 7.0),
+        ("12,7", -3, "12,7"),
+        ("nan", -3, "nan"),
+        ("-1e9999", 0, "-1e9999"),
+        ("1e999999999999999999", 0, "1e999999999999999999"),
+    ],
+)
+def test_units_lose_no_digit(text: str, unit: int | None, value: float | str) -> None:
+    assert in_si(text, unit) == value
+
+
+def test_every_field_has_a_key_a_label_and_an_example_that_is_a_number() -> None:
+    found = [one for one in vars(quantities).values() if isinstance(one, quantities.Quantity)]
+    assert len(found) > 10
+    for one in found:
+        assert one.key
+        assert one.label
+        if one.example:
+            assert isinstance(in_si(one.example, next(iter(one.units.values()), 0)), float)
+
+
+def test_bodies_and_oils_are_those_of_the_package() -> None:
+    ball = {"material": "steel", "radius_x_m": 0.0127, "radius_y_m": 0.0127}
+    sheet = {"iso_vg": 68.0, "temperature_k": 333.15, "kind": "mineral"}
+    given = Given(
+        {"load_n": 40.0, "speeds_m_per_s": (4.2, 3.8), "eyring_stress_pa": 5e6},
+        (ball, {"material": "glass"}),
+        sheet,
+        "from_grade",
+    )
+    expected = ehlwave.Contact.from_bodies(
+        ehlwave.Body(**ball),
+        ehlwave.Body(material="glass"),
+        oil=ehlwave.Oil.from_grade(**sheet),
+        load_n=40,
+        speeds_m_per_s=(4.2, 3.8),
+        eyring_stress_pa=5e6,
+    )
+    assert made(given).film() == expected.film()
+    names = {"ehlwave": ehlwave}
+    exec(source(given), names)
+    assert names["contact"].film() == expected.film()
+
+
+def test_the_saved_script_and_document_repeat_the_film() -> None:
+    oil = {"name": "heavy machine oil 153", "temperature_k": 323.15}
+    keys = {key: value for key, value in KEYS.items() if key != "viscosity_pa_s"}
+    answer = answered(Task(Given(keys, oil=oil, maker="named")))
+    names: dict[str, object] = {}
+    exec(script(answer), names)
+    assert names["film"] == answer.film
+    saved = json.loads(document(answer))
+    assert saved["film"]["central_m"] == answer.film.central_m
+    assert saved["surface"] is None
+    assert f"{answer.film.central_m * 1e6:.4g} um" in headline(answer)
+    for name in ("Central", "Minimum error", "Friction"):
+        assert name in numbers(answer)
+
+
+def test_messages_are_those_of_the_command_line_and_name_a_field() -> None:
+    with pytest.raises(SurfaceError, match="load_n = '4O' is not a number") as caught:
+        answered(Task(Given(KEYS | {"load_n": "4O"})))
+    said = failure(str(caught.value), [quantities.MODULUS, quantities.LOAD])
+    assert "Field: Load" in said
+    assert "<script>" not in failure("<script>alert(1)</script>", [])
+
+
+def test_names_of_files_cannot_lead_elsewhere() -> None:
+    assert file_name("../../etc/passwd") == "passwd"
+    assert file_name("C:\\data\\trace 1.csv") == "trace 1.csv"
+    assert file_name("/") == file_name("..") == file_name("") == "trace"
+    assert file_name(".ehlwave-results") == "ehlwave-results"
+    assert "\n" not in file_name("a\nb.csv")
+    assert "\0" not in file_name("a\0b.csv")
+    assert len(file_name("long" * 500 + ".csv")) <= 100
+
+
+def test_files_leave_nothing_behind_and_their_folder_is_not_named(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    with pytest.raises(SurfaceError) as caught:
+        read_upload(Upload("../bad.csv", b"no numbers at all"), ReadOptions())
+    assert str(caught.value).startswith("bad.csv: ")
+    assert str(tmp_path) not in str(caught.value)
+    trace = np.column_stack([np.arange(100), np.sin(np.arange(100.0))])
+    text = "x_um,z_nm\n" + "\n".join(f"{a},{b}" for a, b in trace)
+    found = read_upload(Upload("trace.csv", text.encode()), ReadOptions())
+    assert found.name == "trace.csv"
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_what_is_too_large_is_refused_before_it_is_unpacked() -> None:
+    with pytest.raises(SurfaceError, match=r"t\.csv: 16\.0 MB, more than the 16 MB"):
+        read_upload(Upload("t.csv", bytes(LARGEST_BYTES + 1)), ReadOptions())
+    packed = io.BytesIO()
+    np.savez_compressed(packed, height=np.zeros((4000, 4000)))
+    assert len(packed.getvalue()) < 1e6
+    with pytest.raises(SurfaceError, match=r"z\.npz: unpacked 128\.0 MB"):
+        read_upload(Upload("z.npz", packed.getvalue()), ReadOptions())
+    plain = io.BytesIO()
+    np.save(plain, np.zeros((1, 4_200_000), dtype=np.float16))
+    options = ReadOptions(length_unit="um", height_unit="um", step=1.0)
+    with pytest.raises(SurfaceError, match="4200000 points, more than"):
+        read_upload(Upload("p.npy", plain.getvalue()), options)
+
+
+def test_a_parted_file_above_the_limit_is_dropped_by_the_server() -> None:
+    pytest.importorskip("panel", reason="the page needs Panel: pip install 'ehlwave[app]'")
+    from panel.models.file_dropper import UploadEvent
+
+    from ehlwave.app.widgets import FileField
+
+    field = FileField()
+
+    def part(number: int, size: int, name: str = "a.csv") -> None:
+        data = {"name": name, "chunk": number, "total_chunks": 20, "type": "", "data": bytes(size)}
+        field._process_event(UploadEvent(None, data))
+
+    for number in range(1, 20):
+        part(number, 10**6)
+    assert field.refused.startswith("17.0 MB, more than the 16 MB")
+    assert not field._file_buffer
+    part(2, 10, "b.csv")  # no beginning
+    assert not field._file_buffer
+    for number in range(1, 21):
+        part(number, 10, "c.csv")
+    upload = field.upload()
+    assert upload is not None
+    assert (upload.name, len(upload.data), field.refused) == ("c.csv", 200, "")
+
+
+def test_large_surfaces_do_not_keep_small_ones_waiting() -> None:
+    pools, held = Pools(workers=1), threading.Event()
+    try:
+        slow = [pools.of(SMALL_BYTES + 1).submit(held.wait, 60) for _ in range(5)]
+        assert pools.of(0).submit(lambda: 42).result(60) == 42
+        assert not any(one.done() for one in slow)
+    finally:
+        held.set()
+        pools.close()
+
+
+def test_sessions_in_threads_get_the_numbers_of_one_alone(tmp_path: Path) -> None:
+    example = examples(tmp_path)[0]
+    upload = Upload(example.path.name, example.path.read_bytes())
+    tasks = [Task(Given(KEYS | {"load_n": 40.0 + load}), upload) for load in range(8)]
+    alone = [document(answered(task)) for task in tasks]
+    pools = Pools(workers=4)
+    try:
+        together = list(pools.small.map(answered, tasks))
+    finally:
+        pools.close()
+    assert [document(one) for one in together] == alone
+    assert len(set(alone)) == len(alone)
+    assert all(set(one.pictures) == set(together[0].pictures) for one in together)
