@@ -8,6 +8,7 @@ EXTRAS = {
     "lmfit": "figures",
     "SurfaceTopography": "instruments",
     "panel": "app",
+    "bokeh": "app",
     "pint": "units",
     "pyarrow": "parquet",
     "tqdm": "notebook",
