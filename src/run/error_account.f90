@@ -45,7 +45,8 @@ contains
       parts = plan%expected
       parts%settling = result%settling
       if (plan%steps > 0) parts%algebraic = expected_step_error(case%step_tolerance)
-      if (result%amplitude_error_basis == 'model') parts%mesh = plan%model_ratio_error(result%max_pressure)
+      if (result%amplitude_error_basis == 'model') &
+         parts%mesh = plan%model_ratio_error(result%max_pressure, result%central_film_error)
       if (result%amplitude_error_basis == 'coarse_grid') &
          ! coarser grids take longer steps
          parts%mesh = max(0.0_dp, result%amplitude_ratio_error - parts%algebraic - parts%time)

@@ -58,7 +58,8 @@ contains
       call run_case(case, plan, monitor, result, shared, keeper)
       if (.not. plan%surfaces%is_rough() .or. .not. is_success(result%status)) return
       if (.not. ieee_is_finite(result%amplitude_ratio_fit)) return
-      result%amplitude_ratio_error = plan%expected_error
+      result%amplitude_ratio_error = plan%model_ratio_error(result%max_pressure, result%central_film_error) &
+                                     + plan%expected%time + plan%expected%algebraic
       result%amplitude_error_basis = 'model'
       if (case%error_estimate /= 'coarse_grid') return
 
@@ -73,8 +74,6 @@ contains
       result%total_work_units = result%all_work/work_unit_operations(plan%cells_x, plan%cells_y)
       estimate = estimate_error([result%amplitude_ratio_fit, ratios], &
                                 likely_order(result%film_order, plan%resolution, plan%thinning%steepness))
-      result%amplitude_ratio_error = plan%model_ratio_error(result%max_pressure) + plan%expected%time &
-                                     + plan%expected%algebraic
       if (ieee_is_finite(estimate)) then
          estimate = max(estimate, plan%least_ratio_error(result%central_film_error))
          result%amplitude_ratio_error = estimate

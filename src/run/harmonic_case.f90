@@ -65,7 +65,7 @@ contains
          result%harmonic%p = response%p
          result%harmonic%h = response%h
       end if
-      result%harmonic%error = plan%model_ratio_error(result%max_pressure)   ! unless a coarser grid tells more
+      result%harmonic%error = error_by_model(plan, result)   ! unless a coarser grid tells more
       result%harmonic%error_basis = 'model'
       if (.not. steady%has_coarse) return
       call steady%coarse_response%respond(steady%multigrid%levels(:n - 1), waves, case%natural_frequency, &
@@ -77,6 +77,23 @@ contains
       result%harmonic%error = max(result%harmonic%error, plan%least_ratio_error(result%central_film_error))
       result%harmonic%error_basis = 'coarse_grid'
    end subroutine run_response
+
+   !> Relative error of the response by the mesh, where no coarser grid tells it. Two waves that nearly cancel have the
+   !> error of their sum: waves of 0.27 and 0.24 of Ai left 0.046, 22 per cent off with 10 points per wave.
+   pure real(dp) function error_by_model(plan, result) result(error)
+      type(case_plan_t), intent(in) :: plan
+      type(case_result_t), intent(in) :: result
+      real(dp), parameter :: phase_factor = 1.5_dp   !! of the error of each wave, over the square of the points on it
+      real(dp) :: both
+
+      error = plan%model_ratio_error(result%max_pressure, result%central_film_error)
+      if (.not. plan%resolution%points_x > 0) return
+      associate (fit => result%harmonic%waves%centre%fit)
+         both = abs(fit%attenuated) + abs(fit%complementary)
+      end associate
+      if (both > result%harmonic%ratio) error = max(error, both/result%harmonic%ratio* &
+         (plan%model_margin(result%max_pressure)*plan%expected%mesh + phase_factor/plan%resolution%points_x**2))
+   end function error_by_model
 
    !> The change of the mean by waves of this amplitude, where they have a mean.
    subroutine find_mean(waves, steady, response, result)
