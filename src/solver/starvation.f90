@@ -21,8 +21,8 @@ module ehlwave_starvation
       real(dp) :: work = 0                   !! operations
    end type flooded_t
 
-   real(dp), parameter :: first = 1          !! oil offered over what the flooded contact passes, where a path begins
-   real(dp), parameter :: direct = 0.6_dp    !! the same that is solved from the flooded state at once
+   real(dp), parameter :: least_ratio = 4    !! oil where a path begins, at r = 1 or above, over that where it ends
+   real(dp), parameter :: direct = 0.6_dp    !! r that is solved from the flooded state at once
    real(dp), parameter :: loose_tolerance = 1e-3_dp   !! on the way
 
 contains
@@ -107,7 +107,7 @@ contains
 
       associate (level => multigrid%levels(l))
          supply = level%given%supply
-         most = max(1.0_dp, first*flooded_oil/maxval(supply))
+         most = max(least_ratio, flooded_oil/maxval(supply))
          last = full
          is_solved = .true.
          do while (is_solved .or. path%can_retry())
