@@ -79,7 +79,10 @@ contains
          if (result%status == status_converged) then
             call take_smooth_film(case, plan, level, stress, result)
             call estimate_film_errors(plan, steady%multigrid%hierarchy_t, stress, result)
-            if (plan%inlet%is_short()) call result%starved%take(steady%multigrid%levels, steady%flooded, result%work)
+            if (plan%inlet%is_short()) then
+               call result%starved%take(steady%multigrid%levels, steady%flooded, result%work)
+               call add_warning(result, result%starved%warning(level%problem%grid))
+            end if
             if (case%sensitivities) call find_film_sensitivities(case, steady, result)
             if (plan%responds) &
                call run_response(case, plan, plan%surfaces%list(plan%surfaces%main), steady, result)

@@ -1,10 +1,12 @@
 !> Results of a contact with too little oil.
 module ehlwave_starved_result
    use ehlwave_error_estimate, only: estimate_error
+   use ehlwave_grid, only: grid_t
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp, no_value
    use ehlwave_oil_passage, only: follow_oil, oil_passage_t
    use ehlwave_starvation, only: flooded_t
+   use ehlwave_text, only: to_text
    implicit none (type, external)
    private
 
@@ -19,6 +21,7 @@ module ehlwave_starved_result
       real(dp), allocatable :: content(:, :)        !! theta of the last solution, if fields are kept
    contains
       procedure :: take
+      procedure :: warning => edge_warning
    end type starved_result_t
 
 contains
@@ -43,5 +46,16 @@ contains
          call follow_oil(level%problem, level%given, level%state, self%passage)
       end associate
    end subroutine take
+
+   !> A warning where the gap fills at the inlet edge, which has less oil than gap; '' where it does not.
+   pure function edge_warning(self, grid) result(text)
+      class(starved_result_t), intent(in) :: self
+      type(grid_t), intent(in) :: grid
+      character(len=:), allocatable :: text
+      text = ''
+      if (.not. self%passage%meniscus_x < grid%x(0) + 1.5_dp*grid%hx) return
+      text = 'the gap is full from the inlet edge on, which has less oil than gap: a longer domain (&grid x_min below '// &
+             to_text(grid%x(0), 4)//') has a thicker film'
+   end function edge_warning
 
 end module ehlwave_starved_result
