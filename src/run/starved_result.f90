@@ -54,8 +54,8 @@ contains
       character(len=:), allocatable :: text
       text = ''
       if (.not. self%passage%meniscus_x < grid%x(0) + 1.5_dp*grid%hx) return
-      text = 'the gap is full from the inlet edge on, which has less oil than gap: a longer domain (&grid x_min below '// &
-             to_text(grid%x(0), 4)//') has a thicker film'
+      text = 'the gap is full from the inlet edge on, which has less oil than gap: a longer domain '// &
+             '(&grid x_min below '//to_text(grid%x(0), 4)//') has a thicker film'
    end function edge_warning
 
 end module ehlwave_starved_result

@@ -130,7 +130,7 @@ class Starvation(TestCase):
         self.check_close(with_profile(["-0.4,1", "0,0.5", "0.4,1"])["central_film"], groove, 1e-4, "whole domain")
 
     def test_cost(self):
-        """The starved solve takes at most 2.5 times the counted work of the flooded one; measured 1.0 to 1.9."""
+        """The starved solve takes at most 2.5 times the counted work of the flooded one; measured 1.2 to 1.9."""
         ratios = [contact(r, 32)["starved_over_flooded_work"] for r in (2, 1, 0.6, 0.3)]
         report(f"starved over flooded: {[round(ratio, 2) for ratio in ratios]}")
         self.assertLess(max(ratios), 2.5)
