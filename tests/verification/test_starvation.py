@@ -129,6 +129,35 @@ class Starvation(TestCase):
         self.assertLess(groove, 0.95*plain)
         self.check_close(with_profile(["-0.4,1", "0,0.5", "0.4,1"])["central_film"], groove, 1e-4, "whole domain")
 
+    def test_layer_in_metres(self):
+        """A layer in metres is the oil over that of the flooded contact that it comes to."""
+        ball = {"radius_x_m": 0.0127, "radius_y_m": 0.0127, "reduced_modulus_pa": 2.26e11, "load_n": 40, "mean_speed_m_per_s": 2,
+                "viscosity_pa_s": 0.05}
+        groups = {"conditions": ball, "grid": {"cells_x": 64, "cells_y": 64}}
+        layer = solve(inlet={"oil_layer_m": 3e-7}, **groups)
+        share = solve(inlet={"oil_over_flooded": layer["oil_offered"]}, **groups)
+        self.check_close(share["central_film_um"], layer["central_film_um"], 1e-6, "film")
+        self.assertLess(layer["central_film_um"], 0.3)      # all of it at most, as oil that is compressed
+        self.assertGreater(layer["central_film_um"], 0.2)
+
+    def test_refusals(self):
+        """Combinations that are not built are refused with the key and the reason."""
+        wavy = waves("transverse", 1)
+        for groups, words in (
+            ({"solver": {"method": "fas"}}, ("oil_over_flooded", "newton")),
+            ({"solver": {"method": "petsc"}}, ("oil_over_flooded", "newton")),
+            ({"output": {"sensitivities": True}}, ("sensitivities",)),
+            ({"waviness": waves("transverse", 1, "periodic")}, ("periodic",)),
+            ({"waviness": waves("transverse", 1, "transient"), "solver": {"time_step_over_cell": 2}}, ("time_step_over_cell",)),
+            ({"waviness": wavy, "conditions": {"slip_parameter": 1.5}}, ("pure rolling",)),
+            ({"inlet": {"oil_change_factor": 0.5}}, ("end_time",)),
+            ({"inlet": {"oil_layer_m": 1e-7}}, ("oil_over_flooded",)),
+        ):
+            with self.subTest(groups=groups), self.assertRaises(AssertionError) as refused:
+                contact(0.5, **groups)
+            for word in words:
+                self.assertIn(word, str(refused.exception).rsplit("ehlwave-case:", 1)[-1])
+
     def test_cost(self):
         """The starved solve takes at most 2.5 times the counted work of the flooded one; measured 1.2 to 1.9."""
         ratios = [contact(r, 32)["starved_over_flooded_work"] for r in (2, 1, 0.6, 0.3)]
