@@ -45,7 +45,7 @@ def film_over_flooded(
     Parameters
     ----------
     oil_over_flooded : array_like
-        r, at most 5; more oil is a flooded contact within 2 to 6 %.
+        r, 0.2 to 5.
     load_m, lubricant_l, radius_ratio_d : array_like
         Moes parameters M and L, and D.
 
