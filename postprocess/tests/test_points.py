@@ -144,3 +144,15 @@ def test_inaccurate_points_on_demand(tmp_path: Path) -> None:
     results = _read(tmp_path, columns)
     assert select_points(results)["case"].values.tolist() == list(range(4, 61))
     assert select_points(results, include_inaccurate=True).sizes["case"] == 60
+
+
+def test_starved_points_are_remarked(tmp_path: Path) -> None:
+    columns = make_columns()
+    points = select_points(_read(tmp_path, columns))
+    film = np.full(points.sizes["case"], np.nan)
+    assert not any(
+        "oil" in text for text in remarks(points.assign(film_over_flooded=("case", film)))
+    )
+    film[:3] = 0.7
+    said = remarks(points.assign(film_over_flooded=("case", film)))
+    assert any(text.startswith("3 point(s) with too little oil") for text in said)

@@ -4,6 +4,7 @@ module ehlwave_case_completion
    use ehlwave_case_lubricant, only: check_lubricant, pressure_viscosity
    use ehlwave_conditions, only: conditions_from_dimensional, conditions_from_moes, conditions_t
    use ehlwave_errors, only: error_t, raise
+   use ehlwave_inlet_plan, only: check_inlet
    use ehlwave_kinds, only: dp
    use ehlwave_petsc_library, only: require_petsc
    use ehlwave_text, only: to_text
@@ -30,6 +31,7 @@ contains
       if (.not. allocated(error)) call complete_waviness(case, error)
       if (.not. allocated(error)) call check_grid_and_time(case, error)
       if (.not. allocated(error)) call check_response(case, error)
+      if (.not. allocated(error)) call check_inlet(case, error)
       if (.not. allocated(error) .and. case%method == 'petsc') call require_petsc(error)
       if (case%method == 'fas' .and. case%cycle == '') case%cycle = 'f'
       if (allocated(error)) error%message = place//error%message

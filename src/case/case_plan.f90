@@ -7,6 +7,7 @@ module ehlwave_case_plan
    use ehlwave_domain_choice, only: chosen_scale, expected_domain_errors, scale_domain
    use ehlwave_errors, only: error_t, raise
    use ehlwave_grid_choice, only: choose_grid
+   use ehlwave_inlet_plan, only: plan_inlet
    use ehlwave_kinds, only: dp
    use ehlwave_march_plan, only: plan_march
    use ehlwave_plan_effort, only: cap_work, expect
@@ -56,10 +57,13 @@ contains
       plan%film_domain_error = errors(1)
       plan%domain_error = errors(2)
       if (case%edges == 'flooded') copy%accuracy = case%accuracy - min(0.5_dp*case%accuracy, plan%domain_error)
+      call plan_inlet(case, plan%conditions, plan%inlet, plan%files, error)
+      if (allocated(error)) return
       plan%thinning = new_thinning(plan%rheology, plan%conditions, case%oil%flow_exponent())
       call plan_surfaces(case, plan%conditions, plan%surfaces, plan%files, error)
       if (allocated(error)) return
-      plan%is_half = (case%domain == 'auto' .or. plan%conditions%is_line()) .and. plan%surfaces%is_symmetric()
+      plan%is_half = (case%domain == 'auto' .or. plan%conditions%is_line()) .and. plan%surfaces%is_symmetric() &
+                     .and. plan%inlet%is_even()
       call choose_grid(copy, plan%conditions, plan%surfaces, plan%thinning%steepness, plan%cells_x, plan%cells_y, &
                        plan%grid_reason)
       plan%hx = (plan%x_max - plan%x_min)/plan%cells_x

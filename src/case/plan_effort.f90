@@ -25,6 +25,9 @@ module ehlwave_plan_effort
                                                      !! to 2.2
    real(dp), parameter :: periodic_share = 0.4_dp    !! of a march that starts in the waves, of one from rest; measured:
                                                      !! 0.2 to 0.6
+   real(dp), parameter :: starved_cost = 2.7_dp      !! of a starved steady state with the flooded one on the way, of
+                                                     !! that alone; measured: 2 to 4
+   real(dp), parameter :: starved_step_cost = 1.3_dp !! of a time step without patches
 
 contains
 
@@ -32,7 +35,7 @@ contains
    subroutine expect(case, plan)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(inout) :: plan
-      real(dp) :: samples, step_tolerance, steps_cost
+      real(dp) :: samples, steady_cost, step_tolerance, steps_cost
       logical :: is_newtonian
 
       is_newtonian = plan%rheology%is_newtonian()
@@ -60,7 +63,10 @@ contains
                  step => step_work_units(plan%conditions, plan%cells_x, is_newtonian, plan%thinning%cost))
          if (abs(case%load_factor - 1) > 0) steps_cost = load_step_cost
          if (case%method == 'petsc') steps_cost = petsc_cost*steps_cost
-         plan%expected_work_units = (1 + 0.5_dp*plan%phases)*steady*merge(petsc_cost, 1.0_dp, case%method == 'petsc') &
+         if (plan%inlet%is_short()) steps_cost = starved_step_cost*steps_cost
+         steady_cost = merge(petsc_cost, 1.0_dp, case%method == 'petsc')
+         if (plan%inlet%is_short()) steady_cost = starved_cost
+         plan%expected_work_units = (1 + 0.5_dp*plan%phases)*steady*steady_cost &
                                     + merge(periodic_share, 1.0_dp, plan%is_periodic)*plan%steps*step*steps_cost
       end associate
       if (plan%responds) plan%expected_work_units = plan%expected_work_units &

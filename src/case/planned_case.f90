@@ -4,6 +4,7 @@ module ehlwave_planned_case
    use ehlwave_case_files, only: case_file_t
    use ehlwave_conditions, only: conditions_t
    use ehlwave_error_parts, only: error_parts_t
+   use ehlwave_inlet_oil, only: inlet_oil_t
    use ehlwave_kinds, only: dp
    use ehlwave_resolution, only: resolution_t
    use ehlwave_rheology, only: rheology_t
@@ -23,6 +24,7 @@ module ehlwave_planned_case
       type(rheology_t) :: rheology
       type(thinning_t) :: thinning                   !! of the oil
       type(surfaces_t) :: surfaces
+      type(inlet_oil_t) :: inlet                     !! oil offered, where it is less than floods the contact
       type(case_file_t), allocatable :: files(:)     !! that cases may read; with digests where this one does
       integer :: kind = run_smooth
       logical :: responds = .false.                  !! the linear response is computed

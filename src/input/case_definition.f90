@@ -30,6 +30,12 @@ module ehlwave_case_definition
       character(len=name_length) :: response = 'transient'
       ! &surface
       character(len=path_length) :: surface_file = ''    !! measured surface in place of waviness
+      ! &inlet
+      real(dp) :: oil_over_flooded = 0                   !! r; 0: none
+      real(dp) :: oil_layer_m = 0                        !! 0: none
+      character(len=path_length) :: oil_profile = ''
+      real(dp) :: oil_change_factor = 1                  !! 1: none
+      real(dp) :: oil_change_start = 0, oil_change_length = 0   !! 0: to the end
       ! &grid
       real(dp) :: x_min = -2.5_dp, x_max = 1.5_dp, y_max = 2
       integer :: cells_x = 256, cells_y = 256            !! 0: chosen by the plan; cells_y of a line contact: completed

@@ -56,6 +56,7 @@ contains
       call visit_conditions(case, list)
       call visit_oil_keys(case%oil, list)
       call visit_waviness(case, list)
+      call visit_inlet(case, list)
       call visit_grid(case, list)
       call visit_solver(case, list)
       call visit_dynamics(case, list)
@@ -144,6 +145,33 @@ contains
          'the surface was at the centre for each film_at_centre', maximum=real(path_length, dp), file='surface', &
          is_written=case%surface_file /= ''))
    end subroutine visit_waviness
+
+   subroutine visit_inlet(case, list)
+      type(case_t), intent(inout) :: case
+      type(key_list_t), intent(inout) :: list
+      logical :: is_short
+
+      is_short = max(case%oil_over_flooded, case%oil_layer_m) > 0
+      call list%enter('inlet', 'Oil offered to the contact, where it is less than fills the inlet.')
+      call list%see(case%oil_over_flooded, key_t('oil_over_flooded', 'oil offered over oil that the flooded '// &
+         'contact passes; r = layer/(rho_c h_cff), h_cff the film and rho_c the relative density at its centre, '// &
+         'found on the way; none: flooded', above=0.0_dp, maximum=1e4_dp, is_late=.true., &
+         applies=.not. case%oil_layer_m > 0, when='inlets without oil_layer_m'))
+      call list%see(case%oil_layer_m, key_t('oil_layer_m', 'layers of oil on both surfaces together; in place of '// &
+         'oil_over_flooded; needs dimensional conditions', unit='m', above=0.0_dp, is_late=.true.))
+      list%common = key_t(is_late=.true., applies=is_short, when='starved contacts (oil_over_flooded or oil_layer_m)')
+      call list%see(case%oil_profile, key_t('oil_profile', 'CSV of the layer across; columns y_over_b and '// &
+         'layer_over_given, the share of what oil_over_flooded or oil_layer_m say that is offered there; linear '// &
+         'between its rows', maximum=real(path_length, dp), file='oil_profile', is_written=case%oil_profile /= ''))
+      call list%see(case%oil_change_factor, key_t('oil_change_factor', 'layer in a march after a change over '// &
+         'before; 1: no change, 0.001: a gap', above=0.0_dp, maximum=1000.0_dp))
+      list%common%applies = is_short .and. abs(case%oil_change_factor - 1) > 0
+      list%common%when = 'a change of the layer (oil_change_factor)'
+      call list%see(case%oil_change_start, key_t('oil_change_start', 'T at which the change passes x_min', &
+         minimum=0.0_dp))
+      call list%see(case%oil_change_length, key_t('oil_change_length', 'length of the changed layer over a; 0: to '// &
+         'the end', minimum=0.0_dp))
+   end subroutine visit_inlet
 
    subroutine visit_grid(case, list)
       type(case_t), intent(inout) :: case

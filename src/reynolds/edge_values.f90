@@ -31,6 +31,7 @@ module ehlwave_edge_values
       procedure :: count => count_nodes
       procedure :: inner
       procedure :: compare
+      procedure :: run_dry
       procedure :: impose
       procedure :: rough_from
    end type edge_values_t
@@ -98,6 +99,27 @@ contains
          slope(k) = 2*self%strength(k)/film**3/(1 - thickened(self, k, film))
       end do
    end subroutine compare
+
+   !> Where the gap at the edges is not full there is no far field, and P = 0 there.
+   pure subroutine run_dry(self, supply, p, h, excess, slope, unit)
+      class(edge_values_t), intent(inout) :: self
+      real(dp), intent(in) :: supply(0:)                    !! (0:ny) oil offered at the inlet edge, rho H
+      real(dp), intent(in) :: p(0:, 0:), h(0:, 0:)          !! P and H, (0:nx, 0:ny)
+      real(dp), intent(inout) :: excess(:), slope(:)        !! as `compare` left them
+      real(dp), intent(out) :: unit                         !! largest pressure that the far field would have
+      logical :: is_dry(size(self%i))
+      integer :: k
+
+      unit = 0
+      do k = 1, size(self%i)
+         unit = max(unit, abs(p(self%i(k), self%j(k)) - excess(k)))
+         is_dry(k) = supply(self%j(k)) < h(self%i(k), self%j(k))
+         if (.not. is_dry(k)) cycle
+         excess(k) = p(self%i(k), self%j(k))
+         slope(k) = 0
+      end do
+      self%load = self%load*count(.not. is_dry)/max(size(is_dry), 1)
+   end subroutine run_dry
 
    !> Give the edges the pressures of the far field.
    pure subroutine impose(self, given, h, p)

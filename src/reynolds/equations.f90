@@ -7,7 +7,8 @@ module ehlwave_equations
    use ehlwave_given, only: given_t
    use ehlwave_kernel, only: cell_influence
    use ehlwave_kinds, only: dp
-   use ehlwave_reynolds, only: mesh_t, new_mesh, reynolds_residual, reynolds_scale
+   use ehlwave_oil_content, only: new_content, oil_content_t
+   use ehlwave_reynolds, only: driven_flow, mesh_t, new_mesh, reynolds_residual, reynolds_scale
    use ehlwave_state, only: state_t
    use ehlwave_work_unit, only: evaluation_operations
    implicit none (type, external)
@@ -25,6 +26,9 @@ module ehlwave_equations
       type(edge_values_t) :: edges                !! of the problem last evaluated: at these nodes P = P_far(H)
       real(dp), allocatable :: edge_excess(:)     !! P - P_far(H) there
       real(dp), allocatable :: edge_slope(:)      !! -d P_far/dH there
+      real(dp) :: edge_unit = 0                   !! of P there, where edges may be dry
+      type(oil_content_t), allocatable :: content !! of a problem with a supply: its partly filled nodes are the
+                                                  !! cavitated ones
    contains
       procedure :: init
       procedure :: evaluate
@@ -63,11 +67,22 @@ contains
       call self%flow%evaluate(problem%rheology, problem%conditions%lambdabar, state%p, state%h)
       if (.not. problem%rheology%is_newtonian()) &
          call self%flow%evaluate_faces(problem%film_flow, problem%grid, self%mesh%kappa)
-      call reynolds_residual(self%mesh, given%transport, self%flow, self%residual)
       call self%set_scale(abs(given%transport%w0))
-      self%is_cavitated = self%scale > 0 .and. state%p + self%scale*self%residual <= 0
+      if (allocated(given%supply)) then
+         call driven_flow(self%mesh, self%flow, self%residual)
+         if (.not. allocated(self%content)) self%content = new_content(problem%grid)
+         call self%content%carry(problem%grid, given%transport, given%supply, state%p, self%scale, self%flow%f, &
+                                 self%residual)
+         self%is_cavitated = self%content%is_partial
+         self%is_cavitated(0, :) = .false.
+      else
+         call reynolds_residual(self%mesh, given%transport, self%flow, self%residual)
+         self%is_cavitated = self%scale > 0 .and. state%p + self%scale*self%residual <= 0
+      end if
       self%edges = problem%edges
       call self%edges%compare(given, state%p, state%h, self%edge_excess, self%edge_slope)
+      if (allocated(given%supply)) &
+         call self%edges%run_dry(given%supply, state%p, state%h, self%edge_excess, self%edge_slope, self%edge_unit)
    end subroutine evaluate
 
    !> Preconditions of an evaluation: what is given and the state belong to the grid.
@@ -95,6 +110,9 @@ contains
       class(equations_t), intent(in) :: fine
       call self%flow%inject_from(fine%flow, self%mesh%grid)
       self%is_cavitated = fine%is_cavitated(::2, ::self%mesh%grid%row_ratio)
+      if (.not. allocated(fine%content)) return
+      if (.not. allocated(self%content)) self%content = new_content(self%mesh%grid)
+      call self%content%inject_from(fine%content, self%mesh%grid%row_ratio)
    end subroutine inject_from
 
    !> Scale at the state last evaluated, for wedge weights of any kind.

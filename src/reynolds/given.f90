@@ -17,6 +17,8 @@ module ehlwave_given
       real(dp), allocatable :: rough(:, :)     !! Rough(X, Y, T), (0:nx, 0:ny); not allocated for smooth surfaces
       real(dp), allocatable :: edge_rough(:)   !! the same at the nodes of flooded edges, where `rough` holds something
                                                !! else
+      real(dp), allocatable :: supply(:)       !! (0:ny) oil offered at the inlet edge, theta rho H; not allocated:
+                                               !! flooded
    contains
       procedure :: set_rough
       procedure :: blend
@@ -25,10 +27,12 @@ module ehlwave_given
 contains
 
    !> The steady state of smooth surfaces under the nominal load.
-   pure function steady_given(grid) result(given)
+   pure function steady_given(grid, supply) result(given)
       type(grid_t), intent(in) :: grid
+      real(dp), intent(in), optional :: supply(0:)   !! oil offered; absent: flooded
       type(given_t) :: given
       given%transport = steady_transport(grid)
+      if (present(supply)) allocate (given%supply(0:grid%ny), source=supply)
    end function steady_given
 
    !> Set the roughness added to the gap.
@@ -58,6 +62,10 @@ contains
       end if
       if (allocated(later%transport%carried) .and. allocated(self%transport%carried)) &
          between%transport%carried = (1 - place)*self%transport%carried + place*later%transport%carried
+      if (allocated(later%supply) .and. allocated(self%supply)) &
+         between%supply(:) = (1 - place)*self%supply + place*later%supply
+      if (allocated(later%transport%inflow) .and. allocated(self%transport%inflow)) &
+         between%transport%inflow = (1 - place)*self%transport%inflow + place*later%transport%inflow
    end function blend
 
 end module ehlwave_given

@@ -3,6 +3,7 @@
 module ehlwave_real_near_rows
    use ehlwave_real_wedge, only: wedge_t
    use ehlwave_flow, only: flow_t
+   use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
    use ehlwave_near_kernel, only: near_kernel_t
    use ehlwave_reynolds, only: flow_links, mesh_t, poiseuille_links

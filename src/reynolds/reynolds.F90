@@ -14,7 +14,8 @@ module ehlwave_reynolds
    use ehlwave_transport, only: transport_t
    implicit none (type, external)
    private
-   public :: new_mesh, reynolds_residual, reynolds_change, reynolds_scale, poiseuille_links, intake
+   public :: new_mesh, driven_flow, face_flux, reynolds_residual, reynolds_change, reynolds_scale, poiseuille_links, &
+             intake
 
    !> A grid with the weights of a difference of fluxes along X and along Y.
    type, public :: mesh_t
@@ -55,6 +56,25 @@ contains
       type(transport_t), intent(in) :: transport
       type(flow_t), intent(in) :: flow
       real(dp), intent(out) :: r(0:, 0:)      !! R, (0:nx, 0:ny)
+      integer :: i, j, nx
+
+      nx = mesh%grid%nx
+      call driven_flow(mesh, flow, r)
+      do j = mesh%grid%first_row, mesh%grid%last_row
+         call transport%subtract(nx, flow%f(:, j), r(:, j))
+         if (allocated(transport%carried)) then
+            do i = 1, nx - 1
+               r(i, j) = r(i, j) - transport%carried(i, j)
+            end do
+         end if
+      end do
+   end subroutine reynolds_residual
+
+   !> Flow that pressure gradients drive into each unknown node, zero elsewhere: the first part of R.
+   pure subroutine driven_flow(mesh, flow, r)
+      type(mesh_t), intent(in) :: mesh
+      type(flow_t), intent(in) :: flow
+      real(dp), intent(out) :: r(0:, 0:)      !! (0:nx, 0:ny)
       real(dp), dimension(0:mesh%grid%nx) :: east, north, south
       integer :: i, j, jm, jp, nx
 
@@ -70,15 +90,9 @@ contains
          do i = 1, nx - 1
             r(i, j) = mesh%cx*(east(i) - east(i - 1)) + mesh%cy*(north(i) - south(i))
          end do
-         call transport%subtract(nx, flow%f(:, j), r(:, j))
-         if (allocated(transport%carried)) then
-            do i = 1, nx - 1
-               r(i, j) = r(i, j) - transport%carried(i, j)
-            end do
-         end if
          south = north
       end do
-   end subroutine reynolds_residual
+   end subroutine driven_flow
 
    !> Fluxes through the faces from nodes (i, j1) to (i + shift, j2), but for their weight: (eps_1 + eps_2) (P_2 - P_1).
    pure subroutine face_flux(flow, j1, j2, shift, flux)

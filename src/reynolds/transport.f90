@@ -15,11 +15,17 @@ module ehlwave_transport
    private
    public :: steady_transport, characteristic_transport, harmonic_wedge, implicit_part
 
+   real(dp), parameter, public :: no_film = -1   !! in place of rho H where a node was not full
+
    type, extends(wedge_t), public :: transport_t
       real(dp), allocatable :: carried(:, :)         !! (0:nx, 0:ny), allocated in transient problems only
       integer :: cells_per_step = 1                  !! dT = hX cells_per_step / steps_per_cell,
       integer :: steps_per_cell = 1                  !! one of the two is 1
+      ! of gaps that are not full everywhere, in transient problems: what the node upstream passed on at the earlier
+      ! time, and rho H there where it was full, else `no_film`
+      real(dp), allocatable :: inflow(:, :), partner(:, :)
    contains
+      procedure :: carry_content
       procedure :: carry
       procedure :: carry_row
       procedure :: history_length
@@ -163,6 +169,21 @@ contains
          call self%carry_row(grid, j, history(:, j, :))
       end do
    end subroutine carry
+
+   !> The same of a gap that is not full everywhere: `history` has what nodes passed on at T - n dT for n = 1 to
+   !> `steps_per_cell`, then rho H of full ones, see `ehlwave_oil_content`.
+   pure subroutine carry_content(self, grid, history)
+      class(transport_t), intent(inout) :: self
+      type(grid_t), intent(in) :: grid
+      real(dp), intent(in) :: history(0:, 0:, :)   !! (0:nx, 0:ny, 2 steps_per_cell)
+      integer :: s
+
+      s = self%steps_per_cell
+      if (.not. allocated(self%inflow)) &
+         allocate (self%inflow(0:grid%nx, 0:grid%ny), self%partner(0:grid%nx, 0:grid%ny), source=0.0_dp)
+      self%inflow(1:, :) = history(:grid%nx - 1, :, s)
+      self%partner(1:, :) = history(:grid%nx - 1, :, 2*s)
+   end subroutine carry_content
 
    !> The same on one row.
    pure subroutine carry_row(self, grid, j, history)

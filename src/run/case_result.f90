@@ -5,6 +5,7 @@ module ehlwave_case_result
    use ehlwave_harmonic_result, only: harmonic_result_t
    use ehlwave_kinds, only: dp, no_value
    use ehlwave_shear_result, only: shear_result_t
+   use ehlwave_starved_result, only: starved_result_t
    use ehlwave_status, only: status_pending
    implicit none (type, external)
    private
@@ -56,6 +57,7 @@ module ehlwave_case_result
       real(dp) :: formula_ratio = 0                  !! theory eq. (18)
       type(harmonic_result_t) :: harmonic            !! linear response, if asked for
       type(oil_sensitivity_t) :: by_oil(2)           !! by ln(alpha), by ln(stress of the flow law)
+      type(starved_result_t) :: starved              !! of a contact with too little oil
       type(shear_result_t) :: shear                  !! friction of the smooth contact, and estimates
       character(len=:), allocatable :: warning       !! what the model leaves out and matters here, else empty
       ! the largest over all solutions of the case

@@ -16,6 +16,7 @@ module ehlwave_case_runner
    use ehlwave_march_case, only: run_moving
    use ehlwave_march_keeper, only: march_keeper_t
    use ehlwave_monitor, only: go_on, monitor_t
+   use ehlwave_oil_passage, only: follow_oil, oil_passage_t
    use ehlwave_plan_effort, only: most_work
    use ehlwave_planned_case, only: case_plan_t, run_march, run_standing
    use ehlwave_resolution, only: touching_reason
@@ -61,6 +62,7 @@ contains
       type(case_result_t), intent(out) :: result
       class(march_keeper_t), intent(inout), optional :: keeper
       type(rescue_t) :: rescue
+      type(oil_passage_t) :: last_passage
       logical :: is_found
       character(len=:), allocatable :: unresolved
       real(dp), allocatable :: stress(:, :)   ! tau/ph of the smooth contact
@@ -77,6 +79,10 @@ contains
          if (result%status == status_converged) then
             call take_smooth_film(case, plan, level, stress, result)
             call estimate_film_errors(plan, steady%multigrid%hierarchy_t, stress, result)
+            if (plan%inlet%is_short()) then
+               call result%starved%take(steady%multigrid%levels, steady%flooded, result%work)
+               call add_warning(result, result%starved%warning(level%problem%grid))
+            end if
             if (case%sensitivities) call find_film_sensitivities(case, steady, result)
             if (plan%responds) &
                call run_response(case, plan, plan%surfaces%list(plan%surfaces%main), steady, result)
@@ -101,6 +107,9 @@ contains
             allocate (result%y, source=level%problem%grid%y)
             allocate (result%p, source=level%state%p)
             allocate (result%h, source=level%state%h)
+            if (is_success(result%status) .and. plan%inlet%is_short()) &
+               call follow_oil(level%problem, level%given, level%state, last_passage)
+            if (allocated(last_passage%content)) result%starved%content = last_passage%content
             if (is_success(result%status)) &
                call mean_shear_stress(level%problem, level%state, result%shear_stress_pa)
          end if

@@ -58,6 +58,14 @@ contains
          if (allocated(result%shear_stress_pa)) call file%write('mean_shear_stress_pa', result%shear_stress_pa, 'Pa', &
             'mean of the shear stresses at the two surfaces along x, last solution', 'x', 'y')
       end if
+      if (allocated(result%starved%content)) then
+         call file%write('content', result%starved%content, '1', &
+            'theta, share of the gap that oil fills, last solution', 'x', 'y')
+         call file%write('layer_offered', result%starved%passage%offered, '1', &
+            'oil that enters across Y, layer over c, smooth contact', 'y')
+         call file%write('layer_behind', result%starved%passage%behind, '1', &
+            'oil that leaves behind the contact across Y, layers of both surfaces over c, smooth contact', 'y')
+      end if
       if (allocated(result%history%p)) call write_history(file, result%history)
       if (allocated(result%harmonic%h)) then
          call file%write('film_response', abs(result%harmonic%h), '1', 'amplitude of H over Ai, small waves', 'x', 'y')

@@ -55,7 +55,7 @@ contains
          return
       end if
       call result%harmonic%take(response%film, response%pressure, response%approach)
-      call find_mean(waves, steady, response, result)
+      if (.not. plan%inlet%is_short()) call find_mean(waves, steady, response, result)
       result%work = result%work + steady%multigrid%work() - work_before
       if (case%sensitivities) call find_response_sensitivities(steady, response, result)
       associate (level => steady%multigrid%levels(n))

@@ -40,7 +40,9 @@ contains
       type(march_settings_t) :: settings
       settings = march_settings_t(surfaces=plan%surfaces, film=central_film, steps=plan%steps, &
                                   cells_per_step=plan%cells_per_step, steps_per_cell=plan%steps_per_cell, &
-                                  natural_frequency=case%natural_frequency, force=case%load_factor)
+                                  natural_frequency=case%natural_frequency, force=case%load_factor, &
+                                  oil_factor=case%oil_change_factor, oil_change_start=case%oil_change_start, &
+                                  oil_change_length=case%oil_change_length)
    end function march_settings
 
    !> Tolerance and limits of a time step.

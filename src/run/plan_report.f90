@@ -9,7 +9,7 @@ module ehlwave_plan_report
    use ehlwave_planned_case, only: case_plan_t, run_harmonic, run_smooth, run_standing
    use ehlwave_resolution, only: flooded_inlet_gap
    use ehlwave_surface_plan, only: surface_text
-   use ehlwave_text, only: to_text
+   use ehlwave_text, only: harmless, to_text
    use ehlwave_work_unit, only: work_unit_operations
    implicit none (type, external)
    private
@@ -45,6 +45,7 @@ contains
             trim(case%oil%flow_law)//', alpha = '//to_text(c%alpha_per_pa*1e9_dp, 5)//' 1/GPa'
          if (extrapolation_text(case, plan%rheology, 1.0_dp) /= '') write (unit, '(a)') '             WARNING: '// &
             extrapolation_text(case, plan%rheology, 1.0_dp)
+         if (plan%inlet%is_short()) write (unit, '(a)') 'Inlet        starved: '//inlet_text(case)
          if (plan%surfaces%is_measured()) then
             write (unit, '(a)') 'Waviness     '//surface_text(case, plan%surfaces, c)
          else
@@ -123,6 +124,19 @@ contains
       text = trim(text)//': expect an error of '//to_text(plan%domain_error, 2)//' by the domain'
       if (plan%domain_scale > 1) text = text//', which is enlarged for the accuracy'
    end function edges_text
+
+   function inlet_text(case) result(text)
+      type(case_t), intent(in) :: case
+      character(len=:), allocatable :: text
+      if (case%oil_layer_m > 0) then
+         text = 'layers of oil of '//to_text(case%oil_layer_m*1e6_dp, 5)//' um together'
+      else
+         text = to_text(case%oil_over_flooded, 5)//' of the oil that the flooded contact passes'
+      end if
+      if (case%oil_profile /= '') text = text//', across by '//harmless(trim(case%oil_profile))
+      if (abs(case%oil_change_factor - 1) > 0) text = text//'; changes by '//to_text(case%oil_change_factor, 4)// &
+         ' at T = '//to_text(case%oil_change_start, 4)
+   end function inlet_text
 
    function width_text(plan) result(text)
       type(case_plan_t), intent(in) :: plan

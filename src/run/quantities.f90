@@ -19,6 +19,7 @@ module ehlwave_quantities
    use ehlwave_kinds, only: dp
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_quantity, only: quantity_list_t
+   use ehlwave_starved_result, only: starved_result_t
    use ehlwave_status, only: status_name
    use ehlwave_two_wave_result, only: wave_row_t
    use ehlwave_work_unit, only: work_unit_operations
@@ -163,6 +164,7 @@ contains
       call add_case(list, case, plan)
       call list%add('is_resolved', '1 when the grid resolves the case', result%is_resolved)
       call add_smooth_film(list, plan, result)
+      call add_starvation(list, plan%inlet%is_short(), result%starved)
       call add_shear(list, plan, result)
       call list%add('load_error', 'largest load error of the solutions', result%load_error)
       call list%add('residual', 'largest mass residual of the solutions', result%residual)
@@ -230,6 +232,29 @@ contains
             exists=c%has_dimensions)
       end associate
    end subroutine add_smooth_film
+
+   subroutine add_starvation(list, is_short, starved)
+      type(quantity_list_t), intent(inout) :: list
+      logical, intent(in) :: is_short
+      type(starved_result_t), intent(in) :: starved
+
+      call list%add('film_over_flooded', 'R, central_film over flooded_central_film', starved%film_over_flooded, &
+                    exists=is_short)
+      call list%add('film_over_flooded_error', 'estimated relative error of film_over_flooded by the mesh', &
+                    starved%film_over_flooded_error, exists=is_short)
+      call list%add('flooded_central_film', 'H(0,0) of the flooded contact with the same domain and edges', &
+                    starved%flooded_film, exists=is_short)
+      call list%add('oil_offered', 'r at Y = 0, oil offered over what the flooded contact passes', &
+                    starved%oil_over_flooded, exists=is_short)
+      call list%add('mass_balance_error', 'oil lost or gained over oil that enters', starved%passage%balance_error, &
+                    exists=is_short)
+      call list%add('side_flow', 'share of the oil that leaves over the sides', starved%passage%side_flow, &
+                    exists=is_short)
+      call list%add('meniscus_x', 'X at Y = 0 from which on the gap is full', starved%passage%meniscus_x, &
+                    exists=is_short)
+      call list%add('starved_over_flooded_work', 'counted work of the starved solve over that of the flooded one', &
+                    starved%solve_over_flooded, exists=is_short)
+   end subroutine add_starvation
 
    subroutine add_shear(list, plan, result)
       type(quantity_list_t), intent(inout) :: list

@@ -11,6 +11,7 @@ module ehlwave_shared_steady
    use ehlwave_rescue, only: rescue_t, rung_direct
    use ehlwave_solve_report, only: solve_limits_t, solve_report_t
    use ehlwave_solver_choice, only: init_multigrid, method_t
+   use ehlwave_starvation, only: flooded_t, starve
    use ehlwave_status, only: status_converged
    use ehlwave_steady_tangent, only: tangent_change_t
    use ehlwave_text, only: to_text
@@ -28,6 +29,7 @@ module ehlwave_shared_steady
       type(harmonic_solver_t) :: coarse_response     !! about the next coarser one, if `has_coarse`
       logical :: has_coarse = .false.
       real(dp) :: work = 0                           !! operations that the steady state took
+      type(flooded_t) :: flooded                     !! of a starved contact, whose state is that of the levels
       real(dp), private :: linear_work = 0, derivative_work = 0   ! and what is kept with it
       real(dp), private :: kept_work = 0, mark = 0   ! of the case at hand: what others did for it; count at its start
       logical, private :: is_linearised = .false., is_differentiated = .false.
@@ -100,6 +102,10 @@ contains
       self%mark = 0
       self%rescue = rescue_t(is_ready=climbs(plan), steps_left=plan%largest_total_steps, work_left=plan%largest_work)
       call self%rescue%solve_steady(self%multigrid, limits_of(case), coarse_tolerance)
+      associate (report => self%multigrid%levels(size(self%multigrid%levels))%report)
+         if (plan%inlet%is_short() .and. report%status == status_converged) &
+            call starve(self%rescue, self%multigrid, plan%inlet, limits_of(case), coarse_tolerance, self%flooded)
+      end associate
       self%work = self%multigrid%work()
    end subroutine prepare
 

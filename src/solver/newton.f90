@@ -22,7 +22,10 @@ module ehlwave_newton
                                                  !! by halves
    integer, parameter :: most_halvings = 10
    real(dp), parameter :: progress = 0.9_dp      !! of the smallest right side, or less, to be reached in so many steps
-   integer, parameter :: patience = 15
+   integer, parameter :: patience = 15, starved_patience = 10
+   !> Linear tolerance of starved contacts, at most: what is left of the large residuals at the meniscus would move all
+   !> of it by some cells (M = 149, L = 14, D = 0.14, r = 1.6, 192 x 64 cells: 9 Newton steps in place of a stall).
+   real(dp), parameter :: starved_forcing = 5e-3_dp
 
    !> Iterations with limits and patience; what one of them does is `newton_step_t`'s.
    type, extends(level_solver_t), public :: newton_t
@@ -92,7 +95,7 @@ contains
       work_before = work_of(levels)
       forcing = self%loosest
       before = state
-      asks_local = allocated(self%local)
+      asks_local = allocated(self%local) .and. .not. allocated(given%supply)
       associate (problem => levels(size(levels))%problem, equations => self%step%linear%levels(size(levels))%equations)
          call problem%film_of_guess(given, state)
          do k = 0, limits%largest_steps
@@ -116,10 +119,16 @@ contains
                 report%worst() > limits%guess_share*limits%tolerance) report%status = status_stalled
             if (report%status /= status_stalled .or. k == limits%largest_steps) exit
             if (.not. problem%rheology%is_newtonian() .and. k > last_gain + patience) exit
+            if (allocated(given%supply)) then   ! a film that closes stays closed
+               if (worth < progress*best) last_gain = k
+               best = min(best, worth)
+               if (k > last_gain + starved_patience) exit
+            end if
             if (work_of(levels) - work_before >= limits%largest_work) exit
 
             if (k > 0) forcing = next_forcing(self, forcing, worth/worth_before)
             forcing = min(self%loosest, max(forcing, last_step_share*limits%tolerance/report%residual))
+            if (allocated(given%supply)) forcing = min(forcing, starved_forcing)
             worth_before = worth
             if (.not. problem%rheology%is_newtonian()) before = state
             call self%step%solve(levels, forcing, work_before + limits%largest_work, report)

@@ -85,7 +85,7 @@ contains
       real(dp) :: largest
       integer :: k
 
-      largest = tiny(1.0_dp)
+      largest = max(tiny(1.0_dp), equations%edge_unit)
       do k = 1, equations%edges%count()
          largest = max(largest, abs(state%p(equations%edges%i(k), equations%edges%j(k))))
       end do

@@ -83,7 +83,7 @@ contains
       call self%linear%start(n)
       state = levels(n)%state
       associate (problem => levels(n)%problem, equations => self%linear%levels(n)%equations)
-         given = steady_given(problem%grid)
+         given = steady_given(problem%grid, levels(n)%given%supply)
          call problem%film(given, state%p, state%delta, state%h)
          call equations%evaluate(problem, given, state)
       end associate

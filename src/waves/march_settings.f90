@@ -14,10 +14,13 @@ module ehlwave_march_settings
       integer :: steps_per_cell = 1
       real(dp) :: natural_frequency = 0        !! Omega of the equation of motion; 0: force balance
       real(dp) :: force = 1                    !! load from T > 0 on, over that of the steady state
+      ! the oil offered changes by a factor at the inlet edge from a time on, for so long (0: to the end)
+      real(dp) :: oil_factor = 1, oil_change_start = 0, oil_change_length = 0
    contains
       procedure :: time_step
       procedure :: repeat_time
       procedure :: amplitude
+      procedure :: oil_share
    end type march_settings_t
 
    integer, parameter :: most_periods = 4              !! after which a solution is taken to repeat
@@ -39,6 +42,16 @@ contains
       class(march_settings_t), intent(in) :: self
       amplitude = self%surfaces%list(self%surfaces%main)%amplitude(self%film)
    end function amplitude
+
+   !> Oil offered at time t over that of the steady state.
+   pure real(dp) function oil_share(self, t) result(share)
+      class(march_settings_t), intent(in) :: self
+      real(dp), intent(in) :: t
+      share = 1
+      if (t <= self%oil_change_start) return
+      if (self%oil_change_length > 0 .and. t > self%oil_change_start + self%oil_change_length) return
+      share = self%oil_factor
+   end function oil_share
 
    !> After what time a periodic solution repeats at a step of the march, or nearly so: of some periods the multiple
    !> that is nearest to whole steps; a period that has many is interpolated between them as well.

@@ -47,7 +47,7 @@ contains
       associate (linear => self%linear, problem => levels(n)%problem)
          call linear%init(levels, newton_cycle)
          call linear%start(n)
-         self%given = steady_given(problem%grid)
+         self%given = steady_given(problem%grid, levels(n)%given%supply)
          call problem%film(self%given, self%state%p, self%state%delta, self%state%h)
          call set_wedge(linear, self%given%transport)
       end associate

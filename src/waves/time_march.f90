@@ -2,6 +2,8 @@
 module ehlwave_time_march
    use ehlwave_assertions, only: assert, checks
    use ehlwave_clock, only: wall_seconds
+   use ehlwave_contact_problem, only: contact_problem_t
+   use ehlwave_equations, only: equations_t
    use ehlwave_first_guess, only: carried_share, carry_on, extrapolate, look_up, past_t
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_given, only: given_t
@@ -52,7 +54,9 @@ module ehlwave_time_march
       integer, private :: l = 0                ! level that is marched
       real(dp), private :: start = 0           ! T before the first step
       real(dp), allocatable :: share(:, :)     !! see carried_share
-      real(dp), allocatable :: history(:, :, :) !! f = rho H of the steps before, latest first
+      real(dp), allocatable :: history(:, :, :) !! f = rho H of the steps before, latest first; of a starved contact
+                                                !! what `carry_content` takes
+      real(dp), allocatable, private :: supply(:)   ! oil offered to the steady state, of a starved contact
       real(dp) :: approach(3) = 0              !! Delta of the steps before, latest first
       type(given_t) :: given                   !! what the last solution was given
       type(rescue_t) :: rescue                 !! its account goes on from step to step
@@ -95,11 +99,13 @@ contains
             given%load = equation_of_motion(1.0_dp, settings%natural_frequency, self%settings%time_step(grid))
          if (allocated(self%history)) deallocate (self%history)
          allocate (self%history(0:grid%nx, 0:grid%ny, given%transport%history_length()))
+         if (allocated(self%supply)) deallocate (self%supply)
+         if (allocated(given%supply)) allocate (self%supply(0:grid%ny), source=given%supply)
          do n = 1, size(self%history, 3)
-            self%history(:, :, n) = problem%rheology%density(state%p)*state%h
+            call remember(self, problem, given, state)
          end do
          self%approach = state%delta
-         call given%transport%carry(grid, self%history)
+         call carry_history(self, grid, given)
          call given%load%carry(self%approach)
          self%given = given   ! what the steady state would be given as a time step
          given%load%force = settings%force
@@ -208,9 +214,47 @@ contains
       real(dp), intent(in) :: t
       type(given_t), intent(inout) :: given
       call given%set_rough(rough_at(self, grid, t))
-      call given%transport%carry(grid, self%history)
+      call carry_history(self, grid, given)
+      if (allocated(self%supply)) given%supply(:) = self%supply*self%settings%oil_share(t)
       call given%load%carry(self%approach)
    end subroutine pose_step
+
+   !> Terms of earlier times from the history.
+   subroutine carry_history(self, grid, given)
+      class(march_t), intent(in) :: self
+      type(grid_t), intent(in) :: grid
+      type(given_t), intent(inout) :: given
+      if (allocated(given%supply)) then
+         call given%transport%carry_content(grid, self%history)
+      else
+         call given%transport%carry(grid, self%history)
+      end if
+   end subroutine carry_history
+
+   !> Put a state at the head of the history.
+   subroutine remember(self, problem, given, state)
+      class(march_t), intent(inout) :: self
+      type(contact_problem_t), intent(in) :: problem
+      type(given_t), intent(in) :: given               !! to the solution
+      type(state_t), intent(in) :: state
+      type(equations_t) :: equations
+      integer :: n, steps
+
+      associate (history => self%history)
+         steps = size(history, 3)
+         if (allocated(given%supply)) steps = steps/2
+         do n = size(history, 3), 2, -1
+            if (n /= steps + 1) history(:, :, n) = history(:, :, n - 1)
+         end do
+         if (allocated(given%supply)) then
+            call equations%init(problem)
+            call equations%evaluate(problem, given, state)
+            call equations%content%history_of(equations%flow%f, history(:, :, 1), history(:, :, steps + 1))
+         else
+            history(:, :, 1) = problem%rheology%density(state%p)*state%h
+         end if
+      end associate
+   end subroutine remember
 
    !> Roughness at time t: everywhere when the march started in waves, else behind the front.
    pure function rough_at(self, grid, t) result(rough)
@@ -247,16 +291,12 @@ contains
       type(level_t), intent(in) :: level
       integer, intent(in) :: k
       real(dp), intent(in) :: t
-      integer :: n
 
-      associate (result => self%result, history => self%history, state => level%state)
+      associate (result => self%result, state => level%state)
          result%time(k) = t
          result%central_film(k) = level%problem%grid%value_at_centre(state%h)
          result%approach(k) = state%delta
-         do n = size(history, 3), 2, -1
-            history(:, :, n) = history(:, :, n - 1)
-         end do
-         history(:, :, 1) = level%problem%rheology%density(state%p)*state%h
+         call remember(self, level%problem, level%given, state)
          self%approach = [state%delta, self%approach(1:2)]
       end associate
    end subroutine note

@@ -111,6 +111,18 @@ class CaseKeys(TypedDict, total=False):
     """response to the waves"""
     file: Text | Surface | TopographyLike
     """surface written by `ehlwave surface`"""
+    oil_over_flooded: SupportsFloat
+    """oil offered over oil that the flooded contact passes"""
+    oil_layer_m: SupportsFloat
+    """layers of oil on both surfaces together; in place of oil_over_flooded"""
+    oil_profile: Text
+    """CSV of the layer across"""
+    oil_change_factor: SupportsFloat
+    """layer in a march after a change over before; 1: no change, 0.001: a gap"""
+    oil_change_start: SupportsFloat
+    """T at which the change passes x_min"""
+    oil_change_length: SupportsFloat
+    """length of the changed layer over a; 0: to the end"""
     x_min: SupportsFloat
     """X of the inlet boundary"""
     x_max: SupportsFloat

@@ -166,6 +166,10 @@ def remarks(points: xr.Dataset) -> list[str]:
         found.append(f"{other} point(s) of other orientations are in fits over all, in no panel")
     if slipping := int(np.sum(points["slip_parameter"].values != 1)):
         found.append(f"{slipping} point(s) with slip: the formula was found for pure rolling")
+    if "film_over_flooded" in points and (
+        starved := int(np.isfinite(points["film_over_flooded"].values.astype(float)).sum())
+    ):
+        found.append(f"{starved} point(s) with too little oil: the formula is for flooded contacts")
     columns = ["orientation", "wavelength_x_over_a", "wavelength_y_over_a", "slip_parameter"]
     names = [*CONDITION, *columns, "case_id"]
     keys = Counter(zip(*(points[name].values.tolist() for name in names), strict=True))

@@ -104,6 +104,13 @@ class Contact:
         name = f"viscosities-{self.rng.integers(1 << 31)}.csv"
         return str(Writer().text(self.folder / name, "\n".join(rows) + "\n"))
 
+    def layers(self) -> str:
+        """Write a layer of oil that varies across and return its path."""
+        rows = ["y_over_b,layer_over_given"]
+        rows += [f"{y},{self.between(0.3, 1)}" for y in (0.0, 0.5, 1.0, 1.5)]
+        name = f"layers-{self.rng.integers(1 << 31)}.csv"
+        return str(Writer().text(self.folder / name, "\n".join(rows) + "\n"))
+
 
 Draw = Callable[[Contact, Row], Value]
 
@@ -183,9 +190,24 @@ def _tolerance(usual: float) -> Draw:
 
 
 def _method(c: Contact, row: Row) -> Value:
-    if c.is_line or c.chance(0.6):
+    if c.is_line or c.chance(0.6) or "oil_over_flooded" in row:
         return None
     return c.one_of("fas", "fas", "newton", "petsc")
+
+
+def _oil(c: Contact, row: Row) -> Value:
+    rolls = row.get("slip_parameter", 1) == 1 or row.get("orientation") is None
+    if not c.chance(0.12) or not rolls or row.get("response") == "periodic" or c.has_surface:
+        return None
+    return c.power(0.3, 5)
+
+
+def _starved(inner: Draw) -> Draw:
+    return lambda c, row: inner(c, row) if "oil_over_flooded" in row else None
+
+
+def _changing(inner: Draw) -> Draw:
+    return lambda c, row: inner(c, row) if "oil_change_factor" in row else None
 
 
 def _end(c: Contact, row: Row) -> Value:
@@ -260,6 +282,14 @@ DRAWS: dict[str, Draw] = {
     "amplitude_over_film": _wavy(_share(0.7, lambda c, row: c.power(0.01, 1))),
     "response": _response,
     "file": lambda c, row: c.surface() if c.has_surface else None,
+    "oil_over_flooded": _oil,
+    "oil_layer_m": lambda c, row: None,  # needs a film to be known: test_starvation has it
+    "oil_profile": _starved(_share(0.2, lambda c, row: c.layers())),
+    "oil_change_factor": _starved(
+        _where("response", "transient", "both")(_share(0.2, lambda c, row: c.between(0.5, 1.5)))
+    ),
+    "oil_change_start": _changing(lambda c, row: c.between(0, 2)),
+    "oil_change_length": _changing(_share(0.5, lambda c, row: c.between(0.5, 2))),
     "x_min": _share(0.15, lambda c, row: c.between(-5, -2)),
     "x_max": _share(0.15, lambda c, row: c.between(1.3, 2.5)),
     "y_max": _share(0.15, lambda c, row: None if c.is_line else c.between(1.5, 3)),
@@ -294,7 +324,7 @@ DRAWS: dict[str, Draw] = {
     "fields_every": _where("response", "transient", "both")(
         _share(0.2, lambda c, row: int(c.power(4, 40)))
     ),
-    "sensitivities": _share(0.1, lambda c, row: True),
+    "sensitivities": _share(0.1, lambda c, row: None if "oil_over_flooded" in row else True),
     "slide_to_roll_ratio": _ratio,
 }
 

@@ -4,7 +4,16 @@ import argparse
 import os
 
 from studies.command import steps
-from studies.command.options import COUNT, Option, at_once, flag, option, output, study
+from studies.command.options import (
+    COUNT,
+    Option,
+    at_once,
+    flag,
+    given,
+    option,
+    output,
+    study,
+)
 
 
 @study(
@@ -127,3 +136,29 @@ def stress_speed(options: argparse.Namespace) -> int:
     steps.find_python()
     os.environ |= {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
     return steps.report("stress_speed", options.points)
+
+
+@study(
+    "starvation",
+    output("starvation"),
+    at_once(),
+    option("--contacts", "COUNT", "contacts whose films are computed (default 30)", 30),
+    option("--cells", "N", "the largest grid along each side (default 192)", 192),
+)
+def starvation(options: argparse.Namespace) -> int:
+    """Fit laws of film and waves of contacts with too little oil.
+
+    Computes films of contacts over M, L and D with 0.2 to 5 times the oil that they pass flooded,
+    and linear responses of half as many. Fits R(r) and Ad/Ai(x, R), each contact held out in turn,
+    with intervals by drawing contacts again. Writes films.h5, waves.h5, laws.csv and a figure. The
+    coefficients in laws.csv are those of ehlwave.starvation.
+
+    Exit status: 0 done, 1 failed, 2 bad usage.
+    """
+    steps.prepare()
+    folder = options.output
+    drawn = given(options, "contacts", "cells")
+    steps.python("starvation", "cases", folder, *drawn)
+    for name in ("films", "waves"):
+        steps.sweep(folder / f"{name}.nml")
+    return steps.report("starvation", "report", folder)

@@ -98,6 +98,12 @@ def _from_file(path: Path) -> GivenKeys:
         raise SurfaceError(f"conditions {path}: not a namelist file ({error})") from error
     if "conditions" not in groups:
         raise SurfaceError(f"conditions {path}: has no group &conditions")
+    if any(str(key).startswith("oil_") for key in groups.get("inlet", {})):
+        raise SurfaceError(
+            f"conditions {path}: &inlet offers too little oil, and these answers are those of "
+            "flooded contacts: remove &inlet, or compute the contact with ehlwave-case "
+            "(ehlwave.starvation has laws of its film and waves)"
+        )
     keys = dict(groups["conditions"])
     lubricant = groups.get("lubricant", {})
     others = [

@@ -65,12 +65,18 @@ OF_THE_OIL = (
 
 OF_THE_EDGES = ("edges",)
 
+OF_THE_INLET = ("oil_over_flooded", "oil_layer_m", "oil_profile")
+"""The oil offered to a starved contact; none of a flooded one."""
+
 OF_MARCHES = (
     "amplitude_over_film",
     "load_balance",
     "natural_frequency",
     "load_factor",
     "end_time",
+    "oil_change_factor",
+    "oil_change_start",
+    "oil_change_length",
 )
 """Further keys of a response in time; the linear response does not depend on them."""
 
@@ -111,11 +117,12 @@ WITHOUT_EFFECT = frozenset(
 )
 """On the response to waves."""
 
-CARRIED = (*OF_THE_OIL, *OF_THE_EDGES, *OF_MARCHES)
+CARRIED = (*OF_THE_OIL, *OF_THE_EDGES, *OF_THE_INLET, *OF_MARCHES)
 """Columns of a table, empty where a key does not apply."""
 
 CLASSIFIED = IN_COLUMNS | OF_THE_SOLUTION | WITHOUT_EFFECT | frozenset(CARRIED)
 
+WORDS = ("edges", "load_balance", "viscosity_table", "oil_profile")
 STRESSES = ("eyring_stress_pa", "carreau_modulus_pa")
 
 
@@ -187,7 +194,7 @@ def table_columns(raw: pd.DataFrame, place: str) -> Mapping[str, pd.Series]:
         if key not in raw:
             continue
         column = raw[key].map(lambda value: value.decode() if isinstance(value, bytes) else value)
-        if key.endswith("_law") or key in ("edges", "load_balance", "viscosity_table"):
+        if key.endswith("_law") or key in WORDS:
             column = column.map(lambda value: np.nan if value == "" else value)
         elif column.dtype.kind not in "fiu":
             raise SurfaceError(f"{place}: column {key} does not hold numbers")

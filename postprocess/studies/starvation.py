@@ -1,0 +1,216 @@
+"""Steps of ``scripts/study starvation``: laws of film and waves of contacts with too little oil."""
+
+import argparse
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import least_squares
+
+from ehlwave.figures import write_figure
+from ehlwave.formula import power_ratio, recommended_parameter, recommended_sharpness
+from ehlwave.formula import wave_and_direction as direction_of
+from ehlwave.starvation import FILM_COEFFICIENTS, WAVE_COEFFICIENTS
+from ehlwave.writing import Writer
+from studies.sweeps import Row, read_sweep, run_command, write_rows, write_sweep
+
+Floats = NDArray[np.float64]
+Law = Callable[[Floats, Floats], Floats]
+
+OIL = (0.2, 0.35, 0.5, 0.65, 0.8, 1, 1.25, 1.6, 2.2, 3, 5)
+OIL_OF_WAVES = (0.4, 0.6, 0.8, 1, 1.6, 4)
+WAVES = (
+    *(("transverse", wave) for wave in (0.25, 0.5, 1.0, 2.0)),
+    *((orientation, wave) for orientation in ("isotropic", "longitudinal") for wave in (0.5, 1.0)),
+)
+SAMPLES = 200
+"""Of contacts, drawn again, for the intervals."""
+
+
+def contacts(count: int, low: Sequence[float], high: Sequence[float]) -> list[Row]:
+    """Return contacts spread over M, L and D: M and D in their logarithms."""
+    rng = np.random.default_rng(37)
+    place = np.column_stack([(rng.permutation(count) + rng.random(count)) / count for _ in low])
+    m = low[0] * (high[0] / low[0]) ** place[:, 0]
+    l = low[1] + (high[1] - low[1]) * place[:, 1]
+    d = low[2] * (high[2] / low[2]) ** place[:, 2]
+    names = ("load_parameter_m", "lubricant_parameter_l", "radius_ratio_d")
+    return [
+        dict(zip(names, (float(f"{value:.4g}") for value in row), strict=True))
+        for row in zip(m, l, d, strict=True)
+    ]
+
+
+def write_cases(folder: Path, count: int, cells: int) -> None:
+    """Write both sweeps: films of `count` contacts, waves of half as many."""
+    grid = {"cells_x": 0, "cells_y": 0, "largest_cells": cells, "x_min": -4.5, "edges": "flooded"}
+    films = [
+        contact | {"oil_over_flooded": r}
+        for contact in contacts(count, (20, 2, 0.1), (1000, 20, 1))
+        for r in OIL
+    ]
+    waves = [
+        contact | {"oil_over_flooded": r, "orientation": orientation, "wavelength_over_a": wave}
+        for contact in contacts(max(count // 2, 2), (50, 4, 0.1), (800, 18, 1))
+        for r in OIL_OF_WAVES
+        for orientation, wave in WAVES
+    ]
+    write_sweep(folder, "films", films, {"grid": grid})
+    write_sweep(folder, "waves", waves, {"grid": grid, "waviness": {"response": "harmonic"}})
+
+
+def usable(rows: list[Row]) -> dict[str, Floats]:
+    """Return the columns of the cases that converged and whose meniscus is inside the domain."""
+    good = [
+        row
+        for row in rows
+        if row["status"] == "converged" and row["meniscus_x"] > row["domain_x_min"] + 0.3
+    ]
+    names = [name for name, value in good[0].items() if isinstance(value, (int, float))]
+    return {name: np.array([row[name] for row in good], dtype=float) for name in names}
+
+
+def film_law(c: dict[str, Floats]) -> Law:
+    """Return R by five coefficients, of the rows of a mask."""
+
+    def law(p: Floats, rows: Floats) -> Floats:
+        m, l, d, r = (c[name][rows] for name in _OF_FILMS)
+        g = np.exp(p[0]) * (m / 100) ** p[1] * (l / 10) ** p[2] * d ** p[3] * (1 + r) ** p[4]
+        return power_ratio(1 / r, g)
+
+    return law
+
+
+def constant_law(c: dict[str, Floats]) -> Law:
+    """Return R with one g."""
+    return lambda p, rows: power_ratio(1 / c["oil_over_flooded"][rows], p[0])
+
+
+def wave_law(c: dict[str, Floats]) -> Law:
+    """Return Ad/Ai: the flooded formula, its parameter and sharpness times powers of R."""
+    x, n, along = wave_parameters(c)
+    ratio = c["film_over_flooded"]
+
+    def law(p: Floats, rows: Floats) -> Floats:
+        power = -(p[0] + p[1] * along[rows])
+        return power_ratio(p[3] * x[rows] * ratio[rows] ** power, n[rows] * ratio[rows] ** p[2])
+
+    return law
+
+
+def wave_parameters(c: dict[str, Floats]) -> tuple[Floats, Floats, Floats]:
+    """Return x and n of the flooded formula and cos^2(theta)."""
+    lengths = c["wavelength_x_over_a"], c["wavelength_y_over_a"]
+    m, l = c["load_parameter_m"], c["lubricant_parameter_l"]
+    x = recommended_parameter(m, l, c["gamma"], *lengths)
+    return x, recommended_sharpness(l), direction_of(*lengths)[1]
+
+
+_OF_FILMS = ("load_parameter_m", "lubricant_parameter_l", "radius_ratio_d", "oil_over_flooded")
+
+
+def fit(name: str, law: Law, y: Floats, contact: Floats, start: Sequence[float]) -> Row:
+    """Fit a law; return coefficients, intervals by drawing contacts again, and errors.
+
+    Errors are held out: each contact is predicted by a fit to the others.
+    """
+    every = np.arange(len(y))
+    names = np.unique(contact)
+
+    def solve(rows: Floats, begin: Sequence[float]) -> Floats:
+        return least_squares(lambda p: law(p, rows) - y[rows], begin).x
+
+    best = solve(every, start)
+    held = np.zeros_like(y)
+    for one in names:
+        out = every[contact == one]
+        held[out] = law(solve(every[contact != one], best), out) - y[out]
+    rng = np.random.default_rng(1)
+    drawn = [
+        solve(
+            np.concatenate([every[contact == one] for one in rng.choice(names, len(names))]), best
+        )
+        for _ in range(SAMPLES)
+    ]
+    low, high = np.percentile(drawn, (2.5, 97.5), axis=0)
+    row: Row = {"law": name, "points": len(y), "contacts": len(names)}
+    for k, value in enumerate(best):
+        row |= {f"c{k}": float(value), f"c{k}_low": float(low[k]), f"c{k}_high": float(high[k])}
+    row["rms"] = float(np.sqrt(np.mean((law(best, every) - y) ** 2)))
+    return row | {
+        "rms_held_out": float(np.sqrt(np.mean(held**2))),
+        "largest_held_out": float(np.abs(held).max()),
+    }
+
+
+def report(folder: Path) -> None:
+    """Fit the laws, write laws.csv and the figures, print a line for each law."""
+    films, waves = (usable(read_sweep(folder, name)) for name in ("films", "waves"))
+    rows = []
+    of_films = np.array([f"{a} {b} {c}" for a, b, c in zip(*_contact(films), strict=True)])
+    of_waves = np.array([f"{a} {b} {c}" for a, b, c in zip(*_contact(waves), strict=True)])
+    ratio = films["film_over_flooded"]
+    rows.append(fit("R, one g", constant_law(films), ratio, of_films, (3.0,)))
+    rows.append(fit("R", film_law(films), ratio, of_films, FILM_COEFFICIENTS))
+    responses = waves["harmonic_ratio"]
+    rows.append(fit("Ad/Ai", wave_law(waves), responses, of_waves, WAVE_COEFFICIENTS))
+    write_rows(folder / "laws.csv", rows, digits=5)
+    for row in rows:
+        print(
+            f"{row['law']:9} {row['points']} points of {row['contacts']} contacts: "
+            f"rms {row['rms']:.4f}, held out {row['rms_held_out']:.4f}, "
+            f"largest {row['largest_held_out']:.3f}; "
+            + ", ".join(f"{row[f'c{k}']:.4g}" for k in range(5) if f"c{k}" in row)
+        )
+    _draw(folder, films, waves, rows)
+
+
+def _contact(c: dict[str, Floats]) -> list[Floats]:
+    return [c[name] for name in _OF_FILMS[:3]]
+
+
+def _draw(
+    folder: Path, films: dict[str, Floats], waves: dict[str, Floats], rows: list[Row]
+) -> None:
+    """Draw R computed over R of the law, and all waves on one curve over x R^-k."""
+    figure, (left, right) = plt.subplots(1, 2, figsize=(10, 4.5), layout="constrained")
+    best = np.array([rows[1][f"c{k}"] for k in range(5)])
+    law = film_law(films)(best, np.arange(len(films["gamma"])))
+    left.plot([0, 1], [0, 1], color="0.7")
+    left.scatter(law, films["film_over_flooded"], s=8)
+    left.set(xlabel="R by the law", ylabel="R computed")
+    x, n, along = wave_parameters(waves)
+    p = np.array([rows[2][f"c{k}"] for k in range(4)])
+    r = waves["film_over_flooded"]
+    starved = p[3] * x * r ** -(p[0] + p[1] * along)
+    dots = right.scatter(starved, waves["harmonic_ratio"], c=r, s=8, cmap="viridis")
+    figure.colorbar(dots, label="R")
+    line = np.geomspace(starved.min(), starved.max(), 100)
+    right.plot(line, power_ratio(line, float(np.median(n))), color="0.3")
+    right.set(xscale="log", xlabel="x, with its power of R", ylabel="Ad/Ai computed")
+    write_figure(figure, folder, "starvation", writer=Writer(overwrite=True))
+    plt.close(figure)
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Write the sweeps or report on their results."""
+    parser = argparse.ArgumentParser("a step of scripts/study starvation", description=__doc__)
+    parser.add_argument("step", choices=("cases", "report"))
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("--contacts", type=int, default=30)
+    parser.add_argument("--cells", type=int, default=192)
+    return run_command(parser, _run, arguments)
+
+
+def _run(options: argparse.Namespace) -> None:
+    if options.step == "cases":
+        write_cases(options.folder, options.contacts, options.cells)
+    else:
+        report(options.folder)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,108 @@
+!> The oil that a case offers to its contact: what it may be asked with, and its profile across.
+module ehlwave_inlet_plan
+   use ehlwave_case_definition, only: case_t
+   use ehlwave_case_files, only: case_file_t, note_digest
+   use ehlwave_conditions, only: conditions_t
+   use ehlwave_errors, only: error_t, raise
+   use ehlwave_inlet_oil, only: inlet_oil_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_number_file, only: read_number_table
+   use ehlwave_number_table, only: number_table_t
+   use ehlwave_text, only: to_text
+   implicit none (type, external)
+   private
+   public :: check_inlet, plan_inlet
+
+contains
+
+   !> Refuse what starved contacts are not solved with. `case` is flooded without an amount of oil.
+   subroutine check_inlet(case, error)
+      type(case_t), intent(in) :: case
+      type(error_t), allocatable, intent(inout) :: error
+      character(len=:), allocatable :: given
+      logical :: has_pattern
+
+      given = ''
+      if (case%oil_over_flooded > 0) given = '&inlet oil_over_flooded = '//to_text(case%oil_over_flooded, 6)//': '
+      if (case%oil_layer_m > 0) given = '&inlet oil_layer_m = '//to_text(case%oil_layer_m, 6)//': '
+      if (given == '') return
+      has_pattern = case%orientation /= 'none' .or. case%surface_file /= ''
+      if (case%oil_layer_m > 0 .and. .not. case%is_dimensional) then
+         call raise(error, given//'metres need dimensional conditions (radius_x_m, ...); give oil_over_flooded in '// &
+                    'place of it')
+      else if (case%method /= 'newton') then
+         call raise(error, given//"starved contacts are solved by method = 'newton' alone, not by '"// &
+            trim(case%method)//"', whose sweeps know no partly filled nodes")
+      else if (case%sensitivities) then
+         call raise(error, given//'&output sensitivities are those of flooded contacts (the oil offered would '// &
+                    'change with the film): remove it')
+      else if (has_pattern .and. abs(case%slip_parameter - 1) > 0) then
+         call raise(error, given//'waves and surfaces need pure rolling, slip_parameter = 1: where the gap is not '// &
+                    'full, under slip each layer moves with its own surface, which the model does not know')
+      else if (has_pattern .and. case%response == 'periodic') then
+         call raise(error, given//"response = 'periodic' is not built for starved contacts: take 'transient', "// &
+                    "'both' or 'harmonic'")
+      else if (case%time_step_over_cell > 1) then
+         call raise(error, given//'&solver time_step_over_cell = '//to_text(case%time_step_over_cell, 6)// &
+                    ' is above 1: oil in partly filled gaps goes from node to node; use 1, 0.5, 0.25, ...')
+      else if (abs(case%oil_change_factor - 1) > 0 .and. has_pattern .and. case%response == 'harmonic') then
+         call raise(error, "&inlet oil_change_factor: response = 'harmonic' takes no time steps: use 'transient'")
+      else if (abs(case%oil_change_factor - 1) > 0 .and. .not. has_pattern .and. .not. case%end_time > 0) then
+         call raise(error, '&inlet oil_change_factor: give &dynamics end_time, to which is marched')
+      else if (abs(case%oil_change_factor - 1) > 0 .and. abs(case%slip_parameter - 1) > 0) then
+         call raise(error, '&inlet oil_change_factor: a change of the layer needs pure rolling, '// &
+                    'slip_parameter = 1: under slip the layers of the two surfaces change apart')
+      end if
+   end subroutine check_inlet
+
+   !> The oil offered. Fails on a profile that cannot be used.
+   subroutine plan_inlet(case, conditions, inlet, files, error)
+      type(case_t), intent(in) :: case
+      type(conditions_t), intent(in) :: conditions
+      type(inlet_oil_t), intent(out) :: inlet
+      type(case_file_t), intent(inout) :: files(:)
+      type(error_t), allocatable, intent(inout) :: error
+      type(number_table_t) :: table
+      integer :: share, y
+
+      inlet%over_flooded = case%oil_over_flooded
+      if (case%oil_layer_m > 0) inlet%layer = case%oil_layer_m/conditions%c_m
+      if (case%oil_profile == '' .or. .not. inlet%is_short()) return
+      call read_number_table(trim(case%oil_profile), table, error)
+      if (allocated(error)) then
+         error%message = '&inlet oil_profile: '//error%message
+         return
+      end if
+      y = table%column('y_over_b')
+      share = table%column('layer_over_given')
+      if (y == 0 .or. share == 0) then
+         call raise(error, "&inlet oil_profile = '"//trim(case%oil_profile)//"' needs the columns y_over_b and "// &
+                    'layer_over_given')
+         return
+      end if
+      call note_digest(files, trim(case%oil_profile), table%digest())
+      inlet%y = table%values(:, y)
+      inlet%share = table%values(:, share)
+      call check_profile(trim(case%oil_profile), inlet, error)
+   end subroutine plan_inlet
+
+   !> A profile has two places or more, in order, and no negative layer; somewhere there is oil.
+   subroutine check_profile(path, inlet, error)
+      character(len=*), intent(in) :: path
+      type(inlet_oil_t), intent(in) :: inlet
+      type(error_t), allocatable, intent(inout) :: error
+      character(len=:), allocatable :: key
+      integer :: n
+
+      key = "&inlet oil_profile = '"//path//"': "
+      n = size(inlet%y)
+      if (n < 2) then
+         call raise(error, key//'give two rows or more')
+      else if (any(inlet%y(2:) <= inlet%y(:n - 1))) then
+         call raise(error, key//'y_over_b has to grow from row to row')
+      else if (any(inlet%share < 0) .or. .not. any(inlet%share > 0)) then
+         call raise(error, key//'layer_over_given has to be 0 or more, and above 0 somewhere')
+      end if
+   end subroutine check_profile
+
+end module ehlwave_inlet_plan

@@ -1,0 +1,147 @@
+!> Steady state of a contact with less oil than it could take: from the flooded one, grid by grid.
+module ehlwave_starvation
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+   use ehlwave_continuation, only: adaptive_path_t
+   use ehlwave_full_multigrid, only: full_multigrid_t
+   use ehlwave_hierarchy, only: level_t
+   use ehlwave_inlet_oil, only: inlet_oil_t
+   use ehlwave_kinds, only: dp, no_value
+   use ehlwave_rescue, only: rescue_t, rung_continuation
+   use ehlwave_solve_report, only: solve_limits_t, solve_report_t
+   use ehlwave_state, only: state_t
+   use ehlwave_status, only: status_converged, status_stalled
+   implicit none (type, external)
+   private
+   public :: starve
+
+   !> Films of the flooded contact, and the oil it passes.
+   type, public :: flooded_t
+      real(dp), allocatable :: film(:)       !! H(0,0) of each level, coarsest first; NaN: none
+      real(dp), allocatable :: oil(:)        !! rho H there
+      real(dp) :: work = 0                   !! operations
+   end type flooded_t
+
+   real(dp), parameter :: least_ratio = 4    !! oil where a path begins, at r = 1 or above, over that where it ends
+   real(dp), parameter :: direct = 0.6_dp    !! r that is solved from the flooded state at once
+   real(dp), parameter :: loose_tolerance = 1e-3_dp   !! on the way
+
+contains
+
+   !> Starve the contact whose flooded steady state is that of all levels. On the coarsest grid it is solved from the
+   !> flooded state, on the others from the next coarser one; where that fails by degrees, from plenty of oil down.
+   subroutine starve(rescue, multigrid, oil, limits, coarse_tolerance, flooded)
+      type(rescue_t), intent(inout) :: rescue
+      type(full_multigrid_t), intent(inout) :: multigrid
+      type(inlet_oil_t), intent(in) :: oil
+      type(solve_limits_t), intent(in) :: limits     !! for the finest level
+      real(dp), intent(in) :: coarse_tolerance       !! for the others
+      type(flooded_t), intent(out) :: flooded
+      type(solve_limits_t) :: loose
+      type(solve_report_t) :: report
+      type(state_t) :: full
+      logical :: is_known
+      integer :: l, n
+
+      n = size(multigrid%levels)
+      flooded%film = multigrid%levels%central_film
+      allocate (flooded%oil(n))
+      flooded%work = multigrid%work()
+      loose = limits
+      loose%tolerance = max(limits%tolerance, coarse_tolerance)
+      do l = n, 1, -1
+         associate (level => multigrid%levels(l), finer => flooded%oil(min(l + 1, n)))
+            flooded%oil(l) = oil_at_centre(level)
+            if (.not. level%has_film()) flooded%oil(l) = finer
+            call forget_film(level)
+         end associate
+      end do
+      do l = 1, n
+         associate (level => multigrid%levels(l))
+            if (allocated(level%given%supply)) deallocate (level%given%supply)
+            allocate (level%given%supply(0:level%problem%grid%ny), &
+                      source=oil%supply_on(level%problem%grid, flooded%oil(l)))
+            full = level%state
+            is_known = l > 1
+            if (is_known) is_known = multigrid%levels(l - 1)%has_film()
+            if (is_known) call multigrid%start_level(l)
+            is_known = is_known .or. maxval(level%given%supply) > direct*flooded%oil(l)
+            if (l < n) then
+               report = solve_report_t()
+               if (is_known) call multigrid%solve_level(l, loose, report)
+               if (report%status /= status_converged) &
+                  call come_down(rescue, multigrid, l, full, flooded%oil(l), loose, report)
+               level%report = report
+            else
+               level%report%status = status_stalled
+               if (is_known) call rescue%attempt(multigrid, limits)
+               if (level%report%status /= status_converged .and. (rescue%is_ready .or. .not. is_known)) then
+                  call come_down(rescue, multigrid, l, full, flooded%oil(l), limits, level%report)
+                  rescue%rung = max(rescue%rung, rung_continuation)
+                  if (level%report%status == status_converged) rescue%rescued = rescue%rescued + 1
+               end if
+            end if
+            if (level%report%status == status_converged) then
+               call multigrid%take_film(l)
+            else if (l < n) then
+               level%state = full
+            end if
+         end associate
+      end do
+   end subroutine starve
+
+   !> From the flooded state with plenty of oil down to what is offered, by steps that grow and shrink.
+   subroutine come_down(rescue, multigrid, l, full, flooded_oil, limits, report)
+      type(rescue_t), intent(inout) :: rescue
+      type(full_multigrid_t), intent(inout) :: multigrid
+      integer, intent(in) :: l                      !! level
+      type(state_t), intent(in) :: full             !! its flooded state
+      real(dp), intent(in) :: flooded_oil           !! rho H of the flooded contact's centre
+      type(solve_limits_t), intent(in) :: limits
+      type(solve_report_t), intent(inout) :: report
+      type(adaptive_path_t) :: path
+      type(solve_limits_t) :: here
+      type(state_t) :: last
+      real(dp), allocatable :: supply(:)
+      real(dp) :: most
+      logical :: is_solved
+
+      associate (level => multigrid%levels(l))
+         supply = level%given%supply
+         most = max(least_ratio, flooded_oil/maxval(supply))
+         last = full
+         is_solved = .true.
+         do while (is_solved .or. path%can_retry())
+            if (is_solved .and. path%is_at_end()) exit
+            if (rescue%is_spent()) exit
+            call path%advance(is_solved)
+            level%given%supply = supply*most**(1 - path%place)
+            level%state = last
+            here = limits
+            if (.not. path%is_at_end()) here%tolerance = max(limits%tolerance, loose_tolerance)
+            if (l == size(multigrid%levels)) then
+               call rescue%attempt(multigrid, here)
+               report = level%report
+            else
+               call multigrid%solve_level(l, here, report)
+            end if
+            is_solved = report%status == status_converged
+            if (is_solved) last = level%state
+         end do
+         level%given%supply = supply
+      end associate
+   end subroutine come_down
+
+   pure real(dp) function oil_at_centre(level) result(oil)
+      type(level_t), intent(in) :: level
+      associate (grid => level%problem%grid)
+         oil = grid%value_at_centre(level%problem%rheology%density(level%state%p)*level%state%h)
+      end associate
+   end function oil_at_centre
+
+   pure subroutine forget_film(level)
+      type(level_t), intent(inout) :: level
+      level%central_film = no_value
+      level%minimum_film = no_value
+   end subroutine forget_film
+
+end module ehlwave_starvation

@@ -1,0 +1,198 @@
+!> A gap that is not full everywhere: its linearised equations against finite differences, and the oil it keeps.
+program test_oil_content
+   use ehlwave_contact_problem, only: contact_problem_t
+   use ehlwave_cycle_settings, only: newton_cycle
+   use ehlwave_equations, only: equations_t
+   use ehlwave_full_multigrid, only: full_multigrid_t
+   use ehlwave_given, only: given_t
+   use ehlwave_inlet_oil, only: inlet_oil_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_oil_passage, only: follow_oil, oil_passage_t
+   use ehlwave_real_linearised_contact, only: linearised_contact_t, set_wedge
+   use ehlwave_rescue, only: rescue_t
+   use ehlwave_solve_report, only: solve_limits_t
+   use ehlwave_starvation, only: flooded_t, starve
+   use ehlwave_state, only: state_t
+   use ehlwave_status, only: status_converged
+   use ehlwave_text, only: to_text
+   use ehlwave_transport, only: characteristic_transport
+   use sample_contact, only: make_multigrid, noise
+   use testing, only: test_t
+   implicit none (type, external)
+
+   integer, parameter :: cells = 64
+   real(dp), parameter :: tolerance = 1e-9_dp   ! of solutions: of pressures that are to vanish, too
+   type(test_t) :: test
+   real(dp) :: amount(2)
+   integer :: n
+
+   amount = [0.5_dp, 1.2_dp]
+   do n = 1, size(amount)
+      call check_contact(amount(n), n == 1)
+   end do
+   call profile()
+   call test%finish()
+
+contains
+
+   subroutine check_contact(r, is_half)
+      real(dp), intent(in) :: r        !! oil offered over what the flooded contact passes
+      logical, intent(in) :: is_half
+      type(full_multigrid_t) :: multigrid
+      type(rescue_t) :: rescue
+      type(flooded_t) :: flooded
+      type(solve_limits_t) :: limits
+      character(len=:), allocatable :: what
+      integer :: l
+
+      what = 'r = '//to_text(r, 2)//', '
+      limits = solve_limits_t(tolerance=tolerance)
+      call make_multigrid(multigrid, 100.0_dp, 0.6_dp, cells, is_half)
+      call multigrid%solve(limits, 1e-5_dp)
+      call starve(rescue, multigrid, inlet_oil_t(over_flooded=r), limits, 1e-5_dp, flooded)
+      l = size(multigrid%levels)
+      call test%check(multigrid%levels(l)%report%status == status_converged, what//'converged')
+      call check_passage(multigrid, what)
+      call check_state(multigrid, what)
+      call check_jacobian(multigrid, what//'steady: ')
+      call check_step(multigrid, what)
+      call check_jacobian(multigrid, what//'time step: ')
+   end subroutine check_contact
+
+   !> What enters leaves, and no more passes than is offered.
+   subroutine check_passage(multigrid, what)
+      type(full_multigrid_t), intent(in) :: multigrid
+      character(len=*), intent(in) :: what
+      type(oil_passage_t) :: passage
+
+      associate (level => multigrid%levels(size(multigrid%levels)))
+         call follow_oil(level%problem, level%given, level%state, passage)
+         call test%check(passage%balance_error < 1e-7_dp, what//'balance of the oil')
+         call test%check(all(passage%content <= 1) .and. minval(passage%content) > 0, what//'content')
+         call test%check(passage%meniscus_x > level%problem%grid%x(0) .and. passage%meniscus_x < -1, what//'meniscus')
+      end associate
+   end subroutine check_passage
+
+   !> P >= 0, theta <= 1, P (1 - theta) = 0.
+   subroutine check_state(multigrid, what)
+      type(full_multigrid_t), intent(in) :: multigrid
+      character(len=*), intent(in) :: what
+      type(equations_t) :: equations
+
+      associate (level => multigrid%levels(size(multigrid%levels)))
+         call equations%init(level%problem)
+         call equations%evaluate(level%problem, level%given, level%state)
+         associate (c => equations%content, flow => equations%flow)
+            call test%check(minval(level%state%p) >= 0, what//'pressure')
+            call test%check(any(c%is_partial) .and. .not. all(c%is_partial), what//'both kinds of nodes')
+            call test%check(maxval(abs(level%state%p), mask=c%is_partial) <= tolerance, &
+                            what//'no pressure where not full')
+         end associate
+      end associate
+   end subroutine check_state
+
+   !> Let the problem be that of a time step, after which the gap has changed.
+   subroutine check_step(multigrid, what)
+      type(full_multigrid_t), intent(inout) :: multigrid
+      character(len=*), intent(in) :: what
+      type(equations_t) :: equations
+      real(dp), allocatable :: history(:, :, :), steady(:, :)
+
+      associate (level => multigrid%levels(size(multigrid%levels)))
+         associate (grid => level%problem%grid, given => level%given)
+            call equations%init(level%problem)
+            call equations%evaluate(level%problem, given, level%state)
+            allocate (history(0:grid%nx, 0:grid%ny, 2), steady(0:grid%nx, 0:grid%ny))
+            steady = equations%residual
+            call equations%content%history_of(equations%flow%f, history(:, :, 1), history(:, :, 2))
+            given%transport = characteristic_transport(grid, 1, 1)
+            call given%transport%carry_content(grid, history)
+            call equations%evaluate(level%problem, given, level%state)
+            call test%check_close([equations%residual], [steady], what//'a steady state stays in time', &
+                                  absolute=1e-11_dp)
+         end associate
+      end associate
+   end subroutine check_step
+
+   !> Products with the Jacobian, contents eliminated, against differences of the residual.
+   subroutine check_jacobian(multigrid, what)
+      type(full_multigrid_t), intent(inout) :: multigrid
+      character(len=*), intent(in) :: what
+      type(linearised_contact_t) :: linear
+      type(given_t) :: given
+      type(state_t) :: state
+      type(equations_t) :: down, up
+      real(dp), parameter :: step = 1e-7_dp, ddelta = 0.02_dp
+      real(dp), allocatable :: expected(:, :)
+      real(dp), allocatable, target :: x(:), y(:)
+      integer :: i, j, l
+
+      l = size(multigrid%levels)
+      given = multigrid%levels(l)%given
+      state = multigrid%levels(l)%state
+      associate (problem => multigrid%levels(l)%problem, grid => multigrid%levels(l)%problem%grid)
+         call linear%init(multigrid%levels, newton_cycle)
+         call linear%borrow(multigrid%levels)
+         call linear%start(l)
+         call set_wedge(linear, given%transport)
+         call linear%levels(l)%equations%evaluate(problem, given, state)
+         call linear%weigh(l)
+         allocate (x(linear%n), y(linear%n), source=0.0_dp)
+         associate (partial => linear%levels(l)%equations%is_cavitated, scale => linear%levels(l)%row_scale)
+            do j = grid%first_row, grid%last_row
+               do i = 1, grid%nx - 1
+                  if (.not. partial(i, j)) x(1 + i + j*(grid%nx + 1)) = 0.01_dp*noise(i, j)*state%p(i, j)
+               end do
+            end do
+            x(linear%n) = ddelta
+            call linear%multiply(x, y)
+            call residual_at(problem, given, state, x, -step, down)
+            call residual_at(problem, given, state, x, step, up)
+            call test%check(all(down%is_cavitated .eqv. partial) .and. all(up%is_cavitated .eqv. partial), &
+                            what//'the same nodes are full')
+            expected = scale*(up%residual - down%residual)/(2*step)
+            where (partial) expected = 0
+            call test%check_close(y(:linear%n - 1), [expected], what//'Jacobian', &
+                                  absolute=1e-5_dp*maxval(abs(expected)))
+         end associate
+         call linear%release()
+      end associate
+
+   end subroutine check_jacobian
+
+   !> Residuals of a state changed by a share of x.
+   subroutine residual_at(problem, given, state, x, share, equations)
+      type(contact_problem_t), intent(inout) :: problem
+      type(given_t), intent(in) :: given
+      type(state_t), intent(in) :: state
+      real(dp), intent(in) :: x(:), share
+      type(equations_t), intent(out) :: equations
+      type(state_t) :: moved
+
+      moved = state
+      moved%p = state%p + share*reshape(x(:size(x) - 1), shape(state%p))
+      moved%delta = state%delta + share*x(size(x))
+      call problem%film(given, moved%p, moved%delta, moved%h)
+      call equations%init(problem)
+      call equations%evaluate(problem, given, moved)
+   end subroutine residual_at
+
+   !> A layer that varies across, between its places and beyond them, and its mirror image.
+   subroutine profile()
+      type(full_multigrid_t) :: multigrid
+      type(inlet_oil_t) :: oil
+      real(dp) :: expected
+
+      call make_multigrid(multigrid, 100.0_dp, 1.0_dp, 32, .false.)
+      oil = inlet_oil_t(over_flooded=2.0_dp, y=[0.0_dp, 1.0_dp], share=[0.5_dp, 1.0_dp])
+      associate (grid => multigrid%levels(size(multigrid%levels))%problem%grid)
+         associate (supply => oil%supply_on(grid, 0.1_dp))
+            expected = 0.2_dp*0.75_dp
+            call test%check_close(supply(1 + minloc(abs(grid%y - 0.5_dp), 1) - 1), expected, 'between two places', &
+                                  absolute=1e-12_dp)
+            call test%check_close(supply(1), 0.2_dp, 'beyond the last place, mirrored', absolute=1e-12_dp)
+         end associate
+      end associate
+   end subroutine profile
+
+end program test_oil_content
