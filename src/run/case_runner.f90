@@ -74,6 +74,7 @@ contains
       associate (level => steady%multigrid%levels(size(steady%multigrid%levels)))
          call take_report(level%report, 'steady state of smooth surfaces', result)
          call monitor%step_done('steady state', 1, 1)
+         result%heat = steady%heat
          if (result%status == status_converged) then
             call take_smooth_film(case, plan, level, stress, result)
             call estimate_film_errors(plan, steady%multigrid%hierarchy_t, stress, result)
@@ -165,8 +166,8 @@ contains
       result%minimum_film = minval(level%state%h)
       result%central_film_moes = result%central_film*plan%conditions%moes_film_factor
       result%max_pressure = maxval(level%state%p)
-      call result%shear%take(level%problem, level%state, case%oil%limiting_stress_over_pressure, stress)
-      result%warning = result%shear%warning(case%oil%limiting_stress_over_pressure)
+      call result%shear%take(level%problem, level%state, stress)
+      result%warning = result%shear%warning(case%oil%shear_limit_over_pressure > 0, case%heat%is_given())
    end subroutine take_smooth_film
 
    !> Pattern that stands still: one steady state for each phase, no time stepping.
