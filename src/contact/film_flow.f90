@@ -215,15 +215,14 @@ contains
       type(across_film_t), intent(in) :: across
       real(dp), intent(in) :: variation(:)     !! |Sigma|
       integer :: needed(size(variation))
-      real(dp) :: inverse, slope
+      real(dp) :: inverse, range, slope
       integer :: i
 
       needed = 1
       if (allocated(across%ln_fluidity)) then
          do i = 1, size(needed)
-            associate (ln => across%ln_fluidity(:, i))
-               if (maxval(ln) > minval(ln)) needed(i) = warm_rule(1 + count(maxval(ln) - minval(ln) > warm_range))
-            end associate
+            range = maxval(across%ln_fluidity(:, i)) - minval(across%ln_fluidity(:, i))
+            if (range > 0) needed(i) = warm_rule(1 + count(range > warm_range))
          end do
       end if
       if (.not. allocated(self%limit)) return

@@ -27,12 +27,16 @@ module ehlwave_energy
       type(layer_flux_t) :: flux
       real(dp), allocatable :: rise(:, :, :)        !! of the last march, K, (0:levels, 0:nx, 0:ny)
       real(dp), allocatable :: into_wall(:, :, :)   !! d theta/d zeta over H, into surfaces 1 and 2, (2, 0:nx, 0:ny)
-      real(dp) :: difference = huge(1.0_dp)         !! of its mean rise from that before, over the largest
+      real(dp) :: difference = huge(1.0_dp)         !! of its mean rise from that before, over the largest,
+      real(dp) :: heat_difference = huge(1.0_dp)    !! and of the heat of shear, which goes with friction
+      real(dp), private :: heat = 0                 ! of shear
    contains
       procedure :: march
       procedure :: carried
       procedure, private :: march_row
    end type energy_t
+
+   integer, parameter :: turns = 2
 
 contains
 
@@ -64,8 +68,8 @@ contains
       end associate
    end subroutine warm_problem
 
-   !> One march at a state, and the temperatures of the problem taken towards it. Where a rise reduces its own source,
-   !> they go that much less far: by 1/(1 + stiffness).
+   !> One march at a state, and the temperatures of the problem taken towards it: as far as the heat that they leave
+   !> allows, see `share_to_go`.
    pure subroutine march(self, problem, state, flow)
       class(energy_t), intent(inout) :: self
       type(contact_problem_t), intent(inout) :: problem
@@ -89,9 +93,13 @@ contains
             change = change + problem%grid%weight(j)*max(state%p(i, j), 0.0_dp)*abs(mean - before)
             largest = max(largest, abs(mean))
             problem%heat%rise(:, i, j) = problem%heat%rise(:, i, j) &
-               + (self%rise(:, i, j) - problem%heat%rise(:, i, j))/(1 + self%shear%stiffness(i, j))
+               + share_to_go(problem%heat%rise(:, i, j), self%rise(:, i, j), self%levels%weight, &
+                             self%shear%relief(i, j), self%shear%shear_heat(i, j))*(self%rise(:, i, j) - problem%heat%rise(:, i, j))
          end do
       end do
+      before = self%heat
+      self%heat = problem%grid%integral(self%shear%shear_heat/state%h)
+      self%heat_difference = abs(before - self%heat)/max(self%heat, tiny(before))
       self%difference = change*problem%grid%hx*problem%grid%hy/largest
       call problem%heat%weigh(problem%rheology, self%levels%weight, state%p)
    end subroutine march
@@ -105,7 +113,7 @@ contains
       real(dp) :: heat(0:grid%nx, 0:grid%ny)
       real(dp), dimension(0:self%levels%n) :: north, share
       real(dp) :: east(0:grid%nx - 1)
-      integer :: i, j
+      integer :: back, front, i, j
 
       share = layer_shares(self%levels)
       heat = 0
@@ -120,8 +128,11 @@ contains
          if (.not. grid%is_line) then
             do j = 0, grid%ny - 1
                do i = 1, grid%nx - 1
-                  north = y(:, i, j)*(merge(theta(:, i, j), theta(:, i, j + 1), y(:, i, j) > 0) &
-                                      + bend(theta(:, i, :), y(:, i, j), grid, j))
+                  back = min(j + 2, grid%ny)
+                  front = j - 1
+                  if (front < 0) front = merge(1, 0, grid%is_half)
+                  north = y(:, i, j)*merge(1.5_dp*theta(:, i, j) - 0.5_dp*theta(:, i, front), &
+                                           1.5_dp*theta(:, i, j + 1) - 0.5_dp*theta(:, i, back), y(:, i, j) > 0)
                   heat(i, j) = heat(i, j) + kappa/grid%hy*dot_product(share, north)
                   heat(i, j + 1) = heat(i, j + 1) - kappa/grid%hy*dot_product(share, north)
                   if (j == 0 .and. grid%is_half) heat(i, j) = heat(i, j) + kappa/grid%hy*dot_product(share, north)
@@ -132,8 +143,38 @@ contains
       heat = self%scales%convection*heat
    end function carried
 
-   !> One row, from the inlet to the outlet. Flows through its sides take the rise from upstream, of second order; oil
-   !> that flows back along X of first.
+   !> How far temperatures go from those of before to those that the heat of before makes. A rise m of the film over its
+   !> surfaces, in the mean, reduces its own source by exp(-relief (m - m_before)), so that it is
+   !>
+   !>     m = m_new exp(-relief (m - m_before)).
+   !>
+   !> The part of it that is carried there from upstream is not reduced.
+   pure real(dp) function share_to_go(before, new, weight, full_relief, shear_heat) result(share)
+      real(dp), intent(in) :: before(0:), new(0:), weight(0:)   !! (0:levels)
+      real(dp), intent(in) :: full_relief                       !! 1/K, of a rise by the heat of the place alone
+      real(dp), intent(in) :: shear_heat                        !! of the place
+      real(dp), parameter :: mean_of_source = 1/12.0_dp         ! rise by an even source of 1, that conduction leaves
+      integer, parameter :: steps = 8
+      real(dp), parameter :: slight_k = 1e-6_dp, least_share = 0.01_dp
+      real(dp) :: m, m_before, m_new, relief
+      integer :: n, step
+
+      n = ubound(new, 1)
+      m_before = dot_product(weight, before) - 0.5_dp*(before(0) + before(n))
+      m_new = dot_product(weight, new) - 0.5_dp*(new(0) + new(n))
+      share = 1
+      if (m_new <= slight_k) return
+      relief = full_relief*min(1.0_dp, mean_of_source*shear_heat/m_new)
+      share = 1/(1 + relief*m_new)
+      if (abs(m_new - m_before) <= slight_k) return
+      m = max(share*m_new, slight_k)
+      do step = 1, steps                           ! Newton for ln(m), concave: from below
+         m = max(0.5_dp*m, m + (log(m_new/m) - relief*(m - m_before))/(1/m + relief))
+      end do
+      share = min(1.0_dp, max(least_share, (m - m_before)/(m_new - m_before)))
+   end function share_to_go
+
+   !> One row, from the inlet to the outlet. Where oil flows back, columns are solved upstream and downstream in turn.
    pure subroutine march_row(self, grid, kappa, h, j)
       class(energy_t), intent(inout) :: self
       type(grid_t), intent(in) :: grid
@@ -142,52 +183,95 @@ contains
       integer, intent(in) :: j
       real(dp) :: w(0:grid%nx)
       type(column_t) :: column
-      real(dp) :: cx, cy
-      integer :: above, below, i, m, n
+      integer :: i, last, turn
 
-      n = self%levels%n
+      associate (n => self%levels%n)
+         allocate (column%own(0:n), column%brought(0:n), column%net(0:n), column%source(0:n))
+      end associate
       w = wall_weights(grid%nx, grid%hx)
+      last = 0
+      do i = 1, grid%nx - 1
+         if (any(self%flux%x(:, i - 1, j) < 0)) last = i
+      end do
+      do turn = 1, turns
+         do i = last, 1, -1
+            call solve_node(self, grid, kappa, h(i), w, i, j, column)
+         end do
+         self%rise(:, 0, j) = merge(0.0_dp, self%rise(:, 1, j), self%flux%x(:, 0, j) >= 0)
+         do i = 1, last
+            call solve_node(self, grid, kappa, h(i), w, i, j, column)
+         end do
+      end do
+      do i = last + 1, grid%nx - 1
+         call solve_node(self, grid, kappa, h(i), w, i, j, column)
+      end do
+      self%rise(:, grid%nx, j) = self%rise(:, grid%nx - 1, j)
+   end subroutine march_row
+
+   !> One node. Flows through its sides take the rise from upstream, of second order; oil that flows back along X of
+   !> first.
+   pure subroutine solve_node(self, grid, kappa, h, w, i, j, column)
+      type(energy_t), intent(inout) :: self
+      type(grid_t), intent(in) :: grid
+      real(dp), intent(in) :: kappa, h             !! H of the node
+      real(dp), intent(in) :: w(0:)                !! of `wall_weights`
+      integer, intent(in) :: i, j
+      type(column_t), intent(inout) :: column      !! work space
+      real(dp) :: cx, cy
+      integer :: above, below, m
+
       cx = 1/grid%hx
       cy = kappa/grid%hy
       above = grid%above(j)
       below = grid%below(j)
-      allocate (column%own(0:n), column%brought(0:n), column%net(0:n), column%source(0:n))
+      column%own = 0
+      column%brought = 0
+      column%net = 0
       associate (theta => self%rise, x => self%flux%x, y => self%flux%y, q => self%into_wall)
-         theta(:, 0, j) = merge(0.0_dp, theta(:, 1, j), x(:, 0, j) >= 0)
-         do i = 1, grid%nx - 1
-            column%own = 0
-            column%brought = 0
-            column%net = 0
-            call add_side(cx*x(:, i, j), theta(:, i - 1, j), theta(:, i + 1, j), column)
-            call add_inflow(cx*x(:, i - 1, j), theta(:, max(i - 2, 0), j), theta(:, i - 1, j), column)
-            if (.not. grid%is_line) then
-               call add_across(cy*y(:, i, j), theta(:, i, above), bend(theta(:, i, :), y(:, i, j), grid, j), column)
-               if (below > j) then                 ! the line of symmetry
-                  call add_across(cy*y(:, i, j), theta(:, i, below), bend(theta(:, i, :), y(:, i, j), grid, j), column)
-               else
-                  call add_across(-cy*y(:, i, below), theta(:, i, below), &
-                                  bend(theta(:, i, :), y(:, i, below), grid, below), column)
-               end if
+         call add_side(cx*x(:, i, j), theta(:, i - 1, j), theta(:, i + 1, j), column)
+         call add_inflow(cx*x(:, i - 1, j), theta(:, max(i - 2, 0), j), theta(:, i - 1, j), column)
+         if (.not. grid%is_line) then
+            call add_side(cy*y(:, i, j), theta(:, i, below), theta(:, i, above), column, farther(theta, above, 1))
+            if (below > j) then                    ! the line of symmetry
+               call add_side(cy*y(:, i, j), theta(:, i, above), theta(:, i, below), column, farther(theta, below, 1))
+            else
+               call add_side(-cy*y(:, i, below), theta(:, i, above), theta(:, i, below), column, &
+                             farther(theta, below, -1))
             end if
-            column%source = self%shear%source(:, i, j)
-            column%convection = self%scales%convection*h(i)
-            column%h = h(i)
-            do m = 1, 2
-               column%wall_before(m) = self%scales%wall(m)*dot_product(w(i:1:-1), q(m, 0:i - 1, j))
-            end do
-            column%wall_own = self%scales%wall*w(0)
-            call solve_column(column, self%levels, theta(:, i, j), q(:, i, j))
+         end if
+         column%source = self%shear%source(:, i, j)
+         column%convection = self%scales%convection*h
+         column%h = h
+         do m = 1, 2
+            column%wall_before(m) = self%scales%wall(m)*dot_product(w(i:1:-1), q(m, 0:i - 1, j))
          end do
-         theta(:, grid%nx, j) = theta(:, grid%nx - 1, j)
+         column%wall_own = self%scales%wall*w(0)
+         call solve_column(column, self%levels, theta(:, i, j), q(:, i, j))
       end associate
-   end subroutine march_row
 
-   !> Flow out of a node downstream takes the node's rise and half of its difference to the node behind it; flow back
-   !> brings that of the node beyond.
-   pure subroutine add_side(flow, behind, beyond, column)
+   contains
+
+      !> Rise of the row beyond a row, on the way of oil that comes from there; that of the row itself at the edge.
+      pure function farther(theta, row, step) result(rise)
+         real(dp), intent(in) :: theta(0:, 0:, 0:)
+         integer, intent(in) :: row, step
+         real(dp) :: rise(size(theta, 1))
+         integer :: next
+         next = row + step
+         if (next < 0 .and. grid%is_half) next = -next
+         if (next < 0 .or. next > grid%ny) next = row
+         rise = theta(:, i, next)
+      end function farther
+
+   end subroutine solve_node
+
+   !> Flow out of a node takes the node's rise and half of its difference to the node behind it; flow back brings that of
+   !> the node beyond, along Y with half of its difference to the one after it.
+   pure subroutine add_side(flow, behind, beyond, column, farther)
       real(dp), intent(in) :: flow(:)                     !! out of the node
       real(dp), intent(in) :: behind(:), beyond(:)        !! rises
       type(column_t), intent(inout) :: column
+      real(dp), intent(in), optional :: farther(:)
       column%net = column%net + flow
       where (flow > 0)
          column%own = column%own + 1.5_dp*flow
@@ -195,37 +279,9 @@ contains
       elsewhere
          column%brought = column%brought - flow*beyond
       end where
+      if (.not. present(farther)) return
+      where (.not. flow > 0) column%brought = column%brought - 0.5_dp*flow*(beyond - farther)
    end subroutine add_side
-
-   !> Flow across rolling takes the rise of the node that it leaves, and the correction of second order.
-   pure subroutine add_across(flow, beyond, correction, column)
-      real(dp), intent(in) :: flow(:)                     !! out of the node
-      real(dp), intent(in) :: beyond(:), correction(:)    !! rise of the node there, and beside that of the node left
-      type(column_t), intent(inout) :: column
-      column%net = column%net + flow
-      where (flow > 0)
-         column%own = column%own + flow
-         column%brought = column%brought - flow*correction
-      elsewhere
-         column%brought = column%brought - flow*(beyond + correction)
-      end where
-   end subroutine add_across
-
-   !> Half of the difference of the row that oil leaves through the face above a row to the row behind it, as it was
-   !> before: none where that is outside.
-   pure function bend(theta, flow, grid, row) result(correction)
-      real(dp), intent(in) :: theta(:, 0:)                !! (levels, 0:ny)
-      real(dp), intent(in) :: flow(:)                     !! towards the row above
-      type(grid_t), intent(in) :: grid
-      integer, intent(in) :: row
-      real(dp) :: correction(size(flow))
-      real(dp), dimension(size(flow)) :: ahead, back
-      ahead = 0
-      back = 0
-      if (row > 0 .or. grid%is_half) ahead = 0.5_dp*(theta(:, row) - theta(:, grid%below(row)))
-      if (row + 2 <= grid%ny) back = 0.5_dp*(theta(:, row + 1) - theta(:, row + 2))
-      correction = merge(ahead, back, flow > 0)
-   end function bend
 
    !> Flow into a node from the node before, with that one's rise and half of its difference to the one before it.
    pure subroutine add_inflow(flow, farther, before, column)

@@ -17,8 +17,7 @@ module ehlwave_film_shear
       real(dp), allocatable :: source(:, :, :)          !! heat of shear and of compression, K
       real(dp), allocatable :: shear_heat(:, :)         !! that of shear alone, integrated across the film
       real(dp), allocatable :: pressure_heat(:, :)      !! that of compression
-      real(dp), allocatable :: stiffness(:, :)          !! by how much a rise of the oil over its surfaces reduces its
-                                                        !! own source
+      real(dp), allocatable :: relief(:, :)             !! -d ln(source)/dT by shear under a given sliding speed, 1/K
    end type film_shear_t
 
    !> What one node gives.
@@ -35,7 +34,7 @@ contains
       allocate (self%u(0:levels, 0:nx, 0:ny), source=0.0_dp)
       allocate (self%v, self%source, source=self%u)
       allocate (self%shear_heat(0:nx, 0:ny), source=0.0_dp)
-      allocate (self%pressure_heat, self%stiffness, source=self%shear_heat)
+      allocate (self%pressure_heat, self%relief, source=self%shear_heat)
    end function new_film_shear
 
    !> Those of a state of a problem that is warm. Where the film is cavitated nothing is sheared.
@@ -68,7 +67,7 @@ contains
                   self%source(:, i, j) = 0
                   self%shear_heat(i, j) = 0
                   self%pressure_heat(i, j) = 0
-                  self%stiffness(i, j) = 0
+                  self%relief(i, j) = 0
                end if
                self%u(:, i, j) = rho(i)*h(i, j)*self%u(:, i, j)
                self%v(:, i, j) = rho(i)*h(i, j)*self%v(:, i, j)
@@ -142,9 +141,11 @@ contains
 
          call problem%rheology%ln_viscosity(n + 1, at, theta, exponent, by_k)
          share = dot_product(levels%weight, s + 2*slope*fluidity*sigma(:, 1)**2)      ! d B/d sigma_m
-         self%stiffness(i, j) = 0
-         if (abs(node%mean(1)) > 0) self%stiffness(i, j) = node%b/(node%mean(1)*share)* &
-            max(0.0_dp, -dot_product(levels%weight, by_k*(theta - 0.5_dp*(theta(0) + theta(n)))))
+         self%relief(i, j) = 0
+         if (abs(node%mean(1)) > 0) self%relief(i, j) = node%b/(node%mean(1)*share)* &
+            max(0.0_dp, -dot_product(levels%weight, by_k))*node%mean(1)*node%b/total* &
+            self%shear_heat(i, j)/max(self%shear_heat(i, j) + abs(self%pressure_heat(i, j)), tiny(share))
+         self%relief(i, j) = max(self%relief(i, j), 0.0_dp)
       end associate
    end subroutine shear_node
 

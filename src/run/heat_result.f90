@@ -39,7 +39,9 @@ contains
 
       n = energy%levels%n
       bears = state%p > least_pressure
-      bears([0, problem%grid%nx], :) = .false.
+      bears([0, problem%grid%nx], :) = .false.        ! nodes of the edges are no cells of the film
+      bears(:, problem%grid%last_row + 1:) = .false.
+      bears(:, :problem%grid%first_row - 1) = .false.
       associate (grid => problem%grid, rise => energy%rise, c => problem%conditions)
          mid = rise(n/2, :, :)
          if (modulo(n, 2) == 1) mid = (9*(rise(n/2, :, :) + rise(n/2 + 1, :, :)) - rise(n/2 - 1, :, :) &

@@ -18,9 +18,10 @@ module ehlwave_warm_steady
    public :: solve_warm
 
    integer, parameter :: most_rounds = 40
-   integer, parameter :: steps_a_round = 2          !! of Newton's method
-   integer, parameter :: marches_a_round = 2
-   real(dp), parameter :: settled = 20              !! change of a round, in units of the tolerance
+   integer, parameter :: steps_a_round = 1          !! of Newton's method
+   integer, parameter :: marches_a_round = 1
+   real(dp), parameter :: settled = 20              !! change of film and heat in a round, in units of the tolerance
+   real(dp), parameter :: loose = 50                !! change of temperatures over that, of which integrals hardly know
 
 contains
 
@@ -93,7 +94,7 @@ contains
 
       associate (level => multigrid%levels(l))
          call equations%init(level%problem)
-         call level%problem%film(level%state%p, level%state%delta, level%state%h)
+         call level%problem%film(level%given, level%state%p, level%state%delta, level%state%h)
          call level%problem%heat%weigh(level%problem%rheology, energy%levels%weight, level%state%p)
          total = solve_report_t(nonlinear_steps=level%report%nonlinear_steps, linear_steps=level%report%linear_steps, &
                                 factorisations=level%report%factorisations)
@@ -101,7 +102,7 @@ contains
          centre = level%problem%grid%value_at_centre(level%state%h)
          do round = 1, most_rounds
             do march = 1, marches_a_round
-               call equations%evaluate(level%problem, level%state)
+               call equations%evaluate(level%problem, level%given, level%state)
                call energy%march(level%problem, level%state, equations%flow)
             end do
             if (.not. ieee_is_finite(energy%difference)) exit
@@ -117,10 +118,15 @@ contains
             centre = level%problem%grid%value_at_centre(level%state%h)
             if (report%status /= status_converged .and. report%status /= status_stalled) exit
             if (report%status == status_converged .and. &
-                max(energy%difference, abs(centre/before - 1)) <= settled*limits%tolerance) exit
+                max(energy%heat_difference, energy%difference/loose, abs(centre/before - 1)) &
+                <= settled*limits%tolerance) exit
             report%status = status_stalled
             if (cap%is_spent()) exit
          end do
+         if (report%status == status_converged) then   ! fluxes of the film as it is now
+            call equations%evaluate(level%problem, level%given, level%state)
+            call energy%march(level%problem, level%state, equations%flow)
+         end if
          report%nonlinear_steps = total%nonlinear_steps
          report%linear_steps = total%linear_steps
          report%factorisations = total%factorisations
