@@ -82,7 +82,7 @@ module ehlwave_case_result
       ! fields of the last solution, if asked for
       real(dp), allocatable :: x(:), y(:), p(:, :), h(:, :)
       real(dp), allocatable :: shear_stress_pa(:, :) !! mean of the shear stresses at the two surfaces along X, if known
-      real(dp), allocatable :: rise_k(:, :, :)       !! of the oil, if it is warm, (levels, x, y)
+      real(dp), allocatable :: rise_k(:, :, :)       !! if it is warm: of `warm_fields`
       type(field_history_t) :: history               !! fields over time, if asked for
    end type case_result_t
 

@@ -11,6 +11,7 @@ module ehlwave_case_runner
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_given, only: given_t
    use ehlwave_harmonic_case, only: run_response
+   use ehlwave_heat_result, only: warm_fields
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp, pi
    use ehlwave_march_case, only: run_moving
@@ -104,6 +105,8 @@ contains
             allocate (result%h, source=level%state%h)
             if (is_success(result%status)) &
                call mean_shear_stress(level%problem, level%state, result%shear_stress_pa)
+            if (is_success(result%status) .and. allocated(level%problem%heat)) &
+               result%rise_k = warm_fields(level%problem, steady%energy)
          end if
       end associate
 

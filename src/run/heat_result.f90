@@ -8,6 +8,7 @@ module ehlwave_heat_result
    use ehlwave_state, only: state_t
    implicit none (type, external)
    private
+   public :: middle_of, warm_fields
 
    !> NaN of an isothermal contact. Heat is in W, of a line contact in W/m.
    type, public :: heat_result_t
@@ -43,9 +44,7 @@ contains
       bears(:, problem%grid%last_row + 1:) = .false.
       bears(:, :problem%grid%first_row - 1) = .false.
       associate (grid => problem%grid, rise => energy%rise, c => problem%conditions)
-         mid = rise(n/2, :, :)
-         if (modulo(n, 2) == 1) mid = (9*(rise(n/2, :, :) + rise(n/2 + 1, :, :)) - rise(n/2 - 1, :, :) &
-                                       - rise(n/2 + 2, :, :))/16
+         mid = middle_of(rise)
          self%largest_mid_k = maxval(mid, mask=bears)
          self%centre_mid_k = grid%value_at_centre(mid)
          field = problem%heat%mean_rise
@@ -68,5 +67,30 @@ contains
       self%balance_error = abs(self%sheared_w + self%compressed_w - self%carried_w - sum(self%into_body_w)) &
                            /max(abs(self%sheared_w), abs(self%compressed_w), abs(self%carried_w), tiny(unit))
    end subroutine take
+
+   !> Rise half-way across the film.
+   pure function middle_of(rise) result(mid)
+      real(dp), intent(in) :: rise(0:, 0:, 0:)                  !! (0:levels, 0:nx, 0:ny)
+      real(dp) :: mid(size(rise, 2), size(rise, 3))
+      associate (m => ubound(rise, 1)/2)
+         mid = rise(m, :, :)
+         if (modulo(ubound(rise, 1), 2) == 1) &
+            mid = (9*(rise(m, :, :) + rise(m + 1, :, :)) - rise(m - 1, :, :) - rise(m + 2, :, :))/16
+      end associate
+   end function middle_of
+
+   !> Fields of rises: half-way across the film, in the mean, of surfaces 1 and 2.
+   pure function warm_fields(problem, energy) result(fields)
+      type(contact_problem_t), intent(in) :: problem
+      type(energy_t), intent(in) :: energy
+      real(dp), allocatable :: fields(:, :, :)
+      associate (rise => energy%rise, nx => problem%grid%nx, ny => problem%grid%ny)
+         allocate (fields(0:nx, 0:ny, 4))
+         fields(:, :, 1) = middle_of(rise)
+         fields(:, :, 2) = problem%heat%mean_rise
+         fields(:, :, 3) = rise(ubound(rise, 1), :, :)
+         fields(:, :, 4) = rise(0, :, :)
+      end associate
+   end function warm_fields
 
 end module ehlwave_heat_result
