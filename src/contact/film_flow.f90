@@ -121,7 +121,7 @@ contains
       do k = 1, size(rule_points)
          do start = first(k), first(k + 1) - 1, block_size
             last = min(start + block_size, first(k + 1)) - 1
-            if (present(across)) call self%load(across, k, order(start:last), stress)
+            if (present(across)) call self%load(across, k, order(start:last), sigma(start:last, :), stress)
             call stress%solve(self%law, self%rule(k), k == slight_rule, sigma(start:last, :), b(start:last))
             if (present(points)) points = points + stress%points
             call unload(self, component, stress, fluid(start:last), film(start:last), block)
@@ -156,7 +156,7 @@ contains
       do k = 1, size(rule_points)
          do start = first(k), first(k + 1) - 1, block_size
             last = min(start + block_size, first(k + 1)) - 1
-            if (present(across)) call self%load(across, k, order(start:last), stress)
+            if (present(across)) call self%load(across, k, order(start:last), sigma(start:last, :), stress)
             call stress%solve(self%law, self%rule(k), k == slight_rule, sigma(start:last, :), rate(start:last))
             if (present(sigma_y)) sigma_y(order(start:last)) = stress%mean(:stress%n, 2)
             if (present(flow)) flow(:, order(start:last)) = transpose(stress%flow(:stress%n, :))
@@ -215,7 +215,7 @@ contains
       type(across_film_t), intent(in) :: across
       real(dp), intent(in) :: variation(:)     !! |Sigma|
       integer :: needed(size(variation))
-      real(dp) :: inverse, range, slope
+      real(dp) :: by_p, by_sigma2, inverse, range
       integer :: i
 
       needed = 1
@@ -227,7 +227,7 @@ contains
       end if
       if (.not. allocated(self%limit)) return
       do i = 1, size(needed)
-         call self%limit%inverse_square(across%p(i), inverse, slope)
+         call self%limit%inverse_square(across%p(i), variation(i)**2, inverse, by_p, by_sigma2)
          needed(i) = max(needed(i), limited_rule(1 + count(variation(i)*sqrt(inverse) > limited_variation)))
       end do
    end function rule_across
@@ -266,21 +266,22 @@ contains
       type(film_stress_t), intent(in) :: stress
       real(dp), intent(in) :: p(stress%n)
       real(dp), intent(inout) :: flow(block_size, flow_values)
-      real(dp) :: inverse, slope
+      real(dp) :: by_p, by_sigma2, inverse
       integer :: j
       do j = 1, stress%n
-         call self%limit%inverse_square(p(j), inverse, slope)
-         flow(j, flow_by_p) = flow(j, flow_by_p)*stress%flow_by_limit(j, component)*slope
+         call self%limit%inverse_square(p(j), sum(stress%sigma(j, :)**2), inverse, by_p, by_sigma2)
+         flow(j, flow_by_p) = flow(j, flow_by_p)*stress%flow_by_limit(j, component)*by_p
       end do
    end subroutine unload_limit
 
    !> Fluidity at the points across the film and limit of the stress at the places of a block.
-   pure subroutine load(self, across, rule, places, stress)
+   pure subroutine load(self, across, rule, places, sigma, stress)
       class(film_flow_t), intent(in) :: self
       type(across_film_t), intent(in) :: across
       integer, intent(in) :: rule, places(:)
+      real(dp), intent(in) :: sigma(:, :)           !! Sigma of the places
       type(film_stress_t), intent(inout) :: stress
-      real(dp) :: slope
+      real(dp) :: by_p
       integer :: i, k
 
       if (allocated(across%ln_fluidity)) then
@@ -298,7 +299,8 @@ contains
       if (.not. allocated(self%limit)) return
       if (.not. allocated(stress%limit)) stress%limit = self%limit
       do i = 1, size(places)
-         call self%limit%inverse_square(across%p(places(i)), stress%inverse_square(i), slope)
+         call self%limit%inverse_square(across%p(places(i)), sum(sigma(i, :)**2), stress%inverse_square(i), by_p, &
+                                        stress%by_sigma2(i))
       end do
    end subroutine load
 

@@ -41,10 +41,11 @@ module ehlwave_film_stress
       real(dp) :: mean(block_size, 2)                !! sigma_m
       real(dp) :: flow(block_size, 2)                !! 1/2 integral zeta s sigma dzeta
       real(dp) :: flow_by_b(block_size, 2)           !! its derivative by B, sigma_m following
-      real(dp) :: flow_by_sigma(block_size, 2, 2)    !! by Sigma, sigma_m following; symmetric
+      real(dp) :: flow_by_sigma(block_size, 2, 2)    !! by Sigma, sigma_m following
       real(dp), allocatable :: fluidity(:, :)        !! (block_size, points of the rule) of an oil that is warm
       type(shear_limit_t), allocatable :: limit      !! of the stress, if there is one,
       real(dp) :: inverse_square(block_size)         !! 1/sigma_L^2,
+      real(dp) :: by_sigma2(block_size)              !! its derivative by |Sigma|^2,
       real(dp) :: flow_by_limit(block_size, 2)       !! and the derivative of the flow by it
    contains
       procedure :: solve
@@ -272,9 +273,14 @@ contains
       integer, intent(in) :: i
       real(dp), intent(in) :: first(2), second(2)   !! rows of T_0^(-1) T_1
       real(dp) :: rate(2)
+      integer :: j
       associate (c => moments%by_limit, m => self%mean, s => self%sigma)
          rate = c(i, 0)*m(i, :) + c(i, 1)*s(i, :)
          self%flow_by_limit(i, :) = c(i, 1)*m(i, :) + c(i, 2)*s(i, :) - first*rate(1) - second*rate(2)
+         do j = 1, 2
+            self%flow_by_sigma(i, :, j) = self%flow_by_sigma(i, :, j) &
+               + 2*self%by_sigma2(i)*s(i, j)*self%flow_by_limit(i, :)
+         end do
       end associate
    end subroutine limit_flow
 

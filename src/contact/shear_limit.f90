@@ -7,9 +7,10 @@
 !> theory eq. (S15): the rate grows without bound as the stress nears sigma_L, so that a given rate of sliding never
 !> needs more than it. m follows from the width: at (1 - width) of the limit the rate is twice that of the flow law.
 !>
-!>     sigma_L^2 = (limit P)^2 + (limit floor)^2
+!>     sigma_L^2 = (limit P)^2 + (limit floor)^2 + (2 |Sigma|)^2
 !>
-!> with a small floor: at the edges of the film the pressure gradient alone needs a stress where there is no pressure.
+!> with the stress Sigma of the pressure gradient and a small floor: at the edges of the film the gradient needs a stress
+!> where there is hardly any pressure. Where |Sigma| is below half of the limit, the mean stress stays below limit P.
 module ehlwave_shear_limit
    use ehlwave_kinds, only: dp
    implicit none (type, external)
@@ -25,7 +26,8 @@ module ehlwave_shear_limit
       procedure :: factor
    end type shear_limit_t
 
-   real(dp), parameter, public :: limit_floor = 0.02_dp   !! P
+   real(dp), parameter, public :: limit_floor = 0.02_dp   !! of P
+   real(dp), parameter :: gradient_share = 4              ! of |Sigma|^2
    real(dp), parameter :: largest_factor = 1e7_dp         ! w there
 
 contains
@@ -39,15 +41,17 @@ contains
       self%largest = (1 - 1/largest_factor)**(1/self%power)
    end function new_shear_limit
 
-   !> 1/sigma_L^2 and its derivative by P.
-   elemental subroutine inverse_square(self, p, inverse, slope)
+   !> 1/sigma_L^2 and its derivatives by P and by |Sigma|^2.
+   elemental subroutine inverse_square(self, p, sigma2, inverse, by_p, by_sigma2)
       class(shear_limit_t), intent(in) :: self
       real(dp), intent(in) :: p               !! P
-      real(dp), intent(out) :: inverse, slope
+      real(dp), intent(in) :: sigma2          !! |Sigma|^2
+      real(dp), intent(out) :: inverse, by_p, by_sigma2
       real(dp) :: bearing
       bearing = max(p, 0.0_dp)
-      inverse = 1/(self%over_pressure**2*(bearing**2 + limit_floor**2))
-      slope = -2*bearing/(bearing**2 + limit_floor**2)*inverse
+      inverse = 1/(self%over_pressure**2*(bearing**2 + limit_floor**2) + gradient_share*sigma2)
+      by_p = -2*bearing*self%over_pressure**2*inverse**2
+      by_sigma2 = -gradient_share*inverse**2
    end subroutine inverse_square
 
    !> w and its derivative by x.

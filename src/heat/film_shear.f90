@@ -98,7 +98,7 @@ contains
       integer, intent(in) :: i, j
       real(dp), parameter :: largest_correction = 4
       real(dp), dimension(0:levels%n) :: at, compression, expansion, fluidity, heat, s, slope, stress2, u, v
-      real(dp) :: sigma(0:levels%n, 2), inverse, limit_slope, rate, share, total, w, w_slope
+      real(dp) :: sigma(0:levels%n, 2), by_p, by_sigma2, inverse, rate, share, total, w, w_slope
       real(dp) :: by_k(0:levels%n), exponent(0:levels%n)
       integer :: k
 
@@ -110,7 +110,7 @@ contains
          end do
          call film%law%shear_factor(n + 1, stress2, s, slope)
          if (allocated(film%limit)) then
-            call film%limit%inverse_square(p, inverse, limit_slope)
+            call film%limit%inverse_square(p, sum(node%sigma**2), inverse, by_p, by_sigma2)
             do k = 0, n
                call film%limit%factor(stress2(k)*inverse, w, w_slope)
                slope(k) = slope(k)*w + s(k)*w_slope*inverse
