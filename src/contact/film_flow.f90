@@ -254,7 +254,7 @@ contains
                                              + by_sigma(j, component, 2)*s%sigma(j, 2))
             flow(j, flow_by_gx) = scale*self%n0*h(j)*by_sigma(j, component, 1)
             flow(j, flow_by_gy) = scale*self%n0*h(j)*by_sigma(j, component, 2)
-            flow(j, flow_by_p) = scale   ! of the limit: `unload_limit`
+            flow(j, flow_by_p) = merge(scale, 0.0_dp, allocated(self%limit))   ! a factor of it, see `unload_limit`
          end do
       end associate
    end subroutine unload

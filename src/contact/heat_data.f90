@@ -27,7 +27,7 @@ module ehlwave_heat_data
       procedure :: second_body
    end type heat_data_t
 
-   !> The same for the dimensionless equation of theory eq. (T8).
+   !> The same for the dimensionless equation of theory eq. (T6).
    type, public :: heat_scales_t
       real(dp) :: convection = 0       !! rho0 cp ubar c^2/(a k)
       real(dp) :: work = 0             !! ubar ph c^2/(a k), K

@@ -30,6 +30,7 @@ module ehlwave_rheology
       procedure :: ln_viscosity
       procedure :: expansivity
       procedure :: use_limit
+      procedure :: generalise
       procedure :: density
       procedure :: thickening
       procedure :: largest_pressure
@@ -72,6 +73,12 @@ contains
       self%modulus_times_stress_pa2 = modulus_times_stress_pa2
    end subroutine use_flow
 
+   !> Let a Newtonian oil be one whose law of flow is that of Newton: where its viscosity varies across the film.
+   pure subroutine generalise(self)
+      class(rheology_t), intent(inout) :: self
+      if (self%is_newtonian()) call self%use_flow(new_carreau_law(1.0_dp), self%ph_pa**2)
+   end subroutine generalise
+
    !> Take a limit of the stress; without it there is none. The oil is not Newtonian.
    pure subroutine use_limit(self, modulus_times_limit_pa, width)
       class(rheology_t), intent(inout) :: self
@@ -87,17 +94,12 @@ contains
       is_newtonian = .not. allocated(self%flow_law)
    end function is_newtonian
 
-   !> Flow across the film of a contact: N0 = c ph/(2 a tau0) = K ph^2/(E' tau0), K = 1 for a line contact. That of a
-   !> Newtonian oil serves where it is warm.
+   !> Flow across the film of a contact: N0 = c ph/(2 a tau0) = K ph^2/(E' tau0), K = 1 for a line contact.
    pure function film_flow(self, k, lambdabar, slip_parameter) result(flow)
       class(rheology_t), intent(in) :: self
       real(dp), intent(in) :: k                           !! complete elliptic integral K
       real(dp), intent(in) :: lambdabar, slip_parameter   !! dimensionless speed, S
       type(film_flow_t) :: flow
-      if (self%is_newtonian()) then
-         flow = new_film_flow(new_carreau_law(1.0_dp), 1.0_dp, lambdabar, slip_parameter)   ! for any stress
-         return
-      end if
       flow = new_film_flow(self%flow_law, k*self%ph_pa**2/self%modulus_times_stress_pa2, lambdabar, slip_parameter)
       if (self%modulus_times_limit_pa > 0) flow%limit = &
          new_shear_limit(self%ph_pa*self%modulus_times_limit_pa/self%modulus_times_stress_pa2, self%limit_width)

@@ -1,11 +1,11 @@
-!> Temperatures of the film and of both surfaces at a state: the equation of energy, theory eq. (T8) and (T9).
+!> Temperatures of the film and of both surfaces at a state: the equation of energy, theory eq. (T6) and (T7).
 !>
 !> The oil and the surfaces carry heat downstream, so the rows are marched along X, column by column. Oil that flows
 !> back in the inlet brings the rise of the march before; so does oil from a row that comes later. Marches follow on each
 !> other while viscosity and pressure settle, so that none is repeated for that alone.
 module ehlwave_energy
    use ehlwave_contact_problem, only: contact_problem_t
-   use ehlwave_film_column, only: column_t, solve_column
+   use ehlwave_film_column, only: column_t, new_column, solve_column
    use ehlwave_film_heat, only: film_heat_t
    use ehlwave_film_levels, only: film_levels_t, new_film_levels
    use ehlwave_film_shear, only: film_shear_t, new_film_shear, shear_film
@@ -58,8 +58,8 @@ contains
       integer, intent(in) :: levels
 
       associate (c => problem%conditions, nx => problem%grid%nx, ny => problem%grid%ny)
-         if (.not. allocated(problem%film_flow)) &
-            problem%film_flow = problem%rheology%film_flow(c%elliptic%k, c%lambdabar, c%slip_parameter)
+         call problem%rheology%generalise()
+         problem%film_flow = problem%rheology%film_flow(c%elliptic%k, c%lambdabar, c%slip_parameter)
          call problem%film_flow%set_levels(levels)
          problem%heat = film_heat_t()
          allocate (problem%heat%rise(0:levels, 0:nx, 0:ny), source=0.0_dp)
@@ -185,9 +185,7 @@ contains
       type(column_t) :: column
       integer :: i, last, turn
 
-      associate (n => self%levels%n)
-         allocate (column%own(0:n), column%brought(0:n), column%net(0:n), column%source(0:n))
-      end associate
+      column = new_column(self%levels%n)
       w = wall_weights(grid%nx, grid%hx)
       last = 0
       do i = 1, grid%nx - 1

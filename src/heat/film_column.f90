@@ -1,10 +1,10 @@
-!> Temperature across the film at one node, by what its neighbours and the surfaces upstream are: theory eq. (D8).
+!> Temperature across the film at one node, by what its neighbours and the surfaces upstream are: theory eq. (D9).
 module ehlwave_film_column
    use ehlwave_film_levels, only: film_levels_t
    use ehlwave_kinds, only: dp
    implicit none (type, external)
    private
-   public :: solve_column
+   public :: new_column, solve_column
 
    !> A node. Arrays (0:levels), per unit of zeta.
    type, public :: column_t
@@ -19,6 +19,13 @@ module ehlwave_film_column
    end type column_t
 
 contains
+
+   !> One that nothing flows through, without heat, between cold surfaces.
+   pure function new_column(n) result(self)
+      integer, intent(in) :: n                 !! intervals across
+      type(column_t) :: self
+      allocate (self%own(0:n), self%brought(0:n), self%net(0:n), self%source(0:n), source=0.0_dp)
+   end function new_column
 
    !> Rise at the levels, and the flow of heat into surfaces 1 and 2, d theta/d zeta over H.
    !>
@@ -35,7 +42,7 @@ contains
       integer :: k
 
       associate (n => levels%n, d => levels%d, c => column, s => column%source)
-         residual = dot_product(c%net, [0.5_dp*d, (d, k=1, n - 1), 0.5_dp*d])   ! of the Reynolds equation
+         residual = d*(sum(c%net) - 0.5_dp*(c%net(0) + c%net(n)))   ! of the Reynolds equation
          ! convection: diagonal theta_k + below theta_(k-1) + above theta_(k+1) = right, each layer times its thickness
          below = 0
          above = 0

@@ -1,4 +1,4 @@
-!> Temperature of a surface that moves along X under a heat flow: the fast moving half-space, theory eq. (T9).
+!> Temperature of a surface that moves along X under a heat flow: the fast moving half-space, theory eq. (T7).
 module ehlwave_wall_heat
    use ehlwave_kinds, only: dp
    implicit none (type, external)

@@ -12,7 +12,7 @@ module ehlwave_shared_steady
    use ehlwave_oil_sensitivity, only: by_alpha, by_stress, differentiate_steady
    use ehlwave_planned_case, only: case_plan_t, run_harmonic
    use ehlwave_rescue, only: rescue_t, rung_direct
-   use ehlwave_shear_stress, only: friction_above
+   use ehlwave_shear_stress, only: friction_at
    use ehlwave_solve_report, only: solve_limits_t, solve_report_t
    use ehlwave_solver_choice, only: init_multigrid, method_t
    use ehlwave_status, only: status_converged
@@ -121,7 +121,7 @@ contains
       associate (level => self%multigrid%levels(size(self%multigrid%levels)))
          if (level%report%status /= status_converged) return
          self%heat%isothermal_film = level%problem%grid%value_at_centre(level%state%h)
-         self%heat%isothermal_friction = friction_above(level%problem, level%state, 0.0_dp)
+         self%heat%isothermal_friction = friction_at(level%problem, level%state)
          call solve_warm(self%multigrid, self%rescue, new_heat_scales(case%heat, case%oil%temperature_k, &
             plan%conditions), case%heat%levels, limits_of(case), coarse_tolerance, self%energy)
          if (level%report%status == status_converged) call self%heat%take(level%problem, level%state, self%energy)
