@@ -30,6 +30,9 @@ contains
          if (.not. heat%oil_heat_capacity_j_per_kg_k > 0) missing = '&heat oil_heat_capacity_j_per_kg_k'
          if (.not. heat%oil_density_kg_per_m3 > 0) missing = '&heat oil_density_kg_per_m3'
          if (.not. oil%temperature_k > 0) missing = '&lubricant temperature_k'
+         if (.not. min(heat%body(1)%conductivity_w_per_m_k, heat%body(1)%density_kg_per_m3, &
+                       heat%body(1)%heat_capacity_j_per_kg_k) > 0) missing = '&heat body_conductivity_w_per_m_k, '// &
+            'body_density_kg_per_m3 or body_heat_capacity_j_per_kg_k'
          if (missing /= '') then
             call raise(error, missing//' is missing: &heat needs it')
          else if (.not. case%is_dimensional) then

@@ -25,6 +25,7 @@ module ehlwave_plan_effort
                                                      !! to 2.2
    real(dp), parameter :: periodic_share = 0.4_dp    !! of a march that starts in the waves, of one from rest; measured:
                                                      !! 0.2 to 0.6
+   real(dp), parameter :: limit_cost = 6             !! of an oil with a limit of its stress; measured: 2 to 20
    real(dp), parameter :: heat_cost = 4              !! of a steady state with heat, of one without; measured: 1.7 to 6
 
 contains
@@ -64,6 +65,7 @@ contains
          plan%expected_work_units = (1 + 0.5_dp*plan%phases)*steady*merge(petsc_cost, 1.0_dp, case%method == 'petsc') &
                                     + merge(periodic_share, 1.0_dp, plan%is_periodic)*plan%steps*step*steps_cost
       end associate
+      if (case%oil%shear_limit_over_pressure > 0) plan%expected_work_units = limit_cost*plan%expected_work_units
       if (case%heat%is_given()) plan%expected_work_units = heat_cost*plan%expected_work_units
       if (plan%responds) plan%expected_work_units = plan%expected_work_units &
          + merge(line_response_work_units, response_work_units, plan%conditions%is_line())

@@ -130,13 +130,14 @@ contains
       other%exponent_factor = factor*self%exponent_factor
    end function with_alpha
 
-   !> The same oil with the stress of its flow law so many times as large.
+   !> The same oil with the stress of its flow law and the limit of the stress so many times as large.
    pure function with_stress(self, factor) result(other)
       class(rheology_t), intent(in) :: self   !! not Newtonian
       real(dp), intent(in) :: factor          !! > 0
       type(rheology_t) :: other
       other = self
       other%modulus_times_stress_pa2 = factor*self%modulus_times_stress_pa2
+      other%modulus_times_limit_pa = factor*self%modulus_times_limit_pa
    end function with_stress
 
    !> Density, fluidity 1/eta and their derivatives at pressures P >= 0.

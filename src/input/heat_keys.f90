@@ -36,17 +36,15 @@ contains
       character(len=*), intent(in) :: name, of
       type(body_heat_t), intent(inout) :: body
       type(key_list_t), intent(inout) :: list
-      real(dp) :: least
       character(len=16) :: default
 
-      least = merge(tiny(least), 0.0_dp, name == 'body')
       default = merge('as body_...', '           ', name == 'body2')
       call list%see(body%conductivity_w_per_m_k, key_t(name//'_conductivity_w_per_m_k', 'conductivity'//of, &
-         unit='W/(m K)', minimum=least, default=default))
+         unit='W/(m K)', minimum=0.0_dp, default=default))
       call list%see(body%density_kg_per_m3, key_t(name//'_density_kg_per_m3', 'density'//of, unit='kg/m3', &
-         minimum=least, default=default))
+         minimum=0.0_dp, default=default))
       call list%see(body%heat_capacity_j_per_kg_k, key_t(name//'_heat_capacity_j_per_kg_k', 'heat capacity'//of, &
-         unit='J/(kg K)', minimum=least, default=default))
+         unit='J/(kg K)', minimum=0.0_dp, default=default))
    end subroutine visit_body
 
 end module ehlwave_heat_keys

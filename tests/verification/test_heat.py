@@ -152,14 +152,14 @@ class Heat(TestCase):
         for ratio in ratios:
             warm.append(solve(**groups({**row, "slide_to_roll_ratio": ratio}, 256)))
             limited.append(solve(**groups({**row, "slide_to_roll_ratio": ratio}, 256, has_heat=False,
-                                          lubricant={"shear_limit_over_pressure": 0.03}))["friction_coefficient"])
+                                          lubricant={"shear_limit_over_pressure": 0.05}))["friction_coefficient"])
         friction = [one["friction_coefficient"] for one in warm]
         cold = [one["isothermal_friction_coefficient"] for one in warm]
         self.assertEqual(cold, sorted(cold))
         self.assertNotIn(friction.index(max(friction)), (0, len(ratios) - 1))
         self.assertEqual(limited, sorted(limited))
-        self.assertLess(limited[-1], 0.03)
-        report(f"over the slide-to-roll ratios {ratios}: {friction}; limit 0.03, no heat: {limited}")
+        self.assertLess(limited[-1], 0.05)
+        report(f"over the slide-to-roll ratios {ratios}: {friction}; limit 0.05, no heat: {limited}")
 
     def test_point_contact(self):
         """The balance closes, and no surface gets heat that shear and compression did not make."""
@@ -172,7 +172,8 @@ class Heat(TestCase):
         self.assertLess(result["heat_balance_error"], 1e-3)
         self.assertLess(result["friction_coefficient"], result["isothermal_friction_coefficient"])
         sliding = 0.3*2.0*100*result["friction_coefficient"]
-        self.check_close(result["heat_of_shear"], sliding, 0.05, "power of shear")   # and that of the flow along the pressure
+        self.assertGreater(result["heat_of_shear"], sliding)      # the flow along the pressure makes heat, too
+        self.check_close(result["heat_of_shear"], sliding, 0.1, "power of shear")
 
     def test_refusals(self):
         row = read_rows()[7]
@@ -182,7 +183,7 @@ class Heat(TestCase):
             "&heat oil_density_kg_per_m3 is missing": groups(row, 256, heat={"oil_density_kg_per_m3": 0.0}),
             "has no keys for temperature": groups(row, 256, lubricant={
                 "viscosity_law": "doolittle", "doolittle_factor": 4.7, "doolittle_occupied_fraction": 0.66,
-                "tait_modulus_pa": 1.7e9}, heat={"viscosity_temperature_per_k": 0.0}),
+                "tait_modulus_pa": 1.7e9, "tait_modulus_rate": 11.0}, heat={"viscosity_temperature_per_k": 0.0}),
             "smooth contacts in a steady state": groups(row, 256, waviness={"orientation": "transverse", "wavelength_over_a": 1.0}),
             "is replaced by shear_limit_over_pressure": groups(row, 256, lubricant={"limiting_stress_over_pressure": 0.1}),
         }
