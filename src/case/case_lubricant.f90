@@ -37,7 +37,8 @@ contains
       if (case%oil%is_newtonian()) what = 'shear_limit_over_pressure'
       if (.not. case%data%reduced_modulus_pa > 0) then
          call raise(error, '&conditions reduced_modulus_pa is missing: &lubricant '//what//' with '// &
-            "load_parameter_m, lubricant_parameter_l and radius_ratio_d needs E', since its stress enters by E' times it")
+            "load_parameter_m, lubricant_parameter_l and radius_ratio_d needs E', since its stress "// &
+            "enters by E' times it")
       else if (.not. case%lubricant_parameter_l > 0) then
          call raise(error, '&conditions lubricant_parameter_l = 0 leaves the pressure unknown, and &lubricant '// &
             what//" needs it: give lubricant_parameter_l above 0 (with viscosity_law = "// &

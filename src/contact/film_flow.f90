@@ -34,7 +34,7 @@ module ehlwave_film_flow
    integer, parameter, public :: flow_by_gy = 5
    integer, parameter, public :: flow_by_p = 6              !! and by P, which limits the stress
 
-   !> What differs across the film, and from place to place besides viscosity and film.
+   !> Properties of places besides viscosity, film and gradients, and those that differ across the film.
    type, public :: across_film_t
       real(dp), allocatable :: ln_fluidity(:, :)   !! (0:levels, n) of an oil that is warm: ln of its fluidity at each
                                                    !! level over that given
@@ -146,7 +146,8 @@ contains
       real(dp), intent(out) :: b(:)               !! B, (n)
       real(dp), intent(out) :: factor(:, :)       !! (2, n) along X, along Y
       type(across_film_t), intent(in), optional :: across
-      real(dp), intent(out), optional :: sigma_y(:), flow(:, :)   !! sigma_m,y, (n); 1/2 integral zeta s sigma dzeta, (2, n)
+      real(dp), intent(out), optional :: sigma_y(:), flow(:, :)   !! sigma_m,y, (n); 1/2 integral zeta s sigma dzeta,
+                                                                  !! (2, n)
       type(film_stress_t) :: stress
       integer :: first(size(rule_points) + 1), k, last, order(size(h)), start
       real(dp) :: rate(size(h)), sigma(size(h), 2)

@@ -1,8 +1,8 @@
 !> Temperatures of the film and of both surfaces at a state: the equation of energy, theory eq. (T6) and (T7).
 !>
-!> The oil and the surfaces carry heat downstream, so the rows are marched along X, column by column. Oil that flows
-!> back in the inlet brings the rise of the march before; so does oil from a row that comes later. Marches follow on each
-!> other while viscosity and pressure settle, so that none is repeated for that alone.
+!> The oil and the surfaces carry heat downstream, so the rows are marched along X, column by column, where oil flows
+!> back to and fro. Oil from a row that comes later brings the rise of the march before. Marches follow on each other
+!> while viscosity and pressure settle, so that none is repeated for that alone.
 module ehlwave_energy
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_film_column, only: column_t, new_column, solve_column
@@ -92,9 +92,10 @@ contains
             mean = dot_product(self%levels%weight, self%rise(:, i, j))
             change = change + problem%grid%weight(j)*max(state%p(i, j), 0.0_dp)*abs(mean - before)
             largest = max(largest, abs(mean))
-            problem%heat%rise(:, i, j) = problem%heat%rise(:, i, j) &
-               + share_to_go(problem%heat%rise(:, i, j), self%rise(:, i, j), self%levels%weight, &
-                             self%shear%relief(i, j), self%shear%shear_heat(i, j))*(self%rise(:, i, j) - problem%heat%rise(:, i, j))
+            associate (old => problem%heat%rise(:, i, j), new => self%rise(:, i, j))
+               old = old + share_to_go(old, new, self%levels%weight, self%shear%relief(i, j), &
+                                       self%shear%shear_heat(i, j))*(new - old)
+            end associate
          end do
       end do
       before = self%heat
@@ -120,8 +121,8 @@ contains
       associate (theta => self%rise, x => self%flux%x, y => self%flux%y)
          do j = grid%first_row, grid%last_row
             do i = 0, grid%nx - 1
-               east(i) = dot_product(share*x(:, i, j), merge(1.5_dp*theta(:, i, j) - 0.5_dp*theta(:, max(i - 1, 0), j), &
-                                                             theta(:, i + 1, j), x(:, i, j) > 0))
+               east(i) = dot_product(share*x(:, i, j), &
+                  merge(1.5_dp*theta(:, i, j) - 0.5_dp*theta(:, max(i - 1, 0), j), theta(:, i + 1, j), x(:, i, j) > 0))
             end do
             heat(1:grid%nx - 1, j) = (east(1:) - east(:grid%nx - 2))/grid%hx
          end do
@@ -263,8 +264,8 @@ contains
 
    end subroutine solve_node
 
-   !> Flow out of a node takes the node's rise and half of its difference to the node behind it; flow back brings that of
-   !> the node beyond, along Y with half of its difference to the one after it.
+   !> Flow out of a node takes the node's rise and half of its difference to the node behind it; flow back brings that
+   !> of the node beyond, along Y with half of its difference to the one after it.
    pure subroutine add_side(flow, behind, beyond, column, farther)
       real(dp), intent(in) :: flow(:)                     !! out of the node
       real(dp), intent(in) :: behind(:), beyond(:)        !! rises

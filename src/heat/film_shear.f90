@@ -20,7 +20,7 @@ module ehlwave_film_shear
       real(dp), allocatable :: relief(:, :)             !! -d ln(source)/dT by shear under a given sliding speed, 1/K
    end type film_shear_t
 
-   !> What one node gives.
+   !> State of one node.
    type :: node_t
       real(dp) :: h, fluidity, gx, gy, b
       real(dp) :: mean(2), sigma(2), flow(2)            ! stresses, 1/2 integral zeta s sigma dzeta

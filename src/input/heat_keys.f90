@@ -18,12 +18,12 @@ contains
       list%common = key_t(is_late=.true., is_written=heat%is_given())
       call list%see(heat%oil_conductivity_w_per_m_k, key_t('oil_conductivity_w_per_m_k', 'conductivity of the oil', &
          unit='W/(m K)', minimum=0.0_dp, default='none'))
-      call list%see(heat%oil_heat_capacity_j_per_kg_k, key_t('oil_heat_capacity_j_per_kg_k', 'heat capacity of the oil', &
-         unit='J/(kg K)', minimum=0.0_dp, default='none'))
+      call list%see(heat%oil_heat_capacity_j_per_kg_k, key_t('oil_heat_capacity_j_per_kg_k', 'heat capacity of the '// &
+         'oil',          unit='J/(kg K)', minimum=0.0_dp, default='none'))
       call list%see(heat%oil_density_kg_per_m3, key_t('oil_density_kg_per_m3', 'density of the oil at ambient '// &
          'pressure and T0', unit='kg/m3', minimum=0.0_dp, default='none'))
-      call list%see(heat%oil_expansion_per_k, key_t('oil_expansion_per_k', 'thermal expansion of the oil; its density '// &
-         'falls and its compression heats by it', unit='1/K', minimum=0.0_dp, maximum=0.01_dp))
+      call list%see(heat%oil_expansion_per_k, key_t('oil_expansion_per_k', 'thermal expansion of the oil; its '// &
+         'density falls and its compression heats by it', unit='1/K', minimum=0.0_dp, maximum=0.01_dp))
       call list%see(heat%viscosity_temperature_per_k, key_t('viscosity_temperature_per_k', 'beta; -d ln(eta)/dT at '// &
          'ambient pressure and T0, of laws without parameters of their own for temperature', unit='1/K', &
          minimum=0.0_dp, maximum=1.0_dp))

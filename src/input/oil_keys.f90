@@ -62,8 +62,8 @@ contains
          'pressure, which the stress nears but does not pass; 0: no limit', minimum=0.0_dp, maximum=1.0_dp))
       list%common%applies = oil%shear_limit_over_pressure > 0
       list%common%when = 'shear_limit_over_pressure'
-      call list%see(oil%shear_limit_width, key_t('shear_limit_width', 'width of the limit: at (1 - width) times the '// &
-         'limit the shear rate is twice that of flow_law', minimum=0.01_dp, maximum=0.5_dp))
+      call list%see(oil%shear_limit_width, key_t('shear_limit_width', 'width of the limit: at (1 - width) times '// &
+         'the limit the shear rate is twice that of flow_law', minimum=0.01_dp, maximum=0.5_dp))
    end subroutine visit_flow_law
 
    subroutine visit_viscosity_laws(oil, list)

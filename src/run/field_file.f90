@@ -98,10 +98,10 @@ contains
    subroutine write_temperatures(file, rise_k)
       type(hdf5_file_t), intent(inout) :: file
       real(dp), intent(in) :: rise_k(:, :, :)    !! (x, y, mid film, mean, surface 1, surface 2)
-      character(len=*), parameter :: names(4) = [character(len=16) :: 'rise_mid_film_k', 'rise_mean_k', 'rise_wall_1_k', &
-                                                 'rise_wall_2_k'], &
-                                     of(4) = [character(len=26) :: 'half-way across the film', 'mean across the film', &
-                                              'of surface 1', 'of surface 2']
+      character(len=*), parameter :: &
+         names(4) = [character(len=16) :: 'rise_mid_film_k', 'rise_mean_k', 'rise_wall_1_k', 'rise_wall_2_k'], &
+         of(4) = [character(len=26) :: 'half-way across the film', 'mean across the film', 'of surface 1', &
+                  'of surface 2']
       integer :: i
       do i = 1, size(names)
          call file%write(trim(names(i)), rise_k(:, :, i), 'K', 'rise of the temperature '//trim(of(i)), 'x', 'y')

@@ -12,14 +12,14 @@ module ehlwave_heat_result
 
    !> NaN of an isothermal contact. Heat is in W, of a line contact in W/m.
    type, public :: heat_result_t
-      real(dp) :: isothermal_friction = no_value, isothermal_film = no_value   !! friction coefficient, H(0,0) without heat
+      real(dp) :: isothermal_friction = no_value, isothermal_film = no_value   !! friction coefficient, H(0,0) without it
       real(dp) :: largest_mid_k = no_value, largest_wall_k(2) = no_value       !! rises over T0
       real(dp) :: centre_mid_k = no_value, centre_wall_k(2) = no_value         !! the same at X = Y = 0
       real(dp) :: largest_mean_k = no_value                                    !! of the mean across the film
       real(dp) :: into_body_w(2) = no_value                                    !! heat into bodies 1 and 2
       real(dp) :: sheared_w = no_value, compressed_w = no_value                !! heat of shear and of compression
       real(dp) :: carried_w = no_value                                         !! carried off by the oil
-      real(dp) :: balance_error = no_value                                     !! what is missing, over the largest of these
+      real(dp) :: balance_error = no_value                 !! the missing part, over the largest of these
    contains
       procedure :: take
    end type heat_result_t
