@@ -10,7 +10,8 @@
 !>     sigma_L^2 = (limit P)^2 + (limit floor)^2 + (2 |Sigma|)^2
 !>
 !> with the stress Sigma of the pressure gradient and a small floor: at the edges of the film the gradient needs a
-!> stress where there is hardly any pressure. Where |Sigma| is below half of the limit, the mean stress stays below limit P.
+!> stress where there is hardly any pressure. Where |Sigma| is below half of the limit, the mean stress stays below
+!> limit P.
 module ehlwave_shear_limit
    use ehlwave_kinds, only: dp
    implicit none (type, external)

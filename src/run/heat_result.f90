@@ -12,7 +12,7 @@ module ehlwave_heat_result
 
    !> NaN of an isothermal contact. Heat is in W, of a line contact in W/m.
    type, public :: heat_result_t
-      real(dp) :: isothermal_friction = no_value, isothermal_film = no_value   !! friction coefficient, H(0,0) without it
+      real(dp) :: isothermal_friction = no_value, isothermal_film = no_value   !! friction, H(0,0) without it
       real(dp) :: largest_mid_k = no_value, largest_wall_k(2) = no_value       !! rises over T0
       real(dp) :: centre_mid_k = no_value, centre_wall_k(2) = no_value         !! the same at X = Y = 0
       real(dp) :: largest_mean_k = no_value                                    !! of the mean across the film
