@@ -30,6 +30,7 @@ module ehlwave_energy
       real(dp) :: difference = huge(1.0_dp)         !! of its mean rise from that before, over the largest,
       real(dp) :: heat_difference = huge(1.0_dp)    !! and of the heat of shear, which goes with friction
       real(dp), private :: heat = 0                 ! of shear
+      real(dp), private :: damping = 1              ! of what temperatures change, while marches contradict each other
    contains
       procedure :: march
       procedure :: carried
@@ -37,6 +38,7 @@ module ehlwave_energy
    end type energy_t
 
    integer, parameter :: turns = 2
+   real(dp), parameter :: contradiction = 0.8_dp, stronger = 0.7_dp, least_damping = 0.1_dp   ! see `damping`
 
 contains
 
@@ -94,14 +96,16 @@ contains
             largest = max(largest, abs(mean))
             associate (old => problem%heat%rise(:, i, j), new => self%rise(:, i, j))
                old = old + share_to_go(old, new, self%levels%weight, self%shear%relief(i, j), &
-                                       self%shear%shear_heat(i, j))*(new - old)
+                                       self%shear%shear_heat(i, j))*self%damping*(new - old)
             end associate
          end do
       end do
-      before = self%heat
+      before = self%difference
+      self%heat_difference = self%heat
       self%heat = problem%grid%integral(self%shear%shear_heat/state%h)
-      self%heat_difference = abs(before - self%heat)/max(self%heat, tiny(before))
+      self%heat_difference = abs(self%heat_difference - self%heat)/max(self%heat, tiny(before))
       self%difference = change*problem%grid%hx*problem%grid%hy/largest
+      if (self%difference > contradiction*before) self%damping = max(least_damping, stronger*self%damping)
       call problem%heat%weigh(problem%rheology, self%levels%weight, state%p)
    end subroutine march
 

@@ -79,6 +79,8 @@ contains
          if (result%status == status_converged) then
             call take_smooth_film(case, plan, level, stress, result)
             call estimate_film_errors(plan, steady%multigrid%hierarchy_t, stress, result)
+            result%friction_error = result%friction_error + result%heat%settling
+            result%central_film_error = result%central_film_error + result%heat%settling
             if (case%sensitivities) call find_film_sensitivities(case, steady, result)
             if (plan%responds) &
                call run_response(case, plan, plan%surfaces%list(plan%surfaces%main), steady, result)

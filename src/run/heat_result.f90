@@ -19,6 +19,7 @@ module ehlwave_heat_result
       real(dp) :: into_body_w(2) = no_value                                    !! heat into bodies 1 and 2
       real(dp) :: sheared_w = no_value, compressed_w = no_value                !! heat of shear and of compression
       real(dp) :: carried_w = no_value                                         !! carried off by the oil
+      real(dp) :: settling = 0                      !! relative change of friction in the last round
       real(dp) :: balance_error = no_value                 !! the missing part, over the largest of these
    contains
       procedure :: take
@@ -39,6 +40,7 @@ contains
       real(dp) :: unit
 
       n = energy%levels%n
+      self%settling = energy%heat_difference
       bears = state%p > least_pressure
       bears([0, problem%grid%nx], :) = .false.        ! nodes of the edges are no cells of the film
       bears(:, problem%grid%last_row + 1:) = .false.
