@@ -73,7 +73,8 @@ contains
       rescue = steady%rescue
       result%work = steady%work
       associate (level => steady%multigrid%levels(size(steady%multigrid%levels)))
-         call take_report(level%report, 'steady state of smooth surfaces', result)
+         call take_report(level%report, 'steady state of smooth surfaces'//trim(merge(' with heat', '          ', &
+            ieee_is_finite(steady%heat%isothermal_film))), result)
          call monitor%step_done('steady state', 1, 1)
          result%heat = steady%heat
          if (result%status == status_converged) then
