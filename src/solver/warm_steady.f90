@@ -21,8 +21,8 @@ module ehlwave_warm_steady
    integer, parameter :: steps_a_round = 1          !! of Newton's method
    integer, parameter :: marches_a_round = 1
    real(dp), parameter :: settled = 20              !! change of film and heat in a round, in units of the tolerance
-   real(dp), parameter :: loosening = 1.3_dp        !! of that with each round beyond so many: where a node at the edge of
-   integer, parameter :: patience = 12              !! the film, or of the backflow, goes to and fro
+   real(dp), parameter :: loosening = 1.3_dp        !! of that with each round beyond so many: where a node at the edge
+   integer, parameter :: patience = 12              !! of the film, or of the backflow, goes to and fro
    real(dp), parameter :: loose = 50                !! change of temperatures over that, of which integrals hardly know
 
 contains
