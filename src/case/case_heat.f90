@@ -2,7 +2,7 @@
 module ehlwave_case_heat
    use ehlwave_case_definition, only: case_t
    use ehlwave_errors, only: error_t, raise
-   use ehlwave_oil, only: doolittle, tabulated
+   use ehlwave_oil, only: doolittle, oil_t, tabulated
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
@@ -48,7 +48,7 @@ contains
          else if (.not. oil%takes_beta() .and. heat%viscosity_temperature_per_k > 0) then
             call raise(error, "&heat viscosity_temperature_per_k belongs to laws without temperature of their own: "// &
                "remove it, since viscosity_law = '"//trim(oil%viscosity_law)//"' has its own")
-         else if (oil%viscosity_law == tabulated .and. oil%measured%column('temperature_k') == 0) then
+         else if (has_one_temperature(oil)) then
             call raise(error, '&lubricant viscosity_table has one temperature: &heat needs measurements at two '// &
                'or more (column temperature_k)')
          else if (oil%temperature_k <= 150 .or. oil%temperature_k > 700) then
@@ -67,5 +67,12 @@ contains
          end if
       end associate
    end subroutine check_heat
+
+   !> Whether the viscosity of an oil was measured at one temperature alone.
+   pure logical function has_one_temperature(oil)
+      type(oil_t), intent(in) :: oil
+      has_one_temperature = oil%viscosity_law == tabulated
+      if (has_one_temperature) has_one_temperature = oil%measured%column('temperature_k') == 0
+   end function has_one_temperature
 
 end module ehlwave_case_heat

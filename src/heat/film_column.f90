@@ -39,6 +39,7 @@ contains
       real(dp), intent(out) :: into_wall(2)
       real(dp), dimension(0:levels%n) :: below, diagonal, above, right
       real(dp) :: across, residual, upstream, wall_diagonal(2), wall_beside(2), wall_right(2)
+      real(dp), parameter :: still = 1e-100_dp   ! of the convection, to divide by
       integer :: k
 
       associate (n => levels%n, d => levels%d, c => column, s => column%source)
@@ -56,7 +57,7 @@ contains
          across = 0
          do k = 0, n - 1
             across = across - merge(0.5_dp*d, d, k == 0)*(c%net(k) - residual)
-            upstream = max(0.0_dp, abs(across) - 2/(max(c%convection, tiny(d))*d))
+            upstream = max(0.0_dp, abs(across) - 2/(max(c%convection, still)*d))
             diagonal(k) = diagonal(k) + 0.5_dp*(across + upstream)
             above(k) = above(k) + 0.5_dp*(across - upstream)
             diagonal(k + 1) = diagonal(k + 1) - 0.5_dp*(across - upstream)
