@@ -47,7 +47,7 @@ def test_outside_the_range(values: tuple[float, ...]) -> None:
 
 
 def test_outside_the_range_of_waves() -> None:
-    with pytest.raises(RangeError, match="R is outside"):
+    with pytest.raises(RangeError, match=r"R = 0\.2 is outside"):
         starved_ratio(0.2, 100, 10, 1, 1, 0)
 
 
