@@ -20,14 +20,14 @@ Floats = NDArray[np.float64]
 
 FILM_COEFFICIENTS = (1.367, 0.0865, -0.1175, -0.2737, -0.474)
 """ln g at r = 0 of M = 100, L = 10, D = 1, and the powers of M, L, D and 1 + r in g."""
-FILM_ERROR = 0.007
+FILM_ERROR = 0.0066
 """Root mean square of the law for R, held out by contacts."""
 FILM_RANGES = {"M": (20.0, 1000.0), "L": (2.0, 20.0), "D": (0.1, 1.0), "r": (0.2, 5.0)}
 
 WAVE_COEFFICIENTS = (1.131, 0.446, -1.458, 0.924)
 """Powers of R: in x, in x times cos^2(theta), in n; factor of x."""
-WAVE_ERROR = 0.04
-"""Root mean square of the law for Ad/Ai, held out by contacts: 0.039."""
+WAVE_ERROR = 0.039
+"""Root mean square of the law for Ad/Ai, held out by contacts."""
 WAVE_RANGES = {"M": (50.0, 800.0), "L": (4.0, 18.0), "D": (0.1, 1.0), "R": (0.35, 1.0)}
 
 FILM_BAR = 0.013 + 0.015
