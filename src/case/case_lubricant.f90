@@ -1,5 +1,6 @@
 !> The lubricant of a case: its mandatory keys, and its laws in the form that the equations use.
 module ehlwave_case_lubricant
+   use ehlwave_carreau_law, only: new_carreau_law
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_files, only: case_file_t, case_files
    use ehlwave_conditions, only: conditions_t
@@ -26,20 +27,22 @@ contains
    subroutine check_lubricant(case, error)
       type(case_t), intent(inout) :: case
       type(error_t), allocatable, intent(inout) :: error
+      character(len=:), allocatable :: what
 
       call check_needed(case, 'lubricant', error)
       if (.not. allocated(error)) call check_viscosity(case, error)
-      if (allocated(error) .or. case%oil%is_newtonian() .or. case%is_dimensional) return
+      if (allocated(error) .or. case%is_dimensional) return
+      if (case%oil%is_newtonian() .and. .not. case%oil%shear_limit_over_pressure > 0) return
+      what = "flow_law = '"//trim(case%oil%flow_law)//"'"
+      if (case%oil%is_newtonian()) what = 'shear_limit_over_pressure'
       if (.not. case%data%reduced_modulus_pa > 0) then
-         call raise(error, "&conditions reduced_modulus_pa is missing: &lubricant flow_law = '"// &
-            trim(case%oil%flow_law)// &
-                    "' with load_parameter_m, lubricant_parameter_l and radius_ratio_d needs E', since its stress "// &
-                    "enters by E' times it")
+         call raise(error, '&conditions reduced_modulus_pa is missing: &lubricant '//what//' with '// &
+            "load_parameter_m, lubricant_parameter_l and radius_ratio_d needs E', since its stress "// &
+            "enters by E' times it")
       else if (.not. case%lubricant_parameter_l > 0) then
-         call raise(error, "&conditions lubricant_parameter_l = 0 leaves the pressure unknown, and &lubricant "// &
-            "flow_law = '"// &
-                    trim(case%oil%flow_law)//"' needs it: give lubricant_parameter_l above 0 (with viscosity_law = "// &
-                    "'isoviscous' the viscosity is constant all the same), or dimensional data")
+         call raise(error, '&conditions lubricant_parameter_l = 0 leaves the pressure unknown, and &lubricant '// &
+            what//" needs it: give lubricant_parameter_l above 0 (with viscosity_law = "// &
+            "'isoviscous' the viscosity is constant all the same), or dimensional data")
       end if
    end subroutine check_lubricant
 
@@ -132,9 +135,15 @@ contains
       call case%oil%make_viscosity(viscosity, ignored)
       call case%oil%make_density(density)
       rheology = new_rheology(viscosity, density, conditions%hertz_pressure_pa)
-      if (case%oil%is_newtonian()) return
-      call case%oil%make_flow(flow)
-      call rheology%use_flow(flow, conditions%data%reduced_modulus_pa*case%oil%stress_pa())
+      associate (modulus_pa => conditions%data%reduced_modulus_pa, limit => case%oil%shear_limit_over_pressure)
+         if (.not. case%oil%is_newtonian()) then
+            call case%oil%make_flow(flow)
+            call rheology%use_flow(flow, modulus_pa*case%oil%stress_pa())
+         else if (limit > 0) then
+            call rheology%use_flow(new_carreau_law(1.0_dp), modulus_pa*limit*conditions%hertz_pressure_pa)
+         end if
+         if (limit > 0) call rheology%use_limit(modulus_pa*limit, case%oil%shear_limit_width)
+      end associate
    end function case_lubricant
 
 end module ehlwave_case_lubricant

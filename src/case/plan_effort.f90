@@ -28,6 +28,8 @@ module ehlwave_plan_effort
    real(dp), parameter :: starved_cost = 2.7_dp      !! of a starved steady state with the flooded one on the way, of
                                                      !! that alone; measured: 2 to 4
    real(dp), parameter :: starved_step_cost = 1.3_dp !! of a time step without patches
+   real(dp), parameter :: limit_cost = 6             !! of an oil with a limit of its stress; measured: 2 to 20
+   real(dp), parameter :: heat_cost = 4              !! of a steady state with heat, of one without; measured: 1.7 to 6
 
 contains
 
@@ -69,6 +71,8 @@ contains
          plan%expected_work_units = (1 + 0.5_dp*plan%phases)*steady*steady_cost &
                                     + merge(periodic_share, 1.0_dp, plan%is_periodic)*plan%steps*step*steps_cost
       end associate
+      if (case%oil%shear_limit_over_pressure > 0) plan%expected_work_units = limit_cost*plan%expected_work_units
+      if (case%heat%is_given()) plan%expected_work_units = heat_cost*plan%expected_work_units
       if (plan%responds) plan%expected_work_units = plan%expected_work_units &
          + merge(line_response_work_units, response_work_units, plan%conditions%is_line())
       if (.not. (plan%is_half .or. plan%conditions%is_line())) plan%expected_work_units = 2*plan%expected_work_units

@@ -11,9 +11,11 @@
 !>     inf.
 module ehlwave_film_flow
    use ehlwave_flow_law, only: flow_law_t
+   use ehlwave_film_levels, only: level_weights_t, new_level_weights
    use ehlwave_gauss_legendre, only: gauss_rule_t, new_gauss_rule
    use ehlwave_kinds, only: dp
    use ehlwave_film_stress, only: block_size, film_stress_t
+   use ehlwave_shear_limit, only: shear_limit_t
    implicit none (type, external)
    private
    public :: new_film_flow
@@ -24,12 +26,26 @@ module ehlwave_film_flow
    real(dp), parameter :: largest_rate = 1e100_dp      ! of |B|: exp(230)
 
    integer, parameter, public :: along_x = 1, along_y = 2   !! components of the flow
-   integer, parameter, public :: flow_values = 5            !! what `evaluate` returns of a place:
+   integer, parameter, public :: flow_values = 6            !! what `evaluate` returns of a place:
    integer, parameter, public :: flow_q = 1                 !! Qhat,
    integer, parameter, public :: flow_by_ln_eta = 2         !! its derivatives by ln(eta), H, g_x and g_y
    integer, parameter, public :: flow_by_h = 3
    integer, parameter, public :: flow_by_gx = 4
    integer, parameter, public :: flow_by_gy = 5
+   integer, parameter, public :: flow_by_p = 6              !! and by P, which limits the stress
+
+   !> Properties of places besides viscosity, film and gradients, and those that differ across the film.
+   type, public :: across_film_t
+      real(dp), allocatable :: ln_fluidity(:, :)   !! (0:levels, n) of an oil that is warm: ln of its fluidity at each
+                                                   !! level over that given
+      real(dp), allocatable :: p(:)                !! P, (n), where the stress is limited
+   end type across_film_t
+
+   ! Points across the film by the range of ln(fluidity): measured, the flow is exact to 1e-6
+   real(dp), parameter :: warm_range(*) = [0.3_dp, 1.5_dp, 4.0_dp, 8.0_dp]
+   integer, parameter :: warm_rule(*) = [4, 5, 6, 7, 8]
+   real(dp), parameter :: limited_variation(*) = [0.003_dp, 0.02_dp, 0.1_dp]   ! |Sigma|/sigma_L
+   integer, parameter :: limited_rule(*) = [5, 7, 9, 11]
 
    type, public :: film_flow_t
       class(flow_law_t), allocatable :: law
@@ -38,10 +54,15 @@ module ehlwave_film_flow
       real(dp), private :: rate = 0               ! B H/eta
       type(gauss_rule_t), allocatable, private :: rule(:)
       real(dp), allocatable, private :: reach(:)  ! largest |Sigma| of each rule but the last
+      type(shear_limit_t), allocatable :: limit   !! of the stress, if there is one
+      type(level_weights_t), allocatable, private :: to_rule(:)   ! of an oil that is warm, from the levels to each rule
    contains
+      procedure :: set_levels
       procedure :: evaluate
       procedure :: mean_stress
       procedure, private :: sort
+      procedure, private :: load
+      procedure, private :: rule_across
    end type film_flow_t
 
 contains
@@ -66,8 +87,20 @@ contains
       self%reach = law%largest_variation(rule_points(:size(rule_points) - 1))
    end function new_film_flow
 
+   !> Be ready for fluidities at levels across the film.
+   pure subroutine set_levels(self, n)
+      class(film_flow_t), intent(inout) :: self
+      integer, intent(in) :: n                 !! intervals between them
+      integer :: k
+      if (allocated(self%to_rule)) deallocate (self%to_rule)
+      allocate (self%to_rule(size(self%rule)))
+      do k = 1, size(self%rule)
+         self%to_rule(k) = new_level_weights(n, self%rule(k)%node)
+      end do
+   end subroutine set_levels
+
    !> One component of Qhat and its derivatives at n places.
-   pure subroutine evaluate(self, component, fluidity, h, gx, gy, flow, points)
+   pure subroutine evaluate(self, component, fluidity, h, gx, gy, flow, points, across)
       class(film_flow_t), intent(in) :: self
       integer, intent(in) :: component          !! along_x or along_y
       real(dp), intent(in) :: fluidity(:)       !! eta0/eta, (n)
@@ -75,31 +108,36 @@ contains
       real(dp), intent(in) :: gx(:), gy(:)      !! dP/dX and kappa dP/dY, (n)
       real(dp), intent(out) :: flow(:, :)       !! (flow_values, n)
       integer, intent(out), optional :: points  !! across the film at which the oil was asked, in all: the cost
+      type(across_film_t), intent(in), optional :: across
       type(film_stress_t) :: stress
       integer :: first(size(rule_points) + 1), j, k, last, order(size(h)), start
       real(dp), dimension(size(h)) :: b, fluid, film   ! in that order
       real(dp) :: block(block_size, flow_values), sigma(size(h), 2)
 
-      call self%sort(fluidity, h, gx, gy, order, first, sigma, b)
+      call self%sort(fluidity, h, gx, gy, order, first, sigma, b, across)
       fluid = fluidity(order)
       film = h(order)
       if (present(points)) points = 0
       do k = 1, size(rule_points)
          do start = first(k), first(k + 1) - 1, block_size
             last = min(start + block_size, first(k + 1)) - 1
+            if (present(across)) call self%load(across, k, order(start:last), sigma(start:last, :), stress)
             call stress%solve(self%law, self%rule(k), k == slight_rule, sigma(start:last, :), b(start:last))
             if (present(points)) points = points + stress%points
             call unload(self, component, stress, fluid(start:last), film(start:last), block)
+            if (present(across) .and. allocated(self%limit)) &
+               call unload_limit(self, component, stress, across%p(order(start:last)), block)
             do j = start, last
                flow(:, order(j)) = block(j - start + 1, :)
             end do
          end do
       end do
+
    end subroutine evaluate
 
    !> Mean of the shear stresses at the two surfaces over tau0, B and the tangent factors: what a small pressure
    !> gradient drives along X and along Y over what it drives in a Newtonian oil.
-   pure subroutine mean_stress(self, fluidity, h, gx, gy, sigma_x, b, factor)
+   pure subroutine mean_stress(self, fluidity, h, gx, gy, sigma_x, b, factor, across, sigma_y, flow)
       class(film_flow_t), intent(in) :: self
       real(dp), intent(in) :: fluidity(:)         !! eta0/eta, (n)
       real(dp), intent(in) :: h(:)                !! H > 0, (n)
@@ -107,16 +145,22 @@ contains
       real(dp), intent(out) :: sigma_x(:)         !! sigma_m,x, (n)
       real(dp), intent(out) :: b(:)               !! B, (n)
       real(dp), intent(out) :: factor(:, :)       !! (2, n) along X, along Y
+      type(across_film_t), intent(in), optional :: across
+      real(dp), intent(out), optional :: sigma_y(:), flow(:, :)   !! sigma_m,y, (n); 1/2 integral zeta s sigma dzeta,
+                                                                  !! (2, n)
       type(film_stress_t) :: stress
       integer :: first(size(rule_points) + 1), k, last, order(size(h)), start
       real(dp) :: rate(size(h)), sigma(size(h), 2)
 
-      call self%sort(fluidity, h, gx, gy, order, first, sigma, rate)
+      call self%sort(fluidity, h, gx, gy, order, first, sigma, rate, across)
       b(order) = rate
       do k = 1, size(rule_points)
          do start = first(k), first(k + 1) - 1, block_size
             last = min(start + block_size, first(k + 1)) - 1
+            if (present(across)) call self%load(across, k, order(start:last), sigma(start:last, :), stress)
             call stress%solve(self%law, self%rule(k), k == slight_rule, sigma(start:last, :), rate(start:last))
+            if (present(sigma_y)) sigma_y(order(start:last)) = stress%mean(:stress%n, 2)
+            if (present(flow)) flow(:, order(start:last)) = transpose(stress%flow(:stress%n, :))
             sigma_x(order(start:last)) = stress%mean(:stress%n, 1)
             factor(1, order(start:last)) = 3*stress%flow_by_sigma(:stress%n, 1, 1)
             factor(2, order(start:last)) = 3*stress%flow_by_sigma(:stress%n, 2, 2)
@@ -125,12 +169,13 @@ contains
    end subroutine mean_stress
 
    !> Dimensionless stress variation and shear rate of places, sorted by the number of Gauss points that each needs.
-   pure subroutine sort(self, fluidity, h, gx, gy, order, first, sigma, b)
+   pure subroutine sort(self, fluidity, h, gx, gy, order, first, sigma, b, across)
       class(film_flow_t), intent(in) :: self
       real(dp), intent(in) :: fluidity(:), h(:), gx(:), gy(:)
       integer, intent(out) :: order(size(h))                   !! places, those of rule 1 first
       integer, intent(out) :: first(size(rule_points) + 1)     !! where those of each rule begin
       real(dp), intent(out) :: sigma(size(h), 2), b(size(h))   !! Sigma and B, in that order
+      type(across_film_t), intent(in), optional :: across
       real(dp), dimension(size(h)) :: rate, sigma_x, sigma_y, variation
       integer :: i, k, needed(size(h)), place(size(rule_points) + 1)
 
@@ -146,6 +191,7 @@ contains
          where (variation > self%reach(k)) needed = k + 1
       end do
       where (needed == slight_rule .and. variation + abs(rate) > slight_stress) needed = slight_rule + 1
+      if (present(across)) needed = max(needed, self%rule_across(across, variation))
       first = 0
       do i = 1, size(h)
          first(needed(i)) = first(needed(i)) + 1
@@ -163,6 +209,29 @@ contains
       sigma(:, 2) = sigma_y(order)
       b = rate(order)
    end subroutine sort
+
+   !> The rule that each place needs for what differs across its film.
+   pure function rule_across(self, across, variation) result(needed)
+      class(film_flow_t), intent(in) :: self
+      type(across_film_t), intent(in) :: across
+      real(dp), intent(in) :: variation(:)     !! |Sigma|
+      integer :: needed(size(variation))
+      real(dp) :: by_p, by_sigma2, inverse, range
+      integer :: i
+
+      needed = 1
+      if (allocated(across%ln_fluidity)) then
+         do i = 1, size(needed)
+            range = maxval(across%ln_fluidity(:, i)) - minval(across%ln_fluidity(:, i))
+            if (range > 0) needed(i) = warm_rule(1 + count(range > warm_range))
+         end do
+      end if
+      if (.not. allocated(self%limit)) return
+      do i = 1, size(needed)
+         call self%limit%inverse_square(across%p(i), variation(i)**2, inverse, by_p, by_sigma2)
+         needed(i) = max(needed(i), limited_rule(1 + count(variation(i)*sqrt(inverse) > limited_variation)))
+      end do
+   end function rule_across
 
    !> Flow and its derivatives at the places of a block.
    pure subroutine unload(self, component, stress, fluidity, h, flow)
@@ -186,8 +255,54 @@ contains
                                              + by_sigma(j, component, 2)*s%sigma(j, 2))
             flow(j, flow_by_gx) = scale*self%n0*h(j)*by_sigma(j, component, 1)
             flow(j, flow_by_gy) = scale*self%n0*h(j)*by_sigma(j, component, 2)
+            flow(j, flow_by_p) = merge(scale, 0.0_dp, allocated(self%limit))   ! a factor of it, see `unload_limit`
          end do
       end associate
    end subroutine unload
+
+   !> Derivative by P of the flow at the places of a block, by the limit alone.
+   pure subroutine unload_limit(self, component, stress, p, flow)
+      class(film_flow_t), intent(in) :: self
+      integer, intent(in) :: component
+      type(film_stress_t), intent(in) :: stress
+      real(dp), intent(in) :: p(stress%n)
+      real(dp), intent(inout) :: flow(block_size, flow_values)
+      real(dp) :: by_p, by_sigma2, inverse
+      integer :: j
+      do j = 1, stress%n
+         call self%limit%inverse_square(p(j), sum(stress%sigma(j, :)**2), inverse, by_p, by_sigma2)
+         flow(j, flow_by_p) = flow(j, flow_by_p)*stress%flow_by_limit(j, component)*by_p
+      end do
+   end subroutine unload_limit
+
+   !> Fluidity at the points across the film and limit of the stress at the places of a block.
+   pure subroutine load(self, across, rule, places, sigma, stress)
+      class(film_flow_t), intent(in) :: self
+      type(across_film_t), intent(in) :: across
+      integer, intent(in) :: rule, places(:)
+      real(dp), intent(in) :: sigma(:, :)           !! Sigma of the places
+      type(film_stress_t), intent(inout) :: stress
+      real(dp) :: by_p
+      integer :: i, k
+
+      if (allocated(across%ln_fluidity)) then
+         if (.not. allocated(stress%fluidity)) allocate (stress%fluidity(block_size, maxval(rule_points)))
+         associate (to => self%to_rule(rule), ln => across%ln_fluidity)
+            do k = 1, self%rule(rule)%n
+               associate (l => lbound(ln, 1) + to%first(k))
+                  do i = 1, size(places)
+                     stress%fluidity(i, k) = exp(dot_product(to%weight(:, k), ln(l:l + 3, places(i))))
+                  end do
+               end associate
+            end do
+         end associate
+      end if
+      if (.not. allocated(self%limit)) return
+      if (.not. allocated(stress%limit)) stress%limit = self%limit
+      do i = 1, size(places)
+         call self%limit%inverse_square(across%p(places(i)), sum(sigma(i, :)**2), stress%inverse_square(i), by_p, &
+                                        stress%by_sigma2(i))
+      end do
+   end subroutine load
 
 end module ehlwave_film_flow

@@ -8,10 +8,14 @@
 !>     T_k = a_k I + e_k mm + e_(k+1) (mS + Sm) + e_(k+2) SS     (dyads of m = sigma_m and S = Sigma)
 !>
 !> with T_0, T_1 the derivatives of the rate by sigma_m and Sigma, T_1, T_2 those of the flow: theory eq. (S11).
+!>
+!> Where the oil is warm, s is multiplied by its fluidity at each place across the film over that for which B is; where
+!> its stress is limited, by the factor of the limit (`ehlwave_shear_limit`).
 module ehlwave_film_stress
    use ehlwave_flow_law, only: flow_law_t
    use ehlwave_gauss_legendre, only: gauss_rule_t
    use ehlwave_kinds, only: dp
+   use ehlwave_shear_limit, only: shear_limit_t
    implicit none (type, external)
    private
 
@@ -37,7 +41,12 @@ module ehlwave_film_stress
       real(dp) :: mean(block_size, 2)                !! sigma_m
       real(dp) :: flow(block_size, 2)                !! 1/2 integral zeta s sigma dzeta
       real(dp) :: flow_by_b(block_size, 2)           !! its derivative by B, sigma_m following
-      real(dp) :: flow_by_sigma(block_size, 2, 2)    !! by Sigma, sigma_m following; symmetric
+      real(dp) :: flow_by_sigma(block_size, 2, 2)    !! by Sigma, sigma_m following
+      real(dp), allocatable :: fluidity(:, :)        !! (block_size, points of the rule) of an oil that is warm
+      type(shear_limit_t), allocatable :: limit      !! of the stress, if there is one,
+      real(dp) :: inverse_square(block_size)         !! 1/sigma_L^2,
+      real(dp) :: by_sigma2(block_size)              !! its derivative by |Sigma|^2,
+      real(dp) :: flow_by_limit(block_size, 2)       !! and the derivative of the flow by it
    contains
       procedure :: solve
    end type film_stress_t
@@ -45,6 +54,7 @@ module ehlwave_film_stress
    !> Moments at the places of a block.
    type :: moments_t
       real(dp) :: a(block_size, 0:2), e(block_size, 0:4)
+      real(dp) :: by_limit(block_size, 0:2)   !! of a by 1/sigma_L^2
    end type moments_t
 
 contains
@@ -68,7 +78,11 @@ contains
       self%points = 0
       self%mean(:self%n, 1) = b
       self%mean(:self%n, 2) = 0
-      if (.not. (is_slight .or. all(abs(b) <= 0))) call start(self, law, rule)
+      if (allocated(self%fluidity) .or. allocated(self%limit)) then
+         if (.not. all(abs(b) <= 0)) call start_weighted(self, law, rule)
+      else if (.not. (is_slight .or. all(abs(b) <= 0))) then
+         call start(self, law, rule)
+      end if
       do step = 1, most_steps
          call integrate_by(self, law, rule, moments)
          call newton_step(self, moments, change, t0)
@@ -80,7 +94,8 @@ contains
             length2(i) = change(i, 1)**2 + change(i, 2)**2
          end do
          associate (n => self%n)
-            if (all(length2(:n)*min(1.0_dp, sqrt(stress2(:n))) <= newton_tolerance**2*range2(:n))) exit
+            if (all(length2(:n)*min(1.0_dp, sqrt(stress2(:n))) <= newton_tolerance**2*range2(:n)) &
+                .and. is_exact(self, moments)) exit
          end associate
          do i = 1, self%n
             self%mean(i, :) = self%mean(i, :) + min(1.0_dp, sqrt(range2(i)/max(length2(i), tiny(length2))))*change(i, :)
@@ -88,6 +103,58 @@ contains
       end do
       call finish(self, moments, change, t0)
    end subroutine solve
+
+   !> Whether the rate is B where the stress is limited: there it hardly depends on it.
+   pure logical function is_exact(self, moments)
+      type(film_stress_t), intent(in) :: self
+      type(moments_t), intent(in) :: moments
+      integer :: i
+      is_exact = .true.
+      if (.not. allocated(self%limit)) return
+      associate (m => self%mean, s => self%sigma, a => moments%a, b => self%b)
+         do i = 1, self%n
+            is_exact = is_exact .and. abs(b(i) - a(i, 0)*m(i, 1) - a(i, 1)*s(i, 1)) <= &
+                       newton_tolerance*max(abs(b(i)), a(i, 0)*abs(m(i, 1)), abs(a(i, 1)*s(i, 1)))
+         end do
+      end associate
+   end function is_exact
+
+   !> First sigma_m of an oil that is warm or whose stress is limited: that of B over the mean fluidity, and then what
+   !> the limit leaves of it, by Newton for ln(rate) against y = -ln(1 - sigma/sigma_L).
+   pure subroutine start_weighted(self, law, rule)
+      type(film_stress_t), intent(inout) :: self
+      class(flow_law_t), intent(in) :: law
+      type(gauss_rule_t), intent(in) :: rule
+      integer, parameter :: steps = 8
+      real(dp), dimension(block_size) :: largest, rate, s, slope, stress, y
+      real(dp) :: share, w, w_slope
+      integer :: i, step
+
+      associate (n => self%n)
+         rate(:n) = max(abs(self%b(:n)), tiny(rate))
+         if (allocated(self%fluidity)) rate(:n) = rate(:n)/(0.5_dp*matmul(self%fluidity(:n, :rule%n), rule%weight))
+         call law%first_stress(n, rate, stress)
+         if (allocated(self%limit)) then
+            do i = 1, n
+               largest(i) = 1/sqrt(self%inverse_square(i))
+               y(i) = min(stress(i)/largest(i), 0.5_dp)
+            end do
+            do step = 1, steps
+               do i = 1, n
+                  stress(i) = largest(i)*(1 - exp(-y(i)))
+               end do
+               call law%shear_factor(n, stress(:n)**2, s, slope)
+               do i = 1, n
+                  share = 1 - exp(-y(i))
+                  call self%limit%factor(share**2, w, w_slope)
+                  y(i) = max(0.5_dp*y(i), y(i) - log(s(i)*w*stress(i)/rate(i))/(exp(-y(i))* &
+                     (1/share + 2*slope(i)/s(i)*share*largest(i)**2 + 2*share*w_slope/w)))
+               end do
+            end do
+         end if
+         self%mean(:n, 1) = sign(stress(:n), self%b(:n))
+      end associate
+   end subroutine start_weighted
 
    !> First sigma_m: that of B alone, then across sliding what leaves no rate there, -a_1 Sigma_y/a_0, and along it the
    !> stress for B over what the rate is too large by, both as if s kept its shape: exact for Ree-Eyring without
@@ -190,11 +257,32 @@ contains
             self%flow_by_sigma(i, 2, 2) = t2(i, 3) - t1(i, 2)*xy - t1(i, 3)*yy
             self%flow(i, 1) = a(i, 1)*m(i, 1) + a(i, 2)*s(i, 1) + change(i, 1)*t1(i, 1) + change(i, 2)*t1(i, 2)
             self%flow(i, 2) = a(i, 1)*m(i, 2) + a(i, 2)*s(i, 2) + change(i, 1)*t1(i, 2) + change(i, 2)*t1(i, 3)
+            if (allocated(self%limit)) call limit_flow(self, moments, i, [xx, xy], [yx, yy])
             self%mean(i, 1) = m(i, 1) + change(i, 1)
             self%mean(i, 2) = m(i, 2) + change(i, 2)
          end do
       end associate
+
    end subroutine finish
+
+   !> Derivative of the flow of a place by 1/sigma_L^2, sigma_m following: that at fixed stress less T_1 T_0^(-1) times
+   !> that of the rate.
+   pure subroutine limit_flow(self, moments, i, first, second)
+      type(film_stress_t), intent(inout) :: self
+      type(moments_t), intent(in) :: moments
+      integer, intent(in) :: i
+      real(dp), intent(in) :: first(2), second(2)   !! rows of T_0^(-1) T_1
+      real(dp) :: rate(2)
+      integer :: j
+      associate (c => moments%by_limit, m => self%mean, s => self%sigma)
+         rate = c(i, 0)*m(i, :) + c(i, 1)*s(i, :)
+         self%flow_by_limit(i, :) = c(i, 1)*m(i, :) + c(i, 2)*s(i, :) - first*rate(1) - second*rate(2)
+         do j = 1, 2
+            self%flow_by_sigma(i, :, j) = self%flow_by_sigma(i, :, j) &
+               + 2*self%by_sigma2(i)*s(i, j)*self%flow_by_limit(i, :)
+         end do
+      end associate
+   end subroutine limit_flow
 
    !> Moments by a rule, whose nodes ascend from -1 to 1.
    pure subroutine integrate_by(self, law, rule, moments)
@@ -221,6 +309,7 @@ contains
          self%points = self%points + 2*n*size(node)
          a(:n, :) = 0
          e(:n, :) = 0
+         if (allocated(self%limit)) moments%by_limit(:n, :) = 0
          do i = 1, n
             mean2(i) = m(i, 1)**2 + m(i, 2)**2
             both(i) = 2*(m(i, 1)*sigma(i, 1) + m(i, 2)*sigma(i, 2))
@@ -235,6 +324,15 @@ contains
             call law%shear_factor(2*n, stress2, s, slope)
             w = half_weight(k)
             z2 = z**2
+            if (allocated(self%limit)) call apply_limit(self, [size(node), k], z, w, stress2, s, slope, moments)
+            if (allocated(self%fluidity)) then
+               do i = 1, n
+                  s(i) = self%fluidity(i, size(node) + k)*s(i)
+                  slope(i) = self%fluidity(i, size(node) + k)*slope(i)
+                  s(n + i) = self%fluidity(i, size(node) + 1 - k)*s(n + i)
+                  slope(n + i) = self%fluidity(i, size(node) + 1 - k)*slope(n + i)
+               end do
+            end if
             do i = 1, n
                even = w*(s(i) + s(n + i))
                odd = (w*z)*(s(i) - s(n + i))
@@ -251,6 +349,40 @@ contains
             end do
          end do
       end associate
+
    end subroutine integrate
+
+   !> s and its slope times the factor of the limit, and what the pair of points adds to the derivatives of the moments
+   !> by 1/sigma_L^2.
+   pure subroutine apply_limit(self, pair, z, w, stress2, s, slope, moments)
+      type(film_stress_t), intent(in) :: self
+      integer, intent(in) :: pair(2)                    !! number of pairs, and which
+      real(dp), intent(in) :: z, w                      !! its positive node and half its weight
+      real(dp), intent(in) :: stress2(:)                !! at it and at its negative
+      real(dp), intent(inout) :: s(:), slope(:)
+      type(moments_t), intent(inout) :: moments
+      real(dp) :: by_inverse(2*block_size), factor, factor_slope
+      integer :: i, l
+
+      associate (n => self%n)
+         do i = 1, 2*n
+            associate (inverse => self%inverse_square(modulo(i - 1, n) + 1))
+               call self%limit%factor(stress2(i)*inverse, factor, factor_slope)
+               slope(i) = factor*slope(i) + s(i)*factor_slope*inverse
+               by_inverse(i) = s(i)*factor_slope*stress2(i)
+               s(i) = factor*s(i)
+            end associate
+         end do
+         do i = 1, n
+            if (allocated(self%fluidity)) then
+               by_inverse(i) = self%fluidity(i, pair(1) + pair(2))*by_inverse(i)
+               by_inverse(n + i) = self%fluidity(i, pair(1) + 1 - pair(2))*by_inverse(n + i)
+            end if
+            do l = 0, 2
+               moments%by_limit(i, l) = moments%by_limit(i, l) + w*(z**l*by_inverse(i) + (-z)**l*by_inverse(n + i))
+            end do
+         end do
+      end associate
+   end subroutine apply_limit
 
 end module ehlwave_film_stress

@@ -54,7 +54,10 @@ module ehlwave_oil
       type(tait_density_t) :: tait = tait_density_t(modulus_rate=0)
       real(dp) :: eyring_stress_pa = 0                              !! tau0
       real(dp) :: carreau_modulus_pa = 0, carreau_exponent = 0      !! G, n
-      real(dp) :: limiting_stress_over_pressure = 0.08_dp
+      real(dp) :: shear_limit_over_pressure = 0, shear_limit_width = 0.1_dp   !! 0: no limit; see `shear_limit`
+      ! of laws that take them where temperatures are found
+      real(dp) :: beta_per_k = 0                                    !! -d ln(eta)/dT at ambient pressure and T0
+      real(dp) :: expansion_per_k = 0                               !! -d ln(rho)/dT there
    contains
       procedure :: make_viscosity
       procedure :: make_density
@@ -62,6 +65,7 @@ module ehlwave_oil
       procedure :: is_newtonian
       procedure :: takes_alpha
       procedure :: takes_temperature
+      procedure :: takes_beta
       procedure :: stress_pa
       procedure :: flow_exponent
    end type oil_t
@@ -74,6 +78,7 @@ contains
       class(viscosity_law_t), allocatable, intent(inout) :: law   !! unallocated before
       type(error_t), allocatable, intent(out) :: error
       type(roelands_law_t) :: with_alpha
+      type(mcewen_law_t) :: with_beta
       type(doolittle_law_t) :: with_volume
       type(table_law_t) :: with_values
 
@@ -81,13 +86,18 @@ contains
       case (roelands)
          with_alpha = self%roelands
          with_alpha%alpha_per_pa = self%pressure_viscosity_per_pa
+         with_alpha%beta_per_k = self%beta_per_k
+         with_alpha%temperature_k = self%temperature_k
          allocate (law, source=with_alpha)
       case (barus)
-         allocate (law, source=barus_law_t(alpha_per_pa=self%pressure_viscosity_per_pa))
+         allocate (law, source=barus_law_t(alpha_per_pa=self%pressure_viscosity_per_pa, beta_per_k=self%beta_per_k))
       case (isoviscous)
-         allocate (law, source=isoviscous_law_t(alpha_per_pa=self%pressure_viscosity_per_pa))
+         allocate (law, source=isoviscous_law_t(alpha_per_pa=self%pressure_viscosity_per_pa, &
+                                                beta_per_k=self%beta_per_k))
       case (mcewen)
-         allocate (law, source=self%mcewen)
+         with_beta = self%mcewen
+         with_beta%beta_per_k = self%beta_per_k
+         allocate (law, source=with_beta)
       case (yasutomi)
          allocate (law, source=self%yasutomi)
       case (doolittle)
@@ -106,14 +116,17 @@ contains
    pure subroutine make_density(self, law)
       class(oil_t), intent(in) :: self
       class(density_law_t), allocatable, intent(inout) :: law   !! unallocated before
+      type(tait_density_t) :: with_expansion
 
       select case (self%density_law)
       case (dowson_higginson)
-         allocate (law, source=dowson_higginson_density_t())
+         allocate (law, source=dowson_higginson_density_t(expansion_per_k=self%expansion_per_k))
       case (incompressible)
-         allocate (law, source=incompressible_density_t())
+         allocate (law, source=incompressible_density_t(expansion_per_k=self%expansion_per_k))
       case (tait)
-         allocate (law, source=self%tait)
+         with_expansion = self%tait
+         with_expansion%expansion_per_k = self%expansion_per_k
+         allocate (law, source=with_expansion)
       end select
    end subroutine make_density
 
@@ -147,6 +160,12 @@ contains
       class(oil_t), intent(in) :: self
       takes_temperature = any(self%viscosity_law == [character(len=name_length) :: tabulated])
    end function takes_temperature
+
+   !> Whether the viscosity varies with temperature by beta; other laws have parameters of their own for that.
+   pure logical function takes_beta(self)
+      class(oil_t), intent(in) :: self
+      takes_beta = self%takes_alpha() .or. self%viscosity_law == mcewen
+   end function takes_beta
 
    !> n of a Carreau oil, to whose power the stress grows with the shear rate; 0 of Ree-Eyring's, which grows as its
    !> logarithm.

@@ -1,11 +1,13 @@
-!> The laws of an oil for the dimensionless equations: functions of P, at the reference temperature.
+!> The laws of an oil for the dimensionless equations: functions of P, at the reference temperature or a rise over it.
 module ehlwave_rheology
+   use ehlwave_carreau_law, only: new_carreau_law
    use ehlwave_density_law, only: density_law_t
    use ehlwave_film_flow, only: film_flow_t, new_film_flow
    use ehlwave_flow_law, only: flow_law_t
    use ehlwave_incompressible_density, only: incompressible_density_t
    use ehlwave_isoviscous_law, only: isoviscous_law_t
    use ehlwave_kinds, only: dp
+   use ehlwave_shear_limit, only: new_shear_limit
    use ehlwave_viscosity_law, only: viscosity_law_t
    implicit none (type, external)
    private
@@ -21,8 +23,14 @@ module ehlwave_rheology
       real(dp) :: ph_pa = 0                        !! ph, Pa
       real(dp) :: exponent_factor = 1              !! of ln(eta/eta0)
       real(dp) :: modulus_times_stress_pa2 = 0     !! E' tau0
+      real(dp) :: modulus_times_limit_pa = 0       !! E' times the limit of the stress over the pressure; 0: none
+      real(dp) :: limit_width = 0
    contains
       procedure :: evaluate
+      procedure :: ln_viscosity
+      procedure :: expansivity
+      procedure :: use_limit
+      procedure :: generalise
       procedure :: density
       procedure :: thickening
       procedure :: largest_pressure
@@ -65,6 +73,21 @@ contains
       self%modulus_times_stress_pa2 = modulus_times_stress_pa2
    end subroutine use_flow
 
+   !> Let a Newtonian oil be one whose law of flow is that of Newton: where its viscosity varies across the film.
+   pure subroutine generalise(self)
+      class(rheology_t), intent(inout) :: self
+      if (self%is_newtonian()) call self%use_flow(new_carreau_law(1.0_dp), self%ph_pa**2)
+   end subroutine generalise
+
+   !> Take a limit of the stress; without it there is none. The oil is not Newtonian.
+   pure subroutine use_limit(self, modulus_times_limit_pa, width)
+      class(rheology_t), intent(inout) :: self
+      real(dp), intent(in) :: modulus_times_limit_pa   !! E' times the limit over the pressure, Pa
+      real(dp), intent(in) :: width                    !! see `ehlwave_shear_limit`
+      self%modulus_times_limit_pa = modulus_times_limit_pa
+      self%limit_width = width
+   end subroutine use_limit
+
    !> Whether the shear stress is proportional to the shear rate.
    pure logical function is_newtonian(self)
       class(rheology_t), intent(in) :: self
@@ -73,11 +96,13 @@ contains
 
    !> Flow across the film of a contact: N0 = c ph/(2 a tau0) = K ph^2/(E' tau0), K = 1 for a line contact.
    pure function film_flow(self, k, lambdabar, slip_parameter) result(flow)
-      class(rheology_t), intent(in) :: self               !! not Newtonian
+      class(rheology_t), intent(in) :: self
       real(dp), intent(in) :: k                           !! complete elliptic integral K
       real(dp), intent(in) :: lambdabar, slip_parameter   !! dimensionless speed, S
       type(film_flow_t) :: flow
       flow = new_film_flow(self%flow_law, k*self%ph_pa**2/self%modulus_times_stress_pa2, lambdabar, slip_parameter)
+      if (self%modulus_times_limit_pa > 0) flow%limit = &
+         new_shear_limit(self%ph_pa*self%modulus_times_limit_pa/self%modulus_times_stress_pa2, self%limit_width)
    end function film_flow
 
    !> The same oil in a contact at another Hertz pressure.
@@ -105,17 +130,18 @@ contains
       other%exponent_factor = factor*self%exponent_factor
    end function with_alpha
 
-   !> The same oil with the stress of its flow law so many times as large.
+   !> The same oil with the stress of its flow law and the limit of the stress so many times as large.
    pure function with_stress(self, factor) result(other)
       class(rheology_t), intent(in) :: self   !! not Newtonian
       real(dp), intent(in) :: factor          !! > 0
       type(rheology_t) :: other
       other = self
       other%modulus_times_stress_pa2 = factor*self%modulus_times_stress_pa2
+      other%modulus_times_limit_pa = factor*self%modulus_times_limit_pa
    end function with_stress
 
    !> Density, fluidity 1/eta and their derivatives at pressures P >= 0.
-   pure subroutine evaluate(self, n, p, rho, drho, fluidity, dln_eta)
+   pure subroutine evaluate(self, n, p, rho, drho, fluidity, dln_eta, rise_k)
       class(rheology_t), intent(in) :: self
       integer, intent(in) :: n
       real(dp), intent(in) :: p(n)          !! P
@@ -123,23 +149,48 @@ contains
       real(dp), intent(out) :: drho(n)      !! d rho/d P
       real(dp), intent(out) :: fluidity(n)  !! eta0/eta
       real(dp), intent(out) :: dln_eta(n)   !! d ln(eta)/d P
-      real(dp), parameter :: isothermal(block_size) = 0
-      real(dp), dimension(block_size) :: exponent, p_pa, slope, slope_per_k
+      real(dp), intent(in), optional :: rise_k(n)   !! T - T0, K; absent: 0
+      real(dp), dimension(block_size) :: exponent, p_pa, rise, slope, slope_per_k
       integer :: first, i, last, m
 
+      rise = 0
       do first = 1, n, block_size
          last = min(first + block_size - 1, n)
          m = last - first + 1
          p_pa(:m) = self%ph_pa*p(first:last)
-         call self%density_law%evaluate(m, p_pa, isothermal, rho(first:last), slope, slope_per_k)
+         if (present(rise_k)) rise(:m) = rise_k(first:last)
+         call self%density_law%evaluate(m, p_pa, rise, rho(first:last), slope, slope_per_k)
          drho(first:last) = self%ph_pa*slope(:m)
-         call self%viscosity%evaluate(m, p_pa, isothermal, exponent, slope, slope_per_k)
+         call self%viscosity%evaluate(m, p_pa, rise, exponent, slope, slope_per_k)
          do i = 1, m
             fluidity(first + i - 1) = exp(-self%exponent_factor*exponent(i))
             dln_eta(first + i - 1) = self%exponent_factor*self%ph_pa*slope(i)
          end do
       end do
    end subroutine evaluate
+
+   !> ln(eta/eta0) and its derivative by temperature, 1/K, at pressures P >= 0.
+   pure subroutine ln_viscosity(self, n, p, rise_k, exponent, slope_per_k)
+      class(rheology_t), intent(in) :: self
+      integer, intent(in) :: n
+      real(dp), intent(in) :: p(n), rise_k(n)   !! P; T - T0, K
+      real(dp), intent(out) :: exponent(n), slope_per_k(n)
+      real(dp) :: slope(n)
+      call self%viscosity%evaluate(n, self%ph_pa*p, rise_k, exponent, slope, slope_per_k)
+      exponent = self%exponent_factor*exponent
+      slope_per_k = self%exponent_factor*slope_per_k
+   end subroutine ln_viscosity
+
+   !> -d ln(rho)/dT at pressures P >= 0, 1/K.
+   pure subroutine expansivity(self, n, p, rise_k, expansion)
+      class(rheology_t), intent(in) :: self
+      integer, intent(in) :: n
+      real(dp), intent(in) :: p(n), rise_k(n)   !! P; T - T0, K
+      real(dp), intent(out) :: expansion(n)
+      real(dp), dimension(n) :: rho, slope
+      call self%density_law%evaluate(n, self%ph_pa*p, rise_k, rho, slope, expansion)
+      expansion = -expansion/rho
+   end subroutine expansivity
 
    !> d ln(eta)/dP at P = 0.
    pure real(dp) function thickening(self)
@@ -164,18 +215,20 @@ contains
    end function in_pascals
 
    !> Density at pressures P >= 0.
-   pure function density(self, p) result(rho)
+   pure function density(self, p, rise_k) result(rho)
       class(rheology_t), intent(in) :: self
       real(dp), intent(in), contiguous :: p(:, :)   !! P
+      real(dp), intent(in), optional :: rise_k(:, :)   !! T - T0, K; absent: 0
       real(dp) :: rho(size(p, 1), size(p, 2))
-      real(dp), parameter :: isothermal(block_size) = 0
-      real(dp), dimension(block_size) :: slope, slope_per_k
+      real(dp), dimension(block_size) :: rise, slope, slope_per_k
       integer :: first, j, last
 
+      rise = 0
       do j = 1, size(p, 2)
          do first = 1, size(p, 1), block_size
             last = min(first + block_size - 1, size(p, 1))
-            call self%density_law%evaluate(last - first + 1, self%ph_pa*p(first:last, j), isothermal, &
+            if (present(rise_k)) rise(:last - first + 1) = rise_k(first:last, j)
+            call self%density_law%evaluate(last - first + 1, self%ph_pa*p(first:last, j), rise, &
                rho(first:last, j), slope, slope_per_k)
          end do
       end do

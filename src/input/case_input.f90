@@ -13,6 +13,8 @@ module ehlwave_case_input
    private
    public :: read_keys
 
+   character(len=*), parameter :: former_limit = 'limiting_stress_over_pressure'   !! a key of before version 2
+
    !> A case as it is given, still to be completed.
    type, public :: case_input_t
       type(case_t) :: case
@@ -53,9 +55,16 @@ contains
       type(namelist_t), intent(inout) :: file        !! loaded
       type(error_t), allocatable, intent(inout) :: error
       type(key_list_t) :: list
+      type(value_t), allocatable :: item
+      character(len=:), allocatable :: problem
 
       list = case_key_list(self%case)
       call read_keys(file, list, self%is_given, error)
+      call file%value_of('lubricant', former_limit, item, error)
+      if (allocated(item)) then
+         problem = 'is replaced by shear_limit_over_pressure, which limits the stress in the equations: write that'
+         call file%refuse('lubricant', former_limit, problem, error, item%line)
+      end if
       call take_values(list, self%case)
    end subroutine read_groups
 

@@ -7,7 +7,7 @@ module ehlwave_case_key
    public :: is_same, key_long_name, value_text, words_of
 
    integer, parameter, public :: number_kind = 1, whole_kind = 2, truth_kind = 3, word_kind = 4
-   integer, parameter, public :: most_keys = 96      !! of one table
+   integer, parameter, public :: most_keys = 128     !! of one table
    integer, parameter, public :: key_length = 32     !! longest name
    integer, parameter, public :: choice_length = 20  !! longest choice, e.g. 'equation_of_motion'
 

@@ -9,6 +9,7 @@ module ehlwave_case_keys
    use ehlwave_case_definition, only: case_t, path_length
    use ehlwave_case_key, only: key_t
    use ehlwave_key_list, only: key_list_t
+   use ehlwave_heat_keys, only: visit_heat_keys
    use ehlwave_kinds, only: dp
    use ehlwave_oil_keys, only: visit_oil_keys
    implicit none (type, external)
@@ -54,7 +55,8 @@ contains
 
       call list%begin()
       call visit_conditions(case, list)
-      call visit_oil_keys(case%oil, list)
+      call visit_oil_keys(case%oil, case%heat%is_given(), list)
+      call visit_heat_keys(case%heat, list)
       call visit_waviness(case, list)
       call visit_inlet(case, list)
       call visit_grid(case, list)

@@ -14,8 +14,9 @@ module ehlwave_oil_keys
 
 contains
 
-   subroutine visit_oil_keys(oil, list)
+   subroutine visit_oil_keys(oil, is_warm, list)
       type(oil_t), intent(inout) :: oil
+      logical, intent(in) :: is_warm             !! whether temperatures are found
       type(key_list_t), intent(inout) :: list
 
       call list%enter('lubricant', 'Viscosity and density of the lubricant, and how it shears.')
@@ -31,7 +32,7 @@ contains
       call visit_flow_law(oil, list)
       call visit_viscosity_laws(oil, list)
       call visit_free_volume(oil, list)
-      call visit_table(oil, list)
+      call visit_table(oil, is_warm, list)
    end subroutine visit_oil_keys
 
    !> The keys that follow belong to a law.
@@ -57,9 +58,12 @@ contains
       call list%see(oil%carreau_exponent, key_t('carreau_exponent', 'exponent n of the shear rate; 1: Newtonian', &
          minimum=0.1_dp, maximum=1.0_dp))
       list%common = key_t(is_late=.true.)
-      call list%see(oil%limiting_stress_over_pressure, key_t('limiting_stress_over_pressure', 'limiting shear '// &
-         'stress over '// &
-         'pressure; beyond it a warning is given, since the limit is not modelled', above=0.0_dp, maximum=1.0_dp))
+      call list%see(oil%shear_limit_over_pressure, key_t('shear_limit_over_pressure', 'largest shear stress over '// &
+         'pressure, which the stress nears but does not pass; 0: no limit', minimum=0.0_dp, maximum=1.0_dp))
+      list%common%applies = oil%shear_limit_over_pressure > 0
+      list%common%when = 'shear_limit_over_pressure'
+      call list%see(oil%shear_limit_width, key_t('shear_limit_width', 'width of the limit: at (1 - width) times '// &
+         'the limit the shear rate is twice that of flow_law', minimum=0.01_dp, maximum=0.5_dp))
    end subroutine visit_flow_law
 
    subroutine visit_viscosity_laws(oil, list)
@@ -104,15 +108,17 @@ contains
    end subroutine visit_free_volume
 
    !> Measured viscosities, and the temperature at which the oil has them.
-   subroutine visit_table(oil, list)
+   subroutine visit_table(oil, is_warm, list)
       type(oil_t), intent(inout) :: oil
+      logical, intent(in) :: is_warm
       type(key_list_t), intent(inout) :: list
 
       call belong(list, 'viscosity_law', tabulated, oil%viscosity_law)
       call list%see(oil%viscosity_file, key_t('viscosity_table', 'CSV file of measured viscosities; columns '// &
          'pressure_pa, viscosity_pa_s and, of more than one temperature, temperature_k', minimum=1.0_dp, &
          maximum=real(path_length, dp), file='viscosity'))
-      list%common%applies = oil%takes_temperature()
+      list%common%applies = oil%takes_temperature() .or. is_warm
+      list%common%when = trim(list%common%when)//" or &heat"
       call list%see(oil%temperature_k, key_t('temperature_k', 'temperature T0 of the oil; may be left out with '// &
          'a table of one temperature', unit='K', minimum=0.0_dp, default='none'))
    end subroutine visit_table

@@ -6,6 +6,7 @@ module ehlwave_contact_problem
    use ehlwave_deformation_line, only: deformation_line_t
    use ehlwave_edge_values, only: edge_values_t, new_edge_values
    use ehlwave_film_flow, only: film_flow_t
+   use ehlwave_film_heat, only: film_heat_t
    use ehlwave_formula, only: expected_film
    use ehlwave_given, only: given_t
    use ehlwave_grid, only: grid_t
@@ -20,7 +21,8 @@ module ehlwave_contact_problem
       type(grid_t) :: grid
       type(conditions_t) :: conditions
       type(rheology_t) :: rheology
-      type(film_flow_t), allocatable :: film_flow   !! flow across the film; not of a Newtonian oil
+      type(film_flow_t), allocatable :: film_flow   !! flow across the film; not of a Newtonian oil, unless it is warm
+      type(film_heat_t), allocatable :: heat     !! temperatures of the oil; not allocated where it is at T0
       type(edge_values_t) :: edges               !! P at the edges of the domain
       class(deformation_t), allocatable :: deformation
       real(dp), allocatable :: smooth_gap(:, :)  !! S X^2 + (1 - S) Y^2, (0:nx, 0:ny)

@@ -64,9 +64,9 @@ contains
       type(state_t), intent(in) :: state
 
       if (checks) call check_shapes(self, given, state)
-      call self%flow%evaluate(problem%rheology, problem%conditions%lambdabar, state%p, state%h)
+      call self%flow%evaluate(problem%rheology, problem%conditions%lambdabar, state%p, state%h, problem%heat)
       if (.not. problem%rheology%is_newtonian()) &
-         call self%flow%evaluate_faces(problem%film_flow, problem%grid, self%mesh%kappa)
+         call self%flow%evaluate_faces(problem%film_flow, problem%grid, self%mesh%kappa, problem%heat)
       call self%set_scale(abs(given%transport%w0))
       if (allocated(given%supply)) then
          call driven_flow(self%mesh, self%flow, self%residual)

@@ -6,8 +6,9 @@
 !> (eps_1 + eps_2) (P_2 - P_1), 2 hX rho Qhat_x along X and (2 hY/kappa) rho Qhat_y along Y, so that 1/(2 hX^2) and
 !> kappa^2/(2 hY^2) weight them in the Reynolds equation.
 module ehlwave_face_flow
-   use ehlwave_film_flow, only: along_x, along_y, film_flow_t, flow_by_gx, flow_by_gy, flow_by_h, flow_by_ln_eta, &
-      flow_q, flow_values
+   use ehlwave_film_flow, only: across_film_t, along_x, along_y, film_flow_t, flow_by_gx, flow_by_gy, flow_by_h, &
+      flow_by_ln_eta, flow_by_p, flow_q, flow_values
+   use ehlwave_film_heat, only: film_heat_t
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
    use ehlwave_work_unit, only: place_operations, point_operations
@@ -61,12 +62,13 @@ contains
    end function new_face_flow
 
    !> Faces along X.
-   pure subroutine evaluate_x(self, grid, kappa, film, oil)
+   pure subroutine evaluate_x(self, grid, kappa, film, oil, heat)
       class(face_flow_t), intent(inout) :: self
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: kappa
       type(film_flow_t), intent(in) :: film
       type(node_oil_t), intent(in) :: oil
+      type(film_heat_t), intent(in), optional :: heat
       real(dp) :: across(0:grid%nx), gx(grid%nx), gy(grid%nx)
       integer :: j, n
 
@@ -76,17 +78,19 @@ contains
          across = kappa*(oil%p(:, grid%above(j)) - oil%p(:, grid%below(j)))/(2*grid%hy)
          gx = (oil%p(1:n, j) - oil%p(0:n - 1, j))/grid%hx
          gy = 0.5_dp*(across(0:n - 1) + across(1:n))
-         call self%set_row(film, oil, along_x, [0, j], gx, gy, [grid%hx, grid%hx*kappa/(4*grid%hy)])
+         call self%set_row(film, oil, along_x, [0, j], gx, gy, [grid%hx, grid%hx*kappa/(4*grid%hy)], &
+            heat)
       end do
    end subroutine evaluate_x
 
    !> Faces along Y; none in a line contact.
-   pure subroutine evaluate_y(self, grid, kappa, film, oil)
+   pure subroutine evaluate_y(self, grid, kappa, film, oil, heat)
       class(face_flow_t), intent(inout) :: self
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: kappa
       type(film_flow_t), intent(in) :: film
       type(node_oil_t), intent(in) :: oil
+      type(film_heat_t), intent(in), optional :: heat
       real(dp), dimension(grid%nx - 1) :: below, above, gx, gy
       integer :: j, n
 
@@ -97,7 +101,8 @@ contains
          above = (oil%p(2:n + 1, j + 1) - oil%p(0:n - 1, j + 1))/(2*grid%hx)
          gx = 0.5_dp*(below + above)
          gy = kappa*(oil%p(1:n, j + 1) - oil%p(1:n, j))/grid%hy
-         call self%set_row(film, oil, along_y, [1, j], gx, gy, [grid%hy/kappa, grid%hy/(4*kappa*grid%hx)])
+         call self%set_row(film, oil, along_y, [1, j], gx, gy, [grid%hy/kappa, grid%hy/(4*kappa*grid%hx)], &
+            heat)
       end do
    end subroutine evaluate_y
 
@@ -145,7 +150,7 @@ contains
    end subroutine join
 
    !> Fluxes of a row of faces and their derivatives.
-   pure subroutine set_row(self, film, oil, direction, node, gx, gy, weight)
+   pure subroutine set_row(self, film, oil, direction, node, gx, gy, weight, heat)
       class(face_flow_t), intent(inout) :: self
       type(film_flow_t), intent(in) :: film
       type(node_oil_t), intent(in) :: oil
@@ -153,6 +158,8 @@ contains
       integer, intent(in) :: node(2)             !! first node of the first face
       real(dp), intent(in) :: gx(:), gy(:)       !! dP/dX and kappa dP/dY, (faces)
       real(dp), intent(in) :: weight(2)          !! half of 2 hX or of 2 hY/kappa; the same of `cross`
+      type(film_heat_t), intent(in), optional :: heat
+      type(across_film_t), allocatable :: across_film
       ! Qhat at the first nodes, then at those beyond, of faces with a gradient
       real(dp) :: flow(flow_values, 2*size(gx))
       real(dp), dimension(2*size(gx)) :: fluidity, grad_x, grad_y, h     ! there
@@ -177,9 +184,21 @@ contains
          grad_x(k) = gx(driven(k))
          grad_y(k) = gy(driven(k))
       end do
+      if (present(heat) .or. allocated(film%limit)) then
+         allocate (across_film)
+         associate (nodes => node(1) - 1 + driven(:n))
+            if (allocated(film%limit)) across_film%p = [oil%p(nodes, node(2)), oil%p(nodes + i2, j2)]
+            if (present(heat)) then
+               allocate (across_film%ln_fluidity(size(heat%rise, 1), 2*n))
+               across_film%ln_fluidity(:, :n) = heat%ln_fluidity(:, nodes, node(2))
+               across_film%ln_fluidity(:, n + 1:) = heat%ln_fluidity(:, nodes + i2, j2)
+            end if
+         end associate
+      end if
       grad_x(n + 1:2*n) = grad_x(:n)
       grad_y(n + 1:2*n) = grad_y(:n)
-      call film%evaluate(direction, fluidity(:2*n), h(:2*n), grad_x(:2*n), grad_y(:2*n), flow(:, :2*n), points)
+      call film%evaluate(direction, fluidity(:2*n), h(:2*n), grad_x(:2*n), grad_y(:2*n), flow(:, :2*n), points, &
+                         across_film)
       self%work = self%work + real(point_operations, dp)*points + real(place_operations, dp)*2*n
       if (n < size(gx)) call self%rest(oil, film%lambdabar, node, [i2, j2 - node(2)], size(gx))
       associate (j1 => node(2), rho => oil%rho, drho => oil%drho, dln_eta => oil%dln_eta)
@@ -192,6 +211,10 @@ contains
                + rho(f, j1)*dln_eta(f, j1)*flow(flow_by_ln_eta, k))
             self%by_p2(f, j1) = weight(1)*(drho(i, j2)*flow(flow_q, l) &
                + rho(i, j2)*dln_eta(i, j2)*flow(flow_by_ln_eta, l))
+            if (allocated(film%limit)) then
+               self%by_p1(f, j1) = self%by_p1(f, j1) + weight(1)*rho(f, j1)*flow(flow_by_p, k)
+               self%by_p2(f, j1) = self%by_p2(f, j1) + weight(1)*rho(i, j2)*flow(flow_by_p, l)
+            end if
             self%by_h1(f, j1) = weight(1)*rho(f, j1)*flow(flow_by_h, k)
             self%by_h2(f, j1) = weight(1)*rho(i, j2)*flow(flow_by_h, l)
             self%own(f, j1) = rho(f, j1)*flow(along, k) + rho(i, j2)*flow(along, l)

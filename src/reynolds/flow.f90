@@ -2,6 +2,7 @@
 module ehlwave_flow
    use ehlwave_face_flow, only: face_flow_t, new_face_flow, node_oil_t
    use ehlwave_film_flow, only: film_flow_t
+   use ehlwave_film_heat, only: film_heat_t
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
    use ehlwave_real_transfer, only: inject
@@ -65,18 +66,23 @@ contains
    end subroutine inject_from
 
    !> Coefficients at pressure p and film h.
-   pure subroutine evaluate(self, rheology, lambdabar, p, h)
+   pure subroutine evaluate(self, rheology, lambdabar, p, h, heat)
       class(flow_t), intent(inout) :: self
       type(rheology_t), intent(in) :: rheology
       real(dp), intent(in) :: lambdabar             !! dimensionless speed parameter
       real(dp), intent(in), contiguous :: p(0:, 0:)   !! P, (0:nx, 0:ny)
       real(dp), intent(in), contiguous :: h(0:, 0:)   !! H > 0, (0:nx, 0:ny)
+      type(film_heat_t), intent(in), optional :: heat
       integer :: i, j
 
       self%has_faces = .false.
       self%p = p
       self%h = h
-      call rheology%evaluate(size(p), p, self%rho, self%drho, self%fluidity, self%dln_eta)
+      if (present(heat)) then
+         call rheology%evaluate(size(p), p, self%rho, self%drho, self%fluidity, self%dln_eta, heat%mean_rise)
+      else
+         call rheology%evaluate(size(p), p, self%rho, self%drho, self%fluidity, self%dln_eta)
+      end if
       do j = 0, ubound(p, 2)
          do i = 0, ubound(p, 1)
             self%f(i, j) = self%rho(i, j)*h(i, j)
@@ -89,16 +95,17 @@ contains
    end subroutine evaluate
 
    !> Fluxes of a generalised Newtonian oil, after `evaluate`.
-   pure subroutine evaluate_faces(self, film, grid, kappa)
+   pure subroutine evaluate_faces(self, film, grid, kappa, heat)
       class(flow_t), intent(inout) :: self
       type(film_flow_t), intent(in) :: film    !! the law of flow across the film
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: kappa
+      type(film_heat_t), intent(in), optional :: heat
 
       call make_faces(self, grid)
       self%has_faces = .true.
-      call self%along_x%evaluate_x(grid, kappa, film, self%node_oil_t)
-      call self%along_y%evaluate_y(grid, kappa, film, self%node_oil_t)
+      call self%along_x%evaluate_x(grid, kappa, film, self%node_oil_t, heat)
+      call self%along_y%evaluate_y(grid, kappa, film, self%node_oil_t, heat)
    end subroutine evaluate_faces
 
    !> Whether stresses thin the oil so little that linear changes are those of a Newtonian one, for a preconditioner: by

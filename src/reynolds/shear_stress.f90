@@ -2,13 +2,14 @@
 module ehlwave_shear_stress
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_conditions, only: conditions_t
+   use ehlwave_film_flow, only: across_film_t
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
    use ehlwave_load_balance, only: load_factor
    use ehlwave_state, only: state_t
    implicit none (type, external)
    private
-   public :: friction_at, friction_of, knows_stress, mean_shear_stress, node_gradient, shear_stress
+   public :: friction_at, friction_of, knows_stress, mean_shear_stress, node_gradient, oil_of_row, shear_stress
 
    real(dp), parameter, public :: least_pressure = 1e-12_dp   !! P of nodes that bear; solvers leave 1e-30 at some
                                                               !! cavitated ones
@@ -79,7 +80,8 @@ contains
       type(contact_problem_t), intent(in) :: problem
       type(state_t), intent(in) :: state
       real(dp), allocatable, dimension(:, :), intent(out) :: stress, b, factor_x, factor_y   !! (0:nx, 0:ny)
-      real(dp), dimension(0:problem%grid%nx) :: drho, dln_eta, fluidity, rho
+      real(dp), dimension(0:problem%grid%nx) :: fluidity, rho
+      type(across_film_t), allocatable :: across
       real(dp), allocatable, dimension(:, :) :: gx, gy
       real(dp) :: factor(2, 0:problem%grid%nx), scale
       integer :: j
@@ -93,9 +95,10 @@ contains
          allocate (gx, gy, mold=stress)
          if (.not. problem%rheology%is_newtonian()) call node_gradient(grid, c%elliptic%kappa, p, gx, gy)
          do j = 0, grid%ny
-            call problem%rheology%evaluate(grid%nx + 1, p(:, j), rho, drho, fluidity, dln_eta)
+            call oil_of_row(problem, state, j, rho, fluidity, across)
             if (.not. problem%rheology%is_newtonian()) then
-               call problem%film_flow%mean_stress(fluidity, h(:, j), gx(:, j), gy(:, j), stress(:, j), b(:, j), factor)
+               call problem%film_flow%mean_stress(fluidity, h(:, j), gx(:, j), gy(:, j), stress(:, j), b(:, j), &
+                                                  factor, across)
                factor_x(:, j) = factor(1, :)
                factor_y(:, j) = factor(2, :)
                stress(:, j) = scale/problem%film_flow%n0*stress(:, j)
@@ -105,5 +108,28 @@ contains
          end do
       end associate
    end subroutine shear_stress
+
+   !> Density and fluidity at the nodes of a row, and what differs across the film there.
+   pure subroutine oil_of_row(problem, state, j, rho, fluidity, across)
+      type(contact_problem_t), intent(in) :: problem
+      type(state_t), intent(in) :: state
+      integer, intent(in) :: j
+      real(dp), intent(out) :: rho(0:), fluidity(0:)         !! (0:nx)
+      type(across_film_t), allocatable, intent(out) :: across
+      real(dp), dimension(0:problem%grid%nx) :: drho, dln_eta
+      integer :: n
+
+      n = problem%grid%nx + 1
+      if (allocated(problem%heat)) then
+         call problem%rheology%evaluate(n, state%p(:, j), rho, drho, fluidity, dln_eta, problem%heat%mean_rise(:, j))
+      else
+         call problem%rheology%evaluate(n, state%p(:, j), rho, drho, fluidity, dln_eta)
+      end if
+      if (.not. allocated(problem%film_flow)) return
+      if (.not. (allocated(problem%heat) .or. allocated(problem%film_flow%limit))) return
+      allocate (across)
+      if (allocated(problem%heat)) across%ln_fluidity = problem%heat%ln_fluidity(:, :, j)
+      if (allocated(problem%film_flow%limit)) across%p = state%p(:, j)
+   end subroutine oil_of_row
 
 end module ehlwave_shear_stress

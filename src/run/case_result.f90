@@ -3,6 +3,7 @@ module ehlwave_case_result
    use ehlwave_error_parts, only: error_parts_t
    use ehlwave_field_history, only: field_history_t
    use ehlwave_harmonic_result, only: harmonic_result_t
+   use ehlwave_heat_result, only: heat_result_t
    use ehlwave_kinds, only: dp, no_value
    use ehlwave_shear_result, only: shear_result_t
    use ehlwave_starved_result, only: starved_result_t
@@ -59,6 +60,7 @@ module ehlwave_case_result
       type(oil_sensitivity_t) :: by_oil(2)           !! by ln(alpha), by ln(stress of the flow law)
       type(starved_result_t) :: starved              !! of a contact with too little oil
       type(shear_result_t) :: shear                  !! friction of the smooth contact, and estimates
+      type(heat_result_t) :: heat                    !! temperatures of the smooth contact, if they are found
       character(len=:), allocatable :: warning       !! what the model leaves out and matters here, else empty
       ! the largest over all solutions of the case
       real(dp) :: residual = 0                       !! mass residual, see solve_report_t
@@ -82,6 +84,7 @@ module ehlwave_case_result
       ! fields of the last solution, if asked for
       real(dp), allocatable :: x(:), y(:), p(:, :), h(:, :)
       real(dp), allocatable :: shear_stress_pa(:, :) !! mean of the shear stresses at the two surfaces along X, if known
+      real(dp), allocatable :: rise_k(:, :, :)       !! if it is warm: of `warm_fields`
       type(field_history_t) :: history               !! fields over time, if asked for
    end type case_result_t
 

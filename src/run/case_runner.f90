@@ -11,6 +11,7 @@ module ehlwave_case_runner
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_given, only: given_t
    use ehlwave_harmonic_case, only: run_response
+   use ehlwave_heat_result, only: warm_fields
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp, pi
    use ehlwave_march_case, only: run_moving
@@ -74,8 +75,10 @@ contains
       rescue = steady%rescue
       result%work = steady%work
       associate (level => steady%multigrid%levels(size(steady%multigrid%levels)))
-         call take_report(level%report, 'steady state of smooth surfaces', result)
+         call take_report(level%report, 'steady state of smooth surfaces'//trim(merge(' with heat', '          ', &
+            ieee_is_finite(steady%heat%isothermal_film))), result)
          call monitor%step_done('steady state', 1, 1)
+         result%heat = steady%heat
          if (result%status == status_converged) then
             call take_smooth_film(case, plan, level, stress, result)
             call estimate_film_errors(plan, steady%multigrid%hierarchy_t, stress, result)
@@ -83,6 +86,8 @@ contains
                call result%starved%take(steady%multigrid%levels, steady%flooded, result%work)
                call add_warning(result, result%starved%warning(level%problem%grid))
             end if
+            result%friction_error = result%friction_error + result%heat%settling
+            result%central_film_error = result%central_film_error + result%heat%settling
             if (case%sensitivities) call find_film_sensitivities(case, steady, result)
             if (plan%responds) &
                call run_response(case, plan, plan%surfaces%list(plan%surfaces%main), steady, result)
@@ -112,6 +117,8 @@ contains
             if (allocated(last_passage%content)) result%starved%content = last_passage%content
             if (is_success(result%status)) &
                call mean_shear_stress(level%problem, level%state, result%shear_stress_pa)
+            if (is_success(result%status) .and. allocated(level%problem%heat)) &
+               result%rise_k = warm_fields(level%problem, steady%energy)
          end if
       end associate
 
@@ -174,8 +181,8 @@ contains
       result%minimum_film = minval(level%state%h)
       result%central_film_moes = result%central_film*plan%conditions%moes_film_factor
       result%max_pressure = maxval(level%state%p)
-      call result%shear%take(level%problem, level%state, case%oil%limiting_stress_over_pressure, stress)
-      result%warning = result%shear%warning(case%oil%limiting_stress_over_pressure)
+      call result%shear%take(level%problem, level%state, stress)
+      result%warning = result%shear%warning(case%oil%shear_limit_over_pressure > 0, case%heat%is_given())
    end subroutine take_smooth_film
 
    !> Pattern that stands still: one steady state for each phase, no time stepping.

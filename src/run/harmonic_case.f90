@@ -1,5 +1,6 @@
 !> The linear response of a case: no time steps.
 module ehlwave_harmonic_case
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_case_account, only: add_warning
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_result, only: case_result_t
@@ -91,6 +92,7 @@ contains
       associate (fit => result%harmonic%waves%centre%fit)
          both = abs(fit%attenuated) + abs(fit%complementary)
       end associate
+      if (.not. ieee_is_finite(both)) return       ! it moves with neither surface, or is outside the contact
       if (both > result%harmonic%ratio) error = max(error, both/result%harmonic%ratio* &
          (plan%model_margin(result%max_pressure)*plan%expected%mesh + phase_factor/plan%resolution%points_x**2))
    end function error_by_model

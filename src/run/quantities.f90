@@ -16,6 +16,7 @@ module ehlwave_quantities
    use ehlwave_error_parts, only: error_parts_t
    use ehlwave_formula, only: moes_film_formula
    use ehlwave_harmonic_result, only: harmonic_result_t
+   use ehlwave_heat_result, only: heat_result_t
    use ehlwave_kinds, only: dp
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_quantity, only: quantity_list_t
@@ -165,7 +166,7 @@ contains
       call list%add('is_resolved', '1 when the grid resolves the case', result%is_resolved)
       call add_smooth_film(list, plan, result)
       call add_starvation(list, plan%inlet%is_short(), result%starved)
-      call add_shear(list, plan, result)
+      call add_shear(list, case, plan, result)
       call list%add('load_error', 'largest load error of the solutions', result%load_error)
       call list%add('residual', 'largest mass residual of the solutions', result%residual)
       call list%add('amplitude_ratio', 'Ad/Ai from the samples', result%amplitude_ratio)
@@ -256,8 +257,9 @@ contains
                     starved%solve_over_flooded, exists=is_short)
    end subroutine add_starvation
 
-   subroutine add_shear(list, plan, result)
+   subroutine add_shear(list, case, plan, result)
       type(quantity_list_t), intent(inout) :: list
+      type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       type(case_result_t), intent(in) :: result
 
@@ -277,8 +279,49 @@ contains
          call list%add('contact_temperature_rise_k', 'estimated mean temperature rise of the oil in the contact', &
                        r%contact_rise_k, unit='K', exists=c%has_dimensions)
       end associate
+      call add_heat(list, case, plan, result%heat)
       call list%add('warning', 'what the model leaves out and matters here', result%warning)
    end subroutine add_shear
+
+   !> Temperatures and heat, where they are found.
+   subroutine add_heat(list, case, plan, heat)
+      type(quantity_list_t), intent(inout) :: list
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      type(heat_result_t), intent(in) :: heat
+      character(len=3) :: watt
+      character(len=1) :: wall
+      logical :: is_warm
+      integer :: i
+
+      is_warm = case%heat%is_given()
+      watt = merge('W/m', 'W  ', plan%conditions%is_line())
+      call list%add('isothermal_friction_coefficient', 'friction_coefficient without heat', heat%isothermal_friction, &
+         exists=is_warm)
+      call list%add('isothermal_central_film', 'central_film without heat', heat%isothermal_film, exists=is_warm)
+      call list%add('largest_rise_mid_film_k', 'largest rise of the temperature half-way across the film', &
+         heat%largest_mid_k, unit='K', exists=is_warm)
+      call list%add('central_rise_mid_film_k', 'the same at the contact centre', heat%centre_mid_k, unit='K', &
+         exists=is_warm)
+      call list%add('largest_rise_mean_k', 'largest rise of the mean temperature across the film', &
+         heat%largest_mean_k, unit='K', exists=is_warm)
+      do i = 1, 2
+         wall = merge('1', '2', i == 1)
+         call list%add('largest_rise_wall_'//wall//'_k', 'largest rise of the temperature of surface '//wall, &
+            heat%largest_wall_k(i), unit='K', exists=is_warm)
+         call list%add('central_rise_wall_'//wall//'_k', 'the same at the contact centre', heat%centre_wall_k(i), &
+            unit='K', exists=is_warm)
+         call list%add('heat_into_body_'//wall, 'heat that flows into body '//wall//' under pressure', &
+            heat%into_body_w(i), unit=trim(watt), exists=is_warm)
+      end do
+      call list%add('heat_of_shear', 'power dissipated by shear', heat%sheared_w, unit=trim(watt), exists=is_warm)
+      call list%add('heat_of_compression', 'heat of compression less that of expansion', heat%compressed_w, &
+         unit=trim(watt), exists=is_warm)
+      call list%add('heat_carried_by_oil', 'heat that the oil carries out of the film under pressure', heat%carried_w, &
+         unit=trim(watt), exists=is_warm)
+      call list%add('heat_balance_error', 'heat that is missing over the largest part', heat%balance_error, &
+         exists=is_warm)
+   end subroutine add_heat
 
    subroutine add_response(list, harmonic)
       type(quantity_list_t), intent(inout) :: list

@@ -145,12 +145,29 @@ contains
          associate (r => result%shear)
             if (ieee_is_finite(r%friction_coefficient)) write (unit, '(a)') 'Friction     coefficient '// &
                to_text(r%friction_coefficient, 5)//largest_b()
-            if (ieee_is_finite(r%inlet_rise_k)) write (unit, '(a)') '             estimated temperature rise: '// &
-               'inlet '// &
-               to_text(r%inlet_rise_k, 2)//' K, contact '//to_text(r%contact_rise_k, 2)//' K (the model is isothermal)'
+            if (ieee_is_finite(result%heat%isothermal_film)) then
+               call print_heat()
+            else if (ieee_is_finite(r%inlet_rise_k)) then
+               write (unit, '(a)') '             estimated temperature rise: inlet '//to_text(r%inlet_rise_k, 2)// &
+                  ' K, contact '//to_text(r%contact_rise_k, 2)//' K (the model is isothermal)'
+            end if
          end associate
          if (result%warning /= '') write (unit, '(a)') 'Warning      '//result%warning
       end subroutine print_shear
+
+      subroutine print_heat()
+         associate (h => result%heat)
+            write (unit, '(a)') 'Heat         without it H(0,0) = '//to_text(h%isothermal_film, 6)// &
+               ', friction coefficient '//to_text(h%isothermal_friction, 5)
+            write (unit, '(a)') '             largest rise mid-film '//to_text(h%largest_mid_k, 3)//' K, surfaces '// &
+               to_text(h%largest_wall_k(1), 3)//' and '//to_text(h%largest_wall_k(2), 3)//' K; at the centre '// &
+               to_text(h%centre_mid_k, 3)//', '//to_text(h%centre_wall_k(1), 3)//' and '// &
+               to_text(h%centre_wall_k(2), 3)//' K'
+            write (unit, '(a)') '             heat into bodies 1 and 2 '//to_text(h%into_body_w(1), 4)//' and '// &
+               to_text(h%into_body_w(2), 4)//trim(merge(' W/m', ' W  ', plan%conditions%is_line()))// &
+               ', heat balance '//to_text(h%balance_error, 2)
+         end associate
+      end subroutine print_heat
 
       function largest_b() result(text)
          character(len=:), allocatable :: text

@@ -2,19 +2,24 @@
 module ehlwave_shared_steady
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_text, only: effective_input
+   use ehlwave_energy, only: energy_t
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_grid, only: grid_t, new_grid, new_line_grid
    use ehlwave_harmonic_response, only: harmonic_solver_t
+   use ehlwave_heat_data, only: new_heat_scales
+   use ehlwave_heat_result, only: heat_result_t
    use ehlwave_kinds, only: dp
    use ehlwave_oil_sensitivity, only: by_alpha, by_stress, differentiate_steady
    use ehlwave_planned_case, only: case_plan_t, run_harmonic
    use ehlwave_rescue, only: rescue_t, rung_direct
+   use ehlwave_shear_stress, only: friction_at
    use ehlwave_solve_report, only: solve_limits_t, solve_report_t
    use ehlwave_solver_choice, only: init_multigrid, method_t
    use ehlwave_starvation, only: flooded_t, starve
    use ehlwave_status, only: status_converged
    use ehlwave_steady_tangent, only: tangent_change_t
    use ehlwave_text, only: to_text
+   use ehlwave_warm_steady, only: solve_warm
    implicit none (type, external)
    private
    public :: limits_of, steady_key
@@ -22,6 +27,8 @@ module ehlwave_shared_steady
    !> It owns the hierarchy.
    type, public :: shared_steady_t
       type(full_multigrid_t) :: multigrid
+      type(energy_t) :: energy                       !! of the steady state, where it is with heat
+      type(heat_result_t) :: heat                    !! and the account of it
       type(rescue_t) :: rescue                       !! as the steady state left it, for what follows in a case
       type(harmonic_solver_t) :: response            !! about the finest level
       type(tangent_change_t) :: by_oil(2)            !! of its state, by ln(alpha) and by ln(stress), see
@@ -106,8 +113,26 @@ contains
          if (plan%inlet%is_short() .and. report%status == status_converged) &
             call starve(self%rescue, self%multigrid, plan%inlet, limits_of(case), coarse_tolerance, self%flooded)
       end associate
+      if (case%heat%is_given()) call warm(self, case, plan)
       self%work = self%multigrid%work()
    end subroutine prepare
+
+   !> Let the oil be warm, from the isothermal state.
+   subroutine warm(self, case, plan)
+      class(shared_steady_t), intent(inout) :: self
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+
+      self%heat = heat_result_t()
+      associate (level => self%multigrid%levels(size(self%multigrid%levels)))
+         if (level%report%status /= status_converged) return
+         self%heat%isothermal_film = level%problem%grid%value_at_centre(level%state%h)
+         self%heat%isothermal_friction = friction_at(level%problem, level%state)
+         call solve_warm(self%multigrid, self%rescue, new_heat_scales(case%heat, case%oil%temperature_k, &
+            plan%conditions), case%heat%levels, limits_of(case), coarse_tolerance, self%energy)
+         if (level%report%status == status_converged) call self%heat%take(level%problem, level%state, self%energy)
+      end associate
+   end subroutine warm
 
    !> Operations of the case at hand, as if it had found all itself that was kept for it.
    pure real(dp) function work_so_far(self)

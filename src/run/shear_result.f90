@@ -25,6 +25,7 @@ module ehlwave_shear_result
       procedure, private :: estimate_temperatures
    end type shear_result_t
 
+   real(dp), parameter :: usual_limit = 0.08_dp     !! largest |tau|/p that oils bear
    real(dp), parameter :: much_load = 0.01_dp       ! of a share beyond the limit,
    real(dp), parameter :: thin_film = 0.95_dp       ! of the factor of the inlet,
    real(dp), parameter :: warm_contact_k = 10       ! viscosity falls by a third: what makes a warning
@@ -35,11 +36,10 @@ contains
    !> X,
    !>
    !>     friction coefficient = (3/(2 pi)) int tau/ph dX dY over P > 0,  of a line (2/pi) int tau/ph dX.
-   subroutine take(self, problem, state, limiting_stress_over_pressure, stress)
+   subroutine take(self, problem, state, stress)
       class(shear_result_t), intent(inout) :: self
       type(contact_problem_t), intent(in) :: problem
       type(state_t), intent(in) :: state
-      real(dp), intent(in) :: limiting_stress_over_pressure     !! largest |tau|/p that an oil bears
       real(dp), allocatable, intent(out) :: stress(:, :)        !! tau/ph, (0:nx, 0:ny); unallocated where unknown
       real(dp), allocatable, dimension(:, :) :: b, factor_x, factor_y
 
@@ -54,7 +54,7 @@ contains
          if (.not. knows_stress(c)) return
          self%friction_coefficient = friction_of(grid, stress, state%p, 0.0_dp)
          self%share_beyond_limit = &
-            grid%integral(merge(state%p, 0.0_dp, abs(stress) > limiting_stress_over_pressure*state%p)) &
+            grid%integral(merge(state%p, 0.0_dp, abs(stress) > usual_limit*state%p)) &
             /grid%integral(state%p)
          if (c%has_dimensions) call self%estimate_temperatures(c, grid%value_at_centre(state%h))
       end associate
@@ -81,20 +81,23 @@ contains
    end subroutine estimate_temperatures
 
    !> Effects that the model leaves out and that matter here; '' where none does.
-   function warning(self, limiting_stress_over_pressure) result(text)
+   function warning(self, is_limited, is_warm) result(text)
       class(shear_result_t), intent(in) :: self
-      real(dp), intent(in) :: limiting_stress_over_pressure
+      logical, intent(in) :: is_limited, is_warm   !! whether the model has that
       character(len=:), allocatable :: text
 
       text = ''
-      if (is_above(self%share_beyond_limit, much_load)) text = '; the shear stress is above '// &
-         to_text(limiting_stress_over_pressure, 3)//' of the pressure where '// &
+      if (.not. is_limited .and. is_above(self%share_beyond_limit, much_load)) text = &
+         '; the shear stress is above '// &
+         to_text(usual_limit, 3)//' of the pressure where '// &
          to_text(100*self%share_beyond_limit, 2)// &
-         ' % of the load is borne, and no limit is modelled: friction is too high'
-      if (is_above(1 - self%inlet_film_factor, 1 - thin_film)) text = text//'; the inlet would warm by about '// &
+         ' % of the load is borne, and no limit is modelled '// &
+         '(shear_limit_over_pressure): friction is too high'
+      if (.not. is_warm .and. is_above(1 - self%inlet_film_factor, 1 - thin_film)) text = text// &
+         '; the inlet would warm by about '// &
          to_text(self%inlet_rise_k, 2)//' K, which makes the film '//to_text(100*(1 - self%inlet_film_factor), 2)// &
          ' % thinner, and the model is isothermal'
-      if (is_above(self%contact_rise_k, warm_contact_k)) text = text// &
+      if (.not. is_warm .and. is_above(self%contact_rise_k, warm_contact_k)) text = text// &
          '; the oil in the contact would warm by about '// &
          to_text(self%contact_rise_k, 2)//' K, and the model is isothermal: friction is too high'
       text = text(min(3, len(text) + 1):)

@@ -18,7 +18,7 @@ module ehlwave_full_multigrid
       procedure :: solve_below
    end type full_multigrid_t
 
-   integer, parameter :: levels_below = 2   !! the finest, that error estimates compare with it
+   integer, parameter, public :: levels_below = 2   !! the finest, that error estimates compare with it
 
 contains
 

@@ -54,6 +54,8 @@ contains
       associate (problem => patch%problem, transport => patch%given%transport, from => given%transport)
          problem%grid = grid
          call problem%take_oil(whole)
+         if (allocated(problem%heat)) deallocate (problem%heat)
+         if (allocated(whole%heat)) problem%heat = whole%heat%part(first, last)
          call problem%deformation%apply(patch%state%p, patch%state%h)
          problem%smooth_gap = state%h(first(1):last(1), first(2):last(2)) + state%delta - patch%state%h
          patch%given%load = held_approach(state%delta, grid%integral(patch%state%p))

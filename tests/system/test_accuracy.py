@@ -166,7 +166,8 @@ class Accuracy(TestCase):
         self.assertTrue(1/3 < result["amplitude_ratio_error"]/abs(result["amplitude_ratio_fit"]/0.916 - 1) < 3, result)
         model = last_line(self.call(changed(WAVY, {"solver": {"accuracy": 0.1, "error_estimate": "model"}})))
         self.assertEqual(model["amplitude_error_basis"], "model")
-        self.assertEqual(model["amplitude_ratio_error"], model["expected_error"])
+        self.assertGreaterEqual(model["amplitude_ratio_error"], model["expected_error"])   # with a margin, no better than the film
+        self.assertGreaterEqual(model["amplitude_ratio_error"], model["central_film_error"])
         self.assertEqual(model["amplitude_ratio"], result["amplitude_ratio"])
         smooth = last_line(self.call(changed(SMOOTH, {"solver": {"accuracy": 0.1}})))
         self.assertEqual((smooth["amplitude_error_basis"], smooth["amplitude_ratio_error"]), ("", None))

@@ -40,7 +40,7 @@ RULES = {
     "figures and sections": r"\b(?:[Ff]igures?|[Tt]ables?|eqs?\.|[Ee]quations?|[Ss]ections?|[Cc]hapters?|[Vv]olumes?|Series|[Ii]nstants?|"
                             r"[Cc]riteri(?:on|a)|International|NASA \w+) \(?\d[\d.-]*\)?(?:,? (?:and|to|or) \(?\d[\d.]*\)?)*|pp?\. \d+",
     "versions and names": r"\b(?:[Vv]ersion|Debian|Ubuntu|Python|gfortran|GCC|Open MPI|MPICH|Slurm|PETSc|Spack|NumPy|HDF5?|AVX|CMake|"
-                          r"FFTW|VG|PAO|LVI|Santotrac|MIT|TDF-) ?\d[\d.]*(?: (?:and|to) \d+(?! ?%))?|\b[A-Za-z']*[A-Za-z]-?\d+\b|x86-64|\b\d[A-Z]\d[A-Z]\b",
+                          r"FFTW|VG|ISO|ASTM D|PAO|LVI|Santotrac|MIT|TDF-) ?\d[\d.]*(?: (?:and|to) \d+(?! ?%))?|\b[A-Za-z']*[A-Za-z]-?\d+\b|x86-64|\b\d[A-Z]\d[A-Z]\b",
     "exponents": r"\^\(?[-+]?\d+(?:\.\d+)?(?:/\d+)?\)?",
     "exit statuses": r"[Ee]xit status(?:es)?:? [^.|]*|status(?:es)? \d+(?:(?:,| and| or) \d+)*",
     "conditions": rf"\b{SYMBOL} ?(?:=|<=|>=|<|>|below|above|from|of|near|up to|at least|at most|) ?{NUMBER}{UNIT}(?:{AND} (?:<= )?{NUMBER}{UNIT})*"

@@ -109,9 +109,9 @@ contains
                       'yasutomi_b1_per_pa = 8e-9, yasutomi_b2 = -0.5 /', 'yasutomi_b2 = -0.5')
       call check_text(moes//"/ &lubricant viscosity_law = 'doolittle', density_law = 'tait', doolittle_factor = 4.5, "// &
                       'doolittle_occupied_fraction = 0.65, '//tait, 'tait_modulus_rate = 11.6')
-      call case_from_text(moes//"/ &lubricant flow_law = 'newtonian', limiting_stress_over_pressure = 0.08 /", case, error)
+      call case_from_text(moes//"/ &lubricant flow_law = 'newtonian', shear_limit_over_pressure = 0 /", case, error)
       call test%check_no_error(error, 'defaults')
-      call test%check_equal(index(effective_input(case), 'flow_law') + index(effective_input(case), 'limiting') &
+      call test%check_equal(index(effective_input(case), 'flow_law') + index(effective_input(case), 'shear_limit') &
                             + index(effective_input(case), 'modulus'), 0, 'defaults of late keys are not written')
    end subroutine check_texts
 

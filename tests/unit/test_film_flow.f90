@@ -2,9 +2,11 @@
 program test_film_flow
    use ehlwave_carreau_law, only: new_carreau_law
    use ehlwave_eyring_law, only: eyring_law_t
-   use ehlwave_film_flow, only: along_x, along_y, film_flow_t, flow_by_gx, flow_by_gy, flow_q, flow_values, new_film_flow
+   use ehlwave_film_flow, only: across_film_t, along_x, along_y, film_flow_t, flow_by_gx, flow_by_gy, flow_q, flow_values, &
+      new_film_flow
    use ehlwave_flow_law, only: flow_law_t
    use ehlwave_kinds, only: dp
+   use ehlwave_shear_limit, only: limit_floor, new_shear_limit
    use testing, only: test_t
    implicit none (type, external)
 
@@ -20,6 +22,11 @@ program test_film_flow
    call check_derivatives('Ree-Eyring', eyring_law_t())
    call check_derivatives('Carreau, n = 0.45', new_carreau_law(0.45_dp))
    call check_derivatives('Carreau, n = 1', new_carreau_law(1.0_dp))
+   call check_derivatives('limited', eyring_law_t(), limit=9.0_dp)
+   call check_derivatives('warm', eyring_law_t(), ln_fluidity=[0.3_dp, 1.2_dp, 2.0_dp, 2.5_dp, 2.4_dp, 1.7_dp, 0.9_dp])
+   call check_derivatives('warm and limited', new_carreau_law(0.6_dp), 14.0_dp, [0.0_dp, 0.7_dp, 0.9_dp, 0.8_dp, 0.2_dp])
+   call check_uneven()
+   call check_limit()
    call check_extremes()
    call test%finish()
 
@@ -173,26 +180,38 @@ contains
    end subroutine check_symmetry
 
    !> Taylor test: the remainder Q(x + t d) - Q(x) - t dQ(x) d falls by 4 when t halves.
-   subroutine check_derivatives(name, law)
+   subroutine check_derivatives(name, law, limit, ln_fluidity)
       character(len=*), intent(in) :: name
       class(flow_law_t), intent(in) :: law
-      real(dp), parameter :: direction(4) = [0.7_dp, 0.03_dp, 0.9_dp, -0.8_dp]   ! of ln(eta), H, g_x, g_y
+      real(dp), intent(in), optional :: limit                 !! of the stress over tau0, for P = 1
+      real(dp), intent(in), optional :: ln_fluidity(0:)       !! at levels across the film
+      real(dp), parameter :: direction(5) = [0.7_dp, 0.03_dp, 0.9_dp, -0.8_dp, 0.1_dp]   ! of ln(eta), H, g_x, g_y, P
       real(dp), parameter :: points(4, 4) = reshape([-11.0_dp, 0.15_dp, 1.0_dp, 0.7_dp, -4.0_dp, 0.2_dp, -9.0_dp, 6.0_dp, &
                                                      -9.0_dp, 0.1_dp, 2.0_dp, 30.0_dp, 0.5_dp, 0.3_dp, 12.0_dp, -3.0_dp], [4, 4])
       type(film_flow_t) :: flow
-      real(dp) :: remainder(2), step, x(4), here(flow_values, 1), there(flow_values, 1)
+      type(across_film_t), allocatable :: across
+      real(dp) :: remainder(2), step, x(5), here(flow_values, 1), there(flow_values, 1)
       integer :: component, i, k, n
 
       flow = new_film_flow(law, n0, lambdabar, 1.5_dp)
+      if (present(limit) .or. present(ln_fluidity)) allocate (across)
+      if (present(limit)) flow%limit = new_shear_limit(limit, 0.1_dp)
+      if (present(ln_fluidity)) then
+         call flow%set_levels(size(ln_fluidity) - 1)
+         across%ln_fluidity = reshape(ln_fluidity, [size(ln_fluidity), 1])
+      end if
       do i = 1, size(points, 2)
          do component = along_x, along_y
-            do k = 0, 4   ! all at once, then each alone
+            do k = 0, merge(5, 4, present(limit))   ! all at once, then each alone
                do n = 1, 2
                   step = 1e-2_dp/2**n
-                  x = merge(step*direction, 0.0_dp, k == 0 .or. [1, 2, 3, 4] == k)
-                  call flow%evaluate(component, exp(points(1:1, i)), points(2:2, i), points(3:3, i), points(4:4, i), here)
+                  x = merge(step*direction, 0.0_dp, k == 0 .or. [1, 2, 3, 4, 5] == k)
+                  if (present(limit)) across%p = [0.8_dp]
+                  call flow%evaluate(component, exp(points(1:1, i)), points(2:2, i), points(3:3, i), points(4:4, i), here, &
+                                     across=across)
+                  if (present(limit)) across%p = across%p + x(5)
                   call flow%evaluate(component, exp(points(1:1, i) - x(1)), points(2:2, i) + x(2), points(3:3, i) + x(3), &
-                                     points(4:4, i) + x(4), there)
+                                     points(4:4, i) + x(4), there, across=across)
                   remainder(n) = there(flow_q, 1) - here(flow_q, 1) - dot_product(here(2:, 1), x)
                end do
                if (abs(remainder(2)) < 1e-13_dp*abs(here(flow_q, 1))) cycle   ! linear in it
@@ -201,6 +220,50 @@ contains
          end do
       end do
    end subroutine check_derivatives
+
+   !> An oil of Newton's law whose fluidity goes linearly across the film, 1 + c zeta, has a_0 = 1, a_1 = c/3 and a_2 = 1/3:
+   !> sliding alone drives oil towards the surface where it is thin.
+   subroutine check_uneven()
+      integer, parameter :: levels = 24
+      real(dp), parameter :: c = 0.6_dp, h = 0.15_dp, g = 2.0_dp, b = 0.8_dp
+      type(film_flow_t) :: flow
+      type(across_film_t) :: across
+      real(dp) :: factors(2, 1), mean, rate(1), row(flow_values, 1), sigma(1), variation
+      integer :: k
+
+      flow = new_film_flow(new_carreau_law(1.0_dp), n0, lambdabar, 1.5_dp)
+      call flow%set_levels(levels)
+      across%ln_fluidity = reshape([(log(1 + c*(2.0_dp*k/levels - 1)), k=0, levels)], [levels + 1, 1])
+      variation = n0*h*g
+      mean = b - c/3*variation
+      call flow%evaluate(along_x, [fluidity_for(flow, b, h)], [h], [g], [0.0_dp], row, across=across)
+      call test%check_close(row(flow_q, 1), newtonian(flow, b, h)*g*3*(c/3*mean + variation/3)/variation, &
+                            'flow of an uneven oil', relative=1e-5_dp)
+      call flow%mean_stress([fluidity_for(flow, b, h)], [h], [g], [0.0_dp], sigma, rate, factors, across)
+      call test%check_close(sigma(1), mean, 'its stress', relative=1e-5_dp)
+   end subroutine check_uneven
+
+   !> Sliding as fast as may be never needs more than the limit of the stress, and nears it.
+   subroutine check_limit()
+      real(dp), parameter :: limit = 3, h = 0.15_dp
+      type(film_flow_t) :: flow
+      type(across_film_t) :: across
+      real(dp) :: before, factors(2, 1), rate(1), sigma(1)
+      integer :: k
+
+      flow = new_film_flow(eyring_law_t(), n0, lambdabar, 1.5_dp)
+      flow%limit = new_shear_limit(limit, 0.1_dp)
+      across%p = [1.0_dp]
+      before = 0
+      do k = -2, 5
+         call flow%mean_stress([fluidity_for(flow, 10.0_dp**k, h)], [h], [0.0_dp], [0.0_dp], sigma, rate, factors, across)
+         call test%check(sigma(1) > before .and. sigma(1) < limit*(1 + limit_floor**2), 'between the one before and the limit')
+         before = sigma(1)
+      end do
+      call test%check_close(before, limit, 'near the limit', relative=1e-3_dp)
+      call flow%mean_stress([fluidity_for(flow, 0.01_dp, h)], [h], [0.0_dp], [0.0_dp], sigma, rate, factors, across)
+      call test%check_close(sigma(1), asinh(0.01_dp), 'that of the law far below it', relative=1e-6_dp)
+   end subroutine check_limit
 
    !> Finite whatever an iterate may hold, and no arithmetic trap.
    subroutine check_extremes()

@@ -45,7 +45,7 @@ contains
       call make_plan(case, plan, error)
       call test%check_no_error(error, 'Newtonian')
       call newtonian%init(grid, plan%conditions, plan%rheology)
-      call r%take(newtonian, state, 0.08_dp, stress)
+      call r%take(newtonian, state, stress)
       area = grid%integral(merge(1.0_dp, 0.0_dp, state%p > 0))
       du = 1
       eta = 0.05_dp*exp(0.5_dp*plan%conditions%alphabar)
@@ -63,24 +63,29 @@ contains
       call sinh_oil%init(grid, plan%conditions, plan%rheology)
       call mean_shear_stress(sinh_oil, state, stress_pa)
       call test%check_close(stress_pa(15, 4), 4e6_dp*asinh(tau/4e6_dp), 'stress in the middle', relative=1e-11_dp)
-      call r%take(sinh_oil, state, 0.08_dp, stress)
+      call r%take(sinh_oil, state, stress)
       call test%check_close(r%largest_b, tau/4e6_dp, 'B', relative=1e-11_dp)
       call test%check_close(r%share_beyond_limit, 0.0_dp, 'within the limit', absolute=0.0_dp)
    end subroutine check_friction
 
    subroutine check_warning()
       type(shear_result_t) :: r
-      call test%check_equal(r%warning(0.08_dp), '', 'nothing is known')
+      call test%check_equal(r%warning(.false., .false.), '', 'nothing is known')
       r%share_beyond_limit = 0.5_dp
-      call test%check(index(r%warning(0.08_dp), 'the shear stress is above 0.08 of the pressure where 50 % of the load') == 1, &
+      call test%check(index(r%warning(.false., .false.), &
+                            'the shear stress is above 0.08 of the pressure where 50 % of the load') == 1, &
                       'limit')
       r%share_beyond_limit = 0
       r%inlet_film_factor = 0.9_dp
       r%inlet_rise_k = 4
       r%contact_rise_k = 30
-      call test%check(index(r%warning(0.08_dp), 'the inlet would warm by about 4 K, which makes the film 10 % thinner') == 1, &
+      call test%check(index(r%warning(.false., .false.), &
+                            'the inlet would warm by about 4 K, which makes the film 10 % thinner') == 1, &
                       'inlet')
-      call test%check(index(r%warning(0.08_dp), 'the oil in the contact would warm by about 30 K') > 0, 'contact')
+      call test%check(index(r%warning(.false., .false.), 'the oil in the contact would warm by about 30 K') > 0, 'contact')
+      call test%check_equal(r%warning(.false., .true.), '', 'a model with heat has that')
+      r%share_beyond_limit = 0.5_dp
+      call test%check_equal(r%warning(.true., .true.), '', 'and one with a limit')
    end subroutine check_warning
 
 end program test_shear_result

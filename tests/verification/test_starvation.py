@@ -4,8 +4,12 @@ import tempfile
 import unittest
 from pathlib import Path
 
-import h5py
 from ehlwave_program import TestCase, last_line, namelist, report, run, solve
+
+try:
+    import h5py
+except ImportError:
+    h5py = None
 
 DOMAIN = {"x_min": -3, "x_max": 1.5, "y_max": 2, "edges": "truncated"}
 # R on 1/16, 1/32, 1/64, and Ad/Ai of transverse 0.25, 0.5, 1, 2, isotropic 0.25, 0.5, 1, 2, longitudinal 0.5, 1 on 1/64: an
@@ -75,6 +79,7 @@ class Starvation(TestCase):
         deviation = self.check_close(short["film_over_flooded"], long["film_over_flooded"], 1e-3, "a longer domain")
         report(f"domain -2.5 against -5: {deviation:.1e}")
 
+    @unittest.skipIf(h5py is None, "no h5py: set EHLWAVE_PYTHON")
     def test_oil(self):
         """What enters leaves, to the tolerance; what leaves behind the contact is what its film and its sides pass."""
         with tempfile.TemporaryDirectory() as folder:
@@ -101,6 +106,7 @@ class Starvation(TestCase):
             self.assertLess(abs(result["amplitude_ratio_fit"] - result["harmonic_ratio"]), 0.005)
             report(f"r = {r}: march {result['amplitude_ratio_fit']:.4f}, response {result['harmonic_ratio']:.4f}")
 
+    @unittest.skipIf(h5py is None, "no h5py: set EHLWAVE_PYTHON")
     def test_halved_layer(self):
         """A layer halved on the way ends in the steady state of half the layer."""
         with tempfile.TemporaryDirectory() as folder:

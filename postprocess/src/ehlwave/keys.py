@@ -63,8 +63,10 @@ class CaseKeys(TypedDict, total=False):
     """stress G at which thinning begins, Pa"""
     carreau_exponent: SupportsFloat
     """exponent n of the shear rate; 1: Newtonian"""
-    limiting_stress_over_pressure: SupportsFloat
-    """limiting shear stress over pressure"""
+    shear_limit_over_pressure: SupportsFloat
+    """largest shear stress over pressure, which the stress nears but does not pass; 0: no limit"""
+    shear_limit_width: SupportsFloat
+    """width of the limit: at (1 - width) times the limit the shear rate is twice that of"""
     mcewen_coefficient_per_pa: SupportsFloat
     """coefficient alpha0 of (1 + alpha0 p/q)^q, 1/Pa"""
     mcewen_exponent: SupportsFloat
@@ -95,6 +97,30 @@ class CaseKeys(TypedDict, total=False):
     """CSV file of measured viscosities"""
     temperature_k: SupportsFloat
     """temperature T0 of the oil; may be left out with a table of one temperature, K"""
+    oil_conductivity_w_per_m_k: SupportsFloat
+    """conductivity of the oil, W/(m K)"""
+    oil_heat_capacity_j_per_kg_k: SupportsFloat
+    """heat capacity of the oil, J/(kg K)"""
+    oil_density_kg_per_m3: SupportsFloat
+    """density of the oil at ambient pressure and T0, kg/m3"""
+    oil_expansion_per_k: SupportsFloat
+    """thermal expansion of the oil; its density falls and its compression heats by it, 1/K"""
+    viscosity_temperature_per_k: SupportsFloat
+    """beta"""
+    body_conductivity_w_per_m_k: SupportsFloat
+    """conductivity of the bodies, W/(m K)"""
+    body_density_kg_per_m3: SupportsFloat
+    """density of the bodies, kg/m3"""
+    body_heat_capacity_j_per_kg_k: SupportsFloat
+    """heat capacity of the bodies, J/(kg K)"""
+    body2_conductivity_w_per_m_k: SupportsFloat
+    """conductivity of the body of surface 2, W/(m K)"""
+    body2_density_kg_per_m3: SupportsFloat
+    """density of the body of surface 2, kg/m3"""
+    body2_heat_capacity_j_per_kg_k: SupportsFloat
+    """heat capacity of the body of surface 2, J/(kg K)"""
+    levels: SupportsIndex
+    """intervals across the film"""
     orientation: Literal["none", "transverse", "isotropic", "longitudinal", "custom"]
     """orientation of the waves"""
     wavelength_over_a: SupportsFloat

@@ -45,6 +45,7 @@ class Contact:
         if self.is_dimensional:
             self.m, self.l = self.power(20, 300), self.between(3, 15)
         self.accuracy = self.power(0.01, 0.2) if self.chance(0.35) else None
+        self.is_warm = self.is_dimensional and not self.has_surface and self.chance(0.3)
 
     def chance(self, share: float) -> bool:
         """Return True in that share of the calls."""
@@ -232,6 +233,16 @@ def _tait(inner: Draw) -> Draw:
     return value
 
 
+def _warm(inner: Draw) -> Draw:
+    """Return the draw of a key of heat, which smooth contacts with dimensions have."""
+    return lambda c, row: inner(c, row) if c.is_warm else None
+
+
+def _beta(c: Contact, row: Row) -> Value:
+    has_own = row.get("viscosity_law") in ("yasutomi", "doolittle", "table")
+    return None if has_own else c.between(0.02, 0.06)
+
+
 DRAWS: dict[str, Draw] = {
     "radius_x_m": _dimension("radius_x_m"),
     "radius_y_m": _dimension("radius_y_m"),
@@ -254,7 +265,10 @@ DRAWS: dict[str, Draw] = {
     "eyring_stress_pa": _where("flow_law", "eyring")(lambda c, row: c.power(1e5, 2e7)),
     "carreau_modulus_pa": _where("flow_law", "carreau")(lambda c, row: c.power(1e5, 1e7)),
     "carreau_exponent": _where("flow_law", "carreau")(lambda c, row: c.between(0.35, 1)),
-    "limiting_stress_over_pressure": _share(0.2, lambda c, row: c.between(0.03, 0.15)),
+    "shear_limit_over_pressure": _share(0.2, lambda c, row: c.between(0.03, 0.15)),
+    "shear_limit_width": lambda c, row: (
+        c.between(0.05, 0.3) if "shear_limit_over_pressure" in row else None
+    ),
     "mcewen_coefficient_per_pa": _where("viscosity_law", "mcewen")(
         lambda c, row: c.power(8e-9, 3e-8)
     ),
@@ -271,8 +285,24 @@ DRAWS: dict[str, Draw] = {
     "tait_modulus_pa": _tait(lambda c, row: c.power(8e8, 2e9)),
     "tait_modulus_rate": _tait(lambda c, row: c.between(9, 12)),
     "viscosity_table": _table(lambda c, row: c.viscosities()),
-    "temperature_k": _table(lambda c, row: c.between(AMBIENT_K, AMBIENT_K + 50)),
-    "orientation": _orientation,
+    "temperature_k": lambda c, row: (
+        c.between(AMBIENT_K, AMBIENT_K + 50)
+        if c.is_warm or row.get("viscosity_law") == "table"
+        else None
+    ),
+    "oil_conductivity_w_per_m_k": _warm(lambda c, row: c.between(0.1, 0.2)),
+    "oil_heat_capacity_j_per_kg_k": _warm(lambda c, row: c.between(1600, 2400)),
+    "oil_density_kg_per_m3": _warm(lambda c, row: c.between(800, 1000)),
+    "oil_expansion_per_k": _warm(_share(0.8, lambda c, row: c.between(5e-4, 9e-4))),
+    "viscosity_temperature_per_k": _warm(_beta),
+    "body_conductivity_w_per_m_k": _warm(_share(0.2, lambda c, row: c.between(1, 60))),
+    "body_density_kg_per_m3": _warm(_share(0.2, lambda c, row: c.between(2000, 8000))),
+    "body_heat_capacity_j_per_kg_k": _warm(_share(0.2, lambda c, row: c.between(400, 900))),
+    "body2_conductivity_w_per_m_k": _warm(_share(0.2, lambda c, row: c.between(1, 60))),
+    "body2_density_kg_per_m3": _warm(_share(0.2, lambda c, row: c.between(2000, 8000))),
+    "body2_heat_capacity_j_per_kg_k": _warm(_share(0.2, lambda c, row: c.between(400, 900))),
+    "levels": _warm(_share(0.2, lambda c, row: int(c.power(6, 40)))),
+    "orientation": lambda c, row: None if c.is_warm else _orientation(c, row),
     "wavelength_over_a": _where("orientation", *ONE_LENGTH)(lambda c, row: c.power(0.5, 3)),
     "wavelength_x_over_a": _custom(lambda c, row: 0.0 if c.chance(0.15) else c.power(0.4, 3)),
     "wavelength_y_over_a": _wave_y,

@@ -17,8 +17,7 @@ from ehlwave.app.widgets import (
     select,
     widgets_of,
 )
-from ehlwave.deform.decimals import DECIMALS
-from ehlwave.deform.prepare import FORMS, WINDOWS
+from ehlwave.choices import DECIMALS, FORMS, WINDOWS
 from ehlwave.errors import SurfaceError
 
 TRANSFERS = {

@@ -58,6 +58,8 @@ OF_THE_OIL = (
     "doolittle_occupied_fraction",
     "tait_modulus_pa",
     "tait_modulus_rate",
+    "shear_limit_over_pressure",
+    "shear_limit_width",
     "temperature_k",
     "viscosity_table",
 )
@@ -108,14 +110,25 @@ OF_THE_SOLUTION = frozenset(
 
 WITHOUT_EFFECT = frozenset(
     (
-        "limiting_stress_over_pressure",
         "file",
+        "oil_conductivity_w_per_m_k",
+        "oil_heat_capacity_j_per_kg_k",
+        "oil_density_kg_per_m3",
+        "oil_expansion_per_k",
+        "viscosity_temperature_per_k",
+        "body_conductivity_w_per_m_k",
+        "body_density_kg_per_m3",
+        "body_heat_capacity_j_per_kg_k",
+        "body2_conductivity_w_per_m_k",
+        "body2_density_kg_per_m3",
+        "body2_heat_capacity_j_per_kg_k",
+        "levels",
         "fields",
         "fields_every",
         "sensitivities",
     )
 )
-"""On the response to waves."""
+"""On the response to waves: a case has no waves where it has heat."""
 
 CARRIED = (*OF_THE_OIL, *OF_THE_EDGES, *OF_THE_INLET, *OF_MARCHES)
 """Columns of a table, empty where a key does not apply."""

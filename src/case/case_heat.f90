@@ -1,0 +1,71 @@
+!> The heat of a case: what it needs, and what it cannot be asked for.
+module ehlwave_case_heat
+   use ehlwave_case_definition, only: case_t
+   use ehlwave_errors, only: error_t, raise
+   use ehlwave_oil, only: doolittle, tabulated
+   use ehlwave_text, only: to_text
+   implicit none (type, external)
+   private
+   public :: check_heat, heat_of_oil
+
+contains
+
+   !> Give the oil what its laws take of the heat.
+   pure subroutine heat_of_oil(case)
+      type(case_t), intent(inout) :: case
+      case%oil%beta_per_k = case%heat%viscosity_temperature_per_k
+      case%oil%expansion_per_k = case%heat%oil_expansion_per_k
+   end subroutine heat_of_oil
+
+   !> Refuse a case with heat that lacks data or asks for more than a steady state.
+   subroutine check_heat(case, error)
+      type(case_t), intent(in) :: case
+      type(error_t), allocatable, intent(inout) :: error
+      character(len=:), allocatable :: missing
+
+      if (allocated(error) .or. .not. case%heat%is_given()) return
+      associate (heat => case%heat, oil => case%oil)
+         missing = ''
+         if (.not. heat%oil_conductivity_w_per_m_k > 0) missing = '&heat oil_conductivity_w_per_m_k'
+         if (.not. heat%oil_heat_capacity_j_per_kg_k > 0) missing = '&heat oil_heat_capacity_j_per_kg_k'
+         if (.not. heat%oil_density_kg_per_m3 > 0) missing = '&heat oil_density_kg_per_m3'
+         if (.not. oil%temperature_k > 0) missing = '&lubricant temperature_k'
+         if (.not. min(heat%body(1)%conductivity_w_per_m_k, heat%body(1)%density_kg_per_m3, &
+                       heat%body(1)%heat_capacity_j_per_kg_k) > 0) missing = '&heat body_conductivity_w_per_m_k, '// &
+            'body_density_kg_per_m3 or body_heat_capacity_j_per_kg_k'
+         if (missing /= '') then
+            call raise(error, missing//' is missing: &heat needs it')
+         else if (.not. case%is_dimensional) then
+            call raise(error, '&heat needs the dimensions of the contact: give &conditions by dimensional data '// &
+               '(radius_x_m, ...) in place of load_parameter_m, lubricant_parameter_l and radius_ratio_d')
+         else if (.not. (case%slip_parameter > 0 .and. case%slip_parameter < 2)) then
+            call raise(error, '&conditions slip_parameter = '//to_text(case%slip_parameter, 6)//' has a surface at '// &
+               'rest: &heat takes surfaces that move, between 0 and 2, since a body at rest under a contact '// &
+               'grows warmer without end')
+         else if (oil%viscosity_law == doolittle) then
+            call raise(error, "&lubricant viscosity_law = '"//doolittle//"' has no keys for temperature: &heat "// &
+               'takes the other laws')
+         else if (.not. oil%takes_beta() .and. heat%viscosity_temperature_per_k > 0) then
+            call raise(error, "&heat viscosity_temperature_per_k belongs to laws without temperature of their own: "// &
+               "remove it, since viscosity_law = '"//trim(oil%viscosity_law)//"' has its own")
+         else if (oil%viscosity_law == tabulated .and. oil%measured%column('temperature_k') == 0) then
+            call raise(error, '&lubricant viscosity_table has one temperature: &heat needs measurements at two '// &
+               'or more (column temperature_k)')
+         else if (oil%temperature_k <= 150 .or. oil%temperature_k > 700) then
+            call raise(error, '&lubricant temperature_k = '//to_text(oil%temperature_k, 6)//' is no temperature of '// &
+               'an oil in kelvin: write a value between 150 and 700')
+         else if (case%orientation /= 'none' .or. case%surface_file /= '' .or. case%end_time > 0) then
+            call raise(error, '&heat is for smooth contacts in a steady state: remove &waviness, &surface and '// &
+               '&dynamics end_time, or &heat')
+         else if (case%oil_over_flooded > 0 .or. case%oil_layer_m > 0 .or. case%oil_profile /= '') then
+            call raise(error, '&heat takes a gap that is full of oil: remove &inlet oil_over_flooded, oil_layer_m '// &
+               'and oil_profile, or &heat')
+         else if (case%method == 'fas') then
+            call raise(error, "&solver method = 'fas' does not take &heat: use 'newton' or 'petsc'")
+         else if (case%sensitivities) then
+            call raise(error, '&output sensitivities are those of an isothermal contact: remove them, or &heat')
+         end if
+      end associate
+   end subroutine check_heat
+
+end module ehlwave_case_heat

@@ -1,0 +1,80 @@
+!> Levels across the film at which temperatures are known: evenly spaced, the first and the last on the surfaces.
+module ehlwave_film_levels
+   use ehlwave_kinds, only: dp
+   use ehlwave_lagrange, only: lagrange_weights
+   implicit none (type, external)
+   private
+   public :: new_film_levels
+
+   integer, parameter :: points = 4           ! of the cubics between levels
+
+   type, public :: film_levels_t
+      integer :: n = 0                        !! intervals across the film, at least 4
+      real(dp) :: d = 0                       !! 1/n
+      real(dp), allocatable :: zeta(:)        !! (0:n) place across: 0 at surface 2, 1 at surface 1
+      real(dp), allocatable :: weight(:)      !! (0:n) of an integral across, exact for cubics
+   contains
+      procedure :: running_integral
+   end type film_levels_t
+
+   !> Values at some places across the film from those at the levels, by cubics through the nearest.
+   type, public :: level_weights_t
+      integer, allocatable :: first(:)        !! (places) the first level
+      real(dp), allocatable :: weight(:, :)   !! (points, places) of that level and the next
+   end type level_weights_t
+
+   public :: new_level_weights
+
+contains
+
+   pure function new_film_levels(n) result(self)
+      integer, intent(in) :: n
+      type(film_levels_t) :: self
+      real(dp), dimension(0:n) :: integral, unit
+      integer :: k
+
+      self%n = n
+      self%d = 1.0_dp/n
+      allocate (self%zeta(0:n), self%weight(0:n))
+      self%zeta = [(k*self%d, k=0, n)]
+      do k = 0, n
+         unit = 0
+         unit(k) = 1
+         integral = self%running_integral(unit)
+         self%weight(k) = integral(n)
+      end do
+   end function new_film_levels
+
+   !> Integral of a field from surface 2 to each level, exact for cubics.
+   pure function running_integral(self, field) result(integral)
+      class(film_levels_t), intent(in) :: self
+      real(dp), intent(in) :: field(0:)       !! (0:n)
+      real(dp) :: integral(0:self%n)
+      integer :: k
+
+      associate (n => self%n, f => field)
+         integral(0) = 0
+         integral(1) = self%d/24*(9*f(0) + 19*f(1) - 5*f(2) + f(3))
+         do k = 2, n - 1
+            integral(k) = integral(k - 1) + self%d/24*(13*(f(k - 1) + f(k)) - f(k - 2) - f(k + 1))
+         end do
+         integral(n) = integral(n - 1) + self%d/24*(9*f(n) + 19*f(n - 1) - 5*f(n - 2) + f(n - 3))
+      end associate
+   end function running_integral
+
+   pure function new_level_weights(n, place) result(self)
+      integer, intent(in) :: n                !! intervals between levels
+      real(dp), intent(in) :: place(:)        !! -1 at surface 2, 1 at surface 1
+      type(level_weights_t) :: self
+      real(dp) :: position
+      integer :: i
+
+      allocate (self%first(size(place)), self%weight(points, size(place)))
+      do i = 1, size(place)
+         position = 0.5_dp*(1 + place(i))*n
+         self%first(i) = min(max(floor(position) - 1, 0), n - points + 1)
+         self%weight(:, i) = lagrange_weights(points, position - self%first(i))
+      end do
+   end function new_level_weights
+
+end module ehlwave_film_levels

@@ -1,0 +1,50 @@
+!> The keys of group &heat: how oil and bodies conduct and store heat. With them temperatures are found.
+module ehlwave_heat_keys
+   use ehlwave_case_key, only: key_t
+   use ehlwave_heat_data, only: body_heat_t, heat_data_t
+   use ehlwave_key_list, only: key_list_t
+   use ehlwave_kinds, only: dp
+   implicit none (type, external)
+   private
+   public :: visit_heat_keys
+
+contains
+
+   subroutine visit_heat_keys(heat, list)
+      type(heat_data_t), intent(inout) :: heat
+      type(key_list_t), intent(inout) :: list
+
+      call list%enter('heat', 'Heat of the film and of both bodies; absent: the contact is isothermal at T0.')
+      list%common = key_t(is_late=.true., is_written=heat%is_given())
+      call list%see(heat%oil_conductivity_w_per_m_k, key_t('oil_conductivity_w_per_m_k', 'conductivity of the oil', &
+         unit='W/(m K)', minimum=0.0_dp, default='none'))
+      call list%see(heat%oil_heat_capacity_j_per_kg_k, key_t('oil_heat_capacity_j_per_kg_k', 'heat capacity of the '// &
+         'oil',          unit='J/(kg K)', minimum=0.0_dp, default='none'))
+      call list%see(heat%oil_density_kg_per_m3, key_t('oil_density_kg_per_m3', 'density of the oil at ambient '// &
+         'pressure and T0', unit='kg/m3', minimum=0.0_dp, default='none'))
+      call list%see(heat%oil_expansion_per_k, key_t('oil_expansion_per_k', 'thermal expansion of the oil; its '// &
+         'density falls and its compression heats by it', unit='1/K', minimum=0.0_dp, maximum=0.01_dp))
+      call list%see(heat%viscosity_temperature_per_k, key_t('viscosity_temperature_per_k', 'beta; -d ln(eta)/dT at '// &
+         'ambient pressure and T0, of laws without parameters of their own for temperature', unit='1/K', &
+         minimum=0.0_dp, maximum=1.0_dp))
+      call visit_body('body', heat%body(1), ' of the bodies', list)
+      call visit_body('body2', heat%body(2), ' of the body of surface 2', list)
+      call list%see(heat%levels, key_t('levels', 'intervals across the film', minimum=4.0_dp, maximum=128.0_dp))
+   end subroutine visit_heat_keys
+
+   subroutine visit_body(name, body, of, list)
+      character(len=*), intent(in) :: name, of
+      type(body_heat_t), intent(inout) :: body
+      type(key_list_t), intent(inout) :: list
+      character(len=16) :: default
+
+      default = merge('as body_...', '           ', name == 'body2')
+      call list%see(body%conductivity_w_per_m_k, key_t(name//'_conductivity_w_per_m_k', 'conductivity'//of, &
+         unit='W/(m K)', minimum=0.0_dp, default=default))
+      call list%see(body%density_kg_per_m3, key_t(name//'_density_kg_per_m3', 'density'//of, unit='kg/m3', &
+         minimum=0.0_dp, default=default))
+      call list%see(body%heat_capacity_j_per_kg_k, key_t(name//'_heat_capacity_j_per_kg_k', 'heat capacity'//of, &
+         unit='J/(kg K)', minimum=0.0_dp, default=default))
+   end subroutine visit_body
+
+end module ehlwave_heat_keys

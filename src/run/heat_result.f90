@@ -1,0 +1,98 @@
+!> How warm a contact is, and where its heat goes.
+module ehlwave_heat_result
+   use ehlwave_conditions, only: conditions_t
+   use ehlwave_contact_problem, only: contact_problem_t
+   use ehlwave_energy, only: energy_t
+   use ehlwave_kinds, only: dp, no_value
+   use ehlwave_shear_stress, only: least_pressure
+   use ehlwave_state, only: state_t
+   implicit none (type, external)
+   private
+   public :: middle_of, warm_fields
+
+   !> NaN of an isothermal contact. Heat is in W, of a line contact in W/m.
+   type, public :: heat_result_t
+      real(dp) :: isothermal_friction = no_value, isothermal_film = no_value   !! friction, H(0,0) without it
+      real(dp) :: largest_mid_k = no_value, largest_wall_k(2) = no_value       !! rises over T0
+      real(dp) :: centre_mid_k = no_value, centre_wall_k(2) = no_value         !! the same at X = Y = 0
+      real(dp) :: largest_mean_k = no_value                                    !! of the mean across the film
+      real(dp) :: into_body_w(2) = no_value                                    !! heat into bodies 1 and 2
+      real(dp) :: sheared_w = no_value, compressed_w = no_value                !! heat of shear and of compression
+      real(dp) :: carried_w = no_value                                         !! carried off by the oil
+      real(dp) :: settling = 0                      !! relative change of friction in the last round
+      real(dp) :: balance_error = no_value                 !! the missing part, over the largest of these
+   contains
+      procedure :: take
+   end type heat_result_t
+
+contains
+
+   !> Account of the last march at a solution. The balance is that of the film under pressure: heat carried off is the
+   !> flow of oil through its edges times the rise there.
+   pure subroutine take(self, problem, state, energy)
+      class(heat_result_t), intent(inout) :: self
+      type(contact_problem_t), intent(in) :: problem
+      type(state_t), intent(in) :: state
+      type(energy_t), intent(in) :: energy
+      real(dp), dimension(0:problem%grid%nx, 0:problem%grid%ny) :: field, mid
+      logical :: bears(0:problem%grid%nx, 0:problem%grid%ny)
+      integer :: n, wall
+      real(dp) :: unit
+
+      n = energy%levels%n
+      self%settling = energy%heat_difference
+      bears = state%p > least_pressure
+      bears([0, problem%grid%nx], :) = .false.        ! nodes of the edges are no cells of the film
+      bears(:, problem%grid%last_row + 1:) = .false.
+      bears(:, :problem%grid%first_row - 1) = .false.
+      associate (grid => problem%grid, rise => energy%rise, c => problem%conditions)
+         mid = middle_of(rise)
+         self%largest_mid_k = maxval(mid, mask=bears)
+         self%centre_mid_k = grid%value_at_centre(mid)
+         field = problem%heat%mean_rise
+         self%largest_mean_k = maxval(field, mask=bears)
+         self%largest_wall_k = [maxval(rise(n, :, :)), maxval(rise(0, :, :))]
+         field = rise(n, :, :)
+         self%centre_wall_k(1) = grid%value_at_centre(field)
+         field = rise(0, :, :)
+         self%centre_wall_k(2) = grid%value_at_centre(field)
+         ! a unit of heat flow times the area of a cell, of a line times its length
+         unit = energy%scales%flux*c%a_m*merge(1/grid%hy, c%b_m, c%is_line())
+         do wall = 1, 2
+            self%into_body_w(wall) = unit*grid%integral(merge(energy%into_wall(wall, :, :), 0.0_dp, bears))
+         end do
+         self%sheared_w = unit*grid%integral(merge(energy%shear%shear_heat/state%h, 0.0_dp, bears))
+         self%compressed_w = unit*grid%integral(merge(energy%shear%pressure_heat/state%h, 0.0_dp, bears))
+         field = energy%carried(grid, c%elliptic%kappa)
+         self%carried_w = unit*grid%integral(merge(field, 0.0_dp, bears))
+      end associate
+      self%balance_error = abs(self%sheared_w + self%compressed_w - self%carried_w - sum(self%into_body_w)) &
+                           /max(abs(self%sheared_w), abs(self%compressed_w), abs(self%carried_w), tiny(unit))
+   end subroutine take
+
+   !> Rise half-way across the film.
+   pure function middle_of(rise) result(mid)
+      real(dp), intent(in) :: rise(0:, 0:, 0:)                  !! (0:levels, 0:nx, 0:ny)
+      real(dp) :: mid(size(rise, 2), size(rise, 3))
+      associate (m => ubound(rise, 1)/2)
+         mid = rise(m, :, :)
+         if (modulo(ubound(rise, 1), 2) == 1) &
+            mid = (9*(rise(m, :, :) + rise(m + 1, :, :)) - rise(m - 1, :, :) - rise(m + 2, :, :))/16
+      end associate
+   end function middle_of
+
+   !> Fields of rises: half-way across the film, in the mean, of surfaces 1 and 2.
+   pure function warm_fields(problem, energy) result(fields)
+      type(contact_problem_t), intent(in) :: problem
+      type(energy_t), intent(in) :: energy
+      real(dp), allocatable :: fields(:, :, :)
+      associate (rise => energy%rise, nx => problem%grid%nx, ny => problem%grid%ny)
+         allocate (fields(0:nx, 0:ny, 4))
+         fields(:, :, 1) = middle_of(rise)
+         fields(:, :, 2) = problem%heat%mean_rise
+         fields(:, :, 3) = rise(ubound(rise, 1), :, :)
+         fields(:, :, 4) = rise(0, :, :)
+      end associate
+   end function warm_fields
+
+end module ehlwave_heat_result

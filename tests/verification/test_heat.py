@@ -1,0 +1,202 @@
+"""Contacts with heat: the exact local problem, an independent solver, limits in which heat does nothing, the balance of heat."""
+
+import math
+import tempfile
+import unittest
+from pathlib import Path
+
+from ehlwave_program import TestCase, report, run, solve
+from reference_values import rows
+from studies.programs import last_line, namelist
+
+try:
+    import h5py
+except ImportError:
+    h5py = None
+
+OIL = {"oil_conductivity_w_per_m_k": 0.14, "oil_heat_capacity_j_per_kg_k": 2000.0, "oil_density_kg_per_m3": 870.0,
+       "oil_expansion_per_k": 7e-4}
+# Measured against the independent solver, whose rows have errors of 0.3 % (films, friction) and 1 % (rises)
+FILM_BAND, RISE_BAND = 0.007, 0.03
+SPIKED = 0.2             # of the slide-to-roll ratio; below it, largest rises sit in the pressure spike and grow with every grid
+NAMES = {"central_film_um": ("central_film_m", 1e6), "minimum_film_um": ("minimum_film_m", 1e6),
+         "friction_coefficient": ("friction_coefficient", 1)}
+RISES = ("largest_rise_mid_film_k", "largest_rise_wall_1_k", "largest_rise_wall_2_k")
+
+
+def groups(row, cells, has_heat=True, **more):
+    """Input of a row of the reference, on its domain."""
+    conditions = {key: row[key] for key in ("radius_x_m", "reduced_modulus_pa", "load_n_per_m", "mean_speed_m_per_s",
+                                            "viscosity_pa_s")}
+    conditions["slip_parameter"] = 1 + row["slide_to_roll_ratio"]/2
+    lubricant = {key: row[key] for key in ("pressure_viscosity_per_pa", "roelands_index", "eyring_stress_pa")}
+    lubricant["flow_law"] = "eyring"
+    found = {"conditions": conditions, "lubricant": lubricant,
+             "grid": {"x_min": -4.0, "x_max": 1.6, "edges": "truncated", "cells_x": cells}}
+    if has_heat:
+        lubricant["temperature_k"] = row["temperature_k"]
+        found["heat"] = {**OIL, "viscosity_temperature_per_k": row["viscosity_temperature_per_k"]}
+    for group, keys in more.items():
+        found[group] = {**found.get(group, {}), **keys}
+    return found
+
+
+def read_rows():
+    """Rows of the reference, whose first line is a comment."""
+    path = Path(__file__).parent / "reference" / "heat_line.csv"
+    with tempfile.TemporaryDirectory() as folder:
+        bare = Path(folder) / "heat_line.csv"
+        bare.write_text("\n".join(path.read_text().splitlines()[1:]) + "\n")
+        return rows(bare)
+
+
+def local_problem(stress, rate_at, sliding, film, beta, conductivity):
+    """A of the exact film under a stress, and the difference of the speeds that it then has to that asked for."""
+    product = beta*stress*sliding*film/conductivity/8
+    a = math.sqrt(product)
+    for _ in range(60):
+        a -= (a*math.tanh(a) - product)/(math.tanh(a) + a/math.cosh(a)**2)
+    return a, film*rate_at(stress)*math.sinh(a)*math.cosh(a)/a - sliding
+
+
+class Heat(TestCase):
+    def test_independent_solver(self):
+        """Extrapolated from 48 and 96 cells a half width: the reference is from 24 and 48."""
+        worst = {}
+        for row in (row for row in read_rows() if row["thermal"] == 1):
+            coarse, fine = (solve(**groups(row, cells)) for cells in (268, 536))
+            what = f"{row['mean_speed_m_per_s']} m/s, slide-to-roll ratio {row['slide_to_roll_ratio']}"
+            for name, (theirs, unit) in NAMES.items():
+                value = fine[name] + (fine[name] - coarse[name])/3
+                if row[theirs] == 0:
+                    self.assertLess(abs(value), 1e-6, f"{what}: {name}")
+                else:
+                    worst[name] = max(worst.get(name, 0), self.check_close(value, row[theirs]*unit, FILM_BAND, f"{what}: {name}"))
+            for name in RISES:
+                if row["slide_to_roll_ratio"] >= SPIKED and (name != RISES[0] or row["slide_to_roll_ratio"] > SPIKED):
+                    value = fine[name] + (fine[name] - coarse[name])/3
+                    worst[name] = max(worst.get(name, 0), self.check_close(value, row[name], RISE_BAND, f"{what}: {name}"))
+            self.assertLess(fine["heat_balance_error"], 1e-3, what)
+        report(", ".join(f"{name} within {value:.1%}" for name, value in worst.items()))
+
+    @unittest.skipIf(h5py is None, "no h5py: set EHLWAVE_PYTHON")
+    def test_exact_local_problem(self):
+        """Barus, an oil that stores no heat, bodies that conduct without limit: the film at X = 0 is known in closed form."""
+        beta, conductivity, mean_speed = 0.05, 0.14, 1.0
+        found = []
+        for ratio, load in ((0.3, 2e5), (1.0, 2e5), (1.6, 1.5e5)):
+            given = {
+                "conditions": {"radius_x_m": 0.02, "reduced_modulus_pa": 2.26e11, "load_n_per_m": load,
+                               "mean_speed_m_per_s": mean_speed, "viscosity_pa_s": 0.05, "slip_parameter": 1 + ratio/2},
+                "lubricant": {"viscosity_law": "barus", "pressure_viscosity_per_pa": 1.5e-8, "flow_law": "eyring",
+                              "eyring_stress_pa": 5e6, "temperature_k": 313.0},
+                "heat": {"oil_conductivity_w_per_m_k": conductivity, "oil_heat_capacity_j_per_kg_k": 1e-3,
+                         "oil_density_kg_per_m3": 870.0, "viscosity_temperature_per_k": beta,
+                         "body_conductivity_w_per_m_k": 1e12},
+                "grid": {"x_min": -4.0, "x_max": 1.6, "cells_x": 1120},
+            }
+            with tempfile.TemporaryDirectory() as folder:
+                path, output = Path(folder) / "case.nml", Path(folder) / "case.h5"
+                path.write_text(namelist(given))
+                result = last_line(run("case", str(path), "--json", "--output", str(output)))
+                with h5py.File(output) as file:
+                    i = int(abs(file["x"][:]).argmin())
+                    self.assertLess(abs(file["x"][i]), 1e-9)
+                    pressure = float(file["pressure"][...].ravel()[i])*result["hertz_pressure_pa"]
+                    film = float(file["film"][...].ravel()[i])*result["length_c_m"]
+                    stress = float(file["mean_shear_stress_pa"][...].ravel()[i])
+                    rise = float(file["rise_mid_film_k"][...].ravel()[i])
+            viscosity = 0.05*math.exp(1.5e-8*pressure)
+            low, high = 1.0, 3e8
+            for _ in range(200):
+                middle = (low + high)/2
+                _, excess = local_problem(middle, lambda tau: 5e6/viscosity*math.sinh(tau/5e6), ratio*mean_speed, film, beta,
+                                          conductivity)
+                low, high = (low, middle) if excess > 0 else (middle, high)
+            a, _ = local_problem(low, lambda tau: 5e6/viscosity*math.sinh(tau/5e6), ratio*mean_speed, film, beta, conductivity)
+            off = (self.check_close(stress, low, 1e-3, "stress"),
+                   self.check_close(rise, 2/beta*math.log(math.cosh(a)), 1e-3, "rise"))
+            found.append(f"ratio {ratio}: G = {8*a*a/math.cosh(a)**2:.2f}, stress {off[0]:.0e}, rise {off[1]:.0e}")
+        report("; ".join(found))
+
+    def test_without_effect(self):
+        """An oil whose viscosity and density know no temperature: the isothermal numbers, whatever the temperatures do."""
+        row = read_rows()[7]
+        for flow in ("eyring", "newtonian"):
+            inert = groups(row, 256, heat={"oil_expansion_per_k": 0.0, "viscosity_temperature_per_k": 0.0})
+            cold = groups(row, 256, has_heat=False)
+            for one in (inert, cold):
+                if flow == "newtonian":
+                    del one["lubricant"]["eyring_stress_pa"]
+                    one["lubricant"]["flow_law"] = "newtonian"
+            inert, cold = solve(**inert), solve(**cold)
+            for name in ("central_film", "minimum_film", "max_pressure", "friction_coefficient"):
+                self.check_close(inert[name], cold[name], 1e-10, f"{flow}: {name}")
+            self.assertGreater(inert["largest_rise_mid_film_k"], 20)
+
+    def test_levels_and_mesh(self):
+        """Twice the levels and half the mesh move film and friction by less than their errors."""
+        row = read_rows()[7]
+        usual, levels, mesh = (solve(**groups(row, cells, heat={"levels": count})) for cells, count in
+                               ((256, 16), (256, 32), (512, 16)))
+        for name, error in (("central_film", "central_film_error"), ("friction_coefficient", "friction_error")):
+            for other in (levels, mesh):
+                self.check_close(other[name], usual[name], usual[error], name)
+            self.check_close(levels[name], usual[name], 1e-3, name)
+
+    def test_friction_over_slip(self):
+        """Friction with heat has a largest value over slip; without, it rises on. With a limit it stays below that."""
+        row = read_rows()[7]
+        ratios = (0.02, 0.1, 0.3, 0.6, 1.2, 1.8)
+        warm, limited = [], []
+        for ratio in ratios:
+            warm.append(solve(**groups({**row, "slide_to_roll_ratio": ratio}, 256)))
+            limited.append(solve(**groups({**row, "slide_to_roll_ratio": ratio}, 256, has_heat=False,
+                                          lubricant={"shear_limit_over_pressure": 0.05}))["friction_coefficient"])
+        friction = [one["friction_coefficient"] for one in warm]
+        cold = [one["isothermal_friction_coefficient"] for one in warm]
+        self.assertEqual(cold, sorted(cold))
+        self.assertNotIn(friction.index(max(friction)), (0, len(ratios) - 1))
+        self.assertEqual(limited, sorted(limited))
+        self.assertLess(limited[-1], 0.05)
+        report(f"over the slide-to-roll ratios {ratios}: {friction}; limit 0.05, no heat: {limited}")
+
+    def test_point_contact(self):
+        """The balance closes, and no surface gets heat that shear and compression did not make."""
+        result = solve(
+            conditions={"radius_x_m": 0.01, "radius_y_m": 0.01, "reduced_modulus_pa": 2.26e11, "load_n": 100.0,
+                        "mean_speed_m_per_s": 2.0, "viscosity_pa_s": 0.08, "slip_parameter": 1.15},
+            lubricant={"pressure_viscosity_per_pa": 2e-8, "roelands_index": 0.6, "flow_law": "eyring", "eyring_stress_pa": 6e6,
+                       "temperature_k": 313.0},
+            heat={**OIL, "viscosity_temperature_per_k": 0.045}, grid={"cells_x": 64, "cells_y": 64})
+        self.assertLess(result["heat_balance_error"], 1e-3)
+        self.assertLess(result["friction_coefficient"], result["isothermal_friction_coefficient"])
+        sliding = 0.3*2.0*100*result["friction_coefficient"]
+        self.assertGreater(result["heat_of_shear"], sliding)      # the flow along the pressure makes heat, too
+        self.check_close(result["heat_of_shear"], sliding, 0.1, "power of shear")
+
+    def test_refusals(self):
+        row = read_rows()[7]
+        cases = {
+            "surface at rest": groups({**row, "slide_to_roll_ratio": 2.0}, 256),
+            "&lubricant temperature_k is missing": groups(row, 256, lubricant={"temperature_k": 0.0}),
+            "&heat oil_density_kg_per_m3 is missing": groups(row, 256, heat={"oil_density_kg_per_m3": 0.0}),
+            "has no keys for temperature": groups(row, 256, lubricant={
+                "viscosity_law": "doolittle", "doolittle_factor": 4.7, "doolittle_occupied_fraction": 0.66,
+                "tait_modulus_pa": 1.7e9, "tait_modulus_rate": 11.0}, heat={"viscosity_temperature_per_k": 0.0}),
+            "smooth contacts in a steady state": groups(row, 256, waviness={"orientation": "transverse", "wavelength_over_a": 1.0}),
+            "is replaced by shear_limit_over_pressure": groups(row, 256, lubricant={"limiting_stress_over_pressure": 0.1}),
+        }
+        cases["has no keys for temperature"]["lubricant"].pop("pressure_viscosity_per_pa")
+        cases["has no keys for temperature"]["lubricant"].pop("roelands_index")
+        for message, given in cases.items():
+            with self.subTest(message), tempfile.TemporaryDirectory() as folder:
+                path = Path(folder) / "case.nml"
+                path.write_text(namelist(given))
+                outcome = run("case", str(path))
+                self.assertEqual(outcome.returncode, 2, outcome.stdout)
+                self.assertIn(message, outcome.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
