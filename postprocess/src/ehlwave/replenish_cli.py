@@ -73,7 +73,11 @@ def text_of(table: pd.DataFrame, document: dict[str, object]) -> str:
             f"{row.film_m * UM:.4g}{mark}"
         )
     return "\n".join(
-        [*lines, "No oil comes back in this. Each loss is without the other one; both remove oil."]
+        [
+            *lines,
+            "No oil comes back in this. Each loss is without the other one; both remove oil. Films "
+            "thinner than the roughness mean that the surfaces touch.",
+        ]
     )
 
 
