@@ -159,11 +159,3 @@ def test_the_errors_of_film_formulas_are_those_against_the_atlas() -> None:
     sliding = EXPERIMENT | {"slip_parameter": 1.2, "eyring_stress_pa": 5e6}
     thinned = conditions_from_keys(sliding).central_film_error
     assert thinned == pytest.approx(FIT_ERROR + THINNING_ERROR)
-
-
-def test_a_starved_input_is_refused(tmp_path: Path) -> None:
-    text = "&conditions load_parameter_m = 100, lubricant_parameter_l = 10, radius_ratio_d = 1 /\n"
-    file = tmp_path / "starved.nml"
-    file.write_text(text + "&inlet oil_over_flooded = 0.5 /\n")
-    with pytest.raises(SurfaceError, match="too little oil"):
-        read_conditions([str(file)])

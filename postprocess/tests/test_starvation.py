@@ -2,13 +2,17 @@ import itertools
 from pathlib import Path
 
 import numpy as np
+import pandas as pd
 import pytest
 
 from ehlwave.errors import RangeError
 from ehlwave.formula import power_ratio
 from ehlwave.starvation import (
     FILM_COEFFICIENTS,
+    FILM_ERROR,
     FILM_RANGES,
+    WAVE_COEFFICIENTS,
+    WAVE_ERROR,
     film_over_flooded,
     starved_ratio,
 )
@@ -47,7 +51,7 @@ def test_outside_the_range(values: tuple[float, ...]) -> None:
 
 
 def test_outside_the_range_of_waves() -> None:
-    with pytest.raises(RangeError, match="R is outside"):
+    with pytest.raises(RangeError, match=r"R = 0\.2 is outside"):
         starved_ratio(0.2, 100, 10, 1, 1, 0)
 
 
@@ -78,3 +82,16 @@ def test_contacts_that_fill_at_the_edge_do_not_count() -> None:
     rows = [inside, inside | {"meniscus_x": -4.4}, inside | {"status": "stalled"}]
     rows += [inside | {"meniscus_x": float("nan")}]
     assert len(usable(rows)["gamma"]) == 1
+
+
+def test_record_has_the_coefficients_and_errors_of_the_laws() -> None:
+    place = Path(__file__).parents[1] / "record/starvation/laws.csv"
+    rows = pd.read_csv(place).set_index("law")
+    for name, known, error in (
+        ("R", FILM_COEFFICIENTS, FILM_ERROR),
+        ("Ad/Ai", WAVE_COEFFICIENTS, WAVE_ERROR),
+    ):
+        found = [rows.loc[name, f"c{k}"] for k in range(len(known))]
+        assert found == pytest.approx(known, abs=6e-4)
+        assert rows.loc[name, "rms_held_out"] == pytest.approx(error, abs=1e-3)
+    assert rows.loc["R", "rms_held_out"] < rows.loc["R, one g", "rms_held_out"] / 3

@@ -138,8 +138,8 @@ contains
 
    !> Relative error of the amplitude in the last period, by what it has changed since the period before; 0 where there
    !> is none. Measured from rest after `settling_periods` = 1: 0.02 to 0.8 of the change is still to come, most where
-   !> it is small. With fewer, all of the change is counted: the period before has what came in before the waves, and the
-   !> equation of motion goes on to swing (M = 47, Omega = 3.5: 5 per cent off with none).
+   !> it is small. With fewer, all of the change is counted: the period before has what came in before the waves, and
+   !> the equation of motion goes on to swing (M = 47, Omega = 3.5: 5 per cent off with none).
    real(dp) function change_in_a_period(case, plan, history, amplitude) result(change)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan

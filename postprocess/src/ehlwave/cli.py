@@ -9,6 +9,7 @@ from pathlib import Path
 from ehlwave.app.cli import add_app_command
 from ehlwave.command_line import Parser, as_options, with_ratio
 from ehlwave.commands.deform import add_deform_commands
+from ehlwave.commands.replenish import add_replenish_command
 from ehlwave.commands.results import add_results_commands
 from ehlwave.commands.stress import add_stress_command
 from ehlwave.errors import ResultsError, printable
@@ -81,6 +82,7 @@ def command_parser() -> argparse.ArgumentParser:
     add_results_commands(commands)
     add_deform_commands(commands)
     add_stress_command(commands)
+    add_replenish_command(commands)
     add_app_command(commands)
     return parser
 

@@ -256,3 +256,5 @@ class ContactKeys(TypedDict, total=False):
     """slip parameter S = u1/ubar; speed of the wavy surface over the mean speed"""
     slide_to_roll_ratio: SupportsFloat
     """slide-to-roll ratio (u1 - u2)/ubar; in place of slip_parameter, S = 1 + ratio/2"""
+    oil_over_flooded: SupportsFloat
+    """oil offered over oil that the flooded contact passes"""

@@ -10,6 +10,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from ehlwave.atlas.atlas import Atlas, atlas_for, chart_of, load_atlas
 from ehlwave.atlas.chart import Chart
 from ehlwave.atlas.coordinates import wave_components
@@ -26,6 +28,7 @@ from ehlwave.deform.prepare import Form, Window
 from ehlwave.deform.raw_surface import SurfaceSource
 from ehlwave.deform.read import ReadOptions, read_surface
 from ehlwave.deform.sliding import TwoWaveTransfer
+from ehlwave.deform.starved_transfer import StarvedTransfer
 from ehlwave.deform.surface import Surface
 from ehlwave.deform.transfer import FormulaTransfer, RecommendedTransfer, Transfer
 from ehlwave.errors import ExtrapolationWarning, RangeError, SurfaceError
@@ -33,6 +36,7 @@ from ehlwave.quantities import number, plain
 from ehlwave.responses import response_table, responses_figure
 from ehlwave.shown import html_table, micrometres, within
 from ehlwave.slip import RATIO, SLIP, ratio_of, refuse_both, slip_of
+from ehlwave.starvation import WAVES_TEXT, is_fitted
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -55,6 +59,7 @@ class Film:
     ----------
     central_m, minimum_m : float or None
         Film at the contact centre and smallest film, m; None when M, L and D came without a radius.
+        The smallest film of a starved contact is not known: None, and NaN in the Moes scale.
     central_moes, minimum_moes : float
         The same in the Moes scale, (h/Rx)(2U)^(-1/2).
     central_error, minimum_error : float
@@ -89,7 +94,8 @@ class Film:
 
     def _repr_html_(self) -> str:
         rows = {"Hc, Moes": within(self.central_moes, self.central_error)}
-        rows["Hmin, Moes"] = within(self.minimum_moes, self.minimum_error)
+        if math.isfinite(self.minimum_moes):
+            rows["Hmin, Moes"] = within(self.minimum_moes, self.minimum_error)
         rows["central film"] = micrometres(self.central_m)
         rows["smallest film"] = micrometres(self.minimum_m)
         if self.friction is not None:
@@ -113,6 +119,9 @@ class Response:
         Of ``film``, absolute, in units of Ai: 95 % of responses computed anew lie within.
     source : str
         What it was taken from.
+    has_phase : bool
+        Whether the lag is known. The law of starved contacts has amplitudes alone: `film` is real
+        then, and `error` that of its amplitude.
 
     Examples
     --------
@@ -128,10 +137,12 @@ class Response:
     pressure: complex
     error: float
     source: str
+    has_phase: bool = True
 
     def _repr_html_(self) -> str:
         rows = {"film over Ai": f"{abs(self.film):.4g} within {self.error:.2g}"}
-        rows["lag"] = f"{math.degrees(cmath.phase(self.film)):.3g} degrees"
+        lag = f"{math.degrees(cmath.phase(self.film)):.3g} degrees"
+        rows["lag"] = lag if self.has_phase else "not known"
         rows["pressure over Ai, ph/c"] = f"{abs(self.pressure):.4g}"
         return html_table("Response", rows | {"source": self.source})
 
@@ -153,13 +164,16 @@ class Contact:
         ``pressure_viscosity_per_pa`` (2.2e-8) and ``roelands_index`` (0.68) of the oil;
         ``slip_parameter`` (1) of the rough surface, or ``slide_to_roll_ratio`` (0); of a Ree-Eyring
         oil ``eyring_stress_pa``; relative errors of the oil, ``viscosity_error`` and
-        ``pressure_viscosity_error``, which films carry. Plain numbers are SI; quantities of pint
-        are converted. From two bodies: :meth:`from_bodies`.
+        ``pressure_viscosity_error``, which films carry. ``oil_over_flooded``, r, of a starved
+        contact that rolls: film and waves by the laws of :mod:`ehlwave.starvation`. Plain numbers
+        are SI; quantities of pint are converted. From two bodies: :meth:`from_bodies`.
 
     Raises
     ------
     SurfaceError
         If a key is unknown, missing or makes no sense.
+    RangeError
+        A ValueError: a starved contact lies outside the range of its law.
 
     Examples
     --------
@@ -169,6 +183,16 @@ class Contact:
     >>> response = contact.response(wavelength_over_a=0.5)
     >>> print(f"Ad/Ai = {abs(response.film):.2f} within {response.error:.2f}")
     Ad/Ai = 0.92 within 0.01
+
+    Half the oil that the flooded contact passes:
+
+    >>> starved = ehlwave.Contact(load_parameter_m=100, lubricant_parameter_l=10,
+    ...                           radius_ratio_d=1, oil_over_flooded=0.5)
+    >>> film, response = starved.film(), starved.response(wavelength_over_a=0.5)
+    >>> print(f"Hc = {film.central_moes:.2f} within {film.central_error:.0%}")
+    Hc = 1.88 within 6%
+    >>> print(f"Ad/Ai = {abs(response.film):.2f} within {response.error:.2f}")
+    Ad/Ai = 0.56 within 0.17
     """
 
     def __init__(self, *, atlas: str | Path | None = None, **keys: Unpack[ContactKeys]) -> None:
@@ -231,9 +255,10 @@ class Contact:
         return contact
 
     def __repr__(self) -> str:
-        """Return M, L, D and S."""
+        """Return M, L, D and S, of a starved contact r."""
         c = self.conditions
-        return f"Contact(M={c.m:.5g}, L={c.l:.5g}, D={c.d:.5g}, S={c.slip_parameter:g})"
+        r = f", r={c.oil_over_flooded:g}" if c.is_starved else ""
+        return f"Contact(M={c.m:.5g}, L={c.l:.5g}, D={c.d:.5g}, S={c.slip_parameter:g}{r})"
 
     def __getstate__(self) -> dict[str, Any]:
         """Return what is pickled: charts are looked up anew where they are needed."""
@@ -253,7 +278,8 @@ class Contact:
             rows["smallest film"] = within(film.minimum_m * 1e6, film.minimum_error, " um")
         else:
             rows["central film, Moes"] = within(film.central_moes, film.central_error)
-            rows["smallest film, Moes"] = within(film.minimum_moes, film.minimum_error)
+            if math.isfinite(film.minimum_moes):
+                rows["smallest film, Moes"] = within(film.minimum_moes, film.minimum_error)
         return rows | {"source": film.source}
 
     def _repr_html_(self) -> str:
@@ -289,6 +315,9 @@ class Contact:
     def film(self) -> Film:
         """Return central and smallest film of the smooth contact, from the atlas.
 
+        The central film of a starved contact is that of the atlas times R; the law knows no
+        smallest film.
+
         Raises
         ------
         RangeError
@@ -310,17 +339,21 @@ class Contact:
         if film.stress is not None and self._eyring_stress_pa is not None:
             hertz_pa = c.alphabar / c.oil.pressure_viscosity_per_pa
             friction = 1.5 * film.stress * self._eyring_stress_pa / hertz_pa
-        scale = c.metres_per_moes
+        scale, more = c.metres_per_moes, c.thinning_error + c.oil_error
+        central, source = film.central_moes * c.film_ratio, atlas.name
+        if c.is_starved:
+            source += f", times R = {c.film_ratio:.3g} of the law of starved contacts"
+        knows_minimum = not c.is_starved
         return Film(
-            central_m=None if scale is None else film.central_moes * scale,
-            minimum_m=None if scale is None else film.minimum_moes * scale,
-            central_moes=film.central_moes,
-            minimum_moes=film.minimum_moes,
-            central_error=film.central_error + c.thinning_error + c.oil_error,
-            minimum_error=film.minimum_error + c.thinning_error + c.oil_error,
+            central_m=None if scale is None else central * scale,
+            minimum_m=film.minimum_moes * scale if scale is not None and knows_minimum else None,
+            central_moes=central,
+            minimum_moes=film.minimum_moes if knows_minimum else math.nan,
+            central_error=film.central_error + more + c.starvation_error,
+            minimum_error=film.minimum_error + more if knows_minimum else math.nan,
             friction=friction,
             friction_error=None if friction is None else film.stress_error,
-            source=atlas.name,
+            source=source,
         )
 
     def response(
@@ -345,6 +378,7 @@ class Contact:
             that, for a Carreau oil (``carreau_modulus_pa``, ``carreau_exponent``) and for a
             Newtonian one the law of the two waves answers, with an error to match and without
             pressure (NaN). Longitudinal waves stand still: the atlas of pure rolling answers.
+            Starved contacts roll; their law answers without phase and without pressure.
         slide_to_roll_ratio : float, optional
             In place of `slip_parameter`, S = 1 + ratio/2.
 
@@ -370,12 +404,6 @@ class Contact:
             slip_parameter = slip_of(number(slide_to_roll_ratio, RATIO, "response"))
         wavelength_over_a = plain(wavelength_over_a, "wavelength_over_a")
         angle_deg = plain(angle_deg, "angle_deg")
-        low, high = WAVE_RANGE
-        if not low * (1 - 1e-9) <= wavelength_over_a <= high * (1 + 1e-9):
-            raise RangeError(
-                f"wavelength_over_a = {wavelength_over_a:.5g} lies outside the atlas, which holds "
-                f"{low:g} to {high:g}"
-            )
         if not -1e-9 <= angle_deg <= 90 + 1e-9:
             raise RangeError(
                 f"angle_deg = {angle_deg:.5g} lies outside 0 to 90 (waves at -angle are the same)"
@@ -383,6 +411,14 @@ class Contact:
         if slip_parameter is None:
             slip_parameter = self.conditions.slip_parameter
         conditions = replace(self.conditions, slip_parameter=slip_parameter)
+        if conditions.is_starved:
+            return _starved_response(conditions, wavelength_over_a, angle_deg)
+        low, high = WAVE_RANGE
+        if not low * (1 - 1e-9) <= wavelength_over_a <= high * (1 + 1e-9):
+            raise RangeError(
+                f"wavelength_over_a = {wavelength_over_a:.5g} lies outside the atlas, which holds "
+                f"{low:g} to {high:g}"
+            )
         if conditions.is_line and (angle_deg > 1e-9 or not conditions.has_atlas):
             raise RangeError(TRANSVERSE_ALONE if angle_deg > 1e-9 else ROLLS_ALONE)
         if not conditions.has_atlas:
@@ -441,7 +477,8 @@ class Contact:
         xarray.Dataset
             Over ``wavelength`` and ``angle``: ``film_real``, ``film_imag``, ``film_amplitude``,
             ``film_phase``, ``film_error``, ``pressure_real``, ``pressure_imag``, with units and
-            long names. ``is_inside`` is False where a wave lies outside the atlas; there is NaN.
+            long names. ``is_inside`` is False where a wave lies outside the atlas, or the law of
+            starved contacts; there is NaN. Of starved contacts amplitude and error alone are known.
 
         Raises
         ------
@@ -498,7 +535,8 @@ class Contact:
         ----------
         by : {"atlas", "two-waves", "recommended", "paper"}
             The atlas, or a law. Under slip the law of the two waves stands for the atlas where the
-            oil is not Ree-Eyring's.
+            oil is not Ree-Eyring's. That of starved contacts stands for all of them where
+            ``oil_over_flooded`` is given; naming another one is an error then.
 
         Raises
         ------
@@ -515,6 +553,13 @@ class Contact:
         >>> contact.transfer("paper").name
         "formula (18), the paper's coefficients"
         """
+        if self.conditions.is_starved:
+            if by != "atlas":
+                raise RangeError(
+                    f"by = {by!r} is for flooded contacts, and oil_over_flooded is given: leave by "
+                    "out; the law of starved contacts answers"
+                )
+            return StarvedTransfer(self.conditions)
         if by == "atlas" and self.conditions.has_atlas:
             try:
                 return AtlasTransfer(self.conditions, self.atlas())
@@ -667,6 +712,20 @@ class Contact:
                 "Contact: the film in metres needs radius_x_m besides semi_axis_a_m, M, L and D"
             )
         return statistics.lambda_ratio_after
+
+
+def _starved_response(conditions: Conditions, wave: float, angle_deg: float) -> Response:
+    """Return the response by the law of starved contacts."""
+    transfer = StarvedTransfer(replace(conditions, semi_axis_a_m=1.0))
+    if not is_fitted(wave, angle_deg):
+        raise RangeError(
+            f"wavelength_over_a = {wave:.5g} at angle_deg = {angle_deg:.5g} lies outside the law "
+            f"of starved contacts, which holds {WAVES_TEXT}"
+        )
+    turn = cmath.rect(1 / wave, math.radians(angle_deg)) if angle_deg < 90 else 1j / wave
+    along, across = np.array(turn.real), np.array(turn.imag)
+    film, error = complex(transfer.ratio(along, across)), float(transfer.error(along, across))
+    return Response(film, complex(math.nan, math.nan), error, transfer.name, has_phase=False)
 
 
 def _callers() -> int:

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from ehlwave.atlas.ranges import WAVE_RANGE
 from ehlwave.contact.conditions import Conditions
 from ehlwave.extras import load
+from ehlwave.starvation import is_fitted
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -27,6 +28,10 @@ VARIABLES = {
     "pressure_imag": ("1", "imaginary part of the pressure over Ai, in units of ph/c"),
 }
 """Units and long names."""
+
+
+WITHOUT_PHASE = ("film_amplitude", "film_error")
+"""Of starved contacts, whose law has no phase and no pressure."""
 
 
 class OneResponse(Protocol):
@@ -64,6 +69,8 @@ def response_table(
     wave = _column(DEFAULT_WAVES if wavelength_over_a is None else wavelength_over_a)
     angle = _column(angles_of_all if angle_deg is None else angle_deg)
     inside = _is_inside(wave[:, None], angle[None, :], conditions.is_line)
+    if conditions.is_starved:
+        inside &= is_fitted(wave[:, None], angle[None, :])
     values = {name: np.full(inside.shape, np.nan) for name in VARIABLES}
     sources: set[str] = set()
     for place in zip(*np.nonzero(inside), strict=True):
@@ -79,7 +86,8 @@ def response_table(
             "pressure_imag": found.pressure.imag,
         }
         for name, number in numbers.items():
-            values[name][place] = number
+            is_known = not conditions.is_starved or name in WITHOUT_PHASE
+            values[name][place] = number if is_known else np.nan
     return _labelled(wave, angle, inside, values).assign_attrs(
         load_parameter_m=conditions.m,
         lubricant_parameter_l=conditions.l,

@@ -36,6 +36,7 @@ from ehlwave.formula import v
 from ehlwave.hints import did_you_mean, see
 from ehlwave.quantities import number
 from ehlwave.slip import RATIO, SLIP, refuse_both, slip_of
+from ehlwave.starvation import FILM_BAR, UNDER_SLIP, film_over_flooded
 
 SMALLEST_RADIUS_RATIO = 0.005
 
@@ -57,10 +58,11 @@ OIL_KEYS = ("pressure_viscosity_per_pa", "roelands_index", "eyring_stress_pa", *
 DATA_ERRORS = ("viscosity_error", "pressure_viscosity_error")
 """Relative errors of what the oil is known by; the film carries them."""
 
+OIL_OVER_FLOODED = "oil_over_flooded"
+
+_OF_CONTACTS = (*DIMENSIONAL_KEYS, LOAD_KEY, *MOES_KEYS, *SCALE_KEYS)
 KNOWN_KEYS = tuple(
-    dict.fromkeys(
-        (*DIMENSIONAL_KEYS, LOAD_KEY, *MOES_KEYS, *SCALE_KEYS, *OIL_KEYS, *DATA_ERRORS, SLIP, RATIO)
-    )
+    dict.fromkeys((*_OF_CONTACTS, *OIL_KEYS, *DATA_ERRORS, SLIP, RATIO, OIL_OVER_FLOODED))
 )
 """All that conditions are given by; ``python -m studies.typed_keys`` makes types of them."""
 
@@ -106,6 +108,11 @@ class Conditions:
         Relative error of the central film; 0 of a given one.
     oil_error : float
         What errors of viscosity and pressure-viscosity coefficient make of the film, relative.
+    oil_over_flooded : float or None
+        r of a starved contact, oil offered over oil that the flooded contact passes; None: flooded.
+    film_ratio : float
+        R, the central film over that of the flooded contact, by the law of starved contacts; 1 of a
+        flooded one. It is in `central_film_m`.
     given : tuple of pairs
         Keys and values that it was given by, SI.
     names : tuple of triples
@@ -127,6 +134,8 @@ class Conditions:
     metres_per_moes: float | None = None
     central_film_error: float | None = None
     oil_error: float = 0.0
+    oil_over_flooded: float | None = None
+    film_ratio: float = 1.0
     given: tuple[tuple[str, float], ...] = field(default=(), repr=False, compare=False)
     names: tuple[tuple[str, str, float], ...] = field(default=(), repr=False, compare=False)
 
@@ -158,6 +167,11 @@ class Conditions:
         return alphabar(self.m, self.l, self.gamma)
 
     @property
+    def hertz_pa(self) -> float:
+        """Return the largest Hertz pressure ph, Pa."""
+        return self.alphabar / self.oil.pressure_viscosity_per_pa
+
+    @property
     def lambdabar(self) -> float:
         """Return the speed parameter, eq. (4)."""
         if self.is_line:
@@ -175,6 +189,16 @@ class Conditions:
         else:
             film = (self.central_film_m or math.nan) / self.hertz_approach_c_m
         return hertz_medium(self.oil, self.kappa, self.alphabar, self.lambdabar, film, slip)
+
+    @property
+    def is_starved(self) -> bool:
+        """Whether less oil is offered than fills the inlet, `oil_over_flooded`."""
+        return self.oil_over_flooded is not None
+
+    @property
+    def starvation_error(self) -> float:
+        """Return the relative error of the film by that of R; 0 of a flooded contact."""
+        return FILM_BAR / self.film_ratio if self.is_starved else 0.0
 
     @property
     def has_atlas(self) -> bool:
@@ -230,7 +254,7 @@ def conditions_from_keys(
         (with M, L and D also ``reduced_modulus_pa``), of which and of ``roelands_index`` waves
         under slip depend.
         Relative errors of the oil's data, ``viscosity_error`` and ``pressure_viscosity_error``,
-        count in that of the film.
+        count in that of the film. Of a starved contact ``oil_over_flooded``.
     place : str
         Begins every message.
     needs_lengths : bool
@@ -239,7 +263,10 @@ def conditions_from_keys(
     Raises
     ------
     SurfaceError
-        If a key is unknown, missing or not a positive number, or both kinds are given.
+        If a key is unknown, missing or not a positive number, or both kinds are given; if a starved
+        contact slides.
+    RangeError
+        If a starved contact lies outside the range of the law of starved contacts.
     """
     values = _checked(keys, place)
     given = tuple(values.items())
@@ -311,6 +338,8 @@ def _complete(
     _check_ratio(d, place)
     oil_error = _oil_error(values, m, l, d)
     kappa = ellipticity(d) if d > 0 else 0.0
+    ratio = _film_ratio(values, m, l, d, place)
+    starved = FILM_BAR / ratio if OIL_OVER_FLOODED in values else 0.0
     approach, metres_per_moes = None, None
     source, error = "given (central_film_m)", 0.0
     if "radius_x_m" in values and math.isfinite(semi_axis_a_m):
@@ -320,11 +349,13 @@ def _complete(
         per_film = moes_per_film(m, kappa) if d > 0 else float(moes_per_line_film(m))
         metres_per_moes = approach / per_film
         if film_m is None:
-            film_m = moes_film(m, l, d) * metres_per_moes
+            film_m = moes_film(m, l, d) * metres_per_moes * ratio
             source, error = (_FIT_TEXT, FIT_ERROR) if d > 0 else (_LINE_FIT_TEXT, LINE_FIT_ERROR)
             if slip != 1 and oil.name != "Newtonian":  # the formulas are of oils that nothing thins
                 error += THINNING_ERROR
-            error += oil_error
+            error += oil_error + starved
+            if starved:
+                source += f", times R = {ratio:.3g} of the law of starved contacts"
     if film_m is None:
         source = "unknown: give central_film_m or radius_x_m"
     return Conditions(
@@ -342,8 +373,29 @@ def _complete(
         metres_per_moes=metres_per_moes,
         central_film_error=None if film_m is None else error,
         oil_error=oil_error,
+        oil_over_flooded=values.get(OIL_OVER_FLOODED),
+        film_ratio=ratio,
         given=given,
     )
+
+
+def _film_ratio(values: Mapping[str, float], m: float, l: float, d: float, place: str) -> float:  # noqa: E741
+    """Return R of a starved contact, 1 of a flooded one."""
+    if OIL_OVER_FLOODED not in values:
+        return 1.0
+    if values.get(SLIP, 1.0) != 1:
+        raise SurfaceError(f"{place}: {UNDER_SLIP}")
+    if d == 0:
+        raise SurfaceError(
+            f"{place}: {OIL_OVER_FLOODED} of a line contact: the law of starved contacts was "
+            "fitted to elliptical ones, D of 0.1 to 1: compute it with ehlwave-case"
+        )
+    if "central_film_m" in values:
+        raise SurfaceError(
+            f"{place}: gives both {OIL_OVER_FLOODED} and central_film_m: a given film is that of "
+            "the contact as it runs: remove one"
+        )
+    return float(film_over_flooded(values[OIL_OVER_FLOODED], m, l, d))
 
 
 def _oil_error(values: Mapping[str, float], m: float, l: float, d: float) -> float:  # noqa: E741

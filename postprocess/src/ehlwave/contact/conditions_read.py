@@ -7,8 +7,13 @@ from typing import Any, NamedTuple
 
 import f90nml
 
-from ehlwave.contact.conditions import OIL_KEYS, Conditions, conditions_from_keys
-from ehlwave.errors import SurfaceError
+from ehlwave.contact.conditions import (
+    OIL_KEYS,
+    OIL_OVER_FLOODED,
+    Conditions,
+    conditions_from_keys,
+)
+from ehlwave.errors import SurfaceError, printable
 from ehlwave.slip import merged, refuse_both
 
 KNOWN_LAWS = {"viscosity_law": "roelands", "density_law": "dowson_higginson"}
@@ -17,6 +22,17 @@ KNOWN_LAWS = {"viscosity_law": "roelands", "density_law": "dowson_higginson"}
 LAW_PREFIXES = ("mcewen_", "yasutomi_", "doolittle_", "tait_")
 """Of the parameters of other laws."""
 
+
+_CHANGES = "the law of starved contacts is of layers that do not change in time"
+OTHER_INLET_KEYS = {
+    "oil_layer_m": f"give {OIL_OVER_FLOODED}, the layer over relative density times film at the "
+    "centre of the flooded contact",
+    "oil_profile": "the law of starved contacts is of layers that are the same all across",
+    "oil_change_factor": _CHANGES,
+    "oil_change_start": _CHANGES,
+    "oil_change_length": _CHANGES,
+}
+"""Keys of ``&inlet`` that no law answers for, and why."""
 
 FLOW_LAWS = {"newtonian": "Newtonian", "eyring": "Ree-Eyring", "carreau": "Carreau"}
 """Oils by the ``flow_law`` of files."""
@@ -29,7 +45,7 @@ def read_conditions(words: Sequence[str]) -> Conditions:
     ----------
     words : sequence of str
         Each is ``KEY=VALUE`` or the name of an input file of ``ehlwave-case``, whose groups
-        ``&conditions`` and ``&lubricant`` are used. Later words override earlier ones.
+        ``&conditions``, ``&lubricant`` and ``&inlet`` are used. Later words override earlier ones.
 
     Raises
     ------
@@ -98,13 +114,15 @@ def _from_file(path: Path) -> GivenKeys:
         raise SurfaceError(f"conditions {path}: not a namelist file ({error})") from error
     if "conditions" not in groups:
         raise SurfaceError(f"conditions {path}: has no group &conditions")
-    if any(str(key).startswith("oil_") for key in groups.get("inlet", {})):
-        raise SurfaceError(
-            f"conditions {path}: &inlet offers too little oil, and these answers are those of "
-            "flooded contacts: remove &inlet, or compute the contact with ehlwave-case "
-            "(ehlwave.starvation has laws of its film and waves)"
-        )
-    keys = dict(groups["conditions"])
+    inlet = groups.get("inlet", {})
+    for key in inlet:
+        if key != OIL_OVER_FLOODED:
+            reason = OTHER_INLET_KEYS.get(str(key), "no law of starved contacts knows this key")
+            raise SurfaceError(
+                f"conditions {path}: &inlet {printable(str(key))}: {reason}; or compute the "
+                "contact with ehlwave-case"
+            )
+    keys = dict(groups["conditions"]) | dict(inlet)
     lubricant = groups.get("lubricant", {})
     others = [
         f"{key} = '{lubricant[key]}'"

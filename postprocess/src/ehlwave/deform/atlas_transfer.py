@@ -233,12 +233,16 @@ def with_atlas_film(conditions: Conditions, atlas: Atlas | None = None) -> Condi
         return conditions
     film = chart_of(conditions, atlas).film()
     error = film.central_error + conditions.thinning_error + conditions.oil_error
+    error += conditions.starvation_error
     source = f"atlas, within {100 * error:.1g} %"
+    if conditions.is_starved:
+        law = f"R = {conditions.film_ratio:.3g} of the law of starved contacts"
+        source = f"atlas times {law}, within {100 * error:.1g} %"
     if conditions.thinning_error:
         source = f"atlas of pure rolling, up to {100 * error:.2g} % too thick under slip"
     return replace(
         conditions,
-        central_film_m=film.central_moes * conditions.metres_per_moes,
+        central_film_m=film.central_moes * conditions.metres_per_moes * conditions.film_ratio,
         film_source=source,
         central_film_error=error,
     )

@@ -19,6 +19,7 @@ from ehlwave.deform.read import ReadOptions, read_surface
 from ehlwave.deform.report import brief_text, plain, report_json, report_text, write_results
 from ehlwave.deform.simulation import simulation_surface, write_simulation_surface
 from ehlwave.deform.sliding import TwoWaveTransfer, second_conditions
+from ehlwave.deform.starved_transfer import StarvedTransfer
 from ehlwave.deform.table import TableTransfer
 from ehlwave.deform.table_read import read_table
 from ehlwave.deform.transfer import FormulaTransfer, RecommendedTransfer, Transfer
@@ -123,6 +124,13 @@ def run_surface(options: argparse.Namespace) -> None:
 def _transfer(options: argparse.Namespace, conditions: Conditions) -> Transfer:
     if options.table is not None:
         return TableTransfer(conditions, read_table(options.table), options.table.name)
+    if conditions.is_starved:
+        if options.refit is not None or options.formula is not None:
+            raise SurfaceError(
+                "--formula and --refit are for flooded contacts, and oil_over_flooded is given: "
+                "leave them out (the law of starved contacts), or give a --table of this much oil"
+            )
+        return StarvedTransfer(conditions)
     if options.refit is not None:
         c1, c2 = read_coefficients(options.refit)
         name = f"formula (18), c1 = {c1:.4g} and c2 = {c2:.4g} of {options.refit.name}"
@@ -144,6 +152,8 @@ def _others(result: Deformed, options: argparse.Namespace) -> list[Deformed]:
     """Return what else can judge the components, for comparison."""
     conditions = result.conditions
     if result.height.size > MOST_COMPARED:
+        return []
+    if conditions.is_starved:
         return []
     every: list[Transfer] = (
         [RecommendedTransfer(conditions), FormulaTransfer(conditions)]

@@ -96,7 +96,7 @@ def stiffness_pa(conditions: Conditions) -> float:
 
 def hertz_pressure_of(conditions: Conditions) -> float:
     """Return the largest Hertz pressure ph, Pa."""
-    return conditions.alphabar / conditions.oil.pressure_viscosity_per_pa
+    return conditions.hertz_pa
 
 
 def pressure_waves(

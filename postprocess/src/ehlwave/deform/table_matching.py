@@ -6,7 +6,7 @@ import numpy as np
 import pandas as pd
 
 from ehlwave.contact.conditions import Conditions
-from ehlwave.deform.table_keys import CARRIED, STRESSES
+from ehlwave.deform.table_keys import CARRIED, OF_THE_INLET, STRESSES
 from ehlwave.effective_input import value_of
 from ehlwave.errors import SurfaceError, printable
 
@@ -48,6 +48,7 @@ def matching_rows(rows: pd.DataFrame, conditions: Conditions, name: str) -> pd.D
                 )
             rows = rows[same]
     rows = _of_same_stress(rows, conditions, name)
+    rows = _of_same_inlet(rows, conditions, name)
     _refuse_varying(rows, name)
     return rows
 
@@ -91,6 +92,24 @@ def _of_same_stress(rows: pd.DataFrame, conditions: Conditions, name: str) -> pd
             )
         rows = rows[same]
     return rows
+
+
+def _of_same_inlet(rows: pd.DataFrame, conditions: Conditions, name: str) -> pd.DataFrame:
+    """Return the rows with as much oil: of a flooded contact those that say nothing of it."""
+    r = conditions.oil_over_flooded
+    is_other = pd.Series(False, index=rows.index)
+    for key in OF_THE_INLET:
+        there = rows[key] if key in rows else pd.Series(np.nan, index=rows.index)
+        if key == "oil_over_flooded" and r is not None:
+            is_other |= ~((there.astype(float) / r - 1).abs() <= LARGEST_DIFFERENCE)
+        else:
+            is_other |= there.notna()
+    if len(rows) and is_other.all():
+        wanted = "a flooded contact" if r is None else f"oil_over_flooded = {r:g}"
+        raise SurfaceError(
+            f"{name}: has no rows of this much oil, {wanted}: compute a table for this contact"
+        )
+    return rows[~is_other]
 
 
 def _refuse_varying(rows: pd.DataFrame, name: str) -> None:

@@ -1,0 +1,106 @@
+"""``ehlwave replenish``: what it does."""
+
+import argparse
+import contextlib
+import json
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+import pandas as pd
+
+from ehlwave.contact.conditions import Conditions
+from ehlwave.contact.conditions_read import read_conditions
+from ehlwave.deform.atlas_transfer import with_atlas_film
+from ehlwave.errors import RangeError
+from ehlwave.replenishment import Track, replenish
+from ehlwave.writing import Writer
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+UM = 1e6
+
+
+def run_replenish(options: argparse.Namespace) -> None:
+    """Print the film over time; write table and figure."""
+    conditions = read_conditions(options.conditions)
+    Track(conditions, options.track_length)
+    with contextlib.suppress(RangeError):  # the film of the formula stays, and the text says so
+        conditions = with_atlas_film(conditions)
+    table = replenish(conditions, options.track_length, options.overrollings)
+    document = summary(table, conditions, options.track_length)
+    print(json.dumps(document, indent=2) if options.json else text_of(table, document))
+    if options.output is not None:
+        written = _write(table, options.output, options.writer)
+        listing = sys.stderr if options.json else sys.stdout
+        print("\n".join(str(path) for path in written), file=listing)
+
+
+def summary(
+    table: pd.DataFrame, conditions: Conditions, track_length_m: float
+) -> dict[str, object]:
+    """Return inputs, what follows from them, and the rows."""
+    track = Track(conditions, track_length_m)
+    return {
+        "oil_over_flooded": conditions.oil_over_flooded,
+        "flooded_film_m": track.flooded_film_m,
+        "film_source": conditions.film_source,
+        "film_error": conditions.central_film_error,
+        "track_length_m": track_length_m,
+        "seconds_per_overrolling": track.period_s,
+        "side_flow_per_s": track.side_flow_per_s,
+        "rows": table.to_dict("records"),
+    }
+
+
+def text_of(table: pd.DataFrame, document: dict[str, object]) -> str:
+    """Return what a user reads: a row a decade of overrollings, and what it means."""
+    tens = np.floor(np.log10(table["overrollings"])).diff().fillna(1) > 0
+    lines = [
+        f"Flooded film {document['flooded_film_m'] * UM:.4g} um; film of the first overrolling: "  # type: ignore[operator]
+        f"{document['film_source']}",
+        "Film over the flooded film, at most:",
+        "overrollings      time, s   by the inlet            by side flow            film, um",
+    ]
+    for row in table[tens | (table.index == table.index[-1])].itertuples():
+        mark = "" if row.is_inside else "  (inlet: extrapolated)"
+        lines.append(
+            f"{row.overrollings:12d} {row.time_s:12.4g}   "
+            f"{row.inlet:.3f} ({row.inlet_low:.3f} to {row.inlet_high:.3f})  "
+            f"{row.side_flow:.3f} ({row.side_flow_low:.3f} to {row.side_flow_high:.3f})  "
+            f"{row.film_m * UM:.4g}{mark}"
+        )
+    return "\n".join(
+        [
+            *lines,
+            "No oil comes back in this. Each loss is without the other one; both remove oil. Films "
+            "thinner than the roughness mean that the surfaces touch.",
+        ]
+    )
+
+
+def replenish_figure(table: pd.DataFrame) -> "Figure":
+    """Draw the film over the flooded one against overrollings, with bands."""
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(5.2, 3.4), layout="constrained")
+    axes = figure.subplots()
+    n = table["overrollings"]
+    for name, label in (("inlet", "by the inlet"), ("side_flow", "by side flow")):
+        (line,) = axes.plot(n, table[name], label=label)
+        low, high = table[f"{name}_low"], table[f"{name}_high"]
+        axes.fill_between(n, low, high, color=line.get_color(), alpha=0.25, lw=0)
+    period = float(table["time_s"].iloc[-1] / (n.iloc[-1] - 1))
+    axes.set(xscale="log", yscale="log", ylabel="film over flooded film")
+    axes.set_xlabel(f"overrollings, one in {period:.3g} s")
+    axes.legend(frameon=False)
+    return figure
+
+
+def _write(table: pd.DataFrame, folder: Path, writer: Writer) -> list[Path]:
+    from ehlwave.figures import write_figure
+
+    path = writer.table(folder / "replenish.csv", table, index=False, lineterminator="\r\n")
+    return [path, *write_figure(replenish_figure(table), folder, "replenish", writer=writer)]
