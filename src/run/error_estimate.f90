@@ -16,7 +16,7 @@ contains
    !>
    !> p is the observed order where three values show one between 1 and 2, the nearer of these two limits where it lies
    !> outside or where the differences change sign (order 1: the careful side), and `usual_order` with two values only.
-   !> NaN with fewer than two values or where one of the first two is not finite.
+   !> NaN with fewer than two values or where one of the first two is not finite or the first is 0.
    pure real(dp) function estimate_error(values, usual_order)
       real(dp), intent(in) :: values(:)   !! on meshes h, 2h, 4h, ...: the finest first
       real(dp), intent(in), optional :: usual_order   !! absent: 2
@@ -25,6 +25,7 @@ contains
       estimate_error = no_value
       if (size(values) < 2) return
       if (.not. all(ieee_is_finite(values(:2)))) return
+      if (.not. abs(values(1)) > 0) return
       order = formal_order
       if (present(usual_order)) order = usual_order
       if (size(values) > 2) then

@@ -18,6 +18,7 @@ module ehlwave_film_errors
    !> Of the friction, above which none is given; 1 where no second grid shows how the pressure spike grows. Random
    !> cases that said 1 to 10 with a second grid were off by less.
    real(dp), parameter :: most_friction_error = 10
+   real(dp), parameter :: no_friction = 1e-9_dp   !! of pure rolling, by round-off
 
 contains
 
@@ -50,7 +51,8 @@ contains
       end if
       if (ieee_is_finite(result%shear%friction_coefficient)) result%friction_error = &
          estimate_friction_error(multigrid%levels(n:1:-1), stress, result%central_film_error)
-      if (.not. ieee_is_finite(result%friction_error)) return
+      if (.not. ieee_is_finite(result%friction_error) .or. &
+          abs(result%shear%friction_coefficient) < no_friction) return
       if (result%friction_error > merge(1.0_dp, most_friction_error, result%film_error_basis == 'model')) then
          result%shear%friction_coefficient = no_value
          result%friction_error = no_value

@@ -67,10 +67,10 @@ class Heat(TestCase):
             coarse, fine = (solve(**groups(row, cells)) for cells in (268, 536))
             what = f"{row['mean_speed_m_per_s']} m/s, slide-to-roll ratio {row['slide_to_roll_ratio']}"
             for name, (theirs, unit) in NAMES.items():
-                value = fine[name] + (fine[name] - coarse[name])/3
-                if row[theirs] == 0:
-                    self.assertLess(abs(value), 1e-6, f"{what}: {name}")
+                if row[theirs] == 0:   # in pure rolling the friction is round-off, of which no grid tells the error
+                    self.assertLess(abs(fine[name] or 0), 1e-6, f"{what}: {name}")
                 else:
+                    value = fine[name] + (fine[name] - coarse[name])/3
                     worst[name] = max(worst.get(name, 0), self.check_close(value, row[theirs]*unit, FILM_BAND, f"{what}: {name}"))
             for name in RISES:
                 if row["slide_to_roll_ratio"] >= SPIKED and (name != RISES[0] or row["slide_to_roll_ratio"] > SPIKED):
