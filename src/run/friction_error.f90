@@ -17,7 +17,7 @@ module ehlwave_friction_error
    public :: estimate_friction_error
 
    real(dp), parameter :: usual_order = 1        !! with two levels
-   real(dp), parameter :: blunt_share = 0.5_dp   !! of the relative error of the film, at least: grids can agree by
+   real(dp), parameter :: blunt_share = 1        !! of the relative error of the film, at least: grids can agree by
                                                  !! chance,
    real(dp), parameter :: newtonian_share = 2    !! of the relative error of the film, at least, of a Newtonian oil
    real(dp), parameter :: next_growth = 3        !! growth of the spike on finer grids over that since the last one;

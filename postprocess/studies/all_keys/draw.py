@@ -191,20 +191,29 @@ def _tolerance(usual: float) -> Draw:
 
 
 def _method(c: Contact, row: Row) -> Value:
-    if c.is_line or c.chance(0.6) or "oil_over_flooded" in row:
+    if c.is_line or c.chance(0.6) or {"oil_over_flooded", "oil_layer_m"} & set(row):
         return None
     return c.one_of("fas", "fas", "newton", "petsc")
 
 
 def _oil(c: Contact, row: Row) -> Value:
     rolls = row.get("slip_parameter", 1) == 1 or row.get("orientation") is None
-    if not c.chance(0.12) or not rolls or row.get("response") == "periodic" or c.has_surface:
+    if not rolls or row.get("response") == "periodic" or c.has_surface or c.is_warm:
+        return None
+    if not c.chance(0.12):
         return None
     return c.power(0.3, 5)
 
 
+def _layer(c: Contact, row: Row) -> Value:
+    """Return a layer in metres; of many contacts it is more than they take."""
+    if "radius_x_m" not in row or "oil_over_flooded" in row or _oil(c, row) is None:
+        return None
+    return c.power(1e-7, 1e-5)
+
+
 def _starved(inner: Draw) -> Draw:
-    return lambda c, row: inner(c, row) if "oil_over_flooded" in row else None
+    return lambda c, row: inner(c, row) if {"oil_over_flooded", "oil_layer_m"} & set(row) else None
 
 
 def _changing(inner: Draw) -> Draw:
@@ -313,7 +322,7 @@ DRAWS: dict[str, Draw] = {
     "response": _response,
     "file": lambda c, row: c.surface() if c.has_surface else None,
     "oil_over_flooded": _oil,
-    "oil_layer_m": lambda c, row: None,  # needs a film to be known: test_starvation has it
+    "oil_layer_m": _layer,
     "oil_profile": _starved(_share(0.2, lambda c, row: c.layers())),
     "oil_change_factor": _starved(
         _where("response", "transient", "both")(_share(0.2, lambda c, row: c.between(0.5, 1.5)))
@@ -354,7 +363,9 @@ DRAWS: dict[str, Draw] = {
     "fields_every": _where("response", "transient", "both")(
         _share(0.2, lambda c, row: int(c.power(4, 40)))
     ),
-    "sensitivities": _share(0.1, lambda c, row: None if "oil_over_flooded" in row else True),
+    "sensitivities": _share(
+        0.1, lambda c, row: None if {"oil_over_flooded", "oil_layer_m"} & set(row) else True
+    ),
     "slide_to_roll_ratio": _ratio,
 }
 
