@@ -51,8 +51,8 @@ contains
       end if
       if (ieee_is_finite(result%shear%friction_coefficient)) result%friction_error = &
          estimate_friction_error(multigrid%levels(n:1:-1), stress, result%central_film_error)
-      if (.not. ieee_is_finite(result%friction_error) .or. &
-          abs(result%shear%friction_coefficient) < no_friction) return
+      if (.not. ieee_is_finite(result%friction_error)) return
+      if (abs(result%shear%friction_coefficient) < no_friction) return
       if (result%friction_error > merge(1.0_dp, most_friction_error, result%film_error_basis == 'model')) then
          result%shear%friction_coefficient = no_value
          result%friction_error = no_value
