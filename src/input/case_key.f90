@@ -14,6 +14,7 @@ module ehlwave_case_key
    !> An entry of a table of keys. What is not said of a key is as here.
    type, public :: key_t
       character(len=key_length) :: name = ''
+      character(len=key_length) :: short = ''        !! that its group takes as well, where the group says the rest
       character(len=512) :: help = ''                !! one line; up to the first ':' or ';' its long name
       character(len=8) :: unit = '1'
       real(dp) :: above = -huge(1.0_dp)              !! not allowed itself

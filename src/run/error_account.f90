@@ -32,7 +32,7 @@ contains
          result%ratio_errors = error_parts_t(mesh=result%harmonic%error, domain=plan%domain_error, &
                                              algebraic=case%response_tolerance)
       end if
-      result%error_estimate = asked(case, merge(result%ratio_errors, result%film_errors, case%orientation /= 'none'))
+      result%error_estimate = asked(case, merge(result%ratio_errors, result%film_errors, case%has_ratio()))
    end subroutine take_errors
 
    !> Errors of Ad/Ai of waves in time, or of a standing pattern.

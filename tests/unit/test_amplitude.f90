@@ -28,7 +28,7 @@ contains
          call test%check_close(abs(fitted_harmonic(time, film, period)), amplitude, 'harmonic', relative=1e-10_dp)
          call test%check_close(abs(fitted_harmonic(time, film, period) - amplitude*exp(cmplx(0, -phase, dp))), 0.0_dp, &
                                'with its phase', absolute=1e-10_dp*amplitude)
-         call test%check_close(fitted_mean(time, film, period), 0.14_dp, 'its mean', absolute=1e-10_dp*amplitude)
+         call test%check_close(fitted_mean(time, film, [period]), 0.14_dp, 'its mean', absolute=1e-10_dp*amplitude)
       end do
       call test%check_close(sampled_amplitude([1.0_dp, 3.0_dp, 2.0_dp, 0.5_dp]), 1.25_dp, 'half the range', relative=1e-15_dp)
       call test%check(sampled_amplitude(film) < amplitude, 'samples miss the crest')
@@ -48,7 +48,7 @@ contains
       call test%check(ieee_is_nan(abs(fitted_harmonic([0.0_dp, 0.5_dp], [1.0_dp, 2.0_dp], 1.0_dp))), 'too few samples')
       call test%check(ieee_is_nan(abs(fitted_harmonic(crest_and_trough, [1.0_dp, 2.0_dp, 1.0_dp, 2.0_dp, 1.0_dp], 0.5_dp))), &
                       'two phases do not tell the amplitude')
-      call test%check_close(fitted_mean(crest_and_trough(2:), [2.0_dp, 1.0_dp, 2.0_dp, 1.0_dp], 0.5_dp), 1.5_dp, 'but their mean', &
+      call test%check_close(fitted_mean(crest_and_trough(2:), [2.0_dp, 1.0_dp, 2.0_dp, 1.0_dp], [0.5_dp]), 1.5_dp, 'but their mean', &
                             relative=1e-15_dp)
       call test%check_close(abs(fitted_harmonic([0.0_dp, 0.25_dp, 0.5_dp, 0.75_dp], [5.0_dp, 5.0_dp, 5.0_dp, 5.0_dp], 1.0_dp)), &
                             0.0_dp, 'a constant film', absolute=1e-15_dp)
