@@ -109,7 +109,8 @@ contains
    subroutine check_repetition(plan, error)
       type(case_plan_t), intent(in) :: plan
       type(error_t), allocatable, intent(inout) :: error
-      if (.not. plan%surfaces%repeat_period() > 0) call raise(error, "&waviness response = 'periodic': the waves of "// &
+      if (plan%surfaces%repeat_period() > 0) return
+      call raise(error, "&waviness response = 'periodic': the waves of "// &
          'the two surfaces pass in periods of '//to_text(plan%surfaces%list(1)%period(), 6)//' and '// &
          to_text(plan%surfaces%list(2)%period(), 6)//', which are in no ratio of whole numbers up to 12: take '// &
          "other wavelengths or slip, or response = 'transient' or 'harmonic'")

@@ -79,8 +79,8 @@ contains
             call raise(error, '&waviness'//number//" orientation 'custom' needs wavelength_x_over_a or "// &
                'wavelength_y_over_a above 0 (0 means no variation in that direction)')
          else if (waves%oblique .and. min(waves%wavelength_x_over_a, waves%wavelength_y_over_a) <= 0) then
-            call raise(error, '&waviness'//number//' oblique needs both wavelength_x_over_a and wavelength_y_over_a '// &
-               'above 0')
+            call raise(error, '&waviness'//number//' oblique needs both wavelength_x_over_a and '// &
+               'wavelength_y_over_a above 0')
          end if
          waves%wavelength_over_a = shorter(waves%wavelength_x_over_a, waves%wavelength_y_over_a)
       case default
@@ -127,15 +127,11 @@ contains
       if (case%response == 'transient') return
       given = "&waviness response = '"//trim(case%response)
       if (case%is_measured() .or. case%second%is_measured()) then
-         if (case%is_measured()) then
-            given = given//"' is that of one harmonic wave, "//given_as(case%roughness_t, '')
-         else
-            given = given//"' is that of one harmonic wave, "//given_as(case%second, '2')
-         end if
-         call raise(error, given//" is none: remove it or set response to 'transient'")
+         if (case%is_measured()) call refuse_heights(case%roughness_t, '')
+         if (case%second%is_measured()) call refuse_heights(case%second, '2')
       else if (abs(case%load_factor - 1) > 0) then
-         call raise(error, given//"' is about the steady state under the nominal load: remove &dynamics load_factor "// &
-            "or set response to 'transient'")
+         call raise(error, given//"' is about the steady state under the nominal load: remove &dynamics "// &
+            "load_factor or set response to 'transient'")
       else if (case%time_step_over_cell > 1) then
          call raise(error, '&solver time_step_over_cell = '//to_text(case%time_step_over_cell, 6)// &
                     " is above 1: response = '"//trim(case%response)// &
@@ -144,6 +140,16 @@ contains
          call raise(error, "&dynamics end_time is given but response = '"//trim(case%response)// &
             "' takes no time steps: remove end_time or set response to 'both' or 'transient'")
       end if
+
+   contains
+
+      subroutine refuse_heights(heights, number)
+         type(roughness_t), intent(in) :: heights
+         character(len=*), intent(in) :: number
+         call raise(error, given//"' is that of one harmonic wave, "//given_as(heights, number)//' is none: remove '// &
+            '&surface'//number//" or set response to 'transient'")
+      end subroutine refuse_heights
+
    end subroutine check_response
 
 end module ehlwave_case_roughness

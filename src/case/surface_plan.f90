@@ -29,8 +29,8 @@ contains
 
       allocate (list(merge(2, 1, case%is_pair())))
       call plan_surface(case, case%roughness_t, '', conditions%slip_parameter, conditions, list(1), files, error)
-      if (case%is_pair()) call plan_surface(case, case%second, '2', 2 - conditions%slip_parameter, conditions, list(2), &
-                                            files, error)
+      if (case%is_pair()) call plan_surface(case, case%second, '2', 2 - conditions%slip_parameter, conditions, &
+                                            list(2), files, error)
       surfaces%list = list
    end subroutine plan_surfaces
 
@@ -51,8 +51,9 @@ contains
          call read_case_surface(case, roughness, number, speed, conditions, waviness, digest, error)
          call note_digest(files, trim(roughness%surface_file), digest)
       else if (roughness%is_wavy()) then
-         waviness = new_waviness(roughness%wavelength_x_over_a, conditions%elliptic%kappa*roughness%wavelength_y_over_a, &
-                                 roughness%oblique, case%x_min, speed, roughness%amplitude_over_film)
+         waviness = new_waviness(roughness%wavelength_x_over_a, &
+                                 conditions%elliptic%kappa*roughness%wavelength_y_over_a, roughness%oblique, &
+                                 case%x_min, speed, roughness%amplitude_over_film)
       end if
    end subroutine plan_surface
 

@@ -12,7 +12,7 @@ module ehlwave_case_definition
 
    real(dp), parameter :: no_ratio = huge(1.0_dp)        ! not given; 0 is a ratio
 
-   !> What one surface is rough with: waves, or measured heights.
+   !> Roughness of one surface: waves, or measured heights.
    type, public :: roughness_t
       character(len=name_length) :: orientation = 'none'
       real(dp) :: wavelength_over_a = 0                  !! of a custom pattern the shorter one, completed

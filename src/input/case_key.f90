@@ -14,7 +14,6 @@ module ehlwave_case_key
    !> An entry of a table of keys. What is not said of a key is as here.
    type, public :: key_t
       character(len=key_length) :: name = ''
-      character(len=key_length) :: short = ''        !! that its group takes as well, where the group says the rest
       character(len=512) :: help = ''                !! one line; up to the first ':' or ';' its long name
       character(len=8) :: unit = '1'
       real(dp) :: above = -huge(1.0_dp)              !! not allowed itself
@@ -29,6 +28,7 @@ module ehlwave_case_key
                                                      !! default
       logical :: can_vary = .true.                   !! in a sweep
       character(len=key_length) :: file = ''         !! of a key that names a file to be read: its name in results
+      character(len=key_length) :: short = ''        !! that its group takes as well, where the group says the rest
       ! filled in by the list
       integer :: kind = 0
       character(len=choice_length) :: group = ''

@@ -43,6 +43,7 @@ contains
       call see('oblique', 'whether the pattern is one plane wave cos(kx X + ky Y) in place of the product of cosines', &
                waves%oblique, key_t())
       list%common%applies = .true.
+      list%common%when = ''
       list%common%is_written = waves%is_wavy()
       call see('amplitude_over_film', 'amplitude Ai over the smooth central film thickness', &
                waves%amplitude_over_film, key_t(above=0.0_dp, maximum=1.0_dp))
@@ -68,10 +69,10 @@ contains
       key = key_t(maximum=real(path_length, dp), file='surface'//ending(number), is_written=heights%is_measured())
       if (number == '') then
          call list%enter('surface', 'A measured surface in place of &waviness.')
-         call list%see(heights%surface_file, named(key, 'file', 'surface written by `ehlwave surface`; it enters at '// &
-            'x_min, moves with S and is followed until its trailing end is at the contact centre, or end_time; '// &
-            'needs dimensional conditions. The whole domain is computed unless it is even in Y. With --output, '// &
-            'surface_position_m says which x of the surface was at the centre for each film_at_centre', number))
+         call list%see(heights%surface_file, named(key, 'file', 'surface written by `ehlwave surface`; it '// &
+            'enters at x_min, moves with S and is followed until its trailing end is at the contact centre, or '// &
+            'end_time; needs dimensional conditions. The whole domain is computed unless it is even in Y. With '// &
+            '--output, surface_position_m says which x of the surface was at the centre for each film_at_centre', number))
       else
          call list%enter('surface'//number, 'A measured surface 2 in place of &waviness2.')
          list%common%is_late = .true.

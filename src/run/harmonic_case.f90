@@ -51,8 +51,8 @@ contains
       work_before = steady%multigrid%work()
       call result%pair%take_responses(plan%surfaces, result%central_film, steady, responses, means)
       result%work = result%work + steady%multigrid%work() - work_before
-      if (result%pair%surfaces_touch) call add_warning(result, 'the waves of both surfaces together would touch, to '// &
-         'second order: there is no smallest_film_both')
+      if (result%pair%surfaces_touch) call add_warning(result, 'the waves of both surfaces together would touch, '// &
+         'to second order: there is no smallest_film_both')
    end subroutine run_responses
 
    !> Response to waves about the linearised steady state of a case and, for the error estimate, about that of the grid

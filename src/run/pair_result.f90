@@ -1,4 +1,4 @@
-!> What the results of two rough surfaces have besides those of the first.
+!> Results of two rough surfaces besides those of the first.
 module ehlwave_pair_result
    use ehlwave_harmonic_response, only: harmonic_response_t
    use ehlwave_harmonic_result, only: harmonic_result_t
@@ -29,7 +29,7 @@ module ehlwave_pair_result
 contains
 
    !> Take what both waves do together, after the response to each. Waves of different frequencies change the mean as if
-   !> each were alone, theory eq. (W15). Those of one frequency, which have crests at X = 0 at T = 0, act as one pattern.
+   !> each were alone, theory eq. (W15). Those of one frequency, with crests at X = 0 at T = 0, act as one pattern.
    subroutine take_responses(self, surfaces, central_film, steady, responses, means)
       class(pair_result_t), intent(inout) :: self
       type(surfaces_t), intent(in) :: surfaces

@@ -328,7 +328,7 @@ contains
          exists=is_warm)
    end subroutine add_heat
 
-   !> What two rough surfaces have besides the first.
+   !> Quantities of two rough surfaces besides those of the first.
    subroutine add_pair(list, is_pair, pair)
       type(quantity_list_t), intent(inout) :: list
       logical, intent(in) :: is_pair
@@ -341,12 +341,12 @@ contains
       call add_response(list, pair%harmonic, '_2', is_pair)
       call list%add('film_rms_both', 'rms of H(0,0) by the waves of both surfaces over central_film, phases free, '// &
          'linear responses', pair%film_rms, exists=is_pair)
-      call list%add('mean_film_rise_both', 'mean film with the waves of both surfaces less smooth film over Ai of the '// &
-         'first, second order, linear responses', pair%mean_rise, exists=is_pair)
+      call list%add('mean_film_rise_both', 'mean film with the waves of both surfaces less smooth film over Ai of '// &
+         'the first, second order, linear responses', pair%mean_rise, exists=is_pair)
       call list%add('mean_film_rise_cross', 'part of mean_film_rise_both that neither surface has alone', &
          pair%cross_rise, exists=is_pair)
-      call list%add('smallest_film_both', 'smallest film with the waves of both surfaces anywhere at any time, second '// &
-         'order', pair%smallest_film, exists=is_pair)
+      call list%add('smallest_film_both', 'smallest film with the waves of both surfaces anywhere at any time, '// &
+         'second order', pair%smallest_film, exists=is_pair)
       call list%add('surfaces_touch_both', '1 when both waves together would touch, second order', &
          pair%surfaces_touch, exists=is_pair)
    end subroutine add_pair
