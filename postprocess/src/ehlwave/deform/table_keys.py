@@ -135,7 +135,7 @@ WITHOUT_EFFECT = frozenset(
         "sensitivities",
     )
 )
-"""On the linear response to the waves of the first surface: a case has no waves where it has heat."""
+"""On the linear response to waves of the first surface: a case has no waves where it has heat."""
 
 CARRIED = (*OF_THE_OIL, *OF_THE_EDGES, *OF_THE_INLET, *OF_MARCHES)
 """Columns of a table, empty where a key does not apply."""
