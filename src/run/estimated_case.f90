@@ -2,7 +2,6 @@
 module ehlwave_estimated_case
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_accuracy_model, only: expected_step_error
-   use ehlwave_case_account, only: worse
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: make_plan
    use ehlwave_case_result, only: case_result_t
@@ -52,7 +51,7 @@ contains
       type(case_result_t), intent(out) :: result
       type(shared_steady_t), intent(inout), target, optional :: shared
       class(march_keeper_t), intent(inout), optional :: keeper   !! see `run_case`
-      real(dp), allocatable :: ratios(:, :)
+      real(dp), allocatable :: estimates(:), ratios(:, :)   ! of each surface
       real(dp) :: estimate, seconds
       integer :: n, status
 
@@ -75,13 +74,10 @@ contains
       result%total_work_units = result%all_work/work_unit_operations(plan%cells_x, plan%cells_y)
       associate (order => likely_order(result%film_order, plan%resolution, plan%thinning%steepness))
          ratios = reshape([ratios_of(plan, result), ratios], [size(ratios, 1), size(ratios, 2) + 1])
-         estimate = estimate_error(ratios(1, :), order)
-         do n = 2, size(ratios, 1)
-            estimate = worse(estimate, estimate_error(ratios(n, :), order))
-         end do
+         estimates = [(estimate_error(ratios(n, :), order), n=1, size(ratios, 1))]
       end associate
-      if (ieee_is_finite(estimate)) then
-         estimate = max(estimate, plan%least_ratio_error(result%central_film_error))
+      if (all(ieee_is_finite(estimates))) then
+         estimate = max(maxval(estimates), plan%least_ratio_error(result%central_film_error))
          result%amplitude_ratio_error = estimate
          if (plan%steps > 0) result%amplitude_ratio_error = estimate + expected_step_error(case%step_tolerance)
          result%amplitude_error_basis = 'coarse_grid'
