@@ -141,6 +141,11 @@ contains
       type(mean_change_t), intent(out) :: change
 
       if (.not. has_mean(waves)) return
+      associate (problem => steady%multigrid%levels(size(steady%multigrid%levels))%problem)
+         ! of waves along a line only the mean along it is known, and only of a flow that is linear in the gradient
+         if (problem%grid%is_line .and. waves%wavelength_y > 0 .and. .not. &
+             (waves%is_oblique .and. problem%rheology%is_newtonian())) return
+      end associate
       associate (amplitude => waves%amplitude(result%central_film))
          call find_mean_change(steady%response%tangent, steady%multigrid%levels, response, waves, amplitude, change)
          if (change%status /= status_converged) return
