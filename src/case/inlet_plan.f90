@@ -4,14 +4,16 @@ module ehlwave_inlet_plan
    use ehlwave_case_files, only: case_file_t, note_digest
    use ehlwave_conditions, only: conditions_t
    use ehlwave_errors, only: error_t, raise
+   use ehlwave_formula, only: expected_film
    use ehlwave_inlet_oil, only: inlet_oil_t
    use ehlwave_kinds, only: dp
    use ehlwave_number_file, only: read_number_table
    use ehlwave_number_table, only: number_table_t
+   use ehlwave_rheology, only: rheology_t
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
-   public :: check_inlet, plan_inlet
+   public :: check_inlet, expected_oil, plan_inlet
 
 contains
 
@@ -85,6 +87,18 @@ contains
       inlet%share = table%values(:, share)
       call check_profile(trim(case%oil_profile), inlet, error)
    end subroutine plan_inlet
+
+   !> Oil offered over what the flooded contact passes, by the film formula where a layer is given.
+   pure real(dp) function expected_oil(inlet, conditions, rheology)
+      type(inlet_oil_t), intent(in) :: inlet
+      type(conditions_t), intent(in) :: conditions
+      type(rheology_t), intent(in) :: rheology
+      real(dp) :: hertz(1, 1)
+      expected_oil = inlet%over_flooded
+      if (.not. inlet%layer > 0) return
+      hertz = 1
+      expected_oil = inlet%layer/(sum(rheology%density(hertz))*expected_film(conditions))
+   end function expected_oil
 
    !> A profile has two places or more, in order, and no negative layer; somewhere there is oil.
    subroutine check_profile(path, inlet, error)

@@ -67,8 +67,9 @@ contains
       end associate
    end subroutine follow_oil
 
-   !> Where the gap becomes full upstream of the centre at Y = 0: in the last partly filled cell, by what it holds
-   !> between what arrives there and what would fill it.
+   !> Where the gap becomes full upstream of the centre at Y = 0: behind the last node that is partly filled, the farther
+   !> the less it holds between what arrives there and what would fill it. That share drives oil back over a mesh size,
+   !> as the pressure at the next node, so that this is where the pressure begins.
    pure real(dp) function meniscus(equations, state) result(x)
       type(equations_t), intent(in) :: equations
       type(state_t), intent(in) :: state
@@ -89,7 +90,7 @@ contains
             arriving = content%outflow(i - 1, row)
             share = (flow%f(i, row) - arriving)/max(flow%rho(i, row)*state%h(i, row) - arriving, tiny(1.0_dp))
          end if
-         x = grid%x(i) + grid%hx*(0.5_dp - min(max(share, 0.0_dp), 1.0_dp))
+         x = grid%x(i) + grid%hx*(1 - min(max(share, 0.0_dp), 1.0_dp))
       end associate
    end function meniscus
 

@@ -69,6 +69,8 @@ contains
       call list%add('domain_error', 'relative error expected by the edges of the domain, besides expected_error', &
          plan%domain_error)
       call list%add('expected_mesh_error', 'part of it by the mesh', plan%expected%mesh)
+      call list%add('expected_meniscus_error', 'part of it by the meniscus of a contact with too little oil', &
+                    plan%expected%meniscus)
       call list%add('expected_time_error', 'part of it by steps longer than hX', plan%expected%time)
       call list%add('expected_algebraic_error', 'part of it by the tolerances', plan%expected%algebraic)
       call list%add('expected_amplitude_error', 'expected difference from small waves, besides expected_error', &
@@ -81,6 +83,8 @@ contains
       call list%add('cells_x', 'cells along X', plan%cells_x)
       call list%add('cells_y', 'cells along Y, whole domain', plan%cells_y)
       call list%add('inlet_resolution', 'hX over the length of the inlet pressure sweep', plan%resolution%inlet)
+      call list%add('meniscus_resolution', 'hX over the expected distance of the meniscus from the contact, 0: flooded', &
+                    plan%resolution%meniscus)
       call list%add('inlet_gap_over_film', 'gap at x_min over the film of the formula', plan%resolution%inlet_gap)
       call list%add('points_per_wave_x', 'mesh sizes per wave along X', plan%resolution%points_x)
       call list%add('points_per_wave_y', 'mesh sizes per wave along Y', plan%resolution%points_y)
@@ -203,6 +207,7 @@ contains
       character(len=*), intent(in) :: of, what
       type(error_parts_t), intent(in) :: parts
       call list%add(of//'_error_mesh', 'relative error of '//what//' by the mesh', parts%mesh)
+      call list%add(of//'_error_meniscus', 'the same by the meniscus of a contact with too little oil', parts%meniscus)
       call list%add(of//'_error_domain', 'the same by the edges of the domain', parts%domain)
       call list%add(of//'_error_time', 'the same by steps longer than hX', parts%time)
       call list%add(of//'_error_amplitude', 'the same by the size of the waves, which respond unlike small ones', &

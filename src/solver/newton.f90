@@ -23,6 +23,10 @@ module ehlwave_newton
    integer, parameter :: most_halvings = 10
    real(dp), parameter :: progress = 0.9_dp      !! of the smallest right side, or less, to be reached in so many steps
    integer, parameter :: patience = 15, starved_patience = 10
+   ! Starved contacts whose film closes come to rest away from the solution, at a right side that changes by less than this
+   ! share for so many steps.
+   real(dp), parameter :: rest = 0.03_dp
+   integer, parameter :: most_rests = 3
    !> Linear tolerance of starved contacts, at most: what is left of the large residuals at the meniscus would move all
    !> of it by some cells (M = 149, L = 14, D = 0.14, r = 1.6, 192 x 64 cells: 9 Newton steps in place of a stall).
    real(dp), parameter :: starved_forcing = 5e-3_dp
@@ -83,7 +87,7 @@ contains
       type(solve_report_t), intent(out) :: report
       type(state_t) :: before
       real(dp) :: best, forcing, length, work_before, worth, worth_before
-      integer :: k, last_gain
+      integer :: k, last_gain, rests
       logical :: asks_local
 
       if (checks) call assert(allocated(state%p) .and. limits%tolerance > 0, &
@@ -92,6 +96,7 @@ contains
       call self%step%pose(levels, given)
       allocate (report%history(0))
       worth_before = 0
+      rests = 0
       work_before = work_of(levels)
       forcing = self%loosest
       before = state
@@ -122,7 +127,8 @@ contains
             if (allocated(given%supply)) then   ! a film that closes stays closed
                if (worth < progress*best) last_gain = k
                best = min(best, worth)
-               if (k > last_gain + starved_patience) exit
+               rests = merge(rests + 1, 0, abs(worth - worth_before) < rest*worth)
+               if (k > last_gain + starved_patience .or. rests == most_rests) exit
             end if
             if (work_of(levels) - work_before >= limits%largest_work) exit
 

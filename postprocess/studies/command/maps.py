@@ -53,6 +53,7 @@ def _only(name: str, about: str) -> Option:
     _only("wavy", "all but the smooth steady states"),
     _only("corner", "only the stiff corner of the paper, M = 2000, on 512 x 512 cells"),
     _only("sliding", "only a Ree-Eyring oil, S 0 to 2, tau0 0.5 to 50 MPa, and its responses"),
+    _only("starved", "only contacts with 0.3 to 3 times the oil that they pass flooded"),
     output("stability"),
     at_once("--at-once", "cases that run at the same time; default: the cores you may use"),
     option("--limit", "SECONDS", "a case that takes longer counts as failed; default 900", 900),
