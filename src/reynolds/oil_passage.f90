@@ -67,9 +67,9 @@ contains
       end associate
    end subroutine follow_oil
 
-   !> Where the gap becomes full upstream of the centre at Y = 0: behind the last node that is partly filled, the farther
-   !> the less it holds between what arrives there and what would fill it. That share drives oil back over a mesh size,
-   !> as the pressure at the next node, so that this is where the pressure begins.
+   !> Where the gap becomes full upstream of the centre at Y = 0: behind the last node that is partly filled, the
+   !> farther the less it holds between what arrives there and what would fill it. That share is driven back by the
+   !> pressure of the next node, so that this is where the pressure begins.
    pure real(dp) function meniscus(equations, state) result(x)
       type(equations_t), intent(in) :: equations
       type(state_t), intent(in) :: state

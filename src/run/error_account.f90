@@ -36,7 +36,7 @@ contains
       result%error_estimate = asked(case, merge(result%ratio_errors, result%film_errors, case%orientation /= 'none'))
    end subroutine take_errors
 
-   !> What the meniscus adds. Of the film that is the error of R, which grids tell, as that of the film.
+   !> Add the part of the meniscus. Of the film that is the error of R, which grids tell, as that of the film.
    subroutine add_meniscus(plan, result)
       type(case_plan_t), intent(in) :: plan
       type(case_result_t), intent(inout) :: result

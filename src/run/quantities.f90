@@ -83,7 +83,8 @@ contains
       call list%add('cells_x', 'cells along X', plan%cells_x)
       call list%add('cells_y', 'cells along Y, whole domain', plan%cells_y)
       call list%add('inlet_resolution', 'hX over the length of the inlet pressure sweep', plan%resolution%inlet)
-      call list%add('meniscus_resolution', 'hX over the expected distance of the meniscus from the contact, 0: flooded', &
+      call list%add('meniscus_resolution', &
+                    'hX over the expected distance of the meniscus from the contact, 0: flooded', &
                     plan%resolution%meniscus)
       call list%add('inlet_gap_over_film', 'gap at x_min over the film of the formula', plan%resolution%inlet_gap)
       call list%add('points_per_wave_x', 'mesh sizes per wave along X', plan%resolution%points_x)
