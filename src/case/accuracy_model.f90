@@ -71,10 +71,9 @@ contains
       expected_long_step_error = time_step_factor*(1 - 1/real(cells_per_step, dp)**2)/samples**2
    end function expected_long_step_error
 
-   !> Relative error of Ad/Ai of a contact with too little oil by the meniscus, of first order: c hX/(its distance from the
-   !> contact). A response knows the meniscus to a cell. As the mesh is refined and nodes pass by it, Ad/Ai goes up and
-   !> down; measured half ranges at M = 100, D = 1, r = 0.5, lambda = a: 8, 4 and 2 per cent with hX over the distance 0.22,
-   !> 0.11 and 0.055; less at r = 0.7 and above.
+   !> Relative error of Ad/Ai of a contact with too little oil by the meniscus, theory eq. (C8), of first order:
+   !> c hX/(its distance from the contact). A response knows the meniscus to a cell. As the mesh is refined and nodes
+   !> pass by it, Ad/Ai goes up and down.
    pure real(dp) function expected_meniscus_error(hx_over_distance)
       real(dp), intent(in) :: hx_over_distance   !! 0 of flooded contacts
       expected_meniscus_error = meniscus_factor*hx_over_distance

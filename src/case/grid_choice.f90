@@ -5,8 +5,8 @@ module ehlwave_grid_choice
    use ehlwave_conditions, only: conditions_t
    use ehlwave_formula, only: amplitude_formula, anisotropy_factor, wave_parameter_v
    use ehlwave_kinds, only: dp
-   use ehlwave_resolution, only: coarsest_inlet, coarsest_meniscus, fewest_points_per_wave, inlet_length, wanted_inlet, &
-      wanted_line_inlet, wanted_points_per_wave
+   use ehlwave_resolution, only: coarsest_inlet, coarsest_meniscus, fewest_points_per_wave, inlet_length, &
+      wanted_inlet, wanted_line_inlet, wanted_points_per_wave
    use ehlwave_surfaces, only: surfaces_t
    use ehlwave_text, only: to_text
    implicit none (type, external)

@@ -1,7 +1,7 @@
 !> Errors and work to expect of a plan, and the cap on its work.
 module ehlwave_plan_effort
-   use ehlwave_accuracy_model, only: expected_long_step_error, expected_meniscus_error, expected_ratio_error, expected_step_error, &
-      steady_work_units, step_work_units
+   use ehlwave_accuracy_model, only: expected_long_step_error, expected_meniscus_error, expected_ratio_error, &
+      expected_step_error, steady_work_units, step_work_units
    use ehlwave_case_definition, only: case_t
    use ehlwave_grid_choice, only: formula_ratio
    use ehlwave_kinds, only: dp

@@ -26,8 +26,8 @@ module ehlwave_resolution
                                                                     !! error
 
    !> Largest hX over the distance from the contact's edge to the meniscus that resolves its answer to waves: Ad/Ai is
-   !> then 8 per cent off, with 0.44 40 per cent (M = 100, D = 1, r = 0.5). The film needs no such grid: with 0.7 to 1.2 R
-   !> is 2 per cent off, for the less oil there is the less the inlet decides.
+   !> then 8 per cent off, with 0.44 40 per cent (M = 100, D = 1, r = 0.5). The film needs no such grid: with 0.7 to 1.2
+   !> R is 2 per cent off, for the less oil there is the less the inlet decides.
    real(dp), parameter, public :: coarsest_meniscus = 0.25_dp
 
    real(dp), parameter, public :: narrowest_inlet_gap = 4/3.0_dp    !! gap at the inlet boundary over the film thickness
@@ -65,7 +65,7 @@ contains
    end function inlet_length
 
    !> Distance in X from the edge of the contact to the meniscus at Y = 0 to expect: 2 H^(2/3) r^1.6 with H of the
-   !> flooded film. Measured on 144 contacts of the stability map, r = 0.3 to 1.2: right within a factor of 2.5, mostly 1.5.
+   !> flooded film. Measured on 144 contacts of the stability map, r = 0.3 to 1.2: right within a factor of 2.5.
    pure real(dp) function meniscus_distance(conditions, oil)
       type(conditions_t), intent(in) :: conditions
       real(dp), intent(in) :: oil     !! r, offered over what the flooded contact passes

@@ -142,8 +142,7 @@ contains
    pure subroutine empty_inlet(level, flooded_oil)
       type(level_t), intent(inout) :: level
       real(dp), intent(in) :: flooded_oil   !! rho H of the flooded contact's centre
-      real(dp), allocatable :: oil(:, :)
-      real(dp) :: r
+      real(dp) :: oil(0:level%problem%grid%nx, 0:level%problem%grid%ny), r
       integer :: j
 
       r = maxval(level%given%supply)/flooded_oil
