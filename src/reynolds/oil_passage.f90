@@ -10,6 +10,8 @@ module ehlwave_oil_passage
    private
    public :: follow_oil
 
+   real(dp), parameter :: nothing = 1e-15_dp   !! share of the oil that is round-off of pressures far out
+
    !> Of one solution.
    type, public :: oil_passage_t
       real(dp), allocatable :: content(:, :)   !! theta, (0:nx, 0:ny)
@@ -61,7 +63,7 @@ contains
             end if
             side = side*mesh%cy*grid%hx*grid%hy
          end if
-         passage%side_flow = side/entering
+         passage%side_flow = merge(side/entering, 0.0_dp, abs(side) > nothing*entering)
          passage%balance_error = abs(entering - side - width* &
             sum(grid%weight(grid%first_row:grid%last_row)*passage%behind(grid%first_row:grid%last_row)))/entering
       end associate
