@@ -42,8 +42,8 @@ contains
          call raise(error, given//'waves and surfaces need pure rolling, slip_parameter = 1: where the gap is not '// &
                     'full, under slip each layer moves with its own surface, which the model does not know')
       else if (has_pattern .and. case%response == 'periodic') then
-         call raise(error, given//"response = 'periodic' starts in waves known to second order, which have no contents "// &
-                    "of gaps that are not full: take 'transient', 'both' or 'harmonic'")
+         call raise(error, given//"response = 'periodic' starts in waves known to second order, which have no "// &
+                    "contents of gaps that are not full: take 'transient', 'both' or 'harmonic'")
       else if (case%time_step_over_cell > 1) then
          call raise(error, given//'&solver time_step_over_cell = '//to_text(case%time_step_over_cell, 6)// &
                     ' is above 1: oil in partly filled gaps goes from node to node; use 1, 0.5, 0.25, ...')
