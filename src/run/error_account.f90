@@ -33,7 +33,7 @@ contains
                                              algebraic=case%response_tolerance)
       end if
       if (plan%inlet%is_short()) call add_meniscus(plan, result)
-      result%error_estimate = asked(case, merge(result%ratio_errors, result%film_errors, case%orientation /= 'none'))
+      result%error_estimate = asked(case, merge(result%ratio_errors, result%film_errors, case%has_ratio()))
    end subroutine take_errors
 
    !> Add the part of the meniscus. Of the film that is the error of R, which grids tell, as that of the film.

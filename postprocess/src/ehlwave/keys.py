@@ -137,6 +137,20 @@ class CaseKeys(TypedDict, total=False):
     """response to the waves"""
     file: Text | Surface | TopographyLike
     """surface written by `ehlwave surface`"""
+    orientation_2: Literal["none", "transverse", "isotropic", "longitudinal", "custom"]
+    """of surface 2, orientation of the waves"""
+    wavelength_over_a_2: SupportsFloat
+    """of surface 2, wavelength lambda/a"""
+    wavelength_x_over_a_2: SupportsFloat
+    """of surface 2, wavelength along X over a; 0: no variation along X"""
+    wavelength_y_over_a_2: SupportsFloat
+    """of surface 2, wavelength along Y over a; 0: no variation along Y"""
+    oblique_2: bool
+    """of surface 2"""
+    amplitude_over_film_2: SupportsFloat
+    """of surface 2, amplitude Ai over the smooth central film thickness"""
+    file_2: Text | Surface | TopographyLike
+    """measured surface 2"""
     oil_over_flooded: SupportsFloat
     """oil offered over oil that the flooded contact passes"""
     oil_layer_m: SupportsFloat
