@@ -19,6 +19,9 @@ module ehlwave_fas_multigrid
    real(dp), parameter :: direct_share = 0.01_dp     !! of the residual of the finest level, to be left there
    real(dp), parameter :: divergence = 1e3_dp        !! growth of the residual that ends a solve
 
+   integer, parameter :: patience = 5                !! cycles that are to lower the residual
+   real(dp), parameter :: progress = 0.9_dp          !! to this share, at least
+
    type, extends(level_solver_t), public :: fas_t
       character(len=1) :: cycle = 'f'             !! 'v', 'w' or 'f'
       type(fas_level_t), allocatable, private :: levels(:)   ! coarsest first
@@ -71,6 +74,7 @@ contains
             call report%judge(given, level%equations, state, solve_limits_t(tolerance=limits%tolerance))
             report%history = [report%history, report%residual]
             if (report%status /= status_stalled) exit
+            if (is_stuck(report%history)) exit
             if (report%residual > divergence*report%history(1)) report%status = status_diverged
             if (report%status == status_diverged .or. k == limits%largest_steps) exit
             if (hierarchy%work() - work_before >= limits%largest_work) exit
@@ -81,6 +85,16 @@ contains
          hierarchy%levels(l)%state = state
       end associate
    end subroutine solve
+
+   !> Whether so many cycles brought next to nothing: on grids that do not resolve a heavy contact a film can close, and
+   !> then no step may go far (M = 10,000 on 64 to 256 cells).
+   pure logical function is_stuck(history)
+      real(dp), intent(in) :: history(:)   !! residuals so far
+      integer :: n
+      n = size(history)
+      is_stuck = .false.
+      if (n > patience) is_stuck = minval(history(n - patience + 1:)) > progress*minval(history(:n - patience))
+   end function is_stuck
 
    !> One cycle from an evaluated state to an evaluated state.
    recursive subroutine fas_cycle(self, hierarchy, l, given, cycle, tolerance)

@@ -139,7 +139,7 @@ contains
          end do
          do j = grid%first_row, grid%last_row
             do i = 1, grid%nx - 1
-               state%p(i, j) = max(0.0_dp, state%p(i, j) + change(i, j))
+               state%p(i, j) = max(0.0_dp, state%p(i, j) + limit%bounded(change(i, j)))
             end do
          end do
          call problem%edges%impose(given, state%h, state%p)   ! one sweep behind: of the film before it
