@@ -16,7 +16,7 @@ module ehlwave_method_choice
    real(dp), parameter :: heavy_load = 1000      !! gamma M, from which on FAS takes less on grids in between
 
    ! A residual of FAS leaves a film error of at most a hundredth of it: it lies at single nodes of inlet edge and spike.
-   real(dp), parameter :: share_of_error = 5     !! tolerance over the error of the film that is expected by the mesh,
+   real(dp), parameter :: share_of_error = 30    !! tolerance over the error of the film that is expected by the mesh,
    real(dp), parameter :: loosest = 1e-3_dp, tightest = 1e-6_dp   !! within these bounds
 
 contains
