@@ -15,9 +15,10 @@ module ehlwave_method_choice
    integer, parameter :: small_grid = 256        !! cells along each side, below which nothing is changed
    real(dp), parameter :: heavy_load = 1000      !! gamma M, from which on FAS takes less on grids in between
 
-   ! A residual of FAS leaves a film error of at most a hundredth of it: it lies at single nodes of inlet edge and spike.
-   real(dp), parameter :: share_of_error = 30    !! tolerance over the error of the film that is expected by the mesh,
-   real(dp), parameter :: loosest = 1e-3_dp, tightest = 1e-6_dp   !! within these bounds
+   ! A residual of FAS lies at single nodes of inlet edge and spike. Measured (M = 20 to 2000, 256^2 to 2048^2 cells,
+   ! tolerances of 1e-4 and 1e-3): it leaves a three-thousandth to a hundredth of itself in H(0,0).
+   real(dp), parameter :: share_of_error = 50    !! tolerance over the error of the film that is expected by the mesh,
+   real(dp), parameter :: loosest = 1.5e-3_dp, tightest = 1e-6_dp   !! within these bounds
 
 contains
 

@@ -206,8 +206,8 @@ contains
 
       call list%enter('solver', 'How the equations are solved, and how well.')
       call list%see(case%tolerance, key_t('tolerance', 'tolerance of steady states: mass residual and load error; '// &
-         "where method = 'auto' takes 'fas' and none is given, by the mesh: the error that it is expected to make of "// &
-         'H(0,0), at most 1e-3', minimum=1e-12_dp, maximum=0.1_dp))
+         "where method = 'auto' takes 'fas' and none is given, from 1e-6 to 1.5e-3 by the expected error of the mesh, "// &
+         'far below which it leaves the film', minimum=1e-12_dp, maximum=0.1_dp))
       call list%see(case%step_tolerance, key_t('step_tolerance', 'tolerance of time steps at 20 % amplitude; '// &
          'reduced in proportion for smaller waves', minimum=1e-12_dp, maximum=0.1_dp))
       call list%see(case%response_tolerance, key_t('response_tolerance', 'tolerance of the linear response: its '// &
