@@ -34,9 +34,9 @@ module ehlwave_line_relaxation
    real(dp), parameter :: switch_of_easy_flow = 6
 
    !> The same of an oil that thickens about as much by a pressure at the Hertz pressure as at none. Its spike grows
-   !> with each finer grid (Barus' law, M = 20, L = 10: 2.5, 3.3, 4.5, 6.3 on 256^2 to 2048^2 cells), and the flow changes
-   !> there by a large factor from node to node, so that the sum of the flows to all sides says little of the coupling.
-   !> On 2048^2 cells cycles do not converge with a switch of 3.
+   !> with each finer grid (Barus' law, M = 20, L = 10: 2.5, 3.3, 4.5, 6.3 on 256^2 to 2048^2 cells), and the flow
+   !> changes there by a large factor from node to node, so that the sum of the flows to all sides says little of the
+   !> coupling. On 2048^2 cells cycles do not converge with a switch of 3.
    real(dp), parameter :: switch_of_steep_spike = 6
    real(dp), parameter :: steep_share = 0.9_dp   ! of the thickening at P = 0, at P = 1
 
