@@ -25,6 +25,7 @@ from ehlwave.cli import main
 if chromium.PROGRAM is None:
     pytest.skip("no chromium on PATH (Debian: chromium)", allow_module_level=True)
 
+SESSIONS = 20 if os.environ.get("EHLWAVE_LONG_TESTS") else 6
 Refusing = tuple[str, list[str]]
 """Flag of a browser, and the hosts that were asked for by it."""
 
@@ -222,8 +223,8 @@ def test_wrong_numbers_name_their_field_and_keep_the_rest(address: str, tmp_path
     in_browser(tmp_path, use)
 
 
-def test_twenty_sessions_at_once_answer_each_its_own(address: str, tmp_path: Path) -> None:
-    loads = [40 + 2 * number for number in range(20)]
+def test_sessions_at_once_answer_each_its_own(address: str, tmp_path: Path) -> None:
+    loads = [40 + 2 * number for number in range(SESSIONS)]
     keys = {
         "radius_x_m": 0.0127,
         "radius_y_m": 0.0127,

@@ -18,9 +18,10 @@ module ehlwave_fas_multigrid
    integer, parameter :: direct_steps = 10           !! Newton steps per visit of the coarsest level
    real(dp), parameter :: direct_share = 0.01_dp     !! of the residual of the finest level, to be left there
    real(dp), parameter :: divergence = 1e3_dp        !! growth of the residual that ends a solve
-
-   integer, parameter :: patience = 5                !! cycles that are to lower the residual
-   real(dp), parameter :: progress = 0.9_dp          !! to this share, at least
+   !> Cycles without `progress` that end a solve: on grids that do not resolve a heavy contact a film can close, and
+   !> then no step may go far (M = 10,000 on 64 to 256 cells).
+   integer, parameter :: patience = 6
+   real(dp), parameter :: progress = 0.9_dp          !! the largest error over the least before, at most
 
    type, extends(level_solver_t), public :: fas_t
       character(len=1) :: cycle = 'f'             !! 'v', 'w' or 'f'
@@ -55,9 +56,11 @@ contains
       integer, intent(in) :: l
       type(solve_limits_t), intent(in) :: limits
       type(solve_report_t), intent(out) :: report
-      real(dp) :: work_before
-      integer :: k
+      real(dp) :: work_before, least
+      integer :: k, of_least
 
+      least = huge(1.0_dp)
+      of_least = 0
       if (checks) call assert(allocated(self%levels), 'fas%solve: init came first')
       if (l == 1) then
          call self%direct%solve(hierarchy, l, limits, report)
@@ -74,10 +77,14 @@ contains
             call report%judge(given, level%equations, state, solve_limits_t(tolerance=limits%tolerance))
             report%history = [report%history, report%residual]
             if (report%status /= status_stalled) exit
-            if (is_stuck(report%history)) exit
             if (report%residual > divergence*report%history(1)) report%status = status_diverged
             if (report%status == status_diverged .or. k == limits%largest_steps) exit
             if (hierarchy%work() - work_before >= limits%largest_work) exit
+            if (report%worst() < progress*least) then
+               least = report%worst()
+               of_least = k
+            end if
+            if (k - of_least >= patience) exit
             call fas_cycle(self, hierarchy, l, given, self%cycle, direct_share*report%residual)
             report%nonlinear_steps = k + 1
          end do
@@ -85,16 +92,6 @@ contains
          hierarchy%levels(l)%state = state
       end associate
    end subroutine solve
-
-   !> Whether so many cycles brought next to nothing: on grids that do not resolve a heavy contact a film can close, and
-   !> then no step may go far (M = 10,000 on 64 to 256 cells).
-   pure logical function is_stuck(history)
-      real(dp), intent(in) :: history(:)   !! residuals so far
-      integer :: n
-      n = size(history)
-      is_stuck = .false.
-      if (n > patience) is_stuck = minval(history(n - patience + 1:)) > progress*minval(history(:n - patience))
-   end function is_stuck
 
    !> One cycle from an evaluated state to an evaluated state.
    recursive subroutine fas_cycle(self, hierarchy, l, given, cycle, tolerance)
