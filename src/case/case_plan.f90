@@ -73,6 +73,7 @@ contains
       if (.not. plan%conditions%is_line()) plan%hy = 2*plan%y_max/plan%cells_y
       plan%deformation = merge('mlmi', 'fft ', case%deformation == 'mlmi')   ! 'auto': the FFT, measured
 
+      plan%is_by_multigrid = case%method == 'fas'
       plan%is_periodic = plan%surfaces%moves() .and. case%response == 'periodic'
       plan%responds = plan%surfaces%is_rough() .and. (case%response == 'harmonic' .or. case%response == 'both')
       if (plan%responds .and. case%response == 'harmonic') then

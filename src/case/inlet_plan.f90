@@ -32,7 +32,7 @@ contains
       if (case%oil_layer_m > 0 .and. .not. case%is_dimensional) then
          call raise(error, given//'metres need dimensional conditions (radius_x_m, ...); give oil_over_flooded in '// &
                     'place of it')
-      else if (case%method /= 'newton') then
+      else if (.not. any(case%method == ['newton', 'auto  '])) then
          call raise(error, given//"starved contacts are solved by method = 'newton' alone, not by '"// &
             trim(case%method)//"', whose sweeps know no partly filled nodes")
       else if (case%sensitivities) then

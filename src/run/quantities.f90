@@ -69,6 +69,8 @@ contains
       call list%add('deformation', 'fft or mlmi on the finest grid', trim(plan%deformation))
       call list%add('expected_error', 'relative error expected by the plan', plan%expected_error)
       call add_key(list, keys, 'edges')
+      call add_key(list, keys, 'method')
+      call add_key(list, keys, 'tolerance')
       call list%add('domain_error', 'relative error expected by the edges of the domain, besides expected_error', &
          plan%domain_error)
       call list%add('expected_mesh_error', 'part of it by the mesh', plan%expected%mesh)
@@ -120,7 +122,6 @@ contains
       call list%add('largest_work_units', 'work at which the case ends, in plain FFT convolutions of the grid', &
                     plan%largest_work/work_unit_operations(plan%cells_x, plan%cells_y), exists=plan%has_work_cap())
       call add_key(list, keys, 'step_tolerance')
-      call add_key(list, keys, 'tolerance')
       associate (c => plan%conditions)
          call list%add('central_film_formula', 'central film by theory eq. (H1), of a line contact (H2), '// &
             '(h/Rx)(2U)^(-1/2)', moes_film_formula(c))

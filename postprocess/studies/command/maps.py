@@ -117,6 +117,28 @@ def speed(options: argparse.Namespace) -> int:
     return steps.report("speed", "--output", options.output, "--repeats", options.repeats)
 
 
+@study(
+    "heavy",
+    output("heavy"),
+    option("--largest", "N", "cells along X and Y, at most; 2048 takes minutes (default 1024)", 1024),
+    option("--method", "METHOD", "the key method of the cases (default auto)", "auto"),
+    flag("--responses", "with the linear response to transverse waves of 0.5 a"),
+    option("--program", "FILE", "an ehlwave-case to use; otherwise it is built"),
+)
+def heavy(options: argparse.Namespace) -> int:
+    """Measure what heavy loads and large grids cost.
+
+    Runs smooth contacts of M = 100, 1000 and 10,000, and the case of Venner and Lubrecht's book, on
+    256 x 256 cells and more, on one core. Prints method, tolerance, steps, counted work units and
+    memory. Writes heavy.csv.
+
+    Exit status: 0 done, 1 failed, 2 bad usage.
+    """
+    steps.prepare(options.program)
+    words = ("--output", options.output, "--method", options.method, "--largest", options.largest)
+    return steps.report("heavy", *words, *(("--responses",) if options.responses else ()))
+
+
 @study("stress", output("stress"))
 def stress(options: argparse.Namespace) -> int:
     """Compare stresses below rough surfaces: dry, lubricated and smooth.
