@@ -71,8 +71,7 @@ contains
       end associate
    end subroutine warm_problem
 
-   !> One march at a state, and the temperatures of the problem taken towards it: as far as the heat that they leave
-   !> allows, see `share_to_go`.
+   !> One march at a state: temperatures of the problem, whose source is linearised about those before.
    pure subroutine march(self, problem, state, flow)
       class(energy_t), intent(inout) :: self
       type(contact_problem_t), intent(inout) :: problem
@@ -85,7 +84,8 @@ contains
       call find_layer_fluxes(self%flux, problem%grid, problem%conditions%elliptic%kappa, self%levels, self%shear, flow)
       self%rise = problem%heat%rise
       do j = problem%grid%first_row, problem%grid%last_row
-         call self%march_row(problem%grid, problem%conditions%elliptic%kappa, state%h(:, j), problem%heat%rise(:, :, j), j)
+         call self%march_row(problem%grid, problem%conditions%elliptic%kappa, state%h(:, j), &
+                             problem%heat%rise(:, :, j), j)
       end do
       change = 0
       largest = tiny(largest)
@@ -201,7 +201,8 @@ contains
          call add_side(column, cx, x(:, i, j), theta(:, i - 1, j), theta(:, i + 1, j))
          call add_inflow(column, cx, x(:, i - 1, j), theta(:, max(i - 2, 0), j), theta(:, i - 1, j))
          if (.not. grid%is_line) then
-            call add_side(column, cy, y(:, i, j), theta(:, i, below), theta(:, i, above), theta(:, i, farther(above, 1)))
+            call add_side(column, cy, y(:, i, j), theta(:, i, below), theta(:, i, above), &
+                          theta(:, i, farther(above, 1)))
             if (below > j) then                    ! the line of symmetry
                call add_side(column, cy, y(:, i, j), theta(:, i, above), theta(:, i, below), &
                              theta(:, i, farther(below, 1)))

@@ -9,7 +9,7 @@ module ehlwave_anderson
    real(dp), parameter :: least_pivot = 1e-6_dp        ! of normal equations whose diagonal is 1
    real(dp), parameter :: largest_weight = 3           ! of a difference; beyond, it is not used
 
-   !> What the last iterations did. Values are (k, places); a place has one weight.
+   !> The last iterations. Values are (k, places); a place has one weight.
    type, public :: anderson_t
       private
       integer :: kept = 0

@@ -20,9 +20,9 @@ module ehlwave_warm_steady
    public :: solve_warm
 
    integer, parameter :: most_rounds = 40, most_coarse_rounds = 20
-   integer, parameter :: more_steps = 6             !! of Newton's method in a round, in place of one: where temperatures
-                                                    !! have settled, and where its active set goes to and fro, the
-   real(dp), parameter :: stuck = 0.5_dp            !! residual being more than that of before
+   integer, parameter :: more_steps = 6             !! of Newton's method in a round, in place of one: where
+                                                    !! temperatures have settled, and where its active set goes to and
+   real(dp), parameter :: stuck = 0.5_dp            !! fro, the residual being more than that of before
    real(dp), parameter :: settled = 100             !! change of film and heat in a round, in units of the tolerance
    real(dp), parameter :: loosening = 1.3_dp        !! of that with each round beyond so many: where a node at the edge
    integer, parameter :: patience = 12              !! of the film, or of the backflow, goes to and fro
@@ -30,7 +30,7 @@ module ehlwave_warm_steady
 
    real(dp), parameter :: ahead = 0.25_dp           !! of a difference of two grids: to the next, of second order
 
-   !> What heat changes.
+   !> Change of a state by heat.
    type :: warming_t
       real(dp), allocatable :: p(:, :), rise(:, :, :)
       real(dp) :: delta = 0
@@ -81,8 +81,8 @@ contains
       end do
    end subroutine solve_warm
 
-   !> What heat changed on a level. Where it was predicted from the next coarser one, a quarter of the difference is added,
-   !> by which the next finer grid will differ.
+   !> Change of a level's state by heat. Where it was predicted from the next coarser one, a quarter of the difference
+   !> is added, by which the next finer grid will differ.
    pure function warming_of(level, cold, predicted) result(found)
       type(level_t), intent(in) :: level
       type(state_t), intent(in) :: cold                    !! without heat
@@ -191,7 +191,8 @@ contains
          rise = level%problem%heat%rise
          call energy%march(level%problem, level%state, equations%flow)
          if (is_later .and. present(anderson)) &
-            call anderson%mix(size(rise, 1), size(level%state%p), max(level%state%p, 0.0_dp), rise, level%problem%heat%rise)
+            call anderson%mix(size(rise, 1), size(level%state%p), max(level%state%p, 0.0_dp), rise, &
+                              level%problem%heat%rise)
          call level%problem%heat%weigh(level%problem%rheology, energy%levels%weight, level%state%p)
       end associate
    end subroutine warm_up
