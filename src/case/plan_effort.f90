@@ -29,7 +29,7 @@ module ehlwave_plan_effort
                                                      !! that alone; measured: 2 to 4
    real(dp), parameter :: starved_step_cost = 1.3_dp !! of a time step without patches
    real(dp), parameter :: limit_cost = 6             !! of an oil with a limit of its stress; measured: 2 to 20
-   real(dp), parameter :: heat_cost = 4              !! of a steady state with heat, of one without; measured: 1.7 to 6
+   real(dp), parameter :: heat_cost = 4              !! of a steady state with heat, of one without; measured: 1.3 to 5
 
 contains
 

@@ -1,5 +1,6 @@
 !> Full multigrid (FMG): solve on the coarsest grid, interpolate, solve on the next finer one, and so on.
 module ehlwave_full_multigrid
+   use ehlwave_equations, only: equations_t
    use ehlwave_hierarchy, only: hertz_guess, hierarchy_t
    use ehlwave_kinds, only: dp
    use ehlwave_level_solver, only: level_solver_t
@@ -16,6 +17,7 @@ module ehlwave_full_multigrid
       procedure :: solve
       procedure :: solve_level
       procedure :: solve_below
+      procedure :: last_equations
    end type full_multigrid_t
 
    integer, parameter, public :: levels_below = 2   !! the finest, that error estimates compare with it
@@ -34,6 +36,18 @@ contains
          call self%solver%solve(self%hierarchy_t, l, limits, report)
       end if
    end subroutine solve_level
+
+   !> Equations of the state that a level was last left with by `solve_level`, until the next one; or none.
+   function last_equations(self, l) result(equations)
+      class(full_multigrid_t), intent(in), target :: self
+      integer, intent(in) :: l
+      type(equations_t), pointer :: equations
+      if (l < size(self%levels) .and. allocated(self%coarse_solver)) then
+         equations => self%coarse_solver%last_equations()
+      else
+         equations => self%solver%last_equations()
+      end if
+   end function last_equations
 
    !> Steady solution on the finest level, from a Hertz guess on the coarsest.
    !>
