@@ -8,6 +8,7 @@ module ehlwave_case_completion
    use ehlwave_inlet_plan, only: check_inlet
    use ehlwave_kinds, only: dp
    use ehlwave_case_roughness, only: check_line_roughness, check_response, complete_roughness
+   use ehlwave_method_choice, only: choose_method
    use ehlwave_petsc_library, only: require_petsc
    use ehlwave_text, only: to_text
    implicit none (type, external)
@@ -32,6 +33,7 @@ contains
       if (.not. allocated(error)) call check_grid_and_time(case, error)
       if (.not. allocated(error)) call check_response(case, error)
       if (.not. allocated(error)) call check_inlet(case, error)
+      if (.not. allocated(error)) call choose_method(case, conditions)
       if (.not. allocated(error) .and. case%method == 'petsc') call require_petsc(error)
       if (case%method == 'fas' .and. case%cycle == '') case%cycle = 'f'
       if (allocated(error)) error%message = place//error%message

@@ -1,12 +1,12 @@
 !> The grid of a case: cells as given, or the smallest of a list of sizes that resolves inlet sweep and waves.
 module ehlwave_grid_choice
-   use ehlwave_accuracy_model, only: largest_mesh, points_for
+   use ehlwave_accuracy_model, only: largest_mesh, meniscus_factor, points_for
    use ehlwave_case_definition, only: case_t, roughness_t, usual_largest_cells
    use ehlwave_conditions, only: conditions_t
    use ehlwave_formula, only: amplitude_formula, anisotropy_factor, wave_parameter_v
    use ehlwave_kinds, only: dp
-   use ehlwave_resolution, only: coarsest_inlet, fewest_points_per_wave, inlet_length, wanted_inlet, &
-      wanted_line_inlet, wanted_points_per_wave
+   use ehlwave_resolution, only: coarsest_inlet, coarsest_meniscus, fewest_points_per_wave, inlet_length, &
+      wanted_inlet, wanted_line_inlet, wanted_points_per_wave
    use ehlwave_surfaces, only: surfaces_t
    use ehlwave_text, only: to_text
    implicit none (type, external)
@@ -18,15 +18,17 @@ module ehlwave_grid_choice
    real(dp), parameter :: slip_without_formula = 0.5_dp   !! |S - 1| from which the formula for pure rolling tells
                                                           !! nothing
    real(dp), parameter :: share_of_mesh = 0.75_dp, share_of_waves = 0.2_dp
+   real(dp), parameter :: share_of_meniscus = 0.5_dp   !! of contacts with too little oil: the others have room to spare
 
 contains
 
    !> Cells of the whole domain; one along Y for a line contact.
-   subroutine choose_grid(case, conditions, surfaces, steepness, cells_x, cells_y, reason)
+   subroutine choose_grid(case, conditions, surfaces, steepness, meniscus, cells_x, cells_y, reason)
       type(case_t), intent(in) :: case
       type(conditions_t), intent(in) :: conditions
       type(surfaces_t), intent(in) :: surfaces
       real(dp), intent(in) :: steepness        !! see `thinning_t`
+      real(dp), intent(in) :: meniscus         !! expected distance from the contact, 0 of flooded ones
       integer, intent(out) :: cells_x, cells_y
       character(len=:), allocatable, intent(out) :: reason   !! why so many, for people
       real(dp) :: points
@@ -65,6 +67,12 @@ contains
                why_x = 'for '//to_text(points, 3)//' points per wave'
             end associate
          end do
+         if (meniscus > 0 .and. surfaces%is_rough()) then
+            mesh = coarsest_meniscus*meniscus
+            if (case%accuracy > 0) mesh = min(mesh, share_of_meniscus*case%accuracy*meniscus/meniscus_factor)
+            if (length/mesh > wanted) why_x = 'for the meniscus, hX <= '//to_text(mesh, 2)
+            wanted = max(wanted, length/mesh)
+         end if
          if (case%accuracy > 0) then
             mesh = largest_mesh(conditions, case%accuracy)
             if (surfaces%is_rough() .and. .not. surfaces%is_measured()) &

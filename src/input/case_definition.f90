@@ -62,7 +62,8 @@ module ehlwave_case_definition
       integer :: largest_steps = 60
       integer :: largest_total_steps = 0                 !! 0: chosen by the plan
       integer :: settling_periods = 1
-      character(len=name_length) :: method = 'newton'
+      character(len=name_length) :: method = 'auto'      !! completed to that in use
+      logical :: has_free_tolerance = .false.            !! no key: none was given for steady states
       character(len=name_length) :: cycle = ''           !! of method = 'fas', completed
       character(len=name_length) :: deformation = 'auto'
       character(len=name_length) :: error_estimate = 'coarse_grid'

@@ -175,8 +175,9 @@ contains
       type(key_list_t), intent(inout) :: list
 
       call list%enter('solver', 'How the equations are solved, and how well.')
-      call list%see(case%tolerance, key_t('tolerance', 'tolerance of steady states: mass residual and load error', &
-         minimum=1e-12_dp, maximum=0.1_dp))
+      call list%see(case%tolerance, key_t('tolerance', 'tolerance of steady states: mass residual and load error; '// &
+         "where method = 'auto' takes 'fas' and none is given, from 1e-6 to 1.5e-3 by the expected error of the "// &
+         'mesh, far below which it leaves the film', minimum=1e-12_dp, maximum=0.1_dp))
       call list%see(case%step_tolerance, key_t('step_tolerance', 'tolerance of time steps at 20 % amplitude; '// &
          'reduced in proportion for smaller waves', minimum=1e-12_dp, maximum=0.1_dp))
       call list%see(case%response_tolerance, key_t('response_tolerance', 'tolerance of the linear response: its '// &
@@ -192,10 +193,11 @@ contains
          'finest grid; rescues included; 0: 600, and 40 for each time step, 300 for each phase of a standing '// &
          'pattern, and no more work than keeps a case within ten times its plan', minimum=0.0_dp, maximum=1e9_dp, &
          is_written=case%largest_total_steps > 0))
-      call list%see(case%method, key_t('method', "method of solution; 'fas': FAS multigrid with hybrid line "// &
-         "relaxation, the "// &
+      call list%see(case%method, key_t('method', "method of solution; 'auto': the faster one, 'fas' for "// &
+         "steady states and linear responses on more than 512 cells along a side and, from gamma M = 1000 on or "// &
+         "with Barus' law, on 256 and more, else 'newton'; 'fas': FAS multigrid with hybrid line relaxation, the "// &
          "paper's method, 'petsc': the finest level by PETSc's variational inequality solver, an independent check "// &
-         "(builds with PETSc)", choices='newton fas petsc'))
+         "(builds with PETSc)", choices='auto newton fas petsc'))
       call list%see(case%cycle, key_t('cycle', 'multigrid cycle', choices='f v w', default="'f'", &
          applies=case%method == 'fas', when="method = 'fas'"))
       call list%see(case%deformation, key_t('deformation', "how the deformation is computed; 'auto': by the faster "// &

@@ -77,6 +77,7 @@ contains
       associate (level => steady%multigrid%levels(size(steady%multigrid%levels)))
          call take_report(level%report, 'steady state of smooth surfaces'//trim(merge(' with heat', '          ', &
             ieee_is_finite(steady%heat%isothermal_film))), result)
+         if (allocated(steady%heat%unsettled)) result%message = result%message//steady%heat%unsettled
          call monitor%step_done('steady state', 1, 1)
          result%heat = steady%heat
          if (result%status == status_converged) then

@@ -53,7 +53,7 @@ contains
       real(dp), intent(in) :: central_film      !! smooth H(0,0)
       type(solve_limits_t) :: limits
       limits = solve_limits_t(tolerance=step_tolerance(case, plan, central_film), largest_steps=case%largest_steps)
-      if (case%method /= 'newton') return
+      if (any(case%method == ['fas  ', 'petsc'])) return
       if (plan%conditions%is_line()) then
          limits%guess_share = guess_share
       else

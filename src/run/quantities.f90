@@ -69,9 +69,13 @@ contains
       call list%add('deformation', 'fft or mlmi on the finest grid', trim(plan%deformation))
       call list%add('expected_error', 'relative error expected by the plan', plan%expected_error)
       call add_key(list, keys, 'edges')
+      call add_key(list, keys, 'method')
+      call add_key(list, keys, 'tolerance')
       call list%add('domain_error', 'relative error expected by the edges of the domain, besides expected_error', &
          plan%domain_error)
       call list%add('expected_mesh_error', 'part of it by the mesh', plan%expected%mesh)
+      call list%add('expected_meniscus_error', 'part of it by the meniscus of a contact with too little oil', &
+                    plan%expected%meniscus)
       call list%add('expected_time_error', 'part of it by steps longer than hX', plan%expected%time)
       call list%add('expected_algebraic_error', 'part of it by the tolerances', plan%expected%algebraic)
       call list%add('expected_amplitude_error', 'expected difference from small waves, besides expected_error', &
@@ -84,6 +88,9 @@ contains
       call list%add('cells_x', 'cells along X', plan%cells_x)
       call list%add('cells_y', 'cells along Y, whole domain', plan%cells_y)
       call list%add('inlet_resolution', 'hX over the length of the inlet pressure sweep', plan%resolution%inlet)
+      call list%add('meniscus_resolution', &
+                    'hX over the expected distance of the meniscus from the contact, 0: flooded', &
+                    plan%resolution%meniscus)
       call list%add('inlet_gap_over_film', 'gap at x_min over the film of the formula', plan%resolution%inlet_gap)
       call list%add('points_per_wave_x', 'mesh sizes per wave along X', plan%resolution%points_x)
       call list%add('points_per_wave_y', 'mesh sizes per wave along Y', plan%resolution%points_y)
@@ -115,7 +122,6 @@ contains
       call list%add('largest_work_units', 'work at which the case ends, in plain FFT convolutions of the grid', &
                     plan%largest_work/work_unit_operations(plan%cells_x, plan%cells_y), exists=plan%has_work_cap())
       call add_key(list, keys, 'step_tolerance')
-      call add_key(list, keys, 'tolerance')
       associate (c => plan%conditions)
          call list%add('central_film_formula', 'central film by theory eq. (H1), of a line contact (H2), '// &
             '(h/Rx)(2U)^(-1/2)', moes_film_formula(c))
@@ -208,6 +214,7 @@ contains
       character(len=*), intent(in) :: of, what
       type(error_parts_t), intent(in) :: parts
       call list%add(of//'_error_mesh', 'relative error of '//what//' by the mesh', parts%mesh)
+      call list%add(of//'_error_meniscus', 'the same by the meniscus of a contact with too little oil', parts%meniscus)
       call list%add(of//'_error_domain', 'the same by the edges of the domain', parts%domain)
       call list%add(of//'_error_time', 'the same by steps longer than hX', parts%time)
       call list%add(of//'_error_amplitude', 'the same by the size of the waves, which respond unlike small ones', &

@@ -193,7 +193,7 @@ class CaseKeys(TypedDict, total=False):
     """periods to wait before the amplitude is measured"""
     largest_total_steps: SupportsIndex
     """largest number of Newton steps of a case on the finest grid; rescues included"""
-    method: Literal["newton", "fas", "petsc"]
+    method: Literal["auto", "newton", "fas", "petsc"]
     """method of solution"""
     cycle: Literal["f", "v", "w"]
     """multigrid cycle"""
