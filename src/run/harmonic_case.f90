@@ -8,7 +8,7 @@ module ehlwave_harmonic_case
    use ehlwave_harmonic_response, only: harmonic_response_t
    use ehlwave_kinds, only: dp
    use ehlwave_mean_film, only: find_mean_change, has_mean, mean_change_t
-   use ehlwave_planned_case, only: case_plan_t
+   use ehlwave_planned_case, only: case_plan_t, run_harmonic
    use ehlwave_sensitivity_case, only: find_response_sensitivities
    use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_status, only: status_converged, status_name
@@ -35,7 +35,7 @@ contains
       type(shared_steady_t), intent(inout) :: steady
       type(case_result_t), intent(inout) :: result
       type(harmonic_response_t) :: response, coarse
-      real(dp) :: finish, start, work_before
+      real(dp) :: finish, room, start, work_before
       integer :: n
 
       n = size(steady%multigrid%levels)
@@ -56,6 +56,9 @@ contains
          return
       end if
       call result%harmonic%take(response%film, response%pressure, response%approach)
+      room = -steady%multigrid%work()
+      call steady%make_room(keeps_response=case%sensitivities .or. plan%kind /= run_harmonic)
+      work_before = work_before + room + steady%multigrid%work()   ! of what is linearised, which does not count here
       if (.not. plan%inlet%is_short()) call find_mean(waves, steady, response, result)
       result%work = result%work + steady%multigrid%work() - work_before
       if (case%sensitivities) call find_response_sensitivities(steady, response, result)
