@@ -54,6 +54,8 @@ module ehlwave_harmonic_response
    contains
       procedure :: init
       procedure :: find_tangent
+      procedure :: count_tangent
+      procedure :: drop
       procedure :: set_frequency
       procedure :: respond
       procedure :: respond_to
@@ -100,10 +102,17 @@ contains
       call self%tangent%init(levels)
    end subroutine find_tangent
 
+   !> Give back what the next response makes anew, `init` being called again.
+   subroutine drop(self)
+      class(harmonic_solver_t), intent(inout) :: self
+      if (allocated(self%linear%levels)) deallocate (self%linear%levels)
+      self%has_factors = .false.
+   end subroutine drop
+
    !> The same for a response, which counts the work of a tangent that an earlier one found: counts do not depend on
    !> their order.
    subroutine count_tangent(self, levels)
-      type(harmonic_solver_t), intent(inout) :: self
+      class(harmonic_solver_t), intent(inout) :: self
       type(level_t), intent(inout) :: levels(:)
       real(dp) :: work_before
 
@@ -195,7 +204,7 @@ contains
          frequency = waviness%frequency()
          inertia = 0
          if (natural_frequency > 0) inertia = harmonic_inertia(natural_frequency, grid%hx/steps_per_cell, frequency)
-         if (waviness%is_longitudinal()) call count_tangent(self, levels)
+         if (waviness%is_longitudinal()) call self%count_tangent(levels)
          along = 0
          if (grid%is_line .and. waviness%wavelength_y > 0) along = 2*pi/waviness%wavelength_y
          call self%set_frequency(levels, frequency, inertia, waviness%is_longitudinal(), along)
