@@ -73,6 +73,7 @@ contains
       if (.not. plan%conditions%is_line()) plan%hy = 2*plan%y_max/plan%cells_y
       plan%deformation = merge('mlmi', 'fft ', case%deformation == 'mlmi')   ! 'auto': the FFT, measured
 
+      plan%is_by_multigrid = case%method == 'fas'
       plan%is_periodic = plan%surfaces%moves() .and. case%response == 'periodic'
       plan%responds = plan%surfaces%is_rough() .and. (case%response == 'harmonic' .or. case%response == 'both')
       if (plan%responds .and. case%response == 'harmonic') then
@@ -84,6 +85,7 @@ contains
          plan%kind = run_standing
          plan%phases = merge(8, 2, any(plan%surfaces%list%wavelength_x > 0))
       end if
+      if (.not. allocated(error) .and. plan%is_periodic) call check_repetition(plan, error)
       if (allocated(error)) return
       if (case%fields_every > 0 .and. (plan%kind /= run_march .or. plan%is_periodic)) then
          call raise(error, '&output fields_every = '//to_text(case%fields_every)// &
@@ -106,6 +108,17 @@ contains
       if (plan%largest_total_steps == 0) &
          plan%largest_total_steps = case%largest_steps*(10 + 5*plan%phases) + steps_per_time_step*plan%steps
    end subroutine make_plan
+
+   !> Refuse a periodic state of waves that never repeat together.
+   subroutine check_repetition(plan, error)
+      type(case_plan_t), intent(in) :: plan
+      type(error_t), allocatable, intent(inout) :: error
+      if (plan%surfaces%repeat_period() > 0) return
+      call raise(error, "&waviness response = 'periodic': the waves of "// &
+         'the two surfaces pass in periods of '//to_text(plan%surfaces%list(1)%period(), 6)//' and '// &
+         to_text(plan%surfaces%list(2)%period(), 6)//', which are in no ratio of whole numbers up to 12: take '// &
+         "other wavelengths or slip, or response = 'transient' or 'harmonic'")
+   end subroutine check_repetition
 
    !> Refuse keys that contradict the accuracy asked for. A grid that only `largest_cells` limits is no contradiction:
    !> the plan says what it can reach.

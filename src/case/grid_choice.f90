@@ -1,7 +1,7 @@
 !> The grid of a case: cells as given, or the smallest of a list of sizes that resolves inlet sweep and waves.
 module ehlwave_grid_choice
    use ehlwave_accuracy_model, only: largest_mesh, meniscus_factor, points_for
-   use ehlwave_case_definition, only: case_t, usual_largest_cells
+   use ehlwave_case_definition, only: case_t, roughness_t, usual_largest_cells
    use ehlwave_conditions, only: conditions_t
    use ehlwave_formula, only: amplitude_formula, anisotropy_factor, wave_parameter_v
    use ehlwave_kinds, only: dp
@@ -125,14 +125,23 @@ contains
    end function smallest_size
 
    !> Ad/Ai by theory eq. (18), for the error model: less of it counts under slip, where the inlet launches a wave of
-   !> its own.
+   !> its own. The smaller one of two rough surfaces.
    pure real(dp) function formula_ratio(case, conditions, moves)
       type(case_t), intent(in) :: case
       type(conditions_t), intent(in) :: conditions
       logical, intent(in) :: moves      !! whether the pattern does
-      formula_ratio = amplitude_formula(anisotropy_factor(case%wavelength_x_over_a, case%wavelength_y_over_a) &
-                                        *wave_parameter_v(conditions, case%wavelength_over_a))
+      formula_ratio = of(case%roughness_t)
+      if (case%second%is_wavy()) formula_ratio = min(formula_ratio, of(case%second))
       if (moves) formula_ratio = formula_ratio*max(0.0_dp, 1 - abs(conditions%slip_parameter - 1)/slip_without_formula)
+
+   contains
+
+      pure real(dp) function of(waves)
+         type(roughness_t), intent(in) :: waves
+         of = amplitude_formula(anisotropy_factor(waves%wavelength_x_over_a, waves%wavelength_y_over_a) &
+                                *wave_parameter_v(conditions, waves%wavelength_over_a))
+      end function of
+
    end function formula_ratio
 
 end module ehlwave_grid_choice

@@ -28,11 +28,11 @@ contains
       if (case%oil_over_flooded > 0) given = '&inlet oil_over_flooded = '//to_text(case%oil_over_flooded, 6)//': '
       if (case%oil_layer_m > 0) given = '&inlet oil_layer_m = '//to_text(case%oil_layer_m, 6)//': '
       if (given == '') return
-      has_pattern = case%orientation /= 'none' .or. case%surface_file /= ''
+      has_pattern = case%is_wavy() .or. case%is_measured()
       if (case%oil_layer_m > 0 .and. .not. case%is_dimensional) then
          call raise(error, given//'metres need dimensional conditions (radius_x_m, ...); give oil_over_flooded in '// &
                     'place of it')
-      else if (case%method /= 'newton') then
+      else if (.not. any(case%method == ['newton', 'auto  '])) then
          call raise(error, given//"starved contacts are solved by method = 'newton' alone, not by '"// &
             trim(case%method)//"', whose sweeps know no partly filled nodes")
       else if (case%sensitivities) then

@@ -29,7 +29,7 @@ module ehlwave_plan_effort
                                                      !! that alone; measured: 2 to 4
    real(dp), parameter :: starved_step_cost = 1.3_dp !! of a time step without patches
    real(dp), parameter :: limit_cost = 6             !! of an oil with a limit of its stress; measured: 2 to 20
-   real(dp), parameter :: heat_cost = 4              !! of a steady state with heat, of one without; measured: 1.7 to 6
+   real(dp), parameter :: heat_cost = 4              !! of a steady state with heat, of one without; measured: 1.3 to 5
 
 contains
 
@@ -45,7 +45,7 @@ contains
       samples = plan%resolution%samples
       step_tolerance = case%step_tolerance
       if (plan%kind == run_harmonic) then     ! has the frequency of steps dT = hX, and no tolerance of its own
-         if (plan%surfaces%moves()) samples = plan%surfaces%period()/plan%hx
+         if (plan%surfaces%moves()) samples = plan%surfaces%shortest_period()/plan%hx
          step_tolerance = 0
       end if
       plan%expected%domain = plan%domain_error
@@ -75,7 +75,7 @@ contains
       if (case%oil%shear_limit_over_pressure > 0) plan%expected_work_units = limit_cost*plan%expected_work_units
       if (case%heat%is_given()) plan%expected_work_units = heat_cost*plan%expected_work_units
       if (plan%responds) plan%expected_work_units = plan%expected_work_units &
-         + merge(line_response_work_units, response_work_units, plan%conditions%is_line())
+         + size(plan%surfaces%list)*merge(line_response_work_units, response_work_units, plan%conditions%is_line())
       if (.not. (plan%is_half .or. plan%conditions%is_line())) plan%expected_work_units = 2*plan%expected_work_units
       plan%work_with_estimates = plan%expected_work_units
       if (plan%surfaces%is_rough() .and. plan%kind /= run_harmonic .and. case%error_estimate == 'coarse_grid') &

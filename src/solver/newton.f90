@@ -3,6 +3,7 @@ module ehlwave_newton
    use ehlwave_assertions, only: assert, checks
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_cycle_settings, only: newton_cycle
+   use ehlwave_equations, only: equations_t
    use ehlwave_given, only: given_t
    use ehlwave_hierarchy, only: hierarchy_t, level_t, work_of
    use ehlwave_kinds, only: dp
@@ -44,6 +45,7 @@ module ehlwave_newton
       procedure :: init_levels
       procedure :: solve
       procedure :: improve
+      procedure :: last_equations
    end type newton_t
 
 contains
@@ -101,7 +103,9 @@ contains
       work_before = work_of(levels)
       forcing = self%loosest
       before = state
-      asks_local = allocated(self%local) .and. .not. allocated(given%supply)
+      ! what heat changes is smooth, and a part alone may end beside the solution
+      asks_local = allocated(self%local) .and. .not. allocated(given%supply) .and. &
+                   .not. allocated(levels(size(levels))%problem%heat)
       associate (problem => levels(size(levels))%problem, equations => self%step%linear%levels(size(levels))%equations)
          call problem%film_of_guess(given, state)
          do k = 0, limits%largest_steps
@@ -152,6 +156,14 @@ contains
       if (report%status == status_converged) state%p = max(state%p, 0.0_dp)
       call self%step%linear%release()
    end subroutine improve
+
+   !> See the interface.
+   function last_equations(self) result(equations)
+      class(newton_t), intent(in), target :: self
+      type(equations_t), pointer :: equations
+      equations => null()
+      if (allocated(self%step%linear%levels)) equations => self%step%linear%levels(self%step%linear%finest)%equations
+   end function last_equations
 
    !> Linear tolerance after a step that changed the residual by `ratio`: tighter the closer to the
    !> solution (Eisenstat and Walker 1996), and tighter also when a loose solve gained little.
