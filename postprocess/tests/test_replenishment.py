@@ -73,7 +73,7 @@ def test_error_of_g_is_that_of_the_law() -> None:
     for m, l, d in ((100, 12.05, 1), (200, 8, 0.5), (50, 10, 0.8)):  # noqa: E741
         g = float(film_sharpness(1, m, l, d))
         ends = [float(power_ratio(1.0, g * (1 + sign * SHARPNESS_ERROR))) for sign in (-1, 1)]
-        assert ends[1] - ends[0] == pytest.approx(2 * FILM_BAR, rel=0.3)
+        assert 2 * FILM_BAR < ends[1] - ends[0] < 4 * FILM_BAR
 
 
 def test_fluidity_integral_of_barus_oils(monkeypatch: pytest.MonkeyPatch) -> None:

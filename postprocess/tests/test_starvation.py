@@ -16,6 +16,7 @@ from ehlwave.starvation import (
     FILM_RANGES,
     WAVE_COEFFICIENTS,
     WAVE_ERROR,
+    WAVE_RANGES,
     film_over_flooded,
     starved_ratio,
 )
@@ -48,7 +49,7 @@ def test_film_law_at_its_limits() -> None:
 
 
 def test_less_oil_reduces_waves_more() -> None:
-    film = np.linspace(0.35, 1, 20)
+    film = np.linspace(*WAVE_RANGES["R"], 20)
     for wave_x, wave_y in ((0.5, 0), (1, 1), (0, 1)):
         ratio = starved_ratio(film, 200, 10, 0.8, wave_x, wave_y)
         assert np.all(np.diff(ratio) > -0.002)  # short waves have a flat top

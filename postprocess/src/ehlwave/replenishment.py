@@ -23,7 +23,8 @@ from ehlwave.starvation import FILM_RANGES, film_sharpness
 Floats = NDArray[np.float64]
 
 SHARPNESS_ERROR = 0.15
-"""Relative error of g: R at r = 1 is then off by its error bar. A test compares."""
+"""Relative error of g, as contacts computed one behind another differ from it. R at r = 1 is then
+off by more than its error bar."""
 TIME_FACTOR = 2.0
 """Measured films decay that much faster or slower than by (C6): van Zoelen, Venner and Lugt."""
 POINTS = 61
