@@ -120,7 +120,9 @@ def speed(options: argparse.Namespace) -> int:
 @study(
     "heavy",
     output("heavy"),
-    option("--largest", "N", "cells along X and Y, at most; 2048 takes minutes (default 1024)", 1024),
+    option(
+        "--largest", "N", "cells along X and Y, at most; 2048 takes minutes (default 1024)", 1024
+    ),
     option("--method", "METHOD", "the key method of the cases (default auto)", "auto"),
     flag("--responses", "with the linear response to transverse waves of 0.5 a"),
     option("--program", "FILE", "an ehlwave-case to use; otherwise it is built"),
