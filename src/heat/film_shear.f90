@@ -23,8 +23,9 @@ module ehlwave_film_shear
    !> sliding speed, theory eq. (D10): by the own rise of a level, by the stress, and the stress by all rises.
    integer, parameter, public :: made_heat = 1, made_by_own = 2, made_by_stress = 3, made_stress_by_rise = 4
 
-   real(dp), parameter :: full_pressure = 1e-4_dp     ! P from which on all of the film is sheared: nodes at its edge would
-                                                      ! switch their heat on and off
+   !> P from which on all of the film is sheared: nodes at its edge would switch their heat on and off.
+   real(dp), parameter :: full_pressure = 1e-4_dp
+
    !> State of one node.
    type :: node_t
       real(dp) :: h, fluidity, gx, gy, b
