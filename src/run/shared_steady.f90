@@ -66,6 +66,7 @@ contains
 
       bare = case
       bare%orientation = 'none'
+      bare%second = defaults%second
       if (plan%rheology%is_newtonian()) bare%slip_parameter = defaults%slip_parameter   ! else slip thins the oil
       bare%load_balance = defaults%load_balance
       bare%natural_frequency = defaults%natural_frequency

@@ -67,7 +67,7 @@ contains
       do l = 1, n
          call self%start_level(l)
          here = limits
-         if (l < n) here%tolerance = max(limits%tolerance, coarse_tolerance)
+         if (l < n) here%tolerance = tolerance_below(limits%tolerance, coarse_tolerance, n - l)
          here%largest_work = limits%largest_work - (self%work() - work_before)
          call self%solve_level(l, here, report)
          associate (level => self%levels(l))
@@ -77,6 +77,16 @@ contains
          if (report%status == status_converged) call self%take_film(l)
       end do
    end subroutine solve
+
+   !> Tolerance so many levels below the finest. One that follows the discretisation error grows as that does: with the
+   !> square of the mesh size.
+   pure real(dp) function tolerance_below(finest, coarse, levels)
+      real(dp), intent(in) :: finest, coarse   !! tolerances
+      integer, intent(in) :: levels
+      real(dp), parameter :: loosest = 1e-2_dp
+      tolerance_below = max(finest, coarse)
+      if (finest > coarse) tolerance_below = max(finest, min(loosest, finest*4.0_dp**levels))
+   end function tolerance_below
 
    !> Solve the levels next below a solved finest one that have no solution of this contact, each from the next finer
    !> one: error estimates compare them. Full multigrid leaves none where a level did not converge from the coarser
