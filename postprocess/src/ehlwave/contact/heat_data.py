@@ -38,7 +38,7 @@ class BodyHeat(NamedTuple):
         --------
         >>> import ehlwave
         >>> round(ehlwave.BodyHeat().effusivity)
-        13027
+        13028
         """
         conducted, density, capacity = self
         return float((conducted * density * capacity) ** 0.5)
