@@ -204,9 +204,9 @@ class Contact:
     ...                           radius_ratio_d=1, oil_over_flooded=0.5)
     >>> film, response = starved.film(), starved.response(wavelength_over_a=0.5)
     >>> print(f"Hc = {film.central_moes:.2f} within {film.central_error:.0%}")
-    Hc = 1.88 within 6%
+    Hc = 1.89 within 4%
     >>> print(f"Ad/Ai = {abs(response.film):.2f} within {response.error:.2f}")
-    Ad/Ai = 0.56 within 0.17
+    Ad/Ai = 0.52 within 0.12
     """
 
     def __init__(
