@@ -111,7 +111,7 @@ def inlet_factor(
     --------
     >>> from ehlwave.heat_laws import inlet_factor
     >>> inlet_factor([0.0, 0.4], 0.0, 1.0).round(2).tolist()
-    [1.0, 0.77]
+    [1.0, 0.74]
     """
     c1, c2, c3, c4, c5, c6 = np.asarray(coefficients, dtype=np.float64)
     given = (loading, slide_to_roll_ratio, wall)

@@ -22,6 +22,8 @@ if TYPE_CHECKING:
     from ehlwave.progress import Following
 
 LIMIT, LIMIT_WIDTH = "shear_limit_over_pressure", "shear_limit_width"
+SMALL_RATIO = 1e-5
+"""Where friction is proportional to the ratio: its slope is taken there."""
 FAR = 0.1
 """By so much, relative, friction lies below that without what a regime is named after."""
 CURVES = {
@@ -123,7 +125,7 @@ def traction(
     >>> keys = {"radius_x_m": 0.02, "reduced_modulus_pa": 2.26e11, "load_n_per_m": 4e5,
     ...         "mean_speed_m_per_s": 2, "viscosity_pa_s": 0.03, "flow_law": "eyring",
     ...         "eyring_stress_pa": 5e6, "cells_x": 256, "shear_limit_over_pressure": 0.05}
-    >>> found = traction(keys, ratios=[0.01, 0.1, 1], progress=False)
+    >>> found = traction(keys, ratios=[1e-5, 0.01, 1], progress=False)
     >>> found.table["regime"].tolist()
     ['linear', 'nonlinear', 'limited']
     """
@@ -152,12 +154,13 @@ def traction(
                 table[name] = np.where(good, found[column], np.nan)
         table["central_film_um"] = np.where(good, found["central_film_um"], np.nan)
         table["status"] = found["status"].to_numpy()
-    table["regime"] = regimes(table)
+    start = _without_heat(free, pd.DataFrame({RATIO: [SMALL_RATIO]}), ranks)
+    table["regime"] = regimes(table, float(start[0]) / SMALL_RATIO)
     return Traction(table, limit)
 
 
 def _without_heat(keys: Mapping[str, Any], cases: pd.DataFrame, ranks: int) -> NDArray[np.float64]:
-    """Return isothermal friction of ratios whose cases with heat did not converge."""
+    """Return isothermal friction of ratios."""
     heat = [key for key, group in key_groups().items() if group == "heat"]
     cold = {key: value for key, value in keys.items() if key not in (*heat, "temperature_k")}
     found = Study(cases, **cold).run(ranks=ranks, progress=False)
@@ -168,7 +171,7 @@ def _without_heat(keys: Mapping[str, Any], cases: pd.DataFrame, ranks: int) -> N
     )
 
 
-def regimes(table: pd.DataFrame) -> list[str]:
+def regimes(table: pd.DataFrame, slope: float) -> list[str]:
     """Return the regime of each ratio.
 
     ``linear``: friction is within a tenth of proportional to the ratio; ``nonlinear``: it is not,
@@ -178,21 +181,23 @@ def regimes(table: pd.DataFrame) -> list[str]:
     Parameters
     ----------
     table : pandas.DataFrame
-        Friction, as of :class:`Traction`; rows by rising ratio.
+        Friction, as of :class:`Traction`.
+    slope : float
+        Friction over the ratio where that is small.
 
     Examples
     --------
     >>> import pandas as pd
     >>> from ehlwave.traction import regimes
     >>> regimes(pd.DataFrame({"slide_to_roll_ratio": [0.01, 0.1, 1],
-    ...                       "isothermal": [0.01, 0.04, 0.06], "thermal": [0.01, 0.039, 0.03]}))
+    ...                       "isothermal": [0.01, 0.04, 0.06],
+    ...                       "thermal": [0.01, 0.039, 0.03]}), slope=1.05)
     ['linear', 'nonlinear', 'thermal']
     """
     cold = table["isothermal"].to_numpy(dtype=float)
     limited = table["limited"].to_numpy(dtype=float) if "limited" in table else cold
     warm_name = "limited_thermal" if "limited_thermal" in table else "thermal"
     warm = table[warm_name].to_numpy(dtype=float) if warm_name in table else limited
-    slope = cold[0] / table[RATIO].to_numpy(dtype=float)[0]
     names = []
     for place, ratio in enumerate(table[RATIO]):
         by_limit, by_heat = limited[place] / cold[place], warm[place] / limited[place]

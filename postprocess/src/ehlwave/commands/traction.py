@@ -40,7 +40,7 @@ def add_traction_command(commands: Any) -> None:  # noqa: ANN401 - argparse does
         type=float,
         default=TRACTION_RATIOS,
         metavar="RATIO",
-        help="slide-to-roll ratios; default: 0.002 to 1.8",
+        help="slide-to-roll ratios; default: 0.0002 to 1.8",
     )
     parser.add_argument("--ranks", type=int, default=1, metavar="N", help="MPI ranks; 1")
     parser.add_argument("--output", type=Path, metavar="DIR", help="write table and figure there")
