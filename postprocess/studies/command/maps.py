@@ -196,6 +196,35 @@ def starvation(options: argparse.Namespace) -> int:
 
 
 @study(
+    "heat",
+    output("heat"),
+    at_once(),
+    option("--lines", "COUNT", "line contacts that are computed (default 400)", 400),
+    option("--points", "COUNT", "elliptical ones (default 160)", 160),
+    option(
+        "--cells", "N", "cells along each side of these (default 128), a quarter of lines'", 128
+    ),
+)
+def heat(options: argparse.Namespace) -> int:
+    """Fit laws of film and friction of contacts with heat.
+
+    Computes contacts drawn over pressure, speed, oil, bodies and slide-to-roll ratio, with and
+    without heat. Fits by how much the warm inlet thins the film, and friction over that of an even
+    film under Hertz pressure, contacts held out. Ten minutes on one core. Writes lines.h5,
+    points.h5, contacts.csv, laws.csv and a figure. The coefficients in laws.csv are those of
+    ehlwave.heat_laws.
+
+    Exit status: 0 done, 1 failed, 2 bad usage.
+    """
+    steps.prepare()
+    folder = options.output
+    steps.python("heat", "cases", folder, *given(options, "lines", "points", "cells"))
+    for name in ("lines", "points"):
+        steps.sweep(folder / f"{name}.nml")
+    return steps.report("heat", "report", folder)
+
+
+@study(
     "heat-map",
     output("heat-map"),
     option("--contacts", "N", "how many are drawn (default 40)", 40),
