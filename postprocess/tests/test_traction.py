@@ -11,6 +11,7 @@ import ehlwave
 from ehlwave.cli import main
 from ehlwave.errors import ArgumentError
 from ehlwave.traction import Traction, read_keys, regimes, traction, traction_figure
+from ehlwave.traction_cli import text_of
 
 ROLLERS = Path(__file__).resolve().parents[2] / "inputs/rollers.nml"
 LIMIT = 0.03
@@ -33,7 +34,7 @@ def test_where_friction_is_largest() -> None:
 
 
 def test_heat_makes_a_maximum_and_the_limit_is_neared_from_below() -> None:
-    keys = read_keys(ROLLERS) | {"cells_x": 256, "mean_speed_m_per_s": 2}
+    keys = read_keys(ROLLERS) | {"cells_x": 128, "mean_speed_m_per_s": 2}
     found = traction(keys, ratios=[0.01, 0.1, 0.4, 1.0], progress=False)
     assert found.curve == "thermal"
     assert found.largest[2]
@@ -53,7 +54,7 @@ def test_heat_makes_a_maximum_and_the_limit_is_neared_from_below() -> None:
 
 
 def test_friction_is_linear_where_slip_is_small_and_of_a_newtonian_oil() -> None:
-    keys = read_keys(ROLLERS) | {"cells_x": 256}
+    keys = read_keys(ROLLERS) | {"cells_x": 128}
     cold = {k: v for k, v in keys.items() if "body" not in k and "oil_" not in k}
     cold = {k: v for k, v in cold.items() if not k.endswith(("temperature_k", "temperature_per_k"))}
     assert traction(cold, [1e-4, 0.1], progress=False).table["regime"].tolist() == [
@@ -65,7 +66,9 @@ def test_friction_is_linear_where_slip_is_small_and_of_a_newtonian_oil() -> None
 
 
 def test_the_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    words = ["traction", str(ROLLERS), "--ratios", "0.02", "0.3", "--output", str(tmp_path)]
+    case = tmp_path / "rollers.nml"
+    case.write_text(ROLLERS.read_text().replace("cells_x = 512", "cells_x = 128"))
+    words = ["traction", str(case), "--ratios", "0.02", "0.3", "--output", str(tmp_path)]
     assert main([*words, "--json"]) == 0
     said = json.loads(capsys.readouterr().out)
     assert [row["slide_to_roll_ratio"] for row in said["rows"]] == [0.02, 0.3]
@@ -73,8 +76,9 @@ def test_the_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None
     assert sorted(path.name for path in tmp_path.glob("traction.*")) == [
         *("traction.csv", "traction.pdf", "traction.png")
     ]
-    assert main(words) == 0
-    assert "Largest friction" in capsys.readouterr().out
+    said = text_of(Traction(pd.DataFrame(said["rows"]), None))
+    assert said.splitlines()[0].split()[:3] == ["slide-to-roll", "isothermal", "thermal"]
+    assert "Largest friction" in said
 
 
 def test_regimes_are_on_the_figure() -> None:
