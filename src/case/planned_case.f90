@@ -139,10 +139,12 @@ contains
    pure real(dp) function expected_memory_mib(self)
       class(case_plan_t), intent(in) :: self
       real(dp), parameter :: program_mib = 17, bytes_smooth = 720, bytes_multigrid = 510, bytes_wavy = 900, &
+         bytes_in_parts = 1500, &     ! of responses whose linear systems are not kept side by side
          bytes_response = 1830, bytes_line = 2600, bytes_periodic = 1900, &
          bytes_set = 48, &                                              ! three fields, and their file
          bytes_level = 145                                              ! with heat, measured: within a tenth
-      real(dp), parameter :: usual_cells = 256*128, smooth_growth = 0.18_dp, response_growth = 0.06_dp
+      real(dp), parameter :: cells_in_parts = 1e6_dp, usual_cells = 256*128
+      real(dp), parameter :: smooth_growth = 0.18_dp, response_growth = 0.06_dp
       real(dp) :: bytes, cells, halvings   ! of the mesh of `usual_cells`
       cells = real(self%cells_x, dp)*self%cells_y
       if (self%is_half) cells = cells/2
@@ -153,6 +155,7 @@ contains
       if (self%is_periodic) bytes = bytes_periodic
       if (self%responds) bytes = max(bytes, bytes_response)
       if (self%is_periodic .or. self%responds) bytes = bytes*(1 + response_growth*halvings**2)
+      if (self%is_by_multigrid .and. self%responds .and. cells > cells_in_parts) bytes = bytes_in_parts
       if (self%conditions%is_line()) then
          bytes = bytes_line
          cells = self%cells_x
