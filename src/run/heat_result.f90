@@ -33,8 +33,8 @@ module ehlwave_heat_result
    end type heat_result_t
 
    real(dp), parameter :: no_oil_bears = 0.15_dp    ! friction coefficient
-   real(dp), parameter :: fast = 5                  ! Peclet number from which on a surface warms as a fast one
-                                                    ! within 3 % (Blok, Jaeger)
+   !> Peclet number from which on the rise of a surface is that of a fast one within 3 % (Blok, Jaeger).
+   real(dp), parameter :: fast = 5
    ! Error by the levels: measured with 12 and 24 of them
    real(dp), parameter :: level_error = 1e-4_dp, usual_levels = 12
    integer, parameter :: level_order = 3
@@ -56,9 +56,9 @@ contains
       n = energy%levels%n
       self%settling = energy%heat_difference
       self%peclet = energy%scales%peclet
-      self%levels_error = level_error* &
-         maxval(maxval(problem%heat%ln_fluidity, 1) - minval(problem%heat%ln_fluidity, 1))**2 &
-                          *(usual_levels/n)**level_order
+      associate (ln => problem%heat%ln_fluidity)
+         self%levels_error = level_error*maxval(maxval(ln, 1) - minval(ln, 1))**2*(usual_levels/n)**level_order
+      end associate
       bears = state%p > least_pressure
       bears([0, problem%grid%nx], :) = .false.        ! nodes of the edges are no cells of the film
       bears(:, problem%grid%last_row + 1:) = .false.
@@ -97,8 +97,8 @@ contains
       slow = minloc(self%peclet, 1)
       if (self%peclet(slow) >= fast) return
       text = 'surface '//to_text(slow)//' is slow, Peclet number '//to_text(self%peclet(slow), 2)//' (at least '// &
-             to_text(fast, 1)//' needed): heat that the body conducts along the motion is left out, its rise is '// &
-             'too high'
+             to_text(fast, 1)//' needed): heat that the body conducts along the motion is left out, its rise is too '// &
+             'high'
    end function warning
 
    !> Say what did not settle, and what to change.
