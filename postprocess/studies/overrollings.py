@@ -8,7 +8,6 @@ import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
-import h5py
 import matplotlib.pyplot as plt
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +17,7 @@ from ehlwave.contact.oils import Oil
 from ehlwave.errors import ResultsError
 from ehlwave.figures import write_figure
 from ehlwave.formula import power_ratio
+from ehlwave.hdf5 import opened
 from ehlwave.programs import namelist
 from ehlwave.replenishment import after_overrollings, fluidity_integral
 from ehlwave.starvation import FILM_RANGES, film_sharpness
@@ -70,12 +70,11 @@ def contact_behind(track: TrackOfContacts, profile: Path | None, cells: int, fol
     }
     case, output = folder / "case.nml", folder / "case.h5"
     Writer(overwrite=True).text(case, namelist(groups))
-    output.unlink(missing_ok=True)
-    done = run("case", case, "--json", "--quiet", "--output", output)
+    done = run("case", case, "--json", "--quiet", "--overwrite", "--output", output)
     if done.returncode != 0:
         raise ResultsError(f"{track.name}: {(done.stdout + done.stderr).strip()}")
     result: Row = last_line(done)
-    with h5py.File(output) as file:
+    with opened(output) as file:
         for name in ("y", "layer_offered", "layer_behind"):
             result[name] = file[name][()]
     return result

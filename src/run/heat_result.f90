@@ -97,8 +97,8 @@ contains
       slow = minloc(self%peclet, 1)
       if (self%peclet(slow) >= fast) return
       text = 'surface '//to_text(slow)//' is slow, Peclet number '//to_text(self%peclet(slow), 2)//' (at least '// &
-             to_text(fast, 1)//' needed): heat that the body conducts along the motion is left out, its rise is too '// &
-             'high'
+             to_text(fast, 1)//' needed): heat that the body conducts along the motion is left out, its rise '// &
+             'is too high'
    end function warning
 
    !> Say what did not settle, and what to change.
