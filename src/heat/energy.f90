@@ -72,7 +72,7 @@ contains
 
    !> One march at a state, and the temperatures of the problem taken towards it: as far as the heat that they leave
    !> allows, see `share_to_go`.
-   pure subroutine march(self, problem, state, flow)
+   subroutine march(self, problem, state, flow)
       class(energy_t), intent(inout) :: self
       type(contact_problem_t), intent(inout) :: problem
       type(state_t), intent(in) :: state
