@@ -29,7 +29,7 @@ program ehlwave_case
    use ehlwave_terminal, only: complain, print_last
    implicit none (type, external)
 
-   character(len=*), parameter :: usage(19) = [character(len=96) :: &
+   character(len=*), parameter :: usage(19) = [character(len=120) :: &
       'Usage: ehlwave-case INPUT.nml [--plan] [--json] [--output FILE.h5 [--overwrite]] [--quiet]', &
       '', &
       'Solves one elastohydrodynamic contact, smooth or wavy, described by a namelist file.', &

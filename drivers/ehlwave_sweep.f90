@@ -21,7 +21,7 @@ program ehlwave_sweep
    use mpi_f08, only: mpi_bcast, mpi_comm_rank, mpi_comm_world, mpi_finalize, mpi_init, mpi_logical
    implicit none (type, external)
 
-   character(len=*), parameter :: usage(33) = [character(len=104) :: &
+   character(len=*), parameter :: usage(33) = [character(len=120) :: &
       'Usage: mpirun -n RANKS ehlwave-sweep SWEEP.nml [--plan] [--output FILE.h5] [--time-limit TIME]', &
       '                                     [--retry failed|version] [--overwrite]', &
       '       ehlwave-sweep --status FILE.h5|SWEEP.nml', &

@@ -50,6 +50,21 @@ def test_the_page_and_what_it_needs_is_served_by_the_server_itself(address: str)
     assert asked(address, f"/{script.decode()}")[0] == 200
 
 
+def test_a_session_begun_by_a_socket_has_its_styles_from_the_server(address: str) -> None:
+    pytest.importorskip("panel.models.file_dropper")  # names of models that documents are made of
+    from bokeh.client import pull_session
+    from bokeh.models import ImportedStyleSheet
+
+    session = pull_session(url=address)
+    try:
+        roots = session.document.roots
+        found = {one.url for root in roots for one in root.select({"type": ImportedStyleSheet})}
+    finally:
+        session.close()
+    assert len(found) > 3
+    assert [url for url in found if not url.startswith("static/")] == []
+
+
 PLACES = (
     "/../../../../../../../../etc/passwd",
     "/etc/passwd",

@@ -18,6 +18,8 @@ module ehlwave_fas_multigrid
    integer, parameter :: direct_steps = 10           !! Newton steps per visit of the coarsest level
    real(dp), parameter :: direct_share = 0.01_dp     !! of the residual of the finest level, to be left there
    real(dp), parameter :: divergence = 1e3_dp        !! growth of the residual that ends a solve
+   integer, parameter :: patience = 15               !! cycles without `progress` that end a solve
+   real(dp), parameter :: progress = 0.9_dp          !! the largest error over the least before, at most
 
    type, extends(level_solver_t), public :: fas_t
       character(len=1) :: cycle = 'f'             !! 'v', 'w' or 'f'
@@ -52,9 +54,11 @@ contains
       integer, intent(in) :: l
       type(solve_limits_t), intent(in) :: limits
       type(solve_report_t), intent(out) :: report
-      real(dp) :: work_before
-      integer :: k
+      real(dp) :: work_before, least
+      integer :: k, of_least
 
+      least = huge(1.0_dp)
+      of_least = 0
       if (checks) call assert(allocated(self%levels), 'fas%solve: init came first')
       if (l == 1) then
          call self%direct%solve(hierarchy, l, limits, report)
@@ -74,6 +78,11 @@ contains
             if (report%residual > divergence*report%history(1)) report%status = status_diverged
             if (report%status == status_diverged .or. k == limits%largest_steps) exit
             if (hierarchy%work() - work_before >= limits%largest_work) exit
+            if (report%worst() < progress*least) then
+               least = report%worst()
+               of_least = k
+            end if
+            if (k - of_least >= patience) exit
             call fas_cycle(self, hierarchy, l, given, self%cycle, direct_share*report%residual)
             report%nonlinear_steps = k + 1
          end do

@@ -6,6 +6,8 @@ import cmath
 import math
 import sys
 import warnings
+from collections.abc import Sequence
+from copy import copy
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -23,11 +25,12 @@ from ehlwave.contact.line_contact import ROLLS_ALONE, TRANSVERSE_ALONE
 from ehlwave.contact.two_bodies import contact_keys
 from ehlwave.contact.two_waves import SLIP_ERRORS, two_waves
 from ehlwave.deform.atlas_transfer import AtlasTransfer, with_atlas_film
+from ehlwave.deform.pair import DeformedPair
 from ehlwave.deform.predict import Cutoffs, Deformed, deform_surface
 from ehlwave.deform.prepare import Form, Window
 from ehlwave.deform.raw_surface import SurfaceSource
 from ehlwave.deform.read import ReadOptions, read_surface
-from ehlwave.deform.sliding import TwoWaveTransfer
+from ehlwave.deform.sliding import TwoWaveTransfer, second_conditions
 from ehlwave.deform.starved_transfer import StarvedTransfer
 from ehlwave.deform.surface import Surface
 from ehlwave.deform.transfer import FormulaTransfer, RecommendedTransfer, Transfer
@@ -624,6 +627,68 @@ class Contact:
         >>> print(f"Rq {before * 1e9:.0f} nm as measured, {after * 1e9:.0f} nm in the contact")
         Rq 35 nm as measured, 34 nm in the contact
         """
+        found = self._deformed(surface, by, form, ends, cutoffs_m, **reading)
+        _warn(found.doubts)
+        return found
+
+    def deform_pair(
+        self,
+        surface: Surface | SurfaceSource,
+        second: Surface | SurfaceSource,
+        **options: Any,  # noqa: ANN401
+    ) -> DeformedPair:
+        """Predict the shapes of two measured surfaces inside the contact, and the film between.
+
+        Parameters
+        ----------
+        surface, second : Surface, path, array or topography
+            Of the body that moves with S, and of the other one, which moves with 2 - S. Their
+            phases are free: mean squares of their heights add.
+        **options
+            As of :meth:`deform`, for both.
+
+        Raises
+        ------
+        RangeError
+            A ValueError: the contact lies outside the atlas.
+        SurfaceError
+            If a surface cannot be used, or the contact was given without lengths.
+
+        Warns
+        -----
+        ExtrapolationWarning
+            As :meth:`deform`, of either and of both together.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> import ehlwave
+        >>> contact = ehlwave.Contact(radius_x_m=0.0127, radius_y_m=0.0127,
+        ...                           reduced_modulus_pa=2.26e11, load_n=40,
+        ...                           mean_speed_m_per_s=4, viscosity_pa_s=0.05)
+        >>> x = np.arange(0, 2e-3, 2e-6)
+        >>> ball, disc = (30e-9 * np.cos(2 * np.pi * x / wave) for wave in (1e-4, 7e-5))
+        >>> pair = contact.deform_pair(ball, disc, step=2e-6)
+        >>> print(f"lambda ratio {pair.statistics.lambda_ratio_after:.0f}")
+        lambda ratio 29
+        """
+        other = copy(self)
+        other.conditions = second_conditions(self.conditions)
+        found = DeformedPair(self._deformed(surface, **options), other._deformed(second, **options))
+        doubts = [*found.first.doubts, *found.second.doubts]
+        _warn(found.doubts if found.first.conditions.central_film_m is not None else doubts)
+        return found
+
+    def _deformed(
+        self,
+        surface: Surface | SurfaceSource,
+        by: str = "atlas",
+        form: Form = "plane",
+        ends: Window = "mirror",
+        cutoffs_m: Cutoffs = (None, None),
+        **reading: Any,  # noqa: ANN401
+    ) -> Deformed:
+        """Return what :meth:`deform` does, and warn of nothing."""
         if not math.isfinite(self.conditions.semi_axis_a_m):
             raise SurfaceError(
                 "Contact: a surface in metres needs semi_axis_a_m and radius_x_m besides M, L and D"
@@ -636,10 +701,7 @@ class Contact:
         except RangeError:
             if by == "atlas":
                 raise
-        found = deform_surface(measured, conditions, transfer, form, ends, cutoffs_m)
-        for doubt in found.doubts:
-            warnings.warn(doubt, ExtrapolationWarning, stacklevel=_callers())
-        return found
+        return deform_surface(measured, conditions, transfer, form, ends, cutoffs_m)
 
     def stress(
         self,
@@ -676,15 +738,23 @@ class Contact:
 
         return stress_of_contact(self, surface, second, **options)
 
-    def lambda_ratio(self, surface: Surface | SurfaceSource, **options: Any) -> float:  # noqa: ANN401
-        """Return the mean film over Rq of the deformed surface.
+    def lambda_ratio(
+        self,
+        surface: Surface | SurfaceSource,
+        second: Surface | SurfaceSource | None = None,
+        **options: Any,  # noqa: ANN401
+    ) -> float:
+        """Return the mean film over Rq of the deformed surface, or of both.
 
-        Its error is ``deform(...).statistics.lambda_error``.
+        Its error is ``deform(...).statistics.lambda_error``, that of both
+        ``deform_pair(...).statistics.lambda_error``.
 
         Parameters
         ----------
         surface : Surface, path, array or topography
             As :func:`ehlwave.read_surface` reads it; of an array give ``step``, in metres.
+        second : Surface, path, array or topography, optional
+            Of the other body, which is smooth without; see :meth:`deform_pair`.
         **options
             Other arguments of :meth:`deform`.
 
@@ -706,12 +776,16 @@ class Contact:
         >>> print(f"{contact.lambda_ratio(trace):.0f}")
         24
         """
-        statistics = self.deform(surface, **options).statistics
-        if statistics.lambda_ratio_after is None:
+        found = (
+            self.deform(surface, **options)
+            if second is None
+            else self.deform_pair(surface, second, **options)
+        )
+        if found.statistics.lambda_ratio_after is None:
             raise SurfaceError(
                 "Contact: the film in metres needs radius_x_m besides semi_axis_a_m, M, L and D"
             )
-        return statistics.lambda_ratio_after
+        return found.statistics.lambda_ratio_after
 
 
 def _starved_response(conditions: Conditions, wave: float, angle_deg: float) -> Response:
@@ -726,6 +800,11 @@ def _starved_response(conditions: Conditions, wave: float, angle_deg: float) -> 
     along, across = np.array(turn.real), np.array(turn.imag)
     film, error = complex(transfer.ratio(along, across)), float(transfer.error(along, across))
     return Response(film, complex(math.nan, math.nan), error, transfer.name, has_phase=False)
+
+
+def _warn(doubts: Sequence[str]) -> None:
+    for doubt in doubts:
+        warnings.warn(doubt, ExtrapolationWarning, stacklevel=_callers())
 
 
 def _callers() -> int:

@@ -7,6 +7,7 @@ from typing import Any
 
 import panel as pn
 from bokeh.server.server import Server
+from panel.io.resources import LOCAL_DIST
 from tornado.web import RequestHandler
 
 from ehlwave.app.page import TITLE, Page
@@ -80,6 +81,9 @@ def make_server(address: str, port: int, hosts: Sequence[str], pools: Pools) -> 
         document = pn.state.curdoc
         session = document.session_context.id
         sessions.add(session)
+        # Told before widgets are made: sessions begun anew by a socket have no page that tells it,
+        # and would have their styles from elsewhere.
+        document.template_variables["dist_url"] = LOCAL_DIST
         document.on_session_destroyed(lambda _: sessions.discard(session))
         return Page(pools).template()
 

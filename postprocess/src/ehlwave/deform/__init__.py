@@ -11,6 +11,7 @@ from ehlwave.contact.conditions_read import read_conditions
 from ehlwave.deform.answer import Answer, answer_of, answer_of_two
 from ehlwave.deform.coefficients import read_coefficients
 from ehlwave.deform.harmonics import harmonic_table
+from ehlwave.deform.pair import DeformedPair, PairStatistics, pair_statistics
 from ehlwave.deform.period import cut_period
 from ehlwave.deform.predict import Deformed, deform_surface
 from ehlwave.deform.read import ReadOptions, read_surface
@@ -32,9 +33,11 @@ __all__ = [
     "Answer",
     "Conditions",
     "Deformed",
+    "DeformedPair",
     "FilmOfTwo",
     "FormulaTransfer",
     "Mover",
+    "PairStatistics",
     "ReadOptions",
     "RecommendedTransfer",
     "Surface",
@@ -52,6 +55,7 @@ __all__ = [
     "gaussian_filtered",
     "harmonic_table",
     "map_surface",
+    "pair_statistics",
     "read_coefficients",
     "read_conditions",
     "read_surface",

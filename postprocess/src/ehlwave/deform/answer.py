@@ -4,8 +4,8 @@ import math
 from dataclasses import asdict, dataclass
 from typing import Any
 
+from ehlwave.deform.pair import PairStatistics
 from ehlwave.deform.statistics import FilmStatistics
-from ehlwave.deform.two_surfaces import FilmOfTwo
 
 UM = 1e6
 BOUNDARY_BELOW, FULL_FROM = 1.0, 3.0
@@ -108,26 +108,15 @@ def answer_of(statistics: FilmStatistics) -> Answer:
     )
 
 
-def answer_of_two(both: FilmOfTwo, first: FilmStatistics, second: FilmStatistics) -> Answer:
-    """Return the answer of two surfaces that pass each other.
-
-    The error is a bound: that of the smooth film once, and all others of both surfaces.
-    """
-    error = None
-    if first.lambda_errors is not None and second.lambda_errors is not None:
-        others = (
-            sum(errors.values()) - errors["film"]
-            for errors in (first.lambda_errors, second.lambda_errors)
-        )
-        error = first.lambda_errors["film"] + sum(others)
-    ratio = both.mean_film_m / both.rq_m if both.rq_m > 0 else float("inf")
+def answer_of_two(pair: PairStatistics) -> Answer:
+    """Return the answer of two surfaces that pass each other."""
     return Answer(
-        lambda_ratio=ratio,
-        lambda_error=error,
-        mean_film_m=both.mean_film_m,
-        rq_m=both.rq_m,
-        regimes=regimes_of(ratio, error),
-        surfaces_touch=both.surfaces_touch,
-        extrapolated=bool(first.extrapolated or second.extrapolated),
+        lambda_ratio=pair.lambda_ratio_after,
+        lambda_error=pair.lambda_error,
+        mean_film_m=pair.mean_film_m,
+        rq_m=pair.rq_after_m,
+        regimes=regimes_of(pair.lambda_ratio_after, pair.lambda_error),
+        surfaces_touch=pair.surfaces_touch,
+        extrapolated=pair.extrapolated,
         of_both=True,
     )

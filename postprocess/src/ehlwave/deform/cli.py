@@ -4,26 +4,33 @@ import argparse
 import contextlib
 import json
 import sys
-from dataclasses import fields
+from dataclasses import asdict, fields
 from pathlib import Path
 
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.conditions_read import read_conditions
-from ehlwave.deform.answer import Answer, answer_of_two
+from ehlwave.deform.answer import answer_of_two
 from ehlwave.deform.atlas_transfer import AtlasTransfer, with_atlas_film
 from ehlwave.deform.coefficients import read_coefficients
+from ehlwave.deform.pair import DeformedPair
 from ehlwave.deform.period import cut_period
 from ehlwave.deform.predict import Deformed, deform_surface
 from ehlwave.deform.prepare import remove_form
 from ehlwave.deform.read import ReadOptions, read_surface
-from ehlwave.deform.report import brief_text, plain, report_json, report_text, write_results
+from ehlwave.deform.report import (
+    brief_text,
+    pair_text,
+    plain,
+    report_json,
+    report_text,
+    write_results,
+)
 from ehlwave.deform.simulation import simulation_surface, write_simulation_surface
 from ehlwave.deform.sliding import TwoWaveTransfer, second_conditions
 from ehlwave.deform.starved_transfer import StarvedTransfer
 from ehlwave.deform.table import TableTransfer
 from ehlwave.deform.table_read import read_table
 from ehlwave.deform.transfer import FormulaTransfer, RecommendedTransfer, Transfer
-from ehlwave.deform.two_surfaces import FilmOfTwo, film_of_two
 from ehlwave.errors import RangeError, SurfaceError
 from ehlwave.writing import Writer
 
@@ -41,15 +48,15 @@ def run_deform(options: argparse.Namespace) -> None:
     """Predict the shape of a surface, or two, inside the contact; print and write it."""
     conditions = _with_film(read_conditions(options.conditions))
     results = [_predicted(options, options.surface, conditions)]
-    both = None
+    pair = None
     if options.second is not None:
         results.append(_predicted(options, options.second, second_conditions(conditions)))
-        both = film_of_two(*results)
-    print(_json_text(results, both) if options.json else _text(results, both, options))
+        pair = DeformedPair(*results)
+    print(_json_text(results, pair) if options.json else _text(results, pair, options))
     if options.output is not None:
         written = []
-        if both is not None:
-            written.append(both.write(options.output / "film.csv", options.writer))
+        if pair is not None:
+            written.append(pair.film.write(options.output / "film.csv", options.writer))
         for result, folder in zip(results, ("", "second"), strict=False):
             written += _write(result, options.output / folder, options.writer)
         listing = sys.stderr if options.json else sys.stdout
@@ -67,30 +74,27 @@ def _metres(length_um: float | None) -> float | None:
     return None if length_um is None else length_um * 1e-6
 
 
-def _text(results: list[Deformed], both: FilmOfTwo | None, options: argparse.Namespace) -> str:
+def _text(results: list[Deformed], pair: DeformedPair | None, options: argparse.Namespace) -> str:
     reports = [
         brief_text(result) if options.brief else report_text(result, _others(result, options))
         for result in results
     ]
-    if both is None:
+    if pair is None:
         return reports[0]
-    return "\n".join([f"Answer       {_answer(results, both).text()}", *reports, both.text()])
+    answer = f"Answer       {answer_of_two(pair.statistics).text()}"
+    return "\n".join([answer, *reports, pair_text(pair.statistics), pair.film.text()])
 
 
-def _answer(results: list[Deformed], both: FilmOfTwo) -> Answer:
-    first, second = (result.statistics for result in results)
-    return answer_of_two(both, first, second)
-
-
-def _json_text(results: list[Deformed], both: FilmOfTwo | None) -> str:
-    if both is None:
+def _json_text(results: list[Deformed], pair: DeformedPair | None) -> str:
+    if pair is None:
         return report_json(results[0])
     first, second = (json.loads(report_json(result)) for result in results)
     document = {
-        "answer": _answer(results, both).summary(),
+        "answer": answer_of_two(pair.statistics).summary(),
         "first": first,
         "second": second,
-        "film": both.summary(),
+        "both": asdict(pair.statistics),
+        "film": pair.film.summary(),
     }
     return json.dumps(plain(document), indent=2, allow_nan=False)
 

@@ -13,8 +13,10 @@ import xarray as xr
 
 from ehlwave.cf import with_cf
 from ehlwave.deform.answer import LIMITS_TEXT, answer_of
+from ehlwave.deform.pair import PairStatistics
 from ehlwave.deform.predict import Deformed
 from ehlwave.deform.spectrum import Component
+from ehlwave.deform.statistics import FilmStatistics
 from ehlwave.writing import Writer
 
 FORMAT_NAME = "ehlwave-deformed"
@@ -96,13 +98,26 @@ def _film_lines(result: Deformed) -> list[str]:
         f"             lambda ratio {s.lambda_ratio_before:.4g} with the undeformed roughness, "
         f"{s.lambda_ratio_after:.4g} with the deformed one (of this surface alone)",
     ]
+    return lines + _error_lines(s)
+
+
+def pair_text(pair: PairStatistics) -> str:
+    """Return what two surfaces that pass each other come to, as text."""
+    lines = [
+        f"Both         Rq {pair.rq_before_m * UM:.4g} um as made, {pair.rq_after_m * UM:.4g} um in "
+        "the contact: phases are free, so mean squares add",
+        f"             lambda ratio {pair.lambda_ratio_before:.4g} with the undeformed roughness, "
+        f"{pair.lambda_ratio_after:.4g} with the deformed one",
+    ]
+    return "\n".join(lines + _error_lines(pair))
+
+
+def _error_lines(s: FilmStatistics | PairStatistics) -> list[str]:
     if s.lambda_error is None or s.lambda_errors is None:
-        return [*lines, "             error of the latter: not known, this transfer has none"]
+        return ["             error of the latter: not known, this transfer has none"]
     parts = ", ".join(f"{name} {_percent(error)}" for name, error in s.lambda_errors.items())
-    lines.append(f"             error of the latter {_percent(s.lambda_error)}: {parts}")
-    if s.extrapolated:
-        lines[-1] += " (extrapolated)"
-    return lines
+    note = " (extrapolated)" if s.extrapolated else ""
+    return [f"             error of the latter {_percent(s.lambda_error)}: {parts}{note}"]
 
 
 def _percent(share: float) -> str:

@@ -1,6 +1,5 @@
 """The one call: the stresses below a contact with measured surfaces."""
 
-from copy import copy
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -8,9 +7,9 @@ import xarray as xr
 from numpy.typing import ArrayLike
 
 from ehlwave.contact.conditions import Conditions
+from ehlwave.deform.pair import DeformedPair
 from ehlwave.deform.predict import Deformed
 from ehlwave.deform.raw_surface import SurfaceSource
-from ehlwave.deform.sliding import second_conditions
 from ehlwave.deform.surface import Surface
 from ehlwave.errors import RangeError
 from ehlwave.quantities import plain
@@ -37,6 +36,14 @@ class OperatingPoint(Protocol):
 
     def deform(self, surface: Surface | SurfaceSource, **options: Any) -> Deformed:  # noqa: ANN401
         """Return a measured surface as it is inside the contact."""
+
+    def deform_pair(
+        self,
+        surface: Surface | SurfaceSource,
+        second: Surface | SurfaceSource,
+        **options: Any,  # noqa: ANN401
+    ) -> DeformedPair:
+        """Return two measured surfaces as they are inside the contact."""
 
     def film(self) -> SmoothFilm:
         """Return the film of the smooth contact."""
@@ -69,11 +76,11 @@ def stress_of_contact(
     **deforming
         As of :meth:`ehlwave.Contact.deform`.
     """
-    deformed = [contact.deform(surface, **deforming)]
-    if second is not None:
-        other = copy(contact)
-        other.conditions = second_conditions(contact.conditions)
-        deformed.append(other.deform(second, **deforming))
+    if second is None:
+        deformed = [contact.deform(surface, **deforming)]
+    else:
+        pair = contact.deform_pair(surface, second, **deforming)
+        deformed = [pair.first, pair.second]
     notes = []
     if friction is None:
         friction = _friction(contact)
