@@ -4,14 +4,25 @@
 !> threads come: results are the same bits with any number. The runtime of OpenMP keeps the number; a build without
 !> OpenMP has one thread.
 module ehlwave_threads
-   !$ use omp_lib, only: omp_get_max_threads, omp_get_thread_num, omp_set_num_threads
+   use, intrinsic :: iso_c_binding, only: c_int
+   !$ use omp_lib, only: omp_get_max_threads, omp_get_num_threads, omp_get_thread_num, omp_set_num_threads
    implicit none (type, external)
    private
-   public :: can_share, is_shared, take_threads, thread_count, thread_number
+   public :: announce, await, can_share, is_shared, take_threads, team_size, thread_count, thread_number
 
    integer, parameter :: least_shared = 8192        !! values; to share fewer takes longer than to do the work
    integer, parameter, public :: row_block = 16     !! rows of a grid that a thread takes at once
    integer, parameter, public :: most_threads = 256 !! that can be asked for
+
+   integer, parameter :: patience = 1000            !! looks at another thread's progress before the processor is left to
+                                                    !! others
+
+   interface
+      integer(c_int) function sched_yield() bind(c)
+         import :: c_int
+         implicit none (type, external)
+      end function sched_yield
+   end interface
 
 contains
 
@@ -39,6 +50,40 @@ contains
       thread_number = 0
       !$ thread_number = omp_get_thread_num()
    end function thread_number
+
+   !> Threads that share the present loop.
+   integer function team_size()
+      team_size = 1
+      !$ team_size = omp_get_num_threads()
+   end function team_size
+
+   !> Let other threads know how far this one is, and see what it has written so far.
+   subroutine announce(progress, place)
+      integer, intent(inout) :: progress
+      integer, intent(in) :: place
+      !$omp flush
+      !$omp atomic write
+      progress = place
+      !$omp flush
+   end subroutine announce
+
+   !> Wait until another thread is so far.
+   subroutine await(progress, place)
+      integer, intent(inout) :: progress   !! as the other one announces it
+      integer, intent(in) :: place
+      integer(c_int) :: status
+      integer :: looks, seen
+
+      looks = 0
+      do
+         !$omp atomic read
+         seen = progress
+         if (seen >= place) exit
+         looks = looks + 1
+         if (modulo(looks, patience) == 0) status = sched_yield()
+      end do
+      !$omp flush
+   end subroutine await
 
    !> Whether a loop over so many values is worth sharing.
    pure logical function is_shared(values)
