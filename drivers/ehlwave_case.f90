@@ -90,7 +90,8 @@ program ehlwave_case
       case%fields = .true.
       call refuse_inside_store(arguments%value('--output'), error)
       call check_output_path(arguments%value('--output'), [character(len=len(arguments%files)) :: arguments%files(1), &
-                                                           case%surface_file], arguments%has('--overwrite'), error)
+                                                           case%surface_file, case%second%surface_file], &
+                             arguments%has('--overwrite'), error)
       if (allocated(error)) call fail(error%message, 2)
    end if
 

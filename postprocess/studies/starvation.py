@@ -7,6 +7,7 @@ from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.axes import Axes
 from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
@@ -15,13 +16,14 @@ from ehlwave.formula import power_ratio, recommended_parameter, recommended_shar
 from ehlwave.formula import wave_and_direction as direction_of
 from ehlwave.starvation import FILM_COEFFICIENTS, WAVE_COEFFICIENTS
 from ehlwave.writing import Writer
+from studies.overrollings import report_overrollings
 from studies.sweeps import Row, read_sweep, run_command, write_rows, write_sweep
 
 Floats = NDArray[np.float64]
 Law = Callable[[Floats, Floats], Floats]
 
 OIL = (0.2, 0.35, 0.5, 0.65, 0.8, 1, 1.25, 1.6, 2.2, 3, 5)
-OIL_OF_WAVES = (0.4, 0.6, 0.8, 1, 1.6, 4)
+OIL_OF_WAVES = (0.4, 0.5, 0.65, 0.8, 1, 1.6, 4)
 WAVES = (
     *(("transverse", wave) for wave in (0.25, 0.5, 1.0, 2.0)),
     *((orientation, wave) for orientation in ("isotropic", "longitudinal") for wave in (0.5, 1.0)),
@@ -45,30 +47,42 @@ def contacts(count: int, low: Sequence[float], high: Sequence[float]) -> list[Ro
 
 
 def write_cases(folder: Path, count: int, cells: int) -> None:
-    """Write both sweeps: films of `count` contacts, waves of half as many."""
-    grid = {"cells_x": 0, "cells_y": 0, "largest_cells": cells, "x_min": -4.5, "edges": "flooded"}
+    """Write both sweeps: films of `count` contacts, waves of half as many.
+
+    Waves have `cells` along X, which resolves the meniscus (theory eq. (C8)), films two thirds of
+    that. Waves of flooded contacts on the same domain are for the figure.
+    """
+    grid = {"cells_x": cells, "cells_y": 0, "largest_cells": cells, "x_min": -4.5}
+    grid |= {"edges": "flooded"}
     films = [
         contact | {"oil_over_flooded": r}
         for contact in contacts(count, (20, 2, 0.1), (1000, 20, 1))
         for r in OIL
     ]
     waves = [
-        contact | {"oil_over_flooded": r, "orientation": orientation, "wavelength_over_a": wave}
+        contact | oil | {"orientation": orientation, "wavelength_over_a": wave}
         for contact in contacts(max(count // 2, 2), (50, 4, 0.1), (800, 18, 1))
-        for r in OIL_OF_WAVES
+        for oil in ({}, *({"oil_over_flooded": r} for r in OIL_OF_WAVES))
         for orientation, wave in WAVES
     ]
-    write_sweep(folder, "films", films, {"grid": grid})
+    write_sweep(folder, "films", films, {"grid": {**grid, "cells_x": 2 * cells // 3}})
     write_sweep(folder, "waves", waves, {"grid": grid, "waviness": {"response": "harmonic"}})
 
 
-def usable(rows: list[Row]) -> dict[str, Floats]:
-    """Return the columns of the cases that converged and whose meniscus is inside the domain."""
-    good = [
-        row
-        for row in rows
-        if row["status"] == "converged" and row["meniscus_x"] > row["domain_x_min"] + 0.3
-    ]
+def usable(rows: list[Row], *, is_flooded: bool = False) -> dict[str, Floats]:
+    """Return the columns of the cases that converged and whose meniscus is inside the domain.
+
+    Or of those that are flooded: their film over that of the flooded contact is 1.
+    """
+
+    def counts(row: Row) -> bool:
+        if is_flooded:
+            return not np.isfinite(row["oil_offered"])
+        return bool(row["meniscus_x"] > row["domain_x_min"] + 0.3)
+
+    good = [row for row in rows if row["status"] == "converged" and counts(row)]
+    if is_flooded:
+        good = [row | {"film_over_flooded": 1.0} for row in good]
     names = [name for name, value in good[0].items() if isinstance(value, (int, float))]
     return {name: np.array([row[name] for row in good], dtype=float) for name in names}
 
@@ -148,14 +162,15 @@ def fit(name: str, law: Law, y: Floats, contact: Floats, start: Sequence[float])
 
 def report(folder: Path) -> None:
     """Fit the laws, write laws.csv and the figures, print a line for each law."""
-    films, waves = (usable(read_sweep(folder, name)) for name in ("films", "waves"))
+    every = {name: read_sweep(folder, name) for name in ("films", "waves")}
+    films, waves = (usable(rows) for rows in every.values())
     rows = []
     of_films = np.array([f"{a} {b} {c}" for a, b, c in zip(*_contact(films), strict=True)])
     of_waves = np.array([f"{a} {b} {c}" for a, b, c in zip(*_contact(waves), strict=True)])
     ratio = films["film_over_flooded"]
     rows.append(fit("R, one g", constant_law(films), ratio, of_films, (3.0,)))
     rows.append(fit("R", film_law(films), ratio, of_films, FILM_COEFFICIENTS))
-    responses = waves["harmonic_ratio"]
+    responses = waves["harmonic_extrapolated"]
     rows.append(fit("Ad/Ai", wave_law(waves), responses, of_waves, WAVE_COEFFICIENTS))
     write_rows(folder / "laws.csv", rows, digits=5)
     for row in rows:
@@ -165,7 +180,7 @@ def report(folder: Path) -> None:
             f"largest {row['largest_held_out']:.3f}; "
             + ", ".join(f"{row[f'c{k}']:.4g}" for k in range(5) if f"c{k}" in row)
         )
-    _draw(folder, films, waves, rows)
+    _draw(folder, films, waves, usable(every["waves"], is_flooded=True), rows)
 
 
 def _contact(c: dict[str, Floats]) -> list[Floats]:
@@ -173,41 +188,80 @@ def _contact(c: dict[str, Floats]) -> list[Floats]:
 
 
 def _draw(
-    folder: Path, films: dict[str, Floats], waves: dict[str, Floats], rows: list[Row]
+    folder: Path,
+    films: dict[str, Floats],
+    waves: dict[str, Floats],
+    flooded: dict[str, Floats],
+    rows: list[Row],
 ) -> None:
-    """Draw R computed over R of the law, and all waves on one curve over x R^-k."""
-    figure, (left, right) = plt.subplots(1, 2, figsize=(10, 4.5), layout="constrained")
-    best = np.array([rows[1][f"c{k}"] for k in range(5)])
-    law = film_law(films)(best, np.arange(len(films["gamma"])))
-    left.plot([0, 1], [0, 1], color="0.7")
-    left.scatter(law, films["film_over_flooded"], s=8)
-    left.set(xlabel="R by the law", ylabel="R computed")
-    x, n, along = wave_parameters(waves)
-    p = np.array([rows[2][f"c{k}"] for k in range(4)])
-    r = waves["film_over_flooded"]
-    starved = p[3] * x * r ** -(p[0] + p[1] * along)
-    dots = right.scatter(starved, waves["harmonic_ratio"], c=r, s=8, cmap="viridis")
-    figure.colorbar(dots, label="R")
-    line = np.geomspace(starved.min(), starved.max(), 100)
-    right.plot(line, power_ratio(line, float(np.median(n))), color="0.3")
-    right.set(xscale="log", xlabel="x, with its power of R", ylabel="Ad/Ai computed")
+    """Draw R over r and over the law, waves over x of the flooded contact and over x with R."""
+    figure, panels = plt.subplots(2, 2, figsize=(10, 8.5), layout="constrained")
+    _draw_films(panels[0], films, np.array([rows[1][f"c{k}"] for k in range(5)]))
+    _draw_waves(panels[1], waves, flooded, np.array([rows[2][f"c{k}"] for k in range(4)]))
     write_figure(figure, folder, "starvation", writer=Writer(overwrite=True))
     plt.close(figure)
+
+
+def _draw_films(panels: Sequence[Axes], films: dict[str, Floats], best: Floats) -> None:
+    left, right = panels
+    of_oil, ratio = films["oil_offered"], films["film_over_flooded"]
+    dots = left.scatter(of_oil, ratio, c=np.log10(films["gamma"] * films["load_parameter_m"]), s=8)
+    left.figure.colorbar(dots, label="log10(gamma M)")
+    r = np.geomspace(0.2, 5, 100)
+    for g in (2.0, 8.0):
+        left.plot(r, power_ratio(1 / r, g), color="0.4", linewidth=0.8)
+        left.annotate(f"g = {g:g}", (1, float(power_ratio(1.0, g))), fontsize=8)
+    left.set(xscale="log", xlabel="r, oil offered over oil passed flooded", ylabel="R computed")
+    right.plot([0, 1], [0, 1], color="0.7")
+    right.scatter(film_law(films)(best, np.arange(len(ratio))), ratio, s=8)
+    right.set(xlabel="R by the law", ylabel="R computed")
+
+
+def _draw_waves(
+    panels: Sequence[Axes], waves: dict[str, Floats], flooded: dict[str, Floats], p: Floats
+) -> None:
+    """Flooded and starved contacts: apart over x, on one curve over x with the power of R."""
+    for axes, power in zip(panels, (0.0, 1.0), strict=True):
+        for c, marker in ((waves, "o"), (flooded, "x")):
+            x, n, along = wave_parameters(c)
+            ratio = c["film_over_flooded"]
+            place = x * (p[3] * ratio ** -(p[0] + p[1] * along)) ** power
+            response = c["harmonic_extrapolated"]
+            look = {"s": 9, "cmap": "viridis", "vmin": 0.35, "vmax": 1.0, "marker": marker}
+            name = "flooded" if c is flooded else "starved"
+            dots = axes.scatter(place, response, c=ratio, label=name, linewidths=0.8, **look)
+        line = np.geomspace(0.02, 20, 200)
+        for ratio, style in ((1.0, "-"), (0.6, "--"), (0.4, ":")) if power else ((1.0, "-"),):
+            curve = power_ratio(line, float(np.median(n)) * ratio ** (p[2] * power))
+            axes.plot(line, curve, style, color="0.3", linewidth=0.9, label=f"law, R = {ratio:g}")
+        axes.set(xscale="log", xlim=(0.02, 20), ylabel="Ad/Ai computed")
+        axes.legend(fontsize=8)
+    panels[0].set(xlabel="x of the flooded contact")
+    panels[1].set(xlabel="x of the starved contact, with its power of R")
+    panels[1].figure.colorbar(dots, label="R")
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Write the sweeps or report on their results."""
     parser = argparse.ArgumentParser("a step of scripts/study starvation", description=__doc__)
-    parser.add_argument("step", choices=("cases", "report"))
+    parser.add_argument("step", choices=("cases", "report", "overrollings"))
     parser.add_argument("folder", type=Path)
     parser.add_argument("--contacts", type=int, default=30)
-    parser.add_argument("--cells", type=int, default=192)
+    parser.add_argument("--cells", type=int, default=384)
     return run_command(parser, _run, arguments)
 
 
 def _run(options: argparse.Namespace) -> None:
     if options.step == "cases":
         write_cases(options.folder, options.contacts, options.cells)
+    elif options.step == "overrollings":
+        for row in report_overrollings(options.folder, options.cells // 8):
+            print(
+                f"{row['track']}: R {row['R_first']:.3f} to {row['R_last']:.3f} in "
+                f"{row['overrollings']}; (C5) with g = {row['g_fitted']:.2f} within "
+                f"{row['closed_form_largest']:.1%}; by the law for g within "
+                f"{row['inlet_largest']:.1%}, with side flow {row['inlet_and_sides_largest']:.1%}"
+            )
     else:
         report(options.folder)
 

@@ -16,7 +16,7 @@ PLACE = Path(__file__).parents[1] / "src" / "ehlwave" / "keys.py"
 TYPES = {"number": "SupportsFloat", "whole": "SupportsIndex", "truth": "bool", "word": "str"}
 WIDTH = 100
 
-OBJECTS = {"file": "Text | Surface | TopographyLike"}
+OBJECTS = dict.fromkeys(("file", "file_2"), "Text | Surface | TopographyLike")
 """Keys that take more than the name of a file."""
 
 HEADER = '''\

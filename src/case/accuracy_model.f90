@@ -8,12 +8,13 @@ module ehlwave_accuracy_model
    use ehlwave_kinds, only: dp
    implicit none (type, external)
    private
-   public :: expected_film_error, expected_long_step_error, expected_ratio_error, expected_step_error, largest_mesh, &
-      points_for, steady_work_units, step_work_units
+   public :: expected_film_error, expected_long_step_error, expected_meniscus_error, expected_ratio_error, &
+      expected_step_error, largest_mesh, points_for, steady_work_units, step_work_units
 
    real(dp), parameter :: film_factor = 0.172_dp           !! model 'film'
    real(dp), parameter :: moving_factor = 0.265_dp         !! model 'moving_ratio'
    real(dp), parameter :: standing_factor = 0.0592_dp      !! model 'standing_ratio'
+   real(dp), parameter, public :: meniscus_factor = 0.35_dp   !! see expected_meniscus_error
    real(dp), parameter :: time_step_factor = 2.43_dp        !! model 'time_step'
    real(dp), parameter :: step_tolerance_factor = 1.26_dp  !! model 'step_tolerance': four of five runs are below
    real(dp), parameter :: steady_cost(3) = [66.7_dp, -0.265_dp, 0.0870_dp]   !! model 'steady_cost'
@@ -69,6 +70,14 @@ contains
       real(dp), intent(in) :: samples         !! time steps per wave
       expected_long_step_error = time_step_factor*(1 - 1/real(cells_per_step, dp)**2)/samples**2
    end function expected_long_step_error
+
+   !> Relative error of Ad/Ai of a contact with too little oil by the meniscus, theory eq. (C8), of first order:
+   !> c hX/(its distance from the contact). A response knows the meniscus to a cell. As the mesh is refined and nodes
+   !> pass by it, Ad/Ai goes up and down.
+   pure real(dp) function expected_meniscus_error(hx_over_distance)
+      real(dp), intent(in) :: hx_over_distance   !! 0 of flooded contacts
+      expected_meniscus_error = meniscus_factor*hx_over_distance
+   end function expected_meniscus_error
 
    pure real(dp) function ratio_scale(conditions, formula_ratio, moves)
       type(conditions_t), intent(in) :: conditions

@@ -7,6 +7,8 @@ module ehlwave_case_completion
    use ehlwave_errors, only: error_t, raise
    use ehlwave_inlet_plan, only: check_inlet
    use ehlwave_kinds, only: dp
+   use ehlwave_case_roughness, only: check_line_roughness, check_response, complete_roughness
+   use ehlwave_method_choice, only: choose_method
    use ehlwave_petsc_library, only: require_petsc
    use ehlwave_text, only: to_text
    use ehlwave_threads, only: can_share
@@ -28,13 +30,11 @@ contains
       call check_heat(case, error)
       if (.not. allocated(error) .and. conditions%is_line()) call complete_line(case, error)
       if (case%largest_cells == 0) case%largest_cells = usual_largest_cells
-      if (.not. allocated(error) .and. case%surface_file /= '' .and. case%orientation /= 'none') call raise(error, &
-         "&surface file = '"//trim(case%surface_file)//"' and &waviness orientation = '"//trim(case%orientation)// &
-         "': give one of the two")
-      if (.not. allocated(error)) call complete_waviness(case, error)
+      if (.not. allocated(error)) call complete_roughness(case, error)
       if (.not. allocated(error)) call check_grid_and_time(case, error)
       if (.not. allocated(error)) call check_response(case, error)
       if (.not. allocated(error)) call check_inlet(case, error)
+      if (.not. allocated(error)) call choose_method(case, conditions)
       if (.not. allocated(error) .and. case%method == 'petsc') call require_petsc(error)
       if (.not. allocated(error) .and. case%threads > 1 .and. .not. can_share()) call raise(error, &
          '&solver threads = '//to_text(case%threads)//': this build has no OpenMP: remove the key, or build with '// &
@@ -51,15 +51,10 @@ contains
       type(error_t), allocatable, intent(inout) :: error
       character(len=*), parameter :: line = ': a line contact (radius_ratio_d = 0) '
 
-      if (case%orientation == 'isotropic' .or. case%orientation == 'longitudinal') then
-         call raise(error, "&waviness orientation = '"//trim(case%orientation)//"'"//line// &
-            "has no waves along Y: use 'transverse', or an elliptical contact (radius_ratio_d of 0.005 or more)")
-      else if (case%wavelength_y_over_a > 0) then
-         call raise(error, '&waviness wavelength_y_over_a = '//to_text(case%wavelength_y_over_a, 6)//line// &
-                    'has no waves along Y: set it to 0')
-      else if (len_trim(case%surface_file) > 0) then
-         call raise(error, "&surface file = '"//trim(case%surface_file)//"'"//line//'takes harmonic waves only')
-      else if (case%method == 'fas') then
+      call check_line_roughness(case%roughness_t, '', line, error)
+      call check_line_roughness(case%second, '2', line, error)
+      if (allocated(error)) return
+      if (case%method == 'fas') then
          call raise(error, "&solver method = 'fas'"//line//"is solved by 'newton' or 'petsc'")
       else if (case%deformation == 'mlmi') then
          call raise(error, "&solver deformation = 'mlmi'"//line//"has its deformation by 'fft'")
@@ -98,64 +93,6 @@ contains
       end if
       conditions%slip_parameter = case%slip_parameter
    end subroutine case_conditions
-
-   !> Wavelengths along X and Y from the orientation, and back.
-   subroutine complete_waviness(case, error)
-      type(case_t), intent(inout) :: case
-      type(error_t), allocatable, intent(inout) :: error
-
-      select case (case%orientation)
-      case ('none')
-         case%wavelength_over_a = 0
-         case%wavelength_x_over_a = 0
-         case%wavelength_y_over_a = 0
-      case ('custom')
-         if (max(case%wavelength_x_over_a, case%wavelength_y_over_a) <= 0) then
-            call raise(error, "&waviness orientation 'custom' needs wavelength_x_over_a or wavelength_y_over_a "// &
-                       'above 0 (0 means no variation in that direction)')
-         else if (case%oblique .and. min(case%wavelength_x_over_a, case%wavelength_y_over_a) <= 0) then
-            call raise(error, '&waviness oblique needs both wavelength_x_over_a and wavelength_y_over_a above 0')
-         end if
-         case%wavelength_over_a = shorter(case%wavelength_x_over_a, case%wavelength_y_over_a)
-      case default
-         if (.not. case%wavelength_over_a > 0) &
-            call raise(error, "&waviness wavelength_over_a is missing: orientation '"//trim(case%orientation)// &
-            "' needs it")
-         case%wavelength_x_over_a = merge(0.0_dp, case%wavelength_over_a, case%orientation == 'longitudinal')
-         case%wavelength_y_over_a = merge(0.0_dp, case%wavelength_over_a, case%orientation == 'transverse')
-      end select
-   end subroutine complete_waviness
-
-   !> The smaller of two wavelengths, 0 standing for infinite.
-   pure real(dp) function shorter(x, y)
-      real(dp), intent(in) :: x, y
-      shorter = min(merge(x, huge(x), x > 0), merge(y, huge(y), y > 0))
-      if (max(x, y) <= 0) shorter = 0
-   end function shorter
-
-   !> The linear response belongs to harmonic waves, to the nominal load, and to time steps that do not skip nodes.
-   subroutine check_response(case, error)
-      type(case_t), intent(in) :: case
-      type(error_t), allocatable, intent(inout) :: error
-
-      if (case%response == 'transient') return
-      if (len_trim(case%surface_file) > 0) then
-         call raise(error, "&waviness response = '"//trim(case%response)// &
-            "' is that of one harmonic wave, &surface file = '"// &
-                    trim(case%surface_file)//"' is none: remove &surface or set response to 'transient'")
-      else if (abs(case%load_factor - 1) > 0) then
-         call raise(error, "&waviness response = '"//trim(case%response)// &
-            "' is about the steady state under the nominal "// &
-                    "load: remove &dynamics load_factor or set response to 'transient'")
-      else if (case%time_step_over_cell > 1) then
-         call raise(error, '&solver time_step_over_cell = '//to_text(case%time_step_over_cell, 6)// &
-                    " is above 1: response = '"//trim(case%response)// &
-                    "' linearises steps of at most one cell; use 1, 0.5, 0.25, ... or response = 'transient'")
-      else if ((case%response == 'harmonic' .or. case%response == 'periodic') .and. case%end_time > 0) then
-         call raise(error, "&dynamics end_time is given but response = '"//trim(case%response)// &
-            "' takes no time steps: remove end_time or set response to 'both' or 'transient'")
-      end if
-   end subroutine check_response
 
    subroutine check_grid_and_time(case, error)
       type(case_t), intent(in) :: case

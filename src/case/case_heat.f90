@@ -54,7 +54,7 @@ contains
          else if (oil%temperature_k <= 150 .or. oil%temperature_k > 700) then
             call raise(error, '&lubricant temperature_k = '//to_text(oil%temperature_k, 6)//' is no temperature of '// &
                'an oil in kelvin: write a value between 150 and 700')
-         else if (case%orientation /= 'none' .or. case%surface_file /= '' .or. case%end_time > 0) then
+         else if (case%is_wavy() .or. case%is_measured() .or. case%end_time > 0) then
             call raise(error, '&heat is for smooth contacts in a steady state: remove &waviness, &surface and '// &
                '&dynamics end_time, or &heat')
          else if (case%oil_over_flooded > 0 .or. case%oil_layer_m > 0 .or. case%oil_profile /= '') then

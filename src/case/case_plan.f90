@@ -7,12 +7,12 @@ module ehlwave_case_plan
    use ehlwave_domain_choice, only: chosen_scale, expected_domain_errors, scale_domain
    use ehlwave_errors, only: error_t, raise
    use ehlwave_grid_choice, only: choose_grid
-   use ehlwave_inlet_plan, only: plan_inlet
+   use ehlwave_inlet_plan, only: expected_oil, plan_inlet
    use ehlwave_kinds, only: dp
    use ehlwave_march_plan, only: plan_march
    use ehlwave_plan_effort, only: cap_work, expect
    use ehlwave_planned_case, only: case_plan_t, run_harmonic, run_march, run_standing
-   use ehlwave_resolution, only: judge_resolution
+   use ehlwave_resolution, only: judge_resolution, meniscus_distance
    use ehlwave_surface_plan, only: plan_surfaces
    use ehlwave_text, only: to_text
    use ehlwave_thinning, only: new_thinning
@@ -32,7 +32,7 @@ contains
       type(error_t), allocatable, intent(inout) :: error
       real(dp), intent(in), optional :: domain_scale   !! of the domain over that of the keys; absent: chosen
       type(case_t) :: copy
-      real(dp) :: errors(2), thickening
+      real(dp) :: errors(2), meniscus, thickening
 
       copy = case
       call case_conditions(copy, plan%conditions, error)
@@ -64,12 +64,16 @@ contains
       if (allocated(error)) return
       plan%is_half = (case%domain == 'auto' .or. plan%conditions%is_line()) .and. plan%surfaces%is_symmetric() &
                      .and. plan%inlet%is_even()
-      call choose_grid(copy, plan%conditions, plan%surfaces, plan%thinning%steepness, plan%cells_x, plan%cells_y, &
-                       plan%grid_reason)
+      meniscus = 0
+      if (plan%inlet%is_short()) &
+         meniscus = meniscus_distance(plan%conditions, expected_oil(plan%inlet, plan%conditions, plan%rheology))
+      call choose_grid(copy, plan%conditions, plan%surfaces, plan%thinning%steepness, meniscus, plan%cells_x, &
+                       plan%cells_y, plan%grid_reason)
       plan%hx = (plan%x_max - plan%x_min)/plan%cells_x
       if (.not. plan%conditions%is_line()) plan%hy = 2*plan%y_max/plan%cells_y
       plan%deformation = merge('mlmi', 'fft ', case%deformation == 'mlmi')   ! 'auto': the FFT, measured
 
+      plan%is_by_multigrid = case%method == 'fas'
       plan%is_periodic = plan%surfaces%moves() .and. case%response == 'periodic'
       plan%responds = plan%surfaces%is_rough() .and. (case%response == 'harmonic' .or. case%response == 'both')
       if (plan%responds .and. case%response == 'harmonic') then
@@ -81,6 +85,7 @@ contains
          plan%kind = run_standing
          plan%phases = merge(8, 2, any(plan%surfaces%list%wavelength_x > 0))
       end if
+      if (.not. allocated(error) .and. plan%is_periodic) call check_repetition(plan, error)
       if (allocated(error)) return
       if (case%fields_every > 0 .and. (plan%kind /= run_march .or. plan%is_periodic)) then
          call raise(error, '&output fields_every = '//to_text(case%fields_every)// &
@@ -92,7 +97,7 @@ contains
       if (case%heat%is_given()) plan%levels = case%heat%levels + 1
       if (case%fields_every > 0) plan%field_sets = plan%steps/case%fields_every + 1
       plan%resolution = judge_resolution(plan%conditions, plan%surfaces, plan%x_min, plan%y_max, plan%hx, plan%hy, &
-         plan%dt)
+         plan%dt, meniscus)
       call expect(case, plan)
       if (case%accuracy > 0) call check_accuracy(case, plan, error)
       plan%cost = real(plan%cells_x, dp)*plan%cells_y*(15 + 6*plan%phases + 4*plan%steps + merge(8, 0, plan%responds))
@@ -103,6 +108,17 @@ contains
       if (plan%largest_total_steps == 0) &
          plan%largest_total_steps = case%largest_steps*(10 + 5*plan%phases) + steps_per_time_step*plan%steps
    end subroutine make_plan
+
+   !> Refuse a periodic state of waves that never repeat together.
+   subroutine check_repetition(plan, error)
+      type(case_plan_t), intent(in) :: plan
+      type(error_t), allocatable, intent(inout) :: error
+      if (plan%surfaces%repeat_period() > 0) return
+      call raise(error, "&waviness response = 'periodic': the waves of "// &
+         'the two surfaces pass in periods of '//to_text(plan%surfaces%list(1)%period(), 6)//' and '// &
+         to_text(plan%surfaces%list(2)%period(), 6)//', which are in no ratio of whole numbers up to 12: take '// &
+         "other wavelengths or slip, or response = 'transient' or 'harmonic'")
+   end subroutine check_repetition
 
    !> Refuse keys that contradict the accuracy asked for. A grid that only `largest_cells` limits is no contradiction:
    !> the plan says what it can reach.

@@ -52,7 +52,8 @@ contains
       type(case_t), intent(in) :: case
       real(dp), intent(in) :: scale
       type(case_t) :: usual
-      may_enlarge = case%accuracy > 0 .and. case%edges == 'flooded' .and. len_trim(case%surface_file) == 0 .and. &
+      may_enlarge = case%accuracy > 0 .and. case%edges == 'flooded' .and. .not. case%is_measured() .and. &
+         .not. case%second%is_measured() .and. &
          scale < largest_scale .and. &
          maxval(abs([case%x_min - usual%x_min, case%x_max - usual%x_max, case%y_max - usual%y_max])) <= 0
    end function may_enlarge
@@ -83,7 +84,7 @@ contains
          by_load = flooded_load_share*by_load
       end if
       errors = 1 - exp(-by_pressure - by_load)
-      if (case%orientation /= 'none' .and. case%edges /= 'flooded') errors(2) = ratio_share*errors(2)
+      if (case%has_ratio() .and. case%edges /= 'flooded') errors(2) = ratio_share*errors(2)
    end function expected_domain_errors
 
 end module ehlwave_domain_choice

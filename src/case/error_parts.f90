@@ -7,6 +7,7 @@ module ehlwave_error_parts
    !> Expected by a plan, or estimated after a run. Their sum is what `accuracy` is about.
    type, public :: error_parts_t
       real(dp) :: mesh = 0         !! by the mesh, and of moving waves by time steps that follow it
+      real(dp) :: meniscus = 0     !! of contacts with too little oil: by where the meniscus lies between nodes
       real(dp) :: domain = 0       !! by the edges of the domain; those of a truncated one are asked for, and told
                                    !! besides
       real(dp) :: time = 0         !! by time steps longer than hX
@@ -22,7 +23,7 @@ contains
    !> The sum of all parts, NaN where one is not known.
    elemental real(dp) function total(self)
       class(error_parts_t), intent(in) :: self
-      total = self%mesh + self%domain + self%time + self%amplitude + self%settling + self%algebraic
+      total = self%mesh + self%meniscus + self%domain + self%time + self%amplitude + self%settling + self%algebraic
    end function total
 
 end module ehlwave_error_parts

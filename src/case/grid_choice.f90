@@ -1,12 +1,12 @@
 !> The grid of a case: cells as given, or the smallest of a list of sizes that resolves inlet sweep and waves.
 module ehlwave_grid_choice
-   use ehlwave_accuracy_model, only: largest_mesh, points_for
-   use ehlwave_case_definition, only: case_t, usual_largest_cells
+   use ehlwave_accuracy_model, only: largest_mesh, meniscus_factor, points_for
+   use ehlwave_case_definition, only: case_t, roughness_t, usual_largest_cells
    use ehlwave_conditions, only: conditions_t
    use ehlwave_formula, only: amplitude_formula, anisotropy_factor, wave_parameter_v
    use ehlwave_kinds, only: dp
-   use ehlwave_resolution, only: coarsest_inlet, fewest_points_per_wave, inlet_length, wanted_inlet, &
-      wanted_line_inlet, wanted_points_per_wave
+   use ehlwave_resolution, only: coarsest_inlet, coarsest_meniscus, fewest_points_per_wave, inlet_length, &
+      wanted_inlet, wanted_line_inlet, wanted_points_per_wave
    use ehlwave_surfaces, only: surfaces_t
    use ehlwave_text, only: to_text
    implicit none (type, external)
@@ -18,15 +18,17 @@ module ehlwave_grid_choice
    real(dp), parameter :: slip_without_formula = 0.5_dp   !! |S - 1| from which the formula for pure rolling tells
                                                           !! nothing
    real(dp), parameter :: share_of_mesh = 0.75_dp, share_of_waves = 0.2_dp
+   real(dp), parameter :: share_of_meniscus = 0.5_dp   !! of contacts with too little oil: the others have room to spare
 
 contains
 
    !> Cells of the whole domain; one along Y for a line contact.
-   subroutine choose_grid(case, conditions, surfaces, steepness, cells_x, cells_y, reason)
+   subroutine choose_grid(case, conditions, surfaces, steepness, meniscus, cells_x, cells_y, reason)
       type(case_t), intent(in) :: case
       type(conditions_t), intent(in) :: conditions
       type(surfaces_t), intent(in) :: surfaces
       real(dp), intent(in) :: steepness        !! see `thinning_t`
+      real(dp), intent(in) :: meniscus         !! expected distance from the contact, 0 of flooded ones
       integer, intent(out) :: cells_x, cells_y
       character(len=:), allocatable, intent(out) :: reason   !! why so many, for people
       real(dp) :: points
@@ -65,6 +67,12 @@ contains
                why_x = 'for '//to_text(points, 3)//' points per wave'
             end associate
          end do
+         if (meniscus > 0 .and. surfaces%is_rough()) then
+            mesh = coarsest_meniscus*meniscus
+            if (case%accuracy > 0) mesh = min(mesh, share_of_meniscus*case%accuracy*meniscus/meniscus_factor)
+            if (length/mesh > wanted) why_x = 'for the meniscus, hX <= '//to_text(mesh, 2)
+            wanted = max(wanted, length/mesh)
+         end if
          if (case%accuracy > 0) then
             mesh = largest_mesh(conditions, case%accuracy)
             if (surfaces%is_rough() .and. .not. surfaces%is_measured()) &
@@ -117,14 +125,23 @@ contains
    end function smallest_size
 
    !> Ad/Ai by theory eq. (18), for the error model: less of it counts under slip, where the inlet launches a wave of
-   !> its own.
+   !> its own. The smaller one of two rough surfaces.
    pure real(dp) function formula_ratio(case, conditions, moves)
       type(case_t), intent(in) :: case
       type(conditions_t), intent(in) :: conditions
       logical, intent(in) :: moves      !! whether the pattern does
-      formula_ratio = amplitude_formula(anisotropy_factor(case%wavelength_x_over_a, case%wavelength_y_over_a) &
-                                        *wave_parameter_v(conditions, case%wavelength_over_a))
+      formula_ratio = of(case%roughness_t)
+      if (case%second%is_wavy()) formula_ratio = min(formula_ratio, of(case%second))
       if (moves) formula_ratio = formula_ratio*max(0.0_dp, 1 - abs(conditions%slip_parameter - 1)/slip_without_formula)
+
+   contains
+
+      pure real(dp) function of(waves)
+         type(roughness_t), intent(in) :: waves
+         of = amplitude_formula(anisotropy_factor(waves%wavelength_x_over_a, waves%wavelength_y_over_a) &
+                                *wave_parameter_v(conditions, waves%wavelength_over_a))
+      end function of
+
    end function formula_ratio
 
 end module ehlwave_grid_choice

@@ -4,14 +4,16 @@ module ehlwave_inlet_plan
    use ehlwave_case_files, only: case_file_t, note_digest
    use ehlwave_conditions, only: conditions_t
    use ehlwave_errors, only: error_t, raise
+   use ehlwave_formula, only: expected_film
    use ehlwave_inlet_oil, only: inlet_oil_t
    use ehlwave_kinds, only: dp
    use ehlwave_number_file, only: read_number_table
    use ehlwave_number_table, only: number_table_t
+   use ehlwave_rheology, only: rheology_t
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
-   public :: check_inlet, plan_inlet
+   public :: check_inlet, expected_oil, plan_inlet
 
 contains
 
@@ -26,11 +28,11 @@ contains
       if (case%oil_over_flooded > 0) given = '&inlet oil_over_flooded = '//to_text(case%oil_over_flooded, 6)//': '
       if (case%oil_layer_m > 0) given = '&inlet oil_layer_m = '//to_text(case%oil_layer_m, 6)//': '
       if (given == '') return
-      has_pattern = case%orientation /= 'none' .or. case%surface_file /= ''
+      has_pattern = case%is_wavy() .or. case%is_measured()
       if (case%oil_layer_m > 0 .and. .not. case%is_dimensional) then
          call raise(error, given//'metres need dimensional conditions (radius_x_m, ...); give oil_over_flooded in '// &
                     'place of it')
-      else if (case%method /= 'newton') then
+      else if (.not. any(case%method == ['newton', 'auto  '])) then
          call raise(error, given//"starved contacts are solved by method = 'newton' alone, not by '"// &
             trim(case%method)//"', whose sweeps know no partly filled nodes")
       else if (case%sensitivities) then
@@ -40,8 +42,8 @@ contains
          call raise(error, given//'waves and surfaces need pure rolling, slip_parameter = 1: where the gap is not '// &
                     'full, under slip each layer moves with its own surface, which the model does not know')
       else if (has_pattern .and. case%response == 'periodic') then
-         call raise(error, given//"response = 'periodic' is not built for starved contacts: take 'transient', "// &
-                    "'both' or 'harmonic'")
+         call raise(error, given//"response = 'periodic' starts in waves known to second order, which have no "// &
+                    "contents of gaps that are not full: take 'transient', 'both' or 'harmonic'")
       else if (case%time_step_over_cell > 1) then
          call raise(error, given//'&solver time_step_over_cell = '//to_text(case%time_step_over_cell, 6)// &
                     ' is above 1: oil in partly filled gaps goes from node to node; use 1, 0.5, 0.25, ...')
@@ -85,6 +87,18 @@ contains
       inlet%share = table%values(:, share)
       call check_profile(trim(case%oil_profile), inlet, error)
    end subroutine plan_inlet
+
+   !> Oil offered over what the flooded contact passes, by the film formula where a layer is given.
+   pure real(dp) function expected_oil(inlet, conditions, rheology)
+      type(inlet_oil_t), intent(in) :: inlet
+      type(conditions_t), intent(in) :: conditions
+      type(rheology_t), intent(in) :: rheology
+      real(dp) :: hertz(1, 1)
+      expected_oil = inlet%over_flooded
+      if (.not. inlet%layer > 0) return
+      hertz = 1
+      expected_oil = inlet%layer/(sum(rheology%density(hertz))*expected_film(conditions))
+   end function expected_oil
 
    !> A profile has two places or more, in order, and no negative layer; somewhere there is oil.
    subroutine check_profile(path, inlet, error)

@@ -41,6 +41,7 @@ contains
          error%message = place//error%message
          return
       end if
+      input%case%has_free_tolerance = .not. input%is_given(find_key(list%keys, 'tolerance'))
       if (input%case%accuracy > 0) call choose_for_accuracy(input, list)
       call complete_case(input%case, place, error)
    end subroutine complete_input

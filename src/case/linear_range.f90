@@ -29,19 +29,21 @@ contains
    !> Relative difference to expect between Ad/Ai of the waves of a case and that of small ones.
    elemental real(dp) function expected_nonlinearity(case) result(difference)
       type(case_t), intent(in) :: case
-      difference = curvature(case)*case%amplitude_over_film**2
+      difference = curvature(case, case%slip_parameter)*case%amplitude_over_film**2
+      if (case%second%is_wavy()) difference = difference &
+         + curvature(case, 2 - case%slip_parameter)*case%second%amplitude_over_film**2
    end function expected_nonlinearity
 
    !> Largest Ai over the film within the linear range.
    elemental real(dp) function linear_limit(case)
       type(case_t), intent(in) :: case
-      linear_limit = min(1.0_dp, sqrt(tolerated_difference/curvature(case)))
+      linear_limit = min(1.0_dp, sqrt(tolerated_difference/curvature(case, case%slip_parameter)))
    end function linear_limit
 
-   elemental real(dp) function curvature(case)
+   elemental real(dp) function curvature(case, speed)
       type(case_t), intent(in) :: case
-      curvature = rolling_factor + slip_factor(merge(1, 2, case%oil%is_newtonian() .and. case%slip_parameter > 1)) &
-                  *(case%slip_parameter - 1)**2
+      real(dp), intent(in) :: speed        !! of the surface, over the mean one
+      curvature = rolling_factor + slip_factor(merge(1, 2, case%oil%is_newtonian() .and. speed > 1))*(speed - 1)**2
    end function curvature
 
 end module ehlwave_linear_range

@@ -21,7 +21,8 @@ contains
    !> Steps until the slower of the surface pattern (speed S) and of the pattern in the lubricant (speed 1) has
    !> passed the outlet end, `settling_periods` more (measured: long waves, lambda = 2 a, are 2 per cent off in the
    !> first period and below 0.1 per cent in the second), then one period. A measured surface is followed until its
-   !> trailing end is at the contact centre. An `end_time` overrides both; where it comes before the patterns have
+   !> trailing end is at the contact centre. Two surfaces with waves are measured until they repeat together, or for a
+   !> beat. An `end_time` overrides both; where it comes before the patterns have
    !> passed and one period more, no amplitude is measured.
    subroutine plan_march(case, plan, error)
       type(case_t), intent(in) :: case
@@ -44,12 +45,12 @@ contains
          settled = min(settled, total)
       else if (plan%surfaces%moves()) then
          passed = plan%surfaces%passing_time(outlet_end)
-         settled = passed + case%settling_periods*plan%surfaces%period()
-         total = settled + plan%surfaces%period()
+         settled = passed + case%settling_periods*plan%surfaces%longest_period()
+         total = settled + plan%surfaces%window()
          if (case%end_time > 0) then
             total = case%end_time
-            plan%measures = total - plan%surfaces%period() > passed - 0.5_dp*plan%dt
-            settled = max(0.0_dp, total - plan%surfaces%period())
+            plan%measures = total - plan%surfaces%window() > passed - 0.5_dp*plan%dt
+            settled = max(0.0_dp, total - plan%surfaces%window())
          end if
       else
          settled = case%end_time
@@ -76,7 +77,7 @@ contains
       chosen_step = 1
       if (.not. plan%surfaces%moves() .or. plan%responds .or. plan%is_periodic .or. &
          case%load_balance /= 'force_balance') return
-      steps = plan%surfaces%period()/(2*plan%hx)
+      steps = plan%surfaces%shortest_period()/(2*plan%hx)
       if (steps < fewest_long_steps) return
       if (expected_long_step_error(2, steps) <= share_of_steps*case%accuracy) chosen_step = 2
    end function chosen_step

@@ -1,7 +1,7 @@
 !> Errors and work to expect of a plan, and the cap on its work.
 module ehlwave_plan_effort
-   use ehlwave_accuracy_model, only: expected_long_step_error, expected_ratio_error, expected_step_error, &
-      steady_work_units, step_work_units
+   use ehlwave_accuracy_model, only: expected_long_step_error, expected_meniscus_error, expected_ratio_error, &
+      expected_step_error, steady_work_units, step_work_units
    use ehlwave_case_definition, only: case_t
    use ehlwave_grid_choice, only: formula_ratio
    use ehlwave_kinds, only: dp
@@ -29,7 +29,7 @@ module ehlwave_plan_effort
                                                      !! that alone; measured: 2 to 4
    real(dp), parameter :: starved_step_cost = 1.3_dp !! of a time step without patches
    real(dp), parameter :: limit_cost = 6             !! of an oil with a limit of its stress; measured: 2 to 20
-   real(dp), parameter :: heat_cost = 4              !! of a steady state with heat, of one without; measured: 1.7 to 6
+   real(dp), parameter :: heat_cost = 4              !! of a steady state with heat, of one without; measured: 1.3 to 5
 
 contains
 
@@ -45,7 +45,7 @@ contains
       samples = plan%resolution%samples
       step_tolerance = case%step_tolerance
       if (plan%kind == run_harmonic) then     ! has the frequency of steps dT = hX, and no tolerance of its own
-         if (plan%surfaces%moves()) samples = plan%surfaces%period()/plan%hx
+         if (plan%surfaces%moves()) samples = plan%surfaces%shortest_period()/plan%hx
          step_tolerance = 0
       end if
       plan%expected%domain = plan%domain_error
@@ -55,12 +55,13 @@ contains
                                                    formula_ratio(case, plan%conditions, plan%surfaces%moves()), &
                                                    plan%hx, &
                                                    plan%resolution%points_y, 1, samples, 0.0_dp)*plan%thinning%steepness
+         plan%expected%meniscus = expected_meniscus_error(plan%resolution%meniscus)
          if (samples > 0) plan%expected%time = expected_long_step_error(plan%cells_per_step, samples)
          if (samples > 0) plan%expected%algebraic = expected_step_error(step_tolerance)
          if (plan%kind == run_march .or. plan%kind == run_standing) plan%expected%amplitude = &
             expected_nonlinearity(case)
       end if
-      plan%expected_error = plan%expected%mesh + plan%expected%time + plan%expected%algebraic
+      plan%expected_error = plan%expected%mesh + plan%expected%meniscus + plan%expected%time + plan%expected%algebraic
       associate (steady => steady_work_units(plan%conditions, plan%cells_x, is_newtonian, plan%thinning%cost), &
                  step => step_work_units(plan%conditions, plan%cells_x, is_newtonian, plan%thinning%cost))
          if (abs(case%load_factor - 1) > 0) steps_cost = load_step_cost
@@ -74,7 +75,7 @@ contains
       if (case%oil%shear_limit_over_pressure > 0) plan%expected_work_units = limit_cost*plan%expected_work_units
       if (case%heat%is_given()) plan%expected_work_units = heat_cost*plan%expected_work_units
       if (plan%responds) plan%expected_work_units = plan%expected_work_units &
-         + merge(line_response_work_units, response_work_units, plan%conditions%is_line())
+         + size(plan%surfaces%list)*merge(line_response_work_units, response_work_units, plan%conditions%is_line())
       if (.not. (plan%is_half .or. plan%conditions%is_line())) plan%expected_work_units = 2*plan%expected_work_units
       plan%work_with_estimates = plan%expected_work_units
       if (plan%surfaces%is_rough() .and. plan%kind /= run_harmonic .and. case%error_estimate == 'coarse_grid') &

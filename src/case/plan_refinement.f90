@@ -37,7 +37,7 @@ contains
       real(dp) :: factor, room, scale
 
       is_finer = .false.
-      room = case%accuracy - (parts%total() - parts%mesh)
+      room = case%accuracy - (parts%total() - parts%mesh - parts%meniscus)
       copy = case
       copy%accuracy = 0                             ! what it chooses is chosen here
       copy%time_step_over_cell = real(plan%cells_per_step, dp)/plan%steps_per_cell
@@ -47,7 +47,9 @@ contains
          room = room + 0.5_dp*parts%domain
       end if
       if (.not. room > 0) return
-      factor = min(max(1.0_dp, sqrt(parts%mesh/(aim*room))), largest_factor)
+      ! mesh/factor^2 + meniscus/factor = aim room
+      factor = 0.5_dp*(parts%meniscus + sqrt(parts%meniscus**2 + 4*parts%mesh*aim*room))/(aim*room)
+      factor = min(max(1.0_dp, factor), largest_factor)
       factor = factor*scale/plan%domain_scale
       do
          copy%cells_x = plan%cells_x

@@ -28,6 +28,7 @@ module ehlwave_planned_case
       type(case_file_t), allocatable :: files(:)     !! that cases may read; with digests where this one does
       integer :: kind = run_smooth
       logical :: responds = .false.                  !! the linear response is computed
+      logical :: is_by_multigrid = .false.           !! steady states by FAS
       integer :: levels = 0                          !! across the film at which temperatures are found; 0: none
       integer :: field_sets = 0                      !! fields over time that are kept
       integer :: threads = 1                         !! that share the case; the least a sweep can have
@@ -138,9 +139,10 @@ contains
    !> each side, M = 100 and, up to 1024, 1000; smooth, transverse waves of 0.5 a by their response, and marches.
    pure real(dp) function expected_memory_mib(self)
       class(case_plan_t), intent(in) :: self
-      real(dp), parameter :: program_mib = 17, bytes_smooth = 720, bytes_wavy = 900, bytes_response = 1830, &
-         bytes_line = 2600, bytes_periodic = 1900, bytes_set = 48, &   ! three fields, and their file
-         bytes_level = 100                                              ! with heat, measured: within a tenth
+      real(dp), parameter :: program_mib = 17, bytes_smooth = 720, bytes_multigrid = 510, bytes_wavy = 900, &
+         bytes_response = 1830, bytes_line = 2600, bytes_periodic = 1900, &
+         bytes_set = 48, &                                              ! three fields, and their file
+         bytes_level = 145                                              ! with heat, measured: within a tenth
       real(dp), parameter :: thread_mib = 1, bytes_thread = 600   ! rows, columns and lines of its own
       real(dp), parameter :: usual_cells = 256*128, smooth_growth = 0.18_dp, response_growth = 0.06_dp
       real(dp) :: bytes, cells, halvings   ! of the mesh of `usual_cells`
@@ -148,6 +150,7 @@ contains
       if (self%is_half) cells = cells/2
       halvings = 0.5_dp*log(max(1.0_dp, cells/usual_cells))/log(2.0_dp)
       bytes = bytes_smooth*(1 + smooth_growth*halvings)
+      if (self%is_by_multigrid) bytes = bytes_multigrid
       if (self%kind /= run_smooth) bytes = max(bytes, bytes_wavy)
       if (self%is_periodic) bytes = bytes_periodic
       if (self%responds) bytes = max(bytes, bytes_response)

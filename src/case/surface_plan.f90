@@ -1,6 +1,6 @@
 !> The rough surfaces of a case, and how long a measured one is followed.
 module ehlwave_surface_plan
-   use ehlwave_case_definition, only: case_t
+   use ehlwave_case_definition, only: case_t, roughness_t
    use ehlwave_case_files, only: case_file_t, note_digest
    use ehlwave_conditions, only: conditions_t
    use ehlwave_errors, only: error_t, raise
@@ -8,9 +8,9 @@ module ehlwave_surface_plan
    use ehlwave_kinds, only: dp
    use ehlwave_surface, only: new_surface, surface_t
    use ehlwave_surface_file, only: read_surface_file
-   use ehlwave_surfaces, only: new_surfaces, surfaces_t
+   use ehlwave_surfaces, only: surfaces_t
    use ehlwave_text, only: harmless, to_text
-   use ehlwave_waviness, only: new_waviness, surface_waviness, waviness_t
+   use ehlwave_waviness, only: new_waviness, no_waviness, surface_waviness, waviness_t
    implicit none (type, external)
    private
    public :: plan_surfaces, surface_times, surface_text, surface_positions
@@ -25,87 +25,127 @@ contains
       type(surfaces_t), intent(out) :: surfaces
       type(case_file_t), intent(inout) :: files(:)
       type(error_t), allocatable, intent(inout) :: error
-      character(len=identity_length) :: digest
-      type(waviness_t) :: measured
+      type(waviness_t), allocatable :: list(:)
 
-      surfaces = new_surfaces()
-      if (len_trim(case%surface_file) > 0) then
-         call read_case_surface(case, conditions, measured, digest, error)
-         call note_digest(files, trim(case%surface_file), digest)
-         surfaces = new_surfaces(measured)
-      else if (case%orientation /= 'none') then
-         surfaces = new_surfaces(new_waviness(case%wavelength_x_over_a, &
-                                              conditions%elliptic%kappa*case%wavelength_y_over_a, case%oblique, &
-                                              case%x_min, conditions%slip_parameter, case%amplitude_over_film))
-      end if
+      allocate (list(merge(2, 1, case%is_pair())))
+      call plan_surface(case, case%roughness_t, '', conditions%slip_parameter, conditions, list(1), files, error)
+      if (case%is_pair()) call plan_surface(case, case%second, '2', 2 - conditions%slip_parameter, conditions, &
+                                            list(2), files, error)
+      surfaces%list = list
    end subroutine plan_surfaces
 
-   !> Pattern of the surface in `case%surface_file`, scaled by the lengths of the contact. Fails on a file that
-   !> cannot be used, on conditions without lengths, and when the surface does not move.
-   subroutine read_case_surface(case, conditions, waviness, digest, error)
+   !> One surface of the list.
+   subroutine plan_surface(case, roughness, number, speed, conditions, waviness, files, error)
       type(case_t), intent(in) :: case
+      type(roughness_t), intent(in) :: roughness     !! of the surface
+      character(len=*), intent(in) :: number         !! of the surface in the names of groups: '' or '2'
+      real(dp), intent(in) :: speed                  !! over the mean speed
+      type(conditions_t), intent(in) :: conditions
+      type(waviness_t), intent(out) :: waviness
+      type(case_file_t), intent(inout) :: files(:)
+      type(error_t), allocatable, intent(inout) :: error
+      character(len=identity_length) :: digest
+
+      waviness = no_waviness()
+      if (roughness%is_measured()) then
+         call read_case_surface(case, roughness, number, speed, conditions, waviness, digest, error)
+         call note_digest(files, trim(roughness%surface_file), digest)
+      else if (roughness%is_wavy()) then
+         waviness = new_waviness(roughness%wavelength_x_over_a, &
+                                 conditions%elliptic%kappa*roughness%wavelength_y_over_a, roughness%oblique, &
+                                 case%x_min, speed, roughness%amplitude_over_film)
+      end if
+   end subroutine plan_surface
+
+   !> Pattern of a measured surface, scaled by the lengths of the contact. Fails on a file that cannot be used, on
+   !> conditions without lengths, and when the surface does not move.
+   subroutine read_case_surface(case, roughness, number, speed, conditions, waviness, digest, error)
+      type(case_t), intent(in) :: case
+      type(roughness_t), intent(in) :: roughness
+      character(len=*), intent(in) :: number         !! as in `plan_surface`
+      real(dp), intent(in) :: speed
       type(conditions_t), intent(in) :: conditions
       type(waviness_t), intent(out) :: waviness
       character(len=identity_length), intent(out) :: digest   !! of the numbers in the file
       type(error_t), allocatable, intent(inout) :: error
+      character(len=:), allocatable :: key
       type(surface_t) :: surface
       real(dp), allocatable :: height_m(:, :)
       real(dp) :: step_x_m, step_y_m
 
       digest = ''
+      key = '&surface'//number//' file'
+      if (allocated(error)) return
       if (.not. conditions%has_dimensions) then
-         call raise(error, '&surface file holds metres: give &conditions by dimensional data (radius_x_m, ...) in '// &
+         call raise(error, key//' holds metres: give &conditions by dimensional data (radius_x_m, ...) in '// &
             'place of load_parameter_m, lubricant_parameter_l and radius_ratio_d')
-      else if (.not. conditions%slip_parameter > 0) then
-         call raise(error, '&surface file with slip_parameter = 0: the surface never enters the contact; give a '// &
-                    'slip_parameter above 0')
+      else if (.not. speed > 0) then
+         call raise(error, key//' with slip_parameter = '//to_text(conditions%slip_parameter, 2)//': the surface '// &
+            'never enters the contact; give a slip_parameter '//merge('above 0', 'below 2', number == ''))
       end if
-      if (.not. allocated(error)) call read_surface_file(trim(case%surface_file), height_m, step_x_m, step_y_m, error)
+      if (.not. allocated(error)) call read_surface_file(trim(roughness%surface_file), height_m, step_x_m, step_y_m, &
+                                                         error)
       if (allocated(error)) return
       digest = numbers_identity([step_x_m, step_y_m, real(shape(height_m), dp), height_m])
       call new_surface(height_m/conditions%c_m, step_x_m/conditions%a_m, step_y_m/conditions%b_m, 2*case%y_max, &
                        surface, error)
       if (allocated(error)) then
-         error%message = '&surface file = '''//trim(case%surface_file)//''': '//error%message
+         error%message = key//' = '''//trim(roughness%surface_file)//''': '//error%message
          return
       end if
-      waviness = surface_waviness(surface, case%x_min, conditions%slip_parameter)
+      waviness = surface_waviness(surface, case%x_min, speed)
    end subroutine read_case_surface
 
-   !> When the leading end of the surface is at the contact centre, and when its trailing end is, in T.
+   !> When the leading end of the last measured surface is at the contact centre, and when its trailing end is, in T.
    pure subroutine surface_times(surfaces, first, last)
-      type(surfaces_t), intent(in) :: surfaces   !! the main one is measured
+      type(surfaces_t), intent(in) :: surfaces   !! one is measured, or more
       real(dp), intent(out) :: first, last
-      associate (measured => surfaces%list(surfaces%main))
-         first = -measured%start/measured%slip
-         last = first + measured%surface%length/measured%slip
-      end associate
+      integer :: n
+      first = 0
+      last = 0
+      do n = 1, size(surfaces%list)
+         associate (measured => surfaces%list(n))
+            if (.not. allocated(measured%surface)) cycle
+            first = max(first, -measured%start/measured%slip)
+            last = max(last, -measured%start/measured%slip + measured%surface%length/measured%slip)
+         end associate
+      end do
    end subroutine surface_times
 
-   !> Position on the surface that is at the contact centre, as in its file, m.
-   pure function surface_positions(surfaces, a_m, time) result(x_m)
-      type(surfaces_t), intent(in) :: surfaces   !! the main one is measured
+   !> Position on a surface that is at the contact centre, as in its file, m.
+   pure function surface_positions(measured, a_m, time) result(x_m)
+      type(waviness_t), intent(in) :: measured
       real(dp), intent(in) :: a_m                !! Hertz semi-axis
       real(dp), intent(in) :: time(:)            !! T
       real(dp) :: x_m(size(time))
-      associate (measured => surfaces%list(surfaces%main))
-         x_m = a_m*(measured%surface%length - measured%start - measured%slip*time)
-      end associate
+      x_m = a_m*(measured%surface%length - measured%start - measured%slip*time)
    end function surface_positions
 
-   !> One line about the surface, for the plan.
-   function surface_text(case, surfaces, conditions) result(text)
-      type(case_t), intent(in) :: case
-      type(surfaces_t), intent(in) :: surfaces
+   !> One line about a rough surface, for the plan.
+   function surface_text(roughness, waviness, conditions) result(text)
+      type(roughness_t), intent(in) :: roughness
+      type(waviness_t), intent(in) :: waviness   !! of the same surface
       type(conditions_t), intent(in) :: conditions
       character(len=:), allocatable :: text
-      associate (surface => surfaces%list(surfaces%main)%surface)
-         text = 'surface '//harmless(trim(case%surface_file))//', '//to_text(size(surface%height, 1))//' x '// &
-                to_text(size(surface%height, 2))//' points, '//to_text(surface%length, 4)//' a long, Rq = '// &
-                to_text(surface%rq*conditions%c_m*1e6_dp, 4)//' um, RMS average wavelength '// &
-                to_text(surface%wavelength_x, 4)//' a'
-         if (size(surface%height, 2) > 1) text = text//' along X, '//to_text(surface%wavelength_y, 4)//' b along Y'
-      end associate
+      if (allocated(waviness%surface)) then
+         associate (surface => waviness%surface)
+            text = 'surface '//harmless(trim(roughness%surface_file))//', '//to_text(size(surface%height, 1))//' x '// &
+                   to_text(size(surface%height, 2))//' points, '//to_text(surface%length, 4)//' a long, Rq = '// &
+                   to_text(surface%rq*conditions%c_m*1e6_dp, 4)//' um, RMS average wavelength '// &
+                   to_text(surface%wavelength_x, 4)//' a'
+            if (size(surface%height, 2) > 1) text = text//' along X, '//to_text(surface%wavelength_y, 4)//' b along Y'
+         end associate
+      else if (roughness%is_wavy()) then
+         text = trim(roughness%orientation)
+         if (roughness%wavelength_x_over_a > 0) text = text//', lambda_x/a = '// &
+            to_text(roughness%wavelength_x_over_a, 6)
+         if (roughness%wavelength_y_over_a > 0) text = text//', lambda_y/a = '// &
+            to_text(roughness%wavelength_y_over_a, 6)
+         if (roughness%oblique) text = text//', oblique'
+         text = text//', Ai = '//to_text(roughness%amplitude_over_film, 4)//' of the smooth central film'
+      else
+         text = 'none (smooth surfaces)'
+      end if
    end function surface_text
 
 end module ehlwave_surface_plan

@@ -21,7 +21,7 @@ module ehlwave_heat_data
       real(dp) :: viscosity_temperature_per_k = 0         !! beta
       type(body_heat_t) :: body(2) = [body_heat_t(), body_heat_t(0.0_dp, 0.0_dp, 0.0_dp)]   !! of surfaces 1 and 2; 0 of
                                                           !! the second: as the first
-      integer :: levels = 16                              !! intervals across the film
+      integer :: levels = 12                              !! intervals across the film
    contains
       procedure :: is_given
       procedure :: second_body

@@ -16,12 +16,22 @@ module ehlwave_surfaces
       procedure :: is_symmetric
       procedure :: moves
       procedure :: frequency
-      procedure :: period
+      procedure :: shortest_period
+      procedure :: longest_period
+      procedure :: repeat_period
+      procedure :: window
+      procedure :: are_apart
+      procedure :: are_one
+      procedure :: smallest_amplitude
       procedure :: passing_time
       procedure :: rough_at
       procedure :: rough_of_waves
       procedure :: rough_fixed
    end type surfaces_t
+
+   integer, parameter :: largest_whole = 12            !! periods of one surface after which two may repeat together
+   real(dp), parameter :: whole = 1e-6_dp              !! of a ratio of periods
+   real(dp), parameter :: fewest_beats = 0.5_dp        !! in which a fit tells two frequencies apart
 
 contains
 
@@ -42,10 +52,11 @@ contains
       is_rough = any(self%list%is_present)
    end function is_rough
 
-   !> Whether results are about a measured surface, not about waves.
+   !> Whether a surface was measured: results are not about waves then.
    pure logical function is_measured(self)
       class(surfaces_t), intent(in) :: self
-      is_measured = allocated(self%list(self%main)%surface)
+      integer :: n
+      is_measured = any([(allocated(self%list(n)%surface), n=1, size(self%list))])
    end function is_measured
 
    !> Whether the gap is even in Y.
@@ -70,11 +81,79 @@ contains
       if (allocated(self%list)) frequency = self%list(self%main)%frequency()
    end function frequency
 
-   !> Time after which the waves that results are about repeat, in T.
-   pure real(dp) function period(self)
+   !> Shortest and longest time in which the waves of a surface pass, in T; of surfaces that move.
+   pure real(dp) function shortest_period(self)
       class(surfaces_t), intent(in) :: self
-      period = self%list(self%main)%period()
-   end function period
+      integer :: n
+      shortest_period = huge(1.0_dp)
+      do n = 1, size(self%list)
+         if (self%list(n)%moves()) shortest_period = min(shortest_period, self%list(n)%period())
+      end do
+   end function shortest_period
+
+   pure real(dp) function longest_period(self)
+      class(surfaces_t), intent(in) :: self
+      integer :: n
+      longest_period = 0
+      do n = 1, size(self%list)
+         if (self%list(n)%moves()) longest_period = max(longest_period, self%list(n)%period())
+      end do
+   end function longest_period
+
+   !> Time after which all waves repeat, in T: that of one surface, or the least common multiple of two, all of which
+   !> move. 0 where their periods are in no ratio of small whole numbers.
+   pure real(dp) function repeat_period(self)
+      class(surfaces_t), intent(in) :: self
+      real(dp) :: ratio
+      integer :: n
+
+      repeat_period = self%list(1)%period()
+      if (size(self%list) == 1) return
+      do n = 1, largest_whole
+         ratio = n*self%list(1)%period()/self%list(2)%period()
+         if (nint(ratio) < 1 .or. nint(ratio) > largest_whole .or. abs(ratio - nint(ratio)) > whole*ratio) cycle
+         repeat_period = n*self%list(1)%period()
+         return
+      end do
+      repeat_period = 0
+   end function repeat_period
+
+   !> Time over which waves are measured, in T: until they repeat, or for a beat of two that do not.
+   pure real(dp) function window(self)
+      class(surfaces_t), intent(in) :: self
+      real(dp) :: beats
+
+      window = self%repeat_period()
+      if (window > 0) return
+      beats = abs(1/self%list(1)%period() - 1/self%list(2)%period())
+      window = self%longest_period()*min(real(largest_whole, dp), max(1.0_dp, 1/(beats*self%longest_period())))
+   end function window
+
+   !> Whether the film at one point tells the waves of both surfaces apart: their frequencies differ.
+   pure logical function are_apart(self)
+      class(surfaces_t), intent(in) :: self
+      are_apart = .true.
+      if (size(self%list) > 1) are_apart = &
+         abs(1/self%list(1)%period() - 1/self%list(2)%period())*self%window() > fewest_beats
+   end function are_apart
+
+   !> Whether all surfaces have the same waves and move alike: the gap has one wave of the sum of their amplitudes.
+   pure logical function are_one(self)
+      class(surfaces_t), intent(in) :: self
+      associate (first => self%list(1), last => self%list(size(self%list)))
+         are_one = first%is_oblique .eqv. last%is_oblique
+         are_one = are_one .and. maxval(abs([first%wavelength_x - last%wavelength_x, &
+            first%wavelength_y - last%wavelength_y, first%slip - last%slip])) <= 0
+      end associate
+   end function are_one
+
+   !> The smallest amplitude of a pattern, in units of c; of waves.
+   pure real(dp) function smallest_amplitude(self, film)
+      class(surfaces_t), intent(in) :: self
+      real(dp), intent(in) :: film                 !! smooth H(0,0)
+      integer :: n
+      smallest_amplitude = minval([(self%list(n)%amplitude(film), n=1, size(self%list))])
+   end function smallest_amplitude
 
    !> T until the slowest of the patterns, and what it launched into the oil (speed 1), have passed X = outlet.
    pure real(dp) function passing_time(self, outlet)

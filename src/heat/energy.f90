@@ -5,7 +5,7 @@
 !> while viscosity and pressure settle, so that none is repeated for that alone.
 module ehlwave_energy
    use ehlwave_contact_problem, only: contact_problem_t
-   use ehlwave_film_column, only: column_t, new_column, solve_column
+   use ehlwave_film_column, only: add_inflow, add_side, column_t, new_column, solve_column
    use ehlwave_film_heat, only: film_heat_t
    use ehlwave_film_levels, only: film_levels_t, new_film_levels
    use ehlwave_film_shear, only: film_shear_t, new_film_shear, shear_film
@@ -29,8 +29,8 @@ module ehlwave_energy
       real(dp), allocatable :: into_wall(:, :, :)   !! d theta/d zeta over H, into surfaces 1 and 2, (2, 0:nx, 0:ny)
       real(dp) :: difference = huge(1.0_dp)         !! of its mean rise from that before, over the largest,
       real(dp) :: heat_difference = huge(1.0_dp)    !! and of the heat of shear, which goes with friction
+      real(dp) :: film_difference = huge(1.0_dp)    !! relative change of H(0,0) since, which who solves for it writes
       real(dp), private :: heat = 0                 ! of shear
-      real(dp), private :: damping = 1              ! of what temperatures change, while marches contradict each other
    contains
       procedure :: march
       procedure :: carried
@@ -38,7 +38,8 @@ module ehlwave_energy
    end type energy_t
 
    integer, parameter :: turns = 2
-   real(dp), parameter :: contradiction = 0.8_dp, stronger = 0.7_dp, least_damping = 0.1_dp   ! see `damping`
+   real(dp), parameter :: bearing = 1e-3_dp        ! P of nodes whose heat is compared
+   real(dp), parameter :: near = 0.1_dp, largest_step_k = 100
 
 contains
 
@@ -65,13 +66,12 @@ contains
          call problem%film_flow%set_levels(levels)
          problem%heat = film_heat_t()
          allocate (problem%heat%rise(0:levels, 0:nx, 0:ny), source=0.0_dp)
-         allocate (problem%heat%ln_fluidity, source=problem%heat%rise)
+         allocate (problem%heat%ln_fluidity, problem%heat%thinning, source=problem%heat%rise)
          allocate (problem%heat%mean_rise(0:nx, 0:ny), source=0.0_dp)
       end associate
    end subroutine warm_problem
 
-   !> One march at a state, and the temperatures of the problem taken towards it: as far as the heat that they leave
-   !> allows, see `share_to_go`.
+   !> One march at a state: temperatures of the problem, whose source is linearised about those before.
    subroutine march(self, problem, state, flow)
       class(energy_t), intent(inout) :: self
       type(contact_problem_t), intent(inout) :: problem
@@ -84,7 +84,8 @@ contains
       call find_layer_fluxes(self%flux, problem%grid, problem%conditions%elliptic%kappa, self%levels, self%shear, flow)
       self%rise = problem%heat%rise
       do j = problem%grid%first_row, problem%grid%last_row
-         call self%march_row(problem%grid, problem%conditions%elliptic%kappa, state%h(:, j), j)
+         call self%march_row(problem%grid, problem%conditions%elliptic%kappa, state%h(:, j), &
+                             problem%heat%rise(:, :, j), j)
       end do
       change = 0
       largest = tiny(largest)
@@ -94,19 +95,14 @@ contains
             mean = dot_product(self%levels%weight, self%rise(:, i, j))
             change = change + problem%grid%weight(j)*max(state%p(i, j), 0.0_dp)*abs(mean - before)
             largest = max(largest, abs(mean))
-            associate (old => problem%heat%rise(:, i, j), new => self%rise(:, i, j))
-               old = old + share_to_go(old, new, self%levels%weight, self%shear%relief(i, j), &
-                                       self%shear%shear_heat(i, j))*self%damping*(new - old)
-            end associate
+            problem%heat%rise(:, i, j) = self%rise(:, i, j)
          end do
       end do
       before = self%difference
       self%heat_difference = self%heat
-      self%heat = problem%grid%integral(self%shear%shear_heat/state%h)
+      self%heat = problem%grid%integral(merge(self%shear%shear_heat/state%h, 0.0_dp, state%p > bearing))
       self%heat_difference = abs(self%heat_difference - self%heat)/max(self%heat, tiny(before))
       self%difference = change*problem%grid%hx*problem%grid%hy/largest
-      if (self%difference > contradiction*before) self%damping = max(least_damping, stronger*self%damping)
-      call problem%heat%weigh(problem%rheology, self%levels%weight, state%p)
    end subroutine march
 
    !> Heat that the oil carries off from each node, through its sides and across all levels, in the unit of heat flows
@@ -148,43 +144,13 @@ contains
       heat = self%scales%convection*heat
    end function carried
 
-   !> How far temperatures go from those of before to those that the heat of before makes. A rise m of the film over its
-   !> surfaces, in the mean, reduces its own source by exp(-relief (m - m_before)), so that it is
-   !>
-   !>     m = m_new exp(-relief (m - m_before)).
-   !>
-   !> The part of it that is carried there from upstream is not reduced.
-   pure real(dp) function share_to_go(before, new, weight, full_relief, shear_heat) result(share)
-      real(dp), intent(in) :: before(0:), new(0:), weight(0:)   !! (0:levels)
-      real(dp), intent(in) :: full_relief                       !! 1/K, of a rise by the heat of the place alone
-      real(dp), intent(in) :: shear_heat                        !! of the place
-      real(dp), parameter :: mean_of_source = 1/12.0_dp         ! rise by an even source of 1, that conduction leaves
-      integer, parameter :: steps = 8
-      real(dp), parameter :: slight_k = 1e-6_dp, least_share = 0.01_dp
-      real(dp) :: m, m_before, m_new, relief
-      integer :: n, step
-
-      n = ubound(new, 1)
-      m_before = dot_product(weight, before) - 0.5_dp*(before(0) + before(n))
-      m_new = dot_product(weight, new) - 0.5_dp*(new(0) + new(n))
-      share = 1
-      if (m_new <= slight_k) return
-      relief = full_relief*min(1.0_dp, mean_of_source*shear_heat/m_new)
-      share = 1/(1 + relief*m_new)
-      if (abs(m_new - m_before) <= slight_k) return
-      m = max(share*m_new, slight_k)
-      do step = 1, steps                           ! Newton for ln(m), concave: from below
-         m = max(0.5_dp*m, m + (log(m_new/m) - relief*(m - m_before))/(1/m + relief))
-      end do
-      share = min(1.0_dp, max(least_share, (m - m_before)/(m_new - m_before)))
-   end function share_to_go
-
    !> One row, from the inlet to the outlet. Where oil flows back, columns are solved upstream and downstream in turn.
-   pure subroutine march_row(self, grid, kappa, h, j)
+   pure subroutine march_row(self, grid, kappa, h, before, j)
       class(energy_t), intent(inout) :: self
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: kappa
       real(dp), intent(in) :: h(0:)                !! H of the row, (0:nx)
+      real(dp), intent(in) :: before(0:, 0:)       !! rise at which the source is known, (0:levels, 0:nx)
       integer, intent(in) :: j
       real(dp) :: w(0:grid%nx)
       type(column_t) :: column
@@ -198,29 +164,30 @@ contains
       end do
       do turn = 1, turns
          do i = last, 1, -1
-            call solve_node(self, grid, kappa, h(i), w, i, j, column)
+            call solve_node(self, grid, kappa, h(i), w, before(:, i), i, j, column)
          end do
          self%rise(:, 0, j) = merge(0.0_dp, self%rise(:, 1, j), self%flux%x(:, 0, j) >= 0)
          do i = 1, last
-            call solve_node(self, grid, kappa, h(i), w, i, j, column)
+            call solve_node(self, grid, kappa, h(i), w, before(:, i), i, j, column)
          end do
       end do
       do i = last + 1, grid%nx - 1
-         call solve_node(self, grid, kappa, h(i), w, i, j, column)
+         call solve_node(self, grid, kappa, h(i), w, before(:, i), i, j, column)
       end do
       self%rise(:, grid%nx, j) = self%rise(:, grid%nx - 1, j)
    end subroutine march_row
 
    !> One node. Flows through its sides take the rise from upstream, of second order; oil that flows back along X of
    !> first.
-   pure subroutine solve_node(self, grid, kappa, h, w, i, j, column)
+   pure subroutine solve_node(self, grid, kappa, h, w, before, i, j, column)
       type(energy_t), intent(inout) :: self
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: kappa, h             !! H of the node
       real(dp), intent(in) :: w(0:)                !! of `wall_weights`
+      real(dp), intent(in) :: before(0:)           !! rise at which the source is known
       integer, intent(in) :: i, j
       type(column_t), intent(inout) :: column      !! work space
-      real(dp) :: cx, cy
+      real(dp) :: cx, cy, share
       integer :: above, below, m
 
       cx = 1/grid%hx
@@ -231,72 +198,45 @@ contains
       column%brought = 0
       column%net = 0
       associate (theta => self%rise, x => self%flux%x, y => self%flux%y, q => self%into_wall)
-         call add_side(cx*x(:, i, j), theta(:, i - 1, j), theta(:, i + 1, j), column)
-         call add_inflow(cx*x(:, i - 1, j), theta(:, max(i - 2, 0), j), theta(:, i - 1, j), column)
+         call add_side(column, cx, x(:, i, j), theta(:, i - 1, j), theta(:, i + 1, j))
+         call add_inflow(column, cx, x(:, i - 1, j), theta(:, max(i - 2, 0), j), theta(:, i - 1, j))
          if (.not. grid%is_line) then
-            call add_side(cy*y(:, i, j), theta(:, i, below), theta(:, i, above), column, farther(theta, above, 1))
+            call add_side(column, cy, y(:, i, j), theta(:, i, below), theta(:, i, above), &
+                          theta(:, i, farther(above, 1)))
             if (below > j) then                    ! the line of symmetry
-               call add_side(cy*y(:, i, j), theta(:, i, above), theta(:, i, below), column, farther(theta, below, 1))
+               call add_side(column, cy, y(:, i, j), theta(:, i, above), theta(:, i, below), &
+                             theta(:, i, farther(below, 1)))
             else
-               call add_side(-cy*y(:, i, below), theta(:, i, above), theta(:, i, below), column, &
-                             farther(theta, below, -1))
+               call add_side(column, -cy, y(:, i, below), theta(:, i, above), theta(:, i, below), &
+                             theta(:, i, farther(below, -1)))
             end if
          end if
-         column%source = self%shear%source(:, i, j)
+         column%own_share = merge(1.0_dp, 0.0_dp, self%difference < near)
          column%convection = self%scales%convection*h
          column%h = h
          do m = 1, 2
             column%wall_before(m) = self%scales%wall(m)*dot_product(w(i:1:-1), q(m, 0:i - 1, j))
          end do
          column%wall_own = self%scales%wall*w(0)
-         call solve_column(column, self%levels, theta(:, i, j), q(:, i, j))
+         call solve_column(column, self%levels, self%shear%made(:, :, i, j), before, theta(:, i, j), q(:, i, j))
+         share = maxval(abs(theta(:, i, j) - before))
+         if (share > largest_step_k) then
+            share = largest_step_k/share
+            theta(:, i, j) = before + share*(theta(:, i, j) - before)
+            q(:, i, j) = share*q(:, i, j)
+         end if
       end associate
 
    contains
 
-      !> Rise of the row beyond a row, on the way of oil that comes from there; that of the row itself at the edge.
-      pure function farther(theta, row, step) result(rise)
-         real(dp), intent(in) :: theta(0:, 0:, 0:)
+      !> The row beyond a row, on the way of oil that comes from there; itself at the edge.
+      pure integer function farther(row, step)
          integer, intent(in) :: row, step
-         real(dp) :: rise(size(theta, 1))
-         integer :: next
-         next = row + step
-         if (next < 0 .and. grid%is_half) next = -next
-         if (next < 0 .or. next > grid%ny) next = row
-         rise = theta(:, i, next)
+         farther = row + step
+         if (farther < 0 .and. grid%is_half) farther = -farther
+         if (farther < 0 .or. farther > grid%ny) farther = row
       end function farther
 
    end subroutine solve_node
-
-   !> Flow out of a node takes the node's rise and half of its difference to the node behind it; flow back brings that
-   !> of the node beyond, along Y with half of its difference to the one after it.
-   pure subroutine add_side(flow, behind, beyond, column, farther)
-      real(dp), intent(in) :: flow(:)                     !! out of the node
-      real(dp), intent(in) :: behind(:), beyond(:)        !! rises
-      type(column_t), intent(inout) :: column
-      real(dp), intent(in), optional :: farther(:)
-      column%net = column%net + flow
-      where (flow > 0)
-         column%own = column%own + 1.5_dp*flow
-         column%brought = column%brought + 0.5_dp*flow*behind
-      elsewhere
-         column%brought = column%brought - flow*beyond
-      end where
-      if (.not. present(farther)) return
-      where (.not. flow > 0) column%brought = column%brought - 0.5_dp*flow*(beyond - farther)
-   end subroutine add_side
-
-   !> Flow into a node from the node before, with that one's rise and half of its difference to the one before it.
-   pure subroutine add_inflow(flow, farther, before, column)
-      real(dp), intent(in) :: flow(:)
-      real(dp), intent(in) :: farther(:), before(:)
-      type(column_t), intent(inout) :: column
-      column%net = column%net - flow
-      where (flow > 0)
-         column%brought = column%brought + flow*(1.5_dp*before - 0.5_dp*farther)
-      elsewhere
-         column%own = column%own - flow
-      end where
-   end subroutine add_inflow
 
 end module ehlwave_energy

@@ -14,12 +14,17 @@ module ehlwave_film_shear
    !> All arrays (0:levels, 0:nx, 0:ny) or (0:nx, 0:ny).
    type, public :: film_shear_t
       real(dp), allocatable :: u(:, :, :), v(:, :, :)   !! rho H times velocity along X and along Y over ubar
-      real(dp), allocatable :: source(:, :, :)          !! heat of shear and of compression, K
+      real(dp), allocatable :: made(:, :, :, :)         !! (0:levels, 4, 0:nx, 0:ny), see below
       real(dp), allocatable :: shear_heat(:, :)         !! that of shear alone, integrated across the film
       real(dp), allocatable :: pressure_heat(:, :)      !! that of compression
-      real(dp), allocatable :: relief(:, :)             !! -d ln(source)/dT by shear under a given sliding speed, 1/K
    end type film_shear_t
 
+   !> Of `made`: the source of heat of shear and of compression, K, and how it changes with the rise under a given
+   !> sliding speed, theory eq. (D10): by the own rise of a level, by the stress, and the stress by all rises.
+   integer, parameter, public :: made_heat = 1, made_by_own = 2, made_by_stress = 3, made_stress_by_rise = 4
+
+   real(dp), parameter :: full_pressure = 1e-4_dp     ! P from which on all of the film is sheared: nodes at its edge would
+                                                      ! switch their heat on and off
    !> State of one node.
    type :: node_t
       real(dp) :: h, fluidity, gx, gy, b
@@ -32,9 +37,10 @@ contains
       integer, intent(in) :: levels, nx, ny
       type(film_shear_t) :: self
       allocate (self%u(0:levels, 0:nx, 0:ny), source=0.0_dp)
-      allocate (self%v, self%source, source=self%u)
+      allocate (self%v, source=self%u)
+      allocate (self%made(0:levels, 4, 0:nx, 0:ny), source=0.0_dp)
       allocate (self%shear_heat(0:nx, 0:ny), source=0.0_dp)
-      allocate (self%pressure_heat, self%relief, source=self%shear_heat)
+      allocate (self%pressure_heat, source=self%shear_heat)
    end function new_film_shear
 
    !> Those of a state of a problem that is warm. Where the film is cavitated nothing is sheared.
@@ -51,8 +57,9 @@ contains
       integer :: i, j
 
       allocate (gx, gy, mold=state%p)
-      associate (grid => problem%grid, film => problem%film_flow, p => state%p, h => state%h)
-         call node_gradient(grid, problem%conditions%elliptic%kappa, p, gx, gy)
+      associate (grid => problem%grid, film => problem%film_flow, p => state%p, h => state%h, &
+                 kappa => problem%conditions%elliptic%kappa)
+         call node_gradient(grid, kappa, p, gx, gy)
          do j = 0, grid%ny
             call oil_of_row(problem, state, j, rho, fluidity, across)
             call film%mean_stress(fluidity, h(:, j), gx(:, j), gy(:, j), sigma_x, b, factor, across, sigma_y, flow)
@@ -64,10 +71,9 @@ contains
                else
                   self%u(:, i, j) = surface_speeds(problem, levels)
                   self%v(:, i, j) = 0
-                  self%source(:, i, j) = 0
+                  self%made(:, :, i, j) = 0
                   self%shear_heat(i, j) = 0
                   self%pressure_heat(i, j) = 0
-                  self%relief(i, j) = 0
                end if
                self%u(:, i, j) = rho(i)*h(i, j)*self%u(:, i, j)
                self%v(:, i, j) = rho(i)*h(i, j)*self%v(:, i, j)
@@ -98,15 +104,15 @@ contains
       integer, intent(in) :: i, j
       real(dp), parameter :: largest_correction = 4
       real(dp), dimension(0:levels%n) :: at, compression, expansion, fluidity, heat, s, slope, stress2, u, v
-      real(dp) :: sigma(0:levels%n, 2), by_p, by_sigma2, inverse, rate, share, total, w, w_slope
-      real(dp) :: by_k(0:levels%n), exponent(0:levels%n)
+      real(dp) :: sigma(0:levels%n, 2), by_p, by_sigma2, inverse, rate, share, stiffness, total, w, w_slope
       integer :: k
 
       associate (film => problem%film_flow, n => levels%n, theta => problem%heat%rise(:, i, j), &
+                 thinning => problem%heat%thinning(:, i, j), &
                  slip => problem%conditions%slip_parameter)
          do k = 0, n
             sigma(k, :) = node%mean + (2*levels%zeta(k) - 1)*node%sigma
-            stress2(k) = sum(sigma(k, :)**2)
+            stress2(k) = max(sigma(k, 1)**2 + sigma(k, 2)**2, tiny(stress2))
          end do
          call film%law%shear_factor(n + 1, stress2, s, slope)
          if (allocated(film%limit)) then
@@ -128,24 +134,23 @@ contains
          total = node%mean(1)*node%b + dot_product(node%sigma, node%flow)
          share = total/max(dot_product(levels%weight, heat), tiny(share))
          heat = heat*min(max(share, 1/largest_correction), largest_correction)
-         heat = heat*(0.5_dp*scales%work*node%h/film%n0*rate)
+         heat = heat*(0.5_dp*scales%work*node%h/film%n0*rate)*min(1.0_dp, p/full_pressure)
 
          at = p
          call problem%rheology%expansivity(n + 1, at, theta, expansion)
          compression = scales%work*node%h**2*(scales%temperature_k + theta)*expansion*(u*node%gx + v*node%gy)
          self%u(:, i, j) = u
          self%v(:, i, j) = v
-         self%source(:, i, j) = heat + compression
+         self%made(:, made_heat, i, j) = heat + compression
          self%shear_heat(i, j) = dot_product(levels%weight, heat)
          self%pressure_heat(i, j) = dot_product(levels%weight, compression)
 
-         call problem%rheology%ln_viscosity(n + 1, at, theta, exponent, by_k)
-         share = dot_product(levels%weight, s + 2*slope*fluidity*sigma(:, 1)**2)      ! d B/d sigma_m
-         self%relief(i, j) = 0
-         if (abs(node%mean(1)) > 0) self%relief(i, j) = node%b/(node%mean(1)*share)* &
-            max(0.0_dp, -dot_product(levels%weight, by_k))*node%mean(1)*node%b/total* &
-            self%shear_heat(i, j)/max(self%shear_heat(i, j) + abs(self%pressure_heat(i, j)), tiny(share))
-         self%relief(i, j) = max(self%relief(i, j), 0.0_dp)
+         ! of the heat, that of sliding is relieved
+         share = min(max(node%mean(1)*node%b/total, 0.0_dp), 1.0_dp)
+         stiffness = dot_product(levels%weight, (s + 2*slope*fluidity*sigma(:, 1)**2))   ! d B/d sigma_m
+         self%made(:, made_by_own, i, j) = share*heat*thinning
+         self%made(:, made_by_stress, i, j) = share*heat*2*(1 + slope*fluidity*stress2/s)*sigma(:, 1)/stress2/stiffness
+         self%made(:, made_stress_by_rise, i, j) = levels%weight*s*sigma(:, 1)*thinning
       end associate
    end subroutine shear_node
 

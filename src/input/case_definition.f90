@@ -12,8 +12,21 @@ module ehlwave_case_definition
 
    real(dp), parameter :: no_ratio = huge(1.0_dp)        ! not given; 0 is a ratio
 
-   !> All keys, in the order of the groups.
-   type, public :: case_t
+   !> Roughness of one surface: waves, or measured heights.
+   type, public :: roughness_t
+      character(len=name_length) :: orientation = 'none'
+      real(dp) :: wavelength_over_a = 0                  !! of a custom pattern the shorter one, completed
+      real(dp) :: wavelength_x_over_a = 0, wavelength_y_over_a = 0   !! 0: no variation; completed
+      logical :: oblique = .false.
+      real(dp) :: amplitude_over_film = 0.2_dp
+      character(len=path_length) :: surface_file = ''    !! measured surface in place of waviness
+   contains
+      procedure :: is_wavy
+      procedure :: is_measured
+   end type roughness_t
+
+   !> All keys, in the order of the groups. The roughness is that of the first surface, &waviness and &surface.
+   type, extends(roughness_t), public :: case_t
       ! &conditions
       logical :: is_dimensional = .false.                !! given by dimensional data, from which M, L and D follow
       type(contact_data_t) :: data
@@ -25,14 +38,9 @@ module ehlwave_case_definition
       ! &heat
       type(heat_data_t) :: heat
       ! &waviness
-      character(len=name_length) :: orientation = 'none'
-      real(dp) :: wavelength_over_a = 0                  !! of a custom pattern the shorter one, completed
-      real(dp) :: wavelength_x_over_a = 0, wavelength_y_over_a = 0   !! 0: no variation; completed
-      logical :: oblique = .false.
-      real(dp) :: amplitude_over_film = 0.2_dp
       character(len=name_length) :: response = 'transient'
-      ! &surface
-      character(len=path_length) :: surface_file = ''    !! measured surface in place of waviness
+      ! &waviness2 and &surface2
+      type(roughness_t) :: second
       ! &inlet
       real(dp) :: oil_over_flooded = 0                   !! r; 0: none
       real(dp) :: oil_layer_m = 0                        !! 0: none
@@ -54,7 +62,8 @@ module ehlwave_case_definition
       integer :: largest_steps = 60
       integer :: largest_total_steps = 0                 !! 0: chosen by the plan
       integer :: settling_periods = 1
-      character(len=name_length) :: method = 'newton'
+      character(len=name_length) :: method = 'auto'      !! completed to that in use
+      logical :: has_free_tolerance = .false.            !! no key: none was given for steady states
       character(len=name_length) :: cycle = ''           !! of method = 'fas', completed
       character(len=name_length) :: deformation = 'auto'
       character(len=name_length) :: error_estimate = 'coarse_grid'
@@ -70,9 +79,38 @@ module ehlwave_case_definition
       integer :: fields_every = 0                        !! time steps from one set of fields to the next; 0: the last
                                                          !! alone
       logical :: sensitivities = .false.
+   contains
+      procedure :: is_pair
+      procedure :: has_ratio
    end type case_t
 
    integer, parameter, public :: usual_largest_cells = 1024   !! that the plan chooses where no limit is given,
    integer, parameter, public :: largest_line_cells = 8192    !! and for line contacts
+
+contains
+
+   !> Whether the surface has waves.
+   elemental logical function is_wavy(self)
+      class(roughness_t), intent(in) :: self
+      is_wavy = self%orientation /= 'none'
+   end function is_wavy
+
+   !> Whether its heights were measured.
+   elemental logical function is_measured(self)
+      class(roughness_t), intent(in) :: self
+      is_measured = self%surface_file /= ''
+   end function is_measured
+
+   !> Whether the second surface is rough, too.
+   elemental logical function is_pair(self)
+      class(case_t), intent(in) :: self
+      is_pair = self%second%is_wavy() .or. self%second%is_measured()
+   end function is_pair
+
+   !> Whether the result is about waves, Ad/Ai; else it is about the film.
+   elemental logical function has_ratio(self)
+      class(case_t), intent(in) :: self
+      has_ratio = self%is_wavy() .and. .not. self%second%is_measured()
+   end function has_ratio
 
 end module ehlwave_case_definition

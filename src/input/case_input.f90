@@ -1,7 +1,7 @@
 !> The input of one case: values as the user gives them, and which keys were given.
 module ehlwave_case_input
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_key, only: key_value_t, most_keys
+   use ehlwave_case_key, only: key_length, key_t, key_value_t, most_keys
    use ehlwave_case_keys, only: case_key_list, case_values, take_values
    use ehlwave_errors, only: error_t
    use ehlwave_key_bounds, only: read_key
@@ -36,18 +36,41 @@ contains
       type(error_t), allocatable, intent(inout) :: error
       type(value_t), allocatable :: item
       character(len=:), allocatable :: problem
+      character(len=key_length) :: name
       integer :: k
 
       do k = 1, list%count
          associate (key => list%keys(k))
-            call file%value_of(key%group, key%name, item, error)
+            name = key%name
+            call file%value_of(key%group, name, item, error)
+            if (key%short /= '' .and. file%has_group(key%group)) call take_short(file, key, name, item, error)
             if (.not. allocated(item)) cycle
             call read_key(key, item, list%values(k), problem)
-            call file%refuse(key%group, key%name, problem, error, item%line)
+            call file%refuse(key%group, name, problem, error, item%line)
             is_given(k) = .true.
          end associate
       end do
    end subroutine read_keys
+
+   !> The value of a key by its short name, where the file has that in place of the whole name.
+   subroutine take_short(file, key, name, item, error)
+      type(namelist_t), intent(inout) :: file
+      type(key_t), intent(in) :: key
+      character(len=*), intent(inout) :: name        !! that the file has
+      type(value_t), allocatable, intent(inout) :: item   !! by the whole name, if there is one
+      type(error_t), allocatable, intent(inout) :: error
+      type(value_t), allocatable :: short
+      character(len=:), allocatable :: problem
+
+      call file%value_of(key%group, key%short, short, error)
+      if (.not. allocated(short)) return
+      if (allocated(item)) then
+         problem = 'is the same key as '//trim(key%name)//': give one of the two'
+         call file%refuse(key%group, key%short, problem, error, short%line)
+      end if
+      name = key%short
+      call move_alloc(short, item)
+   end subroutine take_short
 
    !> The keys that the groups of a case give in a file.
    subroutine read_groups(self, file, error)

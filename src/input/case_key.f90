@@ -28,6 +28,7 @@ module ehlwave_case_key
                                                      !! default
       logical :: can_vary = .true.                   !! in a sweep
       character(len=key_length) :: file = ''         !! of a key that names a file to be read: its name in results
+      character(len=key_length) :: short = ''        !! that its group takes as well, where the group says the rest
       ! filled in by the list
       integer :: kind = 0
       character(len=choice_length) :: group = ''

@@ -12,14 +12,13 @@ module ehlwave_case_keys
    use ehlwave_heat_keys, only: visit_heat_keys
    use ehlwave_kinds, only: dp
    use ehlwave_oil_keys, only: visit_oil_keys
+   use ehlwave_roughness_keys, only: visit_surface, visit_waviness
    use ehlwave_threads, only: most_threads
    implicit none (type, external)
    private
    public :: case_key_list, case_values, take_values
 
    character(len=*), parameter :: elliptical = 'elliptical contacts (radius_ratio_d above 0), not to line contacts'
-   character(len=*), parameter :: one_length = "orientation = 'transverse', 'isotropic' or 'longitudinal' "// &
-      "('custom' takes wavelength_x_over_a and wavelength_y_over_a)"
 
 contains
 
@@ -58,7 +57,16 @@ contains
       call visit_conditions(case, list)
       call visit_oil_keys(case%oil, case%heat%is_given(), list)
       call visit_heat_keys(case%heat, list)
-      call visit_waviness(case, list)
+      call visit_waviness(case%roughness_t, '', list)
+      call list%see(case%response, key_t('response', "response to the waves; 'transient': waves of this amplitude "// &
+         "in time, "// &
+         "'periodic': what these come to, by a march that starts close to it (where it is not found one from rest "// &
+         "takes over), "// &
+         "'harmonic': the linear response to small waves, without time steps, 'both': march and response", &
+         choices='transient periodic harmonic both'))
+      call visit_surface(case%roughness_t, '', list)
+      call visit_waviness(case%second, '2', list)
+      call visit_surface(case%second, '2', list)
       call visit_inlet(case, list)
       call visit_grid(case, list)
       call visit_solver(case, list)
@@ -110,44 +118,6 @@ contains
          'place of slip_parameter, S = 1 + ratio/2; surface 1 is the wavy one', minimum=-2.0_dp, maximum=2.0_dp, &
          is_written=.false.))
    end subroutine visit_conditions
-
-   subroutine visit_waviness(case, list)
-      type(case_t), intent(inout) :: case
-      type(key_list_t), intent(inout) :: list
-      logical :: is_custom, is_wavy
-
-      is_custom = case%orientation == 'custom'
-      is_wavy = case%orientation /= 'none'
-      call list%enter('waviness', 'Harmonic waves of one surface.')
-      call list%see(case%orientation, key_t('orientation', 'orientation of the waves', &
-         choices='none transverse isotropic longitudinal custom'))
-      call list%see(case%wavelength_over_a, key_t('wavelength_over_a', 'wavelength lambda/a', above=0.0_dp, &
-         applies=is_wavy .and. .not. is_custom, when=one_length))
-      list%common = key_t(applies=is_custom, when="orientation = 'custom'")
-      call list%see(case%wavelength_x_over_a, key_t('wavelength_x_over_a', 'wavelength along X over a; 0: no '// &
-         'variation along X', minimum=0.0_dp))
-      call list%see(case%wavelength_y_over_a, key_t('wavelength_y_over_a', 'wavelength along Y over a; 0: no '// &
-         'variation along Y', minimum=0.0_dp))
-      call list%see(case%oblique, key_t('oblique', 'whether the pattern is one plane wave cos(kx X + ky Y) in '// &
-         'place of the product of cosines'))
-      list%common = key_t(is_written=is_wavy)
-      call list%see(case%amplitude_over_film, key_t('amplitude_over_film', 'amplitude Ai over the smooth central '// &
-         'film thickness', above=0.0_dp, maximum=1.0_dp))
-      call list%see(case%response, key_t('response', "response to the waves; 'transient': waves of this amplitude "// &
-         "in time, "// &
-         "'periodic': what these come to, by a march that starts close to it (where it is not found one from rest "// &
-         "takes over), "// &
-         "'harmonic': the linear response to small waves, without time steps, 'both': march and response", &
-         choices='transient periodic harmonic both'))
-      call list%enter('surface', 'A measured surface in place of &waviness.')
-      call list%see(case%surface_file, key_t('file', 'surface written by `ehlwave surface`; it enters at x_min, '// &
-         'moves '// &
-         'with S and is followed until its trailing end is at the contact centre, or end_time; needs dimensional '// &
-         'conditions. '// &
-         'The whole domain is computed unless it is even in Y. With --output, surface_position_m says which x of '// &
-         'the surface was at the centre for each film_at_centre', maximum=real(path_length, dp), file='surface', &
-         is_written=case%surface_file /= ''))
-   end subroutine visit_waviness
 
    subroutine visit_inlet(case, list)
       type(case_t), intent(inout) :: case
@@ -206,8 +176,9 @@ contains
       type(key_list_t), intent(inout) :: list
 
       call list%enter('solver', 'How the equations are solved, and how well.')
-      call list%see(case%tolerance, key_t('tolerance', 'tolerance of steady states: mass residual and load error', &
-         minimum=1e-12_dp, maximum=0.1_dp))
+      call list%see(case%tolerance, key_t('tolerance', 'tolerance of steady states: mass residual and load error; '// &
+         "where method = 'auto' takes 'fas' and none is given, from 1e-6 to 1.5e-3 by the expected error of the "// &
+         'mesh, far below which it leaves the film', minimum=1e-12_dp, maximum=0.1_dp))
       call list%see(case%step_tolerance, key_t('step_tolerance', 'tolerance of time steps at 20 % amplitude; '// &
          'reduced in proportion for smaller waves', minimum=1e-12_dp, maximum=0.1_dp))
       call list%see(case%response_tolerance, key_t('response_tolerance', 'tolerance of the linear response: its '// &
@@ -223,10 +194,11 @@ contains
          'finest grid; rescues included; 0: 600, and 40 for each time step, 300 for each phase of a standing '// &
          'pattern, and no more work than keeps a case within ten times its plan', minimum=0.0_dp, maximum=1e9_dp, &
          is_written=case%largest_total_steps > 0))
-      call list%see(case%method, key_t('method', "method of solution; 'fas': FAS multigrid with hybrid line "// &
-         "relaxation, the "// &
+      call list%see(case%method, key_t('method', "method of solution; 'auto': the faster one, 'fas' for "// &
+         "steady states and linear responses on more than 512 cells along a side and, from gamma M = 1000 on or "// &
+         "with Barus' law, on 256 and more, else 'newton'; 'fas': FAS multigrid with hybrid line relaxation, the "// &
          "paper's method, 'petsc': the finest level by PETSc's variational inequality solver, an independent check "// &
-         "(builds with PETSc)", choices='newton fas petsc'))
+         "(builds with PETSc)", choices='auto newton fas petsc'))
       call list%see(case%cycle, key_t('cycle', 'multigrid cycle', choices='f v w', default="'f'", &
          applies=case%method == 'fas', when="method = 'fas'"))
       call list%see(case%deformation, key_t('deformation', "how the deformation is computed; 'auto': by the faster "// &

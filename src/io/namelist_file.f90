@@ -24,6 +24,7 @@ module ehlwave_namelist
       procedure :: load
       procedure :: load_text
       procedure :: place
+      procedure :: has_group
       procedure :: check_all_used
       procedure :: values_of, value_of
       procedure :: refuse
@@ -74,6 +75,13 @@ contains
       i = self%contents%entry_place(group, key)
       if (i > 0) prefix = line_prefix(self%path, self%contents%entries(i)%line)
    end function place
+
+   !> Whether the file has a group.
+   logical function has_group(self, group)
+      class(namelist_t), intent(in) :: self
+      character(len=*), intent(in) :: group
+      has_group = self%contents%group_place(group) > 0
+   end function has_group
 
    !> Refuse the first group or key of the file that nobody asked for. Call it after all others.
    subroutine check_all_used(self, error)

@@ -1,9 +1,10 @@
 #define SCALAR complex(dp)
+#define SHORT complex(sp)
 #define CONJUGATE(z) conjg(z)
 !> Flexible GMRES for complex linear systems.
 module ehlwave_complex_gmres
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-   use ehlwave_kinds, only: dp
+   use ehlwave_kinds, only: dp, sp
    implicit none (type, external)
    private
    public :: dot, norm

@@ -1,9 +1,10 @@
 #define SCALAR real(dp)
+#define SHORT real(sp)
 #define CONJUGATE(z) z
 !> Flexible GMRES for real linear systems.
 module ehlwave_real_gmres
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-   use ehlwave_kinds, only: dp
+   use ehlwave_kinds, only: dp, sp
    implicit none (type, external)
    private
    public :: dot, norm

@@ -168,11 +168,23 @@ contains
       ! Qhat at the first nodes, then at those beyond, of faces with a gradient
       real(dp) :: flow(flow_values, 2*size(gx))
       real(dp), dimension(2*size(gx)) :: fluidity, grad_x, grad_y, h     ! there
-      integer :: across, along, driven(size(gx)), f, i, i2, j2, k, l, n, points
+      integer :: across, along, driven(size(gx)), f, i, i2, j2, k, l, last, n, next, points
+      integer, parameter :: beside = 2                                   ! faces beyond one with a gradient
 
       n = 0
+      last = -beside
+      next = 1
       do k = 1, size(gx)
-         if (.not. abs(gx(k)) + abs(gy(k)) > 0) cycle
+         if (.not. abs(gx(k)) + abs(gy(k)) > 0) then
+            if (.not. present(heat)) cycle
+            ! where the film may come to bear, the flow must be that of a gradient: a warm oil's is far from Newton's
+            do next = max(next, k), size(gx)
+               if (abs(gx(next)) + abs(gy(next)) > 0) exit
+            end do
+            if (k - last > beside .and. next - k > beside) cycle
+         else
+            last = k
+         end if
          n = n + 1
          driven(n) = k
       end do

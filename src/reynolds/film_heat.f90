@@ -11,6 +11,7 @@ module ehlwave_film_heat
       real(dp), allocatable :: rise(:, :, :)          !! T - T0, K, (0:levels, 0:nx, 0:ny)
       real(dp), allocatable :: mean_rise(:, :)        !! its mean across the film, (0:nx, 0:ny)
       real(dp), allocatable :: ln_fluidity(:, :, :)   !! (0:levels, 0:nx, 0:ny)
+      real(dp), allocatable :: thinning(:, :, :)      !! its derivative, -d ln(eta)/dT, 1/K
    contains
       procedure :: weigh
       procedure :: part
@@ -38,8 +39,11 @@ contains
                call rheology%ln_viscosity(n + 2, at, rise, exponent, slope)
                self%ln_fluidity(:, i, j) = exponent(n + 1) - exponent(:n)
             else
+               call rheology%ln_viscosity(1, [max(p(i, j), 0.0_dp)], rise(:0), exponent(:0), slope(:0))
+               slope = slope(0)
                self%ln_fluidity(:, i, j) = 0
             end if
+            self%thinning(:, i, j) = -slope(:n)
          end do
       end do
    end subroutine weigh

@@ -36,9 +36,9 @@ contains
    !>
    !>     R_i = (flow driven into node i) - (G_i - G_(i-1))/hX,    G_i = f_i + s_i (f_i - f_(i-1))/2,
    !>
-   !> s_i = 1 where nodes i and i-1 are full, else 0: theory eq. (C3); in a time step node i - 1 one step before. A node
-   !> is partly filled where P + R/|A_ii| <= 0, R that with f = rho H: what `equations_t` asks of cavitated ones, too.
-   !> Its f is then what makes R = 0.
+   !> s_i = 1 where node i is full, else 0, and f_(i-1) there rho H, full or not: theory eq. (C3); in a time step node
+   !> i - 1 one step before. A node is partly filled where P + R/|A_ii| <= 0, R that with f = rho H: what `equations_t`
+   !> asks of cavitated ones, too. Its G = f is then what makes R = 0.
    pure subroutine carry(self, grid, transport, supply, p, scale, f, r)
       class(oil_content_t), intent(inout) :: self
       type(grid_t), intent(in) :: grid
@@ -47,7 +47,7 @@ contains
       real(dp), intent(in) :: p(0:, 0:), scale(0:, 0:)   !! P; 1/|A_ii|, 0 off the unknown nodes
       real(dp), intent(inout) :: f(0:, 0:)               !! rho H; theta rho H on return
       real(dp), intent(inout) :: r(0:, 0:)               !! flow driven into each node; R on return
-      real(dp) :: inflow, partner, passed
+      real(dp) :: capacity, inflow, partner, passed
       logical :: is_step
       integer :: i, j
 
@@ -56,6 +56,7 @@ contains
          self%is_partial(:, j) = .false.
          self%is_partial(0, j) = supply(j) < f(0, j)
          f(0, j) = min(f(0, j), supply(j))
+         capacity = merge(no_film, f(0, j), self%is_partial(0, j))
          self%slope(:, j) = 0
          self%outflow(:, j) = f(:, j)
          if (j < grid%first_row .or. j > grid%last_row) cycle
@@ -65,8 +66,9 @@ contains
                partner = transport%partner(i, j)
             else
                inflow = self%outflow(i - 1, j)
-               partner = merge(no_film, f(i - 1, j), self%is_partial(i - 1, j))
+               partner = capacity
             end if
+            capacity = f(i, j)
             passed = f(i, j)
             if (partner > no_film) passed = passed + 0.5_dp*(f(i, j) - partner)
             ! at the first node the inflow is extrapolated as far as the outflow is
@@ -91,20 +93,20 @@ contains
       class(oil_content_t), intent(inout) :: self
       class(oil_content_t), intent(in) :: fine
       integer, intent(in) :: row_ratio
-      integer :: nx
       self%is_partial = fine%is_partial(::2, ::row_ratio)
-      nx = ubound(self%slope, 1)
-      self%slope = 0
-      self%slope(1:, :) = merge(0.0_dp, 1.0_dp, self%is_partial(1:, :) .or. self%is_partial(:nx - 1, :))
+      self%slope = merge(0.0_dp, 1.0_dp, self%is_partial)
+      self%slope(0, :) = 0
+      where (self%is_partial(0, :)) self%slope(1, :) = 0
    end subroutine inject_from
 
-   !> Data for a later time step: what each node passes on, and rho H where it is full, else `no_film`.
-   pure subroutine history_of(self, f, outflow, partner)
+   !> Data for a later time step: what each node passes on, and rho H, of dry edges `no_film`.
+   pure subroutine history_of(self, capacity, outflow, partner)
       class(oil_content_t), intent(in) :: self
-      real(dp), intent(in) :: f(0:, 0:)
+      real(dp), intent(in) :: capacity(0:, 0:)   !! rho H
       real(dp), intent(out) :: outflow(0:, 0:), partner(0:, 0:)
       outflow = self%outflow
-      partner = merge(no_film, f, self%is_partial)
+      partner = capacity
+      where (self%is_partial(0, :)) partner(0, :) = no_film
    end subroutine history_of
 
 end module ehlwave_oil_content

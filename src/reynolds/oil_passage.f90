@@ -10,6 +10,8 @@ module ehlwave_oil_passage
    private
    public :: follow_oil
 
+   real(dp), parameter :: nothing = 1e-15_dp   !! share of the oil that is round-off of pressures far out
+
    !> Of one solution.
    type, public :: oil_passage_t
       real(dp), allocatable :: content(:, :)   !! theta, (0:nx, 0:ny)
@@ -61,14 +63,15 @@ contains
             end if
             side = side*mesh%cy*grid%hx*grid%hy
          end if
-         passage%side_flow = side/entering
+         passage%side_flow = merge(side/entering, 0.0_dp, abs(side) > nothing*entering)
          passage%balance_error = abs(entering - side - width* &
             sum(grid%weight(grid%first_row:grid%last_row)*passage%behind(grid%first_row:grid%last_row)))/entering
       end associate
    end subroutine follow_oil
 
-   !> Where the gap becomes full upstream of the centre at Y = 0: in the last partly filled cell, by what it holds
-   !> between what arrives there and what would fill it.
+   !> Where the gap becomes full upstream of the centre at Y = 0: behind the last node that is partly filled, the
+   !> farther the less it holds between what arrives there and what would fill it. That share is driven back by the
+   !> pressure of the next node, so that this is where the pressure begins.
    pure real(dp) function meniscus(equations, state) result(x)
       type(equations_t), intent(in) :: equations
       type(state_t), intent(in) :: state
@@ -89,7 +92,7 @@ contains
             arriving = content%outflow(i - 1, row)
             share = (flow%f(i, row) - arriving)/max(flow%rho(i, row)*state%h(i, row) - arriving, tiny(1.0_dp))
          end if
-         x = grid%x(i) + grid%hx*(0.5_dp - min(max(share, 0.0_dp), 1.0_dp))
+         x = grid%x(i) + grid%hx*(1 - min(max(share, 0.0_dp), 1.0_dp))
       end associate
    end function meniscus
 

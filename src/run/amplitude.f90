@@ -5,7 +5,7 @@ module ehlwave_amplitude
    use ehlwave_small_solve, only: solve_small
    implicit none (type, external)
    private
-   public :: sampled_amplitude, fitted_harmonic, fitted_mean
+   public :: sampled_amplitude, fitted_harmonic, fitted_harmonics, fitted_mean
 
    real(dp), parameter :: singular = 1e-12_dp   !! smallest pivot of the fit, per sample
 
@@ -25,35 +25,48 @@ contains
       real(dp), intent(in) :: film(:)   !! H(0,0) at these times
       real(dp), intent(in) :: period    !! forcing period in T
       real(dp) :: c(3)
-      c = coefficients(time, film, period)
+      c = coefficients(time, film, [period])
       fitted_harmonic = cmplx(c(2), c(3), dp)
    end function fitted_harmonic
+
+   !> The same of waves of several periods at once: each part is that of its own wave, as far as the samples tell them
+   !> apart.
+   pure function fitted_harmonics(time, film, periods) result(parts)
+      real(dp), intent(in) :: time(:), film(:), periods(:)
+      complex(dp) :: parts(size(periods))
+      real(dp) :: c(1 + 2*size(periods))
+      c = coefficients(time, film, periods)
+      parts = cmplx(c(2::2), c(3::2), dp)
+   end function fitted_harmonics
 
    !> Mean of an oscillation whose samples need not fill whole periods: that of the same fit. Where there is none, the
    !> mean of the samples, which is off by up to the amplitude over their number for each part of a period that is
    !> missing.
-   pure real(dp) function fitted_mean(time, film, period)
+   pure real(dp) function fitted_mean(time, film, periods)
       real(dp), intent(in) :: time(:)   !! T of the samples
       real(dp), intent(in) :: film(:)   !! H(0,0) at these times
-      real(dp), intent(in) :: period    !! forcing period in T
-      real(dp) :: c(3)
-      c = coefficients(time, film, period)
+      real(dp), intent(in) :: periods(:)   !! in T, of all waves
+      real(dp) :: c(1 + 2*size(periods))
+      c = coefficients(time, film, periods)
       fitted_mean = sum(film)/size(film)
       if (ieee_is_finite(c(1))) fitted_mean = film(1) + c(1)
    end function fitted_mean
 
-   !> Mean less the first sample, c and s of the fit; NaN where there is none.
-   pure function coefficients(time, film, period) result(c)
-      real(dp), intent(in) :: time(:), film(:), period
-      real(dp) :: c(3)
-      real(dp) :: basis(size(time), 3), normal(3, 3), right(3), solution(3)
+   !> Mean less the first sample, c and s of the fit for each period; NaN where there is none.
+   pure function coefficients(time, film, periods) result(c)
+      real(dp), intent(in) :: time(:), film(:), periods(:)
+      real(dp) :: c(1 + 2*size(periods))
+      real(dp) :: basis(size(time), size(c)), normal(size(c), size(c)), right(size(c)), solution(size(c))
       logical :: is_solved
+      integer :: n
 
       c = no_value
-      if (size(time) < 3) return
+      if (size(time) < size(c)) return
       basis(:, 1) = 1
-      basis(:, 2) = cos(2*pi*time/period)
-      basis(:, 3) = sin(2*pi*time/period)
+      do n = 1, size(periods)
+         basis(:, 2*n) = cos(2*pi*time/periods(n))
+         basis(:, 2*n + 1) = sin(2*pi*time/periods(n))
+      end do
       normal = matmul(transpose(basis), basis)
       right = matmul(transpose(basis), film - film(1))
       call solve_small(normal, right, singular*size(time), solution, is_solved)

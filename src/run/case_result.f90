@@ -5,6 +5,7 @@ module ehlwave_case_result
    use ehlwave_harmonic_result, only: harmonic_result_t
    use ehlwave_heat_result, only: heat_result_t
    use ehlwave_kinds, only: dp, no_value
+   use ehlwave_pair_result, only: pair_result_t
    use ehlwave_shear_result, only: shear_result_t
    use ehlwave_starved_result, only: starved_result_t
    use ehlwave_status, only: status_pending
@@ -57,6 +58,7 @@ module ehlwave_case_result
       real(dp) :: v = 0, v2 = 0, f_r = 0             !! theory eq. (17), (16), (15)
       real(dp) :: formula_ratio = 0                  !! theory eq. (18)
       type(harmonic_result_t) :: harmonic            !! linear response, if asked for
+      type(pair_result_t) :: pair                    !! of the second rough surface, and of both
       type(oil_sensitivity_t) :: by_oil(2)           !! by ln(alpha), by ln(stress of the flow law)
       type(starved_result_t) :: starved              !! of a contact with too little oil
       type(shear_result_t) :: shear                  !! friction of the smooth contact, and estimates

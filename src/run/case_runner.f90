@@ -10,7 +10,7 @@ module ehlwave_case_runner
    use ehlwave_film_errors, only: estimate_film_errors
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_given, only: given_t
-   use ehlwave_harmonic_case, only: run_response
+   use ehlwave_harmonic_case, only: run_responses
    use ehlwave_heat_result, only: warm_fields
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp, pi
@@ -77,6 +77,7 @@ contains
       associate (level => steady%multigrid%levels(size(steady%multigrid%levels)))
          call take_report(level%report, 'steady state of smooth surfaces'//trim(merge(' with heat', '          ', &
             ieee_is_finite(steady%heat%isothermal_film))), result)
+         if (allocated(steady%heat%unsettled)) result%message = result%message//steady%heat%unsettled
          call monitor%step_done('steady state', 1, 1)
          result%heat = steady%heat
          if (result%status == status_converged) then
@@ -89,8 +90,7 @@ contains
             result%friction_error = result%friction_error + result%heat%settling
             result%central_film_error = result%central_film_error + result%heat%settling
             if (case%sensitivities) call find_film_sensitivities(case, steady, result)
-            if (plan%responds) &
-               call run_response(case, plan, plan%surfaces%list(plan%surfaces%main), steady, result)
+            if (plan%responds) call run_responses(case, plan, steady, result)
          end if
          besides = steady%work_so_far() - result%work
          rescue%work_left = min(rescue%work_left, plan%largest_work - steady%work_so_far())
@@ -161,13 +161,22 @@ contains
    subroutine compare_with_small_waves(case, result)
       type(case_t), intent(in) :: case
       type(case_result_t), intent(inout) :: result
-      real(dp), parameter :: largest_difference = 0.05_dp
-      if (.not. (ieee_is_finite(result%amplitude_ratio_fit) .and. ieee_is_finite(result%harmonic%ratio))) return
-      if (abs(result%amplitude_ratio_fit/result%harmonic%ratio - 1) <= largest_difference) return
-      call add_warning(result, 'waves of '//to_text(100*case%amplitude_over_film, 3)// &
-                       ' % of the film do not respond as small ones: Ad/Ai = '// &
-                       to_text(result%amplitude_ratio_fit, 3)//' against '// &
-                       to_text(result%harmonic%ratio, 3)//' of the linear response')
+      call compare('waves of ', case%amplitude_over_film, result%amplitude_ratio_fit, result%harmonic%ratio)
+      call compare('waves on surface 2 of ', case%second%amplitude_over_film, result%pair%ratio_fit, &
+                   result%pair%harmonic%ratio)
+
+   contains
+
+      subroutine compare(waves, amplitude, ratio, small)
+         character(len=*), intent(in) :: waves
+         real(dp), intent(in) :: amplitude, ratio, small
+         real(dp), parameter :: largest_difference = 0.05_dp
+         if (.not. (ieee_is_finite(ratio) .and. ieee_is_finite(small))) return
+         if (abs(ratio/small - 1) <= largest_difference) return
+         call add_warning(result, waves//to_text(100*amplitude, 3)//' % of the film do not respond as small ones: '// &
+            'Ad/Ai = '//to_text(ratio, 3)//' against '//to_text(small, 3)//' of the linear response')
+      end subroutine compare
+
    end subroutine compare_with_small_waves
 
    !> Film, pressure and friction of the smooth contact.

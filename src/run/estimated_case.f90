@@ -51,9 +51,9 @@ contains
       type(case_result_t), intent(out) :: result
       type(shared_steady_t), intent(inout), target, optional :: shared
       class(march_keeper_t), intent(inout), optional :: keeper   !! see `run_case`
-      real(dp), allocatable :: ratios(:)
+      real(dp), allocatable :: estimates(:), ratios(:, :)   ! of each surface
       real(dp) :: estimate, seconds
-      integer :: status
+      integer :: n, status
 
       call run_case(case, plan, monitor, result, shared, keeper)
       if (.not. plan%surfaces%is_rough() .or. .not. is_success(result%status)) return
@@ -72,15 +72,26 @@ contains
       result%work_units = result%work_units*(1 + seconds/result%seconds)
       result%seconds = result%seconds + seconds
       result%total_work_units = result%all_work/work_unit_operations(plan%cells_x, plan%cells_y)
-      estimate = estimate_error([result%amplitude_ratio_fit, ratios], &
-                                likely_order(result%film_order, plan%resolution, plan%thinning%steepness))
-      if (ieee_is_finite(estimate)) then
-         estimate = max(estimate, plan%least_ratio_error(result%central_film_error))
+      associate (order => likely_order(result%film_order, plan%resolution, plan%thinning%steepness))
+         ratios = reshape([ratios_of(plan, result), ratios], [size(ratios, 1), size(ratios, 2) + 1])
+         estimates = [(estimate_error(ratios(n, :), order), n=1, size(ratios, 1))]
+      end associate
+      if (all(ieee_is_finite(estimates))) then
+         estimate = max(maxval(estimates), plan%least_ratio_error(result%central_film_error))
          result%amplitude_ratio_error = estimate
          if (plan%steps > 0) result%amplitude_ratio_error = estimate + expected_step_error(case%step_tolerance)
          result%amplitude_error_basis = 'coarse_grid'
       end if
    end subroutine run_estimated_case
+
+   !> Ad/Ai of each surface.
+   pure function ratios_of(plan, result) result(ratios)
+      type(case_plan_t), intent(in) :: plan
+      type(case_result_t), intent(in) :: result
+      real(dp) :: ratios(size(plan%surfaces%list))
+      ratios = result%pair%ratio_fit
+      ratios(1) = result%amplitude_ratio_fit
+   end function ratios_of
 
    !> Ad/Ai of the same case on grids of two and four times the mesh size, as far as they converge and are not
    !> hopelessly coarse, and as long as the monitor lets them go on.
@@ -89,7 +100,7 @@ contains
       type(case_plan_t), intent(in) :: plan
       class(monitor_t), intent(inout), target :: monitor
       type(case_result_t), intent(inout) :: result      !! of the case: its work grows
-      real(dp), allocatable, intent(out) :: ratios(:)   !! finer grid first
+      real(dp), allocatable, intent(out) :: ratios(:, :)   !! of each surface, finer grid first
       real(dp), intent(out) :: seconds                  !! what they took
       integer, intent(out) :: status                    !! of the last one
       type(case_t) :: coarse_case
@@ -99,7 +110,7 @@ contains
       type(relay_t) :: relay
       integer :: cells(2), factor
 
-      allocate (ratios(0))
+      allocate (ratios(size(plan%surfaces%list), 0))
       seconds = 0
       status = status_pending
       relay%whole => monitor
@@ -126,7 +137,7 @@ contains
          seconds = seconds + coarse_result%seconds
          status = coarse_result%status
          if (.not. is_success(status)) return
-         ratios = [ratios, coarse_result%amplitude_ratio_fit]
+         ratios = reshape([ratios, ratios_of(plan, coarse_result)], [size(ratios, 1), size(ratios, 2) + 1])
       end do
    end subroutine coarse_ratios
 

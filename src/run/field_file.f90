@@ -6,6 +6,7 @@ module ehlwave_field_file
    use ehlwave_clock, only: time_stamp
    use ehlwave_errors, only: error_t
    use ehlwave_field_history, only: field_history_t
+   use ehlwave_harmonic_result, only: harmonic_result_t
    use ehlwave_hdf5_file, only: hdf5_file_t
    use ehlwave_kinds, only: dp
    use ehlwave_planned_case, only: case_plan_t
@@ -44,6 +45,9 @@ contains
             call file%write('film_at_centre', result%film_history, '1', 'H(0,0)', 'time')
             if (allocated(result%surface_position)) call file%write('surface_position_m', result%surface_position, &
                'm', 'x on the surface, as in its file, that is at the contact centre', 'time')
+            if (allocated(result%pair%surface_position)) call file%write('surface_position_2_m', &
+               result%pair%surface_position, 'm', 'x on surface 2, as in its file, that is at the contact centre', &
+               'time')
             if (allocated(result%approach_history)) &
                call file%write('approach', result%approach_history, '1', 'mutual approach Delta', 'time')
          end if
@@ -68,25 +72,33 @@ contains
             'oil that leaves behind the contact across Y, layers of both surfaces over c, smooth contact', 'y')
       end if
       if (allocated(result%history%p)) call write_history(file, result%history)
-      if (allocated(result%harmonic%h)) then
-         call file%write('film_response', abs(result%harmonic%h), '1', 'amplitude of H over Ai, small waves', 'x', 'y')
-         call file%write('film_phase', atan2(aimag(result%harmonic%h), real(result%harmonic%h)), 'rad', &
-                         'phase of H, exp(-i w T) with a crest of the pattern at the origin at T = 0', 'x', 'y')
-         call file%write('pressure_response', abs(result%harmonic%p), '1', 'amplitude of P over Ai, small waves', 'x', &
-            'y')
-         call file%write('pressure_phase', atan2(aimag(result%harmonic%p), real(result%harmonic%p)), 'rad', &
-                         'phase of P', 'x', 'y')
-      end if
-      if (case%fields .and. allocated(result%harmonic%waves%rows)) then
-         associate (row => result%harmonic%waves%rows)
-            call write_complex(file, 'attenuated_by_row', row%fit%attenuated, &
-               'wave that moves with the surface over Ai')
-            call write_complex(file, 'complementary_by_row', row%fit%complementary, &
-               'wave that moves with the oil over Ai')
-         end associate
-      end if
+      call write_response(file, result%harmonic, '')
+      call write_response(file, result%pair%harmonic, '_2')
       call file%finish(error)
    end subroutine write_case_file
+
+   !> Fields of the linear response to the waves of a surface, and the waves in each row, where they were asked for.
+   subroutine write_response(file, harmonic, number)
+      type(hdf5_file_t), intent(inout) :: file
+      type(harmonic_result_t), intent(in) :: harmonic
+      character(len=*), intent(in) :: number         !! that names end in: '' of the first surface, '_2'
+
+      if (.not. allocated(harmonic%h)) return
+      call file%write('film_response'//number, abs(harmonic%h), '1', 'amplitude of H over Ai, small waves', 'x', 'y')
+      call file%write('film_phase'//number, atan2(aimag(harmonic%h), real(harmonic%h)), 'rad', &
+                      'phase of H, exp(-i w T) with a crest of the pattern at the origin at T = 0', 'x', 'y')
+      call file%write('pressure_response'//number, abs(harmonic%p), '1', 'amplitude of P over Ai, small waves', 'x', &
+         'y')
+      call file%write('pressure_phase'//number, atan2(aimag(harmonic%p), real(harmonic%p)), 'rad', 'phase of P', 'x', &
+         'y')
+      if (.not. allocated(harmonic%waves%rows)) return
+      associate (row => harmonic%waves%rows)
+         call write_complex(file, 'attenuated_by_row'//number, row%fit%attenuated, &
+            'wave that moves with the surface over Ai')
+         call write_complex(file, 'complementary_by_row'//number, row%fit%complementary, &
+            'wave that moves with the oil over Ai')
+      end associate
+   end subroutine write_response
 
    !> Fields of a march over time.
    subroutine write_history(file, history)

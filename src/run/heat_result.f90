@@ -1,11 +1,13 @@
 !> How warm a contact is, and where its heat goes.
 module ehlwave_heat_result
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_conditions, only: conditions_t
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_energy, only: energy_t
    use ehlwave_kinds, only: dp, no_value
    use ehlwave_shear_stress, only: least_pressure
    use ehlwave_state, only: state_t
+   use ehlwave_text, only: to_text
    implicit none (type, external)
    private
    public :: middle_of, warm_fields
@@ -20,10 +22,14 @@ module ehlwave_heat_result
       real(dp) :: sheared_w = no_value, compressed_w = no_value                !! heat of shear and of compression
       real(dp) :: carried_w = no_value                                         !! carried off by the oil
       real(dp) :: settling = 0                      !! relative change of friction in the last round
+      character(len=:), allocatable :: unsettled    !! why film and temperatures do not agree, if they do not
       real(dp) :: balance_error = no_value                 !! the missing part, over the largest of these
    contains
       procedure :: take
+      procedure :: explain
    end type heat_result_t
+
+   real(dp), parameter :: no_oil_bears = 0.15_dp    ! friction coefficient
 
 contains
 
@@ -69,6 +75,26 @@ contains
       self%balance_error = abs(self%sheared_w + self%compressed_w - self%carried_w - sum(self%into_body_w)) &
                            /max(abs(self%sheared_w), abs(self%compressed_w), abs(self%carried_w), tiny(unit))
    end subroutine take
+
+   !> Say what did not settle, and what to change.
+   subroutine explain(self, energy)
+      class(heat_result_t), intent(inout) :: self
+      type(energy_t), intent(in) :: energy
+
+      if (ieee_is_finite(energy%difference)) then
+         self%unsettled = '; in the last round heat changed H(0,0) by '//to_text(energy%film_difference, 2)// &
+            ', the heat of shear by '//to_text(energy%heat_difference, 2)//', temperatures by '// &
+            to_text(energy%difference, 2)//' of themselves: '
+      else
+         self%unsettled = '; temperatures grew without bound: '
+      end if
+      if (self%isothermal_friction > no_oil_bears) then
+         self%unsettled = self%unsettled//'without heat the stress is '//to_text(self%isothermal_friction, 2)// &
+            " of the pressure, more than oils bear; use flow_law = 'eyring' or 'carreau', or shear_limit_over_pressure"
+      else
+         self%unsettled = self%unsettled//'use more cells along X, or a smaller slide_to_roll_ratio'
+      end if
+   end subroutine explain
 
    !> Rise half-way across the film.
    pure function middle_of(rise) result(mid)

@@ -1,11 +1,11 @@
 !> A case with a moving pattern, marched from rest, and what is taken from any march of it.
 module ehlwave_march_case
-   use ehlwave_amplitude, only: fitted_harmonic, fitted_mean, sampled_amplitude
-   use ehlwave_case_account, only: end_early, keep_history, worse
+   use ehlwave_amplitude, only: fitted_harmonic, fitted_harmonics, fitted_mean, sampled_amplitude
+   use ehlwave_case_account, only: add_warning, end_early, keep_history, worse
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_result, only: case_result_t
    use ehlwave_full_multigrid, only: full_multigrid_t
-   use ehlwave_kinds, only: dp, pi
+   use ehlwave_kinds, only: dp, no_value, pi
    use ehlwave_march_keeper, only: march_keeper_t
    use ehlwave_march_settings, only: march_settings_t
    use ehlwave_monitor, only: go_on, monitor_t
@@ -14,6 +14,7 @@ module ehlwave_march_case
    use ehlwave_solve_report, only: solve_limits_t
    use ehlwave_status, only: status_converged, status_interrupted, status_name
    use ehlwave_surface_plan, only: surface_positions
+   use ehlwave_surfaces, only: surfaces_t
    use ehlwave_text, only: to_text
    use ehlwave_time_march, only: march_result_t, march_t, steps_per_stretch
    implicit none (type, external)
@@ -52,7 +53,7 @@ contains
       real(dp), intent(in) :: central_film      !! smooth H(0,0)
       type(solve_limits_t) :: limits
       limits = solve_limits_t(tolerance=step_tolerance(case, plan, central_film), largest_steps=case%largest_steps)
-      if (case%method /= 'newton') return
+      if (any(case%method == ['fas  ', 'petsc'])) return
       if (plan%conditions%is_line()) then
          limits%guess_share = guess_share
       else
@@ -65,10 +66,12 @@ contains
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       real(dp), intent(in) :: central_film      !! smooth H(0,0)
+      integer :: n
       step_tolerance = case%step_tolerance
       if (.not. plan%surfaces%is_rough()) return
-      associate (main => plan%surfaces%list(plan%surfaces%main))
-         step_tolerance = step_tolerance*min(1.0_dp, main%equivalent_amplitude(central_film)/usual_amplitude)
+      associate (list => plan%surfaces%list)
+         step_tolerance = step_tolerance*min(1.0_dp, minval([(list(n)%equivalent_amplitude(central_film), &
+                                                              n=1, size(list))])/usual_amplitude)
       end associate
    end function step_tolerance
 
@@ -125,14 +128,17 @@ contains
             to_text(multigrid%levels(finest)%report%residual, 3)//', load error '// &
             to_text(multigrid%levels(finest)%report%load_error, 3)
       else if (plan%surfaces%is_measured()) then
-         result%surface_position = surface_positions(plan%surfaces, plan%conditions%a_m, result%time)
+         associate (list => plan%surfaces%list, a_m => plan%conditions%a_m)
+            if (allocated(list(1)%surface)) result%surface_position = surface_positions(list(1), a_m, result%time)
+            if (allocated(list(size(list))%surface) .and. size(list) > 1) &
+               result%pair%surface_position = surface_positions(list(2), a_m, result%time)
+         end associate
          if (plan%first_sample < history%steps) &
             result%mean_film = sum(result%film_history(plan%first_sample + 1:))/(history%steps - plan%first_sample + 1)
       else if (plan%surfaces%moves() .and. plan%measures) then
          result%route = 'rest'
          call take_last_period(plan, history, plan%first_sample, plan%surfaces%list(plan%surfaces%main)%start, result)
-         result%settling = change_in_a_period(case, plan, history, &
-            result%amplitude_ratio_fit*march%settings%amplitude())
+         result%settling = change_in_a_period(case, plan, history, result)
       end if
    end subroutine run_moving
 
@@ -140,43 +146,79 @@ contains
    !> is none. Measured from rest after `settling_periods` = 1: 0.02 to 0.8 of the change is still to come, most where
    !> it is small. With fewer, all of the change is counted: the period before has what came in before the waves, and
    !> the equation of motion goes on to swing (M = 47, Omega = 3.5: 5 per cent off with none).
-   real(dp) function change_in_a_period(case, plan, history, amplitude) result(change)
+   real(dp) function change_in_a_period(case, plan, history, result) result(change)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       type(march_result_t), intent(in) :: history
-      real(dp), intent(in) :: amplitude          !! of the film, in the last period
-      integer :: first, last
+      type(case_result_t), intent(in) :: result  !! with what the last period has
+      complex(dp) :: parts(size(plan%surfaces%list))
+      real(dp) :: ratios(size(plan%surfaces%list))
+      integer :: first, last, n
 
       change = 0
-      last = plan%first_sample
-      first = last - nint(plan%surfaces%period()/plan%dt)
-      if (first < 0) return
-      associate (time => history%time(first:last), film => history%central_film(first:last))
-         change = abs(abs(fitted_harmonic(time, film, plan%surfaces%period()))/amplitude - 1)
+      associate (surfaces => plan%surfaces, longest => plan%surfaces%longest_period())
+         first = plan%first_sample - nint(longest/plan%dt)
+         last = plan%first_sample + nint((surfaces%window() - longest)/plan%dt)
+         if (first < 0) return
+         parts = wave_parts(surfaces, result%central_film, history%time(first:last), history%central_film(first:last))
+         ratios(1) = result%amplitude_ratio_fit
+         ratios(2:) = result%pair%ratio_fit
+         change = maxval([(abs(abs(parts(n))/(ratios(n)*surfaces%list(n)%amplitude(result%central_film)) - 1), &
+                           n=1, size(parts))])
       end associate
       if (case%settling_periods >= 1 .and. .not. case%end_time > 0) change = settling_share*change
    end function change_in_a_period
 
-   !> Amplitude, phase and mean of the film from step `first` on, a period before the last.
+   !> The wave of each surface in the film at the centre, as by `fitted_harmonic`. Two of one frequency cannot be told
+   !> apart there: they have their shares of it where they are one pattern, else it is NaN.
+   pure function wave_parts(surfaces, central_film, time, film) result(parts)
+      type(surfaces_t), intent(in) :: surfaces        !! that move
+      real(dp), intent(in) :: central_film            !! smooth H(0,0)
+      real(dp), intent(in) :: time(:), film(:)        !! H(0,0) at T
+      complex(dp) :: parts(size(surfaces%list))
+      real(dp) :: amplitudes(size(surfaces%list))
+      integer :: n
+
+      associate (list => surfaces%list)
+         if (surfaces%are_apart()) then
+            parts = fitted_harmonics(time, film, [(list(n)%period(), n=1, size(list))])
+         else
+            amplitudes = [(list(n)%amplitude(central_film), n=1, size(list))]
+            parts = (no_value, no_value)
+            if (surfaces%are_one()) &
+               parts = fitted_harmonic(time, film, list(1)%period())*amplitudes/sum(amplitudes)
+         end if
+      end associate
+   end function wave_parts
+
+   !> Amplitudes, phases and mean of the film from step `first` on, over what repeats before the last.
    subroutine take_last_period(plan, history, first, crest, result)
       type(case_plan_t), intent(in) :: plan
       type(march_result_t), intent(in) :: history
       integer, intent(in) :: first
-      real(dp), intent(in) :: crest                   !! X where the pattern had one at T = 0
+      real(dp), intent(in) :: crest                   !! X where the patterns had one at T = 0
       type(case_result_t), intent(inout) :: result    !! with the smooth film
-      complex(dp) :: fit
-      real(dp) :: amplitude
+      complex(dp) :: parts(size(plan%surfaces%list))
+      integer :: n
 
-      amplitude = plan%surfaces%list(plan%surfaces%main)%amplitude(result%central_film)
       associate (film => history%central_film(first:history%steps), time => history%time(first:history%steps), &
-                 waves => plan%surfaces%list(plan%surfaces%main))
-         result%amplitude_ratio = sampled_amplitude(film)/amplitude
-         fit = fitted_harmonic(time, film, waves%period())/amplitude
-         result%amplitude_ratio_fit = abs(fit)
+                 surfaces => plan%surfaces, list => plan%surfaces%list)
+         if (size(list) == 1) result%amplitude_ratio = sampled_amplitude(film)/list(1)%amplitude(result%central_film)
+         parts = wave_parts(surfaces, result%central_film, time, film)
+         do n = 1, size(list)
+            parts(n) = parts(n)/list(n)%amplitude(result%central_film)
+         end do
+         result%amplitude_ratio_fit = abs(parts(1))
          ! the pattern at the centre is cos(kx (-crest - S T)): the real part of exp(-i (kx crest + w T)) for S > 0
-         fit = fit*exp(cmplx(0, 2*pi*crest/waves%wavelength_x, dp))
-         result%phase_fit = atan2(aimag(fit), real(fit, dp))
-         result%mean_film = fitted_mean(time(2:), film(2:), waves%period())
+         parts = parts*exp(cmplx(0, 2*pi*crest/list%wavelength_x, dp))
+         result%phase_fit = atan2(aimag(parts(1)), real(parts(1), dp))
+         if (size(list) > 1) then
+            result%pair%ratio_fit = abs(parts(2))
+            result%pair%phase_fit = atan2(aimag(parts(2)), real(parts(2), dp))
+         end if
+         result%mean_film = fitted_mean(time(2:), film(2:), [(list(n)%period(), n=1, size(list))])
+         if (.not. (surfaces%are_apart() .or. surfaces%are_one())) call add_warning(result, 'the waves of both '// &
+            'surfaces pass the centre with one frequency, where the film does not tell them apart: no Ad/Ai')
       end associate
    end subroutine take_last_period
 

@@ -47,12 +47,10 @@ contains
          if (extrapolation_text(case, plan%rheology, 1.0_dp) /= '') write (unit, '(a)') '             WARNING: '// &
             extrapolation_text(case, plan%rheology, 1.0_dp)
          if (plan%inlet%is_short()) write (unit, '(a)') 'Inlet        starved: '//inlet_text(case)
-         if (plan%surfaces%is_measured()) then
-            write (unit, '(a)') 'Waviness     '//surface_text(case, plan%surfaces, c)
-         else
-            write (unit, '(a)') 'Waviness     '//waviness_text(case)
-         end if
-         if (plan%surfaces%is_rough() .and. case%orientation /= 'none' .and. &
+         write (unit, '(a)') 'Waviness     '//surface_text(case%roughness_t, plan%surfaces%list(1), c)
+         if (case%is_pair()) write (unit, '(a)') '  surface 2  '// &
+            surface_text(case%second, plan%surfaces%list(2), c)//', speed 2 - S = '//to_text(2 - c%slip_parameter, 6)
+         if (plan%surfaces%is_rough() .and. case%has_ratio() .and. &
             case%amplitude_over_film > linear_limit(case)) &
             write (unit, '(a)') '             WARNING: such waves may respond unlike small ones: take '// &
             'amplitude_over_film below '//to_text(linear_limit(case), 2)//', or compare by response = ''both'''
@@ -147,18 +145,6 @@ contains
       text = ', '//merge('0 <= Y <= ', '|Y| <=    ', plan%is_half)//to_text(plan%y_max, 4)// &
              merge(' (half: the case is even in Y)', ' (whole)                      ', plan%is_half)
    end function width_text
-
-   function waviness_text(case) result(text)
-      type(case_t), intent(in) :: case
-      character(len=:), allocatable :: text
-      text = 'none (smooth surfaces)'
-      if (case%orientation == 'none') return
-      text = trim(case%orientation)
-      if (case%wavelength_x_over_a > 0) text = text//', lambda_x/a = '//to_text(case%wavelength_x_over_a, 6)
-      if (case%wavelength_y_over_a > 0) text = text//', lambda_y/a = '//to_text(case%wavelength_y_over_a, 6)
-      if (case%oblique) text = text//', oblique'
-      text = text//', Ai = '//to_text(case%amplitude_over_film, 4)//' of the smooth central film'
-   end function waviness_text
 
    function run_text(case, plan) result(text)
       type(case_t), intent(in) :: case

@@ -18,11 +18,11 @@ module ehlwave_quantities
    use ehlwave_harmonic_result, only: harmonic_result_t
    use ehlwave_heat_result, only: heat_result_t
    use ehlwave_kinds, only: dp
+   use ehlwave_pair_result, only: pair_result_t
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_quantity, only: quantity_list_t
    use ehlwave_starved_result, only: starved_result_t
    use ehlwave_status, only: status_name
-   use ehlwave_two_wave_result, only: wave_row_t
    use ehlwave_work_unit, only: work_unit_operations
    implicit none (type, external)
    private
@@ -63,12 +63,19 @@ contains
       end do
       call add_key(list, keys, 'wavelength_x_over_a')
       call add_key(list, keys, 'wavelength_y_over_a')
+      call add_key(list, keys, 'orientation_2', case%is_pair())
+      call add_key(list, keys, 'wavelength_x_over_a_2', case%is_pair())
+      call add_key(list, keys, 'wavelength_y_over_a_2', case%is_pair())
       call list%add('deformation', 'fft or mlmi on the finest grid', trim(plan%deformation))
       call list%add('expected_error', 'relative error expected by the plan', plan%expected_error)
       call add_key(list, keys, 'edges')
+      call add_key(list, keys, 'method')
+      call add_key(list, keys, 'tolerance')
       call list%add('domain_error', 'relative error expected by the edges of the domain, besides expected_error', &
          plan%domain_error)
       call list%add('expected_mesh_error', 'part of it by the mesh', plan%expected%mesh)
+      call list%add('expected_meniscus_error', 'part of it by the meniscus of a contact with too little oil', &
+                    plan%expected%meniscus)
       call list%add('expected_time_error', 'part of it by steps longer than hX', plan%expected%time)
       call list%add('expected_algebraic_error', 'part of it by the tolerances', plan%expected%algebraic)
       call list%add('expected_amplitude_error', 'expected difference from small waves, besides expected_error', &
@@ -81,6 +88,9 @@ contains
       call list%add('cells_x', 'cells along X', plan%cells_x)
       call list%add('cells_y', 'cells along Y, whole domain', plan%cells_y)
       call list%add('inlet_resolution', 'hX over the length of the inlet pressure sweep', plan%resolution%inlet)
+      call list%add('meniscus_resolution', &
+                    'hX over the expected distance of the meniscus from the contact, 0: flooded', &
+                    plan%resolution%meniscus)
       call list%add('inlet_gap_over_film', 'gap at x_min over the film of the formula', plan%resolution%inlet_gap)
       call list%add('points_per_wave_x', 'mesh sizes per wave along X', plan%resolution%points_x)
       call list%add('points_per_wave_y', 'mesh sizes per wave along Y', plan%resolution%points_y)
@@ -112,7 +122,6 @@ contains
       call list%add('largest_work_units', 'work at which the case ends, in plain FFT convolutions of the grid', &
                     plan%largest_work/work_unit_operations(plan%cells_x, plan%cells_y), exists=plan%has_work_cap())
       call add_key(list, keys, 'step_tolerance')
-      call add_key(list, keys, 'tolerance')
       associate (c => plan%conditions)
          call list%add('central_film_formula', 'central film by theory eq. (H1), of a line contact (H2), '// &
             '(h/Rx)(2U)^(-1/2)', moes_film_formula(c))
@@ -136,19 +145,20 @@ contains
    end subroutine add_formulas
 
    !> A key of the case with the value in use.
-   subroutine add_key(list, keys, name)
+   subroutine add_key(list, keys, name, exists)
       type(quantity_list_t), intent(inout) :: list
       type(key_list_t), intent(in) :: keys      !! of the case
       character(len=*), intent(in) :: name
+      logical, intent(in), optional :: exists
       integer :: k
 
       k = find_key(keys%keys, name)
       associate (key => keys%keys(k), value => keys%values(k))
          select case (key%kind)
-         case (number_kind); call list%add(name, key_long_name(key), value%number, unit=trim(key%unit))
-         case (whole_kind); call list%add(name, key_long_name(key), nint(value%number))
-         case (truth_kind); call list%add(name, key_long_name(key), value%number > 0)
-         case default; call list%add(name, key_long_name(key), value%word)
+         case (number_kind); call list%add(name, key_long_name(key), value%number, unit=trim(key%unit), exists=exists)
+         case (whole_kind); call list%add(name, key_long_name(key), nint(value%number), exists=exists)
+         case (truth_kind); call list%add(name, key_long_name(key), value%number > 0, exists=exists)
+         case default; call list%add(name, key_long_name(key), value%word, exists=exists)
          end select
       end associate
    end subroutine add_key
@@ -191,7 +201,8 @@ contains
       call list%add('refinements', 'runs on finer grids than the first, for an accuracy', result%refinements)
       call list%add('validity', 'what the result holds for: edges, linear range, warnings', &
                     validity_text(case, plan, result%warning))
-      call add_response(list, result%harmonic)
+      call add_response(list, result%harmonic, '', .true.)
+      call add_pair(list, case%is_pair(), result%pair)
       call add_sensitivities(list, case, result%by_oil)
       call add_formulas(list, result)
       call add_effort(list, result)
@@ -203,6 +214,7 @@ contains
       character(len=*), intent(in) :: of, what
       type(error_parts_t), intent(in) :: parts
       call list%add(of//'_error_mesh', 'relative error of '//what//' by the mesh', parts%mesh)
+      call list%add(of//'_error_meniscus', 'the same by the meniscus of a contact with too little oil', parts%meniscus)
       call list%add(of//'_error_domain', 'the same by the edges of the domain', parts%domain)
       call list%add(of//'_error_time', 'the same by steps longer than hX', parts%time)
       call list%add(of//'_error_amplitude', 'the same by the size of the waves, which respond unlike small ones', &
@@ -323,38 +335,98 @@ contains
          exists=is_warm)
    end subroutine add_heat
 
-   subroutine add_response(list, harmonic)
+   !> Quantities of two rough surfaces besides those of the first.
+   subroutine add_pair(list, is_pair, pair)
+      type(quantity_list_t), intent(inout) :: list
+      logical, intent(in) :: is_pair
+      type(pair_result_t), intent(in) :: pair
+
+      call list%add('amplitude_ratio_fit_2', 'Ad/Ai of the waves of surface 2 from a harmonic fit', pair%ratio_fit, &
+         exists=is_pair)
+      call list%add('phase_fit_2', 'phase of their harmonic fit against their pattern at the centre', pair%phase_fit, &
+         unit='rad', exists=is_pair)
+      call add_response(list, pair%harmonic, '_2', is_pair)
+      call list%add('film_rms_both', 'rms of H(0,0) by the waves of both surfaces over central_film, phases free, '// &
+         'linear responses', pair%film_rms, exists=is_pair)
+      call list%add('mean_film_rise_both', 'mean film with the waves of both surfaces less smooth film over Ai of '// &
+         'the first, second order, linear responses', pair%mean_rise, exists=is_pair)
+      call list%add('mean_film_rise_cross', 'part of mean_film_rise_both that neither surface has alone', &
+         pair%cross_rise, exists=is_pair)
+      call list%add('smallest_film_both', 'smallest film with the waves of both surfaces anywhere at any time, '// &
+         'second order', pair%smallest_film, exists=is_pair)
+      call list%add('surfaces_touch_both', '1 when both waves together would touch, second order', &
+         pair%surfaces_touch, exists=is_pair)
+   end subroutine add_pair
+
+   !> The linear response to the waves of a surface.
+   subroutine add_response(list, harmonic, number, exists)
       type(quantity_list_t), intent(inout) :: list
       type(harmonic_result_t), intent(in) :: harmonic
+      character(len=*), intent(in) :: number         !! that names end in: '' of the first surface, '_2'
+      logical, intent(in) :: exists
+      character(len=:), allocatable :: of
 
-      call list%add('harmonic_ratio', 'Ad/Ai of small waves, linear response', harmonic%ratio)
-      call list%add('harmonic_phase', 'phase of the linear response of H(0,0)', harmonic%phase, unit='rad')
-      call add_complex(list, 'harmonic', 'transfer function pattern to H(0,0)', &
+      of = ''
+      if (number /= '') of = ', surface 2'
+      call put('harmonic_ratio', 'Ad/Ai of small waves, linear response', harmonic%ratio)
+      call put('harmonic_phase', 'phase of the linear response of H(0,0)', harmonic%phase, unit='rad')
+      call put_complex('harmonic', 'transfer function pattern to H(0,0)', &
                        cmplx(harmonic%real_part, harmonic%imaginary_part, dp))
-      call add_complex(list, 'harmonic_pressure', 'transfer function pattern (in c) to P(0,0)', harmonic%pressure)
-      call list%add('harmonic_approach', 'amplitude of the approach over Ai', harmonic%approach_ratio)
-      call list%add('harmonic_extrapolated', 'harmonic_ratio at mesh size 0', harmonic%extrapolated)
-      call add_complex(list, 'harmonic_extrapolated', 'transfer function pattern to H(0,0) at mesh size 0', &
+      call put_complex('harmonic_pressure', 'transfer function pattern (in c) to P(0,0)', harmonic%pressure)
+      call put('harmonic_approach', 'amplitude of the approach over Ai', harmonic%approach_ratio)
+      call put('harmonic_extrapolated', 'harmonic_ratio at mesh size 0', harmonic%extrapolated)
+      call put_complex('harmonic_extrapolated', 'transfer function pattern to H(0,0) at mesh size 0', &
          harmonic%film_limit)
-      call add_complex(list, 'harmonic_pressure_extrapolated', &
+      call put_complex('harmonic_pressure_extrapolated', &
          'transfer function pattern (in c) to P(0,0) at mesh size 0', harmonic%pressure_limit)
-      call list%add('harmonic_error', 'estimated relative error of harmonic_ratio', harmonic%error)
-      call list%add('harmonic_error_basis', 'what harmonic_error is from', trim(harmonic%error_basis))
-      call list%add('mean_film_rise', 'mean film less smooth film over Ai, second order, linear response', &
+      call put('harmonic_error', 'estimated relative error of harmonic_ratio', harmonic%error)
+      call put('harmonic_error_basis', 'what harmonic_error is from', trim(harmonic%error_basis))
+      call put('mean_film_rise', 'mean film less smooth film over Ai, second order, linear response', &
          harmonic%mean_rise)
-      call list%add('smallest_film', 'smallest film with waves of Ai anywhere at any time, second order', &
+      call put('smallest_film', 'smallest film with waves of Ai anywhere at any time, second order', &
                     harmonic%smallest_film)
-      call list%add('smallest_film_x', 'X of the smallest film with waves, or of where they would touch', &
+      call put('smallest_film_x', 'X of the smallest film with waves, or of where they would touch', &
          harmonic%smallest_film_x)
-      call list%add('smallest_film_y', 'Y of the smallest film with waves, or of where they would touch', &
+      call put('smallest_film_y', 'Y of the smallest film with waves, or of where they would touch', &
          harmonic%smallest_film_y)
-      call list%add('surfaces_touch', '1 when waves of Ai would touch the other surface, second order: there is no '// &
+      call put('surfaces_touch', '1 when waves of Ai would touch the other surface, second order: there is no '// &
          'smallest_film', harmonic%surfaces_touch)
-      call add_waves(list, harmonic%waves%centre)
-      call list%add('harmonic_linear_steps', 'GMRES steps of the linear response', harmonic%linear_steps)
-      call list%add('harmonic_work_units', 'processor time of the linear response in plain FFT convolutions of the '// &
+      call add_waves()
+      call put('harmonic_linear_steps', 'GMRES steps of the linear response', harmonic%linear_steps)
+      call put('harmonic_work_units', 'processor time of the linear response in plain FFT convolutions of the '// &
          'grid', harmonic%work_units)
-      call list%add('harmonic_counted_work_units', 'the same counted', harmonic%counted_work_units)
+      call put('harmonic_counted_work_units', 'the same counted', harmonic%counted_work_units)
+
+   contains
+
+      subroutine put(name, long_name, value, unit)
+         character(len=*), intent(in) :: name, long_name
+         class(*), intent(in) :: value
+         character(len=*), intent(in), optional :: unit
+         call list%add(name//number, long_name//of, value, unit=unit, exists=exists)
+      end subroutine put
+
+      subroutine put_complex(name, long_name, value, unit)
+         character(len=*), intent(in) :: name, long_name
+         complex(dp), intent(in) :: value
+         character(len=*), intent(in), optional :: unit
+         call put(name//'_real', long_name//', real part', real(value, dp), unit)
+         call put(name//'_imaginary', long_name//', imaginary part', aimag(value), unit)
+      end subroutine put_complex
+
+      !> The two waves of the film at the centre.
+      subroutine add_waves()
+         associate (row => harmonic%waves%centre)
+            call put_complex('attenuated', 'wave of the film that moves with the surface, over Ai', row%fit%attenuated)
+            call put_complex('complementary', 'wave of the film that moves with the oil, over Ai', &
+               row%fit%complementary)
+            call put_complex('psi', 'wave number of the complementary wave', row%fit%psi, unit='1/a')
+            call put('two_wave_misfit', 'what both waves leave of the film, rms over Ai, |X| <= 0.5', row%fit%misfit)
+            call put_complex('attenuated_formula', 'attenuated wave over Ai in closed form', row%attenuated)
+            call put_complex('psi_formula', 'psi in closed form', row%psi, unit='1/a')
+         end associate
+      end subroutine add_waves
+
    end subroutine add_response
 
    !> Derivatives by the oil, where they were asked for.
@@ -377,29 +449,6 @@ contains
                        by_oil(x)%response_imaginary, exists=case%sensitivities)
       end do
    end subroutine add_sensitivities
-
-   !> The two waves of the film at the centre.
-   subroutine add_waves(list, row)
-      type(quantity_list_t), intent(inout) :: list
-      type(wave_row_t), intent(in) :: row
-      call add_complex(list, 'attenuated', 'wave of the film that moves with the surface, over Ai', row%fit%attenuated)
-      call add_complex(list, 'complementary', 'wave of the film that moves with the oil, over Ai', &
-         row%fit%complementary)
-      call add_complex(list, 'psi', 'wave number of the complementary wave', row%fit%psi, unit='1/a')
-      call list%add('two_wave_misfit', 'what both waves leave of the film, rms over Ai, |X| <= 0.5', row%fit%misfit)
-      call add_complex(list, 'attenuated_formula', 'attenuated wave over Ai in closed form', row%attenuated)
-      call add_complex(list, 'psi_formula', 'psi in closed form', row%psi, unit='1/a')
-   end subroutine add_waves
-
-   !> A complex number as two quantities.
-   subroutine add_complex(list, name, long_name, value, unit)
-      type(quantity_list_t), intent(inout) :: list
-      character(len=*), intent(in) :: name, long_name
-      complex(dp), intent(in) :: value
-      character(len=*), intent(in), optional :: unit
-      call list%add(name//'_real', long_name//', real part', real(value, dp), unit=unit)
-      call list%add(name//'_imaginary', long_name//', imaginary part', aimag(value), unit=unit)
-   end subroutine add_complex
 
    subroutine add_effort(list, result)
       type(quantity_list_t), intent(inout) :: list

@@ -93,7 +93,7 @@ contains
    pure logical function is_measured(case, result)
       type(case_t), intent(in) :: case
       type(case_result_t), intent(in) :: result
-      if (case%orientation == 'none') then
+      if (.not. case%has_ratio()) then
          is_measured = result%film_error_basis /= 'model'
       else if (ieee_is_finite(result%amplitude_ratio_fit)) then
          is_measured = result%amplitude_error_basis /= 'model' .or. case%error_estimate == 'model'
@@ -106,7 +106,7 @@ contains
    type(error_parts_t) function parts_of(case, result)
       type(case_t), intent(in) :: case
       type(case_result_t), intent(in) :: result
-      parts_of = merge(result%ratio_errors, result%film_errors, case%orientation /= 'none')
+      parts_of = merge(result%ratio_errors, result%film_errors, case%has_ratio())
    end function parts_of
 
    !> Advice on what would help.

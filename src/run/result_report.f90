@@ -4,6 +4,7 @@ module ehlwave_result_report
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_result, only: case_result_t
    use ehlwave_error_account, only: errors_text, validity_text
+   use ehlwave_harmonic_result, only: harmonic_result_t
    use ehlwave_kinds, only: dp
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_status, only: is_solved, status_name
@@ -39,7 +40,13 @@ contains
          if (ieee_is_finite(result%amplitude_ratio)) write (unit, '(a)') 'Amplitude    Ad/Ai = '// &
             to_text(result%amplitude_ratio, 5)//' (samples), '// &
             to_text(result%amplitude_ratio_fit, 5)//' (harmonic fit)'//formula()
-         if (plan%responds) call print_response()
+         if (case%is_pair() .and. ieee_is_finite(result%pair%ratio_fit)) write (unit, '(a)') 'Amplitudes   Ad/Ai = '// &
+            to_text(result%amplitude_ratio_fit, 5)//' of surface 1, '//to_text(result%pair%ratio_fit, 5)// &
+            ' of surface 2 (harmonic fit)'
+         if (plan%responds) call print_response('Response     Ad/Ai = ', result%harmonic)
+         if (plan%responds .and. case%is_pair()) call print_response('  surface 2  Ad/Ai = ', result%pair%harmonic)
+         if (ieee_is_finite(result%pair%film_rms)) write (unit, '(a)') '  both       rms of H(0,0) over its mean '// &
+            to_text(result%pair%film_rms, 4)//', phases free'
          write (unit, '(a)') '             f(r) V = '//to_text(result%f_r*result%v, 5)//', f(r) V2 = '// &
             to_text(result%f_r*result%v2, 5)//', f(r) = '//to_text(result%f_r, 5)
       end if
@@ -102,18 +109,18 @@ contains
             trim(merge(' (from coarser grids)', ' (from a model)      ', result%amplitude_error_basis == 'coarse_grid'))
       end function amplitude_error
 
-      subroutine print_response()
-         associate (r => result%harmonic)
-            write (unit, '(a)') 'Response     Ad/Ai = '//to_text(r%ratio, 5)// &
-               ' (small waves, no change of the mean film), phase '//to_text(r%phase, 4)//' rad'//formula()
-            if (ieee_is_finite(r%extrapolated)) write (unit, '(a)') '             extrapolated to mesh size 0: '// &
-               to_text(r%extrapolated, 5)//', estimated discretisation error '//to_text(100*r%error, 2)//' %'
-            if (ieee_is_finite(r%waves%centre%fit%misfit)) write (unit, '(a)') '             with the surface: '// &
-               to_text(abs(r%waves%centre%fit%attenuated), 4)//' of Ai, with the oil: '// &
-               to_text(abs(r%waves%centre%fit%complementary), 4)//', left: '//to_text(r%waves%centre%fit%misfit, 2)
-            write (unit, '(a)') '             '//to_text(r%linear_steps)//' GMRES steps, '// &
-               to_text(r%counted_work_units, 4)//' work units'
-         end associate
+      subroutine print_response(head, r)
+         character(len=*), intent(in) :: head
+         type(harmonic_result_t), intent(in) :: r
+         write (unit, '(a)') head//to_text(r%ratio, 5)// &
+            ' (small waves, no change of the mean film), phase '//to_text(r%phase, 4)//' rad'//formula()
+         if (ieee_is_finite(r%extrapolated)) write (unit, '(a)') '             extrapolated to mesh size 0: '// &
+            to_text(r%extrapolated, 5)//', estimated discretisation error '//to_text(100*r%error, 2)//' %'
+         if (ieee_is_finite(r%waves%centre%fit%misfit)) write (unit, '(a)') '             with the surface: '// &
+            to_text(abs(r%waves%centre%fit%attenuated), 4)//' of Ai, with the oil: '// &
+            to_text(abs(r%waves%centre%fit%complementary), 4)//', left: '//to_text(r%waves%centre%fit%misfit, 2)
+         write (unit, '(a)') '             '//to_text(r%linear_steps)//' GMRES steps, '// &
+            to_text(r%counted_work_units, 4)//' work units'
       end subroutine print_response
 
       !> Exponents of the oil's coefficient and stress in laws of H(0,0) and Ad/Ai.

@@ -66,6 +66,7 @@ contains
 
       bare = case
       bare%orientation = 'none'
+      bare%second = defaults%second
       if (plan%rheology%is_newtonian()) bare%slip_parameter = defaults%slip_parameter   ! else slip thins the oil
       bare%load_balance = defaults%load_balance
       bare%natural_frequency = defaults%natural_frequency
@@ -130,7 +131,11 @@ contains
          self%heat%isothermal_friction = friction_at(level%problem, level%state)
          call solve_warm(self%multigrid, self%rescue, new_heat_scales(case%heat, case%oil%temperature_k, &
             plan%conditions), case%heat%levels, limits_of(case), coarse_tolerance, self%energy)
-         if (level%report%status == status_converged) call self%heat%take(level%problem, level%state, self%energy)
+         if (level%report%status == status_converged) then
+            call self%heat%take(level%problem, level%state, self%energy)
+         else
+            call self%heat%explain(self%energy)
+         end if
       end associate
    end subroutine warm
 

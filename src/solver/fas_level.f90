@@ -121,8 +121,8 @@ contains
          before = state
          allocate (change, mold=state%p)
          call prolong(coarse%equations%mesh%grid, coarse%state%p - coarse%restricted%p, change)
-         where (self%equations%scale > 0 .and. .not. self%equations%is_cavitated) state%p = max(0.0_dp, state%p &
-            + change)
+         where (self%equations%scale > 0 .and. .not. self%equations%is_cavitated) &
+            state%p = max(0.0_dp, state%p + limit%bounded(change))
          state%delta = state%delta + coarse%state%delta - coarse%restricted%delta
          call problem%film(given, state%p, state%delta, state%h)
          call limit%shorten(before, state)

@@ -18,7 +18,9 @@ module ehlwave_fas_multigrid
    integer, parameter :: direct_steps = 10           !! Newton steps per visit of the coarsest level
    real(dp), parameter :: direct_share = 0.01_dp     !! of the residual of the finest level, to be left there
    real(dp), parameter :: divergence = 1e3_dp        !! growth of the residual that ends a solve
-   integer, parameter :: patience = 15               !! cycles without `progress` that end a solve
+   !> Cycles without `progress` that end a solve: on grids that do not resolve a heavy contact a film can close, and
+   !> then no step may go far (M = 10,000 on 64 to 256 cells).
+   integer, parameter :: patience = 6
    real(dp), parameter :: progress = 0.9_dp          !! the largest error over the least before, at most
 
    type, extends(level_solver_t), public :: fas_t

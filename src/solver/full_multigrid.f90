@@ -1,5 +1,6 @@
 !> Full multigrid (FMG): solve on the coarsest grid, interpolate, solve on the next finer one, and so on.
 module ehlwave_full_multigrid
+   use ehlwave_equations, only: equations_t
    use ehlwave_hierarchy, only: hertz_guess, hierarchy_t
    use ehlwave_kinds, only: dp
    use ehlwave_level_solver, only: level_solver_t
@@ -16,6 +17,7 @@ module ehlwave_full_multigrid
       procedure :: solve
       procedure :: solve_level
       procedure :: solve_below
+      procedure :: last_equations
    end type full_multigrid_t
 
    integer, parameter, public :: levels_below = 2   !! the finest, that error estimates compare with it
@@ -35,6 +37,18 @@ contains
       end if
    end subroutine solve_level
 
+   !> Equations of the state that a level was last left with by `solve_level`, until the next one; or none.
+   function last_equations(self, l) result(equations)
+      class(full_multigrid_t), intent(in), target :: self
+      integer, intent(in) :: l
+      type(equations_t), pointer :: equations
+      if (l < size(self%levels) .and. allocated(self%coarse_solver)) then
+         equations => self%coarse_solver%last_equations()
+      else
+         equations => self%solver%last_equations()
+      end if
+   end function last_equations
+
    !> Steady solution on the finest level, from a Hertz guess on the coarsest.
    !>
    !> Coarse grids may be too coarse for the case: from a level that does not converge the next one does not get what
@@ -53,7 +67,7 @@ contains
       do l = 1, n
          call self%start_level(l)
          here = limits
-         if (l < n) here%tolerance = max(limits%tolerance, coarse_tolerance)
+         if (l < n) here%tolerance = tolerance_below(limits%tolerance, coarse_tolerance, n - l)
          here%largest_work = limits%largest_work - (self%work() - work_before)
          call self%solve_level(l, here, report)
          associate (level => self%levels(l))
@@ -63,6 +77,16 @@ contains
          if (report%status == status_converged) call self%take_film(l)
       end do
    end subroutine solve
+
+   !> Tolerance so many levels below the finest. One that follows the discretisation error grows as that does: with the
+   !> square of the mesh size.
+   pure real(dp) function tolerance_below(finest, coarse, levels)
+      real(dp), intent(in) :: finest, coarse   !! tolerances
+      integer, intent(in) :: levels
+      real(dp), parameter :: loosest = 1e-2_dp
+      tolerance_below = max(finest, coarse)
+      if (finest > coarse) tolerance_below = max(finest, min(loosest, finest*4.0_dp**levels))
+   end function tolerance_below
 
    !> Solve the levels next below a solved finest one that have no solution of this contact, each from the next finer
    !> one: error estimates compare them. Full multigrid leaves none where a level did not converge from the coarser

@@ -1,5 +1,6 @@
 !> One interface for every way to solve the discrete problem of one level.
 module ehlwave_level_solver
+   use ehlwave_equations, only: equations_t
    use ehlwave_hierarchy, only: hierarchy_t
    use ehlwave_solve_report, only: solve_limits_t, solve_report_t
    implicit none (type, external)
@@ -10,6 +11,7 @@ module ehlwave_level_solver
    contains
       procedure(init_solver), deferred :: init
       procedure(solve_level), deferred :: solve
+      procedure :: last_equations
    end type level_solver_t
 
    abstract interface
@@ -35,5 +37,14 @@ module ehlwave_level_solver
          type(solve_report_t), intent(out) :: report
       end subroutine solve_level
    end interface
+
+contains
+
+   !> Equations of the state that the last solve ended with, until the next one; none where a solver has not kept them.
+   function last_equations(self) result(equations)
+      class(level_solver_t), intent(in), target :: self
+      type(equations_t), pointer :: equations
+      equations => null()
+   end function last_equations
 
 end module ehlwave_level_solver

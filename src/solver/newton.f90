@@ -3,6 +3,7 @@ module ehlwave_newton
    use ehlwave_assertions, only: assert, checks
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_cycle_settings, only: newton_cycle
+   use ehlwave_equations, only: equations_t
    use ehlwave_given, only: given_t
    use ehlwave_hierarchy, only: hierarchy_t, level_t, work_of
    use ehlwave_kinds, only: dp
@@ -20,9 +21,13 @@ module ehlwave_newton
    ! Of oils that are not Newtonian:
    real(dp), parameter :: much_worse = 2         !! right side over the smallest so far above which a step is taken back
                                                  !! by halves
-   integer, parameter :: most_halvings = 10
+   integer, parameter :: most_halvings = 10, most_front_halvings = 3
    real(dp), parameter :: progress = 0.9_dp      !! of the smallest right side, or less, to be reached in so many steps
    integer, parameter :: patience = 15, starved_patience = 10
+   ! Starved contacts whose film closes come to rest away from the solution, at a right side that changes by less than
+   ! this share for so many steps.
+   real(dp), parameter :: rest = 0.03_dp
+   integer, parameter :: most_rests = 3
    !> Linear tolerance of starved contacts, at most: what is left of the large residuals at the meniscus would move all
    !> of it by some cells (M = 149, L = 14, D = 0.14, r = 1.6, 192 x 64 cells: 9 Newton steps in place of a stall).
    real(dp), parameter :: starved_forcing = 5e-3_dp
@@ -40,6 +45,7 @@ module ehlwave_newton
       procedure :: init_levels
       procedure :: solve
       procedure :: improve
+      procedure :: last_equations
    end type newton_t
 
 contains
@@ -83,7 +89,7 @@ contains
       type(solve_report_t), intent(out) :: report
       type(state_t) :: before
       real(dp) :: best, forcing, length, work_before, worth, worth_before
-      integer :: k, last_gain
+      integer :: k, last_gain, partial(2), rests
       logical :: asks_local
 
       if (checks) call assert(allocated(state%p) .and. limits%tolerance > 0, &
@@ -92,10 +98,14 @@ contains
       call self%step%pose(levels, given)
       allocate (report%history(0))
       worth_before = 0
+      rests = 0
+      partial = 0
       work_before = work_of(levels)
       forcing = self%loosest
       before = state
-      asks_local = allocated(self%local) .and. .not. allocated(given%supply)
+      ! what heat changes is smooth, and a part alone may end beside the solution
+      asks_local = allocated(self%local) .and. .not. allocated(given%supply) .and. &
+                   .not. allocated(levels(size(levels))%problem%heat)
       associate (problem => levels(size(levels))%problem, equations => self%step%linear%levels(size(levels))%equations)
          call problem%film_of_guess(given, state)
          do k = 0, limits%largest_steps
@@ -104,6 +114,7 @@ contains
                best = worth
                last_gain = 0
             end if
+            if (allocated(given%supply)) call keep_front(self, problem, given, before, partial, state, worth)
             if (.not. problem%rheology%is_newtonian()) then
                if (k > 0) then
                   call go_back(self, problem, given, before, best, state, worth)
@@ -120,9 +131,10 @@ contains
             if (report%status /= status_stalled .or. k == limits%largest_steps) exit
             if (.not. problem%rheology%is_newtonian() .and. k > last_gain + patience) exit
             if (allocated(given%supply)) then   ! a film that closes stays closed
-               if (worth < progress*best) last_gain = k
-               best = min(best, worth)
-               if (k > last_gain + starved_patience) exit
+               if (worth < progress*best .or. worth > much_worse*worth_before) last_gain = k
+               best = min(merge(best, worth, last_gain < k), worth)
+               rests = merge(rests + 1, 0, abs(worth - worth_before) < rest*worth)
+               if (k > last_gain + starved_patience .or. rests == most_rests) exit
             end if
             if (work_of(levels) - work_before >= limits%largest_work) exit
 
@@ -130,7 +142,7 @@ contains
             forcing = min(self%loosest, max(forcing, last_step_share*limits%tolerance/report%residual))
             if (allocated(given%supply)) forcing = min(forcing, starved_forcing)
             worth_before = worth
-            if (.not. problem%rheology%is_newtonian()) before = state
+            if (allocated(given%supply) .or. .not. problem%rheology%is_newtonian()) before = state
             call self%step%solve(levels, forcing, work_before + limits%largest_work, report)
             length = 1
             if (self%step%alternates(k)) length = 0.5_dp
@@ -144,6 +156,14 @@ contains
       if (report%status == status_converged) state%p = max(state%p, 0.0_dp)
       call self%step%linear%release()
    end subroutine improve
+
+   !> See the interface.
+   function last_equations(self) result(equations)
+      class(newton_t), intent(in), target :: self
+      type(equations_t), pointer :: equations
+      equations => null()
+      if (allocated(self%step%linear%levels)) equations => self%step%linear%levels(self%step%linear%finest)%equations
+   end function last_equations
 
    !> Linear tolerance after a step that changed the residual by `ratio`: tighter the closer to the
    !> solution (Eisenstat and Walker 1996), and tighter also when a loose solve gained little.
@@ -186,6 +206,32 @@ contains
       state = before
       call self%step%assemble(problem, given, state, worth)
    end subroutine improve_part
+
+   !> Where the meniscus went upstream, row by row, and a step would take back more than a row of it: go back by halves.
+   !> Else it goes forth and back for ever in some contacts (D = 0.1, r = 3).
+   subroutine keep_front(self, problem, given, before, partial, state, worth)
+      class(newton_t), intent(inout) :: self
+      type(contact_problem_t), intent(in) :: problem
+      type(given_t), intent(in) :: given
+      type(state_t), intent(in) :: before
+      integer, intent(inout) :: partial(2)       !! partly filled nodes of the last state and of that before
+      type(state_t), intent(inout) :: state
+      real(dp), intent(inout) :: worth           !! norm of the right side here
+      integer :: found, n
+
+      associate (equations => self%step%linear%levels(self%step%linear%finest)%equations, grid => problem%grid)
+         do n = 0, most_front_halvings
+            found = count(equations%is_cavitated)
+            if (partial(1) >= partial(2) .or. found <= partial(1) + grid%last_row - grid%first_row) exit
+            if (n == most_front_halvings) exit
+            state%p = 0.5_dp*(before%p + state%p)
+            state%h = 0.5_dp*(before%h + state%h)
+            state%delta = 0.5_dp*(before%delta + state%delta)
+            call self%step%assemble(problem, given, state, worth)
+         end do
+         partial = [found, partial(1)]
+      end associate
+   end subroutine keep_front
 
    !> Go half of the way back to the state before, again and again, while the right side is much larger than the
    !> smallest so far. The flow of oils that are not Newtonian can grow exponentially with the pressure gradient: a step

@@ -9,12 +9,21 @@ module ehlwave_step_limit
       real(dp) :: largest_change = 0.3_dp         !! of a pressure in one step
       real(dp) :: smallest_film_factor = 0.1_dp   !! of a film thickness over its value before the step
    contains
+      procedure :: bounded
       procedure :: of_pressure
       procedure :: of_film
       procedure :: shorten
    end type step_limit_t
 
 contains
+
+   !> A change of pressure of one node, within the bound: where a few nodes of a steep end ask for more, the others go
+   !> all the way.
+   elemental real(dp) function bounded(self, change)
+      class(step_limit_t), intent(in) :: self
+      real(dp), intent(in) :: change   !! of P
+      bounded = max(-self%largest_change, min(change, self%largest_change))
+   end function bounded
 
    !> Share of a change of pressure, at most 1, that the bound on pressures allows.
    pure real(dp) function of_pressure(self, change) result(share)

@@ -2,11 +2,13 @@
 !> temperatures, and temperatures by marches through the film, in turn.
 module ehlwave_warm_steady
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+   use ehlwave_anderson, only: anderson_t
    use ehlwave_capped_solver, only: capped_solver_t
    use ehlwave_energy, only: energy_t, new_energy, warm_problem
    use ehlwave_equations, only: equations_t
    use ehlwave_full_multigrid, only: full_multigrid_t, levels_below
    use ehlwave_heat_data, only: heat_scales_t
+   use ehlwave_grid, only: grid_t
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp, no_value
    use ehlwave_real_transfer, only: interpolate
@@ -17,13 +19,25 @@ module ehlwave_warm_steady
    private
    public :: solve_warm
 
-   integer, parameter :: most_rounds = 40
-   integer, parameter :: steps_a_round = 1          !! of Newton's method
-   integer, parameter :: marches_a_round = 1
-   real(dp), parameter :: settled = 20              !! change of film and heat in a round, in units of the tolerance
+   integer, parameter :: most_rounds = 40, most_coarse_rounds = 20
+   integer, parameter :: more_steps = 6             !! of Newton's method in a round, in place of one: where
+                                                    !! temperatures have settled, and where its active set goes to and
+   real(dp), parameter :: stuck = 0.5_dp            !! fro, the residual being more than that of before
+   real(dp), parameter :: settled = 100             !! change of film and heat in a round, in units of the tolerance
    real(dp), parameter :: loosening = 1.3_dp        !! of that with each round beyond so many: where a node at the edge
    integer, parameter :: patience = 12              !! of the film, or of the backflow, goes to and fro
    real(dp), parameter :: loose = 50                !! change of temperatures over that, of which integrals hardly know
+
+   real(dp), parameter :: ahead = 0.25_dp           !! of a difference of two grids: to the next, of second order
+
+   !> Change of a state by heat.
+   type :: warming_t
+      real(dp), allocatable :: p(:, :), rise(:, :, :)
+      real(dp) :: delta = 0
+   contains
+      procedure :: to_finer
+      procedure :: give
+   end type warming_t
 
 contains
 
@@ -37,49 +51,78 @@ contains
       type(solve_limits_t), intent(in) :: limits       !! for the finest level
       real(dp), intent(in) :: coarse_tolerance         !! for the others
       type(energy_t), intent(out) :: energy            !! of the finest level
-      type(state_t) :: cold, cold_below
+      type(warming_t), allocatable :: below, predicted
+      type(state_t) :: cold
       type(solve_limits_t) :: here
-      integer :: first, l, n
-      logical :: has_guess, is_solved
+      integer :: l, n
+      logical :: is_solved
 
       n = size(multigrid%levels)
-      first = max(1, n - levels_below)
-      multigrid%levels(:first - 1)%central_film = no_value
-      has_guess = .false.
-      do l = first, n
+      multigrid%levels(:n - levels_below - 1)%central_film = no_value
+      do l = max(1, n - levels_below), n
          is_solved = multigrid%levels(l)%has_film()
          multigrid%levels(l)%central_film = no_value
          if (.not. (is_solved .or. l == n)) cycle
          cold = multigrid%levels(l)%state
          call warm_problem(multigrid%levels(l)%problem, intervals)
-         if (has_guess) call guess(multigrid%levels(l - 1), cold_below, multigrid%levels(l))
+         if (allocated(predicted)) deallocate (predicted)
+         if (allocated(below)) then
+            predicted = below%to_finer(multigrid%levels(l - 1)%problem%grid, multigrid%levels(l)%problem%grid)
+            call predicted%give(multigrid%levels(l))
+            deallocate (below)
+         end if
          energy = new_energy(intervals, scales, multigrid%levels(l)%problem%grid)
          here = limits
          if (l < n) here%tolerance = max(limits%tolerance, coarse_tolerance)
          call settle(multigrid, l, here, cap, energy)
-         has_guess = multigrid%levels(l)%report%status == status_converged
-         if (has_guess) call multigrid%take_film(l)
-         cold_below = cold
+         if (multigrid%levels(l)%report%status /= status_converged) cycle
+         call multigrid%take_film(l)
+         if (l < n) below = warming_of(multigrid%levels(l), cold, predicted)
       end do
    end subroutine solve_warm
 
-   !> First guess of a level: its state without heat and what heat changed on the next coarser one.
-   subroutine guess(coarse, cold, fine)
-      type(level_t), intent(in) :: coarse
-      type(state_t), intent(in) :: cold           !! of the coarse level, without heat
-      type(level_t), intent(inout) :: fine
-      real(dp), allocatable :: change(:, :), rise(:, :)
+   !> Change of a level's state by heat. Where it was predicted from the next coarser one, a quarter of the difference
+   !> is added, by which the next finer grid will differ.
+   pure function warming_of(level, cold, predicted) result(found)
+      type(level_t), intent(in) :: level
+      type(state_t), intent(in) :: cold                    !! without heat
+      type(warming_t), intent(in), optional :: predicted
+      type(warming_t) :: found
+      found%p = level%state%p - cold%p
+      found%delta = level%state%delta - cold%delta
+      found%rise = level%problem%heat%rise
+      if (.not. present(predicted)) return
+      found%p = found%p + ahead*(found%p - predicted%p)
+      found%delta = found%delta + ahead*(found%delta - predicted%delta)
+      found%rise = found%rise + ahead*(found%rise - predicted%rise)
+   end function warming_of
+
+   !> The same on the next finer grid.
+   function to_finer(self, coarse, fine) result(finer)
+      class(warming_t), intent(in) :: self
+      type(grid_t), intent(in) :: coarse, fine
+      type(warming_t) :: finer
+      real(dp), allocatable :: plane(:, :)
       integer :: k
 
-      allocate (change, rise, mold=fine%state%p)
-      call interpolate(coarse%problem%grid, fine%problem%grid, coarse%state%p - cold%p, change)
-      where (fine%state%p > 0) fine%state%p = max(fine%state%p + change, 0.0_dp)
-      fine%state%delta = fine%state%delta + (coarse%state%delta - cold%delta)
-      do k = lbound(fine%problem%heat%rise, 1), ubound(fine%problem%heat%rise, 1)
-         call interpolate(coarse%problem%grid, fine%problem%grid, coarse%problem%heat%rise(k, :, :), rise)
-         fine%problem%heat%rise(k, :, :) = rise
+      allocate (finer%p(0:fine%nx, 0:fine%ny), plane(0:fine%nx, 0:fine%ny))
+      allocate (finer%rise(lbound(self%rise, 1):ubound(self%rise, 1), 0:fine%nx, 0:fine%ny))
+      call interpolate(coarse, fine, self%p, finer%p)
+      finer%delta = self%delta
+      do k = lbound(self%rise, 1), ubound(self%rise, 1)
+         call interpolate(coarse, fine, self%rise(k, :, :), plane)
+         finer%rise(k, :, :) = plane
       end do
-   end subroutine guess
+   end function to_finer
+
+   !> Change the state of a level, and its temperatures.
+   pure subroutine give(self, level)
+      class(warming_t), intent(in) :: self
+      type(level_t), intent(inout) :: level
+      where (level%state%p > 0) level%state%p = max(level%state%p + self%p, 0.0_dp)
+      level%state%delta = level%state%delta + self%delta
+      level%problem%heat%rise = self%rise
+   end subroutine give
 
    !> Rounds on one level until neither the film nor the temperatures change.
    subroutine settle(multigrid, l, limits, cap, energy)
@@ -88,52 +131,92 @@ contains
       type(solve_limits_t), intent(in) :: limits
       class(capped_solver_t), intent(inout) :: cap
       type(energy_t), intent(inout) :: energy
-      type(equations_t) :: equations
-      type(solve_limits_t) :: here
+      type(anderson_t) :: anderson
       type(solve_report_t) :: report, total
-      real(dp) :: before, centre, work_before
-      integer :: march, round
+      real(dp) :: before, bound, centre, residual
+      integer :: round, rounds
+      logical :: is_stuck, is_warm
 
       associate (level => multigrid%levels(l))
-         call equations%init(level%problem)
+         total = level%report
+         rounds = merge(most_rounds, most_coarse_rounds, l == size(multigrid%levels))
          call level%problem%film(level%given, level%state%p, level%state%delta, level%state%h)
          call level%problem%heat%weigh(level%problem%rheology, energy%levels%weight, level%state%p)
-         total = solve_report_t(nonlinear_steps=level%report%nonlinear_steps, linear_steps=level%report%linear_steps, &
-                                factorisations=level%report%factorisations)
-         here = limits
          centre = level%problem%grid%value_at_centre(level%state%h)
-         do round = 1, most_rounds
-            do march = 1, marches_a_round
-               call equations%evaluate(level%problem, level%given, level%state)
-               call energy%march(level%problem, level%state, equations%flow)
-            end do
+         is_stuck = .false.
+         residual = 0
+         do round = 1, rounds
+            call warm_up(multigrid, l, round > 1, energy, anderson)
             if (.not. ieee_is_finite(energy%difference)) exit
             before = centre
-            here%largest_steps = min(steps_a_round, cap%steps_left)
-            work_before = multigrid%work()
-            call multigrid%solve_level(l, here, report)
-            cap%work_left = cap%work_left - (multigrid%work() - work_before)
-            if (l == size(multigrid%levels)) cap%steps_left = cap%steps_left - report%nonlinear_steps
-            total%nonlinear_steps = total%nonlinear_steps + report%nonlinear_steps
-            total%linear_steps = total%linear_steps + report%linear_steps
-            total%factorisations = total%factorisations + report%factorisations
+            residual = report%residual
+            bound = settled*limits%tolerance*loosening**max(0, round - patience)
+            is_warm = max(energy%heat_difference, energy%difference/loose) <= bound
+            call improve(multigrid, l, limits, merge(more_steps, 1, is_warm .or. is_stuck), cap, report, total)
             centre = level%problem%grid%value_at_centre(level%state%h)
+            energy%film_difference = abs(centre/before - 1)
             if (report%status /= status_converged .and. report%status /= status_stalled) exit
-            if (report%status == status_converged .and. &
-                max(energy%heat_difference, energy%difference/loose, abs(centre/before - 1)) &
-                <= settled*limits%tolerance*loosening**max(0, round - patience)) exit
+            if (report%status == status_converged .and. is_warm .and. energy%film_difference <= bound) exit
+            is_stuck = round > 2 .and. report%status == status_stalled .and. report%residual > stuck*residual
             report%status = status_stalled
             if (cap%is_spent()) exit
          end do
-         if (report%status == status_converged) then   ! fluxes of the film as it is now
-            call equations%evaluate(level%problem, level%given, level%state)
-            call energy%march(level%problem, level%state, equations%flow)
-         end if
+         if (report%status == status_converged) call warm_up(multigrid, l, .true., energy)   ! of the film as it is now
          report%nonlinear_steps = total%nonlinear_steps
          report%linear_steps = total%linear_steps
          report%factorisations = total%factorisations
          level%report = report
       end associate
    end subroutine settle
+
+   !> Temperatures by a march through the film of a level.
+   subroutine warm_up(multigrid, l, is_later, energy, anderson)
+      type(full_multigrid_t), intent(inout), target :: multigrid
+      integer, intent(in) :: l
+      logical, intent(in) :: is_later              !! whether the level was solved with the temperatures before
+      type(energy_t), intent(inout) :: energy
+      type(anderson_t), intent(inout), optional :: anderson
+      type(equations_t), target :: own
+      type(equations_t), pointer :: equations
+      real(dp), allocatable :: rise(:, :, :)
+
+      associate (level => multigrid%levels(l))
+         equations => null()
+         if (is_later) equations => multigrid%last_equations(l)
+         if (.not. associated(equations)) then
+            call own%init(level%problem)
+            call own%evaluate(level%problem, level%given, level%state)
+            equations => own
+         end if
+         rise = level%problem%heat%rise
+         call energy%march(level%problem, level%state, equations%flow)
+         if (is_later .and. present(anderson)) &
+            call anderson%mix(size(rise, 1), size(level%state%p), max(level%state%p, 0.0_dp), rise, &
+                              level%problem%heat%rise)
+         call level%problem%heat%weigh(level%problem%rheology, energy%levels%weight, level%state%p)
+      end associate
+   end subroutine warm_up
+
+   !> Steps of Newton's method under the temperatures of a level, within the cap; `total` counts those of all rounds.
+   subroutine improve(multigrid, l, limits, steps, cap, report, total)
+      type(full_multigrid_t), intent(inout) :: multigrid
+      integer, intent(in) :: l, steps
+      type(solve_limits_t), intent(in) :: limits
+      class(capped_solver_t), intent(inout) :: cap
+      type(solve_report_t), intent(out) :: report
+      type(solve_report_t), intent(inout) :: total
+      type(solve_limits_t) :: here
+      real(dp) :: work_before
+
+      here = limits
+      here%largest_steps = min(steps, cap%steps_left)
+      work_before = multigrid%work()
+      call multigrid%solve_level(l, here, report)
+      cap%work_left = cap%work_left - (multigrid%work() - work_before)
+      if (l == size(multigrid%levels)) cap%steps_left = cap%steps_left - report%nonlinear_steps
+      total%nonlinear_steps = total%nonlinear_steps + report%nonlinear_steps
+      total%linear_steps = total%linear_steps + report%linear_steps
+      total%factorisations = total%factorisations + report%factorisations
+   end subroutine improve
 
 end module ehlwave_warm_steady

@@ -136,9 +136,11 @@ contains
       allocate (character(len=0) :: files(0))
       if (allocated(sweep%files)) files = sweep%files
       do i = 1, size(sweep%cases)
-         associate (file => sweep%cases(i)%surface_file)
-            if (file == '' .or. any(files == file)) cycle
-            files = [character(len=max(len(files), len_trim(file))) :: files, file]
+         associate (case => sweep%cases(i))
+            if (case%is_measured() .and. .not. any(files == case%surface_file)) &
+               files = [character(len=max(len(files), len_trim(case%surface_file))) :: files, case%surface_file]
+            if (case%second%is_measured() .and. .not. any(files == case%second%surface_file)) files = [ &
+               character(len=max(len(files), len_trim(case%second%surface_file))) :: files, case%second%surface_file]
          end associate
       end do
    end function files_read

@@ -13,9 +13,16 @@ module ehlwave_known_waves
    use ehlwave_state, only: new_state, state_t
    use ehlwave_status, only: status_converged
    use ehlwave_steady_tangent, only: steady_tangent_t
-   use ehlwave_waviness, only: waviness_t
+   use ehlwave_surfaces, only: surfaces_t
    implicit none (type, external)
    private
+
+   !> Waves of one surface, of amplitude A.
+   type :: surface_waves_t
+      real(dp) :: frequency = 0                        ! w in units of 1/T
+      real(dp) :: amplitude = 0                        ! A in units of c
+      type(harmonic_response_t) :: turning(2)          ! the two harmonics, to waves of amplitude 1
+   end type surface_waves_t
 
    !> Waves of amplitude A about the steady state u0 of smooth surfaces, everywhere and for ever, theory eq. (W9):
    !>
@@ -23,14 +30,13 @@ module ehlwave_known_waves
    !>
    !> with the linear response u1, the change of the mean u20 and the second harmonic u22. They are those of the
    !> differences in time of a march with dT = hX or a whole part of it: a march that starts in these waves has nothing
-   !> to settle at first and second order.
+   !> to settle at first and second order. Waves of two surfaces add up; what both do together, of second order, is left
+   !> to the march.
    type, public :: known_waves_t
-      real(dp) :: frequency = 0                        !! w in units of 1/T
-      real(dp), private :: amplitude = 0               ! A in units of c
       integer :: linear_steps = 0                      !! GMRES steps
       type(state_t), private :: smooth                 ! without waves
       type(state_t), private :: still                  ! what does not change in time
-      type(harmonic_response_t), private :: turning(2) ! the two harmonics, to waves of amplitude 1
+      type(surface_waves_t), allocatable, private :: waves(:)   ! of each surface
       type(state_t), private :: rest(3)                ! what a coarser grid found besides, see `take_rest`
       real(dp), private :: rest_time = 0, rest_step = 1
       logical, private :: has_rest = .false.
@@ -49,36 +55,43 @@ contains
 
    !> Find them about the steady state of the finest of `levels`. Without the first order there is nothing; what is not
    !> found of the second order is left out.
-   subroutine find(self, levels, waviness, amplitude, natural_frequency, steps_per_cell, is_found)
+   subroutine find(self, levels, surfaces, film, natural_frequency, steps_per_cell, is_found)
       class(known_waves_t), intent(out) :: self
       type(level_t), intent(inout), target :: levels(:)   !! coarsest first
-      type(waviness_t), intent(in) :: waviness            !! that moves
-      real(dp), intent(in) :: amplitude                   !! A in units of c
+      type(surfaces_t), intent(in) :: surfaces            !! that move
+      real(dp), intent(in) :: film                        !! smooth H(0,0) by which their amplitudes are known
       real(dp), intent(in) :: natural_frequency           !! Omega of the equation of motion; 0: force balance
       integer, intent(in) :: steps_per_cell               !! m for dT = hX/m
       logical, intent(out) :: is_found
       type(harmonic_solver_t), allocatable :: solver
       type(steady_tangent_t), allocatable :: tangent
       type(mean_change_t) :: mean
+      integer :: n
 
-      self%frequency = waviness%frequency()
-      allocate (solver, tangent)
+      allocate (solver, tangent, self%waves(size(surfaces%list)))
       call solver%init(levels)
-      associate (first => self%turning(1), second => self%turning(2))
-         call solver%respond(levels, waviness, natural_frequency, steps_per_cell, first)
-         self%linear_steps = first%linear_steps
-         is_found = first%status == status_converged
-         if (.not. is_found) return
-         call find_second_harmonic(solver, levels, first, self%frequency, natural_frequency, steps_per_cell, second)
-         deallocate (solver)
-         call tangent%init(levels)
-         call find_mean_change(tangent, levels, first, waviness, amplitude, mean)
-         self%linear_steps = self%linear_steps + second%linear_steps + mean%linear_steps
-      end associate
-      self%amplitude = amplitude
+      do n = 1, size(self%waves)
+         associate (waves => self%waves(n), first => self%waves(n)%turning(1), second => self%waves(n)%turning(2))
+            waves%frequency = surfaces%list(n)%frequency()
+            waves%amplitude = surfaces%list(n)%amplitude(film)
+            call solver%respond(levels, surfaces%list(n), natural_frequency, steps_per_cell, first)
+            self%linear_steps = self%linear_steps + first%linear_steps
+            is_found = first%status == status_converged
+            if (.not. is_found) return
+            call find_second_harmonic(solver, levels, first, waves%frequency, natural_frequency, steps_per_cell, second)
+            self%linear_steps = self%linear_steps + second%linear_steps
+         end associate
+      end do
+      deallocate (solver)
+      call tangent%init(levels)
       self%smooth = levels(size(levels))%state
       self%still = self%smooth
-      if (mean%status == status_converged) call self%still%add(mean%state, 1.0_dp)
+      do n = 1, size(self%waves)
+         call find_mean_change(tangent, levels, self%waves(n)%turning(1), surfaces%list(n), self%waves(n)%amplitude, &
+                               mean)
+         self%linear_steps = self%linear_steps + mean%linear_steps
+         if (mean%status == status_converged) call self%still%add(mean%state, 1.0_dp)
+      end do
    end subroutine find
 
    !> State at T; with what `take_rest` took, near its time.
@@ -122,12 +135,16 @@ contains
       class(known_waves_t), intent(in) :: self
       real(dp), intent(in) :: t
       type(state_t) :: state
-      integer :: m
+      integer :: m, n
 
       state = self%still
-      do m = 1, 2
-         if (self%turning(m)%status == status_converged) &
-            call self%turning(m)%add_to(state, self%amplitude**m*exp(cmplx(0, -m*self%frequency*t, dp)))
+      do n = 1, size(self%waves)
+         associate (waves => self%waves(n))
+            do m = 1, 2
+               if (waves%turning(m)%status == status_converged) &
+                  call waves%turning(m)%add_to(state, waves%amplitude**m*exp(cmplx(0, -m*waves%frequency*t, dp)))
+            end do
+         end associate
       end do
    end function to_second_order
 

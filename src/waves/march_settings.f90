@@ -37,10 +37,10 @@ contains
       time_step = grid%hx*self%cells_per_step/self%steps_per_cell
    end function time_step
 
-   !> Amplitude of the pattern that results are about, in units of c.
+   !> The smallest amplitude of the patterns, in units of c.
    pure real(dp) function amplitude(self)
       class(march_settings_t), intent(in) :: self
-      amplitude = self%surfaces%list(self%surfaces%main)%amplitude(self%film)
+      amplitude = self%surfaces%smallest_amplitude(self%film)
    end function amplitude
 
    !> Oil offered at time t over that of the steady state.
@@ -61,10 +61,10 @@ contains
       real(dp) :: steps(most_periods)
       integer :: n
 
-      steps = self%surfaces%period()/self%time_step(grid)*[(n, n=1, most_periods)]
+      steps = self%surfaces%repeat_period()/self%time_step(grid)*[(n, n=1, most_periods)]
       n = 1
       if (steps(1) < many_steps) n = minloc(nint(abs(steps - nint(steps))/whole), 1)
-      repeat_time = n*self%surfaces%period()
+      repeat_time = n*self%surfaces%repeat_period()
    end function repeat_time
 
 end module ehlwave_march_settings

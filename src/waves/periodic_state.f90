@@ -73,9 +73,8 @@ contains
       do l = first_level(multigrid%levels, settings%surfaces), n
          associate (level => multigrid%levels(l))
             is_known = level%has_film()
-            if (is_known) call waves%find(multigrid%levels(:l), settings%surfaces%list(settings%surfaces%main), &
-                                          settings%amplitude(), settings%natural_frequency, settings%steps_per_cell, &
-                                          is_known)
+            if (is_known) call waves%find(multigrid%levels(:l), settings%surfaces, settings%film, &
+                                          settings%natural_frequency, settings%steps_per_cell, is_known)
             if (.not. is_known) then
                has_rest = .false.
                cycle

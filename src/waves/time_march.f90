@@ -249,7 +249,7 @@ contains
          if (allocated(given%supply)) then
             call equations%init(problem)
             call equations%evaluate(problem, given, state)
-            call equations%content%history_of(equations%flow%f, history(:, :, 1), history(:, :, steps + 1))
+            call equations%content%history_of(equations%flow%rho*state%h, history(:, :, 1), history(:, :, steps + 1))
          else
             history(:, :, 1) = problem%rheology%density(state%p)*state%h
          end if

@@ -79,6 +79,20 @@ LINE_CHANGES = [
     ("dynamics", "load_balance", "equation_of_motion", "load_balance"),
 ]
 
+# conditions, waviness, waviness2, needle: pairs of rough surfaces
+WAVES = {"orientation": "transverse", "wavelength_over_a": 1}
+RIDGES = {"orientation": "longitudinal", "wavelength_over_a": 1}
+PAIRS = [
+    ({}, {"orientation": "none"}, WAVES, "without &waviness or &surface"),
+    ({}, WAVES, {**WAVES, "wavelength_over_a_2": 2}, "'wavelength_over_a' in &waviness2: is the same key as wavelength_over_a_2"),
+    ({}, WAVES, {**WAVES, "response": "harmonic"}, "unknown key 'response' in &waviness2: it belongs to &waviness, move it there"),
+    ({}, WAVES, {"orientation_2": "isotropic"}, "&waviness2 wavelength_over_a is missing"),
+    ({}, WAVES, RIDGES, "stands still"),
+    ({}, RIDGES, WAVES, "stands still"),
+    ({"slip_parameter": 2}, WAVES, WAVES, "stands still"),
+    ({"slip_parameter": 1.3}, {**WAVES, "response": "periodic"}, {**WAVES, "wavelength_over_a": 0.83}, "no ratio of whole numbers"),
+]
+
 
 class BadInput(unittest.TestCase):
     def setUp(self):
@@ -120,6 +134,13 @@ class BadInput(unittest.TestCase):
                     text = text.replace(f"{key} = '{value}'", f"{key} = {value}")
                 self.write("case.nml", text)
                 self.refuse(needle, "case.nml", "--output", "case.h5")
+
+    def test_pairs_of_surfaces(self):
+        for conditions, first, second, needle in PAIRS:
+            with self.subTest(needle=needle):
+                groups = {**GOOD, "conditions": {**GOOD["conditions"], **conditions}, "waviness": first, "waviness2": second}
+                self.write("case.nml", namelist(groups))
+                self.refuse(needle, "case.nml")
 
     def test_line_contact(self):
         self.write("case.nml", namelist(LINE))

@@ -202,6 +202,9 @@ class SweepResume(unittest.TestCase):
     def test_stopped_march_with_a_linear_response_goes_on_bit_for_bit(self):
         self.check_stopped_march({**LONG, "waviness": {"response": "both"}})
 
+    def test_stopped_march_of_a_starved_contact_goes_on_bit_for_bit(self):
+        self.check_stopped_march({**LONG, "inlet": {"oil_over_flooded": 0.8, "oil_change_factor": 0.7}})
+
     def test_responses_of_a_stopped_sweep_are_those_of_a_whole_one(self):
         """The rest of a group finds its steady state again, on whichever rank."""
         groups = {**QUICK, "waviness": {"response": "harmonic"}, "grid": {"cells_x": 96, "cells_y": 96}}

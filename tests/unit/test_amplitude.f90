@@ -1,7 +1,7 @@
 !> Amplitude from samples and from the harmonic fit.
 program test_amplitude
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
-   use ehlwave_amplitude, only: fitted_harmonic, fitted_mean, sampled_amplitude
+   use ehlwave_amplitude, only: fitted_harmonic, fitted_harmonics, fitted_mean, sampled_amplitude
    use ehlwave_kinds, only: dp, pi
    use testing, only: test_t
    implicit none (type, external)
@@ -10,6 +10,7 @@ program test_amplitude
 
    call check_harmonic()
    call check_higher_harmonics()
+   call check_two_waves()
    call check_few_samples()
    call test%finish()
 
@@ -28,7 +29,7 @@ contains
          call test%check_close(abs(fitted_harmonic(time, film, period)), amplitude, 'harmonic', relative=1e-10_dp)
          call test%check_close(abs(fitted_harmonic(time, film, period) - amplitude*exp(cmplx(0, -phase, dp))), 0.0_dp, &
                                'with its phase', absolute=1e-10_dp*amplitude)
-         call test%check_close(fitted_mean(time, film, period), 0.14_dp, 'its mean', absolute=1e-10_dp*amplitude)
+         call test%check_close(fitted_mean(time, film, [period]), 0.14_dp, 'its mean', absolute=1e-10_dp*amplitude)
       end do
       call test%check_close(sampled_amplitude([1.0_dp, 3.0_dp, 2.0_dp, 0.5_dp]), 1.25_dp, 'half the range', relative=1e-15_dp)
       call test%check(sampled_amplitude(film) < amplitude, 'samples miss the crest')
@@ -43,13 +44,28 @@ contains
       call test%check_close(abs(fitted_harmonic(time, film, 1.0_dp)), 0.3_dp, 'orthogonal', relative=1e-13_dp)
    end subroutine check_higher_harmonics
 
+   !> Two waves at once, over no whole number of their periods: each with its amplitude and phase, as one alone.
+   subroutine check_two_waves()
+      real(dp) :: film(40), time(40)
+      real(dp), parameter :: periods(2) = [0.73_dp, 1.1_dp]
+      complex(dp), parameter :: waves(2) = [(2e-4_dp, -1e-4_dp), (5e-5_dp, 3e-4_dp)]
+      integer :: i
+      time = [(3.5_dp + 0.0625_dp*i, i=1, 40)]
+      film = 0.14_dp + real(waves(1)*exp(cmplx(0, -2*pi*time/periods(1), dp)) &
+                            + waves(2)*exp(cmplx(0, -2*pi*time/periods(2), dp)), dp)
+      call test%check_close(abs(fitted_harmonics(time, film, periods) - waves), [0.0_dp, 0.0_dp], 'each wave', absolute=1e-14_dp)
+      call test%check_close(fitted_mean(time, film, periods), 0.14_dp, 'their mean', absolute=1e-14_dp)
+      call test%check(ieee_is_nan(abs(sum(fitted_harmonics(time, film, [0.73_dp, 0.73_dp])))), 'one period is no two waves')
+      call test%check(abs(fitted_harmonic(time, film, 0.73_dp) - waves(1)) > 1e-6_dp, 'a fit of one mistakes the other for it')
+   end subroutine check_two_waves
+
    subroutine check_few_samples()
       real(dp), parameter :: crest_and_trough(5) = [3.5_dp, 3.75_dp, 4.0_dp, 4.25_dp, 4.5_dp]
       call test%check(ieee_is_nan(abs(fitted_harmonic([0.0_dp, 0.5_dp], [1.0_dp, 2.0_dp], 1.0_dp))), 'too few samples')
       call test%check(ieee_is_nan(abs(fitted_harmonic(crest_and_trough, [1.0_dp, 2.0_dp, 1.0_dp, 2.0_dp, 1.0_dp], 0.5_dp))), &
                       'two phases do not tell the amplitude')
-      call test%check_close(fitted_mean(crest_and_trough(2:), [2.0_dp, 1.0_dp, 2.0_dp, 1.0_dp], 0.5_dp), 1.5_dp, 'but their mean', &
-                            relative=1e-15_dp)
+      call test%check_close(fitted_mean(crest_and_trough(2:), [2.0_dp, 1.0_dp, 2.0_dp, 1.0_dp], [0.5_dp]), 1.5_dp, &
+                            'but their mean', relative=1e-15_dp)
       call test%check_close(abs(fitted_harmonic([0.0_dp, 0.25_dp, 0.5_dp, 0.75_dp], [5.0_dp, 5.0_dp, 5.0_dp, 5.0_dp], 1.0_dp)), &
                             0.0_dp, 'a constant film', absolute=1e-15_dp)
    end subroutine check_few_samples

@@ -23,6 +23,7 @@ program test_case_text
    call check_reread(dimensional(), 'dimensional data, equation of motion')
    call check_reread(oblique(), 'oblique')
    call check_reread(chosen_grid(), 'grid chosen by the plan')
+   call check_reread(pair(), 'two rough surfaces')
    call check_differences()
    call check_identities()
    call check_late_key()
@@ -59,6 +60,15 @@ contains
       case%tolerance = 1e-7_dp
       case%largest_steps = 33
    end function oblique
+
+   function pair() result(case)
+      type(case_t) :: case
+      case = oblique()
+      case%response = 'harmonic'
+      case%second%orientation = 'isotropic'
+      case%second%wavelength_over_a = 0.8_dp
+      case%second%amplitude_over_film = 0.1_dp
+   end function pair
 
    function dimensional() result(case)
       type(case_t) :: case

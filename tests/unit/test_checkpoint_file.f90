@@ -73,6 +73,9 @@ contains
       case%radius_ratio_d = 0.35
       case%orientation = 'transverse'
       case%wavelength_over_a = 1
+      case%slip_parameter = 1.25
+      case%second%orientation = 'transverse'       ! both surfaces are rough
+      case%second%wavelength_over_a = 0.8
       case%load_balance = 'equation_of_motion'     ! for it the approach of the steps before counts
       case%natural_frequency = 6
       case%cells_x = 32
@@ -116,7 +119,11 @@ contains
       call test%check(all(transfer(stopped%film_history, [0_i8]) == transfer(whole%film_history, [0_i8])), 'film of '//what)
       call test%check(all(transfer(stopped%approach_history, [0_i8]) == transfer(whole%approach_history, [0_i8])), &
                       'approach of '//what)
-      call test%check_equal(transfer(stopped%amplitude_ratio, 0_i8), transfer(whole%amplitude_ratio, 0_i8), 'Ad/Ai of '//what)
+      call test%check(whole%amplitude_ratio_fit > 0 .and. whole%pair%ratio_fit > 0, 'there are Ad/Ai of both surfaces')
+      call test%check_equal(transfer(stopped%amplitude_ratio_fit, 0_i8), transfer(whole%amplitude_ratio_fit, 0_i8), &
+                            'Ad/Ai of '//what)
+      call test%check_equal(transfer(stopped%pair%ratio_fit, 0_i8), transfer(whole%pair%ratio_fit, 0_i8), &
+                            'Ad/Ai of surface 2 of '//what)
       call test%check_equal(transfer(stopped%residual, 0_i8), transfer(whole%residual, 0_i8), 'residual of '//what)
       call test%check_equal(stopped%linear_steps, whole%linear_steps, 'linear steps of '//what)
    end subroutine compare

@@ -27,6 +27,7 @@ program test_fas
    call check_grids()
    call check_nothing_left()
    call check_status()
+   call check_closing_film()
    call test%finish()
 
 contains
@@ -160,6 +161,17 @@ contains
       print '(a,3(i0,1x))', 'W cycles to 1e-6 on 64, 128, 256 cells: ', cycles
       call test%check(maxval(cycles) <= 8 .and. cycles(3) <= cycles(1), 'grid-independent cycles')
    end subroutine check_grids
+
+   !> Where a film closes on a grid that does not resolve the contact, a solve ends soon.
+   subroutine check_closing_film()
+      type(full_multigrid_t) :: fas
+      call make_multigrid(fas, 1e4_dp, 1.0_dp, 64, .true., method_t(solver='fas'))
+      call fas%solve(solve_limits_t(tolerance=1e-6_dp, largest_steps=60), 1e-3_dp)
+      associate (report => fas%levels(size(fas%levels))%report)
+         call test%check(report%status == status_stalled .and. report%nonlinear_steps < 20, 'a closing film: '// &
+            to_text(report%nonlinear_steps)//' cycles')
+      end associate
+   end subroutine check_closing_film
 
    !> Solving A, B, A gives the same A, and the coarse problems are as they were.
    subroutine check_nothing_left()

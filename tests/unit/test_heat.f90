@@ -1,6 +1,7 @@
 !> Temperatures: surfaces under a band of heat, a film at rest and one that carries heat, levels across the film.
 program test_heat
    use ehlwave_film_column, only: column_t, new_column, solve_column
+   use ehlwave_film_shear, only: made_by_own, made_by_stress, made_heat, made_stress_by_rise
    use ehlwave_film_levels, only: film_levels_t, level_weights_t, new_film_levels, new_level_weights
    use ehlwave_kinds, only: dp, pi
    use ehlwave_wall_heat, only: wall_weights
@@ -14,6 +15,7 @@ program test_heat
    call check_conduction()
    call check_surfaces()
    call check_convection()
+   call check_changing_source()
    call test%finish()
 
 contains
@@ -69,25 +71,68 @@ contains
       column%h = 0.7_dp
    end function at_rest
 
+   !> An even source that no rise changes.
+   pure function source_of(levels, heat) result(made)
+      type(film_levels_t), intent(in) :: levels
+      real(dp), intent(in) :: heat
+      real(dp), allocatable :: made(:, :)
+      allocate (made(0:levels%n, 4), source=0.0_dp)
+      made(:, made_heat) = heat
+   end function source_of
+
+   !> A source that changes with the rise: the solution is that under the source which it makes itself.
+   subroutine check_changing_source()
+      type(film_levels_t) :: levels
+      type(column_t) :: column
+      real(dp) :: into(2), into_again(2), mean
+      real(dp), dimension(0:12) :: again, before, rise
+      real(dp), allocatable :: fixed(:, :), made(:, :)
+
+      levels = new_film_levels(12)
+      column = at_rest(levels)
+      column%wall_own = [0.3_dp, 0.9_dp]
+      made = source_of(levels, 50.0_dp)
+      made(:, made_by_own) = 40 + 30*sin(pi*levels%zeta)
+      made(:, made_by_stress) = 25 + 5*levels%zeta
+      made(:, made_stress_by_rise) = levels%weight*(2 + cos(levels%zeta))
+      before = 2*levels%zeta
+      call solve_column(column, levels, made, before, rise, into)
+      fixed = source_of(levels, 0.0_dp)
+      mean = dot_product(made(:, made_stress_by_rise), rise - before)
+      fixed(:, made_heat) = made(:, made_heat) - made(:, made_by_stress)*mean &
+                            + made(:, made_by_own)*mean/sum(made(:, made_stress_by_rise))
+      call solve_column(column, levels, fixed, 0*before, again, into_again)
+      call test%check_close(rise, again, 'own rises in the mean', relative=1e-11_dp)
+      call test%check_close(into, into_again, 'and the heat', relative=1e-11_dp)
+
+      column%own_share = 1                      ! each level by its own rise: lumped, so up to the second difference
+      made(:, made_by_own) = made(:, made_by_own)/5
+      call solve_column(column, levels, made, before, rise, into)
+      mean = dot_product(made(:, made_stress_by_rise), rise - before)
+      fixed(:, made_heat) = made(:, made_heat) - made(:, made_by_stress)*mean + made(:, made_by_own)*(rise - before)
+      call solve_column(column, levels, fixed, 0*before, again, into_again)
+      call test%check_close(rise, again, 'own rises', absolute=0.03_dp)
+   end subroutine check_changing_source
+
    !> Between cold surfaces an even source S leaves S zeta (1 - zeta)/2, and S = sin(pi zeta) leaves sin(pi zeta)/pi^2: the
    !> error goes as the fourth power of the distance of levels.
    subroutine check_conduction()
       type(film_levels_t) :: levels
       type(column_t) :: column
       real(dp) :: error(2), into(2)
-      real(dp), allocatable :: rise(:)
+      real(dp), allocatable :: made(:, :), rise(:)
       integer :: i
 
       do i = 1, 2
          levels = new_film_levels(8*i)
          column = at_rest(levels)
          allocate (rise(0:levels%n))
-         column%source = 3
-         call solve_column(column, levels, rise, into)
+         made = source_of(levels, 3.0_dp)
+         call solve_column(column, levels, made, 0*levels%zeta, rise, into)
          call test%check_close(rise, 1.5_dp*levels%zeta*(1 - levels%zeta), 'even source', absolute=1e-13_dp)
          call test%check_close(into, spread(1.5_dp/0.7_dp, 1, 2), 'its heat', relative=1e-12_dp)
-         column%source = sin(pi*levels%zeta)
-         call solve_column(column, levels, rise, into)
+         made(:, made_heat) = sin(pi*levels%zeta)
+         call solve_column(column, levels, made, 0*levels%zeta, rise, into)
          error(i) = maxval(abs(rise - sin(pi*levels%zeta)/pi**2))
          deallocate (rise)
       end do
@@ -102,10 +147,9 @@ contains
 
       levels = new_film_levels(10)
       column = at_rest(levels)
-      column%source = 2
       column%wall_before = [5.0_dp, 1.0_dp]
       column%wall_own = [0.3_dp, 0.9_dp]
-      call solve_column(column, levels, rise, into)
+      call solve_column(column, levels, source_of(levels, 2.0_dp), 0*levels%zeta, rise, into)
       call test%check_close(rise(10), 5 + 0.3_dp*into(1), 'surface 1', relative=1e-13_dp)
       call test%check_close(rise(0), 1 + 0.9_dp*into(2), 'surface 2', relative=1e-13_dp)
       call test%check_close(sum(into)*column%h, 2.0_dp, 'all heat goes into them', relative=1e-12_dp)
@@ -126,11 +170,11 @@ contains
       column%brought = 4*(2.5_dp)              ! 2.5 in on the other, where the rise is 4: so oil moves across
       column%net = column%own - 2.5_dp
       column%wall_before = 4
-      call solve_column(column, levels, rise, into)
+      call solve_column(column, levels, source_of(levels, 0.0_dp), 0*levels%zeta, rise, into)
       call test%check_close(rise, spread(4.0_dp, 1, 13), 'an even rise stays', relative=1e-12_dp)
       call test%check_close(into, [0.0_dp, 0.0_dp], 'and heats nothing', absolute=1e-10_dp)
       column%wall_before = 0
-      call solve_column(column, levels, rise, into)
+      call solve_column(column, levels, source_of(levels, 0.0_dp), 0*levels%zeta, rise, into)
       call test%check(minval(rise) >= -1e-12_dp .and. maxval(rise) <= 4 + 1e-12_dp, 'no rise beyond those around')
    end subroutine check_convection
 

@@ -104,7 +104,8 @@ contains
             call equations%evaluate(level%problem, given, level%state)
             allocate (history(0:grid%nx, 0:grid%ny, 2), steady(0:grid%nx, 0:grid%ny))
             steady = equations%residual
-            call equations%content%history_of(equations%flow%f, history(:, :, 1), history(:, :, 2))
+            call equations%content%history_of(equations%flow%rho*level%state%h, history(:, :, 1), &
+                                              history(:, :, 2))
             given%transport = characteristic_transport(grid, 1, 1)
             call given%transport%carry_content(grid, history)
             call equations%evaluate(level%problem, given, level%state)

@@ -25,6 +25,8 @@ program test_step_limit
    state = of(0.5_dp + 1.2_dp, 0.1_dp - 0.9_dp, 6.0_dp)
    call limit%shorten(before, state)
    call test%check_close([state%p(0, 0), state%h(0, 0), state%delta], [0.8_dp, 0.55_dp, 3.0_dp], 'both', relative=1e-14_dp)
+   call test%check_close(limit%bounded([0.2_dp, -0.2_dp, 1.5_dp, -1.5_dp]), [0.2_dp, -0.2_dp, 0.3_dp, -0.3_dp], &
+                         'nodes on their own', absolute=0.0_dp)
    limit = step_limit_t(largest_change=0.05_dp, smallest_film_factor=0.5_dp)
    call test%check_close([limit%of_pressure(reshape([0.01_dp, -0.2_dp], [2, 1])), limit%of_pressure(reshape([0.05_dp], [1, 1]))], &
                          [0.25_dp, 1.0_dp], 'shorter steps: pressure', relative=1e-14_dp)

@@ -19,6 +19,7 @@ program test_surfaces
    type(test_t) :: test
 
    call check_sum()
+   call check_repetition()
    call check_march()
    call test%finish()
 
@@ -43,7 +44,8 @@ contains
       expected = film*(0.2_dp*first%shape_fixed(x, y, 1.0_dp) + 0.1_dp*second%shape_fixed(x, y, 0.0_dp))
       call close(pair%rough_fixed(x, y, 1.0_dp, film), expected, 'standing')
       call test%check_close(pair%passing_time(1.0_dp), 3/0.7_dp, 'the slower one passes last', relative=1e-14_dp)
-      call test%check_close(pair%period(), 0.7_dp/1.3_dp, 'results are about the first', relative=1e-14_dp)
+      call test%check_close(pair%shortest_period(), 0.7_dp/1.3_dp, 'waves of the first pass first', relative=1e-14_dp)
+      call test%check_close(pair%longest_period(), 0.4_dp/0.7_dp, 'and those of the second last', relative=1e-14_dp)
       call test%check(pair%is_rough() .and. pair%moves() .and. pair%is_symmetric(), 'rough, moving, even in Y')
       pair%list(1) = new_waviness(0.0_dp, 0.5_dp, .false., -2.5_dp, 1.0_dp, 0.2_dp)
       call test%check(pair%moves(), 'one that moves is enough')
@@ -52,6 +54,27 @@ contains
       pair = new_surfaces()
       call test%check(.not. (pair%is_rough() .or. pair%moves() .or. pair%is_measured()), 'smooth')
    end subroutine check_sum
+
+   !> Periods in a ratio of whole numbers, in none, and of one frequency.
+   subroutine check_repetition()
+      type(surfaces_t) :: pair
+
+      pair%list = [new_waviness(1.0_dp, 0.0_dp, .false., -2.5_dp, 1.25_dp, 0.2_dp), &
+                   new_waviness(1.0_dp, 0.0_dp, .false., -2.5_dp, 0.75_dp, 0.1_dp)]
+      call test%check_close(pair%repeat_period(), 4.0_dp, '5 of 0.8 and 3 of 4/3', relative=1e-14_dp)
+      call test%check_close(pair%window(), 4.0_dp, 'measured until they repeat', relative=1e-14_dp)
+      call test%check_close(pair%smallest_amplitude(film), 0.1_dp*film, 'the smaller amplitude', relative=1e-14_dp)
+      call test%check(pair%are_apart() .and. .not. pair%are_one(), 'two frequencies')
+      pair%list(2) = new_waviness(0.83_dp, 0.0_dp, .false., -2.5_dp, 0.75_dp, 0.1_dp)
+      call test%check_close(pair%repeat_period(), 0.0_dp, 'periods of 0.8 and 1.1067 do not repeat', absolute=0.0_dp)
+      call test%check_close(pair%window(), 1/(1.25_dp - 0.75_dp/0.83_dp), 'measured over a beat', relative=1e-12_dp)
+      call test%check(pair%are_apart(), 'told apart in a beat')
+      pair%list(2) = new_waviness(0.6_dp, 0.0_dp, .false., -2.5_dp, 0.75_dp, 0.1_dp)
+      call test%check_close(pair%repeat_period(), 0.8_dp, 'one frequency', relative=1e-14_dp)
+      call test%check(.not. (pair%are_apart() .or. pair%are_one()), 'of two patterns')
+      pair%list(2) = pair%list(1)
+      call test%check(pair%are_one(), 'one pattern')
+   end subroutine check_repetition
 
    subroutine close(rough, expected, what)
       real(dp), intent(in) :: rough(:, :), expected(:, :)
@@ -85,8 +108,9 @@ contains
       call run_case(case, plan, monitor, both)
       call test%check(is_success(alone%status) .and. is_success(both%status), 'marches')
       call test%check_close(both%film_history, alone%film_history, 'film of two surfaces', relative=1e-6_dp)
-      call test%check_close(both%amplitude_ratio_fit, alone%amplitude_ratio_fit*0.2_dp/0.15_dp, &
-                            'the result is about the first', relative=1e-5_dp)
+      call test%check_close([both%amplitude_ratio_fit, both%pair%ratio_fit], &
+                            [alone%amplitude_ratio_fit, alone%amplitude_ratio_fit], 'of one pattern each has its share', &
+                            relative=1e-5_dp)
    end subroutine check_march
 
 end program test_surfaces

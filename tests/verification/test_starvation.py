@@ -1,5 +1,6 @@
 """Contacts with too little oil: values of an independent solver, limits, the balance of the oil, time against linear response."""
 
+import math
 import tempfile
 import unittest
 from pathlib import Path
@@ -66,6 +67,45 @@ class Starvation(TestCase):
                     ratio = contact(r, 64, waviness=waves(orientation, wavelength))["harmonic_ratio"]
                     self.assertLess(abs(ratio - peer), 0.03)
 
+    def test_responses_of_the_same_film(self):
+        """Ad/Ai of little oil: its film is what the other solver has on its grid, where that is 3.5 and 4.5 % thin."""
+        for r, same, within in ((0.7, 0.671, 0.01), (0.5, 0.4785, 0.02)):
+            apart = 0
+            for (orientation, wavelength), peer in zip(WAVES, PEER[r][1], strict=True):
+                result = contact(same, 64, waviness=waves(orientation, wavelength))
+                self.check_close(result["film_over_flooded"], PEER[r][0][2], 0.005, "R")
+                apart = max(apart, abs(result["harmonic_ratio"] - peer))
+            report(f"r = {r}: Ad/Ai of the same film at most {apart:.4f} apart")
+            self.assertLess(apart, within)
+
+    def test_orders(self):
+        """R is of second order and its estimate is right; Ad/Ai differs from finer grids by no more than its estimate."""
+        wave = waves("transverse", 1)
+        for r in (1, 0.5):
+            results = [contact(r, cells, waviness=wave) for cells in (16, 32, 64)]
+            films = [result["film_over_flooded"] for result in results]
+            order = math.log2((films[1] - films[0])/(films[2] - films[1]))
+            report(f"r = {r}: R {films}, order {order:.2f}")
+            self.assertTrue(1.6 < order < 2.6)
+            true = 1 - films[0]/films[2]
+            self.assertTrue(0.6*true < results[0]["film_over_flooded_error"] < 2*true)
+            for result in results[:2]:
+                self.assertGreater(result["ratio_error_meniscus"], 0)
+                change = abs(result["harmonic_ratio"]/results[2]["harmonic_ratio"] - 1)
+                self.assertLess(change, result["error_estimate"])
+
+    def test_accuracy(self):
+        """An accuracy chooses a grid that resolves the meniscus, and is kept."""
+        def ratio(**solver):
+            return solve(m=100, l=12.05, d=1, grid={"edges": "flooded"} | ({} if solver else {"cells_x": 512, "cells_y": 256}),
+                         inlet={"oil_over_flooded": 0.6}, waviness=waves("transverse", 1), **({"solver": solver} if solver else {}))
+        asked = ratio(accuracy=0.1)
+        self.assertLess(asked["error_estimate"], 0.1)
+        self.check_close(asked["harmonic_ratio"], ratio()["harmonic_ratio"], 0.1, "Ad/Ai")
+        coarse = contact(0.4, 16, waviness=waves("transverse", 1))
+        self.assertEqual(coarse["status"], "unresolved")
+        self.assertIn("meniscus", coarse["message"])
+
     def test_limits(self):
         """Plenty of oil is the flooded contact; of little oil all passes; a longer domain changes nothing."""
         flooded = contact(0)
@@ -121,6 +161,21 @@ class Starvation(TestCase):
         steady = contact(0.5, grid={"cells_x": 72, "cells_y": 32})["central_film"]
         self.check_close(film[-1], steady, 5e-4, "end of the march")
         self.assertGreater(film[0], 1.5*steady)
+
+    @unittest.skipIf(h5py is None, "no h5py: set EHLWAVE_PYTHON")
+    def test_gap_in_the_layer(self):
+        """A gap of one a with a tenth of the oil thins the film to about that, which then is as before."""
+        with tempfile.TemporaryDirectory() as folder:
+            groups = {"conditions": {"load_parameter_m": 100, "lubricant_parameter_l": 12.05, "radius_ratio_d": 1},
+                      "grid": DOMAIN | {"cells_x": 72, "cells_y": 32},
+                      "inlet": {"oil_over_flooded": 1, "oil_change_factor": 0.1, "oil_change_start": 0.5, "oil_change_length": 1},
+                      "dynamics": {"end_time": 8}}
+            Path(folder, "case.nml").write_text(namelist(groups))
+            run("case", "case.nml", "--output", "case.h5", folder=folder)
+            with h5py.File(Path(folder, "case.h5")) as file:
+                film = file["film_at_centre"][:]
+        self.assertTrue(0.08 < min(film)/film[0] < 0.2)
+        self.check_close(film[-1], film[0], 5e-3, "after the gap")
 
     def test_profile(self):
         """A profile of ones is no profile; a groove in it thins the film; one that is not even takes the whole domain."""

@@ -30,6 +30,9 @@ if TYPE_CHECKING:
 
     from ehlwave.keys import CaseKeys, StudyKeys
 
+SURFACES = {"surface": "file", "surface2": "file_2"}
+"""Keys of measured surfaces by their groups."""
+
 OPTIONS = ("case_file", "output", "unresolved", "largest_case_seconds", "checkpoint_seconds")
 """Keys of ``&sweep`` that are not lists of values."""
 
@@ -137,7 +140,7 @@ class Case:
     ) -> dict[str, Any]:
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder, "case.nml")
-            write_new_text(path, namelist(_with_surface_file(self.groups, Path(folder))))
+            write_new_text(path, namelist(_with_surface_files(self.groups, Path(folder))))
             command = [str(find_program("ehlwave-case")), str(path), "--json", *options]
             with following(progress) as callback:
                 quiet = [] if callback else ["--quiet"]
@@ -196,12 +199,12 @@ class Study(Shown):
                     continue
                 self.rows[key] = [in_si(value, str(key)) for value in self.rows[key]]
             grouped(dict.fromkeys(map(str, self.rows.columns.drop(LABEL, errors="ignore")), 0))
-        source = given.get("file", "")
-        if not isinstance(source, (str, Path)):
-            raise ProgramError(
-                f"file = {source!r}: a study is known by the names of its files: write the surface "
-                "by ehlwave.deform.write_simulation_surface"
-            )
+        for key in SURFACES.values():
+            if not isinstance(source := given.get(key, ""), (str, Path)):
+                raise ProgramError(
+                    f"{key} = {source!r}: a study is known by the names of its files: write the "
+                    "surface by ehlwave.deform.write_simulation_surface"
+                )
         self.lists = lists
         self.groups = grouped({key: value for key, value in given.items() if key not in OPTIONS})
         self.options = {key: value for key, value in given.items() if key in OPTIONS}
@@ -356,16 +359,19 @@ def key_groups() -> dict[str, str]:
     return dict(zip(table["name"], table["group"], strict=True))
 
 
-def _with_surface_file(groups: dict[str, dict[str, Any]], folder: Path) -> dict[str, Any]:
-    """Return groups whose surface, if it is an object, is written to a file."""
-    source = groups.get("surface", {}).get("file")
-    if source is None or isinstance(source, (str, Path)):
-        return groups
-    from ehlwave.deform import read_surface, write_simulation_surface
+def _with_surface_files(groups: dict[str, dict[str, Any]], folder: Path) -> dict[str, Any]:
+    """Return groups whose surfaces, where they are objects, are written to files."""
+    groups = dict(groups)
+    for group, key in SURFACES.items():
+        source = groups.get(group, {}).get(key)
+        if source is None or isinstance(source, (str, Path)):
+            continue
+        from ehlwave.deform import read_surface, write_simulation_surface
 
-    path = folder / "surface.h5"
-    write_simulation_surface(read_surface(source), path)
-    return groups | {"surface": groups["surface"] | {"file": str(path)}}
+        path = folder / f"{group}.h5"
+        write_simulation_surface(read_surface(source), path)
+        groups[group] = groups[group] | {key: str(path)}
+    return groups
 
 
 def _is_list(value: object) -> bool:

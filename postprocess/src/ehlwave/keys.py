@@ -137,6 +137,20 @@ class CaseKeys(TypedDict, total=False):
     """response to the waves"""
     file: Text | Surface | TopographyLike
     """surface written by `ehlwave surface`"""
+    orientation_2: Literal["none", "transverse", "isotropic", "longitudinal", "custom"]
+    """of surface 2, orientation of the waves"""
+    wavelength_over_a_2: SupportsFloat
+    """of surface 2, wavelength lambda/a"""
+    wavelength_x_over_a_2: SupportsFloat
+    """of surface 2, wavelength along X over a; 0: no variation along X"""
+    wavelength_y_over_a_2: SupportsFloat
+    """of surface 2, wavelength along Y over a; 0: no variation along Y"""
+    oblique_2: bool
+    """of surface 2"""
+    amplitude_over_film_2: SupportsFloat
+    """of surface 2, amplitude Ai over the smooth central film thickness"""
+    file_2: Text | Surface | TopographyLike
+    """measured surface 2"""
     oil_over_flooded: SupportsFloat
     """oil offered over oil that the flooded contact passes"""
     oil_layer_m: SupportsFloat
@@ -179,7 +193,7 @@ class CaseKeys(TypedDict, total=False):
     """periods to wait before the amplitude is measured"""
     largest_total_steps: SupportsIndex
     """largest number of Newton steps of a case on the finest grid; rescues included"""
-    method: Literal["newton", "fas", "petsc"]
+    method: Literal["auto", "newton", "fas", "petsc"]
     """method of solution"""
     cycle: Literal["f", "v", "w"]
     """multigrid cycle"""

@@ -168,6 +168,14 @@ def _wave_y(c: Contact, row: Row) -> Value:
     return 0.0 if c.chance(0.3) else c.power(0.5, 2.5)
 
 
+def _orientation_2(c: Contact, row: Row) -> Value:
+    """Return the waves of surface 2; those of marches have to move."""
+    if "orientation" not in row or not c.chance(0.15):
+        return None
+    stands = c.is_line or row.get("response") != "harmonic"
+    return "transverse" if stands else c.one_of(*ONE_LENGTH, "custom")
+
+
 def _response(c: Contact, row: Row) -> Value:
     if "orientation" not in row:
         return None
@@ -321,6 +329,19 @@ DRAWS: dict[str, Draw] = {
     "amplitude_over_film": _wavy(_share(0.7, lambda c, row: c.power(0.01, 1))),
     "response": _response,
     "file": lambda c, row: c.surface() if c.has_surface else None,
+    "orientation_2": _orientation_2,
+    "wavelength_over_a_2": _where("orientation_2", *ONE_LENGTH)(lambda c, row: c.power(0.5, 3)),
+    "wavelength_x_over_a_2": _where("orientation_2", "custom")(lambda c, row: c.power(0.4, 3)),
+    "wavelength_y_over_a_2": _where("orientation_2", "custom")(
+        lambda c, row: 0.0 if c.chance(0.3) else c.power(0.5, 2.5)
+    ),
+    "oblique_2": _where("orientation_2", "custom")(
+        lambda c, row: c.chance(0.5) and row["wavelength_y_over_a_2"] > 0
+    ),
+    "amplitude_over_film_2": _where("orientation_2", *ONE_LENGTH, "custom")(
+        _share(0.7, lambda c, row: c.power(0.01, 0.5))
+    ),
+    "file_2": _share(0.2, lambda c, row: c.surface() if c.has_surface else None),
     "oil_over_flooded": _oil,
     "oil_layer_m": _layer,
     "oil_profile": _starved(_share(0.2, lambda c, row: c.layers())),

@@ -53,6 +53,7 @@ def _only(name: str, about: str) -> Option:
     _only("wavy", "all but the smooth steady states"),
     _only("corner", "only the stiff corner of the paper, M = 2000, on 512 x 512 cells"),
     _only("sliding", "only a Ree-Eyring oil, S 0 to 2, tau0 0.5 to 50 MPa, and its responses"),
+    _only("starved", "only contacts with 0.3 to 3 times the oil that they pass flooded"),
     output("stability"),
     at_once("--at-once", "cases that run at the same time; default: the cores you may use"),
     option("--limit", "SECONDS", "a case that takes longer counts as failed; default 900", 900),
@@ -116,6 +117,28 @@ def speed(options: argparse.Namespace) -> int:
     return steps.report("speed", "--output", options.output, "--repeats", options.repeats)
 
 
+@study(
+    "heavy",
+    output("heavy"),
+    option("--largest", "N", "cells along X and Y, at most; 2048 takes minutes (default 1024)", 1024),
+    option("--method", "METHOD", "the key method of the cases (default auto)", "auto"),
+    flag("--responses", "with the linear response to transverse waves of 0.5 a"),
+    option("--program", "FILE", "an ehlwave-case to use; otherwise it is built"),
+)
+def heavy(options: argparse.Namespace) -> int:
+    """Measure what heavy loads and large grids cost.
+
+    Runs smooth contacts of M = 100, 1000 and 10,000, and the case of Venner and Lubrecht's book, on
+    256 x 256 cells and more, on one core. Prints method, tolerance, steps, counted work units and
+    memory. Writes heavy.csv.
+
+    Exit status: 0 done, 1 failed, 2 bad usage.
+    """
+    steps.prepare(options.program)
+    words = ("--output", options.output, "--method", options.method, "--largest", options.largest)
+    return steps.report("heavy", *words, *(("--responses",) if options.responses else ()))
+
+
 @study("stress", output("stress"))
 def stress(options: argparse.Namespace) -> int:
     """Compare stresses below rough surfaces: dry, lubricated and smooth.
@@ -142,23 +165,54 @@ def stress_speed(options: argparse.Namespace) -> int:
     "starvation",
     output("starvation"),
     at_once(),
-    option("--contacts", "COUNT", "contacts whose films are computed (default 30)", 30),
-    option("--cells", "N", "the largest grid along each side (default 192)", 192),
+    flag("--quick", "8 contacts, 192 cells: some minutes on two cores"),
+    option("--contacts", "COUNT", "contacts whose films are computed (default 30)"),
+    option("--cells", "N", "cells along X for waves; films have two thirds (default 384)"),
 )
 def starvation(options: argparse.Namespace) -> int:
     """Fit laws of film and waves of contacts with too little oil.
 
     Computes films of contacts over M, L and D with 0.2 to 5 times the oil that they pass flooded,
     and linear responses of half as many. Fits R(r) and Ad/Ai(x, R), each contact held out in turn,
-    with intervals by drawing contacts again. Writes films.h5, waves.h5, laws.csv and a figure. The
-    coefficients in laws.csv are those of ehlwave.starvation.
+    with intervals by drawing contacts again. Then rows of contacts on one track, each with the oil
+    that the one before left, against closed forms of overrollings and side flow. Writes films.h5,
+    waves.h5, laws.csv, overrollings.csv, tracks.csv and two figures. The coefficients in laws.csv
+    are those of ehlwave.starvation.
 
     Exit status: 0 done, 1 failed, 2 bad usage.
     """
     steps.prepare()
     folder = options.output
-    drawn = given(options, "contacts", "cells")
-    steps.python("starvation", "cases", folder, *drawn)
+    if options.quick:
+        options.contacts, options.cells = options.contacts or 8, options.cells or 192
+    options.contacts, options.cells = options.contacts or 30, options.cells or 384
+    steps.python("starvation", "cases", folder, *given(options, "contacts", "cells"))
     for name in ("films", "waves"):
         steps.sweep(folder / f"{name}.nml")
+    steps.python("starvation", "overrollings", folder, *given(options, "cells"))
     return steps.report("starvation", "report", folder)
+
+
+@study(
+    "heat-map",
+    output("heat-map"),
+    option("--contacts", "N", "how many are drawn (default 40)", 40),
+    option("--first", "COUNT", "number of the first (default 0)", 0),
+    option("--cells", "N", "the largest grid along each side; lines have 8 times (default 64)", 64),
+    option("--repeats", "N", "runs of each, of which the fastest counts (default 3)", 3),
+    flag("--finer", "each again with twice the levels and with half the mesh"),
+    option("--program", "FILE", "an ehlwave-case to use; otherwise it is built"),
+)
+def heat_map(options: argparse.Namespace) -> int:
+    """Map where steady states with heat are found, and what they cost.
+
+    Draws lines, circles and ellipses of 0.3 to 2 GPa, 0.1 to 30 m/s and slide-to-roll ratios 0 to
+    2, with oils of three flow laws. Runs each with and without heat, one after another on one core.
+    Writes heat_map.csv: status, rises, friction, heat balance, processor times and their ratio.
+
+    Exit status: 0 all settled or say why; 1 otherwise; 2 bad usage.
+    """
+    steps.prepare(options.program)
+    words = ("--output", options.output, *given(options, "contacts", "first", "cells", "repeats"))
+    finer = ("--finer",) if options.finer else ()
+    return steps.report("heat_map", *words, *finer)

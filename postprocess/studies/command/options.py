@@ -59,7 +59,8 @@ COUNT = value_of("[1-9][0-9]{0,8}", int, "a whole number above 0")
 NUMBER = value_of("[0-9]{1,9}", int, "a whole number")
 POSITIVE = value_of(r"(?=.*[1-9])[0-9]{1,9}(\.[0-9]+)?", float, "a number above 0")
 PATH = value_of("(?s).+", lambda text: Path(text).resolve(), "a name")
-KINDS = {"N": COUNT, "SECONDS": COUNT, "COUNT": NUMBER, "MINUTES": POSITIVE}
+METHOD = value_of("auto|newton|fas|petsc", str, "auto, newton, fas or petsc")
+KINDS = {"METHOD": METHOD, "N": COUNT, "SECONDS": COUNT, "COUNT": NUMBER, "MINUTES": POSITIVE}
 """Type of an option, by the word that its help has for the value; others are paths."""
 
 

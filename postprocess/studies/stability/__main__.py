@@ -15,6 +15,7 @@ from studies.stability.cases import (
     full_cases,
     quick_cases,
     sliding_cases,
+    starved_cases,
     steady_cases,
     wavy_cases,
 )
@@ -30,6 +31,7 @@ _SETS = {
     "full": lambda: [*full_cases(), *corner_cases()],
     "corner": corner_cases,
     "sliding": sliding_cases,
+    "starved": starved_cases,
 }
 
 

@@ -31,6 +31,8 @@ _SLIDING_CONDITIONS = (
 )
 SLIDING = "sliding"
 """Begins the name of a family of cases with a Ree-Eyring oil: one for each tau0."""
+STARVED = "starved"
+"""Begins the name of a family of contacts with too little oil: one for each D."""
 OUTSIDE = "outside"
 """The family of cases that must be refused."""
 
@@ -135,6 +137,24 @@ def sliding_cases() -> list[Case]:
             }
             cases.append(_case(family, variant, m, l, d, waviness=waviness, **groups))
     return cases
+
+
+def starved_cases(largest: int = 192) -> list[Case]:
+    """Return contacts with 0.3 to 3 times the oil that they pass flooded, with small waves.
+
+    Edges are flooded and the inlet is long, so that the meniscus lies within the domain.
+    """
+    grid: dict[str, float | str] = {"largest_cells": largest, "x_min": -4.5, "edges": "flooded"}
+    grid |= {"cells_x": 0, "cells_y": 0}
+    waviness = {"orientation": "transverse", "wavelength_over_a": 1.0, "response": "harmonic"}
+    contacts = product((1.0, 0.3, 0.1), (20.0, 100.0, 300.0, 1000.0), (2.0, 6.0, 12.05, 20.0))
+    return [
+        _case(
+            f"{STARVED}, D {d:g}", f"r {r:g}", m, l, d,
+            inlet={"oil_over_flooded": r}, waviness=waviness, grid=grid,
+        )
+        for (d, m, l), r in product(contacts, (0.3, 0.5, 0.8, 1.2, 3.0))
+    ]  # fmt: skip
 
 
 def _case(family: str, variant: str, m: float, l: float, d: float, **groups: object) -> Case:

@@ -125,7 +125,9 @@ def _wrong_numbers(result: dict[str, Any]) -> list[str]:
         expected = moes_film(
             result["load_parameter_m"], result["lubricant_parameter_l"], result["radius_ratio_d"]
         )
-        ratio = result["central_film_moes"] / expected
+        starved = result.get("film_over_flooded", math.nan)
+        flooded = result["central_film_moes"] / (starved if math.isfinite(starved) else 1)
+        ratio = flooded / expected
         # No formula knows by how much a sliding Ree-Eyring oil thins.
         thinnest = 0 if result.get("eyring_stress_pa", 0) > 0 else 1 / _WIDEST_FACTOR
         if not thinnest < ratio < _WIDEST_FACTOR:

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from studies import sweeps
+from studies.stability.cases import STARVED
 from studies.stability.outcome import CONVERGED, FAILED, OUTCOMES, UNRESOLVED, Row
 
 _INPUTS = {
@@ -23,6 +24,7 @@ _INPUTS = {
     "load_balance": "force_balance",
     "load_factor": 1.0,
     "end_time": 0.0,
+    "oil_over_flooded": "",
 }
 _RESULTS = (
     "cells_x",
@@ -42,6 +44,8 @@ _RESULTS = (
     "amplitude_ratio_fit",
     "harmonic_ratio",
 )
+_STARVED = ("film_over_flooded", "meniscus_x", "starved_over_flooded_work")
+"""Of contacts with too little oil besides."""
 
 
 def write_table(path: Path, rows: Sequence[Row]) -> None:
@@ -57,6 +61,7 @@ def write_table(path: Path, rows: Sequence[Row]) -> None:
             **{key: _unusual(row.case.value(key, usual), usual) for key, usual in _INPUTS.items()},
             "outcome": row.outcome,
             **{name: row.result.get(name, "") for name in _RESULTS},
+            **{name: row.result[name] for name in _STARVED if row.case.family.startswith(STARVED)},
             "seconds": row.seconds,
             "message": "" if row.outcome in (CONVERGED, UNRESOLVED) else row.message.split(": ")[0],
             "faults": "; ".join(row.faults),

@@ -111,6 +111,13 @@ OF_THE_SOLUTION = frozenset(
 WITHOUT_EFFECT = frozenset(
     (
         "file",
+        "orientation_2",
+        "wavelength_over_a_2",
+        "wavelength_x_over_a_2",
+        "wavelength_y_over_a_2",
+        "oblique_2",
+        "amplitude_over_film_2",
+        "file_2",
         "oil_conductivity_w_per_m_k",
         "oil_heat_capacity_j_per_kg_k",
         "oil_density_kg_per_m3",
@@ -128,7 +135,7 @@ WITHOUT_EFFECT = frozenset(
         "sensitivities",
     )
 )
-"""On the response to waves: a case has no waves where it has heat."""
+"""On the linear response to waves of the first surface: a case has no waves where it has heat."""
 
 CARRIED = (*OF_THE_OIL, *OF_THE_EDGES, *OF_THE_INLET, *OF_MARCHES)
 """Columns of a table, empty where a key does not apply."""

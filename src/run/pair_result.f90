@@ -1,0 +1,71 @@
+!> Results of two rough surfaces besides those of the first.
+module ehlwave_pair_result
+   use ehlwave_harmonic_response, only: harmonic_response_t
+   use ehlwave_harmonic_result, only: harmonic_result_t
+   use ehlwave_kinds, only: dp, no_value
+   use ehlwave_mean_film, only: find_mean_change, has_mean, mean_change_t
+   use ehlwave_shared_steady, only: shared_steady_t
+   use ehlwave_status, only: status_converged
+   use ehlwave_surfaces, only: surfaces_t
+   implicit none (type, external)
+   private
+
+   !> Numbers are NaN where they are not computed.
+   type, public :: pair_result_t
+      real(dp) :: ratio_fit = no_value       !! Ad/Ai of the waves of surface 2 in time, and their phase, as those of
+      real(dp) :: phase_fit = no_value       !! the first
+      real(dp), allocatable :: surface_position(:)   !! of a measured surface 2, at the contact centre, m
+      type(harmonic_result_t) :: harmonic    !! linear response to the waves of surface 2
+      real(dp) :: film_rms = no_value        !! rms of H(0,0) by both waves over its mean, phases free, linear
+      real(dp) :: mean_rise = no_value       !! change of the mean of H(0,0) by both over the Ai of the first, second
+                                             !! order
+      real(dp) :: cross_rise = no_value      !! part of it that neither surface has alone
+      real(dp) :: smallest_film = no_value   !! smallest H with both waves, second order; none where they would touch
+      logical :: surfaces_touch = .false.
+   contains
+      procedure :: take_responses
+   end type pair_result_t
+
+contains
+
+   !> Take what both waves do together, after the response to each. Waves of different frequencies change the mean as if
+   !> each were alone, theory eq. (W15). Those of one frequency, with crests at X = 0 at T = 0, act as one pattern.
+   subroutine take_responses(self, surfaces, central_film, steady, responses, means)
+      class(pair_result_t), intent(inout) :: self
+      type(surfaces_t), intent(in) :: surfaces
+      real(dp), intent(in) :: central_film                   !! smooth H(0,0)
+      type(shared_steady_t), intent(inout) :: steady
+      type(harmonic_response_t), intent(in) :: responses(:)  !! of each surface, converged
+      type(mean_change_t), intent(in) :: means(:)            !! the same of the mean
+      real(dp), allocatable :: film(:, :)
+      real(dp) :: amplitudes(2)
+      type(harmonic_response_t) :: together
+      type(mean_change_t) :: both
+      integer :: n
+
+      amplitudes = [(surfaces%list(n)%amplitude(central_film), n=1, 2)]
+      self%film_rms = norm2(amplitudes*abs(responses%film))/(sqrt(2.0_dp)*central_film)
+      if (any(means%status /= status_converged)) return
+      self%mean_rise = sum(means%film)/amplitudes(1)
+      self%cross_rise = 0
+      film = means(1)%state%h + means(2)%state%h
+      if (.not. abs(surfaces%list(1)%frequency() - surfaces%list(2)%frequency()) > 0 .and. &
+          all([(has_mean(surfaces%list(n)), n=1, 2)])) then
+         together = responses(1)
+         together%p = together%p + amplitudes(2)/amplitudes(1)*responses(2)%p
+         together%h = together%h + amplitudes(2)/amplitudes(1)*responses(2)%h
+         together%approach = together%approach + amplitudes(2)/amplitudes(1)*responses(2)%approach
+         call find_mean_change(steady%response%tangent, steady%multigrid%levels, together, surfaces%list(1), &
+                               amplitudes(1), both)
+         self%cross_rise = no_value
+         if (both%status == status_converged) self%cross_rise = both%film/amplitudes(1) - self%mean_rise
+         self%mean_rise = self%mean_rise + self%cross_rise
+         film = both%state%h
+      end if
+      film = film + steady%response%tangent%state%h - amplitudes(1)*abs(responses(1)%h) &
+             - amplitudes(2)*abs(responses(2)%h)
+      self%surfaces_touch = .not. minval(film) > 0
+      if (.not. self%surfaces_touch) self%smallest_film = minval(film)
+   end subroutine take_responses
+
+end module ehlwave_pair_result
