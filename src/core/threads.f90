@@ -17,8 +17,8 @@ module ehlwave_threads
    integer, parameter, public :: most_threads = 256 !! that can be asked for
    integer, parameter, public :: most_cores = 1024  !! of a machine, that are told apart
 
-   integer, parameter :: patience = 1000            !! looks at another thread's progress before the processor is left to
-                                                    !! others
+   integer, parameter :: patience = 1000            !! looks at the progress of another thread before the processor is
+                                                    !! left to others
 
    interface
       integer(c_int) function c_cores(is_mine, size) bind(c, name='ehlwave_cores')

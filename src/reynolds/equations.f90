@@ -81,7 +81,8 @@ contains
          call reynolds_residual(self%mesh, given%transport, self%flow, self%residual)
          !$omp parallel do schedule(static) if (is_shared(size(state%p)))
          do j = 0, problem%grid%ny
-            self%is_cavitated(:, j) = self%scale(:, j) > 0 .and. state%p(:, j) + self%scale(:, j)*self%residual(:, j) <= 0
+            self%is_cavitated(:, j) = self%scale(:, j) > 0 .and. &
+                                      state%p(:, j) + self%scale(:, j)*self%residual(:, j) <= 0
          end do
       end if
       self%edges = problem%edges

@@ -4,8 +4,8 @@
 !> rules, the pressures of a line are changed one by one. Where it is weak, the equation is one for the deformation,
 !> whose kernel reaches far: there the unknown of a node is the strength of a distributive change, 1 at the node and in
 !> sum -1 at its four neighbours, whose deformation falls as 1/r^3. Each line sees the pressure changes of those before
-!> it (Gauss-Seidel), and their deformation at the end of the sweep only (Jacobi). What a line does not see of the others,
-!> its matrix and the factors, threads make ahead of its turn.
+!> it (Gauss-Seidel), and their deformation at the end of the sweep only (Jacobi). Threads make the matrix of a line and its
+!> factors, which do not see the other lines, ahead of its turn.
 module ehlwave_line_relaxation
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_equations, only: equations_t
@@ -46,7 +46,7 @@ module ehlwave_line_relaxation
    type :: line_system_t
       type(band_t) :: band
       real(dp), allocatable :: delta(:)                     ! its right side, then its solution
-      real(dp), allocatable :: by_p(:, :), by_h(:, :)       ! derivatives, (node, link); in one more column those by both
+      real(dp), allocatable :: by_p(:, :), by_h(:, :)       ! derivatives, (node, link), in one more column by both
                                                             ! neighbours across
       integer, allocatable :: kind(:)                       ! of the change of each node
    end type line_system_t
@@ -290,7 +290,8 @@ contains
          do link = 1, links
             if (link == 5) cycle      ! with 4
             s = self%shape(link_i(link) - d, abs(link_j(link)), kind)
-            if (abs(s) > 0) line%band%a(i1:i2, d) = line%band%a(i1:i2, d) + s*line%by_p(i1:i2, merge(across, link, link == 4))
+            if (abs(s) > 0) line%band%a(i1:i2, d) = line%band%a(i1:i2, d) &
+                                                    + s*line%by_p(i1:i2, merge(across, link, link == 4))
          end do
       end subroutine add_column
    end subroutine set_up_line
