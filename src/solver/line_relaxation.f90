@@ -4,8 +4,8 @@
 !> rules, the pressures of a line are changed one by one. Where it is weak, the equation is one for the deformation,
 !> whose kernel reaches far: there the unknown of a node is the strength of a distributive change, 1 at the node and in
 !> sum -1 at its four neighbours, whose deformation falls as 1/r^3. Each line sees the pressure changes of those before
-!> it (Gauss-Seidel), and their deformation at the end of the sweep only (Jacobi). Threads make the matrix of a line and its
-!> factors, which do not see the other lines, ahead of its turn.
+!> it (Gauss-Seidel), and their deformation at the end of the sweep only (Jacobi). Threads make the matrix of a line and
+!> its factors, which do not see the other lines, ahead of its turn.
 module ehlwave_line_relaxation
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_equations, only: equations_t
