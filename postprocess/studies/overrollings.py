@@ -114,15 +114,16 @@ def follow(track: TrackOfContacts, cells: int) -> list[Row]:
     return rows
 
 
-def side_loss(row: Row, r: Floats | float) -> Floats:
+def side_loss(row: Row, r: Floats | float, share: float = 1.0) -> Floats:
     """Return the share of the layer that one overrolling drives to the sides, (C6).
 
-    With an overrolling's time l_t/(2 mean speed) in (C6), h_l^-2 grows by 2 kappa^2 I/lambdabar in
+    Or what a `share` of an overrolling does: half of it is upstream of the centre. With an
+    overrolling's time l_t/(2 mean speed) in (C6), h_l^-2 grows by 2 kappa^2 I/lambdabar in
     units of the deformation, h_l = r times the layer that the flooded contact passes.
     """
     oil = Oil()
     fluidity = fluidity_integral(oil, row["alphabar"] / oil.pressure_viscosity_per_pa)
-    growth = 2 * row["kappa"] ** 2 * fluidity / row["lambdabar"]
+    growth = share * 2 * row["kappa"] ** 2 * fluidity / row["lambdabar"]
     return np.asarray(1 - (1 + growth * (np.asarray(r) * row["layer"]) ** 2) ** -0.5)
 
 
@@ -134,11 +135,16 @@ def inlet_loss(track: TrackOfContacts, r: Floats | float) -> Floats:
 
 
 def predicted(track: TrackOfContacts, row: Row, count: int) -> tuple[Floats, Floats]:
-    """Return r behind each contact by the inlet alone, and by inlet and side flow."""
+    """Return r behind each contact by the inlet alone, and by inlet and side flow.
+
+    The law for R has all that is lost upstream of the centre. That is at least half of the side
+    flow; the other half follows.
+    """
     alone, both, behind = track.start, track.start, []
     for _ in range(count):
         alone *= 1 - float(inlet_loss(track, alone))
-        both *= (1 - float(inlet_loss(track, both))) * (1 - float(side_loss(row, both)))
+        both *= 1 - max(float(inlet_loss(track, both)), float(side_loss(row, both, 0.5)))
+        both *= 1 - float(side_loss(row, both, 0.5))
         behind.append((alone, both))
     columns = np.array(behind)
     return columns[:, 0], columns[:, 1]

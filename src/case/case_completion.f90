@@ -43,7 +43,7 @@ contains
       if (allocated(error)) error%message = place//error%message
    end subroutine complete_case
 
-   !> Refuse keys that a line contact, D = 0, does not have: anything that varies along Y or is about its width; an
+   !> Refuse keys that a line contact, D = 0, does not have: anything that is about its width; an
    !> approach whose change in time is known (that under a line load on a half-space is determined but for a constant
    !> times the load, so there is no equation of motion); FAS and MLMI, which are not written for it.
    subroutine complete_line(case, error)
@@ -51,8 +51,8 @@ contains
       type(error_t), allocatable, intent(inout) :: error
       character(len=*), parameter :: line = ': a line contact (radius_ratio_d = 0) '
 
-      call check_line_roughness(case%roughness_t, '', line, error)
-      call check_line_roughness(case%second, '2', line, error)
+      call check_line_roughness(case, case%roughness_t, '', line, error)
+      call check_line_roughness(case, case%second, '2', line, error)
       if (allocated(error)) return
       if (case%method == 'fas') then
          call raise(error, "&solver method = 'fas'"//line//"is solved by 'newton' or 'petsc'")

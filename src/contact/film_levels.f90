@@ -4,7 +4,7 @@ module ehlwave_film_levels
    use ehlwave_lagrange, only: lagrange_weights
    implicit none (type, external)
    private
-   public :: new_film_levels
+   public :: add_source, new_film_levels
 
    integer, parameter :: points = 4           ! of the cubics between levels
 
@@ -13,6 +13,7 @@ module ehlwave_film_levels
       real(dp) :: d = 0                       !! 1/n
       real(dp), allocatable :: zeta(:)        !! (0:n) place across: 0 at surface 2, 1 at surface 1
       real(dp), allocatable :: weight(:)      !! (0:n) of an integral across, exact for cubics
+      real(dp), allocatable :: heat_weight(:) !! the same of a source, as the layers of theory eq. (D9) get it
    contains
       procedure :: running_integral
    end type film_levels_t
@@ -35,15 +36,30 @@ contains
 
       self%n = n
       self%d = 1.0_dp/n
-      allocate (self%zeta(0:n), self%weight(0:n))
+      allocate (self%zeta(0:n), self%weight(0:n), self%heat_weight(0:n))
       self%zeta = [(k*self%d, k=0, n)]
       do k = 0, n
          unit = 0
          unit(k) = 1
          integral = self%running_integral(unit)
          self%weight(k) = integral(n)
+         integral = 0
+         call add_source(self, unit, integral)
+         self%heat_weight(k) = sum(integral)
       end do
    end function new_film_levels
+
+   !> Add a source to what the layers about the levels get: 1, 10, 1 inside, half a layer at the surfaces.
+   pure subroutine add_source(levels, source, layer)
+      class(film_levels_t), intent(in) :: levels
+      real(dp), intent(in) :: source(0:)      !! (0:n)
+      real(dp), intent(inout) :: layer(0:)
+      associate (n => levels%n, d => levels%d, s => source)
+         layer(1:n - 1) = layer(1:n - 1) + d/12*(s(:n - 2) + 10*s(1:n - 1) + s(2:))
+         layer(0) = layer(0) + d/24*(7*s(0) + 6*s(1) - s(2))
+         layer(n) = layer(n) + d/24*(7*s(n) + 6*s(n - 1) - s(n - 2))
+      end associate
+   end subroutine add_source
 
    !> Integral of a field from surface 2 to each level, exact for cubics.
    pure function running_integral(self, field) result(integral)

@@ -33,6 +33,7 @@ module ehlwave_heat_data
       real(dp) :: work = 0             !! ubar ph c^2/(a k), K
       real(dp) :: wall(2) = 0          !! (k/c) (a/(pi k_s rho_s c_s u_i))^(1/2)
       real(dp) :: temperature_k = 0    !! T0
+      real(dp) :: peclet(2) = 0        !! u_i a rho_s c_s/(2 k_s): motion of surfaces against conduction in the bodies
       real(dp) :: flux = 0             !! k/c, W/(m2 K): heat flow for a unit of d theta/d zeta over H
    end type heat_scales_t
 
@@ -74,6 +75,7 @@ contains
          self%work = u*conditions%hertz_pressure_pa*c**2/(a*k)
          self%wall = k/c*sqrt(a/(pi*body%conductivity_w_per_m_k*body%density_kg_per_m3*body%heat_capacity_j_per_kg_k &
                                  *speed))
+         self%peclet = 0.5_dp*speed*a*body%density_kg_per_m3*body%heat_capacity_j_per_kg_k/body%conductivity_w_per_m_k
          self%temperature_k = temperature_k
          self%flux = k/c
       end associate

@@ -106,14 +106,15 @@ contains
    end subroutine march
 
    !> Heat that the oil carries off from each node, through its sides and across all levels, in the unit of heat flows
-   !> into the surfaces.
+   !> into the surfaces. Oil that a node gains or loses by itself, the first one by its difference of first order, takes
+   !> the rise of the node.
    pure function carried(self, grid, kappa) result(heat)
       class(energy_t), intent(in) :: self
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: kappa
       real(dp) :: heat(0:grid%nx, 0:grid%ny)
       real(dp), dimension(0:self%levels%n) :: north, share
-      real(dp) :: east(0:grid%nx - 1)
+      real(dp), dimension(0:grid%nx - 1) :: east, oil
       integer :: back, front, i, j
 
       share = layer_shares(self%levels)
@@ -121,10 +122,12 @@ contains
       associate (theta => self%rise, x => self%flux%x, y => self%flux%y)
          do j = grid%first_row, grid%last_row
             do i = 0, grid%nx - 1
+               oil(i) = dot_product(share, x(:, i, j))
                east(i) = dot_product(share*x(:, i, j), &
                   merge(1.5_dp*theta(:, i, j) - 0.5_dp*theta(:, max(i - 1, 0), j), theta(:, i + 1, j), x(:, i, j) > 0))
             end do
             heat(1:grid%nx - 1, j) = (east(1:) - east(:grid%nx - 2))/grid%hx
+            heat(1, j) = heat(1, j) - (oil(1) - oil(0))/grid%hx*dot_product(share, theta(:, 1, j))
          end do
          if (.not. grid%is_line) then
             do j = 0, grid%ny - 1

@@ -1,6 +1,6 @@
 !> Temperature across the film at one node, by what its neighbours and the surfaces upstream are: theory eq. (D9).
 module ehlwave_film_column
-   use ehlwave_film_levels, only: film_levels_t
+   use ehlwave_film_levels, only: add_source, film_levels_t
    use ehlwave_film_shear, only: made_by_own, made_by_stress, made_heat, made_stress_by_rise
    use ehlwave_kinds, only: dp
    implicit none (type, external)
@@ -81,12 +81,12 @@ contains
          diagonal(n) = diagonal(n) + 1/d
          above(:n - 1) = above(:n - 1) - 1/d
          below(1:) = below(1:) - 1/d
-         call add_source(n, d, made(:, made_heat), right)
+         call add_source(levels, made(:, made_heat), right)
          weight = sum(made(:, made_stress_by_rise))
          share = sum(made(:, made_by_own))
          share = c%own_share*min(1.0_dp, steepest/max(d*share, steepest))
          stress = 0
-         call add_source(n, d, made(:, made_by_stress)*weight - (1 - share)*made(:, made_by_own), stress)
+         call add_source(levels, made(:, made_by_stress)*weight - (1 - share)*made(:, made_by_own), stress)
          weight = 1/sign(max(abs(weight), tiny(weight)), weight)
          own = share*d*made(:, made_by_own)
          own(0) = 0.5_dp*own(0)
@@ -150,16 +150,6 @@ contains
          column%brought(k - 1) = column%brought(k - 1) + into*(1.5_dp*before(k) - 0.5_dp*farther(k))
       end do
    end subroutine add_inflow
-
-   !> Add a source with its weights.
-   pure subroutine add_source(n, d, s, right)
-      integer, intent(in) :: n
-      real(dp), intent(in) :: d, s(0:)
-      real(dp), intent(inout) :: right(0:)
-      right(1:n - 1) = right(1:n - 1) + d/12*(s(:n - 2) + 10*s(1:n - 1) + s(2:))
-      right(0) = right(0) + d/24*(7*s(0) + 6*s(1) - s(2))
-      right(n) = right(n) + d/24*(7*s(n) + 6*s(n - 1) - s(n - 2))
-   end subroutine add_source
 
    !> Two right sides, from both surfaces to the middle: there pivots stay positive where a source that grows with the
    !> rise would make them vanish on the way through the film.

@@ -23,8 +23,9 @@ module ehlwave_film_shear
    !> sliding speed, theory eq. (D10): by the own rise of a level, by the stress, and the stress by all rises.
    integer, parameter, public :: made_heat = 1, made_by_own = 2, made_by_stress = 3, made_stress_by_rise = 4
 
-   real(dp), parameter :: full_pressure = 1e-4_dp     ! P from which on all of the film is sheared: nodes at its edge would
-                                                      ! switch their heat on and off
+   !> P from which on all of the film is sheared: nodes at its edge would switch their heat on and off.
+   real(dp), parameter :: full_pressure = 1e-4_dp
+
    !> State of one node.
    type :: node_t
       real(dp) :: h, fluidity, gx, gy, b
@@ -132,7 +133,7 @@ contains
          v = v - v(n)*levels%zeta
          heat = s*stress2
          total = node%mean(1)*node%b + dot_product(node%sigma, node%flow)
-         share = total/max(dot_product(levels%weight, heat), tiny(share))
+         share = total/max(dot_product(levels%heat_weight, heat), tiny(share))
          heat = heat*min(max(share, 1/largest_correction), largest_correction)
          heat = heat*(0.5_dp*scales%work*node%h/film%n0*rate)*min(1.0_dp, p/full_pressure)
 
@@ -142,8 +143,8 @@ contains
          self%u(:, i, j) = u
          self%v(:, i, j) = v
          self%made(:, made_heat, i, j) = heat + compression
-         self%shear_heat(i, j) = dot_product(levels%weight, heat)
-         self%pressure_heat(i, j) = dot_product(levels%weight, compression)
+         self%shear_heat(i, j) = dot_product(levels%heat_weight, heat)
+         self%pressure_heat(i, j) = dot_product(levels%heat_weight, compression)
 
          ! of the heat, that of sliding is relieved
          share = min(max(node%mean(1)*node%b/total, 0.0_dp), 1.0_dp)

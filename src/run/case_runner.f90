@@ -87,8 +87,11 @@ contains
                call result%starved%take(steady%multigrid%levels, steady%flooded, result%work)
                call add_warning(result, result%starved%warning(level%problem%grid))
             end if
-            result%friction_error = result%friction_error + result%heat%settling
-            result%central_film_error = result%central_film_error + result%heat%settling
+            associate (heat => result%heat)
+               result%friction_error = result%friction_error + heat%settling + heat%levels_error
+               result%central_film_error = result%central_film_error + heat%settling + heat%levels_error
+               call add_warning(result, heat%warning())
+            end associate
             if (case%sensitivities) call find_film_sensitivities(case, steady, result)
             if (plan%responds) call run_responses(case, plan, steady, result)
          end if

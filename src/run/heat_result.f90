@@ -24,12 +24,20 @@ module ehlwave_heat_result
       real(dp) :: settling = 0                      !! relative change of friction in the last round
       character(len=:), allocatable :: unsettled    !! why film and temperatures do not agree, if they do not
       real(dp) :: balance_error = no_value                 !! the missing part, over the largest of these
+      real(dp) :: levels_error = 0                         !! relative error of film and friction by the levels
+      real(dp) :: peclet(2) = huge(1.0_dp)                 !! of `heat_scales_t`
    contains
       procedure :: take
       procedure :: explain
+      procedure :: warning
    end type heat_result_t
 
    real(dp), parameter :: no_oil_bears = 0.15_dp    ! friction coefficient
+   real(dp), parameter :: fast = 5                  ! Peclet number from which on the rise of a surface is that of a fast one
+                                                    ! within 3 % (Blok, Jaeger)
+   ! Error by the levels: measured with 12 and 24 of them
+   real(dp), parameter :: level_error = 1e-4_dp, usual_levels = 12
+   integer, parameter :: level_order = 3
 
 contains
 
@@ -47,6 +55,9 @@ contains
 
       n = energy%levels%n
       self%settling = energy%heat_difference
+      self%peclet = energy%scales%peclet
+      self%levels_error = level_error*maxval(maxval(problem%heat%ln_fluidity, 1) - minval(problem%heat%ln_fluidity, 1))**2 &
+                          *(usual_levels/n)**level_order
       bears = state%p > least_pressure
       bears([0, problem%grid%nx], :) = .false.        ! nodes of the edges are no cells of the film
       bears(:, problem%grid%last_row + 1:) = .false.
@@ -75,6 +86,18 @@ contains
       self%balance_error = abs(self%sheared_w + self%compressed_w - self%carried_w - sum(self%into_body_w)) &
                            /max(abs(self%sheared_w), abs(self%compressed_w), abs(self%carried_w), tiny(unit))
    end subroutine take
+
+   !> Which surface is slow against conduction along it; '' where none is.
+   function warning(self) result(text)
+      class(heat_result_t), intent(in) :: self
+      character(len=:), allocatable :: text
+      integer :: slow
+      text = ''
+      slow = minloc(self%peclet, 1)
+      if (self%peclet(slow) >= fast) return
+      text = 'surface '//to_text(slow)//' is slow, Peclet number '//to_text(self%peclet(slow), 2)//' (at least '// &
+             to_text(fast, 1)//' needed): heat that the body conducts along the motion is left out, its rise is too high'
+   end function warning
 
    !> Say what did not settle, and what to change.
    subroutine explain(self, energy)

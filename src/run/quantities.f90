@@ -331,6 +331,8 @@ contains
          unit=trim(watt), exists=is_warm)
       call list%add('heat_carried_by_oil', 'heat that the oil carries out of the film under pressure', heat%carried_w, &
          unit=trim(watt), exists=is_warm)
+      call list%add('heat_levels_error', 'error of film and friction by the levels across the film, part of theirs', &
+         heat%levels_error, exists=is_warm)
       call list%add('heat_balance_error', 'heat that is missing over the largest part', heat%balance_error, &
          exists=is_warm)
    end subroutine add_heat
