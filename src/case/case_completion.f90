@@ -11,6 +11,7 @@ module ehlwave_case_completion
    use ehlwave_method_choice, only: choose_method
    use ehlwave_petsc_library, only: require_petsc
    use ehlwave_text, only: to_text
+   use ehlwave_threads, only: can_share
    implicit none (type, external)
    private
    public :: complete_case, case_conditions
@@ -35,6 +36,9 @@ contains
       if (.not. allocated(error)) call check_inlet(case, error)
       if (.not. allocated(error)) call choose_method(case, conditions)
       if (.not. allocated(error) .and. case%method == 'petsc') call require_petsc(error)
+      if (.not. allocated(error) .and. case%threads > 1 .and. .not. can_share()) call raise(error, &
+         '&solver threads = '//to_text(case%threads)//': this build has no OpenMP: remove the key, or build with '// &
+         '-DEHLWAVE_THREADS=ON')
       if (case%method == 'fas' .and. case%cycle == '') case%cycle = 'f'
       if (allocated(error)) error%message = place//error%message
    end subroutine complete_case

@@ -31,6 +31,7 @@ module ehlwave_planned_case
       logical :: is_by_multigrid = .false.           !! steady states by FAS
       integer :: levels = 0                          !! across the film at which temperatures are found; 0: none
       integer :: field_sets = 0                      !! fields over time that are kept
+      integer :: threads = 1                         !! that share the case; the least a sweep can have
       logical :: is_periodic = .false.               !! the periodic state is sought first; the march is what else there
                                                      !! is
       logical :: is_half = .true.                    !! only Y >= 0 is computed
@@ -143,8 +144,9 @@ contains
          bytes_response = 1830, bytes_line = 2600, bytes_periodic = 1900, &
          bytes_set = 48, &                                              ! three fields, and their file
          bytes_level = 145                                              ! with heat, measured: within a tenth
-      real(dp), parameter :: cells_in_parts = 1e6_dp, usual_cells = 256*128
-      real(dp), parameter :: smooth_growth = 0.18_dp, response_growth = 0.06_dp
+      real(dp), parameter :: cells_in_parts = 1e6_dp
+      real(dp), parameter :: thread_mib = 1, bytes_thread = 600   ! rows, columns and lines of its own
+      real(dp), parameter :: usual_cells = 256*128, smooth_growth = 0.18_dp, response_growth = 0.06_dp
       real(dp) :: bytes, cells, halvings   ! of the mesh of `usual_cells`
       cells = real(self%cells_x, dp)*self%cells_y
       if (self%is_half) cells = cells/2
@@ -161,7 +163,8 @@ contains
          cells = self%cells_x
       end if
       bytes = bytes + bytes_level*self%levels
-      expected_memory_mib = program_mib + (bytes + bytes_set*self%field_sets)*cells/2.0_dp**20
+      expected_memory_mib = program_mib + (bytes + bytes_set*self%field_sets)*cells/2.0_dp**20 &
+                            + (self%threads - 1)*(thread_mib + bytes_thread*(self%cells_x + self%cells_y)/2.0_dp**20)
    end function expected_memory_mib
 
 end module ehlwave_planned_case

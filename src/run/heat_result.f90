@@ -43,7 +43,7 @@ contains
 
    !> Account of the last march at a solution. The balance is that of the film under pressure: heat carried off is the
    !> flow of oil through its edges times the rise there.
-   pure subroutine take(self, problem, state, energy)
+   subroutine take(self, problem, state, energy)
       class(heat_result_t), intent(inout) :: self
       type(contact_problem_t), intent(in) :: problem
       type(state_t), intent(in) :: state
