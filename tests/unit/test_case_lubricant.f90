@@ -65,7 +65,7 @@ contains
       call refuse(moes//', load_n_per_m = 1e5 /', 'give one of the two')
       call refuse("&conditions reduced_modulus_pa = 2e11 /", 'load_parameter_m is missing')
       call refuse(line//", load_n_per_m = 1e5 / &waviness orientation = 'isotropic', wavelength_over_a = 1 /", &
-                  'no waves along Y')
+                  'waves along Y in linear responses only')
    end subroutine check_refused_loads
 
    !> alpha of L and ph is the film-forming coefficient.
