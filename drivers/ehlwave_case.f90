@@ -27,6 +27,7 @@ program ehlwave_case
    use ehlwave_status, only: is_success
    use ehlwave_store_folder, only: refuse_inside_store
    use ehlwave_terminal, only: complain, print_last
+   use ehlwave_threads, only: take_threads, thread_count, wait_briefly
    implicit none (type, external)
 
    character(len=*), parameter :: usage(19) = [character(len=120) :: &
@@ -78,7 +79,12 @@ program ehlwave_case
    if (size(arguments%files) /= 1) call fail('give one input file; see ehlwave-case --help', 2)
 
    call read_case(trim(arguments%files(1)), case, error)
-   if (.not. allocated(error)) call make_plan(case, plan, error)
+   if (.not. allocated(error)) then
+      call take_threads(case%threads)
+      if (thread_count() > 1) call wait_briefly()
+      call make_plan(case, plan, error)
+      plan%threads = thread_count()
+   end if
    if (allocated(error)) call fail(error%message, 2)
    if (arguments%has('--output')) then
       case%fields = .true.

@@ -17,6 +17,7 @@ program ehlwave_sweep
    use ehlwave_sweep_report, only: print_sweep_plan
    use ehlwave_sweep_status, only: print_status
    use ehlwave_terminal, only: complain, print_last, say_lines
+   use ehlwave_threads, only: thread_count, wait_briefly
    use ehlwave_time_text, only: read_time
    use mpi_f08, only: mpi_bcast, mpi_comm_rank, mpi_comm_world, mpi_finalize, mpi_init, mpi_logical
    implicit none (type, external)
@@ -71,6 +72,7 @@ program ehlwave_sweep
       ! as early as can be: MPI takes a while to start
       if (.not. (arguments%has('--plan') .or. arguments%has('--status'))) call catch_signals()
    end if
+   if (thread_count() > 1) call wait_briefly()   ! before MPI
    call mpi_init()
    call mpi_comm_rank(mpi_comm_world, rank)
    if (allocated(error)) call refuse(error%message//'; see ehlwave-sweep --help')

@@ -8,7 +8,6 @@ import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
-import h5py
 import matplotlib.pyplot as plt
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +17,7 @@ from ehlwave.contact.oils import Oil
 from ehlwave.errors import ResultsError
 from ehlwave.figures import write_figure
 from ehlwave.formula import power_ratio
+from ehlwave.hdf5 import opened
 from ehlwave.programs import namelist
 from ehlwave.replenishment import after_overrollings, fluidity_integral
 from ehlwave.starvation import FILM_RANGES, film_sharpness
@@ -70,12 +70,11 @@ def contact_behind(track: TrackOfContacts, profile: Path | None, cells: int, fol
     }
     case, output = folder / "case.nml", folder / "case.h5"
     Writer(overwrite=True).text(case, namelist(groups))
-    output.unlink(missing_ok=True)
-    done = run("case", case, "--json", "--quiet", "--output", output)
+    done = run("case", case, "--json", "--quiet", "--overwrite", "--output", output)
     if done.returncode != 0:
         raise ResultsError(f"{track.name}: {(done.stdout + done.stderr).strip()}")
     result: Row = last_line(done)
-    with h5py.File(output) as file:
+    with opened(output) as file:
         for name in ("y", "layer_offered", "layer_behind"):
             result[name] = file[name][()]
     return result
@@ -114,15 +113,16 @@ def follow(track: TrackOfContacts, cells: int) -> list[Row]:
     return rows
 
 
-def side_loss(row: Row, r: Floats | float) -> Floats:
+def side_loss(row: Row, r: Floats | float, share: float = 1.0) -> Floats:
     """Return the share of the layer that one overrolling drives to the sides, (C6).
 
-    With an overrolling's time l_t/(2 mean speed) in (C6), h_l^-2 grows by 2 kappa^2 I/lambdabar in
+    Or what a `share` of an overrolling does: half of it is upstream of the centre. With an
+    overrolling's time l_t/(2 mean speed) in (C6), h_l^-2 grows by 2 kappa^2 I/lambdabar in
     units of the deformation, h_l = r times the layer that the flooded contact passes.
     """
     oil = Oil()
     fluidity = fluidity_integral(oil, row["alphabar"] / oil.pressure_viscosity_per_pa)
-    growth = 2 * row["kappa"] ** 2 * fluidity / row["lambdabar"]
+    growth = share * 2 * row["kappa"] ** 2 * fluidity / row["lambdabar"]
     return np.asarray(1 - (1 + growth * (np.asarray(r) * row["layer"]) ** 2) ** -0.5)
 
 
@@ -134,11 +134,16 @@ def inlet_loss(track: TrackOfContacts, r: Floats | float) -> Floats:
 
 
 def predicted(track: TrackOfContacts, row: Row, count: int) -> tuple[Floats, Floats]:
-    """Return r behind each contact by the inlet alone, and by inlet and side flow."""
+    """Return r behind each contact by the inlet alone, and by inlet and side flow.
+
+    The law for R has all that is lost upstream of the centre. That is at least half of the side
+    flow; the other half follows.
+    """
     alone, both, behind = track.start, track.start, []
     for _ in range(count):
         alone *= 1 - float(inlet_loss(track, alone))
-        both *= (1 - float(inlet_loss(track, both))) * (1 - float(side_loss(row, both)))
+        both *= 1 - max(float(inlet_loss(track, both)), float(side_loss(row, both, 0.5)))
+        both *= 1 - float(side_loss(row, both, 0.5))
         behind.append((alone, both))
     columns = np.array(behind)
     return columns[:, 0], columns[:, 1]

@@ -4,6 +4,7 @@ import argparse
 import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
+from typing import Any
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -212,6 +213,9 @@ def _draw_films(panels: Sequence[Axes], films: dict[str, Floats], best: Floats) 
         left.plot(r, power_ratio(1 / r, g), color="0.4", linewidth=0.8)
         left.annotate(f"g = {g:g}", (1, float(power_ratio(1.0, g))), fontsize=8)
     left.set(xscale="log", xlabel="r, oil offered over oil passed flooded", ylabel="R computed")
+    ticks = (0.2, 0.5, 1.0, 2.0, 5.0)
+    left.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
+    left.minorticks_off()
     right.plot([0, 1], [0, 1], color="0.7")
     right.scatter(film_law(films)(best, np.arange(len(ratio))), ratio, s=8)
     right.set(xlabel="R by the law", ylabel="R computed")
@@ -227,13 +231,14 @@ def _draw_waves(
             ratio = c["film_over_flooded"]
             place = x * (p[3] * ratio ** -(p[0] + p[1] * along)) ** power
             response = c["harmonic_extrapolated"]
-            look = {"s": 9, "cmap": "viridis", "vmin": 0.35, "vmax": 1.0, "marker": marker}
+            look: dict[str, Any] = {"s": 9, "cmap": "viridis", "vmin": 0.35, "vmax": 1.0}
+            look["marker"] = marker
             name = "flooded" if c is flooded else "starved"
             dots = axes.scatter(place, response, c=ratio, label=name, linewidths=0.8, **look)
         line = np.geomspace(0.02, 20, 200)
-        for ratio, style in ((1.0, "-"), (0.6, "--"), (0.4, ":")) if power else ((1.0, "-"),):
-            curve = power_ratio(line, float(np.median(n)) * ratio ** (p[2] * power))
-            axes.plot(line, curve, style, color="0.3", linewidth=0.9, label=f"law, R = {ratio:g}")
+        for film, style in ((1.0, "-"), (0.6, "--"), (0.4, ":")) if power else ((1.0, "-"),):
+            curve = power_ratio(line, float(np.median(n)) * film ** (p[2] * power))
+            axes.plot(line, curve, style, color="0.3", linewidth=0.9, label=f"law, R = {film:g}")
         axes.set(xscale="log", xlim=(0.02, 20), ylabel="Ad/Ai computed")
         axes.legend(fontsize=8)
     panels[0].set(xlabel="x of the flooded contact")

@@ -12,6 +12,7 @@ from ehlwave.deform import (
     map_surface,
     trace_surface,
 )
+from ehlwave.deform.amplitude import lowest_film
 from ehlwave.errors import SurfaceError
 from ehlwave.formula import amplitude_ratio_formula, f_of_r, recommended_ratio
 
@@ -120,7 +121,8 @@ def test_statistics_and_lambda_ratios() -> None:
     assert s.rq_after_m == pytest.approx(ratio * 2e-8 / np.sqrt(2), rel=1e-12)
     assert s.lambda_ratio_before == pytest.approx(CONTACT.central_film_m / s.rq_before_m)
     assert s.lambda_ratio_after == pytest.approx(CONTACT.central_film_m / s.rq_after_m)
-    assert s.minimum_film_m == pytest.approx(CONTACT.central_film_m - result.height.max())
+    film = CONTACT.central_film_m
+    assert s.minimum_film_m == pytest.approx(film * lowest_film(1 - result.height.max() / film))
     assert result.warnings == []
 
 

@@ -87,7 +87,7 @@ def test_highest_points_of_both_touch() -> None:
     contact = ehlwave.Contact(**CONTACT)
     film = contact.film().central_m
     assert film is not None
-    high = waves(0.43 * film)
+    high = waves(0.6 * film)
     with pytest.warns(ExtrapolationWarning) as said:
         s = contact.deform_pair(high, high, step=STEP).statistics
     assert any("where the highest points of both meet" in str(one.message) for one in said)

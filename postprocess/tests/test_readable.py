@@ -9,7 +9,7 @@ from synthetic import concatenated, make_columns, write_results
 from test_export import write_case
 
 import ehlwave
-from ehlwave.case_figures import case_figure
+from ehlwave.case_figures import RISES, case_figure
 from ehlwave.cli import main
 from ehlwave.deform.figures import deformed_figure
 from ehlwave.scales_of_figures import DRAWN, SLENDER, aspect_note, readable_aspect
@@ -33,6 +33,23 @@ def test_a_slender_contact_is_drawn_wide_enough(tmp_path: Path) -> None:
     assert height / width > 4
     assert axes.get_aspect() * height / width == pytest.approx(DRAWN)
     assert "compressed 3 times" in axes.get_ylabel()
+
+
+def test_temperatures_are_drawn_where_there_are_any(tmp_path: Path) -> None:
+    cold = ehlwave.read_case(write_case(tmp_path / "c.h5"))
+    rises = {
+        name: cold["pressure"] * factor for name, factor in zip(RISES, (50, 20, 30), strict=True)
+    }
+    figure = case_figure(cold.assign(rises))
+    titles = [axes.get_title() for axes in figure.axes]
+    assert "rise half-way across the film [K]" in titles
+    lines = figure.axes[titles.index("temperature, $y = 0$")].lines
+    largest = [float(np.max(line.get_ydata())) for line in lines]
+    assert largest == pytest.approx([factor * largest[0] / 50 for factor in (50, 20, 30)])
+    without = [axes.get_title() for axes in case_figure(cold).axes]
+    assert not any("temperature" in title or "rise" in title for title in without)
+    line = cold.assign(rises).isel(y=[cold.sizes["y"] // 2])
+    assert "temperature, $y = 0$" in [axes.get_title() for axes in case_figure(line).axes]
 
 
 def test_a_map_of_the_difference_is_drawn() -> None:

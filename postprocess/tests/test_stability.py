@@ -15,6 +15,7 @@ from studies.stability.cases import (
     full_cases,
     quick_cases,
     sliding_cases,
+    starved_cases,
 )
 from studies.stability.figures import parameter_map
 from studies.stability.outcome import (
@@ -112,6 +113,17 @@ def test_dishonest_results_are_found(changes: dict[str, Any], fault: str) -> Non
 def test_a_sliding_oil_may_thin_by_any_factor_on_a_line_too() -> None:
     thin = {**GOOD, "central_film_moes": 1.0, "eyring_stress_pa": 5e5, "radius_ratio_d": 0.0}
     assert not judge(CASE, thin).faults
+
+
+def test_starved_contacts_are_thinner_by_what_they_say() -> None:
+    cases = starved_cases()
+    assert len(cases) == 3 * 16 * 5
+    thin = {**GOOD, "central_film_moes": 1.2, "film_over_flooded": 0.3, "harmonic_ratio": 0.1}
+    assert not judge(cases[0], thin).faults
+    assert judge(cases[0], {**thin, "film_over_flooded": 1.0}).faults
+    assert (
+        parameter_map([judge(case, thin) for case in cases]).axes[0].get_title() == "starved, D 1"
+    )
 
 
 def test_two_solutions_of_one_sliding_problem_must_agree() -> None:

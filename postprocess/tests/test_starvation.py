@@ -1,22 +1,34 @@
 import itertools
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pandas as pd
 import pytest
 
+import ehlwave
 from ehlwave.errors import RangeError
 from ehlwave.formula import power_ratio
+from ehlwave.replenishment import Track, after_overrollings, density
 from ehlwave.starvation import (
     FILM_COEFFICIENTS,
     FILM_ERROR,
     FILM_RANGES,
     WAVE_COEFFICIENTS,
     WAVE_ERROR,
+    WAVE_RANGES,
     film_over_flooded,
     starved_ratio,
 )
-from studies.starvation import WAVES, contacts, film_law, fit, main, usable
+from studies.overrollings import (
+    ROWS,
+    TrackOfContacts,
+    compare,
+    inlet_loss,
+    predicted,
+    side_loss,
+)
+from studies.starvation import OIL_OF_WAVES, WAVES, contacts, film_law, fit, main, usable
 
 # R of M = 100, L = 12.05, D = 1 at 64 cells per a, tests/verification/test_starvation.py.
 COMPUTED = {2: 0.944, 1: 0.797, 0.7: 0.642, 0.5: 0.484}
@@ -37,7 +49,7 @@ def test_film_law_at_its_limits() -> None:
 
 
 def test_less_oil_reduces_waves_more() -> None:
-    film = np.linspace(0.35, 1, 20)
+    film = np.linspace(*WAVE_RANGES["R"], 20)
     for wave_x, wave_y in ((0.5, 0), (1, 1), (0, 1)):
         ratio = starved_ratio(film, 200, 10, 0.8, wave_x, wave_y)
         assert np.all(np.diff(ratio) > -0.002)  # short waves have a flat top
@@ -73,7 +85,9 @@ def test_fit_finds_the_law_it_was_made_of() -> None:
 
 def test_cases(tmp_path: Path) -> None:
     assert main(["cases", str(tmp_path), "--contacts", "4"]) == 0
-    assert len((tmp_path / "waves.csv").read_text().splitlines()) == 1 + 2 * 6 * len(WAVES)
+    waves = pd.read_csv(tmp_path / "waves.csv")
+    assert len(waves) == 2 * (1 + len(OIL_OF_WAVES)) * len(WAVES)
+    assert waves["oil_over_flooded"].isna().sum() == 2 * len(WAVES)
     assert "flooded" in (tmp_path / "films.nml").read_text()
 
 
@@ -81,7 +95,10 @@ def test_contacts_that_fill_at_the_edge_do_not_count() -> None:
     inside = {"status": "converged", "meniscus_x": -1.5, "domain_x_min": -4.5, "gamma": 1.0}
     rows = [inside, inside | {"meniscus_x": -4.4}, inside | {"status": "stalled"}]
     rows += [inside | {"meniscus_x": float("nan")}]
+    rows = [row | {"oil_offered": 1.0} for row in rows]
+    rows += [inside | {"meniscus_x": float("nan"), "oil_offered": float("nan")}]
     assert len(usable(rows)["gamma"]) == 1
+    assert usable(rows, is_flooded=True)["film_over_flooded"].tolist() == [1.0]
 
 
 def test_record_has_the_coefficients_and_errors_of_the_laws() -> None:
@@ -95,3 +112,59 @@ def test_record_has_the_coefficients_and_errors_of_the_laws() -> None:
         assert found == pytest.approx(known, abs=6e-4)
         assert rows.loc[name, "rms_held_out"] == pytest.approx(error, abs=1e-3)
     assert rows.loc["R", "rms_held_out"] < rows.loc["R, one g", "rms_held_out"] / 3
+
+
+def overrolled(track: TrackOfContacts, g: float) -> list[dict[str, Any]]:
+    """Return rows of a track whose films follow the closed form, without side flow."""
+    n = np.arange(1, track.count + 1)
+    r = after_overrollings(track.start, n, g)
+    same = {"track": track.name, "alphabar": 20.0, "lambdabar": 1e9, "kappa": 1.0, "layer": 0.15}
+    return [
+        same | {"overrolling": k, "R": one, "r_behind": one, "mass_balance_error": 0.0}
+        for k, one in zip(n, r, strict=True)
+    ]
+
+
+def test_a_track_that_follows_the_closed_form() -> None:
+    track = ROWS[1]
+    row = compare(track, overrolled(track, 2.5))
+    assert row["g_fitted"] == pytest.approx(2.5, abs=1e-6)
+    assert row["closed_form_largest"] < 1e-9
+    assert row["loss_first_sides"] < 1e-9
+
+
+def test_losses_of_an_overrolling() -> None:
+    track = ROWS[0]
+    rows = [row | {"lambdabar": 0.0237} for row in overrolled(track, 3.0)]
+    assert 0.95 < float(inlet_loss(track, 20.0)) < 0.96  # what floods it passes
+    thin = side_loss(rows[0], np.array([0.05, 0.1]))
+    assert thin[1] / thin[0] == pytest.approx(4, rel=0.01)  # like the square of the layer
+    alone, both = predicted(track, rows[0], 5)
+    assert np.all(both < alone)
+    assert np.all(np.diff(both) < 0)
+
+
+def test_side_loss_is_that_of_a_track() -> None:
+    ball = {"radius_x_m": 0.0127, "radius_y_m": 0.0127, "reduced_modulus_pa": 2.26e11}
+    ball |= {"load_n": 120, "mean_speed_m_per_s": 4, "viscosity_pa_s": 0.05}
+    conditions = ehlwave.Contact(**ball, oil_over_flooded=0.3).conditions
+    track = Track(conditions, 0.3)
+    c = conditions
+    alphabar = c.oil.pressure_viscosity_per_pa * c.hertz_pa
+    scale = c.semi_axis_a_m**2 / ball["radius_x_m"]  # D = 1
+    lambdabar = 12 * 0.05 * 4 * c.semi_axis_a_m / (scale**2 * c.hertz_pa)
+    layer = float(density(c.hertz_pa)) * track.flooded_film_m / scale
+    row = {"alphabar": alphabar, "lambdabar": lambdabar, "kappa": 1.0, "layer": layer}
+    grown = (1 - float(side_loss(row, 0.3))) ** -2 - 1
+    expected = track.side_flow_per_s * track.period_s * 0.3**2
+    assert grown == pytest.approx(expected, rel=1e-6)
+
+
+def test_record_of_tracks() -> None:
+    place = Path(__file__).parents[1] / "record/starvation/tracks.csv"
+    rows = pd.read_csv(place)
+    assert (rows["mass_balance_largest"] < 1e-6).all()
+    assert (rows["closed_form_largest"] < 0.05).all()
+    thin = rows[rows["overrollings"] == 60].iloc[0]
+    both = thin["loss_first_inlet"] + thin["loss_first_sides"]
+    assert thin["loss_first"] == pytest.approx(both, rel=0.2)

@@ -169,7 +169,7 @@ def test_waves_and_laws_that_are_refused() -> None:
         contact.transfer("recommended")
     thin = ehlwave.Contact(**MOES, oil_over_flooded=0.3)
     assert thin.film().central_moes > 0
-    with pytest.raises(RangeError, match=r"R = 0\.29.* is outside 0\.35 to 1"):
+    with pytest.raises(RangeError, match=r"R = 0\.29.* is outside 0\.39 to 1"):
         thin.response(0.5)
 
 

@@ -11,6 +11,7 @@ module ehlwave_case_completion
    use ehlwave_method_choice, only: choose_method
    use ehlwave_petsc_library, only: require_petsc
    use ehlwave_text, only: to_text
+   use ehlwave_threads, only: can_share
    implicit none (type, external)
    private
    public :: complete_case, case_conditions
@@ -35,11 +36,14 @@ contains
       if (.not. allocated(error)) call check_inlet(case, error)
       if (.not. allocated(error)) call choose_method(case, conditions)
       if (.not. allocated(error) .and. case%method == 'petsc') call require_petsc(error)
+      if (.not. allocated(error) .and. case%threads > 1 .and. .not. can_share()) call raise(error, &
+         '&solver threads = '//to_text(case%threads)//': this build has no OpenMP: remove the key, or build with '// &
+         '-DEHLWAVE_THREADS=ON')
       if (case%method == 'fas' .and. case%cycle == '') case%cycle = 'f'
       if (allocated(error)) error%message = place//error%message
    end subroutine complete_case
 
-   !> Refuse keys that a line contact, D = 0, does not have: anything that varies along Y or is about its width; an
+   !> Refuse keys that a line contact, D = 0, does not have: anything that is about its width; an
    !> approach whose change in time is known (that under a line load on a half-space is determined but for a constant
    !> times the load, so there is no equation of motion); FAS and MLMI, which are not written for it.
    subroutine complete_line(case, error)
@@ -47,8 +51,8 @@ contains
       type(error_t), allocatable, intent(inout) :: error
       character(len=*), parameter :: line = ': a line contact (radius_ratio_d = 0) '
 
-      call check_line_roughness(case%roughness_t, '', line, error)
-      call check_line_roughness(case%second, '2', line, error)
+      call check_line_roughness(case, case%roughness_t, '', line, error)
+      call check_line_roughness(case, case%second, '2', line, error)
       if (allocated(error)) return
       if (case%method == 'fas') then
          call raise(error, "&solver method = 'fas'"//line//"is solved by 'newton' or 'petsc'")

@@ -99,22 +99,34 @@ contains
       if (max(x, y) <= 0) shorter = 0
    end function shorter
 
-   !> Refuse what a line contact, in which nothing varies along Y, does not take.
-   subroutine check_line_roughness(roughness, number, line, error)
-      type(roughness_t), intent(in) :: roughness
+   !> Refuse what a line contact does not take: heights, and waves along Y but those of a linear response that vary
+   !> along X, too.
+   subroutine check_line_roughness(case, roughness, number, line, error)
+      type(case_t), intent(in) :: case
+      type(roughness_t), intent(in) :: roughness     !! of a surface
       character(len=*), intent(in) :: number         !! as in `given_as`
       character(len=*), intent(in) :: line           !! ': a line contact ... '
       type(error_t), allocatable, intent(inout) :: error
+      character(len=*), parameter :: way = "has waves along Y in linear responses only: set response = 'harmonic', or "
+      logical :: has_waves_along
 
       if (allocated(error)) return
-      if (roughness%orientation == 'isotropic' .or. roughness%orientation == 'longitudinal') then
-         call raise(error, given_as(roughness, number)//line// &
-            "has no waves along Y: use 'transverse', or an elliptical contact (radius_ratio_d of 0.005 or more)")
-      else if (roughness%wavelength_y_over_a > 0) then
-         call raise(error, '&waviness'//number//' wavelength_y_over_a = '//to_text(roughness%wavelength_y_over_a, 6)// &
-                    line//'has no waves along Y: set it to 0')
+      has_waves_along = roughness%orientation == 'isotropic' .or. roughness%wavelength_y_over_a > 0
+      if (roughness%orientation == 'longitudinal' .or. (roughness%wavelength_y_over_a > 0 .and. &
+          roughness%orientation == 'custom' .and. .not. roughness%wavelength_x_over_a > 0)) then
+         call raise(error, given_as(roughness, number)//line//"has no waves along Y alone: use 'transverse' or "// &
+            "'isotropic', or an elliptical contact (radius_ratio_d of 0.005 or more)")
       else if (roughness%is_measured()) then
          call raise(error, given_as(roughness, number)//line//'takes harmonic waves only')
+      else if (.not. has_waves_along) then
+         return
+      else if (case%response /= 'harmonic' .and. roughness%orientation == 'isotropic') then
+         call raise(error, given_as(roughness, number)//line//way//"orientation = 'transverse'")
+      else if (case%response /= 'harmonic') then
+         call raise(error, '&waviness'//number//' wavelength_y_over_a = '//to_text(roughness%wavelength_y_over_a, 6)// &
+                    line//way//'wavelength_y_over_a to 0')
+      else if (case%sensitivities) then
+         call raise(error, '&output sensitivities'//line//'has those of transverse waves only: remove it')
       end if
    end subroutine check_line_roughness
 

@@ -31,6 +31,7 @@ module ehlwave_planned_case
       logical :: is_by_multigrid = .false.           !! steady states by FAS
       integer :: levels = 0                          !! across the film at which temperatures are found; 0: none
       integer :: field_sets = 0                      !! fields over time that are kept
+      integer :: threads = 1                         !! that share the case; the least a sweep can have
       logical :: is_periodic = .false.               !! the periodic state is sought first; the march is what else there
                                                      !! is
       logical :: is_half = .true.                    !! only Y >= 0 is computed
@@ -139,9 +140,12 @@ contains
    pure real(dp) function expected_memory_mib(self)
       class(case_plan_t), intent(in) :: self
       real(dp), parameter :: program_mib = 17, bytes_smooth = 720, bytes_multigrid = 510, bytes_wavy = 900, &
+         bytes_in_parts = 1500, &     ! of responses whose linear systems are not kept side by side
          bytes_response = 1830, bytes_line = 2600, bytes_periodic = 1900, &
          bytes_set = 48, &                                              ! three fields, and their file
          bytes_level = 145                                              ! with heat, measured: within a tenth
+      real(dp), parameter :: cells_in_parts = 1e6_dp
+      real(dp), parameter :: thread_mib = 1, bytes_thread = 600   ! rows, columns and lines of its own
       real(dp), parameter :: usual_cells = 256*128, smooth_growth = 0.18_dp, response_growth = 0.06_dp
       real(dp) :: bytes, cells, halvings   ! of the mesh of `usual_cells`
       cells = real(self%cells_x, dp)*self%cells_y
@@ -153,12 +157,14 @@ contains
       if (self%is_periodic) bytes = bytes_periodic
       if (self%responds) bytes = max(bytes, bytes_response)
       if (self%is_periodic .or. self%responds) bytes = bytes*(1 + response_growth*halvings**2)
+      if (self%is_by_multigrid .and. self%responds .and. cells > cells_in_parts) bytes = bytes_in_parts
       if (self%conditions%is_line()) then
          bytes = bytes_line
          cells = self%cells_x
       end if
       bytes = bytes + bytes_level*self%levels
-      expected_memory_mib = program_mib + (bytes + bytes_set*self%field_sets)*cells/2.0_dp**20
+      expected_memory_mib = program_mib + (bytes + bytes_set*self%field_sets)*cells/2.0_dp**20 &
+                            + (self%threads - 1)*(thread_mib + bytes_thread*(self%cells_x + self%cells_y)/2.0_dp**20)
    end function expected_memory_mib
 
 end module ehlwave_planned_case

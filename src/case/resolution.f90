@@ -161,7 +161,7 @@ contains
             ! with slip the pattern also excites waves of length lambda/S that travel with the mean speed
             if (wave%is_present .and. wave%wavelength_x > 0) &
                call judge(wave%wavelength_x/hx/max(1.0_dp, abs(wave%slip)), 'points per wave along X', self%points_x)
-            if (wave%is_present .and. wave%wavelength_y > 0) &
+            if (wave%is_present .and. wave%wavelength_y > 0 .and. hy > 0) &   ! a line has its waves exactly
                call judge(wave%wavelength_y/hy, 'points per wave along Y', self%points_y)
             if (dt > 0 .and. wave%moves()) call judge(wave%period()/dt, 'time steps per wave', self%samples)
          end associate

@@ -45,15 +45,16 @@ contains
       type(case_file_t), intent(inout) :: files(:)
       type(error_t), allocatable, intent(inout) :: error
       character(len=identity_length) :: digest
+      real(dp) :: aspect
 
       waviness = no_waviness()
       if (roughness%is_measured()) then
          call read_case_surface(case, roughness, number, speed, conditions, waviness, digest, error)
          call note_digest(files, trim(roughness%surface_file), digest)
       else if (roughness%is_wavy()) then
-         waviness = new_waviness(roughness%wavelength_x_over_a, &
-                                 conditions%elliptic%kappa*roughness%wavelength_y_over_a, roughness%oblique, &
-                                 case%x_min, speed, roughness%amplitude_over_film)
+         aspect = merge(1.0_dp, conditions%elliptic%kappa, conditions%is_line())   ! lines have Y = y/a
+         waviness = new_waviness(roughness%wavelength_x_over_a, aspect*roughness%wavelength_y_over_a, &
+                                 roughness%oblique, case%x_min, speed, roughness%amplitude_over_film)
       end if
    end subroutine plan_surface
 

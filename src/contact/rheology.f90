@@ -13,7 +13,8 @@ module ehlwave_rheology
    private
    public :: new_rheology
 
-   integer, parameter :: block_size = 256   ! values that the laws are asked for at a time, which stay in the cache
+   !> Values that the laws are asked for at a time, which stay in the cache.
+   integer, parameter, public :: block_size = 256
 
    type, public :: rheology_t
       private

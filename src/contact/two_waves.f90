@@ -22,7 +22,7 @@ module ehlwave_two_waves
       real(dp) :: drho = 0              !! d rho/dP
       real(dp) :: h = 1                 !! H
       real(dp) :: eps(2) = 1            !! rho H^3/(eta lambdabar) times the tangent factor, along X and along Y
-      real(dp) :: kappa = 1             !! ellipticity, 0 of a line contact
+      real(dp) :: kappa = 1             !! ellipticity; of a line contact, whose Y is in units of a, 1
       real(dp) :: k = 1                 !! complete elliptic integral K; of a line contact 1
    contains
       procedure :: attenuated

@@ -1,5 +1,6 @@
 !> One interface for every way to compute the elastic deformation.
 module ehlwave_deformation
+   use ehlwave_assertions, only: assert, checks
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
    implicit none (type, external)
@@ -13,6 +14,7 @@ module ehlwave_deformation
       procedure(apply_deformation), deferred :: apply
       procedure :: apply_single
       procedure :: deform
+      procedure :: vary_along
    end type deformation_t
 
    abstract interface
@@ -46,6 +48,13 @@ contains
       real(dp), intent(out), contiguous :: d(0:, 0:)
       call self%apply(p, d)
    end subroutine apply_single
+
+   !> Let pressures from now on vary along a line contact as exp(i k Y); 0: they do not vary. Only lines take it.
+   subroutine vary_along(self, wave_number)
+      class(deformation_t), intent(inout) :: self
+      real(dp), intent(in) :: wave_number   !! k, 1/a
+      if (checks) call assert(.not. wave_number > 0 .and. self%work >= 0, 'vary_along: of a line contact')
+   end subroutine vary_along
 
    !> The one or the other.
    subroutine deform(self, p, d, in_single)

@@ -6,7 +6,7 @@ module ehlwave_deformation_line
    use ehlwave_fftw_answer, only: obtained
    use ehlwave_kernel_transform, only: fast_length
    use ehlwave_grid, only: grid_t
-   use ehlwave_kernel, only: cell_influence
+   use ehlwave_kernel, only: cell_influence, line_wave_influence
    use ehlwave_kinds, only: dp
    use ehlwave_work_unit, only: transform_operations
    implicit none (type, external)
@@ -18,7 +18,11 @@ module ehlwave_deformation_line
    type, extends(deformation_t), public :: deformation_line_t
       private
       integer :: nx = 0                      ! as in the grid
+      real(dp) :: hx = 0
       real(dp), allocatable :: spectrum(:)   ! (modes) kernel transform over the padded length
+      real(dp) :: along = 0                  ! wave number along the line of the pressures at hand
+      real(dp) :: known_along = 0            ! of the spectrum that follows
+      real(dp), allocatable :: spectrum_along(:)
       type(c_ptr) :: forward = c_null_ptr, backward = c_null_ptr
       type(c_ptr) :: real_memory = c_null_ptr, mode_memory = c_null_ptr
       real(c_double), pointer, contiguous :: row(:) => null()               ! (padded length)
@@ -26,6 +30,7 @@ module ehlwave_deformation_line
    contains
       procedure :: init
       procedure :: apply
+      procedure :: vary_along
       final :: release
    end type deformation_line_t
 
@@ -42,6 +47,9 @@ contains
 
       call release(self)
       self%nx = grid%nx
+      self%hx = grid%hx
+      self%along = 0
+      self%known_along = 0
       n = fast_length(2*grid%nx)
       length = n
       self%real_memory = obtained(fftw_alloc_real(length), length)
@@ -65,10 +73,29 @@ contains
       self%row(1:self%nx + 1) = p(:, 0)
       self%row(self%nx + 2:) = 0
       call fftw_execute_dft_r2c(self%forward, self%row, self%modes)
-      self%modes = self%spectrum*self%modes
+      if (self%along > 0) then
+         self%modes = self%spectrum_along*self%modes
+      else
+         self%modes = self%spectrum*self%modes
+      end if
       call fftw_execute_dft_c2r(self%backward, self%modes, self%row)
       d(:, 0) = self%row(1:self%nx + 1)
    end subroutine apply
+
+   !> See the interface.
+   subroutine vary_along(self, wave_number)
+      class(deformation_line_t), intent(inout) :: self
+      real(dp), intent(in) :: wave_number
+      integer :: i, n
+
+      self%along = wave_number
+      if (.not. wave_number > 0 .or. abs(wave_number - self%known_along) <= 0) return
+      n = size(self%row)
+      self%row = [(line_wave_influence(min(i, n - i)*self%hx, self%hx, wave_number), i=0, n - 1)]
+      call fftw_execute_dft_r2c(self%forward, self%row, self%modes)
+      self%spectrum_along = real(self%modes, dp)/n
+      self%known_along = wave_number
+   end subroutine vary_along
 
    !> Free plans and C memory.
    subroutine release(self)

@@ -3,7 +3,7 @@ module ehlwave_kernel
    use ehlwave_kinds, only: dp, pi
    implicit none (type, external)
    private
-   public :: cell_influence
+   public :: cell_influence, line_wave_influence
 
    !> Distance, in units of a, at which the deformation of a line contact counts as zero: that of a line load on a
    !> half-space is determined but for a constant, which the mutual approach takes up. The kernel is positive on any
@@ -40,6 +40,39 @@ contains
       v2 = dy + 0.5_dp*hy
       d = (corner(u2, v2) - corner(u1, v2) - corner(u2, v1) + corner(u1, v1))/(pi*k*kappa)
    end function cell_influence
+
+   !> The same of a line contact under P = cos(k Y), of the same wave along the line, theory eq. (W17):
+   !>
+   !>     (2/pi) int K0(k |X - X'|) dX'
+   pure real(dp) function line_wave_influence(dx, hx, wave_number) result(d)
+      real(dp), intent(in) :: dx            !! distance in X
+      real(dp), intent(in) :: hx            !! cell size
+      real(dp), intent(in) :: wave_number   !! k > 0, 1/a
+      d = 2/(pi*wave_number)*(bessel_integral(wave_number*(dx + 0.5_dp*hx)) &
+                              - bessel_integral(wave_number*(dx - 0.5_dp*hx)))
+   end function line_wave_influence
+
+   !> Antiderivative of the Bessel function K0(|u|), zero at 0: sign(u) (pi/2 - Ki1(|u|)) with Bickley's function
+   !>
+   !>     Ki1(u) = int exp(-u cosh t)/cosh t dt     (t from 0 on)
+   !>
+   !> by the trapezoidal rule, whose error is exp(-pi^2/step).
+   pure real(dp) function bessel_integral(u) result(f)
+      real(dp), intent(in) :: u
+      real(dp), parameter :: step = 0.25_dp
+      integer, parameter :: most = 160             ! 1/cosh(40) is 1e-17
+      real(dp), parameter :: negligible = 45       ! -ln of what is left out
+      real(dp) :: bickley, c
+      integer :: n
+
+      bickley = 0.5_dp*exp(-abs(u))
+      do n = 1, most
+         c = cosh(n*step)
+         if (abs(u)*c > negligible) exit
+         bickley = bickley + exp(-abs(u)*c)/c
+      end do
+      f = sign(0.5_dp*pi - step*bickley, u)
+   end function bessel_integral
 
    !> Antiderivative of ln(line_reference/|u|), zero at 0.
    elemental function log_integral(u) result(f)

@@ -6,6 +6,7 @@ module ehlwave_kernel_transform
    use ehlwave_grid, only: grid_t
    use ehlwave_kernel, only: cell_influence
    use ehlwave_kinds, only: dp
+   use ehlwave_threads, only: is_shared, thread_count, thread_number
    implicit none (type, external)
    private
    public :: fast_length, new_kernel_transform
@@ -65,12 +66,13 @@ contains
    end function new_kernel_transform
 
    !> Influence at the distances i along X, mirrored in the middle, and j = 0 to `reach` along Y.
-   pure function distances(grid, kappa, k, px, reach) result(influence)
+   function distances(grid, kappa, k, px, reach) result(influence)
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: kappa, k
       integer, intent(in) :: px, reach
       real(dp) :: influence(0:px - 1, 0:reach)
       integer :: i, j
+      !$omp parallel do schedule(static) if (is_shared(size(influence)))
       do j = 0, reach
          influence(:px/2, j) = cell_influence([(i*grid%hx, i=0, px/2)], j*grid%hy, grid%hx, grid%hy, kappa, k)
          influence(px/2 + 1:, j) = influence(px/2 - 1:1:-1, j)
@@ -81,23 +83,26 @@ contains
    function spectra(columns) result(modes)
       real(dp), intent(in) :: columns(:, :)
       complex(dp) :: modes(size(columns, 1)/2 + 1, size(columns, 2))
-      real(c_double), pointer, contiguous :: values(:)
-      complex(c_double_complex), pointer, contiguous :: transform(:)
+      real(c_double), pointer, contiguous :: values(:, :)                  ! (n, threads)
+      complex(c_double_complex), pointer, contiguous :: transform(:, :)    ! (n/2 + 1, threads)
       type(c_ptr) :: plan, transform_memory, values_memory
       integer(c_size_t) :: length
-      integer :: m, n
+      integer :: m, n, t, threads
 
       n = size(columns, 1)
-      length = n
+      threads = merge(thread_count(), 1, is_shared(size(columns)))
+      length = int(n, c_size_t)*threads
       values_memory = obtained(fftw_alloc_real(length), length)
-      transform_memory = obtained(fftw_alloc_complex(length/2 + 1), length/2 + 1)
-      call c_f_pointer(values_memory, values, [n])
-      call c_f_pointer(transform_memory, transform, [n/2 + 1])
+      transform_memory = obtained(fftw_alloc_complex((n/2 + 1_c_size_t)*threads), length)
+      call c_f_pointer(values_memory, values, [n, threads])
+      call c_f_pointer(transform_memory, transform, [n/2 + 1, threads])
       plan = obtained(fftw_plan_dft_r2c_1d(n, values, transform, FFTW_ESTIMATE), length)
+      !$omp parallel do num_threads(threads) private(t) schedule(static)
       do m = 1, size(columns, 2)
-         values = columns(:, m)
-         call fftw_execute_dft_r2c(plan, values, transform)
-         modes(:, m) = transform
+         t = thread_number() + 1
+         values(:, t) = columns(:, m)
+         call fftw_execute_dft_r2c(plan, values(:, t), transform(:, t))
+         modes(:, m) = transform(:, t)
       end do
       call fftw_destroy_plan(plan)
       call fftw_free(values_memory)

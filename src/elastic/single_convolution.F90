@@ -12,6 +12,7 @@ module ehlwave_single_convolution
    use ehlwave_grid, only: grid_t
    use ehlwave_kernel_transform, only: kernel_transform_t
    use ehlwave_kinds, only: dp, sp
+   use ehlwave_threads, only: is_shared, thread_count, thread_number
    implicit none (type, external)
    private
 

@@ -3,6 +3,7 @@
 module ehlwave_complex_transfer
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
+   use ehlwave_threads, only: is_shared
    implicit none (type, external)
    private
    public :: interpolate, inject, prolong, restrict

@@ -3,6 +3,7 @@ module ehlwave_grid
    use ehlwave_assertions, only: assert, checks
    use ehlwave_kinds, only: dp
    use ehlwave_lagrange, only: lagrange_weights
+   use ehlwave_threads, only: is_shared
    implicit none (type, external)
    private
    public :: new_grid, new_line_grid
@@ -136,25 +137,35 @@ contains
 
    !> Integral over the whole domain by the sum of nodal values times hX hY; of a line contact over its strip, 4/3 int
    !> dX.
-   pure real(dp) function real_integral(self, field) result(integral)
+   real(dp) function real_integral(self, field) result(integral)
       class(grid_t), intent(in) :: self
       real(dp), intent(in) :: field(0:, 0:)   !! (0:nx, 0:ny)
+      real(dp) :: row(0:self%ny)
       integer :: j
+      !$omp parallel do schedule(static) if (is_shared(size(field)))
+      do j = 0, self%ny
+         row(j) = self%weight(j)*sum(field(:, j))
+      end do
       integral = 0
       do j = 0, self%ny
-         integral = integral + self%weight(j)*sum(field(:, j))
+         integral = integral + row(j)
       end do
       integral = integral*self%hx*self%hy
    end function real_integral
 
    !> The same of a complex field.
-   pure complex(dp) function complex_integral(self, field) result(integral)
+   complex(dp) function complex_integral(self, field) result(integral)
       class(grid_t), intent(in) :: self
       complex(dp), intent(in), contiguous :: field(0:, 0:)
+      complex(dp) :: row(0:self%ny)
       integer :: j
+      !$omp parallel do schedule(static) if (is_shared(size(field)))
+      do j = 0, self%ny
+         row(j) = self%weight(j)*sum(field(:, j))
+      end do
       integral = 0
       do j = 0, self%ny
-         integral = integral + self%weight(j)*sum(field(:, j))
+         integral = integral + row(j)
       end do
       integral = integral*self%hx*self%hy
    end function complex_integral

@@ -72,7 +72,7 @@ contains
    end subroutine warm_problem
 
    !> One march at a state: temperatures of the problem, whose source is linearised about those before.
-   pure subroutine march(self, problem, state, flow)
+   subroutine march(self, problem, state, flow)
       class(energy_t), intent(inout) :: self
       type(contact_problem_t), intent(inout) :: problem
       type(state_t), intent(in) :: state

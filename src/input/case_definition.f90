@@ -68,6 +68,7 @@ module ehlwave_case_definition
       character(len=name_length) :: deformation = 'auto'
       character(len=name_length) :: error_estimate = 'coarse_grid'
       real(dp) :: accuracy = 0                           !! relative error asked for; 0: none
+      integer :: threads = 0                             !! that share the case; 0: chosen where it is run
       ! &dynamics
       character(len=name_length) :: load_balance = 'force_balance'
       real(dp) :: natural_frequency = 0                  !! 0: none

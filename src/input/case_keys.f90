@@ -13,6 +13,7 @@ module ehlwave_case_keys
    use ehlwave_kinds, only: dp
    use ehlwave_oil_keys, only: visit_oil_keys
    use ehlwave_roughness_keys, only: visit_surface, visit_waviness
+   use ehlwave_threads, only: most_threads
    implicit none (type, external)
    private
    public :: case_key_list, case_values, take_values
@@ -209,6 +210,9 @@ contains
          choices='coarse_grid model'))
       call list%see(case%accuracy, key_t('accuracy', 'relative error wanted in Ad/Ai, of smooth contacts in '// &
          'H(0,0); e.g. 0.01: chooses cells, time step and tolerances that are not given', above=0.0_dp, maximum=0.2_dp))
+      call list%see(case%threads, key_t('threads', 'threads that share one case; no result depends on them; 0: '// &
+         'OMP_NUM_THREADS, else the cores that are its own', minimum=0.0_dp, maximum=real(most_threads, dp), &
+         default='the cores', is_written=.false., can_vary=.false.))
    end subroutine visit_solver
 
    subroutine visit_dynamics(case, list)

@@ -13,7 +13,7 @@ module ehlwave_complex_gmres
 
    !> conj(a) b with four partial sums each of real and imaginary parts, so that it is vectorised and the same on every
    !> run.
-   pure complex(dp) function dot(a, b)
+   pure complex(dp) function dot_of_block(a, b) result(dot)
       complex(dp), intent(in), contiguous :: a(:), b(:)
       real(dp) :: re(4), im(4)
       integer :: i, n
@@ -28,6 +28,6 @@ module ehlwave_complex_gmres
       do i = n + 1, size(a)
          dot = dot + conjg(a(i))*b(i)
       end do
-   end function dot
+   end function dot_of_block
 
 end module ehlwave_complex_gmres

@@ -6,6 +6,7 @@
 !> Incomplete factors of complex stencil matrices.
 module ehlwave_complex_ilu
    use ehlwave_kinds, only: dp, sp
+   use ehlwave_threads, only: announce, await, is_shared, team_size, thread_count, thread_number
    implicit none (type, external)
    private
    public :: new_ilu

@@ -12,7 +12,7 @@ module ehlwave_real_gmres
 #include "gmres.inc"
 
    !> Scalar product with eight partial sums, so that it is vectorised and the same on every run.
-   pure real(dp) function dot(a, b)
+   pure real(dp) function dot_of_block(a, b) result(dot)
       real(dp), intent(in), contiguous :: a(:), b(:)
       real(dp) :: part(8)
       integer :: i, n
@@ -25,6 +25,6 @@ module ehlwave_real_gmres
       do i = n + 1, size(a)
          dot = dot + a(i)*b(i)
       end do
-   end function dot
+   end function dot_of_block
 
 end module ehlwave_real_gmres

@@ -6,6 +6,7 @@
 !> Incomplete factors of real stencil matrices.
 module ehlwave_real_ilu
    use ehlwave_kinds, only: dp, sp
+   use ehlwave_threads, only: announce, await, is_shared, team_size, thread_count, thread_number
    implicit none (type, external)
    private
    public :: new_ilu

@@ -13,6 +13,7 @@ module ehlwave_contact_problem
    use ehlwave_kinds, only: dp
    use ehlwave_rheology, only: rheology_t
    use ehlwave_state, only: state_t
+   use ehlwave_threads, only: is_shared
    implicit none (type, external)
    private
 
@@ -109,8 +110,12 @@ contains
       class(contact_problem_t), intent(inout) :: self
       real(dp), intent(in) :: p(0:, 0:), delta
       real(dp), intent(out) :: h(0:, 0:)
+      integer :: j
       call self%deformation%apply(p, h)
-      h = h + self%smooth_gap - delta
+      !$omp parallel do schedule(static) if (is_shared(size(h)))
+      do j = 0, ubound(h, 2)
+         h(:, j) = h(:, j) + self%smooth_gap(:, j) - delta
+      end do
    end subroutine smooth_film
 
    !> Film of a first guess. Surfaces that overlap, as those of thin films on grids that are too coarse for them, are

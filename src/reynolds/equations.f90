@@ -10,6 +10,7 @@ module ehlwave_equations
    use ehlwave_oil_content, only: new_content, oil_content_t
    use ehlwave_reynolds, only: driven_flow, mesh_t, new_mesh, reynolds_residual, reynolds_scale
    use ehlwave_state, only: state_t
+   use ehlwave_threads, only: is_shared
    use ehlwave_work_unit, only: evaluation_operations
    implicit none (type, external)
    private
@@ -57,11 +58,12 @@ contains
    end subroutine init
 
    !> Coefficients, residual, scale and cavitated nodes of a state whose film belongs to its pressure.
-   pure subroutine evaluate(self, problem, given, state)
+   subroutine evaluate(self, problem, given, state)
       class(equations_t), intent(inout) :: self
       type(contact_problem_t), intent(in) :: problem
       type(given_t), intent(in) :: given
       type(state_t), intent(in) :: state
+      integer :: j
 
       if (checks) call check_shapes(self, given, state)
       call self%flow%evaluate(problem%rheology, problem%conditions%lambdabar, state%p, state%h, problem%heat)
@@ -77,7 +79,11 @@ contains
          self%is_cavitated(0, :) = .false.
       else
          call reynolds_residual(self%mesh, given%transport, self%flow, self%residual)
-         self%is_cavitated = self%scale > 0 .and. state%p + self%scale*self%residual <= 0
+         !$omp parallel do schedule(static) if (is_shared(size(state%p)))
+         do j = 0, problem%grid%ny
+            self%is_cavitated(:, j) = self%scale(:, j) > 0 .and. &
+                                      state%p(:, j) + self%scale(:, j)*self%residual(:, j) <= 0
+         end do
       end if
       self%edges = problem%edges
       call self%edges%compare(given, state%p, state%h, self%edge_excess, self%edge_slope)
@@ -105,7 +111,7 @@ contains
    end function work
 
    !> Coefficients and cavitated nodes of the next finer grid, at the nodes of this one.
-   pure subroutine inject_from(self, fine)
+   subroutine inject_from(self, fine)
       class(equations_t), intent(inout) :: self
       class(equations_t), intent(in) :: fine
       call self%flow%inject_from(fine%flow, self%mesh%grid)
@@ -116,14 +122,14 @@ contains
    end subroutine inject_from
 
    !> Scale at the state last evaluated, for wedge weights of any kind.
-   pure subroutine set_scale(self, wedge)
+   subroutine set_scale(self, wedge)
       class(equations_t), intent(inout) :: self
       real(dp), intent(in) :: wedge(0:)   !! (0:nx) modulus of the weight of a node's own rho H
       call reynolds_scale(self%mesh, wedge, self%self_influence, self%flow, self%scale)
    end subroutine set_scale
 
    !> Residual of the load balance; of a flooded domain with the load that is borne outside.
-   pure real(dp) function load_residual(self, given, state)
+   real(dp) function load_residual(self, given, state)
       class(equations_t), intent(in) :: self
       type(given_t), intent(in) :: given
       type(state_t), intent(in) :: state

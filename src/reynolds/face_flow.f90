@@ -11,6 +11,7 @@ module ehlwave_face_flow
    use ehlwave_film_heat, only: film_heat_t
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
+   use ehlwave_threads, only: is_shared
    use ehlwave_work_unit, only: place_operations, point_operations
    implicit none (type, external)
    private
@@ -62,7 +63,7 @@ contains
    end function new_face_flow
 
    !> Faces along X.
-   pure subroutine evaluate_x(self, grid, kappa, film, oil, heat)
+   subroutine evaluate_x(self, grid, kappa, film, oil, heat)
       class(face_flow_t), intent(inout) :: self
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: kappa
@@ -70,21 +71,22 @@ contains
       type(node_oil_t), intent(in) :: oil
       type(film_heat_t), intent(in), optional :: heat
       real(dp) :: across(0:grid%nx), gx(grid%nx), gy(grid%nx)
+      real(dp) :: work(grid%first_row:grid%last_row)
       integer :: j, n
 
       n = grid%nx
-      self%work = 0
+      !$omp parallel do private(across, gx, gy) schedule(dynamic) if (is_shared(size(oil%p)))
       do j = grid%first_row, grid%last_row
          across = kappa*(oil%p(:, grid%above(j)) - oil%p(:, grid%below(j)))/(2*grid%hy)
          gx = (oil%p(1:n, j) - oil%p(0:n - 1, j))/grid%hx
          gy = 0.5_dp*(across(0:n - 1) + across(1:n))
-         call self%set_row(film, oil, along_x, [0, j], gx, gy, [grid%hx, grid%hx*kappa/(4*grid%hy)], &
-            heat)
+         call self%set_row(film, oil, along_x, [0, j], gx, gy, [grid%hx, grid%hx*kappa/(4*grid%hy)], work(j), heat)
       end do
+      self%work = sum(work)
    end subroutine evaluate_x
 
    !> Faces along Y; none in a line contact.
-   pure subroutine evaluate_y(self, grid, kappa, film, oil, heat)
+   subroutine evaluate_y(self, grid, kappa, film, oil, heat)
       class(face_flow_t), intent(inout) :: self
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: kappa
@@ -92,18 +94,20 @@ contains
       type(node_oil_t), intent(in) :: oil
       type(film_heat_t), intent(in), optional :: heat
       real(dp), dimension(grid%nx - 1) :: below, above, gx, gy
+      real(dp) :: work(0:grid%ny - 1)
       integer :: j, n
 
       n = grid%nx - 1
-      self%work = 0
+      !$omp parallel do private(below, above, gx, gy) schedule(dynamic) if (is_shared(size(oil%p)))
       do j = 0, grid%ny - 1
          below = (oil%p(2:n + 1, j) - oil%p(0:n - 1, j))/(2*grid%hx)
          above = (oil%p(2:n + 1, j + 1) - oil%p(0:n - 1, j + 1))/(2*grid%hx)
          gx = 0.5_dp*(below + above)
          gy = kappa*(oil%p(1:n, j + 1) - oil%p(1:n, j))/grid%hy
-         call self%set_row(film, oil, along_y, [1, j], gx, gy, [grid%hy/kappa, grid%hy/(4*kappa*grid%hx)], &
+         call self%set_row(film, oil, along_y, [1, j], gx, gy, [grid%hy/kappa, grid%hy/(4*kappa*grid%hx)], work(j), &
             heat)
       end do
+      self%work = sum(work)
    end subroutine evaluate_y
 
    !> Faces along X of the next coarser grid, each two of a finer one: for changes, without the flux itself.
@@ -150,7 +154,7 @@ contains
    end subroutine join
 
    !> Fluxes of a row of faces and their derivatives.
-   pure subroutine set_row(self, film, oil, direction, node, gx, gy, weight, heat)
+   pure subroutine set_row(self, film, oil, direction, node, gx, gy, weight, work, heat)
       class(face_flow_t), intent(inout) :: self
       type(film_flow_t), intent(in) :: film
       type(node_oil_t), intent(in) :: oil
@@ -158,6 +162,7 @@ contains
       integer, intent(in) :: node(2)             !! first node of the first face
       real(dp), intent(in) :: gx(:), gy(:)       !! dP/dX and kappa dP/dY, (faces)
       real(dp), intent(in) :: weight(2)          !! half of 2 hX or of 2 hY/kappa; the same of `cross`
+      real(dp), intent(out) :: work              !! operations that it took: whole numbers, whose sum is exact
       type(film_heat_t), intent(in), optional :: heat
       type(across_film_t), allocatable :: across_film
       ! Qhat at the first nodes, then at those beyond, of faces with a gradient
@@ -211,7 +216,7 @@ contains
       grad_y(n + 1:2*n) = grad_y(:n)
       call film%evaluate(direction, fluidity(:2*n), h(:2*n), grad_x(:2*n), grad_y(:2*n), flow(:, :2*n), points, &
                          across_film)
-      self%work = self%work + real(point_operations, dp)*points + real(place_operations, dp)*2*n
+      work = real(point_operations, dp)*points + real(place_operations, dp)*2*n
       if (n < size(gx)) call self%rest(oil, film%lambdabar, node, [i2, j2 - node(2)], size(gx))
       associate (j1 => node(2), rho => oil%rho, drho => oil%drho, dln_eta => oil%dln_eta)
          do k = 1, n

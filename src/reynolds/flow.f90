@@ -6,7 +6,8 @@ module ehlwave_flow
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
    use ehlwave_real_transfer, only: inject
-   use ehlwave_rheology, only: rheology_t
+   use ehlwave_rheology, only: block_size, rheology_t
+   use ehlwave_threads, only: is_shared
    implicit none (type, external)
    private
    public :: new_flow
@@ -46,7 +47,7 @@ contains
    end function new_flow
 
    !> Values of the next finer grid, at the nodes of this one, and through its faces: what linear changes need.
-   pure subroutine inject_from(self, fine, coarse)
+   subroutine inject_from(self, fine, coarse)
       class(flow_t), intent(inout) :: self
       type(flow_t), intent(in) :: fine
       type(grid_t), intent(in) :: coarse   !! this grid
@@ -66,7 +67,7 @@ contains
    end subroutine inject_from
 
    !> Coefficients at pressure p and film h.
-   pure subroutine evaluate(self, rheology, lambdabar, p, h, heat)
+   subroutine evaluate(self, rheology, lambdabar, p, h, heat)
       class(flow_t), intent(inout) :: self
       type(rheology_t), intent(in) :: rheology
       real(dp), intent(in) :: lambdabar             !! dimensionless speed parameter
@@ -76,14 +77,15 @@ contains
       integer :: i, j
 
       self%has_faces = .false.
-      self%p = p
-      self%h = h
       if (present(heat)) then
-         call rheology%evaluate(size(p), p, self%rho, self%drho, self%fluidity, self%dln_eta, heat%mean_rise)
+         call evaluate_oil(self, rheology, size(p), p, heat%mean_rise)
       else
-         call rheology%evaluate(size(p), p, self%rho, self%drho, self%fluidity, self%dln_eta)
+         call evaluate_oil(self, rheology, size(p), p)
       end if
+      !$omp parallel do private(i) schedule(static) if (is_shared(size(p)))
       do j = 0, ubound(p, 2)
+         self%p(:, j) = p(:, j)
+         self%h(:, j) = h(:, j)
          do i = 0, ubound(p, 1)
             self%f(i, j) = self%rho(i, j)*h(i, j)
             self%f_p(i, j) = self%drho(i, j)*h(i, j)
@@ -94,8 +96,34 @@ contains
       end do
    end subroutine evaluate
 
+   !> Density and fluidity at pressure p: blocks of nodes as the laws are asked for, so that values do not depend on who
+   !> asks.
+   subroutine evaluate_oil(self, rheology, n, p, rise_k)
+      type(flow_t), intent(inout) :: self
+      type(rheology_t), intent(in) :: rheology
+      integer, intent(in) :: n                      !! nodes
+      real(dp), intent(in) :: p(n)                  !! P
+      real(dp), intent(in), optional :: rise_k(n)   !! T - T0, K
+      integer :: first, m, width
+
+      width = size(self%rho, 1)
+      !$omp parallel do private(m) schedule(static) if (is_shared(n))
+      do first = 1, n, block_size
+         m = min(block_size, n - first + 1)
+         associate (i => modulo(first - 1, width), j => (first - 1)/width)
+            if (present(rise_k)) then
+               call rheology%evaluate(m, p(first), self%rho(i, j), self%drho(i, j), self%fluidity(i, j), &
+                                      self%dln_eta(i, j), rise_k(first))
+            else
+               call rheology%evaluate(m, p(first), self%rho(i, j), self%drho(i, j), self%fluidity(i, j), &
+                                      self%dln_eta(i, j))
+            end if
+         end associate
+      end do
+   end subroutine evaluate_oil
+
    !> Fluxes of a generalised Newtonian oil, after `evaluate`.
-   pure subroutine evaluate_faces(self, film, grid, kappa, heat)
+   subroutine evaluate_faces(self, film, grid, kappa, heat)
       class(flow_t), intent(inout) :: self
       type(film_flow_t), intent(in) :: film    !! the law of flow across the film
       type(grid_t), intent(in) :: grid

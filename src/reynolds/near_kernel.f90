@@ -1,7 +1,7 @@
 !> The part of the deformation that a sparse approximation of the Jacobian keeps: that by the nearest cells.
 module ehlwave_near_kernel
    use ehlwave_grid, only: grid_t
-   use ehlwave_kernel, only: cell_influence
+   use ehlwave_kernel, only: cell_influence, line_wave_influence
    use ehlwave_kinds, only: dp
    implicit none (type, external)
    private
@@ -41,10 +41,11 @@ contains
    !> makes factors of the matrix amplify there. So it is tapered: multiplied by a power of (1 - |i|/(reach_x+1)) (1 -
    !> |j|/(reach_y+1)); with power 1 (the Bartlett window, whose symbol is positive) its symbol is positive for all
    !> waves.
-   pure function new_near_kernel(grid, kappa, k, settings) result(self)
+   pure function new_near_kernel(grid, kappa, k, settings, along) result(self)
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: kappa, k        !! ellipticity and complete elliptic integral
       type(near_settings_t), intent(in) :: settings
+      real(dp), intent(in), optional :: along   !! wave number along a line contact, 1/a; absent: 0
       type(near_kernel_t) :: self
       real(dp) :: aspect
       integer :: i, j, least
@@ -64,6 +65,9 @@ contains
       do j = -self%reach_y - 1, self%reach_y + 1
          do i = -self%reach_x - 2, self%reach_x + 2
             self%influence(i, j) = cell_influence(i*grid%hx, j*grid%hy, grid%hx, grid%hy, kappa, k)
+            if (present(along)) then
+               if (along > 0) self%influence(i, j) = line_wave_influence(i*grid%hx, grid%hx, along)
+            end if
             if (settings%taper > 0) self%influence(i, j) = window(self, i, j)**settings%taper*self%influence(i, j)
          end do
       end do

@@ -11,6 +11,7 @@ module ehlwave_reynolds
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
    use ehlwave_real_wedge, only: wedge_t
+   use ehlwave_threads, only: is_shared, row_block
    use ehlwave_transport, only: transport_t
    implicit none (type, external)
    private
@@ -51,7 +52,7 @@ contains
    !>         - wedge and squeeze of `transport`
    !>
    !> at unknown nodes, zero elsewhere. R = 0 where P > 0; R <= 0 where the film is cavitated.
-   pure subroutine reynolds_residual(mesh, transport, flow, r)
+   subroutine reynolds_residual(mesh, transport, flow, r)
       type(mesh_t), intent(in) :: mesh
       type(transport_t), intent(in) :: transport
       type(flow_t), intent(in) :: flow
@@ -60,6 +61,7 @@ contains
 
       nx = mesh%grid%nx
       call driven_flow(mesh, flow, r)
+      !$omp parallel do private(i) schedule(static) if (is_shared(size(r)))
       do j = mesh%grid%first_row, mesh%grid%last_row
          call transport%subtract(nx, flow%f(:, j), r(:, j))
          if (allocated(transport%carried)) then
@@ -71,28 +73,43 @@ contains
    end subroutine reynolds_residual
 
    !> Flow that pressure gradients drive into each unknown node, zero elsewhere: the first part of R.
-   pure subroutine driven_flow(mesh, flow, r)
+   subroutine driven_flow(mesh, flow, r)
       type(mesh_t), intent(in) :: mesh
       type(flow_t), intent(in) :: flow
       real(dp), intent(out) :: r(0:, 0:)      !! (0:nx, 0:ny)
+      integer :: first
+
+      r(:, 0) = 0
+      r(:, mesh%grid%ny) = 0
+      !$omp parallel do schedule(static) if (is_shared(size(r)))
+      do first = mesh%grid%first_row, mesh%grid%last_row, row_block
+         call drive_rows(mesh, flow, first, min(first + row_block - 1, mesh%grid%last_row), r)
+      end do
+   end subroutine driven_flow
+
+   !> The same on some rows.
+   pure subroutine drive_rows(mesh, flow, first, last, r)
+      type(mesh_t), intent(in) :: mesh
+      type(flow_t), intent(in) :: flow
+      integer, intent(in) :: first, last
+      real(dp), intent(inout) :: r(0:, 0:)
       real(dp), dimension(0:mesh%grid%nx) :: east, north, south
-      integer :: i, j, jm, jp, nx
+      integer :: i, j, jp, nx
 
       nx = mesh%grid%nx
-      r = 0
-      j = mesh%grid%first_row
-      jm = mesh%grid%below(j)
-      call face_flux(flow, jm, j, 0, south)
-      do j = mesh%grid%first_row, mesh%grid%last_row
+      call face_flux(flow, mesh%grid%below(first), first, 0, south)
+      do j = first, last
          jp = mesh%grid%above(j)
          call face_flux(flow, j, jp, 0, north)
          call face_flux(flow, j, j, 1, east)
+         r(0, j) = 0
+         r(nx, j) = 0
          do i = 1, nx - 1
             r(i, j) = mesh%cx*(east(i) - east(i - 1)) + mesh%cy*(north(i) - south(i))
          end do
          south = north
       end do
-   end subroutine driven_flow
+   end subroutine drive_rows
 
    !> Fluxes through the faces from nodes (i, j1) to (i + shift, j2), but for their weight: (eps_1 + eps_2) (P_2 - P_1).
    pure subroutine face_flux(flow, j1, j2, shift, flux)
@@ -117,6 +134,7 @@ contains
 #define SCALAR real(dp)
 #define WEDGE wedge_t
 #define CHANGE real_change
+#define CHANGE_ROWS real_change_rows
 #define COEFFICIENT_CHANGE real_coefficient_change
 #define FACE_CHANGE real_face_change
 #define GENERAL_CHANGE real_general_change
@@ -124,6 +142,7 @@ contains
 #undef SCALAR
 #undef WEDGE
 #undef CHANGE
+#undef CHANGE_ROWS
 #undef COEFFICIENT_CHANGE
 #undef FACE_CHANGE
 #undef GENERAL_CHANGE
@@ -131,6 +150,7 @@ contains
 #define SCALAR complex(dp)
 #define WEDGE complex_wedge_t
 #define CHANGE complex_change
+#define CHANGE_ROWS complex_change_rows
 #define COEFFICIENT_CHANGE complex_coefficient_change
 #define FACE_CHANGE complex_face_change
 #define GENERAL_CHANGE complex_general_change
@@ -234,7 +254,7 @@ contains
 
    !> 1/|A_ii|: how much pressure one unit of residual is worth at each unknown node, from the Poiseuille
    !> terms and the effect of the node's own deformation on the wedge term. Zero elsewhere.
-   pure subroutine reynolds_scale(mesh, wedge, self_influence, flow, scale)
+   subroutine reynolds_scale(mesh, wedge, self_influence, flow, scale)
       type(mesh_t), intent(in) :: mesh
       real(dp), intent(in) :: wedge(0:)        !! (0:nx) modulus of the weight of a node's own rho H
       real(dp), intent(in) :: self_influence   !! deformation at a node under its own unit pressure
@@ -242,8 +262,12 @@ contains
       real(dp), intent(out) :: scale(0:, 0:)   !! (0:nx, 0:ny)
       integer :: i, j, jm, jp
 
-      scale = 0
+      scale(:, 0) = 0
+      scale(:, mesh%grid%ny) = 0
+      !$omp parallel do private(i, jm, jp) schedule(static) if (is_shared(size(scale)))
       do j = mesh%grid%first_row, mesh%grid%last_row
+         scale(0, j) = 0
+         scale(mesh%grid%nx, j) = 0
          jm = mesh%grid%below(j)
          jp = mesh%grid%above(j)
          if (flow%has_face_fluxes()) then

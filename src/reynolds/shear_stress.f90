@@ -34,7 +34,7 @@ contains
    end subroutine node_gradient
 
    !> The part of the friction coefficient, theory eq. (T2), that is borne where P is above a value, 0: all of it.
-   pure real(dp) function friction_of(grid, stress, p, above)
+   real(dp) function friction_of(grid, stress, p, above)
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: stress(0:, 0:)   !! tau/ph, (0:nx, 0:ny)
       real(dp), intent(in) :: p(0:, 0:)        !! P, (0:nx, 0:ny)

@@ -31,7 +31,8 @@ contains
             if (.not. problem%rheology%is_newtonian()) &
                call problem%film_flow%mean_stress(fluidity, h(i, :), gx(i, :), gy(i, :), stress, b, factor)
             do j = 0, grid%ny
-               medium(j, i) = wave_medium_t(rho=rho(j), drho=drho(j), h=h(i, j), kappa=c%elliptic%kappa, &
+               medium(j, i) = wave_medium_t(rho=rho(j), drho=drho(j), h=h(i, j), &
+                  kappa=merge(1.0_dp, c%elliptic%kappa, c%is_line()), &
                   k=c%elliptic%k, eps=rho(j)*h(i, j)**3*fluidity(j)/c%lambdabar*factor(:, j))
             end do
          end do

@@ -9,7 +9,7 @@ module ehlwave_harmonic_case
    use ehlwave_harmonic_result, only: harmonic_result_t
    use ehlwave_kinds, only: dp
    use ehlwave_mean_film, only: find_mean_change, has_mean, mean_change_t
-   use ehlwave_planned_case, only: case_plan_t
+   use ehlwave_planned_case, only: case_plan_t, run_harmonic
    use ehlwave_sensitivity_case, only: find_response_sensitivities
    use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_status, only: status_converged, status_name
@@ -68,7 +68,7 @@ contains
       type(mean_change_t), intent(out) :: mean
       type(harmonic_response_t) :: coarse
       type(waviness_t) :: waves
-      real(dp) :: finish, start, work_before
+      real(dp) :: finish, room, start, work_before
       integer :: n
 
       n = size(steady%multigrid%levels)
@@ -89,6 +89,10 @@ contains
          return
       end if
       call harmonic%take(response%film, response%pressure, response%approach)
+      room = -steady%multigrid%work()
+      call steady%make_room(keeps_response=case%sensitivities .or. plan%kind /= run_harmonic .or. &
+                            size(plan%surfaces%list) > 1)
+      work_before = work_before + room + steady%multigrid%work()   ! of what is linearised, which does not count here
       if (.not. plan%inlet%is_short()) call find_mean(waves, steady, response, result, harmonic, mean)
       result%work = result%work + steady%multigrid%work() - work_before
       if (case%sensitivities .and. surface == 1) call find_response_sensitivities(steady, response, result)
@@ -141,6 +145,11 @@ contains
       type(mean_change_t), intent(out) :: change
 
       if (.not. has_mean(waves)) return
+      associate (problem => steady%multigrid%levels(size(steady%multigrid%levels))%problem)
+         ! of waves along a line only the mean along it is known, and only of a flow that is linear in the gradient
+         if (problem%grid%is_line .and. waves%wavelength_y > 0 .and. .not. &
+             (waves%is_oblique .and. problem%rheology%is_newtonian())) return
+      end associate
       associate (amplitude => waves%amplitude(result%central_film))
          call find_mean_change(steady%response%tangent, steady%multigrid%levels, response, waves, amplitude, change)
          if (change%status /= status_converged) return

@@ -43,7 +43,7 @@ contains
 
    !> Account of the last march at a solution. The balance is that of the film under pressure: heat carried off is the
    !> flow of oil through its edges times the rise there.
-   pure subroutine take(self, problem, state, energy)
+   subroutine take(self, problem, state, energy)
       class(heat_result_t), intent(inout) :: self
       type(contact_problem_t), intent(in) :: problem
       type(state_t), intent(in) :: state
@@ -97,8 +97,8 @@ contains
       slow = minloc(self%peclet, 1)
       if (self%peclet(slow) >= fast) return
       text = 'surface '//to_text(slow)//' is slow, Peclet number '//to_text(self%peclet(slow), 2)//' (at least '// &
-             to_text(fast, 1)//' needed): heat that the body conducts along the motion is left out, its rise is too '// &
-             'high'
+             to_text(fast, 1)//' needed): heat that the body conducts along the motion is left out, its rise '// &
+             'is too high'
    end function warning
 
    !> Say what did not settle, and what to change.

@@ -49,8 +49,7 @@ contains
       self%mean_rise = sum(means%film)/amplitudes(1)
       self%cross_rise = 0
       film = means(1)%state%h + means(2)%state%h
-      if (.not. abs(surfaces%list(1)%frequency() - surfaces%list(2)%frequency()) > 0 .and. &
-          all([(has_mean(surfaces%list(n)), n=1, 2)])) then
+      if (are_tied(surfaces, steady%multigrid%levels(1)%problem%grid%is_line)) then
          together = responses(1)
          together%p = together%p + amplitudes(2)/amplitudes(1)*responses(2)%p
          together%h = together%h + amplitudes(2)/amplitudes(1)*responses(2)%h
@@ -67,5 +66,16 @@ contains
       self%surfaces_touch = .not. minval(film) > 0
       if (.not. self%surfaces_touch) self%smallest_film = minval(film)
    end subroutine take_responses
+
+   !> Whether the waves have one frequency and means; on a line contact also one wave number along it, over which the
+   !> mean is taken.
+   pure logical function are_tied(surfaces, is_line)
+      type(surfaces_t), intent(in) :: surfaces
+      logical, intent(in) :: is_line
+      associate (first => surfaces%list(1), second => surfaces%list(2))
+         are_tied = has_mean(first) .and. has_mean(second) .and. .not. abs(first%frequency() - second%frequency()) > 0
+         if (is_line) are_tied = are_tied .and. .not. abs(first%wavelength_y - second%wavelength_y) > 0
+      end associate
+   end function are_tied
 
 end module ehlwave_pair_result

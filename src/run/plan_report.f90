@@ -10,6 +10,7 @@ module ehlwave_plan_report
    use ehlwave_resolution, only: flooded_inlet_gap
    use ehlwave_surface_plan, only: surface_text
    use ehlwave_text, only: harmless, to_text
+   use ehlwave_threads, only: thread_count
    use ehlwave_work_unit, only: work_unit_operations
    implicit none (type, external)
    private
@@ -186,6 +187,7 @@ contains
       case default; text = 'Newton''s method'
       end select
       text = text//', deformation by '//trim(case%deformation)
+      if (thread_count() > 1) text = text//', '//to_text(thread_count())//' threads'
    end function solver_text
 
    function resolution_text(plan) result(text)

@@ -9,6 +9,7 @@ module ehlwave_result_report
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_status, only: is_solved, status_name
    use ehlwave_text, only: to_text
+   use ehlwave_threads, only: thread_count
    implicit none (type, external)
    private
    public :: print_result
@@ -67,9 +68,16 @@ contains
          to_text(result%load_error, 3)
       write (unit, '(a)') 'Effort       '//to_text(result%seconds, 4)//' s, '// &
          to_text(result%counted_work_units, 4)//' work units, '//to_text(result%time_steps)//' time steps, '// &
-         iterations()//' on the finest grid, '//to_text(result%peak_memory_mib, 4)//' MiB'
+         iterations()//' on the finest grid, '//threads()//to_text(result%peak_memory_mib, 4)//' MiB'
 
    contains
+
+      !> How many share the case, where several do.
+      function threads() result(text)
+         character(len=:), allocatable :: text
+         text = ''
+         if (thread_count() > 1) text = to_text(thread_count())//' threads, '
+      end function threads
 
       !> Ad/Ai by the formula, which is one for pure rolling.
       function formula() result(text)

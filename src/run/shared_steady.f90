@@ -35,6 +35,7 @@ module ehlwave_shared_steady
                                                      !! `differentiate`
       type(harmonic_solver_t) :: coarse_response     !! about the next coarser one, if `has_coarse`
       logical :: has_coarse = .false.
+      integer :: many_nodes = 1000000                !! above which linear systems are not kept side by side
       real(dp) :: work = 0                           !! operations that the steady state took
       type(flooded_t) :: flooded                     !! of a starved contact, whose state is that of the levels
       real(dp), private :: linear_work = 0, derivative_work = 0   ! and what is kept with it
@@ -45,6 +46,7 @@ module ehlwave_shared_steady
       procedure :: prepare
       procedure :: work_so_far
       procedure :: linearise
+      procedure :: make_room
       procedure :: differentiate
    end type shared_steady_t
 
@@ -173,9 +175,12 @@ contains
       real(dp) :: work_before
       integer :: n
 
-      if (self%is_linearised) self%kept_work = self%kept_work + self%linear_work
-      if (self%is_linearised) return
       work_before = self%multigrid%work()
+      if (self%is_linearised) then
+         if (.not. allocated(self%response%linear%levels)) call self%response%init(self%multigrid%levels)
+         self%kept_work = self%kept_work + self%linear_work - (self%multigrid%work() - work_before)   ! counted already
+         return
+      end if
       n = size(self%multigrid%levels)
       self%has_coarse = n > 1
       if (n > 1) then
@@ -187,11 +192,27 @@ contains
       self%response%tolerance = case%response_tolerance
       self%coarse_response%tolerance = case%response_tolerance
       call self%response%init(self%multigrid%levels)
-      call self%response%find_tangent(self%multigrid%levels)
+      if (.not. is_large(self)) call self%response%find_tangent(self%multigrid%levels)
       if (self%has_coarse) call self%coarse_response%init(self%multigrid%levels(:n - 1))
       self%is_linearised = .true.
       self%linear_work = self%multigrid%work() - work_before
    end subroutine linearise
+
+   !> Whether the linear systems are too large to be kept side by side.
+   pure logical function is_large(self)
+      type(shared_steady_t), intent(in) :: self
+      is_large = size(self%multigrid%levels(size(self%multigrid%levels))%state%p) > self%many_nodes
+   end function is_large
+
+   !> Have the tangent, for what follows a response: on a large grid in place of the system of the response, which the
+   !> next case makes anew, unless that is still wanted.
+   subroutine make_room(self, keeps_response)
+      class(shared_steady_t), intent(inout) :: self
+      logical, intent(in) :: keeps_response
+      if (.not. is_large(self)) return
+      if (.not. keeps_response) call self%response%drop()
+      call self%response%count_tangent(self%multigrid%levels)
+   end subroutine make_room
 
    !> Derivatives of the steady state by the oil. Where the oil does not depend on a property they are not converged.
    subroutine differentiate(self, case)

@@ -14,8 +14,10 @@ module ehlwave_complex_linearised_contact
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp
    use ehlwave_load_balance, only: load_factor
+   use ehlwave_real_transfer, only: inject
    use ehlwave_near_kernel, only: near_kernel_t, new_near_kernel
    use ehlwave_reynolds, only: flow_links, poiseuille_links, reynolds_change
+   use ehlwave_threads, only: is_shared, row_block, team_size, thread_number
    use ehlwave_work_unit, only: weights => complex_weights
    implicit none (type, external)
    private

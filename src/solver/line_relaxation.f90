@@ -4,7 +4,8 @@
 !> rules, the pressures of a line are changed one by one. Where it is weak, the equation is one for the deformation,
 !> whose kernel reaches far: there the unknown of a node is the strength of a distributive change, 1 at the node and in
 !> sum -1 at its four neighbours, whose deformation falls as 1/r^3. Each line sees the pressure changes of those before
-!> it (Gauss-Seidel), and their deformation at the end of the sweep only (Jacobi).
+!> it (Gauss-Seidel), and their deformation at the end of the sweep only (Jacobi). Threads make the matrix of a line and
+!> its factors, which do not see the other lines, ahead of its turn.
 module ehlwave_line_relaxation
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_equations, only: equations_t
@@ -17,6 +18,7 @@ module ehlwave_line_relaxation
    use ehlwave_rheology, only: rheology_t
    use ehlwave_state, only: new_state, state_t
    use ehlwave_step_limit, only: step_limit_t
+   use ehlwave_threads, only: announce, await, is_shared, team_size, thread_count, thread_number
    use ehlwave_work_unit, only: relaxation_operations
    implicit none (type, external)
    private
@@ -40,6 +42,15 @@ module ehlwave_line_relaxation
    real(dp), parameter :: switch_of_steep_spike = 6
    real(dp), parameter :: steep_share = 0.9_dp   ! of the thickening at P = 0, at P = 1
 
+   !> The linear system of one line: what a thread works on.
+   type :: line_system_t
+      type(band_t) :: band
+      real(dp), allocatable :: delta(:)                     ! its right side, then its solution
+      real(dp), allocatable :: by_p(:, :), by_h(:, :)       ! derivatives, (node, link), in one more column by both
+                                                            ! neighbours across
+      integer, allocatable :: kind(:)                       ! of the change of each node
+   end type line_system_t
+
    type, public :: line_relaxation_t
       integer, private :: reach = 3                     ! bands of the line system on either side
       real(dp), private :: switch = 0                   ! `switch_of_squares` for the cells of this grid
@@ -47,11 +58,8 @@ module ehlwave_line_relaxation
       real(dp), allocatable, private :: shape(:, :, :)      ! pressure of a change, (-reach-2:reach+2, 0:1, kind)
       real(dp), allocatable, private :: influence(:, :, :)  ! its deformation
       real(dp), allocatable, private :: change(:, :)        ! of P in this sweep
-      type(band_t), private :: band                         ! system of one line
-      real(dp), allocatable, private :: delta(:)            ! its right side, then its solution
-      real(dp), allocatable, private :: by_p(:, :), by_h(:, :)  ! derivatives, (node, link)
+      type(line_system_t), allocatable, private :: line(:)  ! (0:threads-1)
       type(state_t), private :: before                      ! the sweep
-      integer, allocatable, private :: kind(:)              ! of the change of each node
    contains
       procedure :: init
       procedure :: relax
@@ -87,10 +95,14 @@ contains
          end do
          self%before = new_state(grid)
          allocate (self%change(0:grid%nx, 0:grid%ny), source=0.0_dp)
-         self%band = new_band(grid%nx - 1, self%reach)
-         allocate (self%delta(grid%nx - 1), self%by_p(grid%nx - 1, links), self%by_h(grid%nx - 1, links), &
-                   source=0.0_dp)
-         allocate (self%kind(grid%nx - 1), source=single)
+         allocate (self%line(0:merge(thread_count(), 1, is_shared(size(self%change))) - 1))
+         do i = 0, ubound(self%line, 1)
+            associate (line => self%line(i), n => grid%nx - 1)
+               line%band = new_band(n, self%reach)
+               allocate (line%delta(n), line%by_p(n, links + 1), line%by_h(n, links + 1), source=0.0_dp)
+               allocate (line%kind(n), source=single)
+            end associate
+         end do
       end associate
 
    contains
@@ -122,39 +134,20 @@ contains
       type(equations_t), intent(in) :: equations      !! evaluated at the state
       type(state_t), intent(inout) :: state
       type(step_limit_t) :: limit
-      real(dp) :: strength
-      integer :: i, image, j, jm, n
+      integer :: done, i, j
 
       associate (grid => problem%grid, change => self%change)
          problem%deformation%work = problem%deformation%work + relaxation_operations*size(change) &
                                    + equations%flow%film_work()
          self%before = state
          change = 0
-         do j = grid%first_row, grid%last_row
-            jm = grid%below(j)
-            image = merge(2, 1, j == 1 .and. grid%is_half)      ! row 0 has row 1 on either side
-            n = last_wet(equations%is_cavitated(1:grid%nx - 1, j))
-            change(n + 1:grid%nx - 1, j) = -state%p(n + 1:grid%nx - 1, j)
-            if (n == 0) cycle
-            call set_up_line(self, given%transport, equations, j, n)
-            self%band%n = n
-            call self%band%factorise()
-            call self%band%solve(self%delta)
-            do i = 1, n
-               if (self%kind(i) == single) then
-                  change(i, j) = change(i, j) + damping*self%delta(i)
-               else
-                  strength = damping*self%delta(i)
-                  change(i, j) = change(i, j) + strength
-                  change(i - 1, j) = change(i - 1, j) - self%share_x*strength
-                  change(i + 1, j) = change(i + 1, j) - self%share_x*strength
-                  change(i, j + 1) = change(i, j + 1) - self%share_y*strength
-                  if (jm < j) change(i, jm) = change(i, jm) - image*self%share_y*strength
-               end if
-            end do
-            change(0, j) = 0
-            change(grid%nx, j) = 0
+         done = grid%first_row - 1
+         !$omp parallel num_threads(size(self%line)) private(j)
+         do j = grid%first_row + thread_number(), grid%last_row, team_size()
+            call relax_line(self, given%transport, equations, state, j, done)
          end do
+         !$omp end parallel
+         !$omp parallel do private(i) schedule(static) if (is_shared(size(change)))
          do j = grid%first_row, grid%last_row
             do i = 1, grid%nx - 1
                state%p(i, j) = max(0.0_dp, state%p(i, j) + limit%bounded(change(i, j)))
@@ -166,6 +159,50 @@ contains
       end associate
    end subroutine relax
 
+   !> Changes of one line, in its turn.
+   subroutine relax_line(self, transport, equations, state, j, done)
+      class(line_relaxation_t), intent(inout) :: self
+      class(wedge_t), intent(in) :: transport
+      type(equations_t), intent(in) :: equations
+      type(state_t), intent(in) :: state
+      integer, intent(in) :: j
+      integer, intent(inout) :: done            !! the last line that is done
+      real(dp) :: strength
+      integer :: i, image, jm, n
+
+      associate (grid => equations%mesh%grid, change => self%change, line => self%line(thread_number()))
+         jm = grid%below(j)
+         image = merge(2, 1, j == 1 .and. grid%is_half)      ! row 0 has row 1 on either side
+         n = last_wet(equations%is_cavitated(1:grid%nx - 1, j))
+         if (n > 0) then
+            call set_up_line(self, line, transport, equations, j, n)
+            line%band%n = n
+            call line%band%factorise()
+         end if
+         call await(done, j - 1)
+         change(n + 1:grid%nx - 1, j) = -state%p(n + 1:grid%nx - 1, j)
+         if (n > 0) then
+            call set_right_side(self, line, equations, j, n)
+            call line%band%solve(line%delta)
+            do i = 1, n
+               if (line%kind(i) == single) then
+                  change(i, j) = change(i, j) + damping*line%delta(i)
+               else
+                  strength = damping*line%delta(i)
+                  change(i, j) = change(i, j) + strength
+                  change(i - 1, j) = change(i - 1, j) - self%share_x*strength
+                  change(i + 1, j) = change(i + 1, j) - self%share_x*strength
+                  change(i, j + 1) = change(i, j + 1) - self%share_y*strength
+                  if (jm < j) change(i, jm) = change(i, jm) - image*self%share_y*strength
+               end if
+            end do
+            change(0, j) = 0
+            change(grid%nx, j) = 0
+         end if
+         call announce(done, j)
+      end associate
+   end subroutine relax_line
+
    !> Number of nodes of a line up to the last that is not cavitated.
    pure integer function last_wet(is_cavitated)
       logical, intent(in) :: is_cavitated(:)
@@ -174,50 +211,66 @@ contains
       end do
    end function last_wet
 
-   !> Linear system of one line: changes that make its residuals vanish. The pressure changes of earlier lines are
-   !> taken into account (Gauss-Seidel), their deformation is not; that of the line itself is, within reach.
-   subroutine set_up_line(self, transport, equations, j, n)
-      class(line_relaxation_t), intent(inout) :: self
-      class(wedge_t), intent(in) :: transport
+   !> Right side of the system of one line, which it changes nothing else of. The pressure changes of earlier lines are
+   !> taken into account (Gauss-Seidel), their deformation is not.
+   subroutine set_right_side(self, line, equations, j, n)
+      type(line_relaxation_t), intent(in) :: self
+      type(line_system_t), intent(inout) :: line
       type(equations_t), intent(in) :: equations
       integer, intent(in) :: j, n              !! line; its first nodes, the others are cavitated
-      real(dp) :: self_wedge
-      integer :: d, first, i, jm, jp, last
+      integer :: i, jm, jp
 
-      associate (mesh => equations%mesh, flow => equations%flow, &
-                 change => self%change, by_p => self%by_p, by_h => self%by_h)
+      associate (mesh => equations%mesh, change => self%change, by_p => line%by_p)
          jm = mesh%grid%below(j)
          jp = mesh%grid%above(j)
          do i = 1, n
+            line%delta(i) = -equations%residual(i, j) - by_p(i, 1)*change(i, j) - by_p(i, 2)*change(i + 1, j) &
+                            - by_p(i, 3)*change(i - 1, j) - by_p(i, 4)*change(i, jp) - by_p(i, 5)*change(i, jm)
+            if (i > 1) line%delta(i) = line%delta(i) - by_p(i, 6)*change(i - 2, j)
+         end do
+         do i = 1, n
+            if (equations%is_cavitated(i, j)) line%delta(i) = -equations%flow%p(i, j) - change(i, j)
+         end do
+      end associate
+   end subroutine set_right_side
+
+   !> Matrix of the system of one line: changes that make its residuals vanish, the deformation of the line itself
+   !> taken into account within reach.
+   subroutine set_up_line(self, line, transport, equations, j, n)
+      type(line_relaxation_t), intent(in) :: self
+      type(line_system_t), intent(inout) :: line
+      class(wedge_t), intent(in) :: transport
+      type(equations_t), intent(in) :: equations
+      integer, intent(in) :: j, n              !! line; its first nodes, the others are cavitated
+      integer, parameter :: across = links + 1
+      real(dp) :: self_wedge
+      integer :: d, first, i, last
+
+      associate (mesh => equations%mesh, flow => equations%flow, by_p => line%by_p, by_h => line%by_h)
+         do i = 1, n
             self_wedge = transport%w0(i)*flow%rho(i, j)*equations%self_influence
-            self%kind(i) = merge(distributed, single, .not. equations%is_cavitated(i, j) .and. &
+            line%kind(i) = merge(distributed, single, .not. equations%is_cavitated(i, j) .and. &
                1/equations%scale(i, j) - transport%w0(i)*flow%f_p(i, j) < (1 + self%switch)*self_wedge)
          end do
          call node_links(mesh, transport, flow, [1, n, j, j], by_p, by_h)
-         do i = 1, n
-            self%delta(i) = -equations%residual(i, j) - by_p(i, 1)*change(i, j) - by_p(i, 2)*change(i + 1, j) &
-                            - by_p(i, 3)*change(i - 1, j) - by_p(i, 4)*change(i, jp) - by_p(i, 5)*change(i, jm)
-            if (i > 1) self%delta(i) = self%delta(i) - by_p(i, 6)*change(i - 2, j)
-         end do
-         by_h(:n, 4) = by_h(:n, 4) + by_h(:n, 5)
-         by_p(:n, 4) = by_p(:n, 4) + by_p(:n, 5)
+         by_h(:n, across) = by_h(:n, 4) + by_h(:n, 5)
+         by_p(:n, across) = by_p(:n, 4) + by_p(:n, 5)
          first = 1
          do while (first <= n)      ! runs of columns of one kind
             last = first
             do while (last < n)
-               if (self%kind(last + 1) /= self%kind(first)) exit
+               if (line%kind(last + 1) /= line%kind(first)) exit
                last = last + 1
             end do
             do d = -self%reach, self%reach
-               call add_column(max(1, first - d), min(n, last - d), d, self%kind(first))
+               call add_column(max(1, first - d), min(n, last - d), d, line%kind(first))
             end do
             first = last + 1
          end do
          do i = 1, n
             if (.not. equations%is_cavitated(i, j)) cycle
-            self%band%a(i, :) = 0
-            self%band%a(i, 0) = 1
-            self%delta(i) = -flow%p(i, j) - change(i, j)
+            line%band%a(i, :) = 0
+            line%band%a(i, 0) = 1
          end do
       end associate
 
@@ -231,13 +284,14 @@ contains
             g(link) = self%influence(link_i(link) - d, abs(link_j(link)), kind)
          end do
          do i = i1, i2
-            self%band%a(i, d) = self%by_h(i, 1)*g(1) + self%by_h(i, 2)*g(2) + self%by_h(i, 3)*g(3) &
-               + self%by_h(i, 4)*g(4) + self%by_h(i, 6)*g(6)
+            line%band%a(i, d) = line%by_h(i, 1)*g(1) + line%by_h(i, 2)*g(2) + line%by_h(i, 3)*g(3) &
+               + line%by_h(i, across)*g(4) + line%by_h(i, 6)*g(6)
          end do
          do link = 1, links
-            if (link == 5) cycle      ! added to 4
+            if (link == 5) cycle      ! with 4
             s = self%shape(link_i(link) - d, abs(link_j(link)), kind)
-            if (abs(s) > 0) self%band%a(i1:i2, d) = self%band%a(i1:i2, d) + s*self%by_p(i1:i2, link)
+            if (abs(s) > 0) line%band%a(i1:i2, d) = line%band%a(i1:i2, d) &
+                                                    + s*line%by_p(i1:i2, merge(across, link, link == 4))
          end do
       end subroutine add_column
    end subroutine set_up_line

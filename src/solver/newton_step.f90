@@ -12,6 +12,7 @@ module ehlwave_newton_step
    use ehlwave_solve_report, only: solve_report_t
    use ehlwave_state, only: state_t
    use ehlwave_step_limit, only: step_limit_t
+   use ehlwave_threads, only: is_shared
    implicit none (type, external)
    private
 
@@ -74,6 +75,7 @@ contains
          call linear%count_evaluation()
          call linear%weigh(linear%finest)
          b(0:grid%nx, 0:grid%ny) => self%rhs(:linear%n - 1)
+         !$omp parallel do private(i) schedule(static) if (is_shared(size(b)))
          do j = 0, grid%ny
             do i = 0, grid%nx
                if (level%equations%is_cavitated(i, j)) then

@@ -6,6 +6,7 @@ module ehlwave_solve_report
    use ehlwave_kinds, only: dp
    use ehlwave_state, only: state_t
    use ehlwave_status, only: status_converged, status_not_finite, status_stalled
+   use ehlwave_threads, only: is_shared
    implicit none (type, external)
    private
    public :: mass_gain
@@ -45,23 +46,27 @@ contains
       type(equations_t), intent(in) :: equations        !! evaluated with it at the state
       type(state_t), intent(in) :: state                !! with the film of its pressure
       type(solve_limits_t), intent(in) :: limits
+      real(dp), dimension(0:equations%mesh%grid%ny) :: complementarity, residual
       real(dp) :: centre, error
       integer :: i, j
 
       associate (grid => equations%mesh%grid, r => equations%residual)
          centre = limits%film_unit
          if (.not. centre > 0) centre = grid%value_at_centre(state%h)
-         self%residual = 0
-         self%complementarity = 0
+         !$omp parallel do private(i) schedule(static) if (is_shared(size(r)))
          do j = 0, grid%ny
+            residual(j) = 0
+            complementarity(j) = 0
             do i = 0, grid%nx
                if (equations%is_cavitated(i, j)) then
-                  self%complementarity = max(self%complementarity, abs(state%p(i, j)))
+                  complementarity(j) = max(complementarity(j), abs(state%p(i, j)))
                else
-                  self%residual = max(self%residual, mass_gain(r(i, j), grid%hx, state%h(i, j), centre))
+                  residual(j) = max(residual(j), mass_gain(r(i, j), grid%hx, state%h(i, j), centre))
                end if
             end do
          end do
+         self%residual = maxval(residual)
+         self%complementarity = maxval(complementarity)
          if (.not. ieee_is_finite(sum(r))) self%residual = sum(r)
          if (equations%edges%count() > 0) then
             error = edge_error(equations, state)

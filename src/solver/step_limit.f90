@@ -2,6 +2,7 @@
 module ehlwave_step_limit
    use ehlwave_kinds, only: dp
    use ehlwave_state, only: state_t
+   use ehlwave_threads, only: is_shared
    implicit none (type, external)
    private
 
@@ -52,13 +53,20 @@ contains
 
    !> Go from `before` towards `state` no farther than the bounds allow. The film is linear in P and Delta, so that of
    !> the shortened step needs no new deformation.
-   pure subroutine shorten(self, before, state)
+   subroutine shorten(self, before, state)
       class(step_limit_t), intent(in) :: self
       type(state_t), intent(in) :: before      !! P, H, Delta before the step
       type(state_t), intent(inout) :: state    !! after the whole step; after the limited one on return
-      real(dp) :: step
+      real(dp) :: share(size(state%p, 2)), step
+      integer :: j, row
 
-      step = min(self%of_pressure(state%p - before%p), self%of_film(before%h, state%h - before%h))
+      !$omp parallel do private(j) schedule(static) if (is_shared(size(state%p)))
+      do row = 1, size(share)
+         j = lbound(state%p, 2) + row - 1
+         share(row) = min(self%of_pressure(state%p(:, j:j) - before%p(:, j:j)), &
+                          self%of_film(before%h(:, j:j), state%h(:, j:j) - before%h(:, j:j)))
+      end do
+      step = minval(share)
       if (.not. step < 1) return
       state%p = before%p + step*(state%p - before%p)
       state%h = before%h + step*(state%h - before%h)

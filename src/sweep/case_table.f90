@@ -63,6 +63,7 @@ contains
       end if
       base%may_idle = base%is_given
       sweep%limits = settings%limits
+      sweep%limits%threads = base%case%threads
       sweep%files = [character(len=max(len(path), len_trim(settings%case_file))) :: path, settings%case_file]
       if (settings%case_file /= '') then
          call read_csv(trim(settings%case_file), rows, error)

@@ -27,6 +27,7 @@ module ehlwave_sweep_cases
    type, public :: case_limits_t
       real(dp) :: largest_case_seconds = 0    !! a case that takes longer is given up; 0: no limit
       real(dp) :: checkpoint_seconds = 600    !! between two checkpoints of a march
+      integer :: threads = 0                  !! of a rank; 0: the cores that are its own
    end type case_limits_t
 
    type, public :: sweep_t

@@ -9,9 +9,11 @@ module ehlwave_sweep_job
    use ehlwave_sweep_cases, only: case_limits_t, sweep_t
    use ehlwave_sweep_leader, only: exit_bad_input, exit_done, exit_not_written, job_options_t, job_t
    use ehlwave_terminal, only: complain
-   use mpi_f08, only: mpi_allreduce, mpi_bcast, mpi_byte, mpi_character, mpi_comm, mpi_comm_rank, mpi_comm_size, &
-      mpi_get_library_version, mpi_get_processor_name, mpi_ibarrier, mpi_integer, mpi_logical, mpi_lor, &
-      mpi_max_library_version_string, mpi_max_processor_name, mpi_request, mpi_status_ignore, mpi_test
+   use ehlwave_threads, only: most_cores, own_cores, share_of_cores, take_threads
+   use mpi_f08, only: mpi_allreduce, mpi_bcast, mpi_byte, mpi_character, mpi_comm, mpi_comm_free, mpi_comm_rank, &
+      mpi_comm_size, mpi_comm_split_type, mpi_comm_type_shared, mpi_get_library_version, mpi_get_processor_name, &
+      mpi_ibarrier, mpi_info_null, mpi_integer, mpi_logical, mpi_lor, mpi_max_library_version_string, &
+      mpi_max_processor_name, mpi_request, mpi_status_ignore, mpi_sum, mpi_test
    implicit none (type, external)
    private
    public :: mpi_library, run_job
@@ -33,7 +35,7 @@ contains
       type(case_watch_t) :: watch
       type(error_t), allocatable :: error
       real(dp) :: start_s
-      integer :: rank, ranks
+      integer :: cases, rank, ranks
 
       start_s = wall_seconds()
       call mpi_comm_rank(comm, rank)
@@ -45,7 +47,8 @@ contains
          code = merge(exit_not_written, exit_bad_input, is_anywhere(comm, job%is_store_broken))
          return
       end if
-      call share(comm, sweep, store, watch%limits)
+      call share(comm, sweep, store, watch%limits, cases)
+      call take_threads(watch%limits%threads, cores_of_rank(comm, cases))
       watch%store => store
       watch%deadline_s = start_s + options%time_limit_s
       if (rank == 0) then
@@ -102,25 +105,44 @@ contains
    end function mpi_library
 
    !> Data of a sweep that all ranks need.
-   subroutine share(comm, sweep, store, limits)
+   subroutine share(comm, sweep, store, limits, cases)
       type(mpi_comm), intent(in) :: comm
       type(sweep_t), intent(in) :: sweep
       type(store_t), intent(inout) :: store
       type(case_limits_t), intent(out) :: limits
-      integer :: numbers(3), rank
+      integer, intent(out) :: cases
+      integer :: numbers(4), rank
 
       call mpi_comm_rank(comm, rank)
       if (rank == 0) then
          limits = sweep%limits
-         numbers = [store%run, store%defaults, len(store%folder)]
+         numbers = [store%run, store%defaults, len(store%folder), size(sweep%cases)]
       end if
       call mpi_bcast(limits, storage_size(limits)/8, mpi_byte, 0, comm)
       call mpi_bcast(numbers, size(numbers), mpi_integer, 0, comm)
       store%run = numbers(1)
       store%defaults = numbers(2)
+      cases = numbers(4)
       if (rank /= 0) store%folder = repeat(' ', numbers(3))
       call mpi_bcast(store%folder, numbers(3), mpi_character, 0, comm)
    end subroutine share
+
+   !> Cores that a rank has to itself: those that it is bound to, shared with the ranks of its machine that may use them
+   !> and have a case.
+   integer function cores_of_rank(comm, cases) result(cores)
+      type(mpi_comm), intent(in) :: comm
+      integer, intent(in) :: cases
+      type(mpi_comm) :: machine
+      integer :: is_mine(most_cores), rank, users(most_cores)
+
+      call mpi_comm_rank(comm, rank)
+      is_mine = 0
+      if (rank < cases) is_mine = own_cores()
+      call mpi_comm_split_type(comm, mpi_comm_type_shared, 0, mpi_info_null, machine)
+      call mpi_allreduce(is_mine, users, most_cores, mpi_integer, mpi_sum, machine)
+      call mpi_comm_free(machine)
+      cores = share_of_cores(is_mine, users)
+   end function cores_of_rank
 
    !> Whether something is true on some rank.
    logical function is_anywhere(comm, flag)

@@ -7,12 +7,14 @@ module ehlwave_harmonic_response
    use ehlwave_given, only: given_t, steady_given
    use ehlwave_grid, only: grid_t
    use ehlwave_hierarchy, only: level_t, work_of
-   use ehlwave_kinds, only: dp
+   use ehlwave_kinds, only: dp, pi
    use ehlwave_load_balance, only: harmonic_inertia
    use ehlwave_state, only: state_t
    use ehlwave_status, only: status_converged, status_not_finite, status_stalled
    use ehlwave_steady_tangent, only: steady_tangent_t, tangent_change_t
    use ehlwave_transport, only: harmonic_wedge
+   use ehlwave_two_waves, only: wave_medium_t
+   use ehlwave_wave_medium, only: take_media
    use ehlwave_waviness, only: waviness_t
    implicit none (type, external)
    private
@@ -52,6 +54,8 @@ module ehlwave_harmonic_response
    contains
       procedure :: init
       procedure :: find_tangent
+      procedure :: count_tangent
+      procedure :: drop
       procedure :: set_frequency
       procedure :: respond
       procedure :: respond_to
@@ -98,10 +102,17 @@ contains
       call self%tangent%init(levels)
    end subroutine find_tangent
 
+   !> Give back what the next response makes anew, `init` being called again.
+   subroutine drop(self)
+      class(harmonic_solver_t), intent(inout) :: self
+      if (allocated(self%linear%levels)) deallocate (self%linear%levels)
+      self%has_factors = .false.
+   end subroutine drop
+
    !> The same for a response, which counts the work of a tangent that an earlier one found: counts do not depend on
    !> their order.
    subroutine count_tangent(self, levels)
-      type(harmonic_solver_t), intent(inout) :: self
+      class(harmonic_solver_t), intent(inout) :: self
       type(level_t), intent(inout) :: levels(:)
       real(dp) :: work_before
 
@@ -118,16 +129,24 @@ contains
 
    !> Operator for changes of one frequency, and its factors unless they are there. Those of a real change that does not
    !> turn are the tangent's.
-   subroutine set_frequency(self, levels, frequency, inertia, is_real)
+   subroutine set_frequency(self, levels, frequency, inertia, is_real, along)
       class(harmonic_solver_t), intent(inout) :: self
       type(level_t), intent(inout), target :: levels(:)   !! those of `init`
       real(dp), intent(in) :: frequency       !! w in units of 1/T
       complex(dp), intent(in) :: inertia      !! weight of Delta in the load row, 0: force balance
       logical, intent(in) :: is_real
+      real(dp), intent(in), optional :: along !! wave number along a line contact, 1/a; absent: 0
+      real(dp) :: wanted
       integer :: l
 
       self%is_real = is_real
+      wanted = 0
+      if (present(along)) wanted = along
       associate (linear => self%linear)
+         if (abs(wanted - linear%along) > 0) then
+            self%has_factors = .false.
+            call linear%set_along(wanted, flow_along(levels(linear%finest)))
+         end if
          call linear%borrow(levels)
          if (self%has_factors .and. abs(frequency - self%frequency) <= 0 .and. abs(inertia - linear%inertia) <= 0) then
             if (.not. is_real) call linear%count_factors()
@@ -146,6 +165,23 @@ contains
       end associate
    end subroutine set_frequency
 
+   !> Flow along Y over the pressure gradient there, at each node: theory eq. (W16).
+   function flow_along(level) result(mobility)
+      type(level_t), intent(in) :: level         !! with its steady state
+      real(dp), allocatable :: mobility(:, :)    !! (0:nx, 0:ny), 0 at both ends
+      type(wave_medium_t), allocatable :: medium(:, :)
+      integer :: i
+
+      associate (grid => level%problem%grid)
+         allocate (mobility(0:grid%nx, 0:grid%ny), source=0.0_dp)
+         allocate (medium(0:grid%ny, 1:grid%nx - 1))
+         call take_media(level%problem, level%state, 1, medium)
+         do i = 1, grid%nx - 1
+            mobility(i, :) = medium(:, i)%eps(2)
+         end do
+      end associate
+   end function flow_along
+
    !> Response to one pattern. It depends on nothing but the steady state and the pattern: factors of the one before are
    !> used again where its frequency is the same. Of a pattern that varies along Y only all is real.
    subroutine respond(self, levels, waviness, natural_frequency, steps_per_cell, response)
@@ -159,7 +195,7 @@ contains
       complex(dp), allocatable :: g(:, :)
       complex(dp), pointer, contiguous :: dr(:, :)
       complex(dp) :: inertia
-      real(dp) :: frequency
+      real(dp) :: along, frequency
       integer :: k
 
       associate (linear => self%linear, grid => self%linear%levels(self%linear%finest)%equations%mesh%grid)
@@ -168,8 +204,10 @@ contains
          frequency = waviness%frequency()
          inertia = 0
          if (natural_frequency > 0) inertia = harmonic_inertia(natural_frequency, grid%hx/steps_per_cell, frequency)
-         if (waviness%is_longitudinal()) call count_tangent(self, levels)
-         call self%set_frequency(levels, frequency, inertia, waviness%is_longitudinal())
+         if (waviness%is_longitudinal()) call self%count_tangent(levels)
+         along = 0
+         if (grid%is_line .and. waviness%wavelength_y > 0) along = 2*pi/waviness%wavelength_y
+         call self%set_frequency(levels, frequency, inertia, waviness%is_longitudinal(), along)
          dr(0:grid%nx, 0:grid%ny) => b(:linear%n - 1)
          call linear%gap_change(g, dr)
          associate (edges => linear%levels(linear%finest)%equations%edges)

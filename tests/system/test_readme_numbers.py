@@ -73,7 +73,7 @@ def top_level():
          [small_wave, marched, marched/small_wave]),
         ("gain factors of {} to {} (M = 100", [min(across()), max(across())]),
         ("longitudinal waves stand still and gain a factor of {}.", small_waves("factor", orientation="longitudinal")),
-        ("above an amplitude of {} % of the film ({} % under slip) nothing was compared", percents(validated())),
+        ("above an amplitude of {} films ({} under slip, {} where S is beyond 1 +- {}) nothing was compared", validated()),
         ("differ from simulated ones by at most {} % of Rq where the amplitude is below 30 % of the film. "
          "With a table computed for the contact (`--table`) it is {} %, with the paper's formula {} %", bounds),
     ]
@@ -245,17 +245,34 @@ def atlas():
 def validated():
     """Amplitudes up to which predictions were compared with marches."""
     text = (ROOT/"postprocess/src/ehlwave/deform/amplitude.py").read_text()
-    return [float(one) for one in re.search(r"VALIDATED_ROLLING, VALIDATED_SLIDING = ([\d.]+), ([\d.]+)", text).groups()]
+    found = [re.search(rf"{name} = ([\d.]+), ([\d.]+)", text).groups()
+             for name in ("VALIDATED_ROLLING, VALIDATED_SLIDING", "SLIGHT_SLIP, VALIDATED_FASTER")]
+    (rolling, sliding), (slight, faster) = found
+    return [float(one) for one in (rolling, sliding, faster, slight)]
 
 
 def postprocess():
-    return [("Above an amplitude of {} of the film, under slip {}, no prediction was compared", validated())]
+    return [("Above an amplitude of {} films, under slip {} and where S is beyond 1 +- {} of {}, no prediction was compared",
+             [validated()[one] for one in (0, 1, 3, 2)])]
+
+
+def thin_films():
+    """Tables of marches of rough maps in films as thin as the maps are rough."""
+    claims = []
+    for row in table("lambda/trusted.csv"):
+        errors = [row[f"{name}_error_largest"] for name in ("lambda", "mean", "rq")]
+        values = [row["marched"], row["touch_somewhere"]]
+        claims.append((f"| {row['motion']} | {row['rq_over_film']} | {{}} | {{}} | {{}} % | {{}} % | {{}} % | {{}} |",
+                       [float(one) for one in values] + percents(map(float, errors)) + [float(row["lowest_film"])]))
+    lowest = {row["contacts"]: row for row in table("lambda/lowest.csv")}["held out"]
+    return [*claims, ("95 % of the lowest films are then within {} of the smooth film, by linear responses within {}",
+                      [float(lowest["corrected_95"]), float(lowest["linear_95"])])]
 
 
 def roughness():
     errors = re.search(r"FIT_ERROR, LINE_FIT_ERROR = ([\d.]+), ([\d.]+)",
                        (ROOT/"postprocess/src/ehlwave/contact/conditions.py").read_text()).groups()
-    return [*microgeometry(), *postprocess(), ("too thin and {} % too thick in 95 % of contacts", [100*float(errors[0])]),
+    return [*microgeometry(), *thin_films(), *postprocess(), ("too thin and {} % too thick in 95 % of contacts", [100*float(errors[0])]),
             ("up to 40 %, in line contacts up to {} %", [100*float(errors[1])])]
 
 

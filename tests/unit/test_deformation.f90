@@ -5,7 +5,7 @@ program test_deformation
    use ehlwave_deformation_line, only: deformation_line_t
    use ehlwave_elliptic_integrals, only: ellipticity_integrals, ellipticity_integrals_t
    use ehlwave_grid, only: grid_t, new_grid, new_line_grid
-   use ehlwave_kernel, only: cell_influence, line_reference
+   use ehlwave_kernel, only: cell_influence, line_reference, line_wave_influence
    use ehlwave_kinds, only: dp, pi
    use ehlwave_text, only: to_text
    use sample_contact, only: make_conditions, noise
@@ -18,6 +18,7 @@ program test_deformation
    call check_hertz(1.0_dp)
    call check_hertz(0.12_dp)
    call check_line_kernel()
+   call check_line_waves()
    call check_line_hertz()
    call compare_line_with_sum()
    call compare_with_sum(20, 14, 1.0_dp)
@@ -94,6 +95,36 @@ contains
       real(dp), intent(in) :: dx, hx
       line_influence = cell_influence(dx, 0.0_dp, hx, 1.0_dp, 0.0_dp, 1.0_dp)
    end function line_influence
+
+   !> Waves along a line: integrals of K0 (Abramowitz and Stegun, table 11.1), the sum over X, the logarithm of long waves; and a
+   !> line that goes back to pressures without waves.
+   subroutine check_line_waves()
+      type(deformation_line_t) :: deformation
+      type(grid_t) :: grid
+      real(dp) :: after(0:64, 0:0), before(0:64, 0:0), along(0:64, 0:0), p(0:64, 0:0)
+      real(dp), parameter :: k = 1.7_dp, hx = 0.25_dp
+      integer :: i
+
+      call test%check_close(line_wave_influence(0.0_dp, 2.0_dp, 1.0_dp), 4/pi*1.2425098486237771_dp, 'K0 from 0 to 1', &
+                            relative=1e-14_dp)
+      call test%check_close(line_wave_influence(0.55_dp, 0.9_dp, 1.0_dp), &
+                            2/pi*(1.2425098486237771_dp - 0.3421644437579744_dp), 'K0 from 0.1 to 1', relative=1e-13_dp)
+      call test%check_close(sum([(line_wave_influence(i*hx, hx, k), i=-200, 200)]), 2/k, 'all X: 2/k', relative=1e-13_dp)
+      call test%check_close(line_wave_influence(0.5_dp, hx, 1e-4_dp) - line_wave_influence(1.5_dp, hx, 1e-4_dp), &
+                            line_influence(0.5_dp, hx) - line_influence(1.5_dp, hx), 'long waves', relative=1e-7_dp)
+      grid = new_line_grid(-2.5_dp, 1.5_dp, 64)
+      p = 0
+      p(20:40, 0) = 1
+      call deformation%init(grid, 0.0_dp, 1.0_dp)
+      call deformation%apply(p, before)
+      call deformation%vary_along(k)
+      call deformation%apply(p, along)
+      call deformation%vary_along(0.0_dp)
+      call deformation%apply(p, after)
+      call test%check_close(along(30, 0), sum([(line_wave_influence((30 - i)*grid%hx, grid%hx, k), i=20, 40)]), &
+                            'convolution', relative=1e-12_dp)
+      call test%check_close(after(:, 0), before(:, 0), 'without waves as before', absolute=0.0_dp)
+   end subroutine check_line_waves
 
    !> Dry line contact: Dbar = ln 2 + 1/2 + ln(line_reference) - X^2 inside, and the load of the Hertz pressure.
    subroutine check_line_hertz()

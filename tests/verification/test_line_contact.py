@@ -40,6 +40,10 @@ def moes_formula(m, l):  # noqa: E741
     return (elastic + (rp**-3.5 + ep**-3.5)**(-2*s/7))**(1/s)
 
 
+def response(result):
+    return complex(result["harmonic_real"], result["harmonic_imaginary"])
+
+
 class LineContact(TestCase):
     def test_published_ratios(self):
         found = {}
@@ -111,6 +115,28 @@ class LineContact(TestCase):
     def test_standing_pattern(self):
         result = line(50, 8, 256, conditions={"slip_parameter": 0}, waviness=waves(1, "both"))
         self.check_close(result["harmonic_ratio"], result["amplitude_ratio_fit"], SMALL, "S = 0")
+
+    def test_waves_along_the_line(self):
+        """Oblique waves of a line, whose wave number along it is exact, against slender ellipses: 1 % of Ai, less the slenderer."""
+        pattern = {"orientation": "custom", "wavelength_x_over_a": 1, "wavelength_y_over_a": 2, "response": "harmonic"}
+        eyring = {"flow_law": "eyring", "eyring_stress_pa": 5e6}
+        for name, slip, lubricant in (("rolling", 1, {}), ("sliding, Ree-Eyring", 1.5, eyring)):
+            conditions = {"slip_parameter": slip, "reduced_modulus_pa": 226e9}
+            groups = {"lubricant": lubricant, "conditions": conditions}
+            oblique = solve(m=50, d=0, **groups, grid={"cells_x": 128}, waviness={**pattern, "oblique": True})
+            self.assertEqual(oblique["harmonic_approach"], 0)
+            transverse = solve(m=50, d=0, **groups, grid={"cells_x": 128}, waviness={**pattern, "wavelength_y_over_a": 0})
+            self.assertGreater(abs(response(oblique) - response(transverse)), 0.01)      # it is seen that they are oblique
+            differences = []
+            for d, cells_y in ((0.1, 192), (0.02, 512)):
+                smooth = solve(m=100, d=d, grid={"cells_x": 64, "cells_y": 64})
+                m = 100*(oblique["alphabar"]/smooth["alphabar"])**3
+                ellipse = solve(m=m, d=d, **groups, grid={"cells_x": 128, "cells_y": cells_y}, waviness=pattern)
+                differences.append(abs(response(ellipse) - response(oblique)))
+            self.assertLess(differences[-1], 0.01)
+            self.assertLess(differences[-1], differences[0])
+            report(f"waves along the line, {name}: {100*differences[0]:.2f} % of Ai from the ellipse of D = 0.1, "
+                   f"{100*differences[1]:.2f} % from that of 0.02")
 
     def test_fine_grid_is_cheap(self):
         """Steps do not grow with the grid: 8192 cells; measured 16 GMRES steps, half a second."""

@@ -33,6 +33,7 @@ program test_shared_steady
    call test%check(is_success(first%status) .and. .not. is_success(second%status), 'whatever the order')
    call check_speeds()
    call check_friction()
+   call check_room()
    call test%finish()
 
 contains
@@ -57,6 +58,20 @@ contains
       call test%check(same(second%shear%friction_coefficient, alone_second%shear%friction_coefficient) .and. &
                       abs(second%shear%friction_coefficient) > 0, 'friction of the second speed')
    end subroutine check_friction
+
+   !> Linear systems that are not kept side by side: the same numbers and counts.
+   subroutine check_room()
+      type(shared_steady_t) :: shared
+      shared%many_nodes = 0
+      call run(enough, long, 'newton', first, shared)
+      call run(enough, longer, 'newton', second, shared)
+      call run(enough, long, 'newton', alone)
+      call compare(first, alone, 'little room, first')
+      call test%check(same(first%harmonic%mean_rise, alone%harmonic%mean_rise), 'little room, mean film')
+      call run(enough, longer, 'newton', alone_second)
+      call compare(second, alone_second, 'little room, second')
+      call test%check(allocated(shared%response%tangent) .and. .not. allocated(shared%response%linear%levels), 'room was made')
+   end subroutine check_room
 
    !> Two wavelengths of one contact, in `first` and `second`, each against the same case alone.
    subroutine pair(steps, wavelength, wavelength_second, method)

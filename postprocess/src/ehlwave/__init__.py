@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from ehlwave.case_file import read_contact as read_case
     from ehlwave.contact.bodies import Body
     from ehlwave.contact.data_sheet import Oil
+    from ehlwave.contact.heat_data import BodyHeat, Heat
     from ehlwave.deform import deform_surface, read_surface
     from ehlwave.driver import Case, Study
     from ehlwave.errors import (
@@ -51,6 +52,7 @@ _HOMES = {
     "atlas": ("Atlas", "load_atlas"),
     "contact.bodies": ("Body",),
     "contact.data_sheet": ("Oil",),
+    "contact.heat_data": ("BodyHeat", "Heat"),
     "deform": ("deform_surface", "read_surface"),
     "driver": ("Case", "Study"),
     "errors": (
@@ -86,6 +88,7 @@ __all__ = [
     "ArgumentError",
     "Atlas",
     "Body",
+    "BodyHeat",
     "Case",
     "Contact",
     "EhlwaveError",
@@ -93,6 +96,7 @@ __all__ = [
     "Film",
     "FitError",
     "FormulaFit",
+    "Heat",
     "Oil",
     "ProgramError",
     "RangeError",

@@ -23,6 +23,13 @@ REACH = 1.5
 FILM_SHOWN = 2.0
 """Thickest film that is shown, over the smooth central one."""
 
+RISES = {
+    "rise_mid_film_k": "half-way across",
+    "rise_wall_1_k": "surface 1",
+    "rise_wall_2_k": "surface 2",
+}
+"""Rises of the temperature along rolling, of a case with heat."""
+
 _STYLE = {"font.size": 8.5, "axes.labelsize": 9, "axes.titlesize": 9.5, "legend.fontsize": 8}
 
 
@@ -66,21 +73,32 @@ def case_figure(case: xr.Dataset) -> Figure:
     matplotlib.figure.Figure
         In um, GPa and us where the case has dimensions. The history has the undeformed pattern
         besides: the film that rigid waves of the same Ai would leave. A line contact has no maps.
+        With heat there are rises of the temperature besides.
     """
     units = units_of(case)
     is_line = case["y"].size == 1
+    has_heat = next(iter(RISES)) in case
+    if has_heat:
+        for name in RISES:
+            check_field(case, name, ("y", "x"))
     has_time = case["time"].size > 1 if "time" in case else False
     if has_time:
         check_field(case, "time", ("time",))
         check_field(case, "film_at_centre", ("time",))
     with rc_context(_STYLE):
         if is_line:
-            figure = Figure(figsize=(7.6, 3.0), layout=ConstrainedLayoutEngine(w_pad=0.15))
-            lengthwise, history = figure.subplots(1, 2)
+            size = (11.0 if has_heat else 7.6, 3.0)
+            figure = Figure(figsize=size, layout=ConstrainedLayoutEngine(w_pad=0.15))
+            lengthwise, *more, history = figure.subplots(1, 3 if has_heat else 2)
         else:
-            figure = Figure(figsize=(10.6, 5.6), layout=ConstrainedLayoutEngine(w_pad=0.15))
-            panels = figure.subplots(2, 3)
-            (film_map, pressure_map, history), (lengthwise, crosswise, spare) = panels
+            size = (13.6 if has_heat else 10.6, 5.6)
+            figure = Figure(figsize=size, layout=ConstrainedLayoutEngine(w_pad=0.15))
+            upper, lower = figure.subplots(2, 4 if has_heat else 3)
+            (film_map, pressure_map, history), (lengthwise, crosswise, spare) = upper[:3], lower[:3]
+            more = [lower[3]] if has_heat else []
+            if has_heat:
+                _draw_map(upper[3], case["rise_mid_film_k"], units, 1, "inferno")
+                upper[3].set_title("rise half-way across the film [K]")
             central = central_film(case)
             _draw_map(film_map, case["film"].clip(max=FILM_SHOWN * central), units, units.film)
             film_map.set_title(f"film, {units.names[2]}")
@@ -89,6 +107,8 @@ def case_figure(case: xr.Dataset) -> Figure:
             _draw_midplane(crosswise, case, units, "y")
             _draw_contours(spare, case, units)
         _draw_midplane(lengthwise, case, units, "x")
+        for axes in more:
+            _draw_rises(axes, case, units)
         if has_time:
             _draw_history(history, case, units)
         else:
@@ -149,6 +169,16 @@ def _draw_midplane(axes: Axes, case: xr.Dataset, units: Units, along: str) -> No
     right.set_ylim(0, 1.15 * float(case["pressure"].max()) * units.pressure)
     right.set_ylabel(units.names[3], color=COLOURS[1])
     axes.set_title("along rolling, $y = 0$" if along == "x" else "across, $x = 0$")
+
+
+def _draw_rises(axes: Axes, case: xr.Dataset, units: Units) -> None:
+    """Draw rises of the temperature along the line through the centre."""
+    line = case.sel({"y": 0}, method="nearest")
+    for name, label in RISES.items():
+        axes.plot(line["x"].values * units.x, line[name].values, label=label)
+    axes.set_xlim(*(units.x * np.clip([line["x"].min(), line["x"].max()], -REACH, REACH)))
+    axes.set(xlabel=units.names[0], ylabel="rise [K]", title="temperature, $y = 0$")
+    axes.legend(frameon=False, fontsize=7)
 
 
 def _draw_history(axes: Axes, case: xr.Dataset, units: Units) -> None:

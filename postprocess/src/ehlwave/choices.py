@@ -24,3 +24,9 @@ RATIO_COLUMNS: dict[Ratio, str] = {
 
 REPLICATES, SEED = 1000, 20000
 """Samples of the bootstrap, and the seed of its random numbers."""
+
+TRACTION_RATIOS = (
+    *(0.0002, 0.0006, 0.002, 0.005, 0.01, 0.02, 0.035, 0.06, 0.1),
+    *(0.16, 0.25, 0.4, 0.6, 0.9, 1.3, 1.8),
+)
+"""Slide-to-roll ratios of ``ehlwave traction``."""

@@ -12,6 +12,7 @@ from ehlwave.commands.deform import add_deform_commands
 from ehlwave.commands.replenish import add_replenish_command
 from ehlwave.commands.results import add_results_commands
 from ehlwave.commands.stress import add_stress_command
+from ehlwave.commands.traction import add_traction_command
 from ehlwave.errors import ResultsError, printable
 from ehlwave.extras import advice
 from ehlwave.terminal import plain_text_only
@@ -83,6 +84,7 @@ def command_parser() -> argparse.ArgumentParser:
     add_deform_commands(commands)
     add_stress_command(commands)
     add_replenish_command(commands)
+    add_traction_command(commands)
     add_app_command(commands)
     return parser
 

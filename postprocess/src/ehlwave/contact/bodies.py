@@ -1,9 +1,10 @@
-"""One body of a contact: radii of curvature and elastic constants."""
+"""One body of a contact: radii of curvature, elastic constants, and how it conducts heat."""
 
 import math
 from dataclasses import dataclass
 from typing import Any
 
+from ehlwave.contact.heat_data import BodyHeat
 from ehlwave.contact.materials import material as known_material
 from ehlwave.errors import SurfaceError
 from ehlwave.hints import see
@@ -27,6 +28,8 @@ class Body:
     material : str, optional
         In place of both: ``"steel"``, ``"silicon nitride"``, ``"glass"``, ``"sapphire"``,
         ``"tungsten carbide"``, ``"bronze"``, ... (:data:`ehlwave.contact.materials.MATERIALS`).
+    conductivity_w_per_m_k, density_kg_per_m3, heat_capacity_j_per_kg_k : float, optional
+        For films and friction with heat; those of the material where they are left out.
 
     Raises
     ------
@@ -49,6 +52,9 @@ class Body:
     elastic_modulus_pa: float | None = None
     poisson_ratio: float | None = None
     material: str | None = None
+    conductivity_w_per_m_k: float | None = None
+    density_kg_per_m3: float | None = None
+    heat_capacity_j_per_kg_k: float | None = None
 
     def __post_init__(self) -> None:
         """Check, convert, and look the material up."""
@@ -76,8 +82,18 @@ class Body:
                 f"Body: elastic_modulus_pa = {values[names[0]]:g} must be above 0, and "
                 f"poisson_ratio = {values[names[1]]:g} lie in 0 to 0.5"
             )
-        for name, value in values.items():
+        for name, value in (values | self._heat()).items():
             object.__setattr__(self, name, value)
+
+    def _heat(self) -> dict[str, float]:
+        """Return what is known of its heat: its own numbers before those of its material."""
+        known = {} if self.material is None else known_material(self.material).heat._asdict()
+        for name in BodyHeat._fields:
+            if (value := getattr(self, name)) is not None:
+                known[name] = number(value, name, "Body")
+                if not known[name] > 0:
+                    raise SurfaceError(f"Body: {name} = {value} must be above 0")
+        return known
 
     def __repr__(self) -> str:
         """Return radii and constants."""

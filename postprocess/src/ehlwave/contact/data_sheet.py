@@ -8,6 +8,7 @@ import numpy as np
 
 from ehlwave.contact.alpha_estimates import State, estimate_alpha
 from ehlwave.contact.measured_oils import DENSITY_15C, MEASURED, SOURCE, TEMPERATURES_K
+from ehlwave.contact.oil_heat import usual_heat
 from ehlwave.contact.viscosity_grade import (
     COLD_K,
     GRADE_ERROR,
@@ -59,6 +60,10 @@ class Oil:
         beta = -d ln eta/dT at ambient pressure, 1/K.
     eyring_stress_pa : float, optional
         Of a Ree-Eyring oil, which contacts that slide need.
+    conductivity_w_per_m_k, heat_capacity_j_per_kg_k : float, optional
+        At this temperature, for films and friction with heat.
+    conductivity_error, heat_capacity_error : float
+        Relative.
     source : str
         What the numbers are from.
 
@@ -79,6 +84,10 @@ class Oil:
     density_kg_per_m3: float | None = None
     viscosity_temperature_per_k: float | None = None
     eyring_stress_pa: float | None = None
+    conductivity_w_per_m_k: float | None = None
+    heat_capacity_j_per_kg_k: float | None = None
+    conductivity_error: float = 0.0
+    heat_capacity_error: float = 0.0
     source: str = "given"
 
     def __post_init__(self) -> None:
@@ -130,7 +139,9 @@ class Oil:
             out). ``kind``: ``"mineral"`` (default), ``"pao"``, ``"ester"``, ``"polyglycol"``.
             ``pressure_viscosity_per_pa`` at this temperature with ``pressure_viscosity_error``, or
             ``alpha``, an estimate: ``"gold"`` (default), ``"wooster"``, ``"so-klaus"``; its scatter
-            becomes the error. ``roelands_index``, ``eyring_stress_pa``.
+            becomes the error. ``roelands_index``, ``eyring_stress_pa``. Conductivity and heat
+            capacity are usual ones of the kind (:mod:`ehlwave.contact.oil_heat`) unless
+            ``conductivity_w_per_m_k`` and ``heat_capacity_j_per_kg_k`` are given.
 
         Raises
         ------
@@ -161,7 +172,8 @@ class Oil:
         alpha, scatter, source = _alpha(sheet, state)
         step = _STEP_K
         log_slope = np.log(viscosity(temperature - step) / viscosity(temperature + step))
-        others = {key: sheet[key] for key in ("roelands_index", "eyring_stress_pa") if key in sheet}
+        others = {key: sheet[key] for key in _PASSED if key in sheet}
+        usual = usual_heat(kind, temperature, density_15c) | others
         return cls(
             viscosity_pa_s=viscosity(temperature),
             pressure_viscosity_per_pa=alpha,
@@ -171,7 +183,7 @@ class Oil:
             density_kg_per_m3=state.density_kg_per_m3,
             viscosity_temperature_per_k=float(log_slope / (2 * step)),
             source=f"{said}, ASTM D341; alpha: {source}",
-            **others,
+            **usual,
         )
 
     @classmethod
@@ -179,7 +191,8 @@ class Oil:
         """Return a measured oil by its name, between 30 and 100 C.
 
         Between measured temperatures viscosity follows ASTM D341, alpha a straight line over T. The
-        source states no errors; none is carried.
+        source states no errors; none is carried. It has no conductivities and heat capacities:
+        usual ones of mineral oils stand for them.
 
         Parameters
         ----------
@@ -188,7 +201,8 @@ class Oil:
         temperature_k : float
             Temperature, K.
         **others
-            ``roelands_index``, ``eyring_stress_pa``.
+            ``roelands_index``, ``eyring_stress_pa``, ``conductivity_w_per_m_k``,
+            ``heat_capacity_j_per_kg_k``.
 
         Examples
         --------
@@ -231,10 +245,14 @@ class Oil:
             density_kg_per_m3=_usual_density(temperature),
             viscosity_temperature_per_k=float(slope),
             source=f"{name}: {SOURCE}",
-            **others,
+            **(usual_heat("mineral", temperature, DENSITY_15C) | others),
         )
 
 
+_PASSED = (
+    *("roelands_index", "eyring_stress_pa"),
+    *("conductivity_w_per_m_k", "heat_capacity_j_per_kg_k"),
+)
 _SHEET = (
     "temperature_k",
     "iso_vg",
@@ -246,8 +264,7 @@ _SHEET = (
     "alpha",
     "pressure_viscosity_per_pa",
     "pressure_viscosity_error",
-    "roelands_index",
-    "eyring_stress_pa",
+    *_PASSED,
 )
 _CONTRADICTIONS = (
     ("iso_vg", "viscosity_40c_mm2_per_s"),

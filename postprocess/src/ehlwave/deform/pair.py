@@ -9,7 +9,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from ehlwave.deform.amplitude import expected_nonlinearity, validated_amplitude
+from ehlwave.deform.amplitude import (
+    expected_nonlinearity,
+    lowest_film,
+    validated_amplitude,
+)
 from ehlwave.deform.predict import Deformed
 from ehlwave.deform.two_surfaces import FilmOfTwo, film_of_two
 from ehlwave.errors import SurfaceError
@@ -27,9 +31,10 @@ class PairStatistics:
     mean_film_m : float
         The smooth central film and what either surface adds to it, where that is used.
     minimum_film_m : float or None
-        Mean film less the highest deformed point of either; None where that is not above 0.
+        At the highest deformed points of both, by :func:`ehlwave.deform.amplitude.lowest_film`;
+        None where these are above the mean film.
     surfaces_touch : bool
-        Whether it is not.
+        Whether they are.
     lambda_ratio_before, lambda_ratio_after : float
         Mean film over Rq before and after.
     lambda_errors : dict of float or None
@@ -136,14 +141,14 @@ def pair_statistics(first: Deformed, second: Deformed) -> PairStatistics:
     extrapolated = any(amplitude > validated_amplitude(one.conditions) for one in both)
     rises = [one.statistics.mean_rise_m or 0.0 for one in both]
     mean = film if extrapolated else film + sum(rises)
-    least = mean - sum(float(one.height.max()) for one in both)
+    least = (mean - sum(float(one.height.max()) for one in both)) / film
     unused = sum(map(abs, rises)) / film if extrapolated else 0.0
     errors = _errors(both, amplitude, unused)
     return PairStatistics(
         rq_before_m=before,
         rq_after_m=after,
         mean_film_m=mean,
-        minimum_film_m=least if least > 0 else None,
+        minimum_film_m=lowest_film(least) * film if least > 0 else None,
         surfaces_touch=least <= 0,
         lambda_ratio_before=mean / before if before > 0 else math.inf,
         lambda_ratio_after=mean / after if after > 0 else math.inf,

@@ -9,6 +9,7 @@ from ehlwave.contact.conditions import Conditions
 from ehlwave.deform.amplitude import (
     LARGEST_RISE,
     expected_nonlinearity,
+    lowest_film,
     rise_error,
     validated_amplitude,
 )
@@ -34,9 +35,10 @@ class FilmStatistics:
         What the roughness adds to the mean film, to second order. None: the transfer has no rises,
         or the amplitude is above those that rises were compared with.
     minimum_film_m : float or None
-        Mean film less the highest deformed point; None where that is not above 0.
+        At the highest deformed point, by :func:`ehlwave.deform.amplitude.lowest_film`: marches
+        have more there than the mean film less that point. None where that is not above 0.
     surfaces_touch : bool or None
-        Whether it is not: no film is left at the highest point.
+        Whether it is not. Marches then touch somewhere in the contact, if not at its centre.
     lambda_ratio_before, lambda_ratio_after : float or None
         Mean film over Rq before (the usual ratio) and after (what is there in the contact).
     lambda_errors : dict of float or None
@@ -102,7 +104,7 @@ def film_statistics(
     extrapolated = amplitude > validated_amplitude(conditions)
     is_used = rise is not None and not extrapolated and abs(rise) <= LARGEST_RISE
     mean_film = film * (1 + rise) if is_used else film
-    least = float(mean_film - after.max())
+    least = float(mean_film - after.max()) / film
     errors = None
     if known.error is not None and conditions.central_film_error is not None:
         unused = 0.0 if rise is None or is_used else abs(rise)
@@ -116,7 +118,7 @@ def film_statistics(
         **heights,
         mean_film_m=mean_film,
         mean_rise_m=mean_film - film if is_used else None,
-        minimum_film_m=least if least > 0 else None,
+        minimum_film_m=lowest_film(least) * film if least > 0 else None,
         surfaces_touch=least <= 0,
         lambda_ratio_before=_quotient(mean_film, rq_before),
         lambda_ratio_after=_quotient(mean_film, rq_after),

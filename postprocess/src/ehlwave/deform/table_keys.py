@@ -104,6 +104,7 @@ OF_THE_SOLUTION = frozenset(
         "deformation",
         "error_estimate",
         "accuracy",
+        "threads",
     )
 )
 """How well a response is known, not what it is."""

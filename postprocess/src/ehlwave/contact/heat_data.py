@@ -1,0 +1,189 @@
+"""Heat of a contact: how oil and both bodies conduct and store it, and by what an oil thins."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, fields
+from typing import Any, NamedTuple
+
+from ehlwave.errors import SurfaceError
+from ehlwave.hints import see
+from ehlwave.quantities import number
+
+
+class BodyHeat(NamedTuple):
+    """How a body conducts and stores heat; by default the soft steel of ``&heat``.
+
+    Parameters
+    ----------
+    conductivity_w_per_m_k, density_kg_per_m3, heat_capacity_j_per_kg_k : float
+        In W/(m K), kg/m3 and J/(kg K).
+
+    Examples
+    --------
+    Hardened bearing steel:
+
+    >>> import ehlwave
+    >>> ehlwave.BodyHeat(conductivity_w_per_m_k=21).density_kg_per_m3
+    7850.0
+    """
+
+    conductivity_w_per_m_k: float = 46.0
+    density_kg_per_m3: float = 7850.0
+    heat_capacity_j_per_kg_k: float = 470.0
+
+    @property
+    def effusivity(self) -> float:
+        """Return (k rho c)^(1/2), W s^(1/2)/(m2 K): a fast surface is warmed by heat over it.
+
+        Examples
+        --------
+        >>> import ehlwave
+        >>> round(ehlwave.BodyHeat().effusivity)
+        13028
+        """
+        conducted, density, capacity = self
+        return float((conducted * density * capacity) ** 0.5)
+
+
+SOFT_STEEL = BodyHeat()
+
+
+@dataclass(frozen=True)
+class Heat:
+    """What films and friction with heat depend on besides the contact: the keys of ``&heat``.
+
+    Parameters
+    ----------
+    temperature_k : float
+        T0, of the oil that enters and of both bodies, K.
+    viscosity_temperature_per_k : float
+        beta = -d ln eta/dT at ambient pressure and T0, 1/K.
+    oil_conductivity_w_per_m_k, oil_heat_capacity_j_per_kg_k, oil_density_kg_per_m3 : float
+        Of the oil.
+    oil_expansion_per_k : float
+        By which its density falls, 1/K.
+    body, body2 : BodyHeat
+        Of the first surface, which is the rough one, and of the other one.
+
+    Raises
+    ------
+    SurfaceError
+        If a number is none that a contact has.
+
+    Examples
+    --------
+    >>> import ehlwave
+    >>> heat = ehlwave.Heat(temperature_k=313.15, viscosity_temperature_per_k=0.045,
+    ...                     oil_conductivity_w_per_m_k=0.13, oil_heat_capacity_j_per_kg_k=1950,
+    ...                     oil_density_kg_per_m3=870)
+    >>> heat.keys()["body_conductivity_w_per_m_k"]
+    46.0
+    """
+
+    temperature_k: float
+    viscosity_temperature_per_k: float
+    oil_conductivity_w_per_m_k: float
+    oil_heat_capacity_j_per_kg_k: float
+    oil_density_kg_per_m3: float
+    oil_expansion_per_k: float = 7e-4
+    body: BodyHeat = SOFT_STEEL
+    body2: BodyHeat | None = None
+
+    def __post_init__(self) -> None:
+        """Check and convert."""
+        for field in fields(self):
+            if field.name.startswith("body"):
+                found = getattr(self, field.name) or self.body
+                for name, value in zip(BodyHeat._fields, found, strict=True):
+                    _positive(value, f"{field.name}_{name}")
+                object.__setattr__(self, field.name, BodyHeat(*map(float, found)))
+                continue
+            lowest = 0.0 if field.name == "oil_expansion_per_k" else None
+            value = _positive(getattr(self, field.name), field.name, lowest)
+            object.__setattr__(self, field.name, value)
+        if self.temperature_k <= 178:
+            raise SurfaceError(
+                f"Heat: temperature_k = {self.temperature_k:g} is in K: give 313.15 for 40 C"
+            )
+
+    @property
+    def bodies(self) -> tuple[BodyHeat, BodyHeat]:
+        """Return both bodies.
+
+        Examples
+        --------
+        >>> import ehlwave
+        >>> heat = ehlwave.Heat(313.15, 0.045, 0.13, 1950, 870)
+        >>> heat.bodies[0] == heat.bodies[1] == ehlwave.BodyHeat()
+        True
+        """
+        return self.body, self.body2 or self.body
+
+    def keys(self) -> dict[str, float]:
+        """Return the keys of ``&heat``, and ``temperature_k``, for :class:`ehlwave.Case`.
+
+        Examples
+        --------
+        >>> import ehlwave
+        >>> ehlwave.Heat(313.15, 0.045, 0.13, 1950, 870).keys()["viscosity_temperature_per_k"]
+        0.045
+        """
+        found = {
+            field.name: getattr(self, field.name)
+            for field in fields(self)
+            if not field.name.startswith("body")
+        }
+        for name, body in zip(("body", "body2"), self.bodies, strict=True):
+            found |= {f"{name}_{key}": value for key, value in body._asdict().items()}
+        return found
+
+
+def heat_of(oil: Any, bodies: tuple[Any, Any]) -> Heat:  # noqa: ANN401 - Oil, Body: no circle
+    """Return the heat of a contact by the own data of its oil and its bodies.
+
+    Parameters
+    ----------
+    oil : Oil
+        With temperature, density, conductivity and heat capacity.
+    bodies : pair of Body
+        Of known materials, or with numbers of their own.
+
+    Raises
+    ------
+    SurfaceError
+        If something is not known; the message says what.
+    """
+    if oil is None:
+        raise SurfaceError(f"Contact: heat=True needs oil=ehlwave.Oil(...){see('oil')}")
+    names: Mapping[str, str] = {
+        "temperature_k": "temperature_k",
+        "viscosity_temperature_per_k": "viscosity_temperature_per_k",
+        "oil_conductivity_w_per_m_k": "conductivity_w_per_m_k",
+        "oil_heat_capacity_j_per_kg_k": "heat_capacity_j_per_kg_k",
+        "oil_density_kg_per_m3": "density_kg_per_m3",
+    }
+    values = {key: getattr(oil, name) for key, name in names.items()}
+    missing = [names[key] for key, value in values.items() if value is None]
+    if missing:
+        raise SurfaceError(
+            f"Contact: heat=True: the oil has no {missing[0]}, and no usual value is known of its "
+            f"kind: give Oil(..., {missing[0]}=...), or heat=ehlwave.Heat(...){see('oil')}"
+        )
+    return Heat(**values, body=_body_heat(bodies[0], "body1"), body2=_body_heat(bodies[1], "body2"))
+
+
+def _body_heat(body: Any, name: str) -> BodyHeat:  # noqa: ANN401
+    values = [getattr(body, key) for key in BodyHeat._fields]
+    for key, value in zip(BodyHeat._fields, values, strict=True):
+        if value is None:
+            raise SurfaceError(
+                f"Contact: heat=True: {name} has no {key}: give Body(..., {key}=...), a material, "
+                f"or heat=ehlwave.Heat(...){see('bodies')}"
+            )
+    return BodyHeat(*values)
+
+
+def _positive(value: Any, name: str, lowest: float | None = None) -> float:  # noqa: ANN401
+    found = number(value, name, "Heat")
+    if found < 0 or (found == 0 and lowest is None):
+        raise SurfaceError(f"Heat: {name} = {value} must be above 0")
+    return found

@@ -1,0 +1,302 @@
+"""Films and friction with heat: laws fitted to computed contacts, ``scripts/study heat``.
+
+The inlet is warmed by its own shear, which thins the film; where surfaces slide, the film between
+them is warmed, which makes it easier to shear. Friction is that of :mod:`ehlwave.sheared_film`
+times a factor near 1. Coefficients and errors stand in ``postprocess/record/heat/laws.csv``.
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ehlwave.contact.conditions import Conditions
+from ehlwave.contact.heat_data import Heat
+from ehlwave.errors import RangeError, SurfaceError
+from ehlwave.sheared_film import Sheared, Sliding, shear_isothermal, shear_warm
+
+Floats = NDArray[np.float64]
+
+INLET_COEFFICIENTS = (0.11434, 0.8775, 1.5234, 2.6508, 5.7436, 0.65452)
+"""Of :func:`inlet_factor`."""
+FRICTION_COEFFICIENTS = (0.23399, 0.65618, 1.4634, 0.30077, 0.17842, 0.28192, 36.972)
+"""Of :func:`friction_factor`."""
+INLET_BAR, FRICTION_BAR, COLD_BAR = 0.05, 0.12, 0.055
+"""Relative errors of the film by heat and of friction with and without heat: 95 % of contacts held
+out are within. A test compares them with the record."""
+
+RANGES = {
+    "load_parameter_m": (5.0, 1500.0),
+    "lubricant_parameter_l": (2.0, 20.0),
+    "hertz_pressure_pa": (3e8, 1.8e9),
+    "pressure_viscosity_per_pa": (1.1e-8, 2.6e-8),
+    "roelands_index": (0.4, 0.7),
+    "eyring_stress_pa": (2e6, 1.5e7),
+    "abs(slide_to_roll_ratio)": (0.0, 1.9),
+    "film over Hertz approach": (0.0, 0.4),
+    "eta0 beta u^2/k": (0.0, 8.0),
+    "effusivity of a body": (1.35e3, 1.5e4),
+}
+"""Of the contacts that the laws were fitted to; D is 0 (lines) or 0.2 to 1 besides."""
+LOWEST_RATIO = 0.2
+
+
+@dataclass(frozen=True)
+class Heated:
+    """A contact with heat.
+
+    Attributes
+    ----------
+    film_factor : float
+        Central film with heat over that without.
+    inlet_factor : float
+        The part of it by the warm inlet; the other one is by the density at the centre.
+    friction, isothermal_friction : float or None
+        Friction coefficients with and without heat; None in pure rolling and of other oils than
+        Ree-Eyring's.
+    friction_error : float or None
+        Of the former, relative: of the law, and what errors of viscosity and pressure-viscosity
+        coefficient make of it. That of the film comes besides.
+    rise_mid_film_k, rise_surfaces_k : float
+        Rises at the centre of the contact, K; 0 where friction is not known.
+    """
+
+    film_factor: float
+    inlet_factor: float
+    friction: float | None = None
+    friction_error: float | None = None
+    isothermal_friction: float | None = None
+    rise_mid_film_k: float = 0.0
+    rise_surfaces_k: float = 0.0
+
+
+def thermal_loading(
+    viscosity_pa_s: ArrayLike, beta_per_k: ArrayLike, speed_m_per_s: ArrayLike, k: ArrayLike
+) -> Floats:
+    """Return L_T = eta0 beta u^2/k: about the rise of a film by rolling, times beta.
+
+    Examples
+    --------
+    >>> from ehlwave.heat_laws import thermal_loading
+    >>> print(f"{thermal_loading(0.05, 0.045, 5.0, 0.14):.2f}")
+    0.40
+    """
+    given = (viscosity_pa_s, beta_per_k, speed_m_per_s, k)
+    eta, beta, u, k = (np.asarray(value, dtype=np.float64) for value in given)
+    return np.asarray(eta * beta * u**2 / k)
+
+
+def inlet_factor(
+    loading: ArrayLike,
+    slide_to_roll_ratio: ArrayLike,
+    wall: ArrayLike,
+    coefficients: ArrayLike = INLET_COEFFICIENTS,
+) -> Floats:
+    """Return by what the shear of the inlet thins a film.
+
+    1/(1 + c1 (1 + c3 s^c4) L_T^c2 (1 + c5 B^c6)): the form of Gupta and others with warm surfaces.
+
+    Parameters
+    ----------
+    loading : array_like
+        L_T, as from `thermal_loading`.
+    slide_to_roll_ratio : array_like
+        s, either sign.
+    wall : array_like
+        B, as from `wall_parameter`: how hard it is for heat to go on into the bodies.
+    coefficients : array_like
+        Those of the record.
+
+    Examples
+    --------
+    >>> from ehlwave.heat_laws import inlet_factor
+    >>> inlet_factor([0.0, 0.4], 0.0, 1.0).round(2).tolist()
+    [1.0, 0.74]
+    """
+    c1, c2, c3, c4, c5, c6 = np.asarray(coefficients, dtype=np.float64)
+    given = (loading, slide_to_roll_ratio, wall)
+    x, s, b = (np.asarray(value, dtype=np.float64) for value in given)
+    return np.asarray(1 / (1 + c1 * (1 + c3 * np.abs(s) ** c4) * x**c2 * (1 + c5 * b**c6)))
+
+
+def wall_parameter(heat: Heat, film_m: float, semi_axis_a_m: float, speed_m_per_s: float) -> float:
+    """Return B = (k/h)(a/u)^(1/2) times the mean of one over the effusivities.
+
+    The rise of the surfaces over that of the film, as one flow of heat makes both.
+    """
+    slow = sum(0.5 / body.effusivity for body in heat.bodies)
+    return float(
+        heat.oil_conductivity_w_per_m_k / film_m * (semi_axis_a_m / speed_m_per_s) ** 0.5 * slow
+    )
+
+
+def friction_factor(
+    film_over_approach: ArrayLike,
+    is_line: ArrayLike,
+    stress_over_eyring: ArrayLike,
+    loading: ArrayLike,
+    slide_to_roll_ratio: ArrayLike,
+    coefficients: ArrayLike = FRICTION_COEFFICIENTS,
+) -> Floats:
+    """Return friction over that of an even film under Hertz pressure.
+
+    exp(-c1 H^c2 (1 + c3 e)/(1 + c4 t) - c5 L_T^c6/(1 + c7 s)): thick films have lower pressures
+    than Hertz', which stresses t below the Eyring stress feel most, and ellipses (e = 1) more than
+    lines (e = 0); oil that the inlet has warmed is easier to shear, which small slip feels most.
+    """
+    c1, c2, c3, c4, c5, c6, c7 = np.asarray(coefficients, dtype=np.float64)
+    h, t = np.asarray(film_over_approach), np.asarray(stress_over_eyring)
+    e = 1 - np.asarray(is_line, dtype=np.float64)
+    spread = c1 * h**c2 * (1 + c3 * e) / (1 + c4 * t)
+    warmed = c5 * np.asarray(loading) ** c6 / (1 + c7 * np.abs(slide_to_roll_ratio))
+    return np.asarray(np.exp(-spread - warmed))
+
+
+def sliding_film(conditions: Conditions, eyring_stress_pa: float, film_m: float) -> Sliding:
+    """Return the film of a contact that slides."""
+    given = dict(conditions.given)
+    return Sliding(
+        hertz_pa=conditions.hertz_pa,
+        semi_axis_a_m=conditions.semi_axis_a_m,
+        film_m=film_m,
+        mean_speed_m_per_s=float(given["mean_speed_m_per_s"]),
+        slide_to_roll_ratio=2 * (conditions.slip_parameter - 1),
+        viscosity_pa_s=float(given["viscosity_pa_s"]),
+        pressure_viscosity_per_pa=conditions.oil.pressure_viscosity_per_pa,
+        roelands_index=conditions.oil.roelands_index,
+        eyring_stress_pa=eyring_stress_pa,
+        is_line=conditions.is_line,
+    )
+
+
+def heated(
+    conditions: Conditions, heat: Heat, film_m: float, eyring_stress_pa: float | None
+) -> Heated:
+    """Return film and friction of a contact with heat.
+
+    Parameters
+    ----------
+    conditions : Conditions
+        From dimensional data.
+    heat : Heat
+        Of its oil and bodies.
+    film_m : float
+        Central film without heat, m.
+    eyring_stress_pa : float or None
+        Of a Ree-Eyring oil.
+
+    Raises
+    ------
+    RangeError
+        If the contact lies outside the contacts that the laws were fitted to.
+    """
+    _check(conditions, heat, film_m, eyring_stress_pa)
+    return warmed(conditions, heat, film_m, eyring_stress_pa)
+
+
+def warmed(
+    conditions: Conditions, heat: Heat, film_m: float, eyring_stress_pa: float | None
+) -> Heated:
+    """Return what :func:`heated` does, also outside the range, where errors are not known."""
+    given, ratio = dict(conditions.given), 2 * (conditions.slip_parameter - 1)
+    u, loading = float(given["mean_speed_m_per_s"]), _loading(conditions, heat)
+    over_c = film_m / float(conditions.hertz_approach_c_m or np.nan)
+    wall = wall_parameter(heat, film_m, conditions.semi_axis_a_m, u)
+    inlet = float(inlet_factor(loading, ratio, wall))
+    if ratio == 0 or eyring_stress_pa is None:
+        return Heated(inlet, inlet)
+    case = sliding_film(conditions, eyring_stress_pa, film_m)
+
+    def factor(found: Sheared, film: float, warmth: float) -> float:
+        stress = found.friction * conditions.hertz_pa / eyring_stress_pa
+        return float(friction_factor(over_c * film, conditions.is_line, stress, warmth, ratio))
+
+    cold = shear_isothermal(case)
+    warm = shear_warm(replace(case, film_m=film_m * inlet), heat)
+    film = inlet / (1 - min(heat.oil_expansion_per_k * warm.rise_mean_k, 0.5))
+    warm = shear_warm(replace(case, film_m=film_m * film), heat)
+    return Heated(
+        film,
+        inlet,
+        warm.friction * factor(warm, film, loading),
+        FRICTION_BAR + _oil_error(given, heat, replace(case, film_m=film_m * film), warm.friction),
+        cold.friction * factor(cold, 1.0, 0.0),
+        warm.rise_mid_film_k,
+        warm.rise_surfaces_k,
+    )
+
+
+def _oil_error(given: dict[str, float], heat: Heat, case: Sliding, friction: float) -> float:
+    """Return by how much friction changes, relative, by the errors of the oil's data."""
+    total = 0.0
+    for key, name in (
+        ("viscosity_error", "viscosity_pa_s"),
+        ("pressure_viscosity_error", "pressure_viscosity_per_pa"),
+    ):
+        if error := float(given.get(key, 0.0)):
+            value = getattr(case, name)
+            others = (replace(case, **{name: value * (1 + e)}) for e in (-error, error))
+            total += max(abs(shear_warm(one, heat).friction / friction - 1) for one in others)
+    return total
+
+
+def check_heat(conditions: Conditions, heat: Heat) -> None:
+    """Refuse contacts that the laws are not for.
+
+    Raises
+    ------
+    SurfaceError
+        If the contact has no dimensional data, is starved, or `heat` is none.
+    """
+    if not isinstance(heat, Heat):
+        raise SurfaceError(
+            f"Contact: heat = {heat!r} is no ehlwave.Heat; Contact.from_bodies(..., heat=True) "
+            "takes the own data of oil and bodies"
+        )
+    if "viscosity_pa_s" not in dict(conditions.given):
+        raise SurfaceError(
+            "Contact: heat needs dimensional conditions (viscosity_pa_s, ...), not M, L and D"
+        )
+    if conditions.is_starved:
+        raise SurfaceError(
+            "Contact: gives heat and oil_over_flooded: no law knows both: remove one, or compute "
+            "the contact with ehlwave-case"
+        )
+
+
+def _loading(conditions: Conditions, heat: Heat) -> float:
+    given = dict(conditions.given)
+    u, eta = (float(given[key]) for key in ("mean_speed_m_per_s", "viscosity_pa_s"))
+    beta, k = heat.viscosity_temperature_per_k, heat.oil_conductivity_w_per_m_k
+    return float(thermal_loading(eta, beta, u, k))
+
+
+def _check(conditions: Conditions, heat: Heat, film_m: float, stress_pa: float | None) -> None:
+    """Refuse what lies outside the contacts of the fit."""
+    oil = conditions.oil
+    values = {
+        "load_parameter_m": [conditions.m],
+        "lubricant_parameter_l": [conditions.l],
+        "hertz_pressure_pa": [conditions.hertz_pa],
+        "pressure_viscosity_per_pa": [oil.pressure_viscosity_per_pa],
+        "roelands_index": [oil.roelands_index],
+        "eyring_stress_pa": [] if stress_pa is None else [stress_pa],
+        "abs(slide_to_roll_ratio)": [2 * abs(conditions.slip_parameter - 1)],
+        "film over Hertz approach": [film_m / float(conditions.hertz_approach_c_m or np.nan)],
+        "eta0 beta u^2/k": [_loading(conditions, heat)],
+        "effusivity of a body": [body.effusivity for body in heat.bodies],
+    }
+    for name, found in values.items():
+        low, high = RANGES[name]
+        for value in found:
+            if not low * (1 - 1e-9) <= value <= high * (1 + 1e-9):
+                raise RangeError(_outside(name, value, f"{low:g} to {high:g}"))
+    if 0 < conditions.d < LOWEST_RATIO:
+        raise RangeError(_outside("radius_ratio_d", conditions.d, f"{LOWEST_RATIO:g} to 1, or 0"))
+
+
+def _outside(name: str, value: float, range_text: str) -> str:
+    return (
+        f"{name} = {value:.4g} is outside {range_text}, the range of the laws of heat: compute the "
+        "contact with ehlwave-case, &heat, or leave heat out"
+    )

@@ -1,0 +1,310 @@
+"""Steps of ``scripts/study heat``: laws of film and friction of contacts with heat."""
+
+import argparse
+import math
+import sys
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+
+import matplotlib.pyplot as plt
+import numpy as np
+import pandas as pd
+from numpy.typing import NDArray
+from scipy.optimize import least_squares
+
+from ehlwave.contact import Conditions, conditions_from_keys
+from ehlwave.contact.heat_data import BodyHeat, Heat
+from ehlwave.figures import write_figure
+from ehlwave.heat_laws import (
+    FRICTION_COEFFICIENTS,
+    INLET_COEFFICIENTS,
+    friction_factor,
+    inlet_factor,
+    sliding_film,
+    thermal_loading,
+    wall_parameter,
+)
+from ehlwave.sheared_film import shear_isothermal, shear_warm
+from ehlwave.writing import Writer
+from studies.sweeps import Row, read_sweep, run_command, write_rows, write_sweep
+
+Floats = NDArray[np.float64]
+Law = Callable[[Floats], Floats]
+
+RANGES = {
+    "radius_x_m": (4e-3, 4e-2),
+    "reduced_modulus_pa": (1.1e11, 3.2e11),
+    "hertz_pa": (3e8, 1.8e9),
+    "mean_speed_m_per_s": (0.2, 30.0),
+    "viscosity_pa_s": (3e-3, 0.2),
+    "eyring_stress_pa": (2e6, 1.5e7),
+    "body_conductivity_w_per_m_k": (0.5, 60.0),
+    "slide_to_roll_ratio": (0.01, 1.9),
+}
+"""Drawn evenly in their logarithms."""
+EVEN_RANGES = {
+    "pressure_viscosity_per_pa": (1.1e-8, 2.6e-8),
+    "roelands_index": (0.4, 0.7),
+    "temperature_k": (293.0, 383.0),
+    "viscosity_temperature_per_k": (0.015, 0.07),
+    "oil_conductivity_w_per_m_k": (0.11, 0.17),
+    "oil_heat_capacity_j_per_kg_k": (1700.0, 2400.0),
+}
+ROLLING_SHARE = 0.3
+UNLIKE_SHARE = 0.3
+"""Of contacts whose second body conducts otherwise."""
+LOADS, OILS = (5.0, 1500.0), (2.0, 20.0)
+"""M and L of the contacts that are taken."""
+DENSITY, EXPANSION = 870.0, 7e-4
+FOLDS = 20
+"""Of contacts, each of which is predicted by a fit to the others."""
+LARGEST_ERROR = 0.05
+"""Of films and friction of computed contacts; coarser ones are left out."""
+THICKEST = 0.4
+"""Film by the formula over the Hertz approach; thicker ones are rather rigid."""
+
+
+def contact(rng: np.random.Generator, is_line: bool) -> Row:
+    """Return one contact drawn from the ranges; of a point D besides."""
+    row: Row = {
+        name: low * (high / low) ** rng.random() for name, (low, high) in RANGES.items()
+    } | {name: low + (high - low) * rng.random() for name, (low, high) in EVEN_RANGES.items()}
+    if rng.random() < ROLLING_SHARE:
+        row["slide_to_roll_ratio"] = 0.0
+    other = row["body_conductivity_w_per_m_k"]
+    if rng.random() < UNLIKE_SHARE:
+        low, high = RANGES["body_conductivity_w_per_m_k"]
+        other = low * (high / low) ** rng.random()
+    row["body2_conductivity_w_per_m_k"] = other
+    hertz, load = row.pop("hertz_pa"), "load_n_per_m" if is_line else "load_n"
+    if not is_line:
+        row["radius_y_m"] = row["radius_x_m"] / 0.2 ** rng.random()
+    one = conditions_from_keys({**_keys(row), load: 1.0}).hertz_pa
+    row[load] = (hertz / one) ** (2 if is_line else 3)
+    return {name: float(f"{value:.4g}") for name, value in row.items()}
+
+
+def _keys(row: Mapping[str, float]) -> dict[str, float]:
+    """Return what conditions are given by."""
+    names = (
+        *("radius_x_m", "radius_y_m", "reduced_modulus_pa", "load_n", "load_n_per_m"),
+        *("mean_speed_m_per_s", "viscosity_pa_s", "slide_to_roll_ratio", "eyring_stress_pa"),
+        *("pressure_viscosity_per_pa", "roelands_index"),
+    )
+    return {name: row[name] for name in names if name in row}
+
+
+def contacts(count: int, is_line: bool) -> list[Row]:
+    """Return as many contacts as `count` whose M, L and film are those of the laws."""
+    rng = np.random.default_rng(38 + is_line)
+    rows: list[Row] = []
+    while len(rows) < count:
+        row = contact(rng, is_line)
+        c = conditions_from_keys(_keys(row))
+        film = (c.central_film_m or math.nan) / (c.hertz_approach_c_m or math.nan)
+        if LOADS[0] <= c.m <= LOADS[1] and OILS[0] <= c.l <= OILS[1] and film < THICKEST:
+            rows.append(row)
+    return rows
+
+
+def write_cases(folder: Path, lines: int, points: int, cells: int) -> None:
+    """Write the sweeps of line and of elliptical contacts."""
+    oil = {"flow_law": "eyring"}
+    heat = {"oil_density_kg_per_m3": DENSITY, "oil_expansion_per_k": EXPANSION}
+    grid = {"x_min": -4.5, "x_max": 2.0, "edges": "flooded", "cells_x": 4 * cells}
+    groups = {"lubricant": oil, "heat": heat, "grid": grid}
+    write_sweep(folder, "lines", contacts(lines, is_line=True), groups)
+    grid = {"x_min": -3.5, "x_max": 1.5, "y_max": 2.5, "edges": "flooded"}
+    groups["grid"] = grid | {"cells_x": cells, "cells_y": cells}
+    write_sweep(folder, "points", contacts(points, is_line=False), groups)
+
+
+def usable(folder: Path) -> pd.DataFrame:
+    """Return the contacts that converged on a grid that resolves them, with what laws take."""
+    rows = []
+    for name in ("lines", "points"):
+        for case in read_sweep(folder, name):
+            if case["status"] != "converged" or not case["central_film_error"] < LARGEST_ERROR:
+                continue
+            ratio = 2 * (case["slip_parameter"] - 1)
+            if ratio and not case["friction_error"] < LARGEST_ERROR:
+                continue
+            rows.append(_compared(case, ratio))
+    return pd.DataFrame(rows)
+
+
+def _compared(case: Row, ratio: float) -> Row:
+    """Return what laws take of a contact, and what they are compared with."""
+    given = _keys({k: v for k, v in case.items() if not (isinstance(v, float) and math.isnan(v))})
+    c = conditions_from_keys(given)
+    bodies = (case[f"{name}_conductivity_w_per_m_k"] for name in ("body", "body2"))
+    named = (name for name in EVEN_RANGES if name not in given)
+    heat = Heat(
+        **{name: case[name] for name in named},
+        oil_density_kg_per_m3=DENSITY,
+        body=BodyHeat(next(bodies)),
+        body2=BodyHeat(next(bodies)),
+    )
+    warm_m = case["central_film_um"] * 1e-6
+    film_m = warm_m * case["isothermal_central_film"] / case["central_film"]
+    u = case["mean_speed_m_per_s"]
+    beta, k = heat.viscosity_temperature_per_k, heat.oil_conductivity_w_per_m_k
+    walls = (case["central_rise_wall_1_k"] + case["central_rise_wall_2_k"]) / 2
+    mean = walls + 2 / 3 * (case["central_rise_mid_film_k"] - walls)
+    row: Row = {
+        "is_line": c.is_line,
+        "ratio": ratio,
+        "loading": float(thermal_loading(case["viscosity_pa_s"], beta, u, k)),
+        "wall": wall_parameter(heat, film_m, c.semi_axis_a_m, u),
+        "film": warm_m / film_m,
+        "inlet": warm_m / film_m * (1 - EXPANSION * mean),
+        "hertz_over_modulus": c.hertz_pa / case["reduced_modulus_pa"],
+        "rise_mid_film_k": case["central_rise_mid_film_k"],
+        "friction": case["friction_coefficient"],
+        "isothermal": case["isothermal_friction_coefficient"],
+    }
+    return row | _sheared(c, heat, case["eyring_stress_pa"], film_m, warm_m) if ratio else row
+
+
+def _sheared(c: Conditions, heat: Heat, tau0: float, film_m: float, warm_m: float) -> Row:
+    """Return friction of the even film, with and without heat, and what its factor takes."""
+    cold = shear_isothermal(sliding_film(c, tau0, film_m))
+    warm = shear_warm(sliding_film(c, tau0, warm_m), heat)
+    found: Row = {"modelled_rise_k": warm.rise_mid_film_k}
+    for name, one, film in (("cold", cold, film_m), ("warm", warm, warm_m)):
+        found |= {
+            f"{name}_friction": one.friction,
+            f"{name}_thickness": film / (c.hertz_approach_c_m or math.nan),
+            f"{name}_stress": one.friction * c.hertz_pa / tau0,
+        }
+    return found
+
+
+def held_out(law: Law, y: Floats, start: Sequence[float], fold: Floats) -> tuple[Floats, Floats]:
+    """Return coefficients of a law of all rows, and errors of rows by fits to other folds."""
+
+    def solve(rows: Floats, begin: Sequence[float]) -> Floats:
+        return least_squares(lambda p: (law(p) - y)[rows], begin, loss="soft_l1", f_scale=0.03).x
+
+    best = solve(np.ones(len(y), dtype=bool), start)
+    errors = np.zeros_like(y)
+    for one in np.unique(fold):
+        errors[fold == one] = (law(solve(fold != one, best)) - y)[fold == one]
+    return best, errors
+
+
+def report(folder: Path) -> None:
+    """Fit the laws; write laws.csv, contacts.csv and a figure; print a line for each law."""
+    table = usable(folder)
+    write_rows(folder / "contacts.csv", table.to_dict("records"), digits=5)
+    fold = np.random.default_rng(1).permutation(len(table)) % FOLDS
+    s, x = table["ratio"].to_numpy(), table["loading"].to_numpy()
+
+    def inlet(p: Floats) -> Floats:
+        return inlet_factor(x, s, table["wall"].to_numpy(), p)
+
+    rows = [_row("film, Gupta", None, gupta(table) - table["film"].to_numpy())]
+    film = table["inlet"].to_numpy()
+    best, errors = held_out(inlet, film, INLET_COEFFICIENTS, fold)
+    rows.append(_row("film", best, errors / film))
+    rows.append(_row("film, rolling", None, (errors / film)[s == 0]))
+    slides = table[table["ratio"] > 0]
+    both = pd.concat([_part(slides, "cold", "isothermal"), _part(slides, "warm", "friction")])
+
+    def friction(p: Floats) -> Floats:
+        columns = (both[name].to_numpy() for name in _FACTOR)
+        return np.log(friction_factor(*columns, p))
+
+    y = np.log(both["computed"] / both["modelled"]).to_numpy()
+    twice = np.tile(fold[s > 0], 2)
+    best, errors = held_out(friction, y, FRICTION_COEFFICIENTS, twice)
+    is_warm = np.arange(len(y)) >= len(slides)
+    rows.append(_row("friction, even film", None, -y[is_warm]))
+    rows.append(_row("friction", best, errors[is_warm]))
+    rows.append(_row("friction without heat", best, errors[~is_warm]))
+    write_rows(folder / "laws.csv", rows, digits=5)
+    for row in rows:
+        print(
+            f"{row['law']:22} {row['contacts']} contacts: rms {row['rms']:.4f}, 95 % within "
+            f"{row['within_95']:.4f}, largest {row['largest']:.3f}; "
+            + ", ".join(f"{row[f'c{i}']:.4g}" for i in range(1, 8) if f"c{i}" in row)
+        )
+    _draw(folder, table, inlet(np.array([rows[1][f"c{i}"] for i in range(1, 7)])), both, errors)
+
+
+_FACTOR = ("thickness", "is_line", "stress", "warmth", "ratio")
+
+
+def _part(table: pd.DataFrame, name: str, computed: str) -> pd.DataFrame:
+    """Return friction with or without heat beside the even film."""
+    return pd.DataFrame(
+        {
+            "thickness": table[f"{name}_thickness"],
+            "is_line": table["is_line"],
+            "stress": table[f"{name}_stress"],
+            "warmth": table["loading"] * (name == "warm"),
+            "ratio": table["ratio"],
+            "modelled": table[f"{name}_friction"],
+            "computed": table[computed],
+        }
+    )
+
+
+def gupta(table: pd.DataFrame) -> Floats:
+    """Return the factor of Gupta and others, (T3), which programs warn by."""
+    x, s = table["loading"].to_numpy(), table["ratio"].to_numpy()
+    pressure = 13.2 * table["hertz_over_modulus"].to_numpy() * x**0.42
+    return np.asarray((1 - pressure) / (1 + 0.213 * (1 + 2.23 * s**0.83) * x**0.64))
+
+
+def _row(law: str, best: Floats | None, errors: Floats) -> Row:
+    row: Row = {"law": law, "contacts": len(errors)}
+    row |= {
+        "rms": float(np.sqrt(np.mean(errors**2))),
+        "within_95": float(np.percentile(np.abs(errors), 95)),
+        "largest": float(np.abs(errors).max()),
+    }
+    return row | ({} if best is None else {f"c{i + 1}": float(c) for i, c in enumerate(best)})
+
+
+def _draw(
+    folder: Path, table: pd.DataFrame, inlet: Floats, both: pd.DataFrame, errors: Floats
+) -> None:
+    """Draw films and friction of the laws beside computed ones."""
+    figure, (left, right) = plt.subplots(1, 2, figsize=(9, 4.2), layout="constrained")
+    left.plot([0.2, 1], [0.2, 1], color="0.7")
+    left.scatter(gupta(table), table["film"], s=7, color="0.6", label="Gupta and others")
+    left.scatter(inlet, table["inlet"], s=7, label="law of the inlet")
+    left.set(xlabel="film with heat over without, by the law", ylabel="computed")
+    left.legend(frameon=False)
+    y = both["computed"].to_numpy()
+    half = len(y) // 2
+    right.plot([1e-4, 0.2], [1e-4, 0.2], color="0.7")
+    for name, part in (("without heat", slice(half)), ("with heat", slice(half, None))):
+        right.scatter((y * np.exp(errors))[part], y[part], s=7, label=name)
+    right.set(xscale="log", yscale="log", xlabel="friction by the law, held out", ylabel="computed")
+    right.legend(frameon=False)
+    write_figure(figure, folder, "heat", writer=Writer(overwrite=True))
+    plt.close(figure)
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Write the sweeps or report on their results."""
+    parser = argparse.ArgumentParser("a step of scripts/study heat", description=__doc__)
+    parser.add_argument("step", choices=("cases", "report"))
+    parser.add_argument("folder", type=Path)
+    parser.add_argument("--lines", type=int, default=400)
+    parser.add_argument("--points", type=int, default=160)
+    parser.add_argument("--cells", type=int, default=128)
+    return run_command(parser, _run, arguments)
+
+
+def _run(options: argparse.Namespace) -> None:
+    if options.step == "cases":
+        write_cases(options.folder, options.lines, options.points, options.cells)
+    else:
+        report(options.folder)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

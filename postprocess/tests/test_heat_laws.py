@@ -1,0 +1,184 @@
+"""Laws of film and friction with heat: beside an independent solver, their limits, their record."""
+
+import csv
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import ehlwave
+from ehlwave.contact import conditions_from_keys
+from ehlwave.contact.materials import MATERIALS
+from ehlwave.contact.oil_heat import usual_heat
+from ehlwave.errors import RangeError, SurfaceError
+from ehlwave.heat_laws import (
+    COLD_BAR,
+    FRICTION_BAR,
+    FRICTION_COEFFICIENTS,
+    INLET_BAR,
+    INLET_COEFFICIENTS,
+    warmed,
+)
+from ehlwave.sheared_film import Sliding, shear_isothermal, shear_warm
+
+ROOT = Path(__file__).resolve().parents[2]
+REFERENCE = ROOT / "tests/verification/reference/heat_line.csv"
+OIL = {"oil_conductivity_w_per_m_k": 0.14, "oil_heat_capacity_j_per_kg_k": 2000.0}
+OIL["oil_density_kg_per_m3"] = 870.0
+
+
+def reference() -> list[dict[str, float]]:
+    """Return line contacts of an independent solver, with heat; its steel is soft."""
+    lines = REFERENCE.read_text().splitlines()[1:]
+    return [{k: float(v or "nan") for k, v in row.items()} for row in csv.DictReader(lines)]
+
+
+def test_the_independent_solver() -> None:
+    """Its films are thicker than those of the range, half and all of the Hertz approach."""
+    rows = reference()
+    cold = {
+        (r["mean_speed_m_per_s"], r["slide_to_roll_ratio"]): r for r in rows if not r["thermal"]
+    }
+    compared = 0
+    for row in (row for row in rows if row["thermal"]):
+        keys = ("radius_x_m", "reduced_modulus_pa", "load_n_per_m", "mean_speed_m_per_s")
+        keys += ("viscosity_pa_s", "pressure_viscosity_per_pa", "roelands_index")
+        c = conditions_from_keys({k: row[k] for k in (*keys, "slide_to_roll_ratio")})
+        heat = ehlwave.Heat(
+            temperature_k=row["temperature_k"],
+            viscosity_temperature_per_k=row["viscosity_temperature_per_k"],
+            **OIL,
+        )
+        without = cold[row["mean_speed_m_per_s"], row["slide_to_roll_ratio"]]
+        found = warmed(c, heat, without["central_film_m"], row["eyring_stress_pa"])
+        film = row["central_film_m"] / without["central_film_m"]
+        assert found.film_factor == pytest.approx(film, rel=0.01)
+        if row["slide_to_roll_ratio"] and row["mean_speed_m_per_s"] == 1:
+            assert found.friction == pytest.approx(row["friction_coefficient"], rel=FRICTION_BAR)
+            friction = without["friction_coefficient"]
+            assert found.isothermal_friction == pytest.approx(friction, rel=COLD_BAR)
+            compared += 1
+    assert compared == 3
+
+
+def test_coefficients_and_bars_are_those_of_the_record() -> None:
+    with (ROOT / "postprocess/record/heat/laws.csv").open() as file:
+        laws = {row["law"]: row for row in csv.DictReader(file)}
+    for name, used in (("film", INLET_COEFFICIENTS), ("friction", FRICTION_COEFFICIENTS)):
+        assert used == tuple(float(laws[name][f"c{i + 1}"]) for i in range(len(used)))
+    bars = {"film": INLET_BAR, "friction": FRICTION_BAR, "friction without heat": COLD_BAR}
+    for name, bar in bars.items():
+        assert 0.85 * bar < float(laws[name]["within_95"]) < bar, name
+
+
+@pytest.mark.parametrize(("g", "rise", "more"), [(1, 0.140539, 1.098705), (3, 0.640147, 1.546402)])
+def test_the_exact_local_problem(g: float, rise: float, more: float) -> None:
+    """Surfaces that keep T0, next to no pressure: a Newtonian film at 8 A^2/cosh^2 A = G."""
+    beta, k, eta, h = 0.05, 0.14, 0.1, 1e-6
+    a = np.sqrt(g / 8)
+    for _ in range(100):
+        a = np.sqrt(g / 8) * np.cosh(a)
+    rate = np.sqrt(g * k / (beta * eta)) / h  # beta tau F h^2/k = G, tau = eta F
+    sliding = rate * h * np.sinh(a) * np.cosh(a) / a
+    assert sliding / (h * rate) == pytest.approx(more, rel=1e-5)
+    case = Sliding(
+        hertz_pa=1e3,
+        semi_axis_a_m=1e-4,
+        film_m=h,
+        mean_speed_m_per_s=sliding,
+        slide_to_roll_ratio=1.0,
+        viscosity_pa_s=eta,
+        pressure_viscosity_per_pa=2e-8,
+        roelands_index=0.6,
+        eyring_stress_pa=1e12,
+        is_line=True,
+    )
+    body = ehlwave.BodyHeat(conductivity_w_per_m_k=1e15)
+    heat = ehlwave.Heat(313.15, beta, k, 2000, 870, 7e-4, body)
+    found = shear_warm(case, heat)
+    assert beta * found.rise_mid_film_k == pytest.approx(rise, rel=1e-4)
+    slower = found.friction / shear_isothermal(case).friction
+    assert slower == pytest.approx(1 / more, rel=1e-4)
+
+
+def test_surfaces_grow_warm_as_a_band_does() -> None:
+    """A stiff oil of one stress makes heat as its pressure: a mean near that of half an ellipse."""
+    case = Sliding(1e9, 2e-4, 3e-7, 5.0, 0.2, 0.05, 2e-8, 0.6, 5e6, True)
+    heat = ehlwave.Heat(313.15, 1e-6, 0.14, 2000, 870)
+    found = shear_warm(case, heat)
+    q = found.friction * np.pi / 4 * case.hertz_pa * case.sliding_m_per_s / 2
+    scale = q * (2 * case.semi_axis_a_m / 5.0) ** 0.5 / heat.body.effusivity
+    assert 0.8 < found.rise_surfaces_k / scale < 1.0  # 2 (1/2)^(1/2)/pi^(1/2) = 0.80 if even
+
+
+def rollers(**more: object) -> ehlwave.Contact:
+    roller = ehlwave.Body(radius_x_m=0.02, material="steel")
+    oil = ehlwave.Oil.from_grade(iso_vg=46, temperature_k=333.15, eyring_stress_pa=5e6)
+    given = {"oil": oil, "load_n_per_m": 4e5, "speeds_m_per_s": (11, 9), "heat": True}
+    return ehlwave.Contact.from_bodies(roller, roller, **given | more)
+
+
+def test_films_and_friction_are_those_with_heat() -> None:
+    found = rollers().film()
+    cold = rollers(speeds_m_per_s=(10, 10), heat=None).film()
+    assert found.heated is not None
+    assert cold.heated is None
+    assert found.central_m == pytest.approx(cold.central_m * found.heated.film_factor, rel=1e-9)
+    assert found.friction == found.heated.friction < found.heated.isothermal_friction
+    rolls = rollers(speeds_m_per_s=(10, 10)).film()
+    assert rolls.friction is None
+    assert rolls.heated.film_factor == rolls.heated.inlet_factor < 1
+
+
+def test_keys_are_those_of_cases() -> None:
+    case = ehlwave.Case(radius_x_m=0.02, **rollers().heat.keys())
+    assert case.groups["heat"]["body_conductivity_w_per_m_k"] == 21.0
+    assert case.groups["lubricant"] == {"temperature_k": 333.15}
+
+
+def test_what_no_law_knows_is_refused() -> None:
+    moes = {"load_parameter_m": 100, "lubricant_parameter_l": 10, "radius_ratio_d": 1}
+    heat = rollers().heat
+    with pytest.raises(SurfaceError, match="needs dimensional conditions"):
+        ehlwave.Contact(**moes, heat=heat)
+    with pytest.raises(SurfaceError, match=r"is no ehlwave\.Heat"):
+        ehlwave.Contact(**moes, heat=True)
+    with pytest.raises(RangeError, match=r"slide_to_roll_ratio\) = 1.95 is outside 0 to 1.9"):
+        rollers(speeds_m_per_s=(19.75, 0.25)).film()
+    ester = ehlwave.Oil.from_grade(iso_vg=46, kind="ester", temperature_k=333.15)
+    with pytest.raises(SurfaceError, match="the oil has no conductivity_w_per_m_k"):
+        rollers(oil=ester)
+    given = {"iso_vg": 46, "kind": "ester", "temperature_k": 333.15}
+    known = {"conductivity_w_per_m_k": 0.15, "heat_capacity_j_per_kg_k": 2000}
+    assert rollers(oil=ehlwave.Oil.from_grade(**given, **known)).film().heated.film_factor < 1
+    plain = ehlwave.Body(radius_x_m=0.02, elastic_modulus_pa=2e11, poisson_ratio=0.3)
+    with pytest.raises(SurfaceError, match="body2 has no conductivity_w_per_m_k"):
+        ehlwave.Contact.from_bodies(
+            ehlwave.Body(material="steel"),
+            plain,
+            oil=ehlwave.Oil.from_grade(iso_vg=46, temperature_k=333.15),
+            load_n_per_m=4e5,
+            speeds_m_per_s=(1, 1),
+            heat=True,
+        )
+    with pytest.raises(SurfaceError, match="Heat: oil_density_kg_per_m3 = 0 must be above 0"):
+        ehlwave.Heat(313.15, 0.04, 0.14, 2000, 0)
+
+
+def test_usual_heat_of_oils_and_bodies() -> None:
+    """Cragoe beside the mineral oil of the Modelica Standard Library: 868 kg/m3, 60 C."""
+    found = usual_heat("mineral", 333.15, 868 * (1 + 7e-4 * 45))
+    assert found["heat_capacity_j_per_kg_k"] == pytest.approx(2010, rel=0.05)
+    assert found["conductivity_w_per_m_k"] == pytest.approx(0.14, rel=0.10)
+    assert usual_heat("polyglycol", 333.15, 1050) == {}
+    oil = ehlwave.Oil.named("heavy machine oil 153", temperature_k=333.15)
+    warmer = ehlwave.Oil.named("heavy machine oil 153", temperature_k=353.15)
+    assert 0 < warmer.conductivity_w_per_m_k < oil.conductivity_w_per_m_k
+    for name, found in MATERIALS.items():
+        body = ehlwave.Body(material=name)
+        assert body.conductivity_w_per_m_k == found.heat.conductivity_w_per_m_k
+        assert found.heat_source
+    own = ehlwave.Body(material="steel", conductivity_w_per_m_k=46)
+    assert (own.conductivity_w_per_m_k, own.density_kg_per_m3) == (46, 7850)
+    assert math.isclose(ehlwave.BodyHeat().effusivity, 13027, rel_tol=1e-3)

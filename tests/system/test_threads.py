@@ -1,0 +1,55 @@
+"""Threads that share one contact: the same results with any number of them, and what programs say of them."""
+
+import tempfile
+import unittest
+from pathlib import Path
+
+from ehlwave_program import last_line, namelist, run
+
+TIMES = {"seconds", "work_units", "harmonic_work_units", "peak_memory_mib", "input"}
+CONDITIONS = {"load_parameter_m": 100, "lubricant_parameter_l": 12.05, "radius_ratio_d": 1}
+GRID = {"cells_x": 160, "cells_y": 160}
+CASES = {
+    "newton": {"conditions": CONDITIONS, "grid": GRID, "solver": {"method": "newton"}},
+    "fas": {"conditions": CONDITIONS, "grid": GRID, "solver": {"method": "fas"}},
+    "response": {"conditions": CONDITIONS, "grid": GRID,
+                 "waviness": {"orientation": "isotropic", "wavelength_over_a": 1, "response": "harmonic"}},
+}
+
+
+class Threads(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def solve(self, groups, threads, *arguments):
+        groups = {**groups, "solver": {**groups.get("solver", {}), "threads": threads}}
+        Path(self.folder, "case.nml").write_text(namelist(groups))
+        return run("case", "case.nml", *arguments, folder=self.folder)
+
+    def results(self, groups, threads):
+        outcome = self.solve(groups, threads, "--json")
+        self.assertEqual(outcome.returncode, 0, outcome.stderr)
+        return {name: value for name, value in last_line(outcome).items() if name not in TIMES}
+
+    def test_same_bits(self):
+        for name, groups in CASES.items():
+            one = self.results(groups, 1)
+            self.assertGreater(one["central_film"], 0)
+            for threads in (2, 3):
+                self.assertEqual(self.results(groups, threads), one, f"{name} with {threads} threads")
+
+    def test_plan_and_report_say_how_many(self):
+        small = {"conditions": CONDITIONS, "grid": {"cells_x": 32, "cells_y": 32}}
+        self.assertEqual(self.solve(small, 3).stdout.count("3 threads"), 2)
+        self.assertNotIn("threads", self.solve(small, 1).stdout)
+
+    def test_too_many_are_refused(self):
+        outcome = self.solve(CASES["fas"], 300, "--plan")
+        self.assertEqual(outcome.returncode, 2)
+        self.assertIn("threads", outcome.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
