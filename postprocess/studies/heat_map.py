@@ -112,7 +112,8 @@ def load(
 
 
 def grid(groups: Groups, cells: int) -> Groups:
-    """Return the groups with a grid that the program chooses, of at most so many cells."""
+    """Return the groups with one thread and a grid of at most so many cells."""
+    groups = {**groups, "solver": {"threads": 1}}
     if "load_n_per_m" in groups["conditions"]:
         return {
             **groups,
