@@ -13,7 +13,7 @@ from scipy.special import ellipe, ellipk
 
 from studies.command import maps
 from studies.command.options import step_parser
-from studies.programs import Groups, last_line, run_case
+from studies.programs import Groups, Outcome, last_line, run_case
 from studies.sweeps import run_command, write_rows
 
 PRESSURE = 0.3e9, 2e9
@@ -29,7 +29,7 @@ COMPARED = {"central_film": "central_film_error", "friction_coefficient": "frict
 
 @dataclass
 class Row:
-    """One contact: its conditions, what became of it, and the processor time of one run each."""
+    """One contact: its conditions, what became of it, and processor times without the start."""
 
     number: int
     kind: str
@@ -112,7 +112,8 @@ def load(
 
 
 def grid(groups: Groups, cells: int) -> Groups:
-    """Return the groups with a grid that the program chooses, of at most so many cells."""
+    """Return the groups with one thread and a grid of at most so many cells."""
+    groups = {**groups, "solver": {"threads": 1}}
     if "load_n_per_m" in groups["conditions"]:
         return {
             **groups,
@@ -131,14 +132,22 @@ def isothermal(groups: Groups) -> Groups:
     return cold
 
 
-def timed(groups: Groups, repeats: int) -> tuple[Mapping[str, object], float]:
-    """Run a case; return its result, and the least processor time of some runs in seconds."""
+def processor_seconds(groups: Groups, repeats: int, *options: str) -> tuple[Outcome, float]:
+    """Run a case some times; return the last outcome and the least processor time."""
     least = math.inf
     for _ in range(repeats):
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
-        outcome = run_case(groups, "--json", "--quiet")
+        outcome = run_case(groups, *options)
         after = resource.getrusage(resource.RUSAGE_CHILDREN)
         least = min(least, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
+    return outcome, least
+
+
+def timed(groups: Groups, repeats: int) -> tuple[Mapping[str, object], float]:
+    """Run a case; return its result, and its processor time in seconds without that to plan it."""
+    _, start = processor_seconds(groups, repeats, "--plan", "--quiet")
+    outcome, least = processor_seconds(groups, repeats, "--json", "--quiet")
+    least = max(least - start, 1e-3)
     try:
         return last_line(outcome), least
     except json.JSONDecodeError:

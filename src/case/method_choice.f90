@@ -12,7 +12,7 @@ module ehlwave_method_choice
    ! Measured (scripts/study heavy): on finer grids Newton's method takes more and more GMRES steps, and more the
    ! heavier the load or the steeper the end of the pressure, FAS 3 to 6 cycles.
    integer, parameter :: large_grid = 512        !! cells along a side, above which FAS takes less whatever the load
-   integer, parameter :: small_grid = 256        !! cells along each side, below which nothing is changed
+   integer, parameter :: small_grid = 512        !! cells along each side, below which nothing is changed
    real(dp), parameter :: heavy_load = 1000      !! gamma M, from which on FAS takes less on grids in between
 
    ! Tolerance over the error of the film that is expected by the mesh, and its bounds. A residual of FAS lies at single

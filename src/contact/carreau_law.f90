@@ -26,6 +26,7 @@ contains
       type(carreau_law_t) :: self
       self%power = 0.5_dp*(1/exponent - 1)
       self%is_power = .true.
+      self%is_newtonian = .not. self%power > 0
    end function new_carreau_law
 
    pure subroutine shear_factor(self, n, stress2, s, slope)
@@ -36,6 +37,11 @@ contains
       real(dp) :: excess, largest, x
       integer :: i
 
+      if (self%is_newtonian) then
+         s = 1
+         slope = 0
+         return
+      end if
       largest = exp(largest_exponent/max(self%power, 1.0_dp))
       do i = 1, n
          x = 1 + min(stress2(i), largest)
@@ -55,6 +61,10 @@ contains
       real(dp) :: r, x
       integer :: i, step
 
+      if (self%is_newtonian) then
+         stress = rate
+         return
+      end if
       do i = 1, n
          r = log(rate(i))
          x = min(r, r/(2*self%power + 1))

@@ -282,16 +282,20 @@ contains
       integer, intent(in) :: rule, places(:)
       real(dp), intent(in) :: sigma(:, :)           !! Sigma of the places
       type(film_stress_t), intent(inout) :: stress
-      real(dp) :: by_p
-      integer :: i, k
+      real(dp) :: by_p, value(block_size)
+      integer :: i, j, k
 
       if (allocated(across%ln_fluidity)) then
          if (.not. allocated(stress%fluidity)) allocate (stress%fluidity(block_size, maxval(rule_points)))
          associate (to => self%to_rule(rule), ln => across%ln_fluidity)
             do k = 1, self%rule(rule)%n
-               associate (l => lbound(ln, 1) + to%first(k))
+               associate (l => lbound(ln, 1) + to%first(k), w => to%weight(:, k))
                   do i = 1, size(places)
-                     stress%fluidity(i, k) = exp(dot_product(to%weight(:, k), ln(l:l + 3, places(i))))
+                     j = places(i)
+                     value(i) = w(1)*ln(l, j) + w(2)*ln(l + 1, j) + w(3)*ln(l + 2, j) + w(4)*ln(l + 3, j)
+                  end do
+                  do i = 1, size(places)
+                     stress%fluidity(i, k) = exp(value(i))
                   end do
                end associate
             end do

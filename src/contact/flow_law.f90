@@ -9,6 +9,7 @@ module ehlwave_flow_law
    type, abstract, public :: flow_law_t
       logical :: is_power = .false.   !! s varies as a power of the stress, near enough to linearly over its size; else
                                       !! over 1
+      logical :: is_newtonian = .false.   !! s = 1
    contains
       procedure(shear_factor), deferred :: shear_factor
       procedure(first_stress), deferred :: first_stress

@@ -169,7 +169,7 @@ class Install(unittest.TestCase):
         """What stands beside the modules, as the atlas, is installed with them."""
         source = ROOT/"postprocess"/"src"
         files = {path.relative_to(source) for path in source.glob("ehlwave*/**/*")
-                 if path.is_file() and path.suffix != ".pyc" and ".egg-info" not in str(path)}
+                 if path.is_file() and path.name[0] != "." and path.suffix != ".pyc" and ".egg-info" not in str(path)}
         self.assertIn(Path("ehlwave", "atlas", "rolling.nc"), files)
         cache = (BUILD/"CMakeCache.txt").read_text()
         folder = re.search(r"^EHLWAVE_INSTALL_PYTHONDIR:\w+=(.*)$", cache, re.MULTILINE)[1]   # a packager's choice

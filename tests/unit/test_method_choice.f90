@@ -11,25 +11,25 @@ program test_method_choice
    type(case_t) :: case
 
    call check(sample(100.0_dp, 512), 'newton', 1e-6_dp, 'a light load on a grid of usual size')
-   call check(sample(1000.0_dp, 128), 'newton', 1e-6_dp, 'a heavy load on a small grid')
-   call check(sample(1000.0_dp, 256), 'fas', 1.5e-3_dp, 'a heavy load')
+   call check(sample(1000.0_dp, 384), 'newton', 1e-6_dp, 'a heavy load on a small grid')
+   call check(sample(1000.0_dp, 512), 'fas', 1.5e-3_dp, 'a heavy load')
    call check(sample(100.0_dp, 1024), 'fas', 5*0.172_dp*100*(4/1024.0_dp)**2, 'a large grid')
 
-   case = sample(20.0_dp, 256)
+   case = sample(20.0_dp, 512)
    case%oil%viscosity_law = 'barus'
    call check(case, 'fas', 1.5e-3_dp, 'a steep spike')
    case%cells_x = 8192
    call check(case, 'fas', 50*0.172_dp*20*(4/8192.0_dp)**2, 'on a grid whose own error is small')
-   case = sample(1000.0_dp, 256)
+   case = sample(1000.0_dp, 512)
    case%has_free_tolerance = .false.
    call check(case, 'fas', 1e-6_dp, 'a tolerance that was given')
    case = sample(1000.0_dp, 0)
    case%accuracy = 1e-6_dp
    call check(case, 'fas', 5e-6_dp, 'a grid that the plan chooses')
-   case = sample(1000.0_dp, 256)
+   case = sample(1000.0_dp, 512)
    case%method = 'newton'
    call check(case, 'newton', 1e-6_dp, 'a method that was given')
-   case = sample(1000.0_dp, 256)
+   case = sample(1000.0_dp, 512)
    case%orientation = 'transverse'
    case%wavelength_over_a = 0.5_dp
    call check(case, 'newton', 1e-6_dp, 'time steps')
@@ -37,10 +37,10 @@ program test_method_choice
    call check(case, 'fas', 1.5e-3_dp, 'a linear response')
    case%sensitivities = .true.
    call check(case, 'newton', 1e-6_dp, 'derivatives by the oil')
-   case = sample(1000.0_dp, 256)
+   case = sample(1000.0_dp, 512)
    case%oil_over_flooded = 0.5_dp
    call check(case, 'newton', 1e-6_dp, 'too little oil')
-   case = sample(1000.0_dp, 256)
+   case = sample(1000.0_dp, 512)
    case%radius_ratio_d = 0
    call check(case, 'newton', 1e-6_dp, 'a line contact')
    call test%finish()
