@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+import xarray
 
 import ehlwave
 
@@ -69,3 +70,14 @@ def test_the_figure_has_a_curve_an_angle_and_errors_as_bands() -> None:
     band = amplitude.collections[0].get_paths()[0].vertices[:, 1]
     first = found.sel(angle=0)
     assert band.max() == pytest.approx(float((first["film_amplitude"] + first["film_error"]).max()))
+
+
+def test_slip_has_either_of_its_names() -> None:
+    contact = ehlwave.Contact(**EYRING)
+    by_ratio = contact.responses([0.5, 1.0], [0], slide_to_roll_ratio=0.3)
+    xarray.testing.assert_identical(
+        by_ratio, contact.responses([0.5, 1.0], [0], slip_parameter=1.15)
+    )
+    assert contact.plot([0.5, 1.0], [0], slide_to_roll_ratio=0.3).axes
+    with pytest.raises(ehlwave.EhlwaveError, match="slide_to_roll_ratio"):
+        contact.responses([1.0], slip_parameter=1.15, slide_to_roll_ratio=0.3)

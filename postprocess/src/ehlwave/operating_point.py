@@ -455,9 +455,7 @@ class Contact:
         45 0.78
         90 0.65
         """
-        refuse_both({SLIP: slip_parameter, RATIO: slide_to_roll_ratio}, "response")
-        if slide_to_roll_ratio is not None:
-            slip_parameter = slip_of(number(slide_to_roll_ratio, RATIO, "response"))
+        slip_parameter = _slip_given(slip_parameter, slide_to_roll_ratio, "response")
         wavelength_over_a = plain(wavelength_over_a, "wavelength_over_a")
         angle_deg = plain(angle_deg, "angle_deg")
         if not -1e-9 <= angle_deg <= 90 + 1e-9:
@@ -516,6 +514,7 @@ class Contact:
         wavelength_over_a: ArrayLike | None = None,
         angle_deg: ArrayLike | None = None,
         slip_parameter: float | None = None,
+        slide_to_roll_ratio: float | None = None,
     ) -> xr.Dataset:
         """Return the responses to every combination of wavelengths and angles, with their errors.
 
@@ -525,7 +524,7 @@ class Contact:
             As of :meth:`response`; 41 from 0.1 to 4 if absent.
         angle_deg : array_like, optional
             As of :meth:`response`; 0, 45 and 90 if absent.
-        slip_parameter : float, optional
+        slip_parameter, slide_to_roll_ratio : float, optional
             As of :meth:`response`.
 
         Returns
@@ -553,6 +552,7 @@ class Contact:
         [True, True, False]
         """
         waves, angles = wavelength_over_a, angle_deg
+        slip_parameter = _slip_given(slip_parameter, slide_to_roll_ratio, "responses")
         return response_table(self.response, self.conditions, waves, angles, slip_parameter)
 
     def plot(
@@ -560,12 +560,13 @@ class Contact:
         wavelength_over_a: ArrayLike | None = None,
         angle_deg: ArrayLike | None = None,
         slip_parameter: float | None = None,
+        slide_to_roll_ratio: float | None = None,
     ) -> Figure:
         """Draw the responses against wavelength, a curve an angle; bands are errors.
 
         Parameters
         ----------
-        wavelength_over_a, angle_deg, slip_parameter
+        wavelength_over_a, angle_deg, slip_parameter, slide_to_roll_ratio
             As of :meth:`responses`.
 
         Returns
@@ -582,6 +583,7 @@ class Contact:
         >>> [axes.get_ylabel() for axes in figure.axes][1]
         'lag of the film [degrees]'
         """
+        slip_parameter = _slip_given(slip_parameter, slide_to_roll_ratio, "plot")
         return responses_figure(self.responses(wavelength_over_a, angle_deg, slip_parameter))
 
     def transfer(self, by: str = "atlas") -> Transfer:
@@ -853,6 +855,12 @@ def _starved_response(conditions: Conditions, wave: float, angle_deg: float) -> 
     along, across = np.array(turn.real), np.array(turn.imag)
     film, error = complex(transfer.ratio(along, across)), float(transfer.error(along, across))
     return Response(film, complex(math.nan, math.nan), error, transfer.name, has_phase=False)
+
+
+def _slip_given(slip: float | None, ratio: float | None, where: str) -> float | None:
+    """Return the slip parameter of an argument, by either of its names; None: neither is given."""
+    refuse_both({SLIP: slip, RATIO: ratio}, where)
+    return slip if ratio is None else slip_of(number(ratio, RATIO, where))
 
 
 def _warn(doubts: Sequence[str]) -> None:
