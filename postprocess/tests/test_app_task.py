@@ -185,7 +185,7 @@ def test_large_surfaces_do_not_keep_small_ones_waiting() -> None:
 def test_sessions_in_threads_get_the_numbers_of_one_alone(tmp_path: Path) -> None:
     example = examples(tmp_path)[0]
     upload = Upload(example.path.name, example.path.read_bytes())
-    tasks = [Task(Given(KEYS | {"load_n": 40.0 + load}), upload) for load in range(8)]
+    tasks = [Task(Given(KEYS | {"load_n": 40.0 + load}), upload) for load in range(5)]
     alone = [document(answered(task)) for task in tasks]
     pools = Pools(workers=4)
     try:

@@ -12,7 +12,7 @@ module testing
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
-   public :: test_t
+   public :: is_long, test_t
 
    type :: test_t
       integer :: passed = 0, failed = 0
@@ -31,6 +31,14 @@ module testing
    end type test_t
 
 contains
+
+   !> scripts/test --long: more of the same, and larger grids.
+   logical function is_long()
+      character(len=1) :: value
+      integer :: status
+      call get_environment_variable('EHLWAVE_LONG_TESTS', value, status=status)
+      is_long = status <= 0 .and. value /= '0'
+   end function is_long
 
    !> A condition holds.
    subroutine check(self, condition, what)

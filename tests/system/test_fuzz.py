@@ -4,10 +4,11 @@ import os
 import sys
 import unittest
 
+from ehlwave_program import IS_LONG
 from fuzz import TARGETS, fuzz
 from hdf5_reading import h5py   # noqa: F401 - leaves as skipped without h5py
 
-INPUTS = int(os.environ.get("EHLWAVE_FUZZ_INPUTS", "400"))
+INPUTS = int(os.environ.get("EHLWAVE_FUZZ_INPUTS", "400" if IS_LONG else "200"))
 SECONDS = 30
 
 

@@ -3,7 +3,7 @@
 import math
 import unittest
 
-from ehlwave_program import TestCase, report, solve
+from ehlwave_program import IS_LONG, TestCase, report, solve
 from reference_values import case_groups, case_name, rows
 
 STEADY = 1e-5     # films, pressure and friction on the same grid
@@ -50,7 +50,7 @@ class Sliding(TestCase):
         table = rows("sliding_response.csv")
         self.assertEqual(len(table), 56)
         worst = (0, "")
-        for row in table:
+        for row in table if IS_LONG else table[::3]:
             with self.subTest(row=name_of(row)):
                 result = solve(**oil(row), waviness={"orientation": row["orientation"], "response": "harmonic",
                                                      "wavelength_over_a": row["wavelength_over_a"]})

@@ -5,7 +5,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from ehlwave_program import TestCase, last_line, namelist, report, run, solve
+from ehlwave_program import IS_LONG, TestCase, last_line, namelist, report, run, solve
 
 try:
     import h5py
@@ -62,7 +62,7 @@ class Starvation(TestCase):
     def test_responses(self):
         """Ad/Ai: 0.03 of the other solver's, extrapolated by its R as it has a smaller film on the same grid."""
         for r in (20, 2, 1):
-            for (orientation, wavelength), peer in zip(WAVES, PEER[r][1], strict=True):
+            for (orientation, wavelength), peer in list(zip(WAVES, PEER[r][1], strict=True))[::1 if IS_LONG else 3]:
                 with self.subTest(r=r, orientation=orientation, wavelength=wavelength):
                     ratio = contact(r, 64, waviness=waves(orientation, wavelength))["harmonic_ratio"]
                     self.assertLess(abs(ratio - peer), 0.03)
@@ -71,7 +71,7 @@ class Starvation(TestCase):
         """Ad/Ai of little oil: its film is what the other solver has on its grid, where that is 3.5 and 4.5 % thin."""
         for r, same, within in ((0.7, 0.671, 0.01), (0.5, 0.4785, 0.02)):
             apart = 0
-            for (orientation, wavelength), peer in list(zip(WAVES, PEER[r][1], strict=True))[1::2]:
+            for (orientation, wavelength), peer in list(zip(WAVES, PEER[r][1], strict=True))[1::2 if IS_LONG else 4]:
                 result = contact(same, 64, waviness=waves(orientation, wavelength))
                 self.check_close(result["film_over_flooded"], PEER[r][0][2], 0.005, "R")
                 apart = max(apart, abs(result["harmonic_ratio"] - peer))
