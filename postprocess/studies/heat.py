@@ -3,14 +3,13 @@
 import argparse
 import math
 import sys
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
-from scipy.optimize import least_squares
 
 from ehlwave.contact import Conditions, conditions_from_keys
 from ehlwave.contact.heat_data import BodyHeat, Heat
@@ -24,12 +23,12 @@ from ehlwave.heat_laws import (
     thermal_loading,
     wall_parameter,
 )
-from ehlwave.sheared_film import shear_isothermal, shear_warm
+from ehlwave.sheared_film import Sheared, shear_isothermal, shear_warm
 from ehlwave.writing import Writer
+from studies.folds import held_out
 from studies.sweeps import Row, read_sweep, run_command, write_rows, write_sweep
 
 Floats = NDArray[np.float64]
-Law = Callable[[Floats], Floats]
 
 RANGES = {
     "radius_x_m": (4e-3, 4e-2),
@@ -58,6 +57,8 @@ LOADS, OILS = (5.0, 1500.0), (2.0, 20.0)
 DENSITY, EXPANSION = 870.0, 7e-4
 FOLDS = 20
 """Of contacts, each of which is predicted by a fit to the others."""
+ROBUST = {"loss": "soft_l1", "f_scale": 0.03}
+"""How laws are fitted."""
 LARGEST_ERROR = 0.05
 """Of films and friction of computed contacts; coarser ones are left out."""
 THICKEST = 0.4
@@ -150,7 +151,7 @@ def _compared(case: Row, ratio: float) -> Row:
     u = case["mean_speed_m_per_s"]
     beta, k = heat.viscosity_temperature_per_k, heat.oil_conductivity_w_per_m_k
     walls = (case["central_rise_wall_1_k"] + case["central_rise_wall_2_k"]) / 2
-    mean = walls + 2 / 3 * (case["central_rise_mid_film_k"] - walls)
+    mean = Sheared(0.0, case["central_rise_mid_film_k"], walls).rise_mean_k
     row: Row = {
         "is_line": c.is_line,
         "ratio": ratio,
@@ -180,19 +181,6 @@ def _sheared(c: Conditions, heat: Heat, tau0: float, film_m: float, warm_m: floa
     return found
 
 
-def held_out(law: Law, y: Floats, start: Sequence[float], fold: Floats) -> tuple[Floats, Floats]:
-    """Return coefficients of a law of all rows, and errors of rows by fits to other folds."""
-
-    def solve(rows: Floats, begin: Sequence[float]) -> Floats:
-        return least_squares(lambda p: (law(p) - y)[rows], begin, loss="soft_l1", f_scale=0.03).x
-
-    best = solve(np.ones(len(y), dtype=bool), start)
-    errors = np.zeros_like(y)
-    for one in np.unique(fold):
-        errors[fold == one] = (law(solve(fold != one, best)) - y)[fold == one]
-    return best, errors
-
-
 def report(folder: Path) -> None:
     """Fit the laws; write laws.csv, contacts.csv and a figure; print a line for each law."""
     table = usable(folder)
@@ -205,7 +193,7 @@ def report(folder: Path) -> None:
 
     rows = [_row("film, Gupta", None, gupta(table) - table["film"].to_numpy())]
     film = table["inlet"].to_numpy()
-    best, errors = held_out(inlet, film, INLET_COEFFICIENTS, fold)
+    best, errors = held_out(inlet, film, INLET_COEFFICIENTS, fold, **ROBUST)
     rows.append(_row("film", best, errors / film))
     rows.append(_row("film, rolling", None, (errors / film)[s == 0]))
     slides = table[table["ratio"] > 0]
@@ -217,7 +205,7 @@ def report(folder: Path) -> None:
 
     y = np.log(both["computed"] / both["modelled"]).to_numpy()
     twice = np.tile(fold[s > 0], 2)
-    best, errors = held_out(friction, y, FRICTION_COEFFICIENTS, twice)
+    best, errors = held_out(friction, y, FRICTION_COEFFICIENTS, twice, **ROBUST)
     is_warm = np.arange(len(y)) >= len(slides)
     rows.append(_row("friction, even film", None, -y[is_warm]))
     rows.append(_row("friction", best, errors[is_warm]))

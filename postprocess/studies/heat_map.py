@@ -9,8 +9,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 
 import numpy as np
-from scipy.special import ellipe, ellipk
 
+from ehlwave.contact import conditions_from_keys
+from ehlwave.contact.scales import radius_ratio
+from ehlwave.schema import SETTLED
 from studies.command import maps
 from studies.command.options import step_parser
 from studies.programs import Groups, Outcome, last_line, run_case
@@ -101,14 +103,15 @@ def draw(number: int) -> Groups:
 def load(
     kind: str, ratio: float, pressure: float, radius: float, modulus: float
 ) -> dict[str, float]:
-    """Return the keys of the load, of `ratio` a/b, and of the radius across: (1), (20), (L2)."""
+    """Return the keys of the load, by its Hertz pressure, and of the radius across, by a/b."""
+    keys = {"radius_x_m": radius, "reduced_modulus_pa": modulus}
+    keys |= {"mean_speed_m_per_s": 1.0, "viscosity_pa_s": 0.1}  # of which Hertz knows nothing
     if kind == "line":
-        a = 4 * radius * pressure / modulus
-        return {"load_n_per_m": math.pi * a * pressure / 2}
-    k, e = ellipk(1 - ratio**2), ellipe(1 - ratio**2)
-    d = 1.0 if ratio == 1 else ratio**2 * (k - e) / (e - ratio**2 * k)
-    a = 4 * radius / (1 + d) * e * pressure / modulus
-    return {"radius_y_m": radius / d, "load_n": 2 * math.pi * a**2 / ratio * pressure / 3}
+        one = conditions_from_keys(keys | {"load_n_per_m": 1.0}).hertz_pa
+        return {"load_n_per_m": float((pressure / one) ** 2)}
+    across = {"radius_y_m": radius / radius_ratio(ratio)}
+    one = conditions_from_keys(keys | across | {"load_n": 1.0}).hertz_pa
+    return across | {"load_n": float((pressure / one) ** 3)}
 
 
 def grid(groups: Groups, cells: int) -> Groups:
@@ -205,7 +208,7 @@ def study(number: int, cells: int, repeats: int, compares: bool) -> Row:
 
 def is_solved(status: object) -> bool:
     """Return whether a steady state was found, on a grid that resolves it or not."""
-    return status in {"converged", "unresolved"}
+    return status in SETTLED
 
 
 def summary(rows: Sequence[Row]) -> str:

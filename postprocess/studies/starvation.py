@@ -2,7 +2,7 @@
 
 import argparse
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -10,18 +10,17 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import NDArray
-from scipy.optimize import least_squares
 
 from ehlwave.figures import write_figure
 from ehlwave.formula import power_ratio, recommended_parameter, recommended_sharpness
 from ehlwave.formula import wave_and_direction as direction_of
 from ehlwave.starvation import FILM_COEFFICIENTS, WAVE_COEFFICIENTS
 from ehlwave.writing import Writer
+from studies.folds import Law, fitted, held_out
 from studies.overrollings import report_overrollings
 from studies.sweeps import Row, read_sweep, run_command, write_rows, write_sweep
 
 Floats = NDArray[np.float64]
-Law = Callable[[Floats, Floats], Floats]
 
 OIL = (0.2, 0.35, 0.5, 0.65, 0.8, 1, 1.25, 1.6, 2.2, 3, 5)
 OIL_OF_WAVES = (0.4, 0.5, 0.65, 0.8, 1, 1.6, 4)
@@ -89,10 +88,10 @@ def usable(rows: list[Row], *, is_flooded: bool = False) -> dict[str, Floats]:
 
 
 def film_law(c: dict[str, Floats]) -> Law:
-    """Return R by five coefficients, of the rows of a mask."""
+    """Return R by five coefficients."""
 
-    def law(p: Floats, rows: Floats) -> Floats:
-        m, l, d, r = (c[name][rows] for name in _OF_FILMS)
+    def law(p: Floats) -> Floats:
+        m, l, d, r = (c[name] for name in _OF_FILMS)
         g = np.exp(p[0]) * (m / 100) ** p[1] * (l / 10) ** p[2] * d ** p[3] * (1 + r) ** p[4]
         return power_ratio(1 / r, g)
 
@@ -101,7 +100,7 @@ def film_law(c: dict[str, Floats]) -> Law:
 
 def constant_law(c: dict[str, Floats]) -> Law:
     """Return R with one g."""
-    return lambda p, rows: power_ratio(1 / c["oil_over_flooded"][rows], p[0])
+    return lambda p: power_ratio(1 / c["oil_over_flooded"], p[0])
 
 
 def wave_law(c: dict[str, Floats]) -> Law:
@@ -109,9 +108,8 @@ def wave_law(c: dict[str, Floats]) -> Law:
     x, n, along = wave_parameters(c)
     ratio = c["film_over_flooded"]
 
-    def law(p: Floats, rows: Floats) -> Floats:
-        power = -(p[0] + p[1] * along[rows])
-        return power_ratio(p[3] * x[rows] * ratio[rows] ** power, n[rows] * ratio[rows] ** p[2])
+    def law(p: Floats) -> Floats:
+        return power_ratio(p[3] * x * ratio ** -(p[0] + p[1] * along), n * ratio ** p[2])
 
     return law
 
@@ -132,29 +130,18 @@ def fit(name: str, law: Law, y: Floats, contact: Floats, start: Sequence[float])
 
     Errors are held out: each contact is predicted by a fit to the others.
     """
-    every = np.arange(len(y))
-    names = np.unique(contact)
-
-    def solve(rows: Floats, begin: Sequence[float]) -> Floats:
-        return least_squares(lambda p: law(p, rows) - y[rows], begin).x
-
-    best = solve(every, start)
-    held = np.zeros_like(y)
-    for one in names:
-        out = every[contact == one]
-        held[out] = law(solve(every[contact != one], best), out) - y[out]
+    best, held = held_out(law, y, start, contact)
+    rows_of = {one: np.flatnonzero(contact == one) for one in np.unique(contact)}
     rng = np.random.default_rng(1)
     drawn = [
-        solve(
-            np.concatenate([every[contact == one] for one in rng.choice(names, len(names))]), best
-        )
-        for _ in range(SAMPLES)
+        fitted(law, y, best, np.concatenate([rows_of[one] for one in names]))
+        for names in (rng.choice(list(rows_of), len(rows_of)) for _ in range(SAMPLES))
     ]
     low, high = np.percentile(drawn, (2.5, 97.5), axis=0)
-    row: Row = {"law": name, "points": len(y), "contacts": len(names)}
+    row: Row = {"law": name, "points": len(y), "contacts": len(rows_of)}
     for k, value in enumerate(best):
         row |= {f"c{k}": float(value), f"c{k}_low": float(low[k]), f"c{k}_high": float(high[k])}
-    row["rms"] = float(np.sqrt(np.mean((law(best, every) - y) ** 2)))
+    row["rms"] = float(np.sqrt(np.mean((law(best) - y) ** 2)))
     return row | {
         "rms_held_out": float(np.sqrt(np.mean(held**2))),
         "largest_held_out": float(np.abs(held).max()),
@@ -217,7 +204,7 @@ def _draw_films(panels: Sequence[Axes], films: dict[str, Floats], best: Floats) 
     left.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
     left.minorticks_off()
     right.plot([0, 1], [0, 1], color="0.7")
-    right.scatter(film_law(films)(best, np.arange(len(ratio))), ratio, s=8)
+    right.scatter(film_law(films)(best), ratio, s=8)
     right.set(xlabel="R by the law", ylabel="R computed")
 
 

@@ -1,4 +1,4 @@
-"""The contact of the paper's experiment (its Table 1), for the tests of deformed surfaces."""
+"""Contacts of the tests: that of the paper's experiment (its Table 1), and a ball on a disc."""
 
 from ehlwave.deform import Conditions, conditions_from_keys
 
@@ -11,6 +11,16 @@ EXPERIMENT = {
     "viscosity_pa_s": 1.22,
     "pressure_viscosity_per_pa": 2.25e-8,
 }
+
+BALL = {
+    "radius_x_m": 0.0127,
+    "radius_y_m": 0.0127,
+    "reduced_modulus_pa": 2.26e11,
+    "load_n": 120,
+    "mean_speed_m_per_s": 4,
+    "viscosity_pa_s": 0.05,
+}
+"""A steel ball on a disc under 120 N."""
 
 
 def experiment(**changes: float) -> Conditions:

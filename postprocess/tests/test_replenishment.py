@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 import pytest
+from contact import BALL
 from scipy.integrate import quad, solve_ivp
 from scipy.special import iv, modstruve
 
@@ -29,15 +30,6 @@ from ehlwave.replenishment import (
     side_flow,
 )
 from ehlwave.starvation import FILM_BAR, film_over_flooded, film_sharpness
-
-BALL = {
-    "radius_x_m": 0.0127,
-    "radius_y_m": 0.0127,
-    "reduced_modulus_pa": 2.26e11,
-    "load_n": 120,
-    "mean_speed_m_per_s": 4,
-    "viscosity_pa_s": 0.05,
-}
 
 
 def starved(**more: float) -> Conditions:

@@ -75,7 +75,7 @@ def test_fit_finds_the_law_it_was_made_of() -> None:
     ]
     columns = {name: np.array([row[name] for row in rows], dtype=float) for name in rows[0]}
     law = film_law(columns)
-    films = law(np.array(FILM_COEFFICIENTS), np.arange(len(rows)))
+    films = law(np.array(FILM_COEFFICIENTS))
     contact = columns["load_parameter_m"].astype(str)
     row = fit("R", law, films, contact, (1.0, 0, 0, 0, 0))
     assert [row[f"c{k}"] for k in range(5)] == pytest.approx(FILM_COEFFICIENTS, abs=1e-4)

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 import pytest
+from contact import BALL
 
 import ehlwave
 from ehlwave.cli import main
@@ -24,14 +25,6 @@ from ehlwave.starvation import (
     starved_ratio,
 )
 
-BALL = {
-    "radius_x_m": 0.0127,
-    "radius_y_m": 0.0127,
-    "reduced_modulus_pa": 2.26e11,
-    "load_n": 120,
-    "mean_speed_m_per_s": 4,
-    "viscosity_pa_s": 0.05,
-}
 MOES = {"load_parameter_m": 100, "lubricant_parameter_l": 12.05, "radius_ratio_d": 1}
 COMPUTED = {2: 0.944, 1: 0.797, 0.7: 0.642, 0.5: 0.484}
 """R of MOES at 64 cells per a, tests/verification/test_starvation.py."""

@@ -730,8 +730,7 @@ class Contact:
         other = copy(self)
         other.conditions = second_conditions(self.conditions)
         found = DeformedPair(self._deformed(surface, **options), other._deformed(second, **options))
-        doubts = [*found.first.doubts, *found.second.doubts]
-        _warn(found.doubts if found.first.conditions.central_film_m is not None else doubts)
+        _warn(found.doubts)
         return found
 
     def _deformed(

@@ -47,6 +47,9 @@ UNRESOLVED = "unresolved"
 INACCURATE = "inaccurate"
 """Solved, but with an estimated error above the accuracy that was asked for."""
 
+SETTLED = (CONVERGED, UNRESOLVED)
+"""Of results whose equations are solved, and from which no accuracy was asked that they miss."""
+
 PENDING = "pending"
 FAILED = ("stalled", "diverged", "not_finite", "over_budget", "crashed")
 STATUSES = (CONVERGED, UNRESOLVED, INACCURATE, *FAILED, PENDING)

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from ehlwave.choices import TRACTION_RATIOS
 from ehlwave.driver import Study, key_groups
 from ehlwave.errors import ArgumentError, ProgramError
+from ehlwave.schema import SETTLED
 from ehlwave.slip import RATIO, SLIP
 
 if TYPE_CHECKING:
@@ -141,7 +142,7 @@ def traction(
     for (cold, warm), each in runs:
         cases = pd.DataFrame({RATIO: chosen})
         found = Study(cases, **each).run(ranks=ranks, progress=progress).to_dataframe()
-        good = found["status"].isin(["converged", "unresolved"]).to_numpy()
+        good = found["status"].isin(SETTLED).to_numpy()
         if not good.any():
             raise ProgramError(f"no case converged: {found['message'].iloc[0]}")
         source = "isothermal_friction_coefficient" if has_heat else "friction_coefficient"
@@ -165,7 +166,7 @@ def _without_heat(keys: Mapping[str, Any], cases: pd.DataFrame, ranks: int) -> N
     cold = {key: value for key, value in keys.items() if key not in (*heat, "temperature_k")}
     found = Study(cases, **cold).run(ranks=ranks, progress=False)
     return np.where(
-        np.isin(found["status"].values, ["converged", "unresolved"]),
+        np.isin(found["status"].values, SETTLED),
         found["friction_coefficient"].values,
         np.nan,
     )

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from ehlwave.schema import SETTLED
 from ehlwave.writing import Writer
 from studies import programs
 from studies.all_keys import compare
@@ -90,7 +91,7 @@ def offenders(cases: list[Row]) -> tuple[list[Row], str]:
         has_own_cap = case["row"].get("largest_total_steps", 0) > 0  # stands for that of the plan
         if not has_own_cap and not work <= compare.MOST_WORK:
             off.append({"number": "work over plan", "value": work})
-        if finer is not None and finer["status"] in ("converged", "unresolved"):
+        if finer is not None and finer["status"] in SETTLED:
             judged += 1
             tolerance = case["row"].get(
                 "response_tolerance", USUAL_TOLERANCES["response_tolerance"]

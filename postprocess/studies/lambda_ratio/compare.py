@@ -14,6 +14,7 @@ from scipy.interpolate import RectBivariateSpline
 from ehlwave.case_file import read_contact
 from ehlwave.deform import Surface
 from ehlwave.deform.prepare import TAPERED_SHARE
+from ehlwave.schema import SETTLED
 from studies import sweeps
 from studies.lambda_ratio.simulate import SMALL, Levels, March, marches
 from studies.microgeometry.surfaces import Floats
@@ -29,8 +30,6 @@ TOUCHING = 0.03
 
 TOUCHES = "the waves touch"
 """In the message of a march whose film falls below that somewhere."""
-
-FINISHED = ("converged", "unresolved")
 
 
 def compare(folder: Path, contact: str, levels: Levels | None = None) -> pd.DataFrame:
@@ -74,7 +73,7 @@ def _compare(march: March, row: sweeps.Row, folder: Path) -> dict[str, object]:
         "highest_predicted": float(predicted.height.max()) / film_m,
         "seconds": row["seconds"],
     }
-    if row["status"] not in FINISHED:
+    if row["status"] not in SETTLED:
         return found
     simulated = read_contact(sweeps.fields_file(folder, march.contact, row))
     marched, below, passing = _marched(simulated, march)

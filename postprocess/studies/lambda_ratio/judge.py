@@ -6,7 +6,7 @@ import numpy as np
 import pandas as pd
 
 from ehlwave.deform.amplitude import lowest_film
-from studies.lambda_ratio.compare import FINISHED
+from ehlwave.schema import SETTLED
 from studies.lambda_ratio.simulate import HELD_OUT, SMALL
 from studies.microgeometry.surfaces import Floats
 
@@ -23,7 +23,7 @@ def with_errors(compared: pd.DataFrame) -> pd.DataFrame:
     ``*_error`` are those of the answer, ``*_change`` those that the roughness adds to those of the
     same map at a twentieth of the film: the grid and the atlas have no part in them.
     """
-    table = compared[compared["status"].isin(FINISHED)].copy()
+    table = compared[compared["status"].isin(SETTLED)].copy()
     table["oil"] = [OILS[name.split("-")[0]] for name in table["motion"]]
     table["amplitude"] = np.sqrt(2) * table["rq_over_film"]
     mean = table["mean_linear"] + table["rise"]
@@ -69,7 +69,7 @@ def trusted_table(compared: pd.DataFrame) -> pd.DataFrame:
 
 def touching(compared: pd.DataFrame) -> pd.DataFrame:
     """Return how many marches touch somewhere, by the highest deformed point over the film."""
-    known = compared[compared["touches"] | compared["status"].isin(FINISHED)]
+    known = compared[compared["touches"] | compared["status"].isin(SETTLED)]
     edges = (0.0, 0.8, 1.0, 1.2, np.inf)
     rows = []
     for low, high in itertools.pairwise(edges):

@@ -20,6 +20,7 @@ from ehlwave.deform import (
 )
 from ehlwave.deform.prepare import TAPERED_SHARE
 from ehlwave.errors import ResultsError
+from ehlwave.schema import SETTLED
 from studies import sweeps
 from studies.microgeometry.simulate import SPEEDS, conditions_at, contact_at, table_file
 from studies.microgeometry.surfaces import Floats, amplitude_of
@@ -76,7 +77,7 @@ def compare_speeds(
     moved = read_surface(sweeps.surface_file(folder, surface))
     found = []
     for speed, row in zip(speeds, rows, strict=True):
-        if row["status"] not in ("converged", "unresolved"):
+        if row["status"] not in SETTLED:
             raise ResultsError(f"{surface.name} at {speed:g} m/s: status {row['status']}")
         table = read_table(table_file(tables, speed))
         fields = sweeps.fields_file(folder, surface.name, row)

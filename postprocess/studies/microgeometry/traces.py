@@ -17,6 +17,7 @@ from ehlwave.case_file import read_contact
 from ehlwave.deform import Surface, trace_surface
 from ehlwave.deform.prepare import taper
 from ehlwave.errors import ResultsError
+from ehlwave.schema import SETTLED
 from ehlwave.writing import Writer
 from studies import sweeps
 from studies.microgeometry.simulate import CONTACT, LUBRICANT
@@ -136,7 +137,7 @@ def compare_traces(folder: Path, points_per_a: int = POINTS_PER_A) -> list[Lambd
         _, contact, name = file.stem.split("-")
         surface = traces(*_lengths(contact), points_per_a)[name]
         row = rows[sweeps.surface_file(folder, surface).stem]
-        if row["status"] not in ("converged", "unresolved"):
+        if row["status"] not in SETTLED:
             raise ResultsError(f"{name} in {contact}: status {row['status']}")
         found.append(_compare(file, Contact(**CONTACTS[contact]), surface, folder, row))
     return found

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from ehlwave.contact.scales import moes_film
+from ehlwave.schema import SETTLED
 from studies.programs import Outcome
 from studies.stability.cases import SLIDING, Case
 
@@ -86,7 +87,7 @@ def judge_refusal(case: Case, outcome: Outcome) -> Row:
 
 def _outcome(result: dict[str, Any]) -> str:
     status = result["status"]
-    if status in ("converged", "unresolved"):
+    if status in SETTLED:
         return CONVERGED if status == "converged" else UNRESOLVED
     return FAILED if result["is_resolved"] or status in _UNFINISHED else UNSOLVED
 
@@ -95,11 +96,11 @@ def _faults(result: dict[str, Any]) -> list[str]:
     """Return what a result claims without right."""
     status = result["status"]
     faults = []
-    if (status == "converged") != result["is_resolved"] and status in ("converged", "unresolved"):
+    if (status == "converged") != result["is_resolved"] and status in SETTLED:
         faults.append(f"status {status} with is_resolved {result['is_resolved']}")
     if status != "converged" and not result["message"]:
         faults.append("no message")
-    if status in ("converged", "unresolved"):
+    if status in SETTLED:
         faults += _wrong_numbers(result)
     else:
         claims = dict.fromkeys(_RATIOS, "not converged")

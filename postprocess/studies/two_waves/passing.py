@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from ehlwave.case_file import read_contact
 from ehlwave.deform import Mover, TwoWaveTransfer
 from ehlwave.errors import ResultsError
+from ehlwave.schema import SETTLED
 from studies import sweeps
 from studies.two_waves.computed_waves import ComputedWaves
 from studies.two_waves.shapes import (
@@ -73,7 +74,7 @@ def passings(folder: Path) -> list[Passing]:
     still = sweeps.read_sweep(folder, SMOOTH, len(SLIPS))
     found = []
     for (slip, name), row in zip(itertools.product(SLIPS, SIGNS), marches, strict=True):
-        if row["status"] not in ("converged", "unresolved"):
+        if row["status"] not in SETTLED:
             raise ResultsError(f"{name} at S = {slip:g}: status {row['status']}")
         table = waves[np.isclose(waves["slip_parameter"], slip)]
         cases = (row, still[SLIPS.index(slip)])

@@ -38,10 +38,15 @@ def ellipticity(d: float) -> float:
         return 1.0
 
     def excess(kappa: float) -> float:
-        k_minus_e, b = integral_combinations(kappa)
-        return kappa**2 * k_minus_e / b - d
+        return radius_ratio(kappa) - d
 
     return float(brentq(excess, 1e-3, 1.0, xtol=1e-15, rtol=1e-14))
+
+
+def radius_ratio(kappa: float) -> float:
+    """Return D of an ellipticity a/b, eq. (1)."""
+    k_minus_e, b = integral_combinations(kappa)
+    return kappa**2 * k_minus_e / b
 
 
 def pressure_factor(kappa: float) -> float:

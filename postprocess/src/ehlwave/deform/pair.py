@@ -105,6 +105,8 @@ class DeformedPair(Shown):
     def doubts(self) -> list[str]:
         """Return why numbers are extrapolated, or not there; those of both together at the end."""
         found = [doubt for one in (self.first, self.second) for doubt in one.doubts]
+        if self.first.conditions.central_film_m is None:
+            return found
         s = self.statistics
         if s.extrapolated and not any(doubt.startswith("extrapolated") for doubt in found):
             limit = validated_amplitude(self.first.conditions)
