@@ -57,7 +57,7 @@ contains
          else if (case%is_wavy() .or. case%is_measured() .or. case%end_time > 0) then
             call raise(error, '&heat is for smooth contacts in a steady state: remove &waviness, &surface and '// &
                '&dynamics end_time, or &heat')
-         else if (case%oil_over_flooded > 0 .or. case%oil_layer_m > 0 .or. case%oil_profile /= '') then
+         else if (case%is_starved() .or. case%oil_profile /= '') then
             call raise(error, '&heat takes a gap that is full of oil: remove &inlet oil_over_flooded, oil_layer_m '// &
                'and oil_profile, or &heat')
          else if (case%method == 'fas') then

@@ -1,5 +1,6 @@
 !> Makes the plan of one case, before it runs.
 module ehlwave_case_plan
+   use ehlwave_accuracy_model, only: fitted_share
    use ehlwave_case_completion, only: case_conditions
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_files, only: case_files, note_digest
@@ -13,6 +14,7 @@ module ehlwave_case_plan
    use ehlwave_plan_effort, only: cap_work, expect
    use ehlwave_planned_case, only: case_plan_t, run_harmonic, run_march, run_standing
    use ehlwave_resolution, only: judge_resolution, meniscus_distance
+   use ehlwave_scheme_choice, only: is_fitted
    use ehlwave_surface_plan, only: plan_surfaces
    use ehlwave_text, only: to_text
    use ehlwave_thinning, only: new_thinning
@@ -60,6 +62,8 @@ contains
       call plan_inlet(case, plan%conditions, plan%inlet, plan%files, error)
       if (allocated(error)) return
       plan%thinning = new_thinning(plan%rheology, plan%conditions, case%oil%flow_exponent())
+      plan%is_fitted = is_fitted(case)
+      plan%steepness = plan%thinning%steepness*merge(fitted_share, 1.0_dp, plan%is_fitted)
       call plan_surfaces(case, plan%conditions, plan%surfaces, plan%files, error)
       if (allocated(error)) return
       plan%is_half = (case%domain == 'auto' .or. plan%conditions%is_line()) .and. plan%surfaces%is_symmetric() &
@@ -67,8 +71,8 @@ contains
       meniscus = 0
       if (plan%inlet%is_short()) &
          meniscus = meniscus_distance(plan%conditions, expected_oil(plan%inlet, plan%conditions, plan%rheology))
-      call choose_grid(copy, plan%conditions, plan%surfaces, plan%thinning%steepness, meniscus, plan%cells_x, &
-                       plan%cells_y, plan%grid_reason)
+      call choose_grid(copy, plan%conditions, plan%surfaces, plan%is_fitted, plan%steepness, meniscus, &
+                       plan%cells_x, plan%cells_y, plan%grid_reason)
       plan%hx = (plan%x_max - plan%x_min)/plan%cells_x
       if (.not. plan%conditions%is_line()) plan%hy = 2*plan%y_max/plan%cells_y
       plan%deformation = merge('mlmi', 'fft ', case%deformation == 'mlmi')   ! 'auto': the FFT, measured
@@ -97,7 +101,7 @@ contains
       if (case%heat%is_given()) plan%levels = case%heat%levels + 1
       if (case%fields_every > 0) plan%field_sets = plan%steps/case%fields_every + 1
       plan%resolution = judge_resolution(plan%conditions, plan%surfaces, plan%x_min, plan%y_max, plan%hx, plan%hy, &
-         plan%dt, meniscus)
+         plan%dt, meniscus, plan%is_fitted)
       call expect(case, plan)
       if (case%accuracy > 0) call check_accuracy(case, plan, error)
       plan%cost = real(plan%cells_x, dp)*plan%cells_y*(15 + 6*plan%phases + 4*plan%steps + merge(8, 0, plan%responds))

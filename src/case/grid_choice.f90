@@ -1,12 +1,12 @@
 !> The grid of a case: cells as given, or the smallest of a list of sizes that resolves inlet sweep and waves.
 module ehlwave_grid_choice
-   use ehlwave_accuracy_model, only: largest_mesh, meniscus_factor, points_for
+   use ehlwave_accuracy_model, only: largest_mesh, meniscus_factor, points_for, wave_x_factor
    use ehlwave_case_definition, only: case_t, roughness_t, usual_largest_cells
    use ehlwave_conditions, only: conditions_t
    use ehlwave_formula, only: amplitude_formula, anisotropy_factor, wave_parameter_v
    use ehlwave_kinds, only: dp
-   use ehlwave_resolution, only: coarsest_inlet, coarsest_meniscus, fewest_points_per_wave, inlet_length, &
-      wanted_inlet, wanted_line_inlet, wanted_points_per_wave
+   use ehlwave_resolution, only: coarsest_inlet, coarsest_meniscus, fewest_points_per_wave, fitted_inlet, &
+      inlet_length, wanted_inlet, wanted_line_inlet, wanted_points_per_wave
    use ehlwave_surfaces, only: surfaces_t
    use ehlwave_text, only: to_text
    implicit none (type, external)
@@ -23,11 +23,12 @@ module ehlwave_grid_choice
 contains
 
    !> Cells of the whole domain; one along Y for a line contact.
-   subroutine choose_grid(case, conditions, surfaces, steepness, meniscus, cells_x, cells_y, reason)
+   subroutine choose_grid(case, conditions, surfaces, is_fitted, steepness, meniscus, cells_x, cells_y, reason)
       type(case_t), intent(in) :: case
       type(conditions_t), intent(in) :: conditions
       type(surfaces_t), intent(in) :: surfaces
-      real(dp), intent(in) :: steepness        !! see `thinning_t`
+      logical, intent(in) :: is_fitted         !! scheme
+      real(dp), intent(in) :: steepness        !! of the inlet, see `case_plan_t`
       real(dp), intent(in) :: meniscus         !! expected distance from the contact, 0 of flooded ones
       integer, intent(out) :: cells_x, cells_y
       character(len=:), allocatable, intent(out) :: reason   !! why so many, for people
@@ -48,7 +49,7 @@ contains
    contains
 
       subroutine choose_x()
-         real(dp) :: inlet, length, mesh, wanted
+         real(dp) :: inlet, length, mesh, wanted, waves   ! waves: wave numbers over 2 pi, the largest
          integer :: n
 
          cells_x = case%cells_x
@@ -57,11 +58,16 @@ contains
          length = case%x_max - case%x_min
          inlet = merge(coarsest_inlet, wanted_inlet, case%accuracy > 0)
          if (conditions%is_line() .and. .not. case%accuracy > 0) inlet = wanted_line_inlet
-         wanted = length/(inlet*inlet_length(conditions)/sqrt(steepness))
+         if (is_fitted) inlet = fitted_inlet*inlet
+         mesh = inlet*inlet_length(conditions)
+         if (.not. is_fitted) mesh = mesh/sqrt(steepness)
+         wanted = length/mesh
          why_x = 'for hX over the inlet length <= '//to_text(inlet, 2)
+         waves = 0
          do n = 1, size(surfaces%list)
             associate (wave => surfaces%list(n))
                if (.not. wave%wavelength_x > 0) cycle
+               waves = max(waves, max(1.0_dp, wave%slip)/wave%wavelength_x)
                if (points*length*max(1.0_dp, wave%slip)/wave%wavelength_x <= wanted) cycle
                wanted = points*length*max(1.0_dp, wave%slip)/wave%wavelength_x
                why_x = 'for '//to_text(points, 3)//' points per wave'
@@ -79,6 +85,7 @@ contains
                mesh = largest_mesh(conditions, share_of_mesh*case%accuracy, &
                                    formula_ratio(case, conditions, surfaces%moves()), surfaces%moves())
             mesh = mesh/sqrt(steepness)
+            if (is_fitted) mesh = 1/sqrt(1/mesh**2 + waves**2*wave_x_factor/(share_of_mesh*case%accuracy))
             if (length/mesh > wanted) then
                wanted = length/mesh
                why_x = 'for an accuracy of '//to_text(case%accuracy, 3)

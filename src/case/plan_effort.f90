@@ -1,7 +1,7 @@
 !> Errors and work to expect of a plan, and the cap on its work.
 module ehlwave_plan_effort
    use ehlwave_accuracy_model, only: expected_long_step_error, expected_meniscus_error, expected_ratio_error, &
-      expected_step_error, steady_work_units, step_work_units
+      expected_step_error, fitted_share, steady_work_units, step_work_units, wave_x_factor
    use ehlwave_case_definition, only: case_t
    use ehlwave_grid_choice, only: formula_ratio
    use ehlwave_kinds, only: dp
@@ -53,8 +53,10 @@ contains
       if (plan%surfaces%is_rough() .and. .not. plan%surfaces%is_measured()) then
          plan%expected%mesh = expected_ratio_error(plan%conditions, &
                                                    formula_ratio(case, plan%conditions, plan%surfaces%moves()), &
-                                                   plan%hx, &
+                                                   plan%hx*sqrt(merge(fitted_share, 1.0_dp, plan%is_fitted)), &
                                                    plan%resolution%points_y, 1, samples, 0.0_dp)*plan%thinning%steepness
+         if (plan%is_fitted .and. plan%resolution%points_x > 0) &
+            plan%expected%mesh = plan%expected%mesh + wave_x_factor/plan%resolution%points_x**2
          plan%expected%meniscus = expected_meniscus_error(plan%resolution%meniscus)
          if (samples > 0) plan%expected%time = expected_long_step_error(plan%cells_per_step, samples)
          if (samples > 0) plan%expected%algebraic = expected_step_error(step_tolerance)

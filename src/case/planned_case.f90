@@ -23,6 +23,8 @@ module ehlwave_planned_case
       type(conditions_t) :: conditions
       type(rheology_t) :: rheology
       type(thinning_t) :: thinning                   !! of the oil
+      logical :: is_fitted = .false.                 !! scheme of the Reynolds equation
+      real(dp) :: steepness = 1                      !! of the inlet, for the scheme: over that of a Newtonian oil
       type(surfaces_t) :: surfaces
       type(inlet_oil_t) :: inlet                     !! oil offered, where it is less than floods the contact
       type(case_file_t), allocatable :: files(:)     !! that cases may read; with digests where this one does
@@ -81,7 +83,7 @@ contains
    !> Relative error of H(0,0) of the smooth contact to expect by the mesh.
    pure real(dp) function expected_film_mesh_error(self)
       class(case_plan_t), intent(in) :: self
-      expected_film_mesh_error = self%thinning%steepness*expected_film_error(self%conditions, self%hx)
+      expected_film_mesh_error = self%steepness*expected_film_error(self%conditions, self%hx)
    end function expected_film_mesh_error
 
    !> The factor of errors that the plan expects, where they stand in for an estimate: models are right within a factor
@@ -143,6 +145,7 @@ contains
          bytes_in_parts = 1500, &     ! of responses whose linear systems are not kept side by side
          bytes_response = 1830, bytes_line = 2600, bytes_periodic = 1900, &
          bytes_set = 48, &                                              ! three fields, and their file
+         bytes_fitted = 215, &                                          ! fluxes through faces
          bytes_level = 145                                              ! with heat, measured: within a tenth
       real(dp), parameter :: cells_in_parts = 1e6_dp
       real(dp), parameter :: thread_mib = 1, bytes_thread = 600   ! rows, columns and lines of its own
@@ -163,6 +166,7 @@ contains
          cells = self%cells_x
       end if
       bytes = bytes + bytes_level*self%levels
+      if (self%is_fitted) bytes = bytes + bytes_fitted
       expected_memory_mib = program_mib + (bytes + bytes_set*self%field_sets)*cells/2.0_dp**20 &
                             + (self%threads - 1)*(thread_mib + bytes_thread*(self%cells_x + self%cells_y)/2.0_dp**20)
    end function expected_memory_mib

@@ -34,6 +34,7 @@ module ehlwave_work_unit
                                                           !! Ree-Eyring measured
    integer, parameter, public :: point_operations = 60    !! a point across the film there, each time the oil is asked;
                                                           !! Carreau's takes 150
+   integer, parameter, public :: fitted_operations = 250  !! a face of a fitted flux
    integer, parameter, public :: relaxation_operations = 1000   !! a node: one sweep over lines and what follows
    integer, parameter, public :: mlmi_operations = 450          !! a node: about that of FFT on 257 x 257 nodes
 

@@ -18,6 +18,7 @@ module ehlwave_grid
       logical :: is_half = .true.           !! whether only Y >= 0 is stored
       logical :: is_line = .false.          !! whether it is that of a line contact
       logical :: is_flooded = .false.       !! whether the edges have the pressure of the far field, else P = 0
+      logical :: is_fitted = .false.        !! whether differences are fitted to steep inlets, see theory eq. (D11)
       integer :: row_ratio = 2              !! rows for one row of the next coarser grid
       integer :: first_row = 0, last_row = 0   !! rows with unknown pressure
       real(dp), allocatable :: x(:), y(:)   !! node coordinates, (0:nx), (0:ny)

@@ -66,6 +66,7 @@ module ehlwave_case_definition
       logical :: has_free_tolerance = .false.            !! no key: none was given for steady states
       character(len=name_length) :: cycle = ''           !! of method = 'fas', completed
       character(len=name_length) :: deformation = 'auto'
+      character(len=name_length) :: scheme = 'auto'               !! of the Reynolds equation
       character(len=name_length) :: error_estimate = 'coarse_grid'
       real(dp) :: accuracy = 0                           !! relative error asked for; 0: none
       integer :: threads = 0                             !! that share the case; 0: chosen where it is run
@@ -82,6 +83,7 @@ module ehlwave_case_definition
    contains
       procedure :: is_pair
       procedure :: has_ratio
+      procedure :: is_starved
    end type case_t
 
    integer, parameter, public :: usual_largest_cells = 1024   !! that the plan chooses where no limit is given,
@@ -112,5 +114,11 @@ contains
       class(case_t), intent(in) :: self
       has_ratio = self%is_wavy() .and. .not. self%second%is_measured()
    end function has_ratio
+
+   !> Whether the contact is offered less oil than it could take, or may be.
+   elemental logical function is_starved(self)
+      class(case_t), intent(in) :: self
+      is_starved = self%oil_over_flooded > 0 .or. self%oil_layer_m > 0
+   end function is_starved
 
 end module ehlwave_case_definition

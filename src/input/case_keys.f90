@@ -204,6 +204,10 @@ contains
       call list%see(case%deformation, key_t('deformation', "how the deformation is computed; 'auto': by the faster "// &
          "one, 'fft'; 'mlmi': multilevel multi-integration, whose error is far below that of the discretisation", &
          choices='auto fft mlmi'))
+      call list%see(case%scheme, key_t('scheme', "differences of the Reynolds equation; 'averaged': eps averaged "// &
+         "between nodes, upstream differences of second order; 'fitted': fluxes that integrate steep inlets "// &
+         "between nodes, upstream differences of third order, for heavy loads; Newtonian oils, without heat, in "// &
+         "flooded contacts; 'auto': 'averaged'", choices='auto averaged fitted', is_late=.true.))
       call list%see(case%error_estimate, key_t('error_estimate', "estimate of the error of Ad/Ai; 'coarse_grid': "// &
          "from the "// &
          "same case on 2 and 4 times the mesh size (5 to 15 % of the time), 'model': the error that the plan expects", &

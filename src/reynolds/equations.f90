@@ -67,8 +67,11 @@ contains
 
       if (checks) call check_shapes(self, given, state)
       call self%flow%evaluate(problem%rheology, problem%conditions%lambdabar, state%p, state%h, problem%heat)
-      if (.not. problem%rheology%is_newtonian()) &
+      if (.not. problem%rheology%is_newtonian()) then
          call self%flow%evaluate_faces(problem%film_flow, problem%grid, self%mesh%kappa, problem%heat)
+      else if (problem%grid%is_fitted) then
+         call self%flow%fit(problem%grid, problem%conditions%lambdabar)
+      end if
       call self%set_scale(abs(given%transport%w0))
       if (allocated(given%supply)) then
          call driven_flow(self%mesh, self%flow, self%residual)

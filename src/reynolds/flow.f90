@@ -3,6 +3,7 @@ module ehlwave_flow
    use ehlwave_face_flow, only: face_flow_t, new_face_flow, node_oil_t
    use ehlwave_film_flow, only: film_flow_t
    use ehlwave_film_heat, only: film_heat_t
+   use ehlwave_fitted_flux, only: fit_faces
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
    use ehlwave_real_transfer, only: inject
@@ -13,7 +14,8 @@ module ehlwave_flow
    public :: new_flow
 
    !> A state, the oil there, the coefficients of its flow and their derivatives. All arrays (0:nx, 0:ny). The flow of
-   !> a generalised Newtonian oil is not eps times a gradient: it has fluxes through faces in place of it.
+   !> a generalised Newtonian oil is not eps times a gradient: it has fluxes through faces in place of it. So has that
+   !> of a Newtonian one by the fitted scheme.
    type, extends(node_oil_t), public :: flow_t
       real(dp), allocatable :: f(:, :)      !! rho H
       real(dp), allocatable :: eps(:, :)    !! rho H^3/(eta lambdabar)
@@ -21,11 +23,12 @@ module ehlwave_flow
       real(dp), allocatable :: eps_p(:, :)  !! d eps/dP at fixed H
       real(dp), allocatable :: eps_h(:, :)  !! d eps/dH
       type(face_flow_t), allocatable :: along_x, along_y     !! through faces along X and along Y; not of a Newtonian
-                                                             !! oil
+                                                             !! oil whose eps is averaged
       logical, private :: has_faces = .false.                ! whether these are those of the state
    contains
       procedure :: evaluate
       procedure :: evaluate_faces
+      procedure :: fit
       procedure :: has_face_fluxes
       procedure :: mobility
       procedure :: inject_from
@@ -136,6 +139,16 @@ contains
       call self%along_y%evaluate_y(grid, kappa, film, self%node_oil_t, heat)
    end subroutine evaluate_faces
 
+   !> Fitted fluxes of a Newtonian oil, after `evaluate`: theory eq. (D11).
+   subroutine fit(self, grid, lambdabar)
+      class(flow_t), intent(inout) :: self
+      type(grid_t), intent(in) :: grid
+      real(dp), intent(in) :: lambdabar             !! dimensionless speed parameter
+      call make_faces(self, grid)
+      self%has_faces = .true.
+      call fit_faces(grid, lambdabar, self%node_oil_t, self%along_x, self%along_y)
+   end subroutine fit
+
    !> Whether stresses thin the oil so little that linear changes are those of a Newtonian one, for a preconditioner: by
    !> what a pressure gradient along X drives through the faces, eps_1 + eps_2 of a Newtonian oil.
    pure logical function thins_little(self)
@@ -158,7 +171,8 @@ contains
       self%along_y = self%along_x
    end subroutine make_faces
 
-   !> Operations that the flow across the film took when last evaluated, see `ehlwave_work_unit`; 0 of a Newtonian oil.
+   !> Operations that the flow across the film took when last evaluated, see `ehlwave_work_unit`; 0 of a Newtonian oil
+   !> whose eps is averaged.
    pure real(dp) function film_work(self)
       class(flow_t), intent(in) :: self
       film_work = 0

@@ -3,7 +3,8 @@
 !> The flow along the pressure gradient goes through the faces between neighbouring nodes. This module alone knows how
 !> much: the flux through a face (`face_flux`), its change (`face_change`), the links of a node (`poiseuille_links`),
 !> the diagonal (`reynolds_scale`) and how the oil a node takes in depends on its own pressure (`intake`). In a
-!> Newtonian oil eps is averaged between nodes; the fluxes of another oil are those of `ehlwave_face_flow`.
+!> Newtonian oil eps is averaged between nodes; the fluxes of another oil, and those of the fitted scheme, are those of
+!> `ehlwave_face_flow`.
 module ehlwave_reynolds
    use ehlwave_complex_wedge, only: complex_wedge_t => wedge_t
    use ehlwave_face_flow, only: face_flow_t

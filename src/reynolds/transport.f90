@@ -1,8 +1,9 @@
-!> Wedge and squeeze terms d(rho H)/dX + d(rho H)/dT, second order, one form for steady, transient and harmonic.
+!> Wedge and squeeze terms d(rho H)/dX + d(rho H)/dT, of second or, on fitted grids, third order, one form for steady,
+!> transient and harmonic.
 !>
 !> At node i the sum of both terms is discretised as, theory eq. (D8),
 !>
-!>     w0(i) f(i) + w1(i) f(i-1) + w2(i) f(i-2) + carried(i),      f = rho H at the present time,
+!>     w0(i) f(i) + w1(i) f(i-1) + w2(i) f(i-2) + w3(i) f(i-3) + carried(i),      f = rho H at the present time,
 !>
 !> where `carried` holds the known values of earlier times.
 module ehlwave_transport
@@ -15,12 +16,15 @@ module ehlwave_transport
    private
    public :: steady_transport, characteristic_transport, harmonic_wedge, implicit_part
 
+   !> Backward difference of third order: of f, f one, two and three steps before.
+   real(dp), parameter :: third_order(0:3) = [11/6.0_dp, -3.0_dp, 1.5_dp, -1/3.0_dp]
    real(dp), parameter, public :: no_film = -1   !! in place of rho H where a node was not full
 
    type, extends(wedge_t), public :: transport_t
       real(dp), allocatable :: carried(:, :)         !! (0:nx, 0:ny), allocated in transient problems only
       integer :: cells_per_step = 1                  !! dT = hX cells_per_step / steps_per_cell,
       integer :: steps_per_cell = 1                  !! one of the two is 1
+      integer :: order = 2                           !! of the difference along the characteristic, 3 of a fitted grid
       ! of gaps that are not full everywhere, in transient problems: what the node upstream passed on at the earlier
       ! time, and rho H there where it was full, else `no_film`
       real(dp), allocatable :: inflow(:, :), partner(:, :)
@@ -33,7 +37,8 @@ module ehlwave_transport
 
 contains
 
-   !> Steady state: second-order upstream difference, theory eq. (D2); first order at the first interior node.
+   !> Steady state: second-order upstream difference, theory eq. (D2); first order at the first interior node. Of a
+   !> fitted grid third order from the third on, theory eq. (D12).
    pure function steady_transport(grid) result(self)
       type(grid_t), intent(in) :: grid
       type(transport_t) :: self
@@ -44,7 +49,19 @@ contains
       self%w0(1) = 1/grid%hx
       self%w1(1) = -1/grid%hx
       self%w2(1) = 0
+      if (grid%is_fitted) call raise_order(self, third_order/grid%hx)
    end function steady_transport
+
+   !> Weights of third order where three nodes lie upstream.
+   pure subroutine raise_order(self, weight)
+      type(transport_t), intent(inout) :: self
+      real(dp), intent(in) :: weight(0:)      !! (0:3)
+      allocate (self%w3(0:ubound(self%w0, 1)), source=0.0_dp)
+      self%w0(3:) = weight(0)
+      self%w1(3:) = weight(1)
+      self%w2(3:) = weight(2)
+      self%w3(3:) = weight(3)
+   end subroutine raise_order
 
    !> Transient: second-order backward difference along the characteristic X - T = const, with the idea
    !> of the narrow upstream scheme NU2 (Venner and others 1999), theory eq. (D5): with dT = hX
@@ -55,6 +72,9 @@ contains
    !> characteristic is dT (and m cells), with dT = hX/m it is hX (and m steps). Nodes nearer to the inlet
    !> than two such steps: first order along the characteristic at node m when m = 1, else
    !> upstream in X and backward in T separately, second order.
+   !>
+   !> Of a fitted grid the difference along the characteristic is that of third order where three steps lie upstream,
+   !> theory eq. (D12).
    pure function characteristic_transport(grid, cells_per_step, steps_per_cell) result(self)
       type(grid_t), intent(in) :: grid
       integer, intent(in) :: cells_per_step   !! m for dT = m hX
@@ -81,6 +101,10 @@ contains
             self%w1(i) = merge(-1.0_dp, -2.0_dp, i == 1)/grid%hx
             self%w2(i) = merge(0.0_dp, 0.5_dp, i == 1)/grid%hx
          end do
+      end if
+      if (grid%is_fitted) then
+         self%order = 3
+         self%w0(3*cells_per_step:) = third_order(0)/(grid%hx*cells_per_step)
       end if
       allocate (self%carried(0:grid%nx, 0:grid%ny), source=0.0_dp)
    end function characteristic_transport
@@ -114,7 +138,33 @@ contains
          self%w1(:1) = -z/h
          self%w2(:1) = 0
       end associate
+      if (grid%is_fitted) call raise_harmonic_order(self, grid%hx, z, dt)
    end function harmonic_wedge
+
+   !> Weights of third order where three nodes lie upstream: t0 f + t1 f' + t2 f'' + t3 f''' with the differences of the
+   !> cubic through the four nodes.
+   pure subroutine raise_harmonic_order(self, h, z, dt)
+      type(complex_wedge_t), intent(inout) :: self
+      real(dp), intent(in) :: h           !! mesh size in X of the grid at hand
+      complex(dp), intent(in) :: z        !! exp(i w dT)
+      real(dp), intent(in) :: dt
+      ! differences of order 0 to 3, by nodes i, i-1, i-2, i-3, with a mesh size of 1
+      real(dp), parameter :: difference(0:3, 0:3) = reshape([1.0_dp, 0.0_dp, 0.0_dp, 0.0_dp, third_order, &
+         2.0_dp, -5.0_dp, 4.0_dp, -1.0_dp, 1.0_dp, -3.0_dp, 3.0_dp, -1.0_dp], [4, 4])
+      complex(dp) :: t(0:3), weight(0:3)
+      integer :: l
+
+      t = 0
+      do l = 0, 3         ! f(i-l) = f - l dT f' + (l dT)^2/2 f'' - (l dT)^3/6 f'''
+         t = t + third_order(l)*z**l/dt*[1.0_dp, -l*dt, (l*dt)**2/2, -(l*dt)**3/6]
+      end do
+      weight = matmul(difference, t/h**[0, 1, 2, 3])
+      allocate (self%w3(0:ubound(self%w0, 1)), source=(0.0_dp, 0.0_dp))
+      self%w0(3:) = weight(0)
+      self%w1(3:) = weight(1)
+      self%w2(3:) = weight(2)
+      self%w3(3:) = weight(3)
+   end subroutine raise_harmonic_order
 
    !> The terms at the present time, on the same grid or on one with half as many cells: what a Jacobian needs.
    !> Terms that look upstream in X follow the mesh size; terms along the characteristic do not.
@@ -130,6 +180,7 @@ contains
       self%w0 = transport%w0(::ratio)
       self%w1 = transport%w1(::ratio)
       self%w2 = transport%w2(::ratio)
+      if (allocated(transport%w3)) allocate (self%w3(0:grid%nx), source=transport%w3(::ratio))
       if (ratio > 1 .and. .not. transport%is_local) self = scaled_upstream(self, ratio)
       if (ratio > 1 .and. transport%is_local) self%w0(1) = self%w0(min(2, grid%nx))
    end function implicit_part
@@ -142,9 +193,19 @@ contains
       real(dp) :: still(0:ubound(transport%w0, 1))
       self = transport
       still = transport%w0 + transport%w1 + transport%w2   ! an upstream difference sums to zero
+      if (allocated(transport%w3)) still = still + transport%w3
       self%w0 = still + (transport%w0 - still)/ratio
       self%w1 = transport%w1/ratio
       self%w2 = transport%w2/ratio
+      if (allocated(transport%w3)) then
+         self%w3 = transport%w3/ratio
+         associate (outside => self%w3(:2))      ! f(i-3) of the parabola through the others
+            self%w0(:2) = self%w0(:2) + outside
+            self%w1(:2) = self%w1(:2) - 3*outside
+            self%w2(:2) = self%w2(:2) + 3*outside
+            outside = 0
+         end associate
+      end if
       self%w0(1) = still(1) - self%w1(1) - self%w2(1)
       self%w1(1) = self%w1(1) + self%w2(1)
       self%w2(1) = 0
@@ -154,7 +215,7 @@ contains
    !> How many earlier times are needed: f at T - dT, T - 2 dT, ...
    pure integer function history_length(self)
       class(transport_t), intent(in) :: self
-      history_length = 2*self%steps_per_cell
+      history_length = self%order*self%steps_per_cell
    end function history_length
 
    !> Set `carried` from the values f = rho H of earlier times.
@@ -210,6 +271,11 @@ contains
             self%carried(i, j) = (-2*history(i - m, 1) + 0.5_dp*history(i - 2*m, 2))/dt
          end do
       end if
+      if (self%order < 3) return
+      do i = 3*m, grid%nx
+         self%carried(i, j) = (third_order(1)*history(i - m, s) + third_order(2)*history(i - 2*m, 2*s) &
+                               + third_order(3)*history(i - 3*m, 3*s))/(grid%hx*m)
+      end do
    end subroutine carry_row
 
 end module ehlwave_transport

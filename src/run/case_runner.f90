@@ -20,7 +20,7 @@ module ehlwave_case_runner
    use ehlwave_oil_passage, only: follow_oil, oil_passage_t
    use ehlwave_plan_effort, only: most_work
    use ehlwave_planned_case, only: case_plan_t, run_march, run_standing
-   use ehlwave_resolution, only: touching_reason
+   use ehlwave_resolution, only: touching_reason, add_reason
    use ehlwave_periodic_case, only: find_periodic_state
    use ehlwave_rescue, only: rescue_t, rung_name
    use ehlwave_sensitivity_case, only: find_film_sensitivities
@@ -126,7 +126,8 @@ contains
       end associate
 
       unresolved = plan%resolution%reason
-      if (plan%surfaces%is_rough()) unresolved = unresolved//touching_reason(rescue%thinnest, result%central_film)
+      if (plan%surfaces%is_rough()) &
+         call add_reason(unresolved, touching_reason(rescue%thinnest, result%central_film))
       result%is_resolved = len(unresolved) == 0
       result%rung = rung_name(rescue%rung)
       result%rescued_solutions = rescue%rescued

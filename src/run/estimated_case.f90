@@ -13,7 +13,7 @@ module ehlwave_estimated_case
    use ehlwave_march_keeper, only: march_keeper_t
    use ehlwave_monitor, only: go_on, monitor_t, stop_now
    use ehlwave_planned_case, only: case_plan_t
-   use ehlwave_resolution, only: telling_inlet, telling_points_per_wave
+   use ehlwave_resolution, only: fitted_inlet, telling_inlet, telling_points_per_wave
    use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_status, only: is_success, status_interrupted, status_over_budget, status_pending
    use ehlwave_work_unit, only: work_unit_operations
@@ -72,7 +72,7 @@ contains
       result%work_units = result%work_units*(1 + seconds/result%seconds)
       result%seconds = result%seconds + seconds
       result%total_work_units = result%all_work/work_unit_operations(plan%cells_x, plan%cells_y)
-      associate (order => likely_order(result%film_order, plan%resolution, plan%thinning%steepness))
+      associate (order => likely_order(result%film_order, plan%resolution, plan%steepness))
          ratios = reshape([ratios_of(plan, result), ratios], [size(ratios, 1), size(ratios, 2) + 1])
          estimates = [(estimate_error(ratios(n, :), order), n=1, size(ratios, 1))]
       end associate
@@ -118,6 +118,7 @@ contains
       coarse_case%fields = .false.
       coarse_case%fields_every = 0
       coarse_case%sensitivities = .false.
+      if (plan%is_fitted) coarse_case%scheme = 'fitted'
       coarse_case%accuracy = 0                    ! is that of the case itself
       if (case%response /= 'periodic') coarse_case%response = 'transient'   ! others have their own estimate
       coarse_case%time_step_over_cell = real(plan%cells_per_step, dp)/plan%steps_per_cell
@@ -158,7 +159,8 @@ contains
       real(dp) :: points(3)
       associate (r => plan%resolution)
          points = [r%points_x, r%points_y, r%samples]
-         can_tell = r%inlet <= telling_inlet .and. all(points <= 0 .or. points >= telling_points_per_wave - 1e-9_dp)
+         can_tell = r%inlet <= telling_inlet*merge(fitted_inlet, 1.0_dp, plan%is_fitted) .and. &
+                    all(points <= 0 .or. points >= telling_points_per_wave - 1e-9_dp)
       end associate
    end function can_tell
 

@@ -110,7 +110,7 @@ contains
                                           plan%steps_per_cell, coarse)
       if (coarse%status /= status_converged) return
       call harmonic%extrapolate(coarse%film, coarse%pressure, &
-                                likely_order(result%film_order, plan%resolution, plan%thinning%steepness, &
+                                likely_order(result%film_order, plan%resolution, plan%steepness, &
                                              enough_points))
       harmonic%error = max(harmonic%error, plan%least_ratio_error(result%central_film_error))
       harmonic%error_basis = 'coarse_grid'

@@ -69,7 +69,8 @@ contains
          end if
          write (unit, '(a)') 'Deformation  '//trim(merge('FFT ', 'MLMI', plan%deformation == 'fft'))// &
             ' on the finest grid ('// &
-            trim(merge('the faster one', 'asked for     ', case%deformation == 'auto'))//'), method '//trim(case%method)
+            trim(merge('the faster one', 'asked for     ', case%deformation == 'auto'))//'), method '// &
+            trim(case%method)//trim(merge(', fitted scheme', '               ', plan%is_fitted))
          write (unit, '(a)') 'Resolution   hX over the inlet length = '//to_text(plan%resolution%inlet, 3)// &
             resolution_text(plan)
          write (unit, '(a)') '             gap at x_min over film = '//to_text(plan%resolution%inlet_gap, 3)// &
@@ -79,7 +80,7 @@ contains
          if (plan%resolution%is_resolved) then
             write (unit, '(a)') '             resolved'
          else
-            write (unit, '(a)') '             NOT RESOLVED: '//plan%resolution%reason//'the result will be flagged'
+            write (unit, '(a)') '             NOT RESOLVED: '//plan%resolution%reason//'; the result will be flagged'
          end if
          write (unit, '(a)') 'Expected     '//expected_text(plan)
          write (unit, '(a)') '             about '//to_text(plan%expected_seconds(), 2)//' s, '// &

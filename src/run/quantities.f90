@@ -71,6 +71,8 @@ contains
       call add_key(list, keys, 'edges')
       call add_key(list, keys, 'method')
       call add_key(list, keys, 'tolerance')
+      call list%add('scheme', 'differences of the Reynolds equation, averaged or fitted to steep inlets', &
+                    trim(merge('fitted  ', 'averaged', plan%is_fitted)))
       call list%add('domain_error', 'relative error expected by the edges of the domain, besides expected_error', &
          plan%domain_error)
       call list%add('expected_mesh_error', 'part of it by the mesh', plan%expected%mesh)

@@ -248,6 +248,7 @@ contains
          grid = new_grid(plan%x_min, plan%x_max, plan%y_max, plan%cells_x, plan%cells_y, plan%is_half)
       end if
       grid%is_flooded = case%edges == 'flooded'
+      grid%is_fitted = plan%is_fitted
    end function grid_of
 
    !> Tolerance and limits of a steady solution of a case.

@@ -26,6 +26,7 @@ contains
       self%hx = grid%hx
       self%hy = grid%hy
       self%is_half = grid%is_half .and. first(2) == 0
+      self%is_fitted = grid%is_fitted
       self%first_row = merge(0, 1, self%is_half)
       self%last_row = self%ny - 1
       allocate (self%x(0:self%nx), self%y(0:self%ny), self%weight(0:self%ny))
@@ -45,7 +46,7 @@ contains
       type(grid_t), intent(in) :: grid             !! of the patch
       integer, intent(in) :: first(2)              !! its first node in the whole: i and j
       type(level_t), intent(inout) :: patch
-      integer :: last(2)
+      integer :: i, last(2)
 
       last = first + [grid%nx, grid%ny]
       patch%state = new_state(grid)
@@ -71,6 +72,13 @@ contains
          ! the second node upstream of it is outside
          if (first(1) > 0) transport%carried(1, :) = transport%carried(1, :) &
             + transport%w2(1)*equations%flow%f(first(1) - 1, first(2):last(2))
+         if (allocated(transport%w3)) deallocate (transport%w3)
+         if (.not. allocated(from%w3)) return
+         allocate (transport%w3(0:grid%nx), source=from%w3(first(1):last(1)))
+         do i = 1, 2               ! the same of the third
+            if (first(1) + i >= 3) transport%carried(i, :) = transport%carried(i, :) &
+               + transport%w3(i)*equations%flow%f(first(1) + i - 3, first(2):last(2))
+         end do
       end associate
    end subroutine cut
 

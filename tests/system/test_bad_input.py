@@ -56,6 +56,7 @@ CHANGES = [
     ("no tolerance", "solver", "tolerance", 0, "tolerance"),
     ("no steps", "solver", "largest_steps", 0, "largest_steps"),
     ("unknown method", "solver", "method", "picard", "method"),
+    ("unknown scheme", "solver", "scheme", "upwind", "scheme"),
     ("cycle of another method", "solver", "cycle", "w", "cycle"),
     ("missing frequency", "dynamics", "load_balance", "equation_of_motion", "natural_frequency"),
     ("frequency of a force balance", "dynamics", "natural_frequency", 5, "natural_frequency"),
@@ -134,6 +135,18 @@ class BadInput(unittest.TestCase):
                     text = text.replace(f"{key} = '{value}'", f"{key} = {value}")
                 self.write("case.nml", text)
                 self.refuse(needle, "case.nml", "--output", "case.h5")
+
+    def test_fitted_scheme(self):
+        """It is written for Newtonian oils in flooded contacts."""
+        thins = {"lubricant": {"flow_law": "eyring", "eyring_stress_pa": 5e6},
+                 "conditions": {**GOOD["conditions"], "reduced_modulus_pa": 2e11}}
+        for change in (thins, {"inlet": {"oil_over_flooded": 0.8}}):
+            with self.subTest(groups=list(change)):
+                groups = {**GOOD, **change}
+                self.write("case.nml", namelist(groups))
+                self.assertEqual(run("case", "case.nml", "--plan", folder=self.folder).returncode, 0)
+                self.write("case.nml", namelist({**groups, "solver": {"scheme": "fitted"}}))
+                self.refuse("&solver scheme = 'fitted'", "case.nml")
 
     def test_pairs_of_surfaces(self):
         for conditions, first, second, needle in PAIRS:

@@ -3,6 +3,7 @@ program test_harmonic_response
    use ehlwave_complex_wedge, only: wedge_t
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_equations, only: equations_t
+   use ehlwave_grid, only: grid_t
    use ehlwave_given, only: given_t
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_harmonic_response, only: harmonic_response_t, harmonic_solver_t
@@ -59,7 +60,36 @@ contains
          call test%check_close(abs(-wide%hx*(coarse%w1(5) + 2*coarse%w2(5)) + grid%hx*(fine%w1(5) + 2*fine%w2(5))), 0.0_dp, &
                                'linear f on the coarse grid', absolute=1e-11_dp)
       end associate
+      call fitted_transport(test, multigrid%levels(2)%problem%grid, multigrid%levels(1)%problem%grid)
    end subroutine transport_on_grids
+
+   !> The same of third order.
+   subroutine fitted_transport(test, grid, wide)
+      type(test_t), intent(inout) :: test
+      type(grid_t), intent(in) :: grid, wide
+      type(grid_t) :: fitted, fitted_wide
+      type(wedge_t) :: fine, coarse
+      complex(dp) :: z
+      real(dp), parameter :: frequency = 9
+      integer :: k
+      integer, parameter :: places(0:3) = [0, 1, 2, 3]
+
+      fitted = grid
+      fitted%is_fitted = .true.
+      fitted_wide = wide
+      fitted_wide%is_fitted = .true.
+      z = exp(cmplx(0, frequency*grid%hx, dp))
+      fine = harmonic_wedge(fitted, frequency, grid%hx)
+      coarse = harmonic_wedge(fitted_wide, frequency, grid%hx)
+      call test%check_close(abs([fine%w0(5), fine%w1(5), fine%w2(5), fine%w3(5)]*grid%hx &
+                                - [11/6.0_dp, -3.0_dp, 1.5_dp, -1/3.0_dp]*z**places), spread(0.0_dp, 1, 4), &
+                            'third order along the characteristic', absolute=1e-11_dp)
+      do k = 0, 3       ! f = X^k, zero at the node
+         call test%check_close(abs(sum([coarse%w0(5), coarse%w1(5), coarse%w2(5), coarse%w3(5)]*(-places*wide%hx)**k) &
+                                   - sum([fine%w0(5), fine%w1(5), fine%w2(5), fine%w3(5)]*(-places*grid%hx)**k)), 0.0_dp, &
+                               'a power of X on the coarse grid', absolute=1e-11_dp)
+      end do
+   end subroutine fitted_transport
 
    !> The equation of motion for Delta = exp(-i w T).
    subroutine inertia(test)

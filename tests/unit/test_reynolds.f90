@@ -30,6 +30,9 @@ program test_reynolds
       call check_jacobian(0.12_dp, is_half, roelands, 1)
       call check_jacobian(0.12_dp, is_half, barus, 2)
       call check_jacobian(1.0_dp, is_half, barus, steady)
+      call check_jacobian(1.0_dp, is_half, roelands, steady, is_fitted=.true.)
+      call check_jacobian(0.12_dp, is_half, roelands, 1, is_fitted=.true.)
+      call check_jacobian(0.12_dp, is_half, barus, 2, is_fitted=.true.)
       call check_jacobian(1.0_dp, is_half, roelands, steady, eyring_law_t())
       call check_jacobian(0.35_dp, is_half, roelands, 1, new_carreau_law(0.4_dp))
    end do
@@ -55,12 +58,13 @@ contains
       r = equations%residual
    end subroutine residual_of
 
-   subroutine check_jacobian(d, is_half, law, cells_per_step, flow_law)
+   subroutine check_jacobian(d, is_half, law, cells_per_step, flow_law, is_fitted)
       real(dp), intent(in) :: d
       logical, intent(in) :: is_half
       character(len=*), intent(in) :: law
       integer, intent(in) :: cells_per_step
       class(flow_law_t), intent(in), optional :: flow_law   !! of an oil that is not Newtonian, S = 1.4
+      logical, intent(in), optional :: is_fitted            !! scheme; absent: averaged
       type(contact_problem_t) :: problem
       type(conditions_t) :: conditions
       type(rheology_t) :: oil
@@ -75,6 +79,10 @@ contains
       call make_contact(problem, 100.0_dp, d, 24, 16, is_half, law)
       what = 'Jacobian, D = '//to_text(d, 3)//', '//law//', half '//to_text(is_half)//', step '// &
              to_text(cells_per_step)
+      if (present(is_fitted)) then
+         what = what//', fitted'
+         problem%grid%is_fitted = is_fitted
+      end if
       if (present(flow_law)) then
          what = what//', not Newtonian'
          oil = problem%rheology
@@ -87,7 +95,7 @@ contains
       associate (grid => problem%grid)
          if (cells_per_step > 0) then
             given%transport = characteristic_transport(grid, cells_per_step, 1)
-            allocate (history(0:grid%nx, 0:grid%ny, 2), source=0.3_dp)
+            allocate (history(0:grid%nx, 0:grid%ny, given%transport%history_length()), source=0.3_dp)
             call given%transport%carry(grid, history)
          end if
          allocate (p(0:grid%nx, 0:grid%ny), source=0.0_dp)
@@ -159,6 +167,8 @@ contains
       wedge%w0 = given%transport%w0
       wedge%w1 = given%transport%w1
       wedge%w2 = given%transport%w2
+      if (allocated(given%transport%w3)) &
+         allocate (wedge%w3(0:ubound(change, 1)), source=cmplx(given%transport%w3, kind=dp))
       call reynolds_change(equations%mesh, wedge, equations%flow, factor*change, factor*dh, dr)
       call test%check_close(maxval(abs(dr*equations%scale - factor*scaled))/maxval(abs(scaled)), 0.0_dp, what//', complex', &
                             absolute=1e-12_dp)

@@ -199,6 +199,8 @@ class CaseKeys(TypedDict, total=False):
     """multigrid cycle"""
     deformation: Literal["auto", "fft", "mlmi"]
     """how the deformation is computed; 'auto': by the faster one, 'fft'"""
+    scheme: Literal["auto", "averaged", "fitted"]
+    """differences of the Reynolds equation"""
     error_estimate: Literal["coarse_grid", "model"]
     """estimate of the error of Ad/Ai"""
     accuracy: SupportsFloat

@@ -46,6 +46,9 @@ class Contact:
             self.m, self.l = self.power(20, 300), self.between(3, 15)
         self.accuracy = self.power(0.01, 0.2) if self.chance(0.35) else None
         self.is_warm = self.is_dimensional and not self.has_surface and self.chance(0.3)
+        # from a stream of its own, so that it changes no other key
+        scheme = self.rng.spawn(1)[0].integers(10)
+        self.scheme = {0: "auto", 1: "averaged", 2: "fitted", 3: "fitted"}.get(int(scheme))
 
     def chance(self, share: float) -> bool:
         """Return True in that share of the calls."""
@@ -202,6 +205,12 @@ def _method(c: Contact, row: Row) -> Value:
     if c.is_line or c.chance(0.6) or {"oil_over_flooded", "oil_layer_m"} & set(row):
         return None
     return c.one_of("fas", "fas", "newton", "petsc")
+
+
+def _scheme(c: Contact, row: Row) -> Value:
+    thins = row.get("flow_law", "newtonian") != "newtonian" or "shear_limit_over_pressure" in row
+    starved = {"oil_over_flooded", "oil_layer_m"} & set(row)
+    return None if c.is_warm or thins or starved else c.scheme
 
 
 def _oil(c: Contact, row: Row) -> Value:
@@ -389,6 +398,7 @@ DRAWS: dict[str, Draw] = {
         0.1, lambda c, row: None if {"oil_over_flooded", "oil_layer_m"} & set(row) else True
     ),
     "slide_to_roll_ratio": _ratio,
+    "scheme": _scheme,
 }
 
 

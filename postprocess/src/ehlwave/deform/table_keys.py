@@ -102,6 +102,7 @@ OF_THE_SOLUTION = frozenset(
         "method",
         "cycle",
         "deformation",
+        "scheme",
         "error_estimate",
         "accuracy",
         "threads",

@@ -1,0 +1,105 @@
+!> Fitted fluxes: exact where they integrate exactly, derivatives, the averaged fluxes where nodes are alike.
+program test_fitted_flux
+   use ehlwave_face_flow, only: face_flow_t, new_face_flow, node_oil_t
+   use ehlwave_fitted_flux, only: fit_faces
+   use ehlwave_grid, only: grid_t, new_grid, new_line_grid
+   use ehlwave_kinds, only: dp
+   use testing, only: test_t
+   implicit none (type, external)
+
+   real(dp), parameter :: lambdabar = 0.02_dp, thickening = 40, pressure = 0.3_dp
+   type(test_t) :: test
+
+   call check_steep_oil()
+   call check_wedge()
+   call check_alike()
+   call test%finish()
+
+contains
+
+   !> State of an oil of constant density whose viscosity is exp(40 P), or constant.
+   function oil_of(p, h, thickens) result(oil)
+      real(dp), intent(in) :: p(0:, 0:), h(0:, 0:)
+      logical, intent(in) :: thickens
+      type(node_oil_t) :: oil
+      real(dp) :: slope
+
+      slope = merge(thickening, 0.0_dp, thickens)
+      allocate (oil%p, oil%h, oil%fluidity, oil%dln_eta, oil%rho, oil%drho, source=p)
+      oil%h(:, :) = h
+      oil%fluidity(:, :) = exp(-slope*p)
+      oil%dln_eta(:, :) = slope
+      oil%rho(:, :) = 1
+      oil%drho(:, :) = 0
+   end function oil_of
+
+   !> Between parallel walls one flow goes through all faces along X: that of the whole pressure drop, however steep
+   !> the viscosity is from node to node. The averaged one is far from it.
+   subroutine check_steep_oil()
+      integer, parameter :: n = 8
+      type(grid_t) :: grid
+      type(face_flow_t) :: x, y
+      type(node_oil_t) :: oil
+      real(dp) :: p(0:n, 0:n), q(0:n), averaged
+      real(dp), parameter :: film = 0.2_dp
+      integer :: i
+
+      grid = new_grid(-1.0_dp, 1.0_dp, 1.0_dp, n, n, .false.)
+      q = (1 - exp(-thickening*pressure))/thickening*[(i, i=0, n)]/real(n, dp)     ! int dP/eta, linear in X
+      p = spread(-log(1 - thickening*q)/thickening, 2, n + 1)
+      oil = oil_of(p, spread(spread(film, 1, n + 1), 2, n + 1), .true.)
+      x = new_face_flow(grid)
+      y = x
+      call fit_faces(grid, lambdabar, oil, x, y)
+      call test%check_close(x%flux(:n - 1, 3), spread(2*film**3/lambdabar*q(n)/n, 1, n), 'flux of a steep oil', relative=1e-12_dp)
+      call test%check(all(abs(y%flux) <= 0), 'none across')
+      averaged = film**3/lambdabar*(oil%fluidity(n - 1, 3) + oil%fluidity(n, 3))*(p(n, 3) - p(n - 1, 3))
+      call test%check(averaged > 1.5_dp*x%flux(n - 1, 3), 'averages are far off')
+      ! the same along Y, and transposed
+      oil = oil_of(transpose(p), spread(spread(film, 1, n + 1), 2, n + 1), .true.)
+      call fit_faces(grid, lambdabar, oil, x, y)
+      call test%check_close(y%flux(3, :n - 1), spread(2*film**3/lambdabar*q(n)/n, 1, n), 'along Y', relative=1e-12_dp)
+   end subroutine check_steep_oil
+
+   !> In a straight wedge of a thin oil, too: P from H^3 dP/dX = const.
+   subroutine check_wedge()
+      integer, parameter :: n = 12
+      type(grid_t) :: grid
+      type(face_flow_t) :: x, y
+      real(dp) :: h(0:n, 0:0), p(0:n, 0:0)
+
+      grid = new_line_grid(-2.0_dp, 1.0_dp, n)
+      h(:, 0) = 1.2_dp - grid%x                       ! 3.2 to 0.2
+      p(:, 0) = 0.5_dp/h(:, 0)**2                     ! dP/dX = 1/H^3
+      x = new_face_flow(grid)
+      y = x
+      call fit_faces(grid, lambdabar, oil_of(p, h, .false.), x, y)
+      call test%check_close(x%flux(:n - 1, 0), spread(2*grid%hx/lambdabar, 1, n), 'flux in a wedge', relative=1e-12_dp)
+   end subroutine check_wedge
+
+   !> Where nodes hardly differ, the mean is that of the averaged scheme, and the series joins the logarithm.
+   subroutine check_alike()
+      type(grid_t) :: grid
+      type(face_flow_t) :: x, y
+      type(node_oil_t) :: oil
+      real(dp) :: p(0:2, 0:0)
+      real(dp), parameter :: apart(2) = [0.019999999_dp, 0.020000001_dp]   ! ln(phi_2/phi_1) on both sides of the switch
+      real(dp) :: own(2), slope(2)
+      integer :: k
+
+      grid = new_line_grid(-1.0_dp, 1.0_dp, 2)
+      x = new_face_flow(grid)
+      y = x
+      do k = 1, 2
+         p(:, 0) = [0.0_dp, apart(k)/thickening, 0.0_dp]
+         oil = oil_of(p, spread(spread(0.2_dp, 1, 3), 2, 1), .true.)
+         call fit_faces(grid, lambdabar, oil, x, y)
+         own(k) = x%own(0, 0)
+         slope(k) = x%by_p1(0, 0)/p(1, 0)
+      end do
+      call test%check_close(own(1), own(2), 'mean on both sides of the switch', relative=2e-9_dp)
+      call test%check_close(slope(1), slope(2), 'its derivative', relative=1e-8_dp)
+      call test%check_close(own(1), (oil%fluidity(0, 0) + oil%fluidity(1, 0))*0.2_dp**3/lambdabar, 'averaged', relative=1e-4_dp)
+   end subroutine check_alike
+
+end program test_fitted_flux

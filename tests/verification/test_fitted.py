@@ -1,0 +1,75 @@
+"""The scheme that is fitted to steep inlets: against the averaged one, its order, and the same linear response as its march."""
+
+import unittest
+
+from ehlwave_program import TestCase, report, solve
+
+HEAVY = {"load_parameter_m": 300, "lubricant_parameter_l": 12.05, "radius_ratio_d": 1}
+LINE = {"load_parameter_m": 100, "lubricant_parameter_l": 11, "radius_ratio_d": 0}
+WAVES = {"orientation": "transverse", "wavelength_over_a": 1}
+CELLS = (64, 128, 256)
+
+
+def contact(scheme, cells, conditions=HEAVY, waves=None, **solver):
+    """One contact on so many cells along each side."""
+    grid = {"cells_x": cells} if conditions["radius_ratio_d"] == 0 else {"cells_x": cells, "cells_y": cells}
+    groups = {"conditions": conditions, "grid": grid, "solver": {"scheme": scheme, **solver}}
+    return solve(**groups, waviness=waves) if waves else solve(**groups)
+
+
+class Fitted(TestCase):
+    @classmethod
+    def setUpClass(cls):
+        waves = {**WAVES, "response": "harmonic"}
+        cls.fitted = [contact("fitted", cells, waves=waves) for cells in CELLS]
+        cls.averaged = [contact("averaged", cells, waves=waves) for cells in CELLS]
+
+    def test_same_limit(self):
+        """Both schemes agree within their errors; averaged values are extrapolated with their own order."""
+        for column in "central_film", "harmonic_ratio":
+            with self.subTest(column=column):
+                coarse, fine = (result[column] for result in self.averaged[1:])
+                limit = fine + (fine - coarse) / 3
+                error = abs(self.fitted[-1][column] / limit - 1)
+                report(f"{column}: fitted, 256 cells, off the extrapolated averaged value by {error:.1e}")
+                self.assertLess(error, 0.005)
+
+    def test_errors(self):
+        """A fraction of the error of the averaged scheme on the same grid; estimates cover it."""
+        for column, share in (("central_film", 0.1), ("harmonic_ratio", 0.2)):
+            best = self.fitted[-1][column]
+            for cells, fitted, averaged in zip(CELLS[:2], self.fitted, self.averaged):
+                with self.subTest(column=column, cells=cells):
+                    error, usual = (abs(result[column] / best - 1) for result in (fitted, averaged))
+                    report(f"{column}, {cells} cells: error {error:.1e}, averaged {usual:.1e}")
+                    self.assertLess(error, share * usual)
+                    estimate = fitted["central_film_error" if column == "central_film" else "harmonic_error"]
+                    self.assertLess(error, 1.5 * estimate)
+
+    def test_order(self):
+        for column in "central_film", "harmonic_ratio":
+            with self.subTest(column=column):
+                order = self.check_order([result[column] for result in self.fitted], 1.8, column)
+                report(f"{column}: order {order:.2f}")
+
+    def test_march_has_its_response(self):
+        """Steps of third order along the characteristic and the linear response of the same grid."""
+        for steps in 1, 0.5:
+            with self.subTest(time_step_over_cell=steps):
+                waves = {**WAVES, "amplitude_over_film": 0.01, "response": "both"}
+                result = contact("fitted", CELLS[0], waves=waves, time_step_over_cell=steps, error_estimate="model")
+                self.check_close(result["amplitude_ratio_fit"], result["harmonic_ratio"], 5e-4, "Ad/Ai")
+
+    def test_multigrid_has_the_same_solution(self):
+        result = contact("fitted", CELLS[1], method="fas", tolerance=1e-6)
+        self.check_close(result["central_film"], self.fitted[1]["central_film"], 2e-6, "central film")
+
+    def test_line_contact(self):
+        fine = contact("averaged", 4096, LINE)["central_film"]
+        error, usual = (abs(contact(scheme, 256, LINE)["central_film"] / fine - 1) for scheme in ("fitted", "averaged"))
+        report(f"line contact, 256 cells: error {error:.1e}, averaged {usual:.1e}")
+        self.assertLess(error, 0.1 * usual)
+
+
+if __name__ == "__main__":
+    unittest.main()
