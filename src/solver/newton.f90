@@ -89,7 +89,7 @@ contains
       type(solve_report_t), intent(out) :: report
       type(state_t) :: before
       real(dp) :: best, forcing, length, work_before, worth, worth_before
-      integer :: k, last_gain, partial(2), rests
+      integer :: k, last_gain, partial(3), rests
       logical :: asks_local
 
       if (checks) call assert(allocated(state%p) .and. limits%tolerance > 0, &
@@ -207,29 +207,33 @@ contains
       call self%step%assemble(problem, given, state, worth)
    end subroutine improve_part
 
-   !> Where the meniscus went upstream, row by row, and a step would take back more than a row of it: go back by halves.
-   !> Else it goes forth and back for ever in some contacts (D = 0.1, r = 3).
+   !> Where the meniscus went upstream, in the step before or since the first guess, and a step would take it more than
+   !> a row farther downstream than it was: go back by halves. It comes back upstream by a row a step only, and else
+   !> goes forth and back for ever in some contacts (D = 0.1, r = 3).
    subroutine keep_front(self, problem, given, before, partial, state, worth)
       class(newton_t), intent(inout) :: self
       type(contact_problem_t), intent(in) :: problem
       type(given_t), intent(in) :: given
       type(state_t), intent(in) :: before
-      integer, intent(inout) :: partial(2)       !! partly filled nodes of the last state and of that before
+      integer, intent(inout) :: partial(3)       !! partly filled nodes: last state, that before, guess
       type(state_t), intent(inout) :: state
       real(dp), intent(inout) :: worth           !! norm of the right side here
-      integer :: found, n
+      integer :: farthest, found, n
 
       associate (equations => self%step%linear%levels(self%step%linear%finest)%equations, grid => problem%grid)
+         farthest = huge(0) - grid%ny
+         if (partial(1) < partial(3)) farthest = partial(3)
+         if (partial(1) < partial(2)) farthest = partial(1)
          do n = 0, most_front_halvings
             found = count(equations%is_cavitated)
-            if (partial(1) >= partial(2) .or. found <= partial(1) + grid%last_row - grid%first_row) exit
+            if (found <= farthest + grid%last_row - grid%first_row) exit
             if (n == most_front_halvings) exit
             state%p = 0.5_dp*(before%p + state%p)
             state%h = 0.5_dp*(before%h + state%h)
             state%delta = 0.5_dp*(before%delta + state%delta)
             call self%step%assemble(problem, given, state, worth)
          end do
-         partial = [found, partial(1)]
+         partial = [found, partial(1), merge(partial(3), found, partial(3) > 0)]
       end associate
    end subroutine keep_front
 
