@@ -75,7 +75,7 @@ class Files(Ends):
 
     @unittest.skipUnless(is_open_mpi(), "another MPI starts")
     def test_a_limit_under_which_mpi_cannot_start(self):
-        outcome = self.call(RUN_SWEEP, "--ranks", 2, "sweep.nml", before=limited("RLIMIT_FSIZE", MIB))
+        outcome = self.call(RUN_SWEEP, "--ranks", 2, "sweep.nml", before=limited("RLIMIT_FSIZE", MIB), EHLWAVE_PATIENCE="10")
         self.assertEqual(outcome.returncode, NOT_WRITTEN, outcome.stdout + outcome.stderr)
         self.assertRegex(outcome.stdout, r"run-sweep: MPI cannot start [^\n]*ulimit -f[^\n]*\n$")
         self.assertNotIn("again", outcome.stdout)
