@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, fields
 
 from ehlwave.errors import ResultsError
-from studies import heavy_draw
+from studies import heavy_draw, heavy_schemes
 from studies.command import maps
 from studies.command.options import step_parser
 from studies.programs import Groups, solve
@@ -96,6 +96,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def _run(options: argparse.Namespace) -> int | None:
     if options.draw:
         return _check_draw(options)
+    if options.schemes:
+        return _compare_schemes(options)
     rows = []
     cells = [n for n in CELLS if n <= options.largest]
     table = cases(cells, options.method, responds=options.responses)
@@ -112,6 +114,24 @@ def _run(options: argparse.Namespace) -> int | None:
         raise ResultsError(str(error).strip()[-500:]) from error
     write_rows(options.output / "heavy.csv", map(asdict, rows), digits=9)
     print(options.output / "heavy.csv")
+    return 0
+
+
+def _compare_schemes(options: argparse.Namespace) -> int:
+    points = []
+    for point in heavy_schemes.measure(largest=options.largest):
+        points.append(point)
+        print(
+            f"M = {point.load_parameter_m:5}, D = {point.radius_ratio_d}, lambda = "
+            f"{point.wavelength_over_a} a, {point.scheme:8}, {point.cells_x:4} cells: "
+            f"{point.status}, error {point.error:.5f}, {point.work:.1f} convolutions",
+            flush=True,
+        )
+    write_rows(options.output / "schemes.csv", map(asdict, points), digits=5)
+    rows = heavy_schemes.table(points)
+    write_rows(options.output / "work.csv", rows, digits=4)
+    for row in rows:
+        print(", ".join(f"{name} {value:.4g}" for name, value in row.items()))
     return 0
 
 

@@ -7,9 +7,10 @@ from typing import Any
 
 import pytest
 
-from studies import heavy_draw
+from studies import heavy_draw, heavy_schemes
 from studies.heavy_draw import BEARING, LOADS, LUBRICANTS, NARROWEST, check, draw, summary
 from studies.programs import Groups
+from studies.work_unit import convolutions
 
 
 def test_draw() -> None:
@@ -61,3 +62,32 @@ def test_finer() -> None:
     assert fine["solver"]["scheme"] == "fitted"
     assert "accuracy" not in fine["solver"]
     assert fine["waviness"] == groups["waviness"]
+
+
+def _scheme_run(**groups: Mapping[str, Any]) -> Mapping[str, Any]:
+    """Return a film off by 100/n^2 averaged, 5/n^2 fitted, which fails below 96 cells."""
+    scheme, cells = groups["solver"]["scheme"], groups["grid"]["cells_x"]
+    if cells < 96 and scheme == "averaged":
+        raise AssertionError
+    off = {"averaged": 100, "fitted": 50}[scheme] / cells**2
+    return {
+        **{"central_film": 1 + off, "harmonic_ratio": 0.5 * (1 + off), "status": "converged"},
+        **{"cells_x": cells, "cells_y": cells // 2, "total_work_units": 10.0},
+    }
+
+
+def test_least_work() -> None:
+    """The coarsest grid within 1 % counts, and nothing above a grid that is not."""
+    points = list(heavy_schemes.measure(_scheme_run, [(100, 1)], 256))
+    smooth = heavy_schemes.table(points)[0]
+    work = {n: 10 * float(convolutions(n / math.sqrt(2))) for n in (96, 128)}
+    assert smooth["averaged"] == pytest.approx(work[128])
+    assert smooth["fitted"] == pytest.approx(work[96])
+    by_chance = [replace(point, error=0.001 if point.cells_x == 96 else 0.02) for point in points]
+    assert math.isnan(heavy_schemes.least_work(by_chance))
+
+
+def test_waves_have_points() -> None:
+    """No grid has fewer than 8 points on a wave."""
+    points = heavy_schemes.measure(_scheme_run, [(100, 1)], 256)
+    assert all(p.cells_x * p.wavelength_over_a / 4 >= 8 for p in points if p.wavelength_over_a > 0)
