@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, fields
 
 from ehlwave.errors import ResultsError
+from studies import heavy_draw, heavy_schemes
 from studies.command import maps
 from studies.command.options import step_parser
 from studies.programs import Groups, solve
@@ -36,6 +37,9 @@ CONTACTS: dict[str, Groups] = {
 
 CELLS = 256, 512, 1024, 2048
 """Cells along X and Y."""
+
+SHARE_WITHIN = 0.95
+"""Of random contacts, that have to have the accuracy that they asked for."""
 
 WAVES = {"orientation": "transverse", "wavelength_over_a": 0.5, "response": "harmonic"}
 
@@ -89,7 +93,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
     return run_command(step_parser(maps.heavy, __doc__), _run, arguments)
 
 
-def _run(options: argparse.Namespace) -> None:
+def _run(options: argparse.Namespace) -> int | None:
+    if options.draw:
+        return _check_draw(options)
+    if options.schemes:
+        return _compare_schemes(options)
     rows = []
     cells = [n for n in CELLS if n <= options.largest]
     table = cases(cells, options.method, responds=options.responses)
@@ -106,6 +114,42 @@ def _run(options: argparse.Namespace) -> None:
         raise ResultsError(str(error).strip()[-500:]) from error
     write_rows(options.output / "heavy.csv", map(asdict, rows), digits=9)
     print(options.output / "heavy.csv")
+    return 0
+
+
+def _compare_schemes(options: argparse.Namespace) -> int:
+    points = []
+    for point in heavy_schemes.measure(largest=options.largest):
+        points.append(point)
+        print(
+            f"M = {point.load_parameter_m:5}, D = {point.radius_ratio_d}, lambda = "
+            f"{point.wavelength_over_a} a, {point.scheme:8}, {point.cells_x:4} cells: "
+            f"{point.status}, error {point.error:.5f}, {point.work:.1f} convolutions",
+            flush=True,
+        )
+    write_rows(options.output / "schemes.csv", map(asdict, points), digits=5)
+    rows = heavy_schemes.table(points)
+    write_rows(options.output / "work.csv", rows, digits=4)
+    for row in rows:
+        print(", ".join(f"{name} {value:.4g}" for name, value in row.items()))
+    return 0
+
+
+def _check_draw(options: argparse.Namespace) -> int:
+    rows = []
+    for row in heavy_draw.check(range(options.draw)):
+        rows.append(row)
+        print(
+            f"{row.number:3} M = {row.load_parameter_m:5.0f}, L = {row.lubricant_parameter_l:5.2f},"
+            f" D = {row.radius_ratio_d:5.3f}, lambda = {row.wavelength_over_a:5.3f} a:"
+            f" {row.status}, {row.scheme}, {row.cells_x} x {row.cells_y},"
+            f" said {row.error_estimate:.4f}, film {row.film_error:.4f},"
+            f" Ad/Ai {row.ratio_error:.4f}, {row.seconds:.1f} s",
+            flush=True,
+        )
+    write_rows(options.output / "draw.csv", map(asdict, rows), digits=6)
+    print(heavy_draw.summary(rows))
+    return int(sum(row.is_within for row in rows) < SHARE_WITHIN * len(rows))
 
 
 if __name__ == "__main__":

@@ -5,13 +5,13 @@ module ehlwave_grid_choice
    use ehlwave_conditions, only: conditions_t
    use ehlwave_formula, only: amplitude_formula, anisotropy_factor, wave_parameter_v
    use ehlwave_kinds, only: dp
-   use ehlwave_resolution, only: coarsest_inlet, coarsest_meniscus, fewest_points_per_wave, fitted_inlet, &
-      inlet_length, wanted_inlet, wanted_line_inlet, wanted_points_per_wave
+   use ehlwave_resolution, only: coarsest_inlet, coarsest_meniscus, coarsest_side, fewest_points_per_wave, &
+      fitted_inlet, inlet_length, wanted_inlet, wanted_line_inlet, wanted_points_per_wave
    use ehlwave_surfaces, only: surfaces_t
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
-   public :: choose_grid, formula_ratio, smallest_size
+   public :: accurate_mesh, choose_grid, formula_ratio, smallest_size
 
    integer, parameter :: sizes(15) = [64, 96, 128, 192, 256, 384, 512, 768, 1024, 1536, 2048, 3072, 4096, 6144, 8192]
    ! Shares of the accuracy: mesh in X, waves along Y.
@@ -80,12 +80,8 @@ contains
             wanted = max(wanted, length/mesh)
          end if
          if (case%accuracy > 0) then
-            mesh = largest_mesh(conditions, case%accuracy)
-            if (surfaces%is_rough() .and. .not. surfaces%is_measured()) &
-               mesh = largest_mesh(conditions, share_of_mesh*case%accuracy, &
-                                   formula_ratio(case, conditions, surfaces%moves()), surfaces%moves())
-            mesh = mesh/sqrt(steepness)
-            if (is_fitted) mesh = 1/sqrt(1/mesh**2 + waves**2*wave_x_factor/(share_of_mesh*case%accuracy))
+            mesh = accurate_mesh(case, conditions, surfaces%is_rough() .and. .not. surfaces%is_measured(), &
+                                 surfaces%moves(), merge(waves, 0.0_dp, is_fitted), steepness)
             if (length/mesh > wanted) then
                wanted = length/mesh
                why_x = 'for an accuracy of '//to_text(case%accuracy, 3)
@@ -96,7 +92,7 @@ contains
       end subroutine choose_x
 
       subroutine choose_y()
-         real(dp) :: length, wanted
+         real(dp) :: length, mesh, wanted
          integer :: n
 
          cells_y = case%cells_y
@@ -105,6 +101,11 @@ contains
          length = 2*case%y_max
          wanted = 0.5_dp*cells_x*length/(case%x_max - case%x_min)
          why_y = 'for hY <= 2 hX'
+         if (is_fitted) then
+            mesh = fitted_inlet*coarsest_side*inlet_length(conditions)
+            if (length/mesh > wanted) why_y = 'for hY over the inlet length <= '//to_text(fitted_inlet*coarsest_side, 2)
+            wanted = max(wanted, length/mesh)
+         end if
          if (case%accuracy > 0) points = max(points, points_for(share_of_waves*case%accuracy))
          do n = 1, size(surfaces%list)
             associate (wave => surfaces%list(n))
@@ -119,6 +120,20 @@ contains
       end subroutine choose_y
 
    end subroutine choose_grid
+
+   !> The largest hX for the accuracy that a case asks for, by its models of the error.
+   pure real(dp) function accurate_mesh(case, conditions, has_waves, moves, waves, steepness)
+      type(case_t), intent(in) :: case
+      type(conditions_t), intent(in) :: conditions
+      logical, intent(in) :: has_waves, moves    !! whether it is about Ad/Ai, and its pattern moves
+      real(dp), intent(in) :: waves              !! largest wave number over 2 pi along X of a fitted scheme, else 0
+      real(dp), intent(in) :: steepness          !! of the inlet for the scheme, see `case_plan_t`
+      accurate_mesh = largest_mesh(conditions, case%accuracy)
+      if (has_waves) accurate_mesh = largest_mesh(conditions, share_of_mesh*case%accuracy, &
+                                                  formula_ratio(case, conditions, moves), moves)
+      accurate_mesh = accurate_mesh/sqrt(steepness)
+      if (waves > 0) accurate_mesh = 1/sqrt(1/accurate_mesh**2 + waves**2*wave_x_factor/(share_of_mesh*case%accuracy))
+   end function accurate_mesh
 
    !> The smallest of the usual numbers of cells that is enough, the largest allowed if none is.
    pure integer function smallest_size(wanted, largest)

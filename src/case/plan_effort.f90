@@ -29,6 +29,9 @@ module ehlwave_plan_effort
                                                      !! that alone; measured: 2 to 4
    real(dp), parameter :: starved_step_cost = 1.3_dp !! of a time step without patches
    real(dp), parameter :: limit_cost = 6             !! of an oil with a limit of its stress; measured: 2 to 20
+   !> Of the fitted scheme, steady states and responses; measured (64 to 768 cells, M = 100 to 10,000): 0.9 to 4 and 0.8
+   !> to 1.7.
+   real(dp), parameter :: fitted_cost = 2, fitted_response_cost = 1.2_dp
    real(dp), parameter :: heat_cost = 4              !! of a steady state with heat, of one without; measured: 1.3 to 5
 
 contains
@@ -71,13 +74,15 @@ contains
          if (plan%inlet%is_short()) steps_cost = starved_step_cost*steps_cost
          steady_cost = merge(petsc_cost, 1.0_dp, case%method == 'petsc')
          if (plan%inlet%is_short()) steady_cost = starved_cost
+         if (plan%is_fitted) steady_cost = fitted_cost*steady_cost
          plan%expected_work_units = (1 + 0.5_dp*plan%phases)*steady*steady_cost &
                                     + merge(periodic_share, 1.0_dp, plan%is_periodic)*plan%steps*step*steps_cost
       end associate
       if (case%oil%shear_limit_over_pressure > 0) plan%expected_work_units = limit_cost*plan%expected_work_units
       if (case%heat%is_given()) plan%expected_work_units = heat_cost*plan%expected_work_units
       if (plan%responds) plan%expected_work_units = plan%expected_work_units &
-         + size(plan%surfaces%list)*merge(line_response_work_units, response_work_units, plan%conditions%is_line())
+         + size(plan%surfaces%list)*merge(line_response_work_units, response_work_units, plan%conditions%is_line()) &
+         *merge(fitted_response_cost, 1.0_dp, plan%is_fitted)
       if (.not. (plan%is_half .or. plan%conditions%is_line())) plan%expected_work_units = 2*plan%expected_work_units
       plan%work_with_estimates = plan%expected_work_units
       if (plan%surfaces%is_rough() .and. plan%kind /= run_harmonic .and. case%error_estimate == 'coarse_grid') &

@@ -8,6 +8,7 @@ module ehlwave_plan_report
    use ehlwave_memory_plan, only: memory_shortage
    use ehlwave_planned_case, only: case_plan_t, run_harmonic, run_smooth, run_standing
    use ehlwave_resolution, only: flooded_inlet_gap
+   use ehlwave_scheme_choice, only: averaged_cells
    use ehlwave_surface_plan, only: surface_text
    use ehlwave_text, only: harmless, to_text
    use ehlwave_threads, only: thread_count
@@ -70,7 +71,7 @@ contains
          write (unit, '(a)') 'Deformation  '//trim(merge('FFT ', 'MLMI', plan%deformation == 'fft'))// &
             ' on the finest grid ('// &
             trim(merge('the faster one', 'asked for     ', case%deformation == 'auto'))//'), method '// &
-            trim(case%method)//trim(merge(', fitted scheme', '               ', plan%is_fitted))
+            trim(case%method)//scheme_text(case, plan)
          write (unit, '(a)') 'Resolution   hX over the inlet length = '//to_text(plan%resolution%inlet, 3)// &
             resolution_text(plan)
          write (unit, '(a)') '             gap at x_min over film = '//to_text(plan%resolution%inlet_gap, 3)// &
@@ -103,6 +104,18 @@ contains
          trim(merge('Ad/Ai ', 'H(0,0)', plan%surfaces%is_rough() .and. .not. plan%surfaces%is_measured()))// &
          ' about '//to_text(plan%expected%total(), 2)//' ('//errors_text(plan%expected)//')'
    end function expected_text
+
+   !> The scheme, where it is the fitted one, and what it spares.
+   function scheme_text(case, plan) result(text)
+      type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
+      character(len=:), allocatable :: text
+      text = ''
+      if (.not. plan%is_fitted) return
+      text = ', fitted scheme'
+      if (case%accuracy > 0) text = text//' (the averaged one would take '// &
+         to_text(nint(averaged_cells(case, plan%conditions)))//' cells along X)'
+   end function scheme_text
 
    !> Where a case ends that does not converge.
    function cap_text(plan) result(text)

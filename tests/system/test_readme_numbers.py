@@ -343,11 +343,23 @@ def errors_and_costs():
     ]
 
 
+def heavy_loads():
+    """Work of both schemes for 1 %."""
+    rows = table("heavy/work.csv")
+    claims = []
+    for contact in dict.fromkeys((row["load_parameter_m"], row["radius_ratio_d"]) for row in rows):
+        m, d = contact
+        works = [float(row[scheme]) for row in rows if (row["load_parameter_m"], row["radius_ratio_d"]) == contact
+                 for scheme in ("averaged", "fitted")]
+        claims.append((f"| {int(float(m)):,}, {d} | {{}}, {{}} | {{}}, {{}} | {{}}, {{}} |", works))
+    return claims
+
+
 MANUAL = "postprocess/manual/explanation"
 CLAIMS = {"README.md": top_level, "postprocess/README.md": postprocess, "postprocess/record/README.md": record,
           f"{MANUAL}/accuracy.md": lambda: [*speeds(), *errors_and_costs()], f"{MANUAL}/atlas.md": atlas,
           f"{MANUAL}/roughness.md": roughness, f"{MANUAL}/paper.md": lambda: [*study(), *validation(), *better_formula(), *rolling()],
-          f"{MANUAL}/slip.md": two_waves}
+          f"{MANUAL}/slip.md": two_waves, f"{MANUAL}/solvers.md": heavy_loads}
 
 
 def words(path):

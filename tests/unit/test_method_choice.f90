@@ -25,6 +25,7 @@ program test_method_choice
    call check(case, 'fas', 1e-6_dp, 'a tolerance that was given')
    case = sample(1000.0_dp, 0)
    case%accuracy = 1e-6_dp
+   case%scheme = 'averaged'
    call check(case, 'fas', 5e-6_dp, 'a grid that the plan chooses')
    case = sample(1000.0_dp, 512)
    case%method = 'newton'

@@ -1,0 +1,98 @@
+!> Which cases take the scheme that is fitted to steep inlets without being asked.
+program test_scheme_choice
+   use ehlwave_case_completion, only: complete_case
+   use ehlwave_case_definition, only: case_t
+   use ehlwave_case_plan, only: make_plan
+   use ehlwave_errors, only: error_t
+   use ehlwave_kinds, only: dp
+   use ehlwave_planned_case, only: case_plan_t
+   use testing, only: test_t
+   implicit none (type, external)
+
+   type(test_t) :: test
+   type(case_t) :: case
+   type(case_plan_t) :: averaged, fitted
+
+   call check(sample(100.0_dp), 'auto', 'a light load')
+   call check(sample(300.0_dp), 'fitted', 'a heavier one')
+   call check(with_waves(100.0_dp, 0.5_dp), 'auto', 'waves and a light load')
+   call check(with_waves(10000.0_dp, 0.5_dp), 'fitted', 'waves and a heavy one')
+   call check(with_waves(1000.0_dp, 0.1_dp), 'auto', 'waves so short that they decide on the grid')
+   case = sample(10000.0_dp)
+   case%accuracy = 0
+   call check(case, 'auto', 'no accuracy')
+   case = sample(10000.0_dp)
+   case%cells_x = 2048
+   call check(case, 'auto', 'cells that were given')
+   case = sample(10000.0_dp)
+   case%edges = 'truncated'
+   call check(case, 'auto', 'edges as results that are there have them')
+   case = sample(10000.0_dp)
+   case%scheme = 'averaged'
+   call check(case, 'averaged', 'a scheme that was given')
+   case = sample(10000.0_dp)
+   case%oil_over_flooded = 0.5_dp
+   call check(case, 'auto', 'too little oil')
+   case = sample(1000.0_dp)
+   case%radius_ratio_d = 0
+   call check(case, 'auto', 'a line contact')
+
+   fitted = plan_of(sample(10000.0_dp))
+   case = sample(10000.0_dp)
+   case%scheme = 'averaged'
+   case%largest_cells = 4096
+   averaged = plan_of(case)
+   call test%check(fitted%resolution%is_resolved .and. fitted%expected_error <= 0.01_dp, 'the plan reaches it')
+   call test%check(fitted%expected_work() < 0.2_dp*averaged%expected_work(), 'at a fifth of the work')
+   case = sample(10000.0_dp)
+   case%lubricant_parameter_l = 2.5_dp
+   fitted = plan_of(case)
+   call test%check(fitted%resolution%is_resolved, 'an inlet that is short for its accuracy')
+   call test%finish()
+
+contains
+
+   function sample(m) result(case)
+      real(dp), intent(in) :: m
+      type(case_t) :: case
+      case%load_parameter_m = m
+      case%lubricant_parameter_l = 12.05_dp
+      case%radius_ratio_d = 1
+      case%accuracy = 0.01_dp
+      case%edges = 'flooded'
+      case%cells_x = 0
+      case%cells_y = 0
+   end function sample
+
+   function with_waves(m, wavelength) result(case)
+      real(dp), intent(in) :: m, wavelength
+      type(case_t) :: case
+      case = sample(m)
+      case%orientation = 'transverse'
+      case%wavelength_over_a = wavelength
+      case%response = 'harmonic'
+   end function with_waves
+
+   function plan_of(given) result(plan)
+      type(case_t), intent(in) :: given
+      type(case_plan_t) :: plan
+      type(case_t) :: case
+      type(error_t), allocatable :: error
+      case = given
+      call complete_case(case, '', error)
+      if (.not. allocated(error)) call make_plan(case, plan, error)
+      call test%check_no_error(error, 'plan')
+   end function plan_of
+
+   subroutine check(given, scheme, name)
+      type(case_t), intent(in) :: given
+      character(len=*), intent(in) :: scheme, name
+      type(case_t) :: case
+      type(error_t), allocatable :: error
+      case = given
+      call complete_case(case, '', error)
+      call test%check_no_error(error, name)
+      call test%check_equal(trim(case%scheme), scheme, name)
+   end subroutine check
+
+end program test_scheme_choice
