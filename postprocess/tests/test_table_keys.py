@@ -179,3 +179,12 @@ def test_tables_with_impossible_numbers_are_refused(
         return
     with pytest.raises(SurfaceError, match=column):
         read_table(tmp_path / "t.csv")
+
+
+def test_responses_with_heat_make_no_table(tmp_path: Path, capsys: Capture) -> None:
+    columns = sweep(2e6)
+    texts = [f"{text}&heat\n  levels = 12\n/\n" for text in columns["effective_input"]]
+    columns["effective_input"] = np.array(texts)
+    source = write_results(tmp_path / "r.h5", columns)
+    assert main(["harmonics", str(source), "--csv", str(tmp_path / "h.csv")]) != 0
+    assert "the cases have heat" in capsys.readouterr().err

@@ -17,7 +17,7 @@ contains
       case%oil%expansion_per_k = case%heat%oil_expansion_per_k
    end subroutine heat_of_oil
 
-   !> Refuse a case with heat that lacks data or asks for more than a steady state.
+   !> Refuse a case with heat that lacks data, or whose temperatures are not near those of the smooth contact.
    subroutine check_heat(case, error)
       type(case_t), intent(in) :: case
       type(error_t), allocatable, intent(inout) :: error
@@ -54,9 +54,14 @@ contains
          else if (oil%temperature_k <= 150 .or. oil%temperature_k > 700) then
             call raise(error, '&lubricant temperature_k = '//to_text(oil%temperature_k, 6)//' is no temperature of '// &
                'an oil in kelvin: write a value between 150 and 700')
-         else if (case%is_wavy() .or. case%is_measured() .or. case%end_time > 0) then
-            call raise(error, '&heat is for smooth contacts in a steady state: remove &waviness, &surface and '// &
-               '&dynamics end_time, or &heat')
+         else if (case%is_measured() .or. case%second%is_measured()) then
+            call raise(error, '&heat has the temperatures of the smooth contact, which a measured surface changes: '// &
+               'remove &surface and &surface2, or &heat')
+         else if (merge(abs(case%load_factor - 1), case%end_time, case%is_wavy()) > 0) then
+            call raise(error, '&heat has the temperatures of the steady load: remove &dynamics load_factor and a '// &
+               '&dynamics end_time without waves, or &heat')
+         else if (case%is_wavy() .and. case%response == 'periodic') then
+            call raise(error, "&waviness response = 'periodic' does not take &heat: use 'transient' or 'harmonic'")
          else if (case%is_starved() .or. case%oil_profile /= '') then
             call raise(error, '&heat takes a gap that is full of oil: remove &inlet oil_over_flooded, oil_layer_m '// &
                'and oil_profile, or &heat')

@@ -275,7 +275,8 @@ contains
       end do
    end subroutine unload_limit
 
-   !> Fluidity at the points across the film and limit of the stress at the places of a block.
+   !> Fluidity at the points across the film and limit of the stress at the places of a block. Where no place is uneven
+   !> across, the block is that of an isothermal oil, bit for bit.
    pure subroutine load(self, across, rule, places, sigma, stress)
       class(film_flow_t), intent(in) :: self
       type(across_film_t), intent(in) :: across
@@ -286,9 +287,10 @@ contains
       integer :: i, j, k
 
       if (allocated(across%ln_fluidity)) then
-         if (.not. allocated(stress%fluidity)) allocate (stress%fluidity(block_size, maxval(rule_points)))
+         if (allocated(stress%fluidity)) deallocate (stress%fluidity)
          associate (to => self%to_rule(rule), ln => across%ln_fluidity)
-            do k = 1, self%rule(rule)%n
+            if (maxval(abs(ln(:, places))) > 0) allocate (stress%fluidity(block_size, self%rule(rule)%n))
+            do k = 1, merge(self%rule(rule)%n, 0, allocated(stress%fluidity))
                associate (l => lbound(ln, 1) + to%first(k), w => to%weight(:, k))
                   do i = 1, size(places)
                      j = places(i)

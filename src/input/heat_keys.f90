@@ -14,7 +14,8 @@ contains
       type(heat_data_t), intent(inout) :: heat
       type(key_list_t), intent(inout) :: list
 
-      call list%enter('heat', 'Heat of the film and of both bodies; absent: the contact is isothermal at T0.')
+      call list%enter('heat', 'Heat of the film and of both bodies; absent: the contact is isothermal at T0. As '// &
+         'waves pass, temperatures stay those of the smooth contact.')
       list%common = key_t(is_late=.true., is_written=heat%is_given())
       call list%see(heat%oil_conductivity_w_per_m_k, key_t('oil_conductivity_w_per_m_k', 'conductivity of the oil', &
          unit='W/(m K)', minimum=0.0_dp, default='none'))

@@ -35,6 +35,7 @@ module ehlwave_contact_problem
       procedure :: film
       procedure :: smooth_film
       procedure :: film_of_guess
+      procedure :: density
    end type contact_problem_t
 
 contains
@@ -132,5 +133,17 @@ contains
       guess%delta = guess%delta - gap
       guess%h = guess%h + gap
    end subroutine film_of_guess
+
+   !> rho/rho0 at the nodes, at their temperatures where the oil is warm.
+   pure function density(self, p) result(rho)
+      class(contact_problem_t), intent(in) :: self
+      real(dp), intent(in), contiguous :: p(0:, 0:)   !! P, (0:nx, 0:ny)
+      real(dp) :: rho(0:self%grid%nx, 0:self%grid%ny)
+      if (allocated(self%heat)) then
+         rho = self%rheology%density(p, self%heat%mean_rise)
+      else
+         rho = self%rheology%density(p)
+      end if
+   end function density
 
 end module ehlwave_contact_problem

@@ -171,12 +171,15 @@ contains
       integer :: across, along, driven(size(gx)), f, i, i2, j2, k, l, last, n, next, points
       integer, parameter :: beside = 2                                   ! faces beyond one with a gradient
 
+      i2 = merge(1, 0, direction == along_x)
+      j2 = node(2) + merge(1, 0, direction == along_y)
       n = 0
       last = -beside
       next = 1
       do k = 1, size(gx)
          if (.not. abs(gx(k)) + abs(gy(k)) > 0) then
             if (.not. present(heat)) cycle
+            if (.not. maxval(abs(heat%ln_fluidity(:, node(1) + k - 1:node(1) + k - 1 + i2, node(2):j2))) > 0) cycle
             ! where the film may come to bear, the flow must be that of a gradient: a warm oil's is far from Newton's
             do next = max(next, k), size(gx)
                if (abs(gx(next)) + abs(gy(next)) > 0) exit
@@ -188,8 +191,6 @@ contains
          n = n + 1
          driven(n) = k
       end do
-      i2 = merge(1, 0, direction == along_x)
-      j2 = node(2) + merge(1, 0, direction == along_y)
       along = merge(flow_by_gx, flow_by_gy, direction == along_x)
       across = flow_by_gx + flow_by_gy - along
       do k = 1, n

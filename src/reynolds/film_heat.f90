@@ -38,6 +38,7 @@ contains
                at = max(p(i, j), 0.0_dp)
                call rheology%ln_viscosity(n + 2, at, rise, exponent, slope)
                self%ln_fluidity(:, i, j) = exponent(n + 1) - exponent(:n)
+               if (.not. maxval(abs(slope)) > 0) self%ln_fluidity(:, i, j) = 0   ! not what rounding makes of it
             else
                call rheology%ln_viscosity(1, [max(p(i, j), 0.0_dp)], rise(:0), exponent(:0), slope(:0))
                slope = slope(0)

@@ -1,6 +1,7 @@
 !> The medium that small waves meet in a solution: film and oil at each node.
 module ehlwave_wave_medium
    use ehlwave_contact_problem, only: contact_problem_t
+   use ehlwave_film_flow, only: across_film_t
    use ehlwave_kinds, only: dp
    use ehlwave_shear_stress, only: node_gradient
    use ehlwave_state, only: state_t
@@ -11,7 +12,7 @@ module ehlwave_wave_medium
 
 contains
 
-   !> Media in every row of some columns of nodes.
+   !> Media in every row of some columns of nodes; of an oil that is warm, at the temperatures that it has there.
    pure subroutine take_media(problem, state, first, medium)
       type(contact_problem_t), intent(in) :: problem
       type(state_t), intent(in) :: state
@@ -20,6 +21,7 @@ contains
       real(dp), dimension(0:problem%grid%ny) :: b, dln_eta, drho, fluidity, rho, stress
       real(dp), allocatable, dimension(:, :) :: gx, gy
       real(dp) :: factor(2, 0:problem%grid%ny)
+      type(across_film_t), allocatable :: across
       integer :: i, j
 
       associate (grid => problem%grid, c => problem%conditions, p => state%p, h => state%h)
@@ -27,9 +29,15 @@ contains
          if (.not. problem%rheology%is_newtonian()) call node_gradient(grid, c%elliptic%kappa, p, gx, gy)
          factor = 1
          do i = first, ubound(medium, 2)
-            call problem%rheology%evaluate(grid%ny + 1, p(i, :), rho, drho, fluidity, dln_eta)
+            if (allocated(problem%heat)) then
+               call problem%rheology%evaluate(grid%ny + 1, p(i, :), rho, drho, fluidity, dln_eta, &
+                                              problem%heat%mean_rise(i, :))
+               across = across_film_t(problem%heat%ln_fluidity(:, i, :), p(i, :))
+            else
+               call problem%rheology%evaluate(grid%ny + 1, p(i, :), rho, drho, fluidity, dln_eta)
+            end if
             if (.not. problem%rheology%is_newtonian()) &
-               call problem%film_flow%mean_stress(fluidity, h(i, :), gx(i, :), gy(i, :), stress, b, factor)
+               call problem%film_flow%mean_stress(fluidity, h(i, :), gx(i, :), gy(i, :), stress, b, factor, across)
             do j = 0, grid%ny
                medium(j, i) = wave_medium_t(rho=rho(j), drho=drho(j), h=h(i, j), &
                   kappa=merge(1.0_dp, c%elliptic%kappa, c%is_line()), &

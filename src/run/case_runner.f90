@@ -92,6 +92,8 @@ contains
                result%central_film_error = result%central_film_error + heat%settling + heat%levels_error
                call add_warning(result, heat%warning())
             end associate
+            if (case%heat%is_given() .and. plan%surfaces%is_rough()) call add_warning(result, 'temperatures stay '// &
+               'those of the smooth contact as waves pass: the errors do not count what waves change of them')
             if (case%sensitivities) call find_film_sensitivities(case, steady, result)
             if (plan%responds) call run_responses(case, plan, steady, result)
          end if

@@ -52,14 +52,15 @@ contains
       type(shared_steady_t), intent(inout), target, optional :: shared
       class(march_keeper_t), intent(inout), optional :: keeper   !! see `run_case`
       real(dp), allocatable :: estimates(:), ratios(:, :)   ! of each surface
-      real(dp) :: estimate, seconds
+      real(dp) :: by_heat, estimate, seconds
       integer :: n, status
 
       call run_case(case, plan, monitor, result, shared, keeper)
       if (.not. plan%surfaces%is_rough() .or. .not. is_success(result%status)) return
       if (.not. ieee_is_finite(result%amplitude_ratio_fit)) return
+      by_heat = result%heat%settling + result%heat%levels_error
       result%amplitude_ratio_error = plan%model_ratio_error(result%max_pressure, result%central_film_error) &
-                                     + plan%expected%time + plan%expected%algebraic
+                                     + plan%expected%time + plan%expected%algebraic + by_heat
       result%amplitude_error_basis = 'model'
       if (case%error_estimate /= 'coarse_grid') return
 
@@ -77,7 +78,7 @@ contains
          estimates = [(estimate_error(ratios(n, :), order), n=1, size(ratios, 1))]
       end associate
       if (all(ieee_is_finite(estimates))) then
-         estimate = max(maxval(estimates), plan%least_ratio_error(result%central_film_error))
+         estimate = max(maxval(estimates), plan%least_ratio_error(result%central_film_error)) + by_heat
          result%amplitude_ratio_error = estimate
          if (plan%steps > 0) result%amplitude_ratio_error = estimate + expected_step_error(case%step_tolerance)
          result%amplitude_error_basis = 'coarse_grid'

@@ -68,7 +68,7 @@ contains
       type(mean_change_t), intent(out) :: mean
       type(harmonic_response_t) :: coarse
       type(waviness_t) :: waves
-      real(dp) :: finish, room, start, work_before
+      real(dp) :: by_heat, finish, room, start, work_before
       integer :: n
 
       n = size(steady%multigrid%levels)
@@ -103,7 +103,8 @@ contains
          harmonic%p = response%p
          harmonic%h = response%h
       end if
-      harmonic%error = error_by_model(plan, result, harmonic)   ! unless a coarser grid tells more
+      by_heat = result%heat%settling + result%heat%levels_error
+      harmonic%error = error_by_model(plan, result, harmonic) + by_heat   ! unless a coarser grid tells more
       harmonic%error_basis = 'model'
       if (.not. steady%has_coarse) return
       call steady%coarse_response%respond(steady%multigrid%levels(:n - 1), waves, case%natural_frequency, &
@@ -112,7 +113,7 @@ contains
       call harmonic%extrapolate(coarse%film, coarse%pressure, &
                                 likely_order(result%film_order, plan%resolution, plan%steepness, &
                                              enough_points))
-      harmonic%error = max(harmonic%error, plan%least_ratio_error(result%central_film_error))
+      harmonic%error = max(harmonic%error, plan%least_ratio_error(result%central_film_error)) + by_heat
       harmonic%error_basis = 'coarse_grid'
    end subroutine run_response
 

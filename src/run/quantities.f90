@@ -337,6 +337,8 @@ contains
          heat%levels_error, exists=is_warm)
       call list%add('heat_balance_error', 'heat that is missing over the largest part', heat%balance_error, &
          exists=is_warm)
+      call list%add('wave_temperatures', "temperatures as waves pass: 'frozen', those of the smooth contact", &
+         trim(merge('frozen', '      ', is_warm .and. case%is_wavy())), exists=is_warm .and. case%is_wavy())
    end subroutine add_heat
 
    !> Quantities of two rough surfaces besides those of the first.

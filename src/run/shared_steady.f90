@@ -59,7 +59,7 @@ module ehlwave_shared_steady
 contains
 
    !> The input on which the steady state of a case depends: all of its input but the waves and what is done with them,
-   !> of a Newtonian oil but the sliding, too. Cells, domain and cap on the steps are those of the plan.
+   !> of a Newtonian oil without heat but the sliding, too. Cells, domain and cap on the steps are those of the plan.
    function steady_key(case, plan) result(key)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
@@ -69,7 +69,8 @@ contains
       bare = case
       bare%orientation = 'none'
       bare%second = defaults%second
-      if (plan%rheology%is_newtonian()) bare%slip_parameter = defaults%slip_parameter   ! else slip thins the oil
+      if (plan%rheology%is_newtonian() .and. .not. case%heat%is_given()) &
+         bare%slip_parameter = defaults%slip_parameter   ! else slip thins or warms the oil
       bare%load_balance = defaults%load_balance
       bare%natural_frequency = defaults%natural_frequency
       bare%cells_x = plan%cells_x
@@ -183,7 +184,8 @@ contains
       end if
       n = size(self%multigrid%levels)
       self%has_coarse = n > 1
-      if (n > 1) then
+      if (n > 1 .and. case%heat%is_given()) self%has_coarse = self%multigrid%levels(n - 1)%has_film()   ! a warm one
+      if (self%has_coarse) then
          call self%multigrid%solve_level(n - 1, limits_of(case), report)
          self%has_coarse = report%status == status_converged
       end if

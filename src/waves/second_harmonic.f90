@@ -79,7 +79,7 @@ contains
             do n = size(history, 3), 0, -1
                state = level%state
                call first%add_to(state, probe*exp(cmplx(0, n*turn - phase, dp)))
-               if (n > 0) history(:, :, n) = problem%rheology%density(state%p)*state%h
+               if (n > 0) history(:, :, n) = problem%density(state%p)*state%h
             end do
             call given%transport%carry(grid, history)
             call equations%evaluate(problem, given, state)

@@ -135,7 +135,7 @@ contains
       associate (problem => level%problem, history => self%history)
          do n = 0, ubound(states, 1)
             states(n) = waves%state_at(t - n*self%settings%time_step(problem%grid))
-            if (n >= 1 .and. n <= size(history, 3)) history(:, :, n) = problem%rheology%density(states(n)%p)*states(n)%h
+            if (n >= 1 .and. n <= size(history, 3)) history(:, :, n) = problem%density(states(n)%p)*states(n)%h
          end do
          self%approach = states(1:3)%delta
          call pose_step(self, problem%grid, t, level%given)
@@ -251,7 +251,7 @@ contains
             call equations%evaluate(problem, given, state)
             call equations%content%history_of(equations%flow%rho*state%h, history(:, :, 1), history(:, :, steps + 1))
          else
-            history(:, :, 1) = problem%rheology%density(state%p)*state%h
+            history(:, :, 1) = problem%density(state%p)*state%h
          end if
       end associate
    end subroutine remember

@@ -1,5 +1,6 @@
 """Contacts with heat: the exact local problem, an independent solver, limits in which heat does nothing, the balance of heat."""
 
+import cmath
 import math
 import tempfile
 import unittest
@@ -18,6 +19,8 @@ OIL = {"oil_conductivity_w_per_m_k": 0.14, "oil_heat_capacity_j_per_kg_k": 2000.
        "oil_expansion_per_k": 7e-4}
 # Measured against the independent solver, whose rows have errors of 0.3 % (films, friction) and 1 % (rises)
 FILM_BAND, RISE_BAND = 0.007, 0.03
+SOLVED = {"tolerance": 1e-8, "response_tolerance": 1e-11}
+OBLIQUE = {"wavelength_x_over_a": 1.0, "wavelength_y_over_a": 0.8, "oblique": True}
 SPIKED = 0.2             # of the slide-to-roll ratio; below it, largest rises sit in the pressure spike and grow with every grid
 NAMES = {"central_film_um": ("central_film_m", 1e6), "minimum_film_um": ("minimum_film_m", 1e6),
          "friction_coefficient": ("friction_coefficient", 1)}
@@ -57,6 +60,41 @@ def local_problem(stress, rate_at, sliding, film, beta, conductivity):
     for _ in range(60):
         a -= (a*math.tanh(a) - product)/(math.tanh(a) + a/math.cosh(a)**2)
     return a, film*rate_at(stress)*math.sinh(a)*math.cosh(a)/a - sliding
+
+
+def wavy_line(flow, waves, heat):
+    """Transverse waves, or those given, on a line contact; `heat` None: without."""
+    extra = {"waviness": {"orientation": "transverse", "wavelength_over_a": 1.0, "response": "harmonic", **waves},
+             "solver": dict(SOLVED)}
+    given = groups(read_rows()[7], 256, has_heat=heat is not None, **extra, **({"heat": heat} if heat else {}))
+    return with_flow(given, flow)
+
+
+def wavy_point(flow, waves, heat):
+    """The same on a point contact."""
+    given = {
+        "conditions": {"radius_x_m": 0.01, "radius_y_m": 0.01, "reduced_modulus_pa": 2.26e11, "load_n": 100.0,
+                       "mean_speed_m_per_s": 2.0, "viscosity_pa_s": 0.08, "slip_parameter": 1.15},
+        "lubricant": {"pressure_viscosity_per_pa": 2e-8, "roelands_index": 0.6, "eyring_stress_pa": 6e6},
+        "grid": {"cells_x": 64, "cells_y": 64},
+        "waviness": {"orientation": "transverse", "wavelength_over_a": 1.0, "response": "harmonic", **waves},
+        "solver": dict(SOLVED),
+    }
+    if "wavelength_x_over_a" in waves:
+        del given["waviness"]["wavelength_over_a"]
+    if heat is not None:
+        given["lubricant"]["temperature_k"] = 313.0
+        given["heat"] = {**OIL, "viscosity_temperature_per_k": 0.045, **heat}
+    return with_flow(given, flow)
+
+
+def with_flow(given, flow):
+    """An input with a law of flow; a Newtonian oil slides little, of which it bears no more."""
+    given["lubricant"]["flow_law"] = flow
+    if flow == "newtonian":
+        del given["lubricant"]["eyring_stress_pa"]
+        given["conditions"]["slip_parameter"] = 1.02
+    return given
 
 
 class Heat(TestCase):
@@ -175,6 +213,51 @@ class Heat(TestCase):
         self.assertGreater(result["heat_of_shear"], sliding)      # the flow along the pressure makes heat, too
         self.check_close(result["heat_of_shear"], sliding, 0.1, "power of shear")
 
+    def test_waves_without_effect(self):
+        """The same of linear responses: of transverse, longitudinal and oblique waves, on lines and points."""
+        inert = {"oil_expansion_per_k": 0.0, "viscosity_temperature_per_k": 0.0}
+        for make, flow, waves in ((wavy_line, "eyring", {}), (wavy_line, "eyring", {"orientation": "isotropic"}),
+                                  (wavy_point, "eyring", {}), (wavy_point, "newtonian", {}),
+                                  (wavy_point, "eyring", {"orientation": "longitudinal"}),
+                                  (wavy_point, "eyring", {"orientation": "custom", **OBLIQUE})):
+            warm, cold = (solve(**make(flow, waves, heat)) for heat in (inert, None))
+            what = f"{make.__name__}, {flow}, {waves}"
+            names = ["central_film", "harmonic_ratio", "harmonic_extrapolated"]
+            if flow != "newtonian":      # its linear solve, to 1e-6, takes another way through the faces
+                names += ["mean_film_rise", "smallest_film"]
+            for name in names:
+                if cold[name] is not None:
+                    self.check_close(warm[name], cold[name], 1e-10, f"{what}: {name}")
+            self.assertAlmostEqual(warm["harmonic_phase"], cold["harmonic_phase"], delta=1e-10, msg=what)
+            self.assertGreater(warm["largest_rise_mid_film_k"], 1)
+
+    def test_marches_and_responses(self):
+        """Small waves in time and their linear response, both at the temperatures of the smooth contact."""
+        found = []
+        for make, waves in ((wavy_line, {}), (wavy_point, {}), (wavy_point, {"orientation": "longitudinal"})):
+            given = make("eyring", {**waves, "response": "both", "amplitude_over_film": 0.01}, {})
+            given["grid"]["cells_x"] = given["grid"].get("cells_y", 128)
+            result = solve(**given)
+            march, response = (cmath.rect(result[ratio], result[phase] or 0) for ratio, phase in
+                               (("amplitude_ratio_fit", "phase_fit"), ("harmonic_ratio", "harmonic_phase")))
+            self.assertLess(abs(march - response), 0.005, f"{make.__name__}, {waves}")
+            self.assertIn("temperatures stay those of the smooth contact", result["warning"])
+            self.assertEqual(result["wave_temperatures"], "frozen")
+            found.append(f"{abs(march - response):.1e}")
+        report("marches differ from responses by " + ", ".join(found) + " of Ai")
+
+    def test_response_levels_and_mesh(self):
+        """Twice the levels and half the mesh move Ad/Ai by less than its error."""
+        for make in (wavy_line, wavy_point):
+            usual = make("eyring", {}, {})
+            levels, mesh = make("eyring", {}, {"levels": 24}), make("eyring", {}, {})
+            for key in ("cells_x", "cells_y"):
+                if key in mesh["grid"]:
+                    mesh["grid"][key] *= 2
+            usual, levels, mesh = solve(**usual), solve(**levels), solve(**mesh)
+            self.check_close(mesh["harmonic_ratio"], usual["harmonic_ratio"], usual["harmonic_error"], make.__name__)
+            self.check_close(levels["harmonic_ratio"], usual["harmonic_ratio"], usual["heat_levels_error"], make.__name__)
+
     def test_refusals(self):
         row = read_rows()[7]
         cases = {
@@ -184,7 +267,10 @@ class Heat(TestCase):
             "has no keys for temperature": groups(row, 256, lubricant={
                 "viscosity_law": "doolittle", "doolittle_factor": 4.7, "doolittle_occupied_fraction": 0.66,
                 "tait_modulus_pa": 1.7e9, "tait_modulus_rate": 11.0}, heat={"viscosity_temperature_per_k": 0.0}),
-            "smooth contacts in a steady state": groups(row, 256, waviness={"orientation": "transverse", "wavelength_over_a": 1.0}),
+            "response = 'periodic' does not take &heat": groups(row, 256, waviness={
+                "orientation": "transverse", "wavelength_over_a": 1.0, "response": "periodic"}),
+            "temperatures of the steady load": groups(row, 256, dynamics={"end_time": 1.0}),
+            "which a measured surface changes": groups(row, 256, surface={"file": "trace.csv"}),
             "is replaced by shear_limit_over_pressure": groups(row, 256, lubricant={"limiting_stress_over_pressure": 0.1}),
         }
         cases["has no keys for temperature"]["lubricant"].pop("pressure_viscosity_per_pa")

@@ -120,6 +120,15 @@ WITHOUT_EFFECT = frozenset(
         "oblique_2",
         "amplitude_over_film_2",
         "file_2",
+        "fields",
+        "fields_every",
+        "sensitivities",
+    )
+)
+"""On the linear response to waves of the first surface."""
+
+OF_THE_HEAT = frozenset(
+    (
         "oil_conductivity_w_per_m_k",
         "oil_heat_capacity_j_per_kg_k",
         "oil_density_kg_per_m3",
@@ -132,17 +141,14 @@ WITHOUT_EFFECT = frozenset(
         "body2_density_kg_per_m3",
         "body2_heat_capacity_j_per_kg_k",
         "levels",
-        "fields",
-        "fields_every",
-        "sensitivities",
     )
 )
-"""On the linear response to waves of the first surface: a case has no waves where it has heat."""
+"""With them a response depends on size and speed of the contact, which a table does not hold."""
 
 CARRIED = (*OF_THE_OIL, *OF_THE_EDGES, *OF_THE_INLET, *OF_MARCHES)
 """Columns of a table, empty where a key does not apply."""
 
-CLASSIFIED = IN_COLUMNS | OF_THE_SOLUTION | WITHOUT_EFFECT | frozenset(CARRIED)
+CLASSIFIED = IN_COLUMNS | OF_THE_SOLUTION | WITHOUT_EFFECT | OF_THE_HEAT | frozenset(CARRIED)
 
 WORDS = ("edges", "load_balance", "viscosity_table", "oil_profile")
 STRESSES = ("eyring_stress_pa", "carreau_modulus_pa")
@@ -154,9 +160,14 @@ def carried_columns(points: xr.Dataset) -> dict[str, list[Any]]:
     Raises
     ------
     ResultsError
-        If the points differ in a key that this version does not know.
+        If the points have heat, or differ in a key that this version does not know.
     """
     inputs = _inputs(points)
+    if any(key in OF_THE_HEAT for one in inputs for key in one):
+        raise ResultsError(
+            "the cases have heat (&heat): a table is for contacts of any size and speed, "
+            "and their responses are not"
+        )
     unknown = sorted({key for one in inputs for key in one} - CLASSIFIED)
     for key in unknown:
         values = sorted({str(one.get(key, "none")) for one in inputs})
