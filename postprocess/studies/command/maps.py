@@ -156,6 +156,37 @@ def heavy(options: argparse.Namespace) -> int:
     return steps.report("heavy", *words)
 
 
+@study(
+    "peers",
+    output("peers"),
+    option("--fbns", "DIR", "a clone of github.com/ErikHansenGit/EHL; needs octave-cli"),
+    option("--slippy", "DIR", "an environment of Python, with bin/python, in which slippy runs"),
+    option("--book", "FILE", "Venner and Lubrecht's program, typed in: see above"),
+    option("--largest", "N", "cells along X and Y, at most (default 128)", 128),
+    option(
+        "--limit", "SECONDS", "a run of another solver is stopped after these; default 600", 600
+    ),
+    option("--program", "FILE", "an ehlwave-case to use; otherwise it is built"),
+)
+def peers(options: argparse.Namespace) -> int:
+    """Compare with public solvers: one contact, error against processor time.
+
+    Runs the smooth contact of Mourier and others (2006) by this program, by EHL-FBNS in GNU Octave
+    and by slippy, each on 32 x 32 cells and finer ones, on one core. A solver whose folder is not
+    given is skipped, which is said. Errors are those of the central film against the value of this
+    program for mesh size 0. Writes peers.csv and a figure.
+
+    --book names a program that solves M = 20, L = 10, D = 1 with Barus' law and an incompressible
+    oil in (-4.5, 1.5) x (-3, 3) on as many cells along each side as its argument says, and prints
+    a line "film" with H(0,0) behind it.
+
+    Exit status: 0 done, 1 failed, 2 bad usage.
+    """
+    steps.prepare(options.program)
+    words = given(options, "output", "fbns", "slippy", "book", "largest", "limit")
+    return steps.report("peers", *words)
+
+
 @study("stress", output("stress"))
 def stress(options: argparse.Namespace) -> int:
     """Compare stresses below rough surfaces: dry, lubricated and smooth.
