@@ -10,7 +10,7 @@ module ehlwave_resolution
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
-   public :: judge_resolution, inlet_length, inlet_gap, meniscus_distance, touching_reason, add_reason
+   public :: judge_resolution, inlet_length, inlet_gap, meniscus_distance, touching_reason, closing_reason, add_reason
 
    ! Points per wave, in each direction and in time.
    real(dp), parameter, public :: fewest_points_per_wave = 8        !! that resolve it, see theory eq. (E6)
@@ -109,6 +109,18 @@ contains
          to_text(100*smallest_film/central_film, 2)//' per cent of the smooth central one, at least '// &
          to_text(100*touching_film, 2)//' needed: reduce amplitude_over_film'
    end function touching_reason
+
+   !> The same of smooth surfaces. A line contact with a film of 1.1 per cent at its outlet had 2.4 on twice the cells.
+   function closing_reason(smallest_film, central_film) result(reason)
+      real(dp), intent(in) :: smallest_film   !! H of the smooth contact,
+      real(dp), intent(in) :: central_film    !! and H(0,0); NaN: none
+      character(len=:), allocatable :: reason
+      reason = ''
+      if (ieee_is_nan(central_film)) return
+      if (smallest_film < touching_film*central_film) reason = &
+         'the smallest film is '//to_text(100*smallest_film/central_film, 2)//' per cent of the central one, at '// &
+         'least '//to_text(100*touching_film, 2)//' needed: use more cells'
+   end function closing_reason
 
    !> Put a reason, if there is one, behind those found so far.
    pure subroutine add_reason(reasons, reason)

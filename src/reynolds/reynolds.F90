@@ -254,7 +254,8 @@ contains
    end subroutine add_link
 
    !> 1/|A_ii|: how much pressure one unit of residual is worth at each unknown node, from the Poiseuille
-   !> terms and the effect of the node's own deformation on the wedge term. Zero elsewhere.
+   !> terms and the effect of the node's own deformation on the wedge term. Zero elsewhere. A limit of the stress, which
+   !> a gradient of the pressure raises, can make a flow fall as its gradient grows: it counts by its size.
    subroutine reynolds_scale(mesh, wedge, self_influence, flow, scale)
       type(mesh_t), intent(in) :: mesh
       real(dp), intent(in) :: wedge(0:)        !! (0:nx) modulus of the weight of a node's own rho H
@@ -273,8 +274,8 @@ contains
          jp = mesh%grid%above(j)
          if (flow%has_face_fluxes()) then
             do i = 1, mesh%grid%nx - 1
-               scale(i, j) = 1/(mesh%cx*(flow%along_x%own(i - 1, j) + flow%along_x%own(i, j)) &
-                                + mesh%cy*(flow%along_y%own(i, min(j, jm)) + flow%along_y%own(i, j)) &
+               scale(i, j) = 1/(mesh%cx*(abs(flow%along_x%own(i - 1, j)) + abs(flow%along_x%own(i, j))) &
+                                + mesh%cy*(abs(flow%along_y%own(i, min(j, jm))) + abs(flow%along_y%own(i, j))) &
                                 + wedge(i)*(flow%rho(i, j)*self_influence + flow%f_p(i, j)))
             end do
             cycle

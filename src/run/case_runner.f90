@@ -20,7 +20,7 @@ module ehlwave_case_runner
    use ehlwave_oil_passage, only: follow_oil, oil_passage_t
    use ehlwave_plan_effort, only: most_work
    use ehlwave_planned_case, only: case_plan_t, run_march, run_standing
-   use ehlwave_resolution, only: touching_reason, add_reason
+   use ehlwave_resolution, only: add_reason, closing_reason, touching_reason
    use ehlwave_periodic_case, only: find_periodic_state
    use ehlwave_rescue, only: rescue_t, rung_name
    use ehlwave_sensitivity_case, only: find_film_sensitivities
@@ -82,13 +82,14 @@ contains
          result%heat = steady%heat
          if (result%status == status_converged) then
             call take_smooth_film(case, plan, level, stress, result)
-            call estimate_film_errors(plan, steady%multigrid%hierarchy_t, stress, result)
+            call estimate_film_errors(plan, steady%multigrid%hierarchy_t, stress, case%tolerance, result)
             if (plan%inlet%is_short()) then
                call result%starved%take(steady%multigrid%levels, steady%flooded, result%work)
                call add_warning(result, result%starved%warning(level%problem%grid))
             end if
             associate (heat => result%heat)
-               result%friction_error = result%friction_error + heat%settling + heat%levels_error
+               result%friction_error = result%friction_error + heat%settling*result%shear%cancellation &
+                                       + heat%levels_error
                result%central_film_error = result%central_film_error + heat%settling + heat%levels_error
                call add_warning(result, heat%warning())
             end associate
@@ -128,6 +129,7 @@ contains
       end associate
 
       unresolved = plan%resolution%reason
+      call add_reason(unresolved, closing_reason(result%minimum_film, result%central_film))
       if (plan%surfaces%is_rough()) &
          call add_reason(unresolved, touching_reason(rescue%thinnest, result%central_film))
       result%is_resolved = len(unresolved) == 0

@@ -14,6 +14,7 @@ module ehlwave_shear_result
    !> Unknown values are NaN: friction without E' or pressure, temperatures without lengths.
    type, public :: shear_result_t
       real(dp) :: friction_coefficient = no_value   !! above 0 where surface 1, the wavy one, is the faster one
+      real(dp) :: cancellation = 1                  !! friction that stresses of one sign would have, over it
       real(dp) :: largest_b = no_value              !! largest |B| where P > 0; NaN of a Newtonian oil
       real(dp) :: tangent_factor(2) = no_value      !! at the centre, along X and along Y; 1 of a Newtonian oil
       real(dp) :: share_beyond_limit = no_value     !! of the load, borne where |tau| is above its limit
@@ -53,6 +54,8 @@ contains
          end if
          if (.not. knows_stress(c)) return
          self%friction_coefficient = friction_of(grid, stress, state%p, 0.0_dp)
+         if (abs(self%friction_coefficient) > 0) self%cancellation = &
+            friction_of(grid, abs(stress), state%p, 0.0_dp)/abs(self%friction_coefficient)
          self%share_beyond_limit = &
             grid%integral(merge(state%p, 0.0_dp, abs(stress) > usual_limit*state%p)) &
             /grid%integral(state%p)

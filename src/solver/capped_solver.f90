@@ -68,6 +68,10 @@ contains
 
       work_before = multigrid%work()
       associate (level => multigrid%levels(size(multigrid%levels)))
+         if (self%is_spent()) then
+            level%report%status = status_stalled
+            return
+         end if
          spent = level%report
          call multigrid%solve(bounded(self, limits), coarse_tolerance)
          self%work_left = self%work_left - (multigrid%work() - work_before)

@@ -117,7 +117,8 @@ contains
             if (allocated(given%supply)) call keep_front(self, problem, given, before, partial, state, worth)
             if (.not. problem%rheology%is_newtonian()) then
                if (k > 0) then
-                  call go_back(self, problem, given, before, best, state, worth)
+                  call go_back(self, problem, given, before, best, work_before + limits%largest_work, levels, state, &
+                               worth)
                   if (any(self%step%cavitated_before .neqv. equations%is_cavitated)) best = max(best, worth)
                end if
                if (worth < progress*best) last_gain = k
@@ -241,18 +242,20 @@ contains
    !> smallest so far. The flow of oils that are not Newtonian can grow exponentially with the pressure gradient: a step
    !> that makes the steep end steeper would be paid back by one factor e a step (line contact, M = 300, L = 12, tau0 =
    !> 0.5 MPa: from 0.2 to 1e7 in one step).
-   subroutine go_back(self, problem, given, before, best, state, worth)
+   subroutine go_back(self, problem, given, before, best, largest_work, levels, state, worth)
       class(newton_t), intent(inout) :: self
       type(contact_problem_t), intent(in) :: problem
       type(given_t), intent(in) :: given
       type(state_t), intent(in) :: before
       real(dp), intent(in) :: best               !! smallest norm of the right side so far
+      real(dp), intent(in) :: largest_work       !! on the levels, from which on it goes no farther
+      type(level_t), intent(in) :: levels(:)
       type(state_t), intent(inout) :: state
       real(dp), intent(inout) :: worth           !! norm of the right side here
       integer :: n
 
       do n = 1, most_halvings
-         if (self%step%worth_of_same() <= much_worse*best) return
+         if (self%step%worth_of_same() <= much_worse*best .or. work_of(levels) >= largest_work) return
          state%p = 0.5_dp*(before%p + state%p)
          state%h = 0.5_dp*(before%h + state%h)
          state%delta = 0.5_dp*(before%delta + state%delta)

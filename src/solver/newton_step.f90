@@ -109,10 +109,11 @@ contains
       class(newton_step_t), intent(inout) :: self
       type(level_t), intent(in) :: levels(:)
       real(dp), intent(in) :: forcing
-      real(dp), intent(in) :: largest_work   !! on these levels, from which on nothing is tried again
+      real(dp), intent(in) :: largest_work   !! on these levels, from which on no GMRES step begins
       type(solve_report_t), intent(inout) :: report
       integer :: rung
 
+      self%linear%largest_work = largest_work
       do rung = 1, size(diagonal_shift)
          call self%linear%factorise(rung)
          report%factorisations = report%factorisations + 1

@@ -8,10 +8,11 @@ module dense_system
    type, extends(linear_system_t), public :: dense_t
       real(dp), allocatable :: a(:, :)
       logical :: is_scaled = .false.     !! precondition with the inverse of the diagonal
-      integer :: products = 0
+      integer :: products = 0, most_products = huge(1)
    contains
       procedure :: multiply
       procedure :: precondition
+      procedure :: is_spent
    end type dense_t
 
 contains
@@ -35,6 +36,11 @@ contains
          y(i) = x(i)/self%a(i, i)
       end do
    end subroutine precondition
+
+   pure logical function is_spent(self)
+      class(dense_t), intent(in) :: self
+      is_spent = self%products >= self%most_products
+   end function is_spent
 
 end module dense_system
 
@@ -113,6 +119,10 @@ contains
       call test%check(gmres%steps == 4 .and. system%products == 4, 'step cap')
       call test%check_close(norm(b - matmul(system%a, x))/norm(b), gmres%reduction, 'reduction at the cap', relative=1e-9_dp)
       call test%check(gmres%reduction < 1, 'better than nothing')
+      system%most_products = system%products + 2
+      call gmres%solve(system, b, x, 1e-13_dp)
+      call test%check(gmres%steps == 2 .and. system%is_spent(), 'a system that is spent')
+      call test%check_close(norm(b - matmul(system%a, x))/norm(b), gmres%reduction, 'reduction there', relative=1e-9_dp)
    end subroutine check_step_cap
 
    subroutine check_trivial()

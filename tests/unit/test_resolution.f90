@@ -4,7 +4,7 @@ program test_resolution
    use ehlwave_errors, only: error_t
    use ehlwave_kinds, only: dp
    use ehlwave_resolution, only: inlet_gap, inlet_length, judge_resolution, meniscus_distance, resolution_t, &
-      touching_reason
+      closing_reason, touching_reason
    use ehlwave_surfaces, only: new_surfaces, surfaces_t
    use ehlwave_waviness, only: new_waviness
    use sample_contact, only: make_conditions
@@ -108,6 +108,8 @@ contains
    subroutine check_touching()
       call test%check(touching_reason(0.004_dp, 0.1_dp) == '', 'a film of 4 per cent')
       call test%check(index(touching_reason(0.002_dp, 0.1_dp), 'falls to 2 per cent') > 0, 'a film of 2 per cent')
+      call test%check(closing_reason(0.004_dp, 0.1_dp) == '', 'a smallest smooth film of 4 per cent')
+      call test%check(index(closing_reason(0.002_dp, 0.1_dp), 'is 2 per cent') > 0, 'one of 2 per cent')
    end subroutine check_touching
 
    subroutine check_waves()
