@@ -1,6 +1,7 @@
 !> The heat of a case: what it needs, and what it cannot be asked for.
 module ehlwave_case_heat
    use ehlwave_case_definition, only: case_t
+   use ehlwave_heat_data, only: carried
    use ehlwave_errors, only: error_t, raise
    use ehlwave_oil, only: doolittle, oil_t, tabulated
    use ehlwave_text, only: to_text
@@ -65,6 +66,9 @@ contains
          else if (case%is_starved() .or. case%oil_profile /= '') then
             call raise(error, '&heat takes a gap that is full of oil: remove &inlet oil_over_flooded, oil_layer_m '// &
                'and oil_profile, or &heat')
+         else if (heat%wave_temperatures == carried .and. .not. are_marched(case)) then
+            call raise(error, "&heat wave_temperatures = 'carried' is for waves that move in time: give &waviness "// &
+               "transverse, isotropic or custom waves with response = 'transient' or 'both', or remove it")
          else if (case%method == 'fas') then
             call raise(error, "&solver method = 'fas' does not take &heat: use 'newton' or 'petsc'")
          else if (case%sensitivities) then
@@ -72,6 +76,14 @@ contains
          end if
       end associate
    end subroutine check_heat
+
+   !> Whether waves are marched in time; longitudinal ones stand still.
+   pure logical function are_marched(case)
+      type(case_t), intent(in) :: case
+      are_marched = case%is_wavy() .and. case%orientation /= 'longitudinal' .and. &
+                    any(case%response == ['transient', 'both     '])
+      if (case%orientation == 'custom') are_marched = are_marched .and. case%wavelength_x_over_a > 0
+   end function are_marched
 
    !> Whether the viscosity of an oil was measured at one temperature alone.
    pure logical function has_one_temperature(oil)

@@ -246,6 +246,30 @@ class Heat(TestCase):
             found.append(f"{abs(march - response):.1e}")
         report("marches differ from responses by " + ", ".join(found) + " of Ai")
 
+    def test_temperatures_carried(self):
+        """Temperatures that march: waves of no height leave the contact as it was, an oil that knows no temperature marches as
+        without heat, and what frozen temperatures leave out of Ad/Ai is within the estimate."""
+        inert = {"oil_expansion_per_k": 0.0, "viscosity_temperature_per_k": 0.0}
+        waves = {"response": "both", "amplitude_over_film": 0.01}
+        for make in (wavy_line, wavy_point):
+            found = []
+            for height, heat in ((1e-6, {}), (0.01, {}), (0.01, inert), (0.01, None)):
+                given = make("eyring", {**waves, "amplitude_over_film": height},
+                             None if heat is None else {**heat, "wave_temperatures": "carried"})
+                given["grid"]["cells_x"] = given["grid"].get("cells_y", 128)
+                given["solver"] = {"step_tolerance": 1e-6}
+                found.append(solve(**given))
+            still, warm, without, cold = found
+            self.check_close(still["mean_film"], still["central_film"], 1e-5, f"{make.__name__}: film under waves of no height")
+            self.check_close(without["amplitude_ratio_fit"], cold["amplitude_ratio_fit"], 1e-5, make.__name__)
+            march, frozen = (cmath.rect(warm[ratio], warm[phase]) for ratio, phase in
+                             (("amplitude_ratio_fit", "phase_fit"), ("harmonic_ratio", "harmonic_phase")))
+            self.assertGreater(abs(march - frozen), 0.02)
+            self.assertLess(abs(march - frozen), warm["frozen_heat_error"])
+            self.assertEqual(warm["wave_temperatures"], "carried")
+            report(f"{make.__name__}: Ad/Ai {abs(march):.3f} carried, {abs(frozen):.3f} frozen, as complex numbers "
+                   f"{abs(march - frozen):.3f} apart, estimate {warm['frozen_heat_error']:.3f}")
+
     def test_response_levels_and_mesh(self):
         """Twice the levels and half the mesh move Ad/Ai by less than its error."""
         for make in (wavy_line, wavy_point):
@@ -269,6 +293,8 @@ class Heat(TestCase):
                 "tait_modulus_pa": 1.7e9, "tait_modulus_rate": 11.0}, heat={"viscosity_temperature_per_k": 0.0}),
             "response = 'periodic' does not take &heat": groups(row, 256, waviness={
                 "orientation": "transverse", "wavelength_over_a": 1.0, "response": "periodic"}),
+            "is for waves that move in time": groups(row, 256, heat={"wave_temperatures": "carried"}, waviness={
+                "orientation": "transverse", "wavelength_over_a": 1.0, "response": "harmonic"}),
             "temperatures of the steady load": groups(row, 256, dynamics={"end_time": 1.0}),
             "which a measured surface changes": groups(row, 256, surface={"file": "trace.csv"}),
             "is replaced by shear_limit_over_pressure": groups(row, 256, lubricant={"limiting_stress_over_pressure": 0.1}),

@@ -121,6 +121,8 @@ class CaseKeys(TypedDict, total=False):
     """heat capacity of the body of surface 2, J/(kg K)"""
     levels: SupportsIndex
     """intervals across the film"""
+    wave_temperatures: Literal["frozen", "carried"]
+    """temperatures in marches; 'frozen': those of the smooth contact"""
     orientation: Literal["none", "transverse", "isotropic", "longitudinal", "custom"]
     """orientation of the waves"""
     wavelength_over_a: SupportsFloat
