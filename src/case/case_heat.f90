@@ -43,9 +43,10 @@ contains
             call raise(error, '&conditions slip_parameter = '//to_text(case%slip_parameter, 6)//' has a surface at '// &
                'rest: &heat takes surfaces that move, between 0 and 2, since a body at rest under a contact '// &
                'grows warmer without end')
-         else if (oil%viscosity_law == doolittle) then
-            call raise(error, "&lubricant viscosity_law = '"//doolittle//"' has no keys for temperature: &heat "// &
-               'takes the other laws')
+         else if (oil%viscosity_law == doolittle .and. .not. &
+                  max(heat%oil_expansion_per_k, abs(oil%doolittle%occupied_rate_per_k)) > 0) then
+            call raise(error, "&lubricant viscosity_law = '"//doolittle//"' knows the temperature by its volume: "// &
+               'give &heat oil_expansion_per_k, or &lubricant doolittle_occupied_rate_per_k, too')
          else if (.not. oil%takes_beta() .and. heat%viscosity_temperature_per_k > 0) then
             call raise(error, "&heat viscosity_temperature_per_k belongs to laws without temperature of their own: "// &
                "remove it, since viscosity_law = '"//trim(oil%viscosity_law)//"' has its own")
