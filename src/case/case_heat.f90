@@ -1,6 +1,7 @@
 !> The heat of a case: what it needs, and what it cannot be asked for.
 module ehlwave_case_heat
    use ehlwave_case_definition, only: case_t
+   use ehlwave_heat_data, only: carried
    use ehlwave_errors, only: error_t, raise
    use ehlwave_oil, only: doolittle, oil_t, tabulated
    use ehlwave_text, only: to_text
@@ -42,9 +43,10 @@ contains
             call raise(error, '&conditions slip_parameter = '//to_text(case%slip_parameter, 6)//' has a surface at '// &
                'rest: &heat takes surfaces that move, between 0 and 2, since a body at rest under a contact '// &
                'grows warmer without end')
-         else if (oil%viscosity_law == doolittle) then
-            call raise(error, "&lubricant viscosity_law = '"//doolittle//"' has no keys for temperature: &heat "// &
-               'takes the other laws')
+         else if (oil%viscosity_law == doolittle .and. .not. &
+                  max(heat%oil_expansion_per_k, abs(oil%doolittle%occupied_rate_per_k)) > 0) then
+            call raise(error, "&lubricant viscosity_law = '"//doolittle//"' knows the temperature by its volume: "// &
+               'give &heat oil_expansion_per_k, or &lubricant doolittle_occupied_rate_per_k, too')
          else if (.not. oil%takes_beta() .and. heat%viscosity_temperature_per_k > 0) then
             call raise(error, "&heat viscosity_temperature_per_k belongs to laws without temperature of their own: "// &
                "remove it, since viscosity_law = '"//trim(oil%viscosity_law)//"' has its own")
@@ -65,6 +67,9 @@ contains
          else if (case%is_starved() .or. case%oil_profile /= '') then
             call raise(error, '&heat takes a gap that is full of oil: remove &inlet oil_over_flooded, oil_layer_m '// &
                'and oil_profile, or &heat')
+         else if (heat%wave_temperatures == carried .and. .not. are_marched(case)) then
+            call raise(error, "&heat wave_temperatures = 'carried' is for waves that move in time: give &waviness "// &
+               "transverse, isotropic or custom waves with response = 'transient' or 'both', or remove it")
          else if (case%method == 'fas') then
             call raise(error, "&solver method = 'fas' does not take &heat: use 'newton' or 'petsc'")
          else if (case%sensitivities) then
@@ -72,6 +77,14 @@ contains
          end if
       end associate
    end subroutine check_heat
+
+   !> Whether waves are marched in time; longitudinal ones stand still.
+   pure logical function are_marched(case)
+      type(case_t), intent(in) :: case
+      are_marched = case%is_wavy() .and. case%orientation /= 'longitudinal' .and. &
+                    any(case%response == ['transient', 'both     '])
+      if (case%orientation == 'custom') are_marched = are_marched .and. case%wavelength_x_over_a > 0
+   end function are_marched
 
    !> Whether the viscosity of an oil was measured at one temperature alone.
    pure logical function has_one_temperature(oil)

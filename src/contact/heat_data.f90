@@ -6,6 +6,10 @@ module ehlwave_heat_data
    private
    public :: new_heat_scales
 
+   !> Temperatures in marches: those of the smooth contact; in the oil those that the equation of energy gives at each
+   !> time, between surfaces as warm as those of the smooth contact.
+   character(len=*), parameter, public :: frozen = 'frozen', carried = 'carried'
+
    !> A body; by default bearing steel.
    type, public :: body_heat_t
       real(dp) :: conductivity_w_per_m_k = 46
@@ -22,6 +26,7 @@ module ehlwave_heat_data
       type(body_heat_t) :: body(2) = [body_heat_t(), body_heat_t(0.0_dp, 0.0_dp, 0.0_dp)]   !! of surfaces 1 and 2; 0 of
                                                           !! the second: as the first
       integer :: levels = 12                              !! intervals across the film
+      character(len=7) :: wave_temperatures = frozen      !! as waves pass in time
    contains
       procedure :: is_given
       procedure :: second_body

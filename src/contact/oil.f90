@@ -103,6 +103,7 @@ contains
       case (doolittle)
          with_volume = self%doolittle
          with_volume%tait = self%tait
+         with_volume%tait%expansion_per_k = self%expansion_per_k
          allocate (law, source=with_volume)
       case (tabulated)
          call new_table_law(self%measured, self%temperature_k, with_values, error)

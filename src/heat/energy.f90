@@ -20,6 +20,12 @@ module ehlwave_energy
    private
    public :: new_energy, warm_problem
 
+   !> Oil at the time before.
+   type :: earlier_t
+      real(dp) :: dt = 0                                       ! time since, in units of a/ubar
+      real(dp), allocatable :: f(:, :), p(:, :), rise(:, :, :) ! rho H, P and K, all nodes
+   end type earlier_t
+
    type, public :: energy_t
       type(film_levels_t) :: levels
       type(heat_scales_t) :: scales
@@ -31,7 +37,12 @@ module ehlwave_energy
       real(dp) :: heat_difference = huge(1.0_dp)    !! and of the heat of shear, which goes with friction
       real(dp) :: film_difference = huge(1.0_dp)    !! relative change of H(0,0) since, which who solves for it writes
       real(dp), private :: heat = 0                 ! of shear
+      real(dp), allocatable, private :: held(:, :, :)     ! rise of surfaces 1 and 2 that is held, (2, 0:nx, 0:ny);
+                                                          ! absent: that by the heat into them
+      type(earlier_t), allocatable, private :: earlier    ! absent: the steady state
    contains
+      procedure :: hold_surfaces
+      procedure :: pass_time
       procedure :: march
       procedure :: carried
       procedure, private :: march_row
@@ -71,6 +82,26 @@ contains
       end associate
    end subroutine warm_problem
 
+   !> Let surfaces stay as warm as they are.
+   pure subroutine hold_surfaces(self)
+      class(energy_t), intent(inout) :: self
+      integer :: wall
+      allocate (self%held, mold=self%into_wall)
+      do wall = 1, 2
+         self%held(wall, :, :) = self%rise(merge(self%levels%n, 0, wall == 1), :, :)
+      end do
+   end subroutine hold_surfaces
+
+   !> Let the next marches be those of a time later by dT: theory eq. (T9).
+   pure subroutine pass_time(self, problem, state, dt)
+      class(energy_t), intent(inout) :: self
+      type(contact_problem_t), intent(in) :: problem
+      type(state_t), intent(in) :: state       !! now
+      real(dp), intent(in) :: dt
+      self%earlier = earlier_t(dt, state%p, state%p, problem%heat%rise)
+      self%earlier%f(:, :) = problem%density(state%p)*state%h
+   end subroutine pass_time
+
    !> One march at a state: temperatures of the problem, whose source is linearised about those before.
    subroutine march(self, problem, state, flow)
       class(energy_t), intent(inout) :: self
@@ -80,11 +111,16 @@ contains
       real(dp) :: before, change, largest, mean
       integer :: i, j
 
-      call shear_film(self%shear, problem, state, self%levels, self%scales)
+      if (allocated(self%earlier)) then
+         call shear_film(self%shear, problem, state, self%levels, self%scales, &
+                         (state%p - self%earlier%p)/self%earlier%dt)
+      else
+         call shear_film(self%shear, problem, state, self%levels, self%scales)
+      end if
       call find_layer_fluxes(self%flux, problem%grid, problem%conditions%elliptic%kappa, self%levels, self%shear, flow)
       self%rise = problem%heat%rise
       do j = problem%grid%first_row, problem%grid%last_row
-         call self%march_row(problem%grid, problem%conditions%elliptic%kappa, state%h(:, j), &
+         call self%march_row(problem%grid, problem%conditions%elliptic%kappa, state%h(:, j), flow%f(:, j), &
                              problem%heat%rise(:, :, j), j)
       end do
       change = 0
@@ -148,11 +184,11 @@ contains
    end function carried
 
    !> One row, from the inlet to the outlet. Where oil flows back, columns are solved upstream and downstream in turn.
-   pure subroutine march_row(self, grid, kappa, h, before, j)
+   pure subroutine march_row(self, grid, kappa, h, f, before, j)
       class(energy_t), intent(inout) :: self
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: kappa
-      real(dp), intent(in) :: h(0:)                !! H of the row, (0:nx)
+      real(dp), intent(in) :: h(0:), f(0:)         !! H and rho H of the row, (0:nx)
       real(dp), intent(in) :: before(0:, 0:)       !! rise at which the source is known, (0:levels, 0:nx)
       integer, intent(in) :: j
       real(dp) :: w(0:grid%nx)
@@ -167,25 +203,25 @@ contains
       end do
       do turn = 1, turns
          do i = last, 1, -1
-            call solve_node(self, grid, kappa, h(i), w, before(:, i), i, j, column)
+            call solve_node(self, grid, kappa, h(i), f(i), w, before(:, i), i, j, column)
          end do
          self%rise(:, 0, j) = merge(0.0_dp, self%rise(:, 1, j), self%flux%x(:, 0, j) >= 0)
          do i = 1, last
-            call solve_node(self, grid, kappa, h(i), w, before(:, i), i, j, column)
+            call solve_node(self, grid, kappa, h(i), f(i), w, before(:, i), i, j, column)
          end do
       end do
       do i = last + 1, grid%nx - 1
-         call solve_node(self, grid, kappa, h(i), w, before(:, i), i, j, column)
+         call solve_node(self, grid, kappa, h(i), f(i), w, before(:, i), i, j, column)
       end do
       self%rise(:, grid%nx, j) = self%rise(:, grid%nx - 1, j)
    end subroutine march_row
 
    !> One node. Flows through its sides take the rise from upstream, of second order; oil that flows back along X of
    !> first.
-   pure subroutine solve_node(self, grid, kappa, h, w, before, i, j, column)
+   pure subroutine solve_node(self, grid, kappa, h, f, w, before, i, j, column)
       type(energy_t), intent(inout) :: self
       type(grid_t), intent(in) :: grid
-      real(dp), intent(in) :: kappa, h             !! H of the node
+      real(dp), intent(in) :: kappa, h, f          !! H and rho H of the node
       real(dp), intent(in) :: w(0:)                !! of `wall_weights`
       real(dp), intent(in) :: before(0:)           !! rise at which the source is known
       integer, intent(in) :: i, j
@@ -200,6 +236,13 @@ contains
       column%own = 0
       column%brought = 0
       column%net = 0
+      if (allocated(self%earlier)) then
+         associate (then => self%earlier)
+            column%own = f/then%dt
+            column%brought = then%f(i, j)*then%rise(:, i, j)/then%dt
+            column%net = (f - then%f(i, j))/then%dt
+         end associate
+      end if
       associate (theta => self%rise, x => self%flux%x, y => self%flux%y, q => self%into_wall)
          call add_side(column, cx, x(:, i, j), theta(:, i - 1, j), theta(:, i + 1, j))
          call add_inflow(column, cx, x(:, i - 1, j), theta(:, max(i - 2, 0), j), theta(:, i - 1, j))
@@ -221,6 +264,10 @@ contains
             column%wall_before(m) = self%scales%wall(m)*dot_product(w(i:1:-1), q(m, 0:i - 1, j))
          end do
          column%wall_own = self%scales%wall*w(0)
+         if (allocated(self%held)) then
+            column%wall_before = self%held(:, i, j)
+            column%wall_own = 0
+         end if
          call solve_column(column, self%levels, self%shear%made(:, :, i, j), before, theta(:, i, j), q(:, i, j))
          share = maxval(abs(theta(:, i, j) - before))
          if (share > largest_step_k) then

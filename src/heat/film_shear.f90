@@ -30,6 +30,7 @@ module ehlwave_film_shear
    type :: node_t
       real(dp) :: h, fluidity, gx, gy, b
       real(dp) :: mean(2), sigma(2), flow(2)            ! stresses, 1/2 integral zeta s sigma dzeta
+      real(dp) :: growth                                ! dP/dT
    end type node_t
 
 contains
@@ -45,18 +46,21 @@ contains
    end function new_film_shear
 
    !> Those of a state of a problem that is warm. Where the film is cavitated nothing is sheared.
-   pure subroutine shear_film(self, problem, state, levels, scales)
+   pure subroutine shear_film(self, problem, state, levels, scales, by_time)
       class(film_shear_t), intent(inout) :: self
       type(contact_problem_t), intent(in) :: problem
       type(state_t), intent(in) :: state
       type(film_levels_t), intent(in) :: levels
       type(heat_scales_t), intent(in) :: scales
+      real(dp), intent(in), optional :: by_time(0:, 0:)   !! dP/dT, (0:nx, 0:ny); absent: 0
       type(across_film_t), allocatable :: across
       real(dp), dimension(0:problem%grid%nx) :: b, fluidity, rho, sigma_x, sigma_y
       real(dp) :: factor(2, 0:problem%grid%nx), flow(2, 0:problem%grid%nx)
       real(dp), allocatable, dimension(:, :) :: gx, gy
+      real(dp) :: growth
       integer :: i, j
 
+      growth = 0
       allocate (gx, gy, mold=state%p)
       associate (grid => problem%grid, film => problem%film_flow, p => state%p, h => state%h, &
                  kappa => problem%conditions%elliptic%kappa)
@@ -65,10 +69,11 @@ contains
             call oil_of_row(problem, state, j, rho, fluidity, across)
             call film%mean_stress(fluidity, h(:, j), gx(:, j), gy(:, j), sigma_x, b, factor, across, sigma_y, flow)
             do i = 0, grid%nx
+               if (present(by_time)) growth = by_time(i, j)
                if (p(i, j) > least_pressure) then
                   call shear_node(self, problem, levels, scales, &
                      node_t(h(i, j), fluidity(i), gx(i, j), gy(i, j), b(i), [sigma_x(i), sigma_y(i)], &
-                            film%n0*h(i, j)*[gx(i, j), gy(i, j)], flow(:, i)), p(i, j), i, j)
+                            film%n0*h(i, j)*[gx(i, j), gy(i, j)], flow(:, i), growth), p(i, j), i, j)
                else
                   self%u(:, i, j) = surface_speeds(problem, levels)
                   self%v(:, i, j) = 0
@@ -139,7 +144,8 @@ contains
 
          at = p
          call problem%rheology%expansivity(n + 1, at, theta, expansion)
-         compression = scales%work*node%h**2*(scales%temperature_k + theta)*expansion*(u*node%gx + v*node%gy)
+         compression = scales%work*node%h**2*(scales%temperature_k + theta)*expansion*(u*node%gx + v*node%gy &
+                                                                                        + node%growth)
          self%u(:, i, j) = u
          self%v(:, i, j) = v
          self%made(:, made_heat, i, j) = heat + compression

@@ -1,7 +1,7 @@
 !> The keys of group &heat: how oil and bodies conduct and store heat. With them temperatures are found.
 module ehlwave_heat_keys
    use ehlwave_case_key, only: key_t
-   use ehlwave_heat_data, only: body_heat_t, heat_data_t
+   use ehlwave_heat_data, only: body_heat_t, carried, frozen, heat_data_t
    use ehlwave_key_list, only: key_list_t
    use ehlwave_kinds, only: dp
    implicit none (type, external)
@@ -15,7 +15,7 @@ contains
       type(key_list_t), intent(inout) :: list
 
       call list%enter('heat', 'Heat of the film and of both bodies; absent: the contact is isothermal at T0. As '// &
-         'waves pass, temperatures stay those of the smooth contact.')
+         'waves pass, temperatures stay those of the smooth contact, or are carried on in time.')
       list%common = key_t(is_late=.true., is_written=heat%is_given())
       call list%see(heat%oil_conductivity_w_per_m_k, key_t('oil_conductivity_w_per_m_k', 'conductivity of the oil', &
          unit='W/(m K)', minimum=0.0_dp, default='none'))
@@ -31,6 +31,9 @@ contains
       call visit_body('body', heat%body(1), ' of the bodies', list)
       call visit_body('body2', heat%body(2), ' of the body of surface 2', list)
       call list%see(heat%levels, key_t('levels', 'intervals across the film', minimum=4.0_dp, maximum=128.0_dp))
+      call list%see(heat%wave_temperatures, key_t('wave_temperatures', "temperatures in marches; 'frozen': those "// &
+         "of the smooth contact; 'carried': of the oil by the equation of energy in time, of both surfaces those "// &
+         'of the smooth contact', choices=frozen//' '//carried))
    end subroutine visit_heat_keys
 
    subroutine visit_body(name, body, of, list)

@@ -31,7 +31,7 @@ contains
       call list%see(oil%density_law, key_t('density_law', 'density against pressure', choices=density_laws))
       call visit_flow_law(oil, list)
       call visit_viscosity_laws(oil, list)
-      call visit_free_volume(oil, list)
+      call visit_free_volume(oil, is_warm, list)
       call visit_table(oil, is_warm, list)
    end subroutine visit_oil_keys
 
@@ -91,8 +91,9 @@ contains
    end subroutine visit_viscosity_laws
 
    !> Doolittle's viscosity and Tait's density, which share the volume.
-   subroutine visit_free_volume(oil, list)
+   subroutine visit_free_volume(oil, is_warm, list)
       type(oil_t), intent(inout) :: oil
+      logical, intent(in) :: is_warm
       type(key_list_t), intent(inout) :: list
 
       call belong(list, 'viscosity_law', doolittle, oil%viscosity_law)
@@ -105,6 +106,15 @@ contains
          above=0.0_dp))
       call list%see(oil%tait%modulus_rate, key_t('tait_modulus_rate', "rate of change of the bulk modulus with "// &
          "pressure, K0'; "//'near 11', above=0.0_dp))
+      list%common%applies = list%common%applies .and. is_warm
+      list%common%when = '('//trim(list%common%when)//') and &heat'
+      call list%see(oil%tait%softening_per_k, key_t('tait_softening_per_k', 'bK of the bulk modulus '// &
+         'K0 exp(-bK (T - T0)); near 0.006', unit='1/K', minimum=0.0_dp, maximum=0.1_dp))
+      call belong(list, 'viscosity_law', doolittle, oil%viscosity_law)
+      list%common%applies = list%common%applies .and. is_warm
+      list%common%when = trim(list%common%when)//' and &heat'
+      call list%see(oil%doolittle%occupied_rate_per_k, key_t('doolittle_occupied_rate_per_k', 'e of the occupied '// &
+         'volume R0 (1 + e (T - T0)); near -0.001', unit='1/K', minimum=-0.01_dp, maximum=0.01_dp))
    end subroutine visit_free_volume
 
    !> Measured viscosities, and the temperature at which the oil has them.

@@ -11,6 +11,7 @@ module ehlwave_case_runner
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_given, only: given_t
    use ehlwave_harmonic_case, only: run_responses
+   use ehlwave_heat_data, only: carried
    use ehlwave_heat_result, only: warm_fields
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp, pi
@@ -93,8 +94,7 @@ contains
                result%central_film_error = result%central_film_error + heat%settling + heat%levels_error
                call add_warning(result, heat%warning())
             end associate
-            if (case%heat%is_given() .and. plan%surfaces%is_rough()) call add_warning(result, 'temperatures stay '// &
-               'those of the smooth contact as waves pass: the errors do not count what waves change of them')
+            if (plan%surfaces%is_rough()) call add_warning(result, wave_heat_text(case, result%heat%frozen_error))
             if (case%sensitivities) call find_film_sensitivities(case, steady, result)
             if (plan%responds) call run_responses(case, plan, steady, result)
          end if
@@ -106,7 +106,8 @@ contains
                is_found = .false.
                if (plan%is_periodic) &
                   call find_periodic_state(case, plan, steady%multigrid, rescue, monitor, result, is_found)
-               if (.not. is_found) call run_moving(case, plan, steady%multigrid, rescue, monitor, result, keeper)
+               if (.not. is_found) &
+                  call run_moving(case, plan, steady%multigrid, rescue, monitor, steady%energy, result, keeper)
             case (run_standing)
                call run_standing_pattern(case, plan, steady%multigrid, rescue, monitor, result)
             end select
@@ -150,6 +151,24 @@ contains
       result%peak_memory_mib = peak_memory_mib()
    end subroutine run_about
 
+   !> How temperatures are known as waves pass, for a warning; '' without heat.
+   pure function wave_heat_text(case, frozen_error) result(text)
+      type(case_t), intent(in) :: case
+      real(dp), intent(in) :: frozen_error      !! of `heat_result_t`
+      character(len=:), allocatable :: text
+      text = ''
+      if (.not. case%heat%is_given()) return
+      if (case%heat%wave_temperatures == carried) then
+         text = 'in the march the oil takes its own temperatures, both surfaces keep those of the smooth contact'
+         if (case%response == 'both') text = text//'; the linear response has all of them from there'// &
+            ', which leaves about '//to_text(frozen_error, 1)//' of Ai in its Ad/Ai'
+      else
+         text = 'temperatures stay those of the smooth contact as waves pass, which leaves about '// &
+            to_text(frozen_error, 1)//" of Ai in Ad/Ai besides the errors (&heat wave_temperatures = 'carried' "// &
+            'lets marches tell)'
+      end if
+   end function wave_heat_text
+
    !> The caps that a case has used up; '' where none.
    function spent_text(plan, rescue) result(text)
       type(case_plan_t), intent(in) :: plan
@@ -182,7 +201,9 @@ contains
          if (.not. (ieee_is_finite(ratio) .and. ieee_is_finite(small))) return
          if (abs(ratio/small - 1) <= largest_difference) return
          call add_warning(result, waves//to_text(100*amplitude, 3)//' % of the film do not respond as small ones: '// &
-            'Ad/Ai = '//to_text(ratio, 3)//' against '//to_text(small, 3)//' of the linear response')
+            'Ad/Ai = '//to_text(ratio, 3)//' against '//to_text(small, 3)//' of the linear response'// &
+            trim(merge(', whose temperatures stay', repeat(' ', 25), &
+                       case%heat%is_given() .and. case%heat%wave_temperatures == carried)))
       end subroutine compare
 
    end subroutine compare_with_small_waves

@@ -4,7 +4,9 @@ module ehlwave_march_case
    use ehlwave_case_account, only: add_warning, end_early, keep_history, worse
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_result, only: case_result_t
+   use ehlwave_energy, only: energy_t
    use ehlwave_full_multigrid, only: full_multigrid_t
+   use ehlwave_heat_data, only: carried
    use ehlwave_kinds, only: dp, no_value, pi
    use ehlwave_march_keeper, only: march_keeper_t
    use ehlwave_march_settings, only: march_settings_t
@@ -76,12 +78,13 @@ contains
    end function step_tolerance
 
    !> Moving pattern: march in time, then measure over the last period.
-   subroutine run_moving(case, plan, multigrid, rescue, monitor, result, keeper)
+   subroutine run_moving(case, plan, multigrid, rescue, monitor, energy, result, keeper)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       type(full_multigrid_t), intent(inout) :: multigrid
       type(rescue_t), intent(inout) :: rescue
       class(monitor_t), intent(inout) :: monitor
+      type(energy_t), intent(inout) :: energy      !! of the steady state; of the last time step, where it is carried on
       type(case_result_t), intent(inout) :: result
       class(march_keeper_t), intent(inout), optional :: keeper
       type(march_t) :: march
@@ -90,12 +93,17 @@ contains
       logical :: keeps
 
       finest = size(multigrid%levels)
-      call march%begin(multigrid%levels, march_settings(case, plan, result%central_film), rescue)
+      if (case%heat%is_given() .and. case%heat%wave_temperatures == carried) then
+         call march%begin(multigrid%levels, march_settings(case, plan, result%central_film), rescue, energy)
+      else
+         call march%begin(multigrid%levels, march_settings(case, plan, result%central_film), rescue)
+      end if
       associate (level => multigrid%levels(finest))
          if (case%fields_every > 0) call result%history%begin(level, case%fields_every, plan%steps)
          call result%history%see(level, 0, 0.0_dp)
       end associate
-      keeps = present(keeper) .and. case%fields_every == 0   ! fields of steps before are not kept
+      ! fields of steps before are not kept, nor temperatures
+      keeps = present(keeper) .and. case%fields_every == 0 .and. .not. allocated(march%energy)
       if (keeps) call keeper%load(march)
       if (march%result%steps > 0) call march%restore(multigrid%levels(finest))
       do while (march%result%steps < plan%steps)
@@ -108,6 +116,7 @@ contains
       history = march%result
       result%work = result%work + history%work
       rescue = march%rescue
+      if (allocated(march%energy)) energy = march%energy
       result%status = history%status
       if (history%status == status_converged .and. history%steps < plan%steps) &
          call end_early(monitor%request, 'time step '//to_text(history%steps)//' of '//to_text(plan%steps), result)

@@ -337,8 +337,12 @@ contains
          heat%levels_error, exists=is_warm)
       call list%add('heat_balance_error', 'heat that is missing over the largest part', heat%balance_error, &
          exists=is_warm)
-      call list%add('wave_temperatures', "temperatures as waves pass: 'frozen', those of the smooth contact", &
-         trim(merge('frozen', '      ', is_warm .and. case%is_wavy())), exists=is_warm .and. case%is_wavy())
+      call list%add('frozen_heat_error', 'estimated error of Ad/Ai over Ai by temperatures that stay as waves '// &
+         'pass; part of no other error', heat%frozen_error, exists=is_warm .and. case%is_wavy())
+      call list%add('wave_temperatures', "temperatures as waves pass: 'frozen', those of the smooth contact; "// &
+         "'carried', in marches those of the oil in time", trim(merge(case%heat%wave_temperatures, &
+         repeat(' ', len(case%heat%wave_temperatures)), is_warm .and. case%is_wavy())), &
+         exists=is_warm .and. case%is_wavy())
    end subroutine add_heat
 
    !> Quantities of two rough surfaces besides those of the first.

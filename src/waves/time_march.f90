@@ -3,6 +3,7 @@ module ehlwave_time_march
    use ehlwave_assertions, only: assert, checks
    use ehlwave_clock, only: wall_seconds
    use ehlwave_contact_problem, only: contact_problem_t
+   use ehlwave_energy, only: energy_t
    use ehlwave_equations, only: equations_t
    use ehlwave_first_guess, only: carried_share, carry_on, extrapolate, look_up, past_t
    use ehlwave_full_multigrid, only: full_multigrid_t
@@ -28,6 +29,8 @@ module ehlwave_time_march
    !> solution to the next.
    integer, parameter, public :: steps_per_stretch = 32
 
+   integer, parameter :: heat_rounds = 1    !! of temperatures and film after the first solution of a step: each leaves
+                                            !! about a fifth of what the temperatures have changed
    integer, parameter :: young = 3   !! steps in which the solutions before are not yet all solutions
 
    !> History of the contact centre and the account of the march.
@@ -60,6 +63,7 @@ module ehlwave_time_march
       real(dp) :: approach(3) = 0              !! Delta of the steps before, latest first
       type(given_t) :: given                   !! what the last solution was given
       type(rescue_t) :: rescue                 !! its account goes on from step to step
+      type(energy_t), allocatable :: energy    !! that carries temperatures on; absent: they are held, if there are any
    contains
       procedure :: begin
       procedure :: start_in
@@ -74,11 +78,12 @@ module ehlwave_time_march
 contains
 
    !> Make ready to march the finest of some levels from its steady state of smooth surfaces.
-   subroutine begin(self, levels, settings, rescue)
+   subroutine begin(self, levels, settings, rescue, energy)
       class(march_t), intent(inout) :: self
       type(level_t), intent(inout) :: levels(:)
       type(march_settings_t), intent(in) :: settings
       type(rescue_t), intent(in) :: rescue     !! what the steady state has left of it
+      type(energy_t), intent(in), optional :: energy   !! of the steady state, if temperatures are to be carried on
       integer :: n
 
       if (checks) then
@@ -110,6 +115,12 @@ contains
          self%given = given   ! what the steady state would be given as a time step
          given%load%force = settings%force
          self%past = past_t(state, state, state, state)
+         if (allocated(self%energy)) deallocate (self%energy)
+         if (present(energy)) then
+            self%energy = energy
+            call self%energy%hold_surfaces()
+            call self%energy%pass_time(problem, state, self%settings%time_step(grid))
+         end if
          self%share = carried_share(levels(self%l))
          allocate (self%result%time(0:settings%steps), self%result%central_film(0:settings%steps), &
                    self%result%approach(0:settings%steps), source=0.0_dp)
@@ -199,6 +210,7 @@ contains
          end if
          work_before = multigrid%work()
          call solve_step(self, multigrid, limits)
+         if (allocated(self%energy)) call carry_heat(self, multigrid, limits)
          self%result%work = self%result%work + multigrid%work() - work_before
          if (self%result%status /= status_converged) return
          call keep_step(self, level, t)
@@ -206,6 +218,27 @@ contains
          if (allocated(self%waves) .and. self%l == size(multigrid%levels)) call self%period%keep(t, level%state)
       end associate
    end subroutine take_step
+
+   !> Temperatures of the step that is solved, and the film under them.
+   subroutine carry_heat(self, multigrid, limits)
+      class(march_t), intent(inout) :: self
+      type(full_multigrid_t), intent(inout) :: multigrid
+      type(solve_limits_t), intent(in) :: limits
+      type(equations_t) :: equations
+      integer :: round
+
+      associate (problem => multigrid%levels(self%l)%problem, level => multigrid%levels(self%l))
+         call equations%init(problem)
+         do round = 1, heat_rounds
+            if (self%result%status /= status_converged) return
+            call equations%evaluate(problem, level%given, level%state)
+            call self%energy%march(problem, level%state, equations%flow)
+            call problem%heat%weigh(problem%rheology, self%energy%levels%weight, level%state%p)
+            call solve_step(self, multigrid, limits)
+         end do
+         call self%energy%pass_time(problem, level%state, self%settings%time_step(problem%grid))
+      end associate
+   end subroutine carry_heat
 
    !> Give what the step to time t is given.
    subroutine pose_step(self, grid, t, given)

@@ -62,6 +62,16 @@ def local_problem(stress, rate_at, sliding, film, beta, conductivity):
     return a, film*rate_at(stress)*math.sinh(a)*math.cosh(a)/a - sliding
 
 
+def free_volume(row, lubricant=None, heat=None, **more):
+    """A row of the reference with an oil of free volume."""
+    given = groups(row, 128, lubricant={"viscosity_law": "doolittle", "doolittle_factor": 4.7, "doolittle_occupied_fraction": 0.66,
+                                        "tait_modulus_pa": 1.7e9, "tait_modulus_rate": 11.0, **(lubricant or {})},
+                   heat={"viscosity_temperature_per_k": 0.0, **(heat or {})}, **more)
+    for key in ("pressure_viscosity_per_pa", "roelands_index"):
+        del given["lubricant"][key]
+    return given
+
+
 def wavy_line(flow, waves, heat):
     """Transverse waves, or those given, on a line contact; `heat` None: without."""
     extra = {"waviness": {"orientation": "transverse", "wavelength_over_a": 1.0, "response": "harmonic", **waves},
@@ -246,6 +256,30 @@ class Heat(TestCase):
             found.append(f"{abs(march - response):.1e}")
         report("marches differ from responses by " + ", ".join(found) + " of Ai")
 
+    def test_temperatures_carried(self):
+        """Temperatures that march: waves of no height leave the contact as it was, an oil that knows no temperature marches as
+        without heat, and what frozen temperatures leave out of Ad/Ai is within the estimate."""
+        inert = {"oil_expansion_per_k": 0.0, "viscosity_temperature_per_k": 0.0}
+        waves = {"response": "both", "amplitude_over_film": 0.01}
+        for make in (wavy_line, wavy_point):
+            found = []
+            for height, heat in ((1e-6, {}), (0.01, {}), (0.01, inert), (0.01, None)):
+                given = make("eyring", {**waves, "amplitude_over_film": height},
+                             None if heat is None else {**heat, "wave_temperatures": "carried"})
+                given["grid"]["cells_x"] = given["grid"].get("cells_y", 128)
+                given["solver"] = {"step_tolerance": 1e-6}
+                found.append(solve(**given))
+            still, warm, without, cold = found
+            self.check_close(still["mean_film"], still["central_film"], 1e-5, f"{make.__name__}: film under waves of no height")
+            self.check_close(without["amplitude_ratio_fit"], cold["amplitude_ratio_fit"], 1e-5, make.__name__)
+            march, frozen = (cmath.rect(warm[ratio], warm[phase]) for ratio, phase in
+                             (("amplitude_ratio_fit", "phase_fit"), ("harmonic_ratio", "harmonic_phase")))
+            self.assertGreater(abs(march - frozen), 0.02)
+            self.assertLess(abs(march - frozen), warm["frozen_heat_error"])
+            self.assertEqual(warm["wave_temperatures"], "carried")
+            report(f"{make.__name__}: Ad/Ai {abs(march):.3f} carried, {abs(frozen):.3f} frozen, as complex numbers "
+                   f"{abs(march - frozen):.3f} apart, estimate {warm['frozen_heat_error']:.3f}")
+
     def test_response_levels_and_mesh(self):
         """Twice the levels and half the mesh move Ad/Ai by less than its error."""
         for make in (wavy_line, wavy_point):
@@ -258,23 +292,37 @@ class Heat(TestCase):
             self.check_close(mesh["harmonic_ratio"], usual["harmonic_ratio"], usual["harmonic_error"], make.__name__)
             self.check_close(levels["harmonic_ratio"], usual["harmonic_ratio"], usual["heat_levels_error"], make.__name__)
 
+    def test_free_volume(self):
+        """Doolittle's law takes its temperature from the occupied volume and from that of Tait's equation: at ambient pressure
+        -d ln(eta)/dT = B R0 (aV - e)/(1 - R0)^2, and a modulus that softens thins the film further."""
+        row = {**read_rows()[7], "slide_to_roll_ratio": 0.2}
+        waves = {"waviness": {"orientation": "transverse", "wavelength_over_a": 1.0, "response": "harmonic"}}
+        films = []
+        for softening in (0.0, 6e-3):
+            result = solve(**free_volume(row, {"doolittle_occupied_rate_per_k": -9e-4, "tait_softening_per_k": softening}, **waves))
+            beta = 4.7*0.66*(OIL["oil_expansion_per_k"] + 9e-4)/0.34**2
+            self.check_close(result["frozen_heat_error"], 0.1*beta*result["largest_rise_mid_film_k"], 1e-9, "beta")
+            self.assertLess(result["friction_coefficient"], result["isothermal_friction_coefficient"])
+            self.assertLess(result["central_film"], result["isothermal_central_film"])
+            self.assertLess(result["heat_balance_error"], 1e-3)
+            films.append(result["central_film"])
+        self.assertNotEqual(*films)
+
     def test_refusals(self):
         row = read_rows()[7]
         cases = {
             "surface at rest": groups({**row, "slide_to_roll_ratio": 2.0}, 256),
             "&lubricant temperature_k is missing": groups(row, 256, lubricant={"temperature_k": 0.0}),
             "&heat oil_density_kg_per_m3 is missing": groups(row, 256, heat={"oil_density_kg_per_m3": 0.0}),
-            "has no keys for temperature": groups(row, 256, lubricant={
-                "viscosity_law": "doolittle", "doolittle_factor": 4.7, "doolittle_occupied_fraction": 0.66,
-                "tait_modulus_pa": 1.7e9, "tait_modulus_rate": 11.0}, heat={"viscosity_temperature_per_k": 0.0}),
+            "knows the temperature by its volume": free_volume(row, heat={"oil_expansion_per_k": 0.0}),
             "response = 'periodic' does not take &heat": groups(row, 256, waviness={
                 "orientation": "transverse", "wavelength_over_a": 1.0, "response": "periodic"}),
+            "is for waves that move in time": groups(row, 256, heat={"wave_temperatures": "carried"}, waviness={
+                "orientation": "transverse", "wavelength_over_a": 1.0, "response": "harmonic"}),
             "temperatures of the steady load": groups(row, 256, dynamics={"end_time": 1.0}),
             "which a measured surface changes": groups(row, 256, surface={"file": "trace.csv"}),
             "is replaced by shear_limit_over_pressure": groups(row, 256, lubricant={"limiting_stress_over_pressure": 0.1}),
         }
-        cases["has no keys for temperature"]["lubricant"].pop("pressure_viscosity_per_pa")
-        cases["has no keys for temperature"]["lubricant"].pop("roelands_index")
         for message, given in cases.items():
             with self.subTest(message), tempfile.TemporaryDirectory() as folder:
                 path = Path(folder) / "case.nml"

@@ -93,6 +93,10 @@ class CaseKeys(TypedDict, total=False):
     """bulk modulus at ambient pressure, K0, Pa"""
     tait_modulus_rate: SupportsFloat
     """rate of change of the bulk modulus with pressure, K0'; near 11"""
+    tait_softening_per_k: SupportsFloat
+    """bK of the bulk modulus K0 exp(-bK (T - T0)); near 0.006, 1/K"""
+    doolittle_occupied_rate_per_k: SupportsFloat
+    """e of the occupied volume R0 (1 + e (T - T0)); near -0.001, 1/K"""
     viscosity_table: Text
     """CSV file of measured viscosities"""
     temperature_k: SupportsFloat
@@ -121,6 +125,8 @@ class CaseKeys(TypedDict, total=False):
     """heat capacity of the body of surface 2, J/(kg K)"""
     levels: SupportsIndex
     """intervals across the film"""
+    wave_temperatures: Literal["frozen", "carried"]
+    """temperatures in marches; 'frozen': those of the smooth contact"""
     orientation: Literal["none", "transverse", "isotropic", "longitudinal", "custom"]
     """orientation of the waves"""
     wavelength_over_a: SupportsFloat

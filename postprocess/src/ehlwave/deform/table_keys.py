@@ -141,6 +141,9 @@ OF_THE_HEAT = frozenset(
         "body2_density_kg_per_m3",
         "body2_heat_capacity_j_per_kg_k",
         "levels",
+        "wave_temperatures",
+        "tait_softening_per_k",
+        "doolittle_occupied_rate_per_k",
     )
 )
 """With them a response depends on size and speed of the contact, which a table does not hold."""
