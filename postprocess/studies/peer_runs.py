@@ -101,7 +101,8 @@ def timed(command: Sequence[object], folder: Path, limit: float) -> Found:
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     found = re.findall(r"(?m)^film ([-+.\deE]+)$", done.stdout)
     if not found or not math.isfinite(float(found[-1])):
-        raise FailedError((done.stderr or done.stdout).strip()[-300:] or "no film")
+        said = (done.stderr or done.stdout).strip() or "no film"
+        raise FailedError(said.splitlines()[-1][-300:])
     return float(found[-1]), after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
 
