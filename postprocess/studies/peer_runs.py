@@ -15,6 +15,7 @@ import tempfile
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
+from ehlwave.writing import Writer, write_new_text
 from studies.heat_map import processor_seconds
 from studies.programs import Groups, last_line
 
@@ -101,7 +102,8 @@ def timed(command: Sequence[object], folder: Path, limit: float) -> Found:
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     found = re.findall(r"(?m)^film ([-+.\deE]+)$", done.stdout)
     if not found or not math.isfinite(float(found[-1])):
-        raise FailedError((done.stderr or done.stdout).strip()[-300:] or "no film")
+        said = (done.stderr or done.stdout).strip() or "no film"
+        raise FailedError(said.splitlines()[-1][-300:])
     return float(found[-1]), after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
 
@@ -126,15 +128,15 @@ def fbns(folder: Path, cells: int, limit: float) -> Found:
     ]
     with tempfile.TemporaryDirectory() as name:
         code = Path(name, "code")
-        code.mkdir()
+        Writer().folder(code)
         for first, last in zip(begins, [*begins[1:], None], strict=True):
             text = main[first:last]
             function = re.match(r"function (?:[^=\n]*= *)?(\w+)", text)
-            (code / f"{function[1] if function else ''}.m").write_text(text, encoding="utf-8")
-        (code / "mainprocess.m").write_text(main[: begins[0]], encoding="utf-8")
-        (code / "setup.m").write_text(setup, encoding="utf-8")
-        (code / "compose.m").write_text(COMPOSE, encoding="utf-8")
-        (code / "peer.m").write_text(PEER.format(speed=SPEED_M_PER_S), encoding="utf-8")
+            write_new_text(code / f"{function[1] if function else ''}.m", text)
+        write_new_text(code / "mainprocess.m", main[: begins[0]])
+        write_new_text(code / "setup.m", setup)
+        write_new_text(code / "compose.m", COMPOSE)
+        write_new_text(code / "peer.m", PEER.format(speed=SPEED_M_PER_S))
         return timed([octave, "--quiet", "peer.m"], code, limit)
 
 
@@ -162,7 +164,8 @@ def slippy(folder: Path, cells: int, limit: float) -> Found:
     }
     with tempfile.TemporaryDirectory() as name:
         script = Path(name, "peer.py")
-        script.write_text(Path(__file__).with_name("peer_slippy.py").read_text(encoding="utf-8"))
+        own = Path(__file__).with_name("peer_slippy.py").read_text(encoding="utf-8")
+        write_new_text(script, own)
         python = folder / "bin" / "python"
         return timed([python, script, json.dumps(data)], Path(name), limit)
 

@@ -29,6 +29,7 @@ contains
       if (case%scheme /= 'auto' .or. .not. suits(case)) return
       if (.not. case%accuracy > 0 .or. case%cells_x > 0 .or. case%edges == 'truncated' .or. conditions%is_line() &
           .or. case%is_measured() .or. case%second%is_measured()) return
+      if (any(case%method == ['fas  ', 'petsc'])) return   ! FAS does not always find its steady states
       averaged = averaged_cells(case, conditions)
       if (averaged > most_averaged .and. cells(case, conditions, .true.) <= largest_share*averaged) &
          case%scheme = 'fitted'

@@ -355,11 +355,21 @@ def heavy_loads():
     return claims
 
 
+def peers():
+    """Errors and times of public solvers."""
+    claims = []
+    for solver in dict.fromkeys(row["solver"] for row in table("peers/peers.csv")):
+        done = [row for row in table("peers/peers.csv") if row["solver"] == solver and row["film"]]
+        values = [value for row in done for value in (100*float(row["error"]), float(row["seconds"]))]
+        claims.append((f"| {solver} |{' {} %, {} s |'*len(done)}", values))
+    return claims
+
+
 MANUAL = "postprocess/manual/explanation"
 CLAIMS = {"README.md": top_level, "postprocess/README.md": postprocess, "postprocess/record/README.md": record,
           f"{MANUAL}/accuracy.md": lambda: [*speeds(), *errors_and_costs()], f"{MANUAL}/atlas.md": atlas,
           f"{MANUAL}/roughness.md": roughness, f"{MANUAL}/paper.md": lambda: [*study(), *validation(), *better_formula(), *rolling()],
-          f"{MANUAL}/slip.md": two_waves, f"{MANUAL}/solvers.md": heavy_loads}
+          f"{MANUAL}/slip.md": two_waves, f"{MANUAL}/solvers.md": lambda: [*heavy_loads(), *peers()]}
 
 
 def words(path):

@@ -33,6 +33,9 @@ program test_scheme_choice
    case = sample(10000.0_dp)
    case%oil_over_flooded = 0.5_dp
    call check(case, 'auto', 'too little oil')
+   case = sample(10000.0_dp)
+   case%method = 'fas'
+   call check(case, 'auto', 'FAS, which was asked for')
    case = sample(1000.0_dp)
    case%radius_ratio_d = 0
    call check(case, 'auto', 'a line contact')
@@ -48,6 +51,11 @@ program test_scheme_choice
    case%lubricant_parameter_l = 2.5_dp
    fitted = plan_of(case)
    call test%check(fitted%resolution%is_resolved, 'an inlet that is short for its accuracy')
+   case = with_waves(3000.0_dp, 1.0_dp)
+   case%response = 'transient'
+   case%time_step_over_cell = 0
+   fitted = plan_of(case)
+   call test%check(fitted%is_fitted .and. fitted%cells_per_step == 1, 'steps as short as the mesh')
    call test%finish()
 
 contains
