@@ -105,8 +105,9 @@ contains
       if (plan%is_fitted .and. result%film_error_basis == 'model') error = error/fitted_share
    end function averaged_error
 
-   !> By how much, relative, the film may be thinner between the nodes than at the thinnest one: an eighth of its second
-   !> differences there. With the averaged scheme this is less than the error of the film.
+   !> By how much, relative, the film may be thinner between the nodes than at the thinnest one: half of its second
+   !> differences there, as of a kink; of a parabola it would be an eighth. Line contact, M = 32, 64 to 512 cells:
+   !> 0.0689, 0.0647, 0.0641, 0.0640. With the averaged scheme this is less than the error of the film.
    pure real(dp) function error_between_nodes(grid, h) result(error)
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: h(0:, 0:)   !! H, (0:nx, 0:ny)
@@ -116,7 +117,7 @@ contains
       i = min(max(node(1), 1), grid%nx - 1)
       j = min(max(node(2), grid%first_row), grid%last_row)
       error = (abs(h(i + 1, j) - 2*h(i, j) + h(i - 1, j)) &
-               + abs(h(i, grid%above(j)) - 2*h(i, j) + h(i, grid%below(j))))/(8*h(i, j))
+               + abs(h(i, grid%above(j)) - 2*h(i, j) + h(i, grid%below(j))))/(2*h(i, j))
    end function error_between_nodes
 
 end module ehlwave_film_errors
