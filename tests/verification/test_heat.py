@@ -292,6 +292,25 @@ class Heat(TestCase):
             self.check_close(mesh["harmonic_ratio"], usual["harmonic_ratio"], usual["harmonic_error"], make.__name__)
             self.check_close(levels["harmonic_ratio"], usual["harmonic_ratio"], usual["heat_levels_error"], make.__name__)
 
+    @unittest.skipIf(h5py is None, "no h5py: set EHLWAVE_PYTHON")
+    def test_steady_states_of_a_sweep(self):
+        """Waves share a warm steady state, but not over slip, by which a Newtonian oil warms: the numbers of single cases."""
+        given = wavy_point("newtonian", {}, {})
+        given["grid"]["edges"] = "truncated"
+        slips, waves = [1.0, 1.02], [1.0, 0.5]
+        del given["conditions"]["slip_parameter"], given["waviness"]["wavelength_over_a"], given["solver"]
+        lists = {"slip_parameter": slips, "wavelength_over_a": waves, "output": "results.h5"}
+        with tempfile.TemporaryDirectory() as folder:
+            Path(folder, "sweep.nml").write_text(namelist({"sweep": lists, **given}))
+            outcome = run("sweep", "sweep.nml", folder=folder)
+            self.assertEqual(outcome.returncode, 0, outcome.stderr)
+            with h5py.File(Path(folder, "results.h5")) as file:
+                found = {(s, w): ratio for s, w, ratio in zip(file["slip_parameter"][:], file["wavelength_x_over_a"][:],
+                                                              file["harmonic_ratio"][:], strict=True)}
+        for slip, wave in ((slip, wave) for slip in slips for wave in waves):
+            given["conditions"]["slip_parameter"], given["waviness"]["wavelength_over_a"] = slip, wave
+            self.assertEqual(found[slip, wave], solve(**given)["harmonic_ratio"], (slip, wave))
+
     def test_free_volume(self):
         """Doolittle's law takes its temperature from the occupied volume and from that of Tait's equation: at ambient pressure
         -d ln(eta)/dT = B R0 (aV - e)/(1 - R0)^2, and a modulus that softens thins the film further."""
