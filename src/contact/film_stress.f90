@@ -76,6 +76,10 @@ contains
       self%sigma(:self%n, :) = sigma
       self%b(:self%n) = b
       self%points = 0
+      if (law%is_newtonian .and. allocated(self%fluidity) .and. .not. allocated(self%limit)) then
+         call solve_newtonian(self, rule)
+         return
+      end if
       self%mean(:self%n, 1) = b
       self%mean(:self%n, 2) = 0
       if (allocated(self%fluidity) .or. allocated(self%limit)) then
@@ -103,6 +107,37 @@ contains
       end do
       call finish(self, moments, change, t0)
    end subroutine solve
+
+   !> The same of a Newtonian oil that is warm, whose rate is linear in the stress: T_k = a_k I.
+   pure subroutine solve_newtonian(self, rule)
+      class(film_stress_t), intent(inout) :: self
+      type(gauss_rule_t), intent(in) :: rule
+      real(dp), dimension(block_size) :: a0, a1, a2
+      real(dp) :: share, weighted
+      integer :: i, k
+
+      self%points = self%n*rule%n
+      a0 = 0
+      a1 = 0
+      a2 = 0
+      do k = 1, rule%n
+         do i = 1, self%n
+            weighted = 0.5_dp*rule%weight(k)*self%fluidity(i, k)
+            a0(i) = a0(i) + weighted
+            a1(i) = a1(i) + rule%node(k)*weighted
+            a2(i) = a2(i) + rule%node(k)**2*weighted
+         end do
+      end do
+      do i = 1, self%n
+         share = a1(i)/a0(i)
+         self%mean(i, :) = -share*self%sigma(i, :)
+         self%mean(i, 1) = self%mean(i, 1) + self%b(i)/a0(i)
+         self%flow(i, :) = a1(i)*self%mean(i, :) + a2(i)*self%sigma(i, :)
+         self%flow_by_b(i, :) = [share, 0.0_dp]
+         self%flow_by_sigma(i, 1, :) = [a2(i) - a1(i)*share, 0.0_dp]
+         self%flow_by_sigma(i, 2, :) = [0.0_dp, a2(i) - a1(i)*share]
+      end do
+   end subroutine solve_newtonian
 
    !> Whether the rate is B where the stress is limited: there it hardly depends on it.
    pure logical function is_exact(self, moments)

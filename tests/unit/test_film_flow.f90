@@ -24,6 +24,7 @@ program test_film_flow
    call check_derivatives('Carreau, n = 1', new_carreau_law(1.0_dp))
    call check_derivatives('limited', eyring_law_t(), limit=9.0_dp)
    call check_derivatives('warm', eyring_law_t(), ln_fluidity=[0.3_dp, 1.2_dp, 2.0_dp, 2.5_dp, 2.4_dp, 1.7_dp, 0.9_dp])
+   call check_derivatives('warm and Newtonian', new_carreau_law(1.0_dp), ln_fluidity=[0.0_dp, 0.7_dp, 0.9_dp, 0.8_dp, 0.2_dp])
    call check_derivatives('warm and limited', new_carreau_law(0.6_dp), 14.0_dp, [0.0_dp, 0.7_dp, 0.9_dp, 0.8_dp, 0.2_dp])
    call check_uneven()
    call check_limit()
