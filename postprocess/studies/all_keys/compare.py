@@ -19,15 +19,17 @@ MOST_WORK = 10
 """Largest work over that of the plan."""
 
 # What both runs share is no part of their difference: the domain, and the size of the waves.
-FILM_PARTS = ("film_error_mesh", "film_error_algebraic")
-RATIO_PARTS = tuple(f"ratio_error_{part}" for part in ("mesh", "time", "settling", "algebraic"))
+FILM_PARTS = ("film_error_mesh", "film_error_meniscus", "film_error_algebraic")
+RATIO_PARTS = tuple(
+    f"ratio_error_{part}" for part in ("mesh", "meniscus", "time", "settling", "algebraic")
+)
 NUMBERS = {
     "H(0,0)": (("central_film",), FILM_PARTS),
     "smallest H": (("minimum_film",), ("minimum_film_error", "film_error_algebraic")),
     "Ad/Ai": (("amplitude_ratio_fit",), RATIO_PARTS),
     "response": (
         ("harmonic_real", "harmonic_imaginary"),
-        ("harmonic_error", "response_tolerance"),
+        ("harmonic_error", "ratio_error_meniscus", "response_tolerance"),
     ),
     "friction": (("friction_coefficient",), ("friction_error", "film_error_algebraic")),
 }
@@ -64,7 +66,7 @@ def findings(found: Row, finer: Row) -> list[Finding]:
         if max(abs(value), abs(other)) < NOTHING:
             continue
         off = LIMIT * abs(value - other) / max(abs(value), 1e-300)
-        declared = sum(_number(found.get(name)) for name in errors)
+        declared = sum(_number(found[name]) for name in errors if name in found)
         result.append(Finding(number, abs(value), abs(other), off, declared))
     return result
 
