@@ -83,7 +83,7 @@ def measured(**keys: object) -> object:
 def law(**keys: object) -> object:
     x = np.arange(0, 2e-3, 2e-6)
     trace = ehlwave.deform.trace_surface(20e-9 * np.cos(2 * np.pi * x / 1e-4), step_m=2e-6)
-    return ehlwave.Contact(**DATA | {"load_n": 3}).deform(trace, **keys)
+    return ehlwave.Contact(**DATA | {"load_n": 0.5}).deform(trace, **keys)
 
 
 def case(**keys: object) -> object:
@@ -190,18 +190,20 @@ WRONG = [
     Wrong(
         film,
         {"mean_speed_m_per_s": 12},
-        "mean_speed_m_per_s = 12 gives M = ",
+        "mean_speed_m_per_s = 12 gives L = ",
         "holds {} to",
         {"mean_speed_m_per_s": None},
     ),
-    Wrong(film, {"viscosity_pa_s": 0.7}, "gives M = ", "holds {} to", {"load_n": None}),
+    Wrong(
+        film, {"viscosity_pa_s": 0.7, "load_n": 5}, "gives M = ", "holds {} to", {"load_n": None}
+    ),
     Wrong(balls, {"load_n": 0.2}, "load_n = 0.2 gives M = ", "holds {} to", {"load_n": None}),
     Wrong(lines, {"load_n": 2}, "load_n = 2 gives M = ", "holds {} to", {"load_n": None}),
     Wrong(
         moes,
-        {"load_parameter_m": 5},
-        "load_parameter_m = 5",
-        "20 to 2000",
+        {"load_parameter_m": 3},
+        "load_parameter_m = 3",
+        "5 to 10000",
         {"load_parameter_m": 20},
     ),
     Wrong(
@@ -226,7 +228,7 @@ WRONG = [
         "0.5 to 1.5",
         {"slip_parameter": 1.5},
     ),
-    Wrong(law, {}, "load_n = 3 gives M", "by='recommended'", {"by": "recommended"}),
+    Wrong(law, {}, "load_n = 0.5 gives M", "by='recommended'", {"by": "recommended"}),
     # misspelt
     Wrong(film, {"load": 40}, "unknown key load", "load_n", {"load_n": 40}),
     Wrong(
@@ -451,7 +453,7 @@ def trace(tmp_path: Path) -> str:
 
 CONDITIONS = [f"{key}={value}" for key, value in DATA.items()]
 UNITS = ["--length-unit", "um", "--height-unit", "um"]
-LIGHT = [*CONDITIONS[:3], "load_n=3", *CONDITIONS[4:]]
+LIGHT = [*CONDITIONS[:3], "load_n=0.5", *CONDITIONS[4:]]
 COMMANDS = [
     (
         ["deforn"],
@@ -473,7 +475,7 @@ COMMANDS = [
     ),
     (
         ["deform", "TRACE", "--conditions", *LIGHT, *UNITS],
-        "load_n = 3 gives M",
+        "load_n = 0.5 gives M",
         "--formula recommended",
         ["deform", "TRACE", "--conditions", *LIGHT, *UNITS, "--formula", "recommended"],
     ),

@@ -11,7 +11,7 @@ from pathlib import Path
 from ehlwave.atlas import Atlas, load_atlas
 from ehlwave.atlas.atlas import shipped
 from ehlwave.atlas.kinds import KINDS, LINE, Kind
-from studies.atlas import line_design
+from studies.atlas import bearings, line_design
 from studies.atlas.design import DESIGNS, write_batch, write_rises, write_validation
 from studies.atlas.fit import finished
 from studies.atlas.points import read_points
@@ -24,17 +24,19 @@ from studies.sweeps import run_command
 FILLING = {"rolling": 24, "sliding": 64, "line": 20}
 """Batches that fill the ranges; later ones go where the errors of those before are largest."""
 
+STEPS = ("batch", "rises", "fit", "unseen", "validate", "catalogue", "bearings")
+
 BLOCK = 16
 """Of the later batches, those that follow from one fit, which takes as long as ten of them."""
 
-RISE_BATCHES = {"rolling": 24, "sliding": 24}
+RISE_BATCHES = {"rolling": 3, "sliding": 24}
 """Batches of which the rise of the mean film under oblique waves is computed: that costs more."""
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Do one step; return 0, or 1 with a message."""
     parser = step_parser(command.atlas, __doc__)
-    parser.add_argument("step", choices=("batch", "rises", "fit", "unseen", "validate"))
+    parser.add_argument("step", choices=STEPS)
     parser.add_argument("folder", type=Path, help="of sweeps and their results; made when absent")
     parser.add_argument("--batch", type=int, default=0, metavar="N", help="counted from 0")
     parser.set_defaults(kind="rolling", at_once=1)
@@ -64,6 +66,12 @@ def _do(options: argparse.Namespace) -> None:
             print(line_design.write_validation(folder))
         else:
             print(write_validation(folder, DESIGNS[kind.name]))
+    elif step == "catalogue":
+        print(bearings.write(folder, load_atlas(atlas)))
+    elif step == "bearings":
+        print(bearings.text(load_atlas(atlas)))
+        computed = read_points([folder / "bearings.h5"])
+        print(judge(load_atlas(atlas), computed).text())
     else:
         computed = read_points([folder / f"{kind.name}-validation.h5"], kind=kind)
         print(judge(load_atlas(atlas), computed).text())

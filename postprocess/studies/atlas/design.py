@@ -10,10 +10,12 @@ from numpy.typing import NDArray
 from scipy.stats import qmc
 
 from ehlwave.atlas import Atlas
+from ehlwave.atlas.coordinates import hertz_film
 from ehlwave.atlas.kinds import ROLLING, SLIDING, Kind
 from ehlwave.atlas.ranges import CONTACT_RANGES, WAVE_RANGE
 from ehlwave.atlas.sliding import MODULUS_PA
-from ehlwave.contact.scales import ellipticity
+from ehlwave.contact.conditions import MOES_KEYS
+from ehlwave.contact.scales import ellipticity, lambdabar, pressure_factor
 from studies import sweeps
 from studies.atlas.points import contact_of
 from studies.programs import Groups
@@ -28,11 +30,17 @@ CONTACTS = 32
 CANDIDATES = 512
 """Contacts of which those of a batch are drawn by the errors of the atlas so far."""
 
-SLENDER = {"load_parameter_m": (20.0, 70.0), "radius_ratio_d": (0.04, 0.2)}
-"""Where bodies are nearly rigid along rolling and not across it."""
+INLET_MESHES = 5, 3
+"""Mesh sizes in the length of the inlet wanted along X and Y, of the fitted scheme."""
 
-SLENDER_BATCHES = (8, 10, 12, 14)
-"""Batches of them, of contacts that roll: there responses change most from one to the next."""
+FEWEST_CELLS, MOST_FITTED_CELLS = 192, 384
+"""Along X, of the same: the former for short waves."""
+
+CELLS_ACROSS = 36
+"""Over kappa, along Y: what longitudinal waves of 0.9 a ask for."""
+
+ROOMY_FILM, ROOM = 0.4, 2
+"""Film over the Hertz approach from which on a domain is so many times as large as usual."""
 
 MARGIN = 1.15
 """By which wavelengths go beyond the range, so that its ends are not ends of the data."""
@@ -51,6 +59,7 @@ GROUPS: Groups = {
     "waviness": {"orientation": "custom", "response": "harmonic"},
     "grid": {"edges": "flooded"},
 }
+FITTED: Groups = GROUPS | {"solver": {"scheme": "fitted"}}
 
 
 @dataclass(frozen=True)
@@ -88,19 +97,41 @@ class Design:
         The inlet asks for them: its pressure grows over a length that shrinks as M grows and L
         falls. There are many contacts that slide, and they do with fewer.
         """
-        m, l, d = (contact[key] for key in list(CONTACT_RANGES)[:3])
+        if self.kind is ROLLING:
+            return fitted_grid(contact)
+        m, l, d = (contact[key] for key in MOES_KEYS)
         kappa = ellipticity(d)
         inlet = 0.0141 * (m * kappa) ** 0.44 * l**-0.365  # of 256 cells, as the plan has it
         steps = ((0.02, 128), (0.035, 192), (0.09, 256), (0.15, 384))
         along = next((cells for limit, cells in steps if inlet < limit), 512)
         across = min(512, along * (1 if kappa > 0.5 else 2))
-        if self.kind is SLIDING:
-            along = min(256, along)
-            across = max(64, min(across, 256 if across == along else 384) // 2)
-        return along, across
+        return min(256, along), max(64, min(across, 256 if across == along else 384) // 2)
+
+    def domain(self, contact: Mapping[str, float]) -> dict[str, float]:
+        """Return the keys of a domain that is not the usual one: thick films ask for more room."""
+        m, l, d = (contact[key] for key in MOES_KEYS)
+        if self.kind is not ROLLING or hertz_film(m, l, d) < ROOMY_FILM:
+            return {}
+        return {"x_min": -2.5 * ROOM, "x_max": 1.5 * ROOM, "y_max": 2.0 * ROOM}
+
+    def extent(self, contact: Mapping[str, float]) -> tuple[float, float]:
+        """Return the lengths of the domain along X and Y over a."""
+        length = 4.0 * (ROOM if self.domain(contact) else 1)
+        return length, length / ellipticity(contact["radius_ratio_d"])
 
 
-ROLLING_DESIGN = Design(ROLLING, 2000, ((0.0, 3), (90.0, 2), (None, 4)), 12, 150, 1997, GROUPS)
+def fitted_grid(contact: Mapping[str, float]) -> tuple[int, int]:
+    """Return cells along X and Y by the length of the inlet, (L/(gamma M))^(1/2) or H's."""
+    m, l, d = (contact[key] for key in MOES_KEYS)
+    kappa = ellipticity(d)
+    length = min(1.0, max((l / m / pressure_factor(kappa)) ** 0.5, lambdabar(m, kappa) ** 0.4))
+    along, across = (4 / length * meshes for meshes in INLET_MESHES)
+    along = min(max(along, FEWEST_CELLS), MOST_FITTED_CELLS)
+    across = min(max(across, CELLS_ACROSS / kappa), SIZES[4])
+    return next(n for n in SIZES if n >= along), next(n for n in SIZES if n >= across)
+
+
+ROLLING_DESIGN = Design(ROLLING, 2000, ((0.0, 3), (90.0, 2), (None, 4)), 8, 150, 1997, FITTED)
 SLIDING_DESIGN = Design(
     SLIDING,
     2100,
@@ -117,17 +148,25 @@ SLIDING_DESIGN = Design(
 DESIGNS = {design.kind.name: design for design in (ROLLING_DESIGN, SLIDING_DESIGN)}
 
 
-def spread_contacts(ranges: Ranges, seed: int, count: int, piece: int = 0) -> list[Contact]:
-    """Return contacts that fill ranges: a piece, counted from 0, of a Sobol sequence."""
-    shares = qmc.Sobol(len(ranges), seed=seed).random((piece + 1) * count)[-count:]
-    return [contact_at(one.tolist(), ranges) for one in shares]
+def spread_contacts(
+    ranges: Ranges, seed: int, count: int, piece: int = 0, kind: Kind | None = None
+) -> list[Contact]:
+    """Return contacts that fill ranges: a piece, counted from 0, of a Sobol sequence.
+
+    Those beyond the limits of a kind are passed over.
+    """
+    sequence, found = qmc.Sobol(len(ranges), seed=seed), list[Contact]()
+    while len(found) < (piece + 1) * count:
+        drawn = (contact_at(one.tolist(), ranges) for one in sequence.random(count))
+        found += [contact for contact in drawn if kind is None or not kind.beyond(contact)]
+    return found[piece * count : (piece + 1) * count]
 
 
 def uncertain_contacts(
     atlas: Atlas, seed: int, count: int = CONTACTS, of: int = CANDIDATES
 ) -> list[Contact]:
     """Return contacts where an atlas knows least: of many, drawn by the squares of error bars."""
-    candidates = spread_contacts(atlas.kind.ranges, seed, of)
+    candidates = spread_contacts(atlas.kind.ranges, seed, of, kind=atlas.kind)
     waves, angles = np.meshgrid([0.15, 0.4, 1.0, 2.5], [0.0, 40.0, 90.0])
     wanted = [np.mean(atlas.at(one).responses(waves, angles).error ** 2) for one in candidates]
     shares = np.array(wanted) / np.sum(wanted)
@@ -148,9 +187,7 @@ def patterns(
 ) -> Iterator[dict[str, float]]:
     """Yield wavelengths of the patterns of a contact that its grid resolves."""
     cells_x, cells_y = design.grid(contact)
-    shortest = design.fewest_points * np.array(
-        [4 / cells_x, 4 / ellipticity(contact["radius_ratio_d"]) / cells_y]
-    )
+    shortest = design.fewest_points * np.array(design.extent(contact)) / (cells_x, cells_y)
     for angle, count in design.directions:
         order = random.permutation(count)
         for place in order:
@@ -177,14 +214,12 @@ def write_batch(
 ) -> Path:
     """Write the sweep of a batch: where the atlas so far knows least, if there is one.
 
-    Without one it fills the ranges unless it is one of slender contacts.
+    Without one it fills the ranges.
     """
     if atlas is not None:
         chosen = uncertain_contacts(atlas, design.seed + 1000 + batch)
-    elif design.kind is ROLLING and batch in SLENDER_BATCHES:
-        chosen = spread_contacts({**CONTACT_RANGES, **SLENDER}, 4000 + batch, CONTACTS)
     else:
-        chosen = spread_contacts(design.kind.ranges, design.seed, CONTACTS, batch)
+        chosen = spread_contacts(design.kind.ranges, design.seed, CONTACTS, batch, design.kind)
     random = np.random.default_rng([batch, design.seed])
     name = f"{design.kind.name}-{batch:02d}"
     return sweeps.write_sweep(folder, name, rows(design, chosen, random), design.groups)
@@ -194,10 +229,13 @@ def write_validation(folder: Path, design: Design = ROLLING_DESIGN, each: int = 
     """Write the sweep that the atlas is judged by: random contacts and waves."""
     random, ranges = np.random.default_rng(design.validation_seed), design.kind.ranges
     found = []
-    for _ in range(design.validated):
+    while len(found) < design.validated * each:
         contact = contact_at(random.random(len(ranges)).tolist(), ranges)
+        if design.kind.beyond(contact):
+            continue
         for _ in range(each):
-            found.append({**as_keys(contact), **random_wave(design, contact, random)})
+            waves = random_wave(design, contact, random)
+            found.append({**as_keys(contact), **waves, **design.domain(contact)})
     return sweeps.write_sweep(folder, f"{design.kind.name}-validation", found, design.groups)
 
 
@@ -225,7 +263,7 @@ def write_rises(folder: Path, design: Design, computed: xr.Dataset) -> Path:
             if STANDS_ACROSS < angle < 90 - STANDS_ACROSS:
                 waves = {**pattern(float(wave), float(angle)), "oblique": True}
                 cells = grid_for_rise(design, keys, float(wave), float(angle))
-                found.append({**as_keys(keys), **waves, **cells})
+                found.append({**as_keys(keys), **waves, **cells, **design.domain(keys)})
     return sweeps.write_sweep(folder, f"{design.kind.name}-rises", found, design.groups)
 
 
@@ -234,7 +272,7 @@ def grid_for_rise(
 ) -> dict[str, int]:
     """Return half the cells of a contact, or as many more as the wave asks for."""
     theta = np.radians(angle_deg)
-    extent = 4.0, 4 / ellipticity(contact["radius_ratio_d"])
+    extent = design.extent(contact)
     shares = np.cos(theta), np.sin(theta)
     cells = []
     for whole, length, share in zip(design.grid(contact), extent, shares, strict=True):
@@ -251,7 +289,7 @@ def random_wave(
     A quarter are transverse. What 1024 cells do not resolve is drawn again.
     """
     cells_x, cells_y = design.grid(contact)
-    extent = 4.0, 4 / ellipticity(contact["radius_ratio_d"])
+    extent = design.extent(contact)
     while True:
         wave = WAVE_RANGE[0] * (WAVE_RANGE[1] / WAVE_RANGE[0]) ** random.random()
         angle = 0.0 if random.random() < 0.25 else random.uniform(0, 90)
@@ -274,6 +312,6 @@ def rows(
 ) -> Iterator[dict[str, float]]:
     """Yield the cases of some contacts."""
     for contact in chosen:
-        cells_x, cells_y = design.grid(contact)
+        cells = dict(zip(("cells_x", "cells_y"), design.grid(contact), strict=True))
         for waves in patterns(design, contact, random):
-            yield {**as_keys(contact), **waves, "cells_x": cells_x, "cells_y": cells_y}
+            yield {**as_keys(contact), **waves, **cells, **design.domain(contact)}

@@ -9,11 +9,12 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from ehlwave.atlas.atlas import FORMAT_NAME, load_atlas
-from ehlwave.atlas.chart import with_contacts
+from ehlwave.atlas.atlas import FORMAT_NAME, ranges_text
+from ehlwave.atlas.chart import Chart, with_contacts
 from ehlwave.atlas.committee import Committee
 from ehlwave.atlas.kinds import KINDS, Kind
 from ehlwave.atlas.ranges import CONTACT_RANGES
+from ehlwave.atlas.rolling import reference_networks
 from ehlwave.atlas.sliding_shape import SlidingShape
 from studies.atlas.losses import Errors, Films, Task, Waves, part
 from studies.atlas.points import contact_of, film_numbers, waves_of
@@ -37,7 +38,7 @@ LEAST_MISS = 1e-5
 """Misses that are smaller are no better: what is computed is not known better."""
 
 OF_WAVES = {
-    "rolling": Recipe(networks=5, hidden=64, steps=3000, decay=1e-6),
+    "rolling": Recipe(networks=5, hidden=64, steps=2000, decay=1e-6),
     "sliding": Recipe(networks=7, hidden=64, steps=3000, decay=1e-5),
     "line": Recipe(networks=5, hidden=32, steps=3000, decay=1e-6),
 }
@@ -89,6 +90,7 @@ def finished(data: xr.Dataset, workers: int = 1) -> xr.Dataset:
         | {
             "format": FORMAT_NAME,
             "kind": kind.name,
+            "ranges": ranges_text(kind),
             "contacts": data.sizes["contact"],
             "responses": data.sizes["point"],
             "film_errors_factors": json.dumps(of_films),
@@ -123,10 +125,11 @@ def rolling_transfers(
     contacts: Mapping[str, Floats], of_contact: Rows, wave: Floats, angle: Floats
 ) -> Complex:
     """Return the transfers in pure rolling that the atlas of rolling contacts has."""
-    atlas, found = load_atlas(), np.empty(wave.size, dtype=complex)
+    networks, found = reference_networks(), np.empty(wave.size, dtype=complex)
     for contact in range(of_contact[-1] + 1):
         own = of_contact == contact
-        chart = atlas.at({key: float(contacts[key][contact]) for key in CONTACT_RANGES})
+        keys = {key: float(contacts[key][contact]) for key in CONTACT_RANGES}
+        chart = Chart(networks, keys)
         found[own] = chart.film_response(wave[own], angle[own])
     return found
 

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 import numpy as np
 from scipy.optimize import linprog
 
+from ehlwave.atlas.kind import Kind
 from ehlwave.contact.conditions import Conditions, moes_values
 from ehlwave.errors import RangeError, SurfaceError
 from ehlwave.hints import see
@@ -29,32 +30,39 @@ COSTS = {
 
 LETTERS = {"load_parameter_m": "M", "lubricant_parameter_l": "L", "radius_ratio_d": "D"}
 STRESS = "stress_modulus_pa2"
+NOWHERE = "no change of what it was given by leads into the atlas"
 _STEP, _MARGIN = 1e-4, 0.02
 _DIGITS = 3
+_TRIED = 200
+"""Values of an interval at which limits are looked at."""
 _LARGEST_CHANGE = 1e3
 """Of one quantity; beyond it the smallest change of several is said."""
 
 
-def refuse_outside(contact: Conditions, ranges: Ranges) -> None:
-    """Raise RangeError where a contact lies outside, and say what would lie inside.
+def refuse_outside(contact: Conditions, kind: Kind) -> None:
+    """Raise RangeError where a contact lies outside ranges, and say what would lie inside.
 
     A contact given by M, L and D is left to the message of the atlas itself.
     """
-    place = contact.atlas_keys()
+    place, ranges = contact.atlas_keys(), kind.ranges
     wrong = [key for key, (low, high) in ranges.items() if not _is_inside(place[key], low, high)]
     given = dict(contact.given)
     if "slip_parameter" in wrong:
         raise RangeError(_slip_text(contact, ranges["slip_parameter"]))
-    if not wrong or "mean_speed_m_per_s" not in given or not _follow(wrong, given):
+    beyond = "" if wrong else kind.beyond(place)
+    if "mean_speed_m_per_s" not in given or not (beyond or _follow(wrong, given)):
         return
     powers = {key: _powers(given, key, ranges) for key in COSTS if key in given}
-    single = {key: _interval(place, power, ranges) for key, power in powers.items()}
+    single = {
+        key: _within_limits(kind, place, power, _interval(place, power, ranges))
+        for key, power in powers.items()
+    }
     names = {key: (name, factor) for key, name, factor in contact.names}
     texts = []
     for key, ends in single.items():
         if ends is not None and _is_plausible(key, given[key], ends):
             texts.append((key, *(given[key] * end for end in ends)))
-    said = ", ".join(_coordinate(key, place[key], ranges[key]) for key in wrong)
+    said = beyond or ", ".join(_coordinate(key, place[key], ranges[key]) for key in wrong)
     if texts:
         first, low, high = texts[0]
         name, factor = names.get(first, (first, 1.0))
@@ -67,7 +75,7 @@ def refuse_outside(contact: Conditions, ranges: Ranges) -> None:
             name, factor = names.get(key, (key, 1.0))
             text += f", or {name} of {_ends(low * factor, high * factor)} {_unit(key, name)}"
     else:
-        text = f"this contact has {said}; {_nearest(place, given, powers, ranges, names)}"
+        text = f"this contact has {said}; {_nearest(place, given, powers, kind, names)}"
     raise RangeError(f"{text}; or compute it: ehlwave-case, ehlwave.Case{see('atlas')}")
 
 
@@ -126,6 +134,27 @@ def _interval(
     return (least, most) if least < most * (1 - _MARGIN) else None
 
 
+def _moved(
+    place: Mapping[str, float], powers: Mapping[str, float], factor: float
+) -> dict[str, float]:
+    """Return a place after a quantity has changed by a factor."""
+    return {key: value * factor ** powers.get(key, 0.0) for key, value in place.items()}
+
+
+def _within_limits(
+    kind: Kind,
+    place: Mapping[str, float],
+    powers: Mapping[str, float],
+    factors: tuple[float, float] | None,
+) -> tuple[float, float] | None:
+    """Return the part of an interval that no limit of the kind excludes; None: there is none."""
+    if factors is None:
+        return None
+    tried = np.geomspace(*factors, _TRIED)
+    inside = tried[[not kind.beyond(_moved(place, powers, float(factor))) for factor in tried]]
+    return (float(inside[0]), float(inside[-1])) if inside.size > 1 else None
+
+
 def _is_plausible(key: str, value: float, factors: tuple[float, float]) -> bool:
     known = PLAUSIBLE[key]
     if max(factors[0], 1 / factors[1]) > _LARGEST_CHANGE:
@@ -137,7 +166,7 @@ def _nearest(
     place: Mapping[str, float],
     given: Mapping[str, float],
     powers: Mapping[str, Mapping[str, float]],
-    ranges: Ranges,
+    kind: Kind,
     names: Mapping[str, tuple[str, float]],
 ) -> str:
     """Return the smallest change of several quantities that leads inside, by linear programming.
@@ -145,7 +174,7 @@ def _nearest(
     Logarithms of coordinates are linear in those of quantities. What people would change last
     counts most, and few are changed, since a corner is found.
     """
-    keys = list(powers)
+    keys, ranges = list(powers), kind.ranges
     matrix = np.array([[powers[key].get(name, 0.0) for key in keys] for name in ranges])
     now = np.log([place[name] for name in ranges])
     low, high = (np.log([ends[i] for ends in ranges.values()]) for i in (0, 1))
@@ -158,8 +187,11 @@ def _nearest(
     both = np.vstack([matrix, -matrix])
     found = linprog(np.tile(cost, 2), A_ub=np.hstack([both, -both]), b_ub=upper, method="highs")
     if not found.success:
-        return "no change of what it was given by leads into the atlas"
+        return NOWHERE
     steps = found.x[: len(keys)] - found.x[len(keys) :]
+    there = np.exp(now + matrix @ steps).tolist()
+    if kind.beyond({**place, **dict(zip(ranges, there, strict=True))}):
+        return NOWHERE
     parts = []
     for key, step in zip(keys, steps, strict=True):
         if abs(step) > 1e-9:

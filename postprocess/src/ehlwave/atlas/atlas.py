@@ -1,5 +1,6 @@
 """The atlas: read from its file, ready for contacts."""
 
+import json
 from collections.abc import Mapping
 from functools import lru_cache
 from pathlib import Path
@@ -8,7 +9,7 @@ import xarray as xr
 
 from ehlwave.atlas.advice import refuse_outside
 from ehlwave.atlas.chart import Chart
-from ehlwave.atlas.kind import shipped
+from ehlwave.atlas.kind import Kind, shipped
 from ehlwave.atlas.kinds import KINDS, LINE, ROLLING, SLIDING
 from ehlwave.atlas.networks import Networks
 from ehlwave.atlas.stored import read_stored
@@ -16,7 +17,12 @@ from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.line_contact import ROLLS_ALONE
 from ehlwave.errors import RangeError, ResultsError
 
-FORMAT_NAME = "ehlwave-atlas 2"
+FORMAT_NAME = "ehlwave-atlas 3"
+
+
+def ranges_text(kind: Kind) -> str:
+    """Return the ranges of a kind, as its file has them."""
+    return json.dumps({key: list(ends) for key, ends in kind.ranges.items()})
 
 
 class Atlas(Networks):
@@ -33,14 +39,27 @@ class Atlas(Networks):
     >>> atlas = ehlwave.load_atlas()
     >>> low, high = atlas.kind.ranges["load_parameter_m"]
     >>> print(f"{atlas.kind.name}: M from {low:g} to {high:g}")
-    rolling: M from 20 to 2000
+    rolling: M from 5 to 10000
     """
 
     def __init__(self, data: xr.Dataset) -> None:
         """Take the networks."""
-        if data.attrs.get("format") != FORMAT_NAME:
-            raise ResultsError(f"not an atlas of ehlwave (format {data.attrs.get('format')!r})")
-        super().__init__(data, KINDS[data.attrs["kind"]])
+        said = str(data.attrs.get("format"))
+        if said != FORMAT_NAME:
+            former = said.startswith(FORMAT_NAME.split()[0])
+            raise ResultsError(
+                f"a former atlas, {said!r}, with other ranges; this version reads "
+                f"{FORMAT_NAME!r}: scripts/study atlas makes one"
+                if former
+                else f"not an atlas of ehlwave (format {said!r})"
+            )
+        kind = KINDS[data.attrs["kind"]]
+        if data.attrs.get("ranges") != ranges_text(kind):
+            raise ResultsError(
+                f"an atlas of other ranges ({data.attrs.get('ranges')}) than those of this "
+                f"version ({ranges_text(kind)}): scripts/study atlas makes one"
+            )
+        super().__init__(data, kind)
 
     def at(self, keys: Mapping[str, float]) -> Chart:
         """Return the chart of one contact.
@@ -63,7 +82,7 @@ class Atlas(Networks):
         >>> chart = contact.atlas().at(contact.conditions.atlas_keys())
         >>> found = chart.responses(0.5, 0.0)
         >>> print(f"{abs(complex(found.film)):.2f} within {float(found.error):.2f}")
-        0.92 within 0.01
+        0.92 within 0.02
         """
         return Chart(self, keys)
 
@@ -100,7 +119,7 @@ def chart_of(conditions: Conditions, atlas: Atlas | None = None) -> Chart:
         If it lies outside; the message says what would be inside, in what it was given by.
     """
     found = atlas_for(conditions, atlas)
-    refuse_outside(conditions, found.kind.ranges)
+    refuse_outside(conditions, found.kind)
     return found.at(conditions.atlas_keys())
 
 

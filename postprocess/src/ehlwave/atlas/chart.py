@@ -78,7 +78,7 @@ class Chart:
     Raises
     ------
     RangeError
-        If one lies outside its range.
+        If one lies outside its range, or all of them beyond a limit of the kind.
     """
 
     def __init__(self, networks: Networks, keys: Mapping[str, float]) -> None:
@@ -91,6 +91,11 @@ class Chart:
                     f"{name} = {keys[key]:.5g} lies outside the atlas, which holds {low:g} to "
                     f"{high:g}: name a formula, or compute it (ehlwave.Case, a harmonic table)"
                 )
+        beyond = kind.beyond(keys)
+        if beyond:
+            raise RangeError(
+                f"{beyond} lies outside the atlas: name a formula, or compute it (ehlwave.Case)"
+            )
         self._networks = networks
         self._place = kind.coordinates(keys)
         self.film_numbers = networks.films(self._place)[0]

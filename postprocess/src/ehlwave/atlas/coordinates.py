@@ -5,7 +5,7 @@ from collections.abc import Iterable, Mapping
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ehlwave.atlas.ranges import CONTACT_RANGES
+from ehlwave.atlas.ranges import CONTACT_RANGES, LARGEST_PRESSURE_PA, THICKEST_FILM
 from ehlwave.contact.conditions import MOES_KEYS
 from ehlwave.contact.oils import log_viscosity
 from ehlwave.contact.scales import (
@@ -34,6 +34,23 @@ def contact_coordinates(keys: Mapping[str, ArrayLike]) -> Floats:
     b = log_viscosity(alpha, z, pressure)
     parts = np.sqrt(hertz_film(m, l, d)), np.log(l), np.log(d), np.log(pressure), np.log(b)
     return np.stack(parts, axis=1)
+
+
+def beyond_limits(keys: Mapping[str, float]) -> str:
+    """Return what an elliptical contact has too much of for the atlas; '' if nothing."""
+    m, l, d = (keys[key] for key in MOES_KEYS)  # noqa: E741
+    film = float(hertz_film(m, l, d))
+    if film > THICKEST_FILM * (1 + 1e-9):
+        return (
+            f"a film of {film:.3g} times the Hertz approach (of at most {THICKEST_FILM:g}: "
+            "thicker ones hardly deform the bodies)"
+        )
+    gamma = pressure_factor(ellipticity(d))
+    pressure = alphabar(m, l, gamma) / keys["pressure_viscosity_per_pa"]
+    if pressure > LARGEST_PRESSURE_PA * (1 + 1e-9):
+        most = LARGEST_PRESSURE_PA / 1e9
+        return f"a Hertz pressure of {pressure / 1e9:.3g} GPa (of at most {most:g})"
+    return ""
 
 
 def rolling_references(keys: Mapping[str, ArrayLike]) -> Floats:

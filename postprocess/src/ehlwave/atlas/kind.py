@@ -16,6 +16,10 @@ def _keys_alone(keys: Keys, _: Floats, __: Mapping[str, Floats]) -> Keys:
     return keys
 
 
+def _unlimited(_: Mapping[str, float]) -> str:
+    return ""
+
+
 FILMS = ("film_ratio", "minimum_ratio")
 """Films of all kinds of contacts, see :attr:`Kind.films`."""
 
@@ -45,6 +49,8 @@ class Kind:
     state : callable
         What ``shape`` takes of contacts, from their keys, the references and the numbers of their
         films.
+    beyond : callable
+        What a contact has too much of, though within the ranges, from its keys; '' if nothing.
     """
 
     name: str
@@ -54,6 +60,7 @@ class Kind:
     films: tuple[str, ...]
     references: Callable[[Keys], Floats]
     state: Callable[[Keys, Floats, Mapping[str, Floats]], Keys] = _keys_alone
+    beyond: Callable[[Mapping[str, float]], str] = _unlimited
 
 
 def shipped(kind: Kind) -> Path:
