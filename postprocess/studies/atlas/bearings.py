@@ -5,6 +5,7 @@ Boundary dimensions are those of ISO 15; what is in a bearing, and how it is run
 
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -68,7 +69,7 @@ def contacts(count: int = CONTACTS) -> Iterator[ehlwave.Contact]:
         )
         rolling = 1e-3 * (pitch - ball_mm**2 * np.cos(np.radians(angle)) ** 2 / pitch) / 2
         speed = rolling * np.pi * log(SPEED_FACTOR) / pitch / 60
-        oil = {
+        oil: dict[str, Any] = {
             "viscosity_pa_s": log(VISCOSITY_PA_S),
             "pressure_viscosity_per_pa": random.uniform(*PRESSURE_VISCOSITY_PER_PA),
             "roelands_index": random.uniform(*ROELANDS),
