@@ -374,15 +374,17 @@ class Contact:
         0.83 um within 1%
         """
         c = self.conditions
-        # Lines that slide have no atlas: the film of rolling stands, with its error by thinning.
-        slip = 1.0 if c.is_line and self.heat is not None else c.slip_parameter
+        # The laws of heat were fitted to films of lines that roll, with their error by thinning.
+        rolls = c.is_line and self.heat is not None
+        slip = 1.0 if rolls else c.slip_parameter
+        thinned = c.rolling_film_error if rolls else c.thinning_error
         atlas = self._atlas_for(replace(c, slip_parameter=slip))
         film = self._chart(slip).film()
         friction = None
         if film.stress is not None and self._eyring_stress_pa is not None:
             hertz_pa = c.alphabar / c.oil.pressure_viscosity_per_pa
-            friction = 1.5 * film.stress * self._eyring_stress_pa / hertz_pa
-        scale, more = c.metres_per_moes, c.thinning_error + c.oil_error
+            friction = c.peak_over_mean * film.stress * self._eyring_stress_pa / hertz_pa
+        scale, more = c.metres_per_moes, thinned + c.oil_error
         central, source = film.central_moes * c.film_ratio, atlas.name
         friction_error = None if friction is None else film.stress_error
         by_heat: Heated | None = None
@@ -392,7 +394,7 @@ class Contact:
             factor, source = by_heat.film_factor, f"{source}, times the laws of heat"
             more += INLET_BAR
             friction = by_heat.friction
-            film_error = film.central_error + c.thinning_error + INLET_BAR
+            film_error = film.central_error + thinned + INLET_BAR
             shear = by_heat.friction_error
             friction_error = None if shear is None else shear + film_error
             central *= factor
@@ -427,14 +429,15 @@ class Contact:
             Wavelength along the wave vector over the Hertz semi-axis a, 0.1 to 4.
         angle_deg : float
             Between wave vector and rolling direction, in metres: 0 transverse, 90 longitudinal.
-            Line contacts answer for 0 alone, in pure rolling.
+            Line contacts answer for 0 alone.
         slip_parameter : float, optional
             S of the surface that carries the waves, 0.5 to 1.5; that of the contact if absent.
             Other than 1 the atlas has it for a Ree-Eyring oil, of ``eyring_stress_pa``. Outside
             that, for a Carreau oil (``carreau_modulus_pa``, ``carreau_exponent``) and for a
             Newtonian one the law of the two waves answers, with an error to match and without
-            pressure (NaN). Longitudinal waves stand still: the atlas of pure rolling answers.
-            Starved contacts roll; their law answers without phase and without pressure.
+            pressure (NaN); of line contacts the atlas alone answers. Longitudinal waves stand
+            still: the atlas of pure rolling answers. Starved contacts roll; their law answers
+            without phase and without pressure.
         slide_to_roll_ratio : float, optional
             In place of `slip_parameter`, S = 1 + ratio/2.
 
@@ -482,7 +485,7 @@ class Contact:
         try:
             chart = self._chart(slip_parameter)
         except RangeError:
-            if not conditions.has_sliding_atlas or angle_deg == 90:
+            if conditions.is_line or not conditions.has_sliding_atlas or angle_deg == 90:
                 raise
             return self._response_under_slip(wavelength_over_a, angle_deg, slip_parameter)
         found = chart.responses(wavelength_over_a, angle_deg)

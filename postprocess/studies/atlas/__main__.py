@@ -10,8 +10,8 @@ from pathlib import Path
 
 from ehlwave.atlas import Atlas, load_atlas
 from ehlwave.atlas.atlas import shipped
-from ehlwave.atlas.kinds import KINDS, LINE, Kind
-from studies.atlas import line_design
+from ehlwave.atlas.kinds import KINDS, LINE, LINE_SLIDING, Kind
+from studies.atlas import line_design, line_sliding_design
 from studies.atlas.design import DESIGNS, write_batch, write_rises, write_validation
 from studies.atlas.fit import finished
 from studies.atlas.points import read_points
@@ -21,7 +21,7 @@ from studies.command import atlas as command
 from studies.command.options import step_parser
 from studies.sweeps import run_command
 
-FILLING = {"rolling": 24, "sliding": 64, "line": 20}
+FILLING = {"rolling": 24, "sliding": 64, "line": 20, "line_sliding": 21}
 """Batches that fill the ranges; later ones go where the errors of those before are largest."""
 
 BLOCK = 16
@@ -49,6 +49,8 @@ def _do(options: argparse.Namespace) -> None:
         known = _known_before(options.batch, folder, kind, options.at_once)
         if kind is LINE:
             print(line_design.write_batch(folder, options.batch, known))
+        elif kind is LINE_SLIDING:
+            print(line_sliding_design.write_batch(folder, options.batch, known))
         else:
             print(write_batch(folder, options.batch, DESIGNS[kind.name], known))
     elif step == "rises":
@@ -62,6 +64,8 @@ def _do(options: argparse.Namespace) -> None:
     elif step == "unseen":
         if kind is LINE:
             print(line_design.write_validation(folder))
+        elif kind is LINE_SLIDING:
+            print(line_sliding_design.write_validation(folder))
         else:
             print(write_validation(folder, DESIGNS[kind.name]))
     else:

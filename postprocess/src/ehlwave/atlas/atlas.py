@@ -9,7 +9,7 @@ import xarray as xr
 from ehlwave.atlas.advice import refuse_outside
 from ehlwave.atlas.chart import Chart
 from ehlwave.atlas.kind import shipped
-from ehlwave.atlas.kinds import KINDS, LINE, ROLLING, SLIDING
+from ehlwave.atlas.kinds import KINDS, LINE, LINE_SLIDING, ROLLING, SLIDING
 from ehlwave.atlas.networks import Networks
 from ehlwave.atlas.stored import read_stored
 from ehlwave.contact.conditions import Conditions
@@ -75,19 +75,20 @@ SHIPPED = shipped(ROLLING)
 def atlas_for(conditions: Conditions, atlas: Atlas | None = None) -> Atlas:
     """Return the atlas that a contact is looked up in: this one if it is of the kind, else ours.
 
-    A Ree-Eyring oil under slip has one of its own, and so have line contacts; all else rolls as far
-    as the atlas knows.
+    A Ree-Eyring oil under slip has one of its own, and line contacts have both; all else rolls as
+    far as the atlas knows.
 
     Raises
     ------
     RangeError
-        Of a line contact under slip, unless the oil is Newtonian: the film is that of rolling then.
+        Of a line contact under slip in an oil that is neither Ree-Eyring's nor Newtonian: of the
+        latter the film is that of rolling.
     """
     kind = SLIDING if conditions.has_sliding_atlas else ROLLING
     if conditions.is_line:
-        if conditions.slip_parameter != 1 and conditions.oil.name != "Newtonian":
+        if conditions.oil.name != "Newtonian" and not conditions.has_atlas:
             raise RangeError(ROLLS_ALONE)
-        kind = LINE
+        kind = LINE_SLIDING if conditions.has_sliding_atlas else LINE
     return atlas if atlas is not None and atlas.kind is kind else load_atlas(shipped(kind))
 
 
@@ -104,7 +105,7 @@ def chart_of(conditions: Conditions, atlas: Atlas | None = None) -> Chart:
     return found.at(conditions.atlas_keys())
 
 
-@lru_cache(maxsize=4)
+@lru_cache(maxsize=8)
 def load_atlas(path: str | Path = SHIPPED) -> Atlas:
     """Return the atlas of a file, by default the one of this package for contacts that roll.
 

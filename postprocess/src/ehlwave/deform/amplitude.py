@@ -27,7 +27,7 @@ PROFILE_FACTOR = 0.28
 """Relative difference of predicted from marched Rq over (amplitude/film)^2: 95 % of the rough maps
 of ``record/lambda`` are within. Most of it are higher harmonics, which Ad/Ai does not show."""
 
-RISE_ERRORS = {"rolling": 0.067, "sliding": 0.12, "line": 0.017}
+RISE_ERRORS = {"rolling": 0.067, "sliding": 0.12, "line": 0.017, "line_sliding": 0.104}
 """Of the rise of the mean film over the film, per (amplitude/film)^2: 95 % of the waves in contacts
 that the networks have not seen (``scripts/study atlas --validate``)."""
 
@@ -57,7 +57,8 @@ def expected_nonlinearity(conditions: Conditions, amplitude: float) -> float:
 def rise_error(conditions: Conditions, amplitude: float) -> float:
     """Return the error of the rise of the mean film, over the film."""
     kind = "line" if conditions.is_line else "rolling"
-    kind = kind if conditions.slip_parameter == 1 else "sliding"
+    if conditions.slip_parameter != 1:
+        kind = "line_sliding" if conditions.is_line else "sliding"
     return RISE_ERRORS[kind] * amplitude**2
 
 
