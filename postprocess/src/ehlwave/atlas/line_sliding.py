@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 from ehlwave.atlas.coordinates import Floats, columns
 from ehlwave.atlas.line import line_coordinates
 from ehlwave.atlas.line_rolling import rolling_line_chart
-from ehlwave.atlas.ranges import LINE_RANGES, SLIDING_RANGES
+from ehlwave.atlas.ranges import LINE_RANGES
 from ehlwave.atlas.sliding import MODULUS_PA, STRESS_POINTS
 from ehlwave.contact.conditions import Conditions, conditions_from_keys
 from ehlwave.contact.line_contact import line_film, moes_per_line_film
@@ -17,9 +17,13 @@ from ehlwave.contact.medium import INLET_VISCOSITY, hertz_medium
 from ehlwave.contact.oils import log_viscosity
 
 LINE_SLIDING_RANGES = LINE_RANGES | {
-    key: SLIDING_RANGES[key] for key in ("slip_parameter", "stress_modulus_pa2")
+    "slip_parameter": (0.5, 1.5),
+    "stress_modulus_pa2": (1.936e17, 9.68e18),
 }
-"""Smallest and largest value of each key of a line contact that slides, of a Ree-Eyring oil."""
+"""Smallest and largest value of each key of a line contact that slides, of a Ree-Eyring oil.
+
+They are what its networks were fitted to, whatever the ranges of ellipses are.
+"""
 
 
 def line_conditions_of(keys: Mapping[str, ArrayLike]) -> list[Conditions]:
