@@ -111,7 +111,12 @@ def modules() -> str:
 
 def atlas() -> str:
     """Return the table of what the atlases cover, for a page to include."""
-    names = {"rolling": "rolling", "sliding": "sliding", "line": "line contacts, rolling"}
+    names = {
+        "rolling": "rolling",
+        "sliding": "sliding",
+        "line": "line contacts, rolling",
+        "line_sliding": "line contacts, sliding",
+    }
     columns = [KINDS[kind].ranges for kind in names]
     keys = list(dict.fromkeys(key for ranges in columns for key in ranges))
     rows = [

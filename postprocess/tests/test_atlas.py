@@ -175,17 +175,17 @@ def test_a_ball_bearing_is_answered() -> None:
 
 
 def test_waves_raise_the_mean_film_as_computed() -> None:
-    # ehlwave-case, fitted scheme, 256 x 256 cells: M = 134.4, L = 6.62, alpha = 2.25e-8, z = 0.484
+    # ehlwave-case, 128 x 128 cells: M = 134.4, L = 6.62, alpha = 2.25e-8, z = 0.484
     contact = ehlwave.Contact(**BALL, mean_speed_m_per_s=0.024)
     chart = contact.atlas().at(contact.conditions.atlas_keys())
     for wave, angle, computed in (
-        (0.35, 0, 0.318),
-        (0.7, 0, 0.186),
-        (1.5, 0, 0.056),
-        (0.7, 90, 0.090),
+        (0.35, 0, 0.263),
+        (0.7, 0, 0.169),
+        (1.5, 0, 0.053),
+        (0.7, 90, 0.081),
     ):
         rise = chart.responses(wave, angle).rise
-        assert rise == pytest.approx(computed, abs=0.03)  # 95 % of rises are within 0.10
+        assert rise == pytest.approx(computed, abs=0.03)  # 95 % of rises are within 0.07
     a = contact.conditions.semi_axis_a_m
     x = np.arange(400) * a / 40
     amplitude = 30e-9

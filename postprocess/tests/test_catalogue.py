@@ -16,6 +16,7 @@ RATIOS = {
     "ball_on_disc": (10.31, 29),
     "ball_on_disc_sliding": (10.32, 32),
     "cam": (5.92, 21),
+    "gear": (14.50, 32),
     "roller_on_race": (8.92, 33),
 }
 """Lambda ratios and their errors, per cent, of the atlas of this version."""

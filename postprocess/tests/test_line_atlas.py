@@ -82,7 +82,7 @@ def test_a_trace_is_deformed_by_its_responses_on_the_command_line_too(
     ("asked", "said"),
     [
         ({"angle_deg": 30}, "slender elliptical contact"),
-        ({"slip_parameter": 1.2}, "pure rolling alone"),
+        ({"slip_parameter": 1.2}, "Ree-Eyring oil alone"),
         ({"wavelength_over_a": 5}, "0.1 to 4"),
     ],
 )
@@ -100,10 +100,11 @@ def test_surfaces_and_contacts_that_are_not_covered_are_refused() -> None:
             with pytest.raises(ehlwave.SurfaceError, match="transverse waves alone"):
                 contact.deform(surface, by=by)
     for by in ("atlas", "two-waves"):
-        with pytest.raises(ehlwave.SurfaceError, match="pure rolling alone"):
+        with pytest.raises(ehlwave.SurfaceError, match="Ree-Eyring oil alone"):
             sliding.deform(trace, by=by)
-    with pytest.raises(ehlwave.RangeError, match="pure rolling alone"):
-        ehlwave.Contact(**ROLLER, slip_parameter=1.2, eyring_stress_pa=5e6).film()
+    carreau = {"carreau_modulus_pa": 5e6, "carreau_exponent": 0.5}
+    with pytest.raises(ehlwave.RangeError, match="Ree-Eyring oil alone"):
+        ehlwave.Contact(**ROLLER, slip_parameter=1.2, **carreau).film()
     with pytest.raises(ehlwave.RangeError, match="load_parameter_m = 4 "):
         ehlwave.Contact(**{**MOES, "load_parameter_m": 4}).film()
     with pytest.raises(ehlwave.SurfaceError, match="load_n_per_m, of a line contact, and load_n"):

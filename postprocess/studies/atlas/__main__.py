@@ -10,8 +10,8 @@ from pathlib import Path
 
 from ehlwave.atlas import Atlas, load_atlas
 from ehlwave.atlas.atlas import shipped
-from ehlwave.atlas.kinds import KINDS, LINE, Kind
-from studies.atlas import bearings, line_design
+from ehlwave.atlas.kinds import KINDS, LINE, LINE_SLIDING, WIDE, Kind
+from studies.atlas import bearings, line_design, line_sliding_design
 from studies.atlas.design import DESIGNS, write_batch, write_rises, write_validation
 from studies.atlas.fit import finished
 from studies.atlas.points import read_points
@@ -21,7 +21,7 @@ from studies.command import atlas as command
 from studies.command.options import step_parser
 from studies.sweeps import run_command
 
-FILLING = {"rolling": 24, "sliding": 64, "line": 20}
+FILLING = {"rolling": 24, "rolling_wide": 24, "sliding": 64, "line": 20, "line_sliding": 21}
 """Batches that fill the ranges; later ones go where the errors of those before are largest."""
 
 STEPS = ("batch", "rises", "fit", "unseen", "validate", "catalogue", "bearings")
@@ -29,7 +29,7 @@ STEPS = ("batch", "rises", "fit", "unseen", "validate", "catalogue", "bearings")
 BLOCK = 16
 """Of the later batches, those that follow from one fit, which takes as long as ten of them."""
 
-RISE_BATCHES = {"rolling": 3, "sliding": 24}
+RISE_BATCHES = {"rolling": 24, "rolling_wide": 3, "sliding": 24}
 """Batches of which the rise of the mean film under oblique waves is computed: that costs more."""
 
 
@@ -51,6 +51,8 @@ def _do(options: argparse.Namespace) -> None:
         known = _known_before(options.batch, folder, kind, options.at_once)
         if kind is LINE:
             print(line_design.write_batch(folder, options.batch, known))
+        elif kind is LINE_SLIDING:
+            print(line_sliding_design.write_batch(folder, options.batch, known))
         else:
             print(write_batch(folder, options.batch, DESIGNS[kind.name], known))
     elif step == "rises":
@@ -64,14 +66,16 @@ def _do(options: argparse.Namespace) -> None:
     elif step == "unseen":
         if kind is LINE:
             print(line_design.write_validation(folder))
+        elif kind is LINE_SLIDING:
+            print(line_sliding_design.write_validation(folder))
         else:
             print(write_validation(folder, DESIGNS[kind.name]))
     elif step == "catalogue":
-        print(bearings.write(folder, load_atlas(atlas)))
+        print(bearings.write(folder, options.atlas and load_atlas(atlas)))
     elif step == "bearings":
-        print(bearings.text(load_atlas(atlas)))
-        computed = read_points([folder / "bearings.h5"])
-        print(judge(load_atlas(atlas), computed).text())
+        print(bearings.text(options.atlas and load_atlas(atlas)))
+        computed = read_points([folder / "bearings.h5"], kind=WIDE)
+        print(judge(load_atlas(options.atlas or shipped(WIDE)), computed).text())
     else:
         computed = read_points([folder / f"{kind.name}-validation.h5"], kind=kind)
         print(judge(load_atlas(atlas), computed).text())

@@ -11,10 +11,10 @@ import numpy as np
 
 import ehlwave
 from ehlwave.atlas.atlas import Atlas, chart_of
-from ehlwave.atlas.kinds import ROLLING
+from ehlwave.atlas.kinds import WIDE
 from ehlwave.errors import RangeError
 from studies import sweeps
-from studies.atlas.design import ROLLING_DESIGN, random_wave
+from studies.atlas.design import WIDE_DESIGN, random_wave
 
 BOUNDARIES_MM = {
     "60": ((10, 26), (15, 32), (20, 42), (30, 55), (40, 68), (50, 80), (70, 110), (100, 150)),
@@ -81,7 +81,7 @@ def contacts(count: int = CONTACTS) -> Iterator[ehlwave.Contact]:
         yield ehlwave.Contact.from_bodies(ball, race, load_n=rated * log(LOAD_SHARE), **oil)
 
 
-def answered(atlas: Atlas) -> tuple[list[ehlwave.Contact], list[str]]:
+def answered(atlas: Atlas | None) -> tuple[list[ehlwave.Contact], list[str]]:
     """Return contacts that the atlas answers, and why it does not answer the others."""
     found, refused = [], []
     for contact in contacts():
@@ -94,26 +94,26 @@ def answered(atlas: Atlas) -> tuple[list[ehlwave.Contact], list[str]]:
     return found, refused
 
 
-def write(folder: Path, atlas: Atlas) -> Path:
+def write(folder: Path, atlas: Atlas | None) -> Path:
     """Write the sweep of some of those that are answered, two random waves in each."""
     random = np.random.default_rng(SEED)
     rows = []
     for contact in answered(atlas)[0][:COMPUTED]:
         place = contact.conditions.atlas_keys()
-        keys = {key: float(f"{place[key]:.6g}") for key in ROLLING.ranges}
+        keys = {key: float(f"{place[key]:.6g}") for key in WIDE.ranges}
         for _ in range(2):
-            waves = random_wave(ROLLING_DESIGN, keys, random)
-            rows.append({**keys, **waves, **ROLLING_DESIGN.domain(keys)})
-    return sweeps.write_sweep(folder, "bearings", rows, ROLLING_DESIGN.groups)
+            waves = random_wave(WIDE_DESIGN, keys, random)
+            rows.append({**keys, **waves, **WIDE_DESIGN.domain(keys)})
+    return sweeps.write_sweep(folder, "bearings", rows, WIDE_DESIGN.groups)
 
 
-def text(atlas: Atlas) -> str:
+def text(atlas: Atlas | None) -> str:
     """Return how many are answered, and where all of them lie."""
     found, refused = answered(atlas)
     places = [contact.conditions.atlas_keys() for contact in contacts()]
     ends = "; ".join(
         f"{key} {np.quantile(values, 0.02):.3g} to {np.quantile(values, 0.98):.3g}"
-        for key in ROLLING.ranges
+        for key in WIDE.ranges
         for values in ([place[key] for place in places],)
     )
     share = 100 * len(found) / CONTACTS

@@ -11,7 +11,7 @@ from scipy.stats import qmc
 
 from ehlwave.atlas import Atlas
 from ehlwave.atlas.coordinates import hertz_film
-from ehlwave.atlas.kinds import ROLLING, SLIDING, Kind
+from ehlwave.atlas.kinds import ROLLING, SLIDING, WIDE, Kind
 from ehlwave.atlas.ranges import CONTACT_RANGES, WAVE_RANGE
 from ehlwave.atlas.sliding import MODULUS_PA
 from ehlwave.contact.conditions import MOES_KEYS
@@ -29,6 +29,12 @@ CONTACTS = 32
 
 CANDIDATES = 512
 """Contacts of which those of a batch are drawn by the errors of the atlas so far."""
+
+SLENDER = {"load_parameter_m": (20.0, 70.0), "radius_ratio_d": (0.04, 0.2)}
+"""Where bodies are nearly rigid along rolling and not across it."""
+
+SLENDER_BATCHES = (8, 10, 12, 14)
+"""Batches of them, of contacts that roll: there responses change most from one to the next."""
 
 INLET_MESHES = 5, 3
 """Mesh sizes in the length of the inlet wanted along X and Y, of the fitted scheme."""
@@ -97,7 +103,7 @@ class Design:
         The inlet asks for them: its pressure grows over a length that shrinks as M grows and L
         falls. There are many contacts that slide, and they do with fewer.
         """
-        if self.kind is ROLLING:
+        if self.kind is WIDE:
             return fitted_grid(contact)
         m, l, d = (contact[key] for key in MOES_KEYS)
         kappa = ellipticity(d)
@@ -105,12 +111,15 @@ class Design:
         steps = ((0.02, 128), (0.035, 192), (0.09, 256), (0.15, 384))
         along = next((cells for limit, cells in steps if inlet < limit), 512)
         across = min(512, along * (1 if kappa > 0.5 else 2))
-        return min(256, along), max(64, min(across, 256 if across == along else 384) // 2)
+        if self.kind is SLIDING:
+            along = min(256, along)
+            across = max(64, min(across, 256 if across == along else 384) // 2)
+        return along, across
 
     def domain(self, contact: Mapping[str, float]) -> dict[str, float]:
         """Return the keys of a domain that is not the usual one: thick films ask for more room."""
         m, l, d = (contact[key] for key in MOES_KEYS)
-        if self.kind is not ROLLING or hertz_film(m, l, d) < ROOMY_FILM:
+        if self.kind is not WIDE or hertz_film(m, l, d) < ROOMY_FILM:
             return {}
         return {"x_min": -2.5 * ROOM, "x_max": 1.5 * ROOM, "y_max": 2.0 * ROOM}
 
@@ -131,7 +140,8 @@ def fitted_grid(contact: Mapping[str, float]) -> tuple[int, int]:
     return next(n for n in SIZES if n >= along), next(n for n in SIZES if n >= across)
 
 
-ROLLING_DESIGN = Design(ROLLING, 2000, ((0.0, 3), (90.0, 2), (None, 4)), 8, 150, 1997, FITTED)
+ROLLING_DESIGN = Design(ROLLING, 2000, ((0.0, 3), (90.0, 2), (None, 4)), 12, 150, 1997, GROUPS)
+WIDE_DESIGN = Design(WIDE, 2000, ((0.0, 3), (90.0, 2), (None, 4)), 8, 150, 1997, FITTED)
 SLIDING_DESIGN = Design(
     SLIDING,
     2100,
@@ -145,7 +155,7 @@ SLIDING_DESIGN = Design(
         "lubricant": {"flow_law": "eyring"},
     },
 )
-DESIGNS = {design.kind.name: design for design in (ROLLING_DESIGN, SLIDING_DESIGN)}
+DESIGNS = {design.kind.name: design for design in (ROLLING_DESIGN, WIDE_DESIGN, SLIDING_DESIGN)}
 
 
 def spread_contacts(
@@ -214,10 +224,12 @@ def write_batch(
 ) -> Path:
     """Write the sweep of a batch: where the atlas so far knows least, if there is one.
 
-    Without one it fills the ranges.
+    Without one it fills the ranges unless it is one of slender contacts.
     """
     if atlas is not None:
         chosen = uncertain_contacts(atlas, design.seed + 1000 + batch)
+    elif design.kind is ROLLING and batch in SLENDER_BATCHES:
+        chosen = spread_contacts({**CONTACT_RANGES, **SLENDER}, 4000 + batch, CONTACTS)
     else:
         chosen = spread_contacts(design.kind.ranges, design.seed, CONTACTS, batch, design.kind)
     random = np.random.default_rng([batch, design.seed])

@@ -1,7 +1,7 @@
 """From points to the atlas: networks of films, responses and their errors."""
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from concurrent.futures import Executor, ProcessPoolExecutor
 from itertools import repeat
 
@@ -10,11 +10,9 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from ehlwave.atlas.atlas import FORMAT_NAME, ranges_text
-from ehlwave.atlas.chart import Chart, with_contacts
+from ehlwave.atlas.chart import with_contacts
 from ehlwave.atlas.committee import Committee
 from ehlwave.atlas.kinds import KINDS, Kind
-from ehlwave.atlas.ranges import CONTACT_RANGES
-from ehlwave.atlas.rolling import reference_networks
 from ehlwave.atlas.sliding_shape import SlidingShape
 from studies.atlas.losses import Errors, Films, Task, Waves, part
 from studies.atlas.points import contact_of, film_numbers, waves_of
@@ -38,9 +36,11 @@ LEAST_MISS = 1e-5
 """Misses that are smaller are no better: what is computed is not known better."""
 
 OF_WAVES = {
-    "rolling": Recipe(networks=5, hidden=64, steps=2000, decay=1e-6),
+    "rolling": Recipe(networks=5, hidden=64, steps=3000, decay=1e-6),
+    "rolling_wide": Recipe(networks=5, hidden=64, steps=2000, decay=1e-6),
     "sliding": Recipe(networks=7, hidden=64, steps=3000, decay=1e-5),
     "line": Recipe(networks=5, hidden=32, steps=3000, decay=1e-6),
+    "line_sliding": Recipe(networks=5, hidden=32, steps=1500, decay=1e-5),
 }
 OF_FILMS = Recipe(networks=5, hidden=24, steps=1500, decay=1e-6)
 OF_ERRORS = Recipe(networks=5, hidden=12, steps=200, decay=1e-4)
@@ -110,7 +110,7 @@ def waves_in(data: xr.Dataset, kind: Kind, films: Films, predicted: Floats) -> W
     columns = {name: data[name].values for name in kind.ranges}
     shape = kind.shape(kind.state(columns, data["references"].values, names))[of_contact]
     if isinstance(shape, SlidingShape):
-        shape = shape.with_rolling(rolling_transfers(columns, of_contact, *waves))
+        shape = shape.with_rolling(shape.rolling_responses(*waves))
     seen, film = shape.seen(*waves), data["film"].values
     return Waves(
         with_contacts(films.inputs[of_contact], seen.coordinates),
@@ -119,19 +119,6 @@ def waves_in(data: xr.Dataset, kind: Kind, films: Films, predicted: Floats) -> W
         seen.pressure_left(film, data["pressure"].values),
         data["mean_rise"].values,
     )
-
-
-def rolling_transfers(
-    contacts: Mapping[str, Floats], of_contact: Rows, wave: Floats, angle: Floats
-) -> Complex:
-    """Return the transfers in pure rolling that the atlas of rolling contacts has."""
-    networks, found = reference_networks(), np.empty(wave.size, dtype=complex)
-    for contact in range(of_contact[-1] + 1):
-        own = of_contact == contact
-        keys = {key: float(contacts[key][contact]) for key in CONTACT_RANGES}
-        chart = Chart(networks, keys)
-        found[own] = chart.film_response(wave[own], angle[own])
-    return found
 
 
 def _left_out(pool: Executor, task: Task, recipe: Recipe, fold: Rows) -> Floats:

@@ -1,6 +1,6 @@
 """Where the atlas of line contacts is computed: they cost little, and their file is to be small."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -27,7 +27,7 @@ STEEP = 0.4, 0.2
 INLET_CELLS = 16
 """Mesh sizes in the length of the inlet, (L/(gamma M))^(1/2)."""
 
-FEWEST_CELLS, MOST_CELLS = 1024, 8192
+SIZES = (1024, 2048, 4096, 8192)
 LOW_LOAD = 40.0
 """The M below which the inlet is so long that the domain begins at X = -6.5, not -2.5."""
 
@@ -68,12 +68,17 @@ def waves(contact: Mapping[str, float], random: np.random.Generator) -> Iterator
     yield from np.exp(np.interp(shares * density.sum(), np.cumsum(density), logs)).tolist()
 
 
-def case(contact: Mapping[str, float], wave: float) -> sweeps.Row:
-    """Return a case with a grid that resolves its inlet."""
+def case(
+    contact: Mapping[str, float],
+    wave: float,
+    inlet_cells: float = INLET_CELLS,
+    sizes: Sequence[int] = SIZES,
+) -> sweeps.Row:
+    """Return a case with a grid that resolves its inlet, of these sizes as far as they go."""
     m, l = contact["load_parameter_m"], contact["lubricant_parameter_l"]
     x_min = -6.5 if m < LOW_LOAD else -2.5
     inlet = min(1.0, (l / (SLENDER_OVER_LINE * m**1.5)) ** 0.5)
-    wanted = (1.5 - x_min) / inlet * INLET_CELLS
-    cells = 2 ** int(np.ceil(np.log2(np.clip(wanted, FEWEST_CELLS, MOST_CELLS))))
+    wanted = (1.5 - x_min) / inlet * inlet_cells
+    cells = next((size for size in sizes if size >= wanted), sizes[-1])
     keys = {"radius_ratio_d": 0.0, "wavelength_x_over_a": float(f"{wave:.7g}")}
     return {**contact, **keys, "cells_x": cells, "x_min": x_min}

@@ -156,10 +156,8 @@ def _frictions(
 
     The stress is as the logarithm of the film, so that it errs at most as the film does.
     """
-    hertz_pa = np.array(
-        [c.alphabar / c.oil.pressure_viscosity_per_pa for c in conditions_of(contacts)]
-    )
-    mean = contacts["friction_coefficient"] * hertz_pa / 1.5 / contacts["eyring_stress_pa"]
+    mean_pa = np.array([c.hertz_pa / c.peak_over_mean for c in conditions_of(contacts)])
+    mean = contacts["friction_coefficient"] * mean_pa / contacts["eyring_stress_pa"]
     return {
         "friction_ratio": np.log(np.abs(mean) / expected).to_numpy(float),
         "friction_ratio_discretisation": film_error,

@@ -7,15 +7,24 @@ import sys
 from studies.command import steps
 from studies.command.options import at_once, flag, given, option, output, study
 
-BATCHES = {"rolling": 10, "sliding": 80, "line": 20}
+BATCHES = {"rolling": 24, "rolling_wide": 10, "sliding": 80, "line": 20, "line_sliding": 21}
 
 
 @study(
     "atlas",
+    flag("--wide", "rolling contacts beyond the usual ranges", dest="kind", const="rolling_wide"),
     flag("--sliding", "contacts that slide in a Ree-Eyring oil", dest="kind", const="sliding"),
     flag("--line", "line contacts in pure rolling", dest="kind", const="line"),
+    flag(
+        "--line-sliding",
+        "line contacts that slide in a Ree-Eyring oil",
+        dest="kind",
+        const="line_sliding",
+    ),
     output("atlas"),
-    option("--batches", "N", "default 10, with --sliding 80, with --line 20"),
+    option(
+        "--batches", "N", "default 24; --wide: 10, --sliding: 80, --line: 20, --line-sliding: 21"
+    ),
     option("--atlas", "FILE", "the atlas to be judged, default the one of the package"),
     flag("--validate", "judge in place of computing"),
     flag("--bearings", "judge contacts of ball bearings that roll"),
@@ -24,16 +33,18 @@ BATCHES = {"rolling": 10, "sliding": 80, "line": 20}
 def atlas(options: argparse.Namespace) -> int:
     """Compute anew, or judge, the atlas that the package ehlwave answers from.
 
-    Computes smooth contacts and nine small waves in each, batch by batch of 32 contacts, which
-    fill the ranges of M, L, D and the oil; of contacts that roll those after the 24th go where the
-    error bars are largest that the batches before leave. Then the rise of the mean film under the
-    oblique waves of the first is computed, and networks are fitted to all that. A batch takes a
-    minute of two cores, a fit ten. The atlas is DIR/rolling.nc, sliding.nc or line.nc.
+    Computes smooth contacts and nine small waves in each, batch by batch of 32 contacts: 24 batches
+    fill the ranges of M, L, D and the oil; later ones go where the error bars are largest that the
+    batches before leave. Then the rise of the mean film under oblique waves is computed, and
+    networks are fitted to all that. A batch takes a minute of two cores, a fit ten. --wide is for M
+    to 10,000 and D from 0.01, by the fitted scheme. The atlas is DIR/rolling.nc, rolling_wide.nc,
+    sliding.nc, line.nc or line_sliding.nc.
 
     Contacts that slide have eight waves each; 64 batches fill the ranges, of S and of the Eyring
     stress, too; the atlas begins with the responses of contacts that roll, of the package. Line
     contacts come in batches of 16, with five transverse waves each, of which 20 fill the ranges;
-    ten seconds a batch.
+    ten seconds a batch. Those that slide come in batches of 32, with five waves each, of which 21
+    fill the ranges; 25 seconds a batch beside other jobs.
 
     To judge, 300 random waves in 150 random contacts that no atlas is fitted to are computed
     (sliding: 200 in 100). Printed are how many of them lie within the error bars, the median error
@@ -41,7 +52,8 @@ def atlas(options: argparse.Namespace) -> int:
     dimensions of ISO 15: printed is how many the atlas answers, and 30 of them are computed.
     """
     folder, kind = options.output, options.kind or "rolling"
-    of_kind = (f"--{options.kind}",) if options.kind else ()
+    flag_of = options.kind and options.kind.removeprefix("rolling_").replace("_", "-")
+    of_kind = (f"--{flag_of}",) if options.kind else ()
     processes = ("--ranks", os.environ["EHLWAVE_RANKS"])
     steps.prepare()
     os.environ["OMP_NUM_THREADS"] = "1"  # networks are fitted by processes
@@ -64,7 +76,7 @@ def atlas(options: argparse.Namespace) -> int:
             steps.python("atlas", "batch", folder, "--batch", batch, *processes, *of_kind)
         steps.sweep(file, stdout=sys.stderr)
     # The transverse waves of line contacts have their rise of the mean film already.
-    if kind != "line":
+    if not kind.startswith("line"):
         sweep_of("rises")
     made = ("--atlas", folder / f"{kind}.nc")
     return steps.report("atlas", "fit", folder, *made, *processes, *of_kind)

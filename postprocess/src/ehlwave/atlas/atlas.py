@@ -10,7 +10,7 @@ import xarray as xr
 from ehlwave.atlas.advice import refuse_outside
 from ehlwave.atlas.chart import Chart
 from ehlwave.atlas.kind import Kind, shipped
-from ehlwave.atlas.kinds import KINDS, LINE, ROLLING, SLIDING
+from ehlwave.atlas.kinds import KINDS, LINE, LINE_SLIDING, ROLLING, SLIDING, WIDE
 from ehlwave.atlas.networks import Networks
 from ehlwave.atlas.stored import read_stored
 from ehlwave.contact.conditions import Conditions
@@ -39,7 +39,7 @@ class Atlas(Networks):
     >>> atlas = ehlwave.load_atlas()
     >>> low, high = atlas.kind.ranges["load_parameter_m"]
     >>> print(f"{atlas.kind.name}: M from {low:g} to {high:g}")
-    rolling: M from 5 to 10000
+    rolling: M from 20 to 2000
     """
 
     def __init__(self, data: xr.Dataset) -> None:
@@ -82,7 +82,7 @@ class Atlas(Networks):
         >>> chart = contact.atlas().at(contact.conditions.atlas_keys())
         >>> found = chart.responses(0.5, 0.0)
         >>> print(f"{abs(complex(found.film)):.2f} within {float(found.error):.2f}")
-        0.92 within 0.02
+        0.92 within 0.01
         """
         return Chart(self, keys)
 
@@ -94,20 +94,26 @@ SHIPPED = shipped(ROLLING)
 def atlas_for(conditions: Conditions, atlas: Atlas | None = None) -> Atlas:
     """Return the atlas that a contact is looked up in: this one if it is of the kind, else ours.
 
-    A Ree-Eyring oil under slip has one of its own, and so have line contacts; all else rolls as far
-    as the atlas knows.
+    Contacts that roll beyond the ranges of the usual atlas have a wider one, which knows less.
+
+    A Ree-Eyring oil under slip has one of its own, and line contacts have both; all else rolls as
+    far as the atlas knows.
 
     Raises
     ------
     RangeError
-        Of a line contact under slip, unless the oil is Newtonian: the film is that of rolling then.
+        Of a line contact under slip in an oil that is neither Ree-Eyring's nor Newtonian: of the
+        latter the film is that of rolling.
     """
     kind = SLIDING if conditions.has_sliding_atlas else ROLLING
     if conditions.is_line:
-        if conditions.slip_parameter != 1 and conditions.oil.name != "Newtonian":
+        if conditions.oil.name != "Newtonian" and not conditions.has_atlas:
             raise RangeError(ROLLS_ALONE)
-        kind = LINE
-    return atlas if atlas is not None and atlas.kind is kind else load_atlas(shipped(kind))
+        kind = LINE_SLIDING if conditions.has_sliding_atlas else LINE
+    elif kind is ROLLING and not ROLLING.holds(conditions.atlas_keys()):
+        kind = WIDE
+    of_kind = (ROLLING, WIDE) if kind in (ROLLING, WIDE) else (kind,)
+    return atlas if atlas is not None and atlas.kind in of_kind else load_atlas(shipped(kind))
 
 
 def chart_of(conditions: Conditions, atlas: Atlas | None = None) -> Chart:
@@ -123,7 +129,7 @@ def chart_of(conditions: Conditions, atlas: Atlas | None = None) -> Chart:
     return found.at(conditions.atlas_keys())
 
 
-@lru_cache(maxsize=4)
+@lru_cache(maxsize=8)
 def load_atlas(path: str | Path = SHIPPED) -> Atlas:
     """Return the atlas of a file, by default the one of this package for contacts that roll.
 

@@ -20,6 +20,9 @@ def _unlimited(_: Mapping[str, float]) -> str:
     return ""
 
 
+ROUNDING = 1e-9
+"""Relative, of the ends of ranges."""
+
 FILMS = ("film_ratio", "minimum_ratio")
 """Films of all kinds of contacts, see :attr:`Kind.films`."""
 
@@ -61,6 +64,11 @@ class Kind:
     references: Callable[[Keys], Floats]
     state: Callable[[Keys, Floats, Mapping[str, Floats]], Keys] = _keys_alone
     beyond: Callable[[Mapping[str, float]], str] = _unlimited
+
+    def holds(self, keys: Mapping[str, float]) -> bool:
+        """Return whether a contact lies within the ranges, by its keys."""
+        ends = ((keys[key], low, high) for key, (low, high) in self.ranges.items())
+        return all(low * (1 - ROUNDING) <= value <= high * (1 + ROUNDING) for value, low, high in ends)
 
 
 def shipped(kind: Kind) -> Path:

@@ -1,9 +1,16 @@
 """The kinds of atlases that there are."""
 
 from ehlwave.atlas.kind import FILMS, Kind
-from ehlwave.atlas.line import LineShape, line_coordinates, line_references
-from ehlwave.atlas.ranges import LINE_RANGES, SLIDING_RANGES
-from ehlwave.atlas.rolling import ROLLING
+from ehlwave.atlas.line_rolling import LINE
+from ehlwave.atlas.line_sliding import (
+    LINE_SLIDING_RANGES,
+    line_sliding_coordinates,
+    line_sliding_references,
+    line_sliding_state,
+)
+from ehlwave.atlas.line_sliding_shape import LineSlidingShape
+from ehlwave.atlas.ranges import SLIDING_RANGES
+from ehlwave.atlas.rolling import ROLLING, WIDE
 from ehlwave.atlas.sliding import sliding_coordinates, sliding_references, sliding_state
 from ehlwave.atlas.sliding_shape import SlidingShape
 
@@ -16,5 +23,13 @@ SLIDING = Kind(
     sliding_references,
     sliding_state,
 )
-LINE = Kind("line", LINE_RANGES, line_coordinates, LineShape.of_keys, FILMS, line_references)
-KINDS = {kind.name: kind for kind in (ROLLING, SLIDING, LINE)}
+LINE_SLIDING = Kind(
+    "line_sliding",
+    LINE_SLIDING_RANGES,
+    line_sliding_coordinates,
+    LineSlidingShape.of_keys,
+    (*FILMS, "friction_ratio", "pressure_ratio"),
+    line_sliding_references,
+    line_sliding_state,
+)
+KINDS = {kind.name: kind for kind in (ROLLING, WIDE, SLIDING, LINE, LINE_SLIDING)}

@@ -38,7 +38,7 @@ class Networks:
         --------
         >>> import ehlwave
         >>> ehlwave.load_atlas().name.split("(")[0]
-        'atlas of 2874 responses of 320 contacts '
+        'atlas of 6912 responses of 768 contacts '
         """
         data = self.data
         return (

@@ -1,19 +1,25 @@
 """The ranges that the atlas covers."""
 
 CONTACT_RANGES = {
-    "load_parameter_m": (5.0, 10000.0),
+    "load_parameter_m": (20.0, 2000.0),
     "lubricant_parameter_l": (2.0, 20.0),
-    "radius_ratio_d": (0.01, 1.0),
+    "radius_ratio_d": (0.04, 1.0),
     "pressure_viscosity_per_pa": (1e-8, 3e-8),
     "roelands_index": (0.4, 0.8),
 }
 """Smallest and largest value of each key of a contact."""
 
+WIDE_RANGES = CONTACT_RANGES | {
+    "load_parameter_m": (5.0, 10000.0),
+    "radius_ratio_d": (0.01, 1.0),
+}
+"""The same of contacts that roll beyond them, as of ball bearings."""
+
 THICKEST_FILM = 2.5
-"""H of the formula, the film over the Hertz approach: thicker ones hardly deform the bodies."""
+"""H of the formula, film over Hertz approach, beyond them: thicker ones hardly deform bodies."""
 
 LARGEST_PRESSURE_PA = 1e10
-"""Of Hertz: more is of no contact."""
+"""Of Hertz, beyond them: more is of no contact."""
 
 WAVE_RANGE = (0.1, 4.0)
 """Wavelength along the wave vector over a; directions are all there are."""
@@ -27,8 +33,6 @@ LINE_RANGES = {
 """The same of line contacts, whose M is that of a load per length."""
 
 SLIDING_RANGES = CONTACT_RANGES | {
-    "load_parameter_m": (20.0, 2000.0),
-    "radius_ratio_d": (0.04, 1.0),
     "slip_parameter": (0.5, 1.5),
     "stress_modulus_pa2": (1.936e17, 9.68e18),
 }

@@ -30,6 +30,9 @@ class SlidingShape(Shape):
     """
 
     OF_ALL = ("_rolling", "_chart")
+    WAVE_AND_X: tuple[int, ...] = (2, 0)
+    """Coordinates of waves that roll which count here: ln(lambda/a) and ln x."""
+
     _contacts: NDArray[np.object_]
     _media: Floats
     _slip: Floats
@@ -45,20 +48,43 @@ class SlidingShape(Shape):
         ``pressure_ratio``, ln P, at the centre.
         """
         shape = cls(*map(np.atleast_1d, columns(keys, MOES_KEYS)))
-        found = conditions_of(keys)
-        shape._contacts = np.empty(len(found), dtype=object)
-        shape._contacts[:] = found
+        shape._take(conditions_of(keys), keys)
+        return shape
+
+    def _take(self, found: list[Conditions], keys: Mapping[str, ArrayLike]) -> None:
+        """Take contacts and the states of their centres."""
+        self._contacts = np.empty(len(found), dtype=object)
+        self._contacts[:] = found
         film, log_p = map(np.atleast_1d, columns(keys, ("central_film", "pressure_ratio")))
         states = zip(found, film, np.exp(log_p), strict=True)
-        shape._media = np.array([_media(*state) for state in states])
-        shape._slip = np.array([one.slip_parameter for one in found])
-        shape._alphabar = np.array([one.alphabar for one in found])
-        thinned = np.log1p(INLET_VISCOSITY * shape._media[:, 0, 6])
-        slip = np.log(shape._slip)
-        parts = np.sqrt(film), np.log(shape.l), np.log(shape.kappa), thinned, slip, np.abs(slip)
-        shape._state = np.stack([*parts, np.log(shape._alphabar), np.exp(log_p)], axis=-1)
-        shape._rolling = None
-        return shape
+        self._media = np.array([_media(*state) for state in states])
+        self._slip = np.array([one.slip_parameter for one in found])
+        self._alphabar = np.array([one.alphabar for one in found])
+        thinned = np.log1p(INLET_VISCOSITY * self._media[:, 0, 6])
+        slip = np.log(self._slip)
+        parts = np.sqrt(film), *self._lengths(), thinned, slip, np.abs(slip)
+        self._state = np.stack([*parts, np.log(self._alphabar), np.exp(log_p)], axis=-1)
+        self._rolling = None
+
+    def _lengths(self) -> tuple[Floats, ...]:
+        """Return the coordinates of a contact by L and its ellipticity."""
+        return np.log(self.l), np.log(self.kappa)
+
+    @staticmethod
+    def _rolls(contact: Conditions) -> Chart:
+        """Return the chart of a contact in pure rolling."""
+        return rolling_chart(contact)
+
+    def rolling_responses(self, wave: Floats, angle_deg: Floats) -> Complex:
+        """Return the transfers in pure rolling of waves, one of each contact."""
+        found = np.empty(wave.size, dtype=complex)
+        places: dict[int, list[int]] = {}
+        for place, contact in enumerate(self._contacts):
+            places.setdefault(id(contact), []).append(place)
+        for own in places.values():
+            chart = self._rolls(self._contacts[own[0]])
+            found[own] = chart.film_response(wave[own], angle_deg[own])
+        return found
 
     def with_rolling(self, rolling: Complex) -> "SlidingShape":
         """Return the same with known transfers of pure rolling, one for each contact."""
@@ -83,7 +109,7 @@ class SlidingShape(Shape):
         loss, turn = launch.mismatch.imag, launch.mismatch.real
         parts = (
             launch.along,
-            *rolled.coordinates[:, [2, 0]].T,
+            *rolled.coordinates[:, list(self.WAVE_AND_X)].T,
             np.abs(rolling) ** 2,
             np.abs(a) ** 2,
             loss / (1 + np.abs(loss) / 2),
@@ -117,7 +143,7 @@ class SlidingShape(Shape):
     @cached_property
     def _chart(self) -> Chart:
         """Of the only contact in pure rolling."""
-        return rolling_chart(self._contacts[0])
+        return self._rolls(self._contacts[0])
 
 
 def _media(contact: Conditions, film: float, pressure: float) -> list[tuple[float, ...]]:

@@ -14,7 +14,7 @@ from ehlwave.atlas.coordinates import Floats
 from ehlwave.errors import ResultsError
 
 
-@lru_cache(maxsize=4)
+@lru_cache(maxsize=8)
 def read_stored(path: str | Path) -> xr.Dataset:
     """Return the data of a file, read once a process.
 

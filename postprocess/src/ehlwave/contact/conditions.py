@@ -172,6 +172,11 @@ class Conditions:
         return self.alphabar / self.oil.pressure_viscosity_per_pa
 
     @property
+    def peak_over_mean(self) -> float:
+        """Return the largest Hertz pressure over the mean one."""
+        return 4 / math.pi if self.is_line else 1.5
+
+    @property
     def lambdabar(self) -> float:
         """Return the speed parameter, eq. (4)."""
         if self.is_line:
@@ -208,13 +213,18 @@ class Conditions:
     @property
     def has_sliding_atlas(self) -> bool:
         """Whether the atlas of sliding contacts is the one for it: slip and a Ree-Eyring oil."""
-        return self.slip_parameter != 1 and self.oil.name == "Ree-Eyring" and not self.is_line
+        return self.slip_parameter != 1 and self.oil.name == "Ree-Eyring"
 
     @property
     def thinning_error(self) -> float:
         """Return the relative error of a film of pure rolling: of oils that slip may thin."""
+        return 0.0 if self.has_sliding_atlas else self.rolling_film_error
+
+    @property
+    def rolling_film_error(self) -> float:
+        """Return by how much less than in pure rolling the film may be, relative: oils thin."""
         is_thinned = self.slip_parameter != 1 and self.oil.name != "Newtonian"
-        return THINNING_ERROR if is_thinned and not self.has_sliding_atlas else 0.0
+        return THINNING_ERROR if is_thinned else 0.0
 
     def atlas_keys(self) -> dict[str, float]:
         """Return the coordinates of the contact in the atlases, by their keys."""

@@ -24,9 +24,9 @@ TRANSVERSE_ALONE = (
     f"others {_SLENDER}"
 )
 ROLLS_ALONE = (
-    "a line contact answers for pure rolling alone (equal speeds, slip_parameter = 1, "
-    "slide_to_roll_ratio = 0): under slip compute it "
-    f"(ehlwave.Case, ehlwave-case), or {_SLENDER}"
+    "a line contact answers in pure rolling (equal speeds, slip_parameter = 1, "
+    "slide_to_roll_ratio = 0), and under slip with a Ree-Eyring oil alone (eyring_stress_pa): with "
+    f"others compute it (ehlwave.Case, ehlwave-case), or {_SLENDER}"
 )
 """Advice in refusals of line contacts."""
 

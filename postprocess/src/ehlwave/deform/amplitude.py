@@ -5,6 +5,8 @@ Amplitudes are over the film of the smooth contact.
 
 import math
 
+from ehlwave.atlas.kind import ROUNDING
+from ehlwave.atlas.ranges import CONTACT_RANGES
 from ehlwave.contact.conditions import Conditions
 
 VALIDATED_ROLLING, VALIDATED_SLIDING = 1.5, 0.95
@@ -27,7 +29,13 @@ PROFILE_FACTOR = 0.28
 """Relative difference of predicted from marched Rq over (amplitude/film)^2: 95 % of the rough maps
 of ``record/lambda`` are within. Most of it are higher harmonics, which Ad/Ai does not show."""
 
-RISE_ERRORS = {"rolling": 0.103, "sliding": 0.12, "line": 0.017}
+RISE_ERRORS = {
+    "rolling": 0.067,
+    "rolling_wide": 0.103,
+    "sliding": 0.12,
+    "line": 0.017,
+    "line_sliding": 0.104,
+}
 """Of the rise of the mean film over the film, per (amplitude/film)^2: 95 % of the waves in contacts
 that the networks have not seen (``scripts/study atlas --validate``)."""
 
@@ -54,10 +62,20 @@ def expected_nonlinearity(conditions: Conditions, amplitude: float) -> float:
     return max(factor, PROFILE_FACTOR) * amplitude**2
 
 
+def is_usual(conditions: Conditions) -> bool:
+    """Return whether a contact has the load and the ellipticity of the usual atlas."""
+    place = conditions.atlas_keys()
+    usual = ((place[key], *CONTACT_RANGES[key]) for key in ("load_parameter_m", "radius_ratio_d"))
+    return all(low * (1 - ROUNDING) <= value <= high * (1 + ROUNDING) for value, low, high in usual)
+
+
 def rise_error(conditions: Conditions, amplitude: float) -> float:
     """Return the error of the rise of the mean film, over the film."""
     kind = "line" if conditions.is_line else "rolling"
-    kind = kind if conditions.slip_parameter == 1 else "sliding"
+    if kind == "rolling" and not is_usual(conditions):
+        kind = "rolling_wide"
+    if conditions.slip_parameter != 1:
+        kind = "line_sliding" if conditions.is_line else "sliding"
     return RISE_ERRORS[kind] * amplitude**2
 
 

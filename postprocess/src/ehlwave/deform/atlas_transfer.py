@@ -55,8 +55,7 @@ class AtlasTransfer:
         ------
         RangeError
             A ValueError: the contact lies outside the atlas, slides in an oil that is not
-            Ree-Eyring's or is a line that slides, or the oil has laws of viscosity or density that
-            the atlas does not.
+            Ree-Eyring's, or the oil has laws of viscosity or density that the atlas does not.
         """
         if conditions.is_line and not conditions.has_atlas:
             raise RangeError(ROLLS_ALONE)

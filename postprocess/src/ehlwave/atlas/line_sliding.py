@@ -1,0 +1,93 @@
+"""The coordinates of line contacts that slide, and references of their films and friction."""
+
+from collections.abc import Mapping
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ehlwave.atlas.coordinates import Floats, columns
+from ehlwave.atlas.line import line_coordinates
+from ehlwave.atlas.line_rolling import rolling_line_chart
+from ehlwave.atlas.ranges import LINE_RANGES
+from ehlwave.atlas.sliding import MODULUS_PA, STRESS_POINTS
+from ehlwave.contact.conditions import Conditions, conditions_from_keys
+from ehlwave.contact.line_contact import line_film, moes_per_line_film
+from ehlwave.contact.medium import INLET_VISCOSITY, hertz_medium
+from ehlwave.contact.oils import log_viscosity
+
+LINE_SLIDING_RANGES = LINE_RANGES | {
+    "slip_parameter": (0.5, 1.5),
+    "stress_modulus_pa2": (1.936e17, 9.68e18),
+}
+"""Smallest and largest value of each key of a line contact that slides, of a Ree-Eyring oil.
+
+They are what its networks were fitted to, whatever the ranges of ellipses are.
+"""
+
+
+def line_conditions_of(keys: Mapping[str, ArrayLike]) -> list[Conditions]:
+    """Return the conditions of line contacts given by columns named as their keys."""
+    table = map(np.atleast_1d, columns(keys, LINE_SLIDING_RANGES))
+    return [_conditions(*map(float, row)) for row in zip(*table, strict=True)]
+
+
+@lru_cache(maxsize=4096)
+def _conditions(*values: float) -> Conditions:
+    keys = dict(zip(LINE_SLIDING_RANGES, values, strict=True))
+    more = {
+        "radius_ratio_d": 0.0,
+        "reduced_modulus_pa": MODULUS_PA,
+        "eyring_stress_pa": keys.pop("stress_modulus_pa2") / MODULUS_PA,
+    }
+    return conditions_from_keys(keys | more, "atlas", needs_lengths=False)
+
+
+def thinning(contact: Conditions, slip: float) -> float:
+    """Return B of the viscosity at ambient pressure, in the film of Moes' formula."""
+    c = contact
+    film = float(line_film(c.m, c.l) / moes_per_line_film(c.m))
+    return hertz_medium(c.oil, c.kappa, c.alphabar, c.lambdabar, film, slip).thinning
+
+
+def line_sliding_coordinates(keys: Mapping[str, ArrayLike]) -> Floats:
+    """Return the coordinates of contacts, shape (c, 7), by columns named as their keys.
+
+    Those of line contacts that roll, and the three of slip: ``atlas/sliding.py``.
+    """
+    slip = np.atleast_1d(np.asarray(keys["slip_parameter"], dtype=float))
+    stress = INLET_VISCOSITY * np.array([thinning(one, 2.0) for one in line_conditions_of(keys)])
+    own = np.log1p((stress * (slip - 1)) ** 2) / 2
+    return np.column_stack([line_coordinates(keys), np.log(stress), own, (slip - 1) ** 2])
+
+
+def mean_line_stress(contact: Conditions) -> float:
+    """Return the mean of asinh(B) under the Hertz pressure, over the width of the contact."""
+    oil = contact.oil
+    nodes, weights = np.polynomial.legendre.leggauss(STRESS_POINTS)
+    pressure = contact.hertz_pa * np.sqrt(1 - ((nodes + 1) / 2) ** 2)  # over X, 0 to 1
+    viscosity = log_viscosity(oil.pressure_viscosity_per_pa, oil.roelands_index, pressure)
+    own = thinning(contact, contact.slip_parameter)
+    return float(weights @ np.arcsinh(own * np.exp(viscosity)) / 2)
+
+
+def line_sliding_references(keys: Mapping[str, ArrayLike]) -> Floats:
+    """Return central and smallest film in pure rolling, Moes scale, mean stress and P = 1.
+
+    Shape (c, 4), by columns named as the keys of contacts.
+    """
+    rows = []
+    for contact in line_conditions_of(keys):
+        film = rolling_line_chart(contact).film()
+        stress = mean_line_stress(contact)
+        rows.append((film.central_moes, film.minimum_moes, stress, 1.0))
+    return np.array(rows)
+
+
+def line_sliding_state(
+    keys: Mapping[str, ArrayLike], references: Floats, numbers: Mapping[str, Floats]
+) -> Mapping[str, ArrayLike]:
+    """Return the keys of contacts with H and ln P at their centres."""
+    scales = moes_per_line_film(np.atleast_1d(np.asarray(keys["load_parameter_m"], dtype=float)))
+    film = references[:, 0] * np.exp(numbers["film_ratio"]) / scales
+    return {**keys, "central_film": film, "pressure_ratio": numbers["pressure_ratio"]}

@@ -1,0 +1,112 @@
+"""Line contacts that slide in a Ree-Eyring oil: their atlas, pairs, and what is refused."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import ehlwave
+from ehlwave.atlas.atlas import load_atlas, shipped
+from ehlwave.atlas.kinds import LINE, LINE_SLIDING
+from ehlwave.atlas.line_sliding import MODULUS_PA
+from ehlwave.deform import trace_surface
+from studies.atlas.line_sliding_design import case, write_batch
+
+MODULUS = 2.26e11
+MOES = {"load_parameter_m": 100, "lubricant_parameter_l": 11, "radius_ratio_d": 0}
+EYRING = {"reduced_modulus_pa": MODULUS, "eyring_stress_pa": 5e6}
+GEAR = {
+    "radius_x_m": 8e-3,
+    "reduced_modulus_pa": MODULUS,
+    "load_n_per_m": 2e5,
+    "mean_speed_m_per_s": 6,
+    "viscosity_pa_s": 0.02,
+    "pressure_viscosity_per_pa": 2e-8,
+    "roelands_index": 0.6,
+    "eyring_stress_pa": 5e6,
+    "slide_to_roll_ratio": 0.5,
+}
+
+
+@pytest.mark.parametrize(
+    ("slip", "wave", "film"),
+    [
+        (1.25, 0.5, -0.14349 - 0.05639j),
+        (0.75, 0.5, -0.21504 - 0.32034j),
+        (1.1, 2.0, 0.03991 + 0.06191j),
+    ],
+)
+def test_a_response_is_that_of_the_program(slip: float, wave: float, film: complex) -> None:
+    # ehlwave-case, 4096 cells, flooded edges, extrapolated to mesh size 0
+    found = ehlwave.Contact(**MOES, **EYRING).response(wave, slip_parameter=slip)
+    assert abs(found.film - film) < found.error < 0.1
+
+
+def test_film_and_friction_are_those_of_the_program() -> None:
+    film = ehlwave.Contact(**MOES, **EYRING, slip_parameter=1.25).film()
+    assert film.central_moes == pytest.approx(3.6475, rel=film.central_error)
+    assert film.minimum_moes == pytest.approx(3.6475 * 0.025461 / 0.028648, rel=film.minimum_error)
+    assert film.friction == pytest.approx(0.057762, rel=film.friction_error)
+    assert film.central_error < 0.05
+
+
+def test_a_gear_has_deformed_shape_and_lambda_ratio_of_one_surface_and_of_both() -> None:
+    contact = ehlwave.Contact(**GEAR)
+    step = contact.conditions.semi_axis_a_m / 40
+    height = 1e-8 * np.cos(2 * np.pi * np.arange(200) / 20)
+    surface = trace_surface(height, step, "x", "cosine")
+    found = contact.deform(surface, form="none", ends="none")
+    rolled = np.exp(2j * np.pi * np.arange(200) / 20)
+    response = contact.response(0.5).film
+    np.testing.assert_allclose(found.height[:, 0], 1e-8 * np.real(response * rolled), atol=2e-11)
+    pair = contact.deform_pair(surface, surface, form="none", ends="none").statistics
+    other = abs(contact.response(0.5, slip_parameter=0.75).film)
+    both = np.hypot(abs(response), other) / abs(response)
+    ratio = found.statistics.lambda_ratio_after / pair.lambda_ratio_after
+    assert ratio == pytest.approx(both, rel=0.02)  # mean squares add, mean films nearly
+    assert 0 < pair.lambda_error < 1
+
+
+def test_slip_near_one_has_the_response_and_film_of_rolling() -> None:
+    rolling = ehlwave.Contact(**MOES)
+    slow = ehlwave.Contact(**MOES, **EYRING, slip_parameter=1.0001)
+    film, expected = slow.film(), rolling.film()
+    bar = film.central_error + expected.central_error
+    assert film.central_moes == pytest.approx(expected.central_moes, rel=bar)
+    for wave in (0.3, 1.0, 3.0):
+        found, known = slow.response(wave), rolling.response(wave)
+        assert abs(found.film - known.film) < found.error + known.error
+
+
+@pytest.mark.parametrize(
+    ("changed", "said"),
+    [
+        ({"slide_to_roll_ratio": 1.4}, "slip_parameter = 1.7 .* 0.5 to 1.5"),
+        ({"eyring_stress_pa": 1e8}, "eyring_stress_pa"),
+        ({"load_n_per_m": 9e7}, "of 5 to 2000"),
+        ({"eyring_stress_pa": None}, "Ree-Eyring oil alone"),
+    ],
+)
+def test_outside_the_ranges_is_refused(changed: dict[str, float | None], said: str) -> None:
+    keys = {key: value for key, value in (GEAR | changed).items() if value is not None}
+    with pytest.raises(ehlwave.RangeError, match=said):
+        ehlwave.Contact(**keys).response(1.0)
+
+
+def test_the_sweep_of_a_batch_fills_the_ranges_and_resolves_the_inlet(tmp_path: Path) -> None:
+    table = write_batch(tmp_path, 1).with_suffix(".csv")
+    rows = np.genfromtxt(table, names=True, delimiter=",")
+    for key, column in (("slip_parameter", "slip_parameter"), ("load_parameter_m",) * 2):
+        low, high = LINE_SLIDING.ranges[key]
+        assert np.ptp(np.log(rows[column])) > 0.8 * np.log(high / low)
+    low, high = LINE_SLIDING.ranges["stress_modulus_pa2"]
+    assert np.all(rows["eyring_stress_pa"] * MODULUS_PA > low * 0.999)
+    assert np.all(rows["eyring_stress_pa"] * MODULUS_PA < high * 1.001)
+    heavy = {key: ends[0] for key, ends in LINE_SLIDING.ranges.items()}
+    heavy["load_parameter_m"] = 1500.0
+    assert case(heavy, 1.0)["cells_x"] == 8192
+
+
+def test_the_ranges_of_lines_that_roll_are_kept() -> None:
+    assert LINE_SLIDING.ranges.items() > LINE.ranges.items()
+    assert load_atlas(shipped(LINE_SLIDING)).kind is LINE_SLIDING
