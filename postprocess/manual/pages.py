@@ -113,6 +113,7 @@ def atlas() -> str:
     """Return the table of what the atlases cover, for a page to include."""
     names = {
         "rolling": "rolling",
+        "rolling_wide": "rolling, wide",
         "sliding": "sliding",
         "line": "line contacts, rolling",
         "line_sliding": "line contacts, sliding",
