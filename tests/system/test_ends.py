@@ -99,7 +99,7 @@ class ProcessorTime(Ends):
     @unittest.skipUnless(is_open_mpi(), "another MPI needs time of its own")
     def test_a_sweep_stops_and_goes_on(self):
         (self.folder/"long.nml").write_text(namelist({**EIGHT_CASES, "grid": {"cells_x": 512, "cells_y": 512}}))
-        limit = lambda: resource.setrlimit(resource.RLIMIT_CPU, (2, 600))   # noqa: E731
+        limit = lambda: resource.setrlimit(resource.RLIMIT_CPU, (1, 600))   # noqa: E731
         outcome = self.call(SWEEP, "long.nml", before=limit, **ONE_RANK)
         self.assertEqual(outcome.returncode, UNFINISHED, outcome.stdout + outcome.stderr)
         self.assertNotIn("Backtrace", outcome.stderr)

@@ -72,7 +72,7 @@ class Fitted(TestCase):
         cells = {"cells_x": 768, "cells_y": 384}
         fine = solve(conditions=heavy, waviness=waves, solver={"scheme": "fitted"}, grid={"edges": "flooded", **cells})
         self.assertEqual(result["scheme"], "fitted")
-        self.assertLess(result["cells_x"], 300)
+        self.assertLess(result["cells_x"], 500)   # the averaged scheme: 768
         for column in "central_film", "harmonic_ratio":
             error = self.check_close(result[column], fine[column], 0.01, column)
             report(f"M = 10,000, D = 0.07, accuracy = 0.01: {column} off by {error:.1e} on {result['cells_x']} x {result['cells_y']} cells")

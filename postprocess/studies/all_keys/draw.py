@@ -49,6 +49,10 @@ class Contact:
         # from a stream of its own, so that it changes no other key
         scheme = self.rng.spawn(1)[0].integers(10)
         self.scheme = {0: "auto", 1: "averaged", 2: "fitted", 3: "fitted"}.get(int(scheme))
+        warm = self.rng.spawn(1)[0].integers(0, 6, 3)
+        self.has_warm_waves = self.is_warm and warm[0] < 3
+        self.warm_law = "doolittle" if self.is_warm and warm[1] == 0 else None
+        self.carries_heat = self.has_warm_waves and warm[2] < 3
 
     def chance(self, share: float) -> bool:
         """Return True in that share of the calls."""
@@ -152,13 +156,15 @@ def _modulus(c: Contact, row: Row) -> Value:
 
 
 def _law(c: Contact, row: Row) -> Value:
+    if c.warm_law:
+        return c.warm_law
     if c.is_dimensional or c.chance(0.55):
         return c.one_of("roelands", "roelands", "barus") if c.chance(0.5) else None
     return c.one_of("barus", "isoviscous", *SPECIAL_LAWS)
 
 
 def _orientation(c: Contact, row: Row) -> Value:
-    if c.has_surface or c.chance(0.3):
+    if (c.is_warm and not c.has_warm_waves) or c.has_surface or c.chance(0.3):
         return None
     return "transverse" if c.is_line else c.one_of(*ONE_LENGTH, "transverse", "custom")
 
@@ -182,7 +188,10 @@ def _orientation_2(c: Contact, row: Row) -> Value:
 def _response(c: Contact, row: Row) -> Value:
     if "orientation" not in row:
         return None
-    return c.one_of("harmonic", "harmonic", "harmonic", "transient", "periodic", "both")
+    choices = ["harmonic", "harmonic", "harmonic", "transient", "periodic", "both"]
+    if c.is_warm:
+        choices.remove("periodic")
+    return c.one_of(*choices)
 
 
 def _cells(c: Contact, row: Row) -> Value:
@@ -260,7 +269,7 @@ def _tait(inner: Draw) -> Draw:
 
 
 def _warm(inner: Draw) -> Draw:
-    """Return the draw of a key of heat, which smooth contacts with dimensions have."""
+    """Return the draw of a key of heat, which contacts with dimensions have."""
     return lambda c, row: inner(c, row) if c.is_warm else None
 
 
@@ -310,6 +319,8 @@ DRAWS: dict[str, Draw] = {
     "doolittle_occupied_fraction": _doolittle(lambda c, row: c.between(0.6, 0.72)),
     "tait_modulus_pa": _tait(lambda c, row: c.power(8e8, 2e9)),
     "tait_modulus_rate": _tait(lambda c, row: c.between(9, 12)),
+    "tait_softening_per_k": _warm(_tait(lambda c, row: c.between(0.004, 0.008))),
+    "doolittle_occupied_rate_per_k": _warm(_doolittle(lambda c, row: c.between(-1.5e-3, -5e-4))),
     "viscosity_table": _table(lambda c, row: c.viscosities()),
     "temperature_k": lambda c, row: (
         c.between(AMBIENT_K, AMBIENT_K + 50)
@@ -328,7 +339,7 @@ DRAWS: dict[str, Draw] = {
     "body2_density_kg_per_m3": _warm(_share(0.2, lambda c, row: c.between(2000, 8000))),
     "body2_heat_capacity_j_per_kg_k": _warm(_share(0.2, lambda c, row: c.between(400, 900))),
     "levels": _warm(_share(0.2, lambda c, row: int(c.power(6, 40)))),
-    "orientation": lambda c, row: None if c.is_warm else _orientation(c, row),
+    "orientation": _orientation,
     "wavelength_over_a": _where("orientation", *ONE_LENGTH)(lambda c, row: c.power(0.5, 3)),
     "wavelength_x_over_a": _custom(lambda c, row: 0.0 if c.chance(0.15) else c.power(0.4, 3)),
     "wavelength_y_over_a": _wave_y,
@@ -337,6 +348,9 @@ DRAWS: dict[str, Draw] = {
     ),
     "amplitude_over_film": _wavy(_share(0.7, lambda c, row: c.power(0.01, 1))),
     "response": _response,
+    "wave_temperatures": _where("response", "transient", "both")(
+        lambda c, row: "carried" if c.carries_heat else None
+    ),
     "file": lambda c, row: c.surface() if c.has_surface else None,
     "orientation_2": _orientation_2,
     "wavelength_over_a_2": _where("orientation_2", *ONE_LENGTH)(lambda c, row: c.power(0.5, 3)),

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ehlwave.atlas.coordinates import Complex, Floats
+from ehlwave.atlas.kind import is_within
 from ehlwave.atlas.networks import Networks
 from ehlwave.atlas.shape import Seen
 from ehlwave.errors import RangeError
@@ -85,7 +86,7 @@ class Chart:
         """Find its films, and how it sees waves."""
         kind = networks.kind
         for key, (low, high) in kind.ranges.items():
-            if not low * (1 - 1e-9) <= keys[key] <= high * (1 + 1e-9):
+            if not is_within(keys[key], low, high):
                 name = "eyring_stress_pa reduced_modulus_pa" if "stress" in key else key
                 raise RangeError(
                     f"{name} = {keys[key]:.5g} lies outside the atlas, which holds {low:g} to "

@@ -67,8 +67,12 @@ class Kind:
 
     def holds(self, keys: Mapping[str, float]) -> bool:
         """Return whether a contact lies within the ranges, by its keys."""
-        ends = ((keys[key], low, high) for key, (low, high) in self.ranges.items())
-        return all(low * (1 - ROUNDING) <= value <= high * (1 + ROUNDING) for value, low, high in ends)
+        return all(is_within(keys[key], *ends) for key, ends in self.ranges.items())
+
+
+def is_within(value: float, low: float, high: float) -> bool:
+    """Return whether a value lies between two positive ends, but for rounding."""
+    return low * (1 - ROUNDING) <= value <= high * (1 + ROUNDING)
 
 
 def shipped(kind: Kind) -> Path:

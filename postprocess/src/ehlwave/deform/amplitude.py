@@ -5,7 +5,7 @@ Amplitudes are over the film of the smooth contact.
 
 import math
 
-from ehlwave.atlas.kind import ROUNDING
+from ehlwave.atlas.kind import is_within
 from ehlwave.atlas.ranges import CONTACT_RANGES
 from ehlwave.contact.conditions import Conditions
 
@@ -65,8 +65,8 @@ def expected_nonlinearity(conditions: Conditions, amplitude: float) -> float:
 def is_usual(conditions: Conditions) -> bool:
     """Return whether a contact has the load and the ellipticity of the usual atlas."""
     place = conditions.atlas_keys()
-    usual = ((place[key], *CONTACT_RANGES[key]) for key in ("load_parameter_m", "radius_ratio_d"))
-    return all(low * (1 - ROUNDING) <= value <= high * (1 + ROUNDING) for value, low, high in usual)
+    both = ("load_parameter_m", "radius_ratio_d")
+    return all(is_within(place[key], *CONTACT_RANGES[key]) for key in both)
 
 
 def rise_error(conditions: Conditions, amplitude: float) -> float:
