@@ -12,6 +12,17 @@ from studies.command.options import step_parser
 from studies.programs import Groups, solve
 from studies.sweeps import run_command, write_rows
 
+BOOK: Groups = {
+    "conditions": {
+        "load_parameter_m": 20,
+        "lubricant_parameter_l": 10,
+        "radius_ratio_d": 1,
+    },
+    "lubricant": {"viscosity_law": "barus", "density_law": "incompressible"},
+    "grid": {"edges": "truncated", "x_min": -4.5, "x_max": 1.5, "y_max": 3},
+}
+"""The case of Venner and Lubrecht's book, with its domain."""
+
 CONTACTS: dict[str, Groups] = {
     **{
         f"M = {m}, D = {d}": {
@@ -23,17 +34,9 @@ CONTACTS: dict[str, Groups] = {
         }
         for m, d in ((100, 1), (1000, 1), (1000, 0.07), (10000, 1))
     },
-    "book": {
-        "conditions": {
-            "load_parameter_m": 20,
-            "lubricant_parameter_l": 10,
-            "radius_ratio_d": 1,
-        },
-        "lubricant": {"viscosity_law": "barus", "density_law": "incompressible"},
-        "grid": {"edges": "truncated", "x_min": -4.5, "x_max": 1.5, "y_max": 3},
-    },
+    "book": BOOK,
 }
-"""Contacts; the last is that of Venner and Lubrecht's book, with its domain."""
+"""Contacts by their names."""
 
 CELLS = 256, 512, 1024, 2048
 """Cells along X and Y."""
