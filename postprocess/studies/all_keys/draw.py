@@ -188,10 +188,8 @@ def _orientation_2(c: Contact, row: Row) -> Value:
 def _response(c: Contact, row: Row) -> Value:
     if "orientation" not in row:
         return None
-    choices = ["harmonic", "harmonic", "harmonic", "transient", "periodic", "both"]
-    if c.is_warm:
-        choices.remove("periodic")
-    return c.one_of(*choices)
+    periodic = () if c.is_warm else ("periodic",)
+    return c.one_of("harmonic", "harmonic", "harmonic", "transient", *periodic, "both")
 
 
 def _cells(c: Contact, row: Row) -> Value:
