@@ -35,7 +35,7 @@ contains
       if (.not. allocated(error)) call check_grid_and_time(case, error)
       if (.not. allocated(error)) call check_response(case, error)
       if (.not. allocated(error)) call check_inlet(case, error)
-      call check_scheme(case, error)
+      if (.not. allocated(error)) call check_scheme(case, error)
       if (.not. allocated(error)) call choose_scheme(case, conditions)
       if (.not. allocated(error)) call choose_method(case, conditions)
       if (.not. allocated(error) .and. case%method == 'petsc') call require_petsc(error)

@@ -1,7 +1,6 @@
 !> The heat of a case: what it needs, and what it cannot be asked for.
 module ehlwave_case_heat
    use ehlwave_case_definition, only: case_t
-   use ehlwave_heat_data, only: carried
    use ehlwave_errors, only: error_t, raise
    use ehlwave_oil, only: doolittle, oil_t, tabulated
    use ehlwave_text, only: to_text
@@ -67,7 +66,7 @@ contains
          else if (case%is_starved() .or. case%oil_profile /= '') then
             call raise(error, '&heat takes a gap that is full of oil: remove &inlet oil_over_flooded, oil_layer_m '// &
                'and oil_profile, or &heat')
-         else if (heat%wave_temperatures == carried .and. .not. are_marched(case)) then
+         else if (heat%follows_waves() .and. .not. are_marched(case)) then
             call raise(error, "&heat wave_temperatures = 'carried' is for waves that move in time: give &waviness "// &
                "transverse, isotropic or custom waves with response = 'transient' or 'both', or remove it")
          else if (case%method == 'fas') then

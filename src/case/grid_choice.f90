@@ -6,7 +6,7 @@ module ehlwave_grid_choice
    use ehlwave_formula, only: amplitude_formula, anisotropy_factor, wave_parameter_v
    use ehlwave_kinds, only: dp
    use ehlwave_resolution, only: coarsest_inlet, coarsest_meniscus, coarsest_side, fewest_points_per_wave, &
-      fitted_inlet, inlet_length, wanted_inlet, wanted_line_inlet, wanted_points_per_wave
+      inlet_length, times_as_wide, wanted_inlet, wanted_line_inlet, wanted_points_per_wave
    use ehlwave_surfaces, only: surfaces_t
    use ehlwave_text, only: to_text
    implicit none (type, external)
@@ -58,7 +58,7 @@ contains
          length = case%x_max - case%x_min
          inlet = merge(coarsest_inlet, wanted_inlet, case%accuracy > 0)
          if (conditions%is_line() .and. .not. case%accuracy > 0) inlet = wanted_line_inlet
-         if (is_fitted) inlet = fitted_inlet*inlet
+         inlet = times_as_wide(is_fitted)*inlet
          mesh = inlet*inlet_length(conditions)
          if (.not. is_fitted) mesh = mesh/sqrt(steepness)
          wanted = length/mesh
@@ -92,7 +92,7 @@ contains
       end subroutine choose_x
 
       subroutine choose_y()
-         real(dp) :: length, mesh, wanted
+         real(dp) :: inlet, length, mesh, wanted
          integer :: n
 
          cells_y = case%cells_y
@@ -102,8 +102,9 @@ contains
          wanted = 0.5_dp*cells_x*length/(case%x_max - case%x_min)
          why_y = 'for hY <= 2 hX'
          if (is_fitted) then
-            mesh = fitted_inlet*coarsest_side*inlet_length(conditions)
-            if (length/mesh > wanted) why_y = 'for hY over the inlet length <= '//to_text(fitted_inlet*coarsest_side, 2)
+            inlet = times_as_wide(is_fitted)*coarsest_side
+            mesh = inlet*inlet_length(conditions)
+            if (length/mesh > wanted) why_y = 'for hY over the inlet length <= '//to_text(inlet, 2)
             wanted = max(wanted, length/mesh)
          end if
          if (case%accuracy > 0) points = max(points, points_for(share_of_waves*case%accuracy))

@@ -10,7 +10,8 @@ module ehlwave_resolution
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
-   public :: judge_resolution, inlet_length, inlet_gap, meniscus_distance, touching_reason, closing_reason, add_reason
+   public :: judge_resolution, inlet_length, inlet_gap, meniscus_distance, touching_reason, closing_reason, &
+      add_reason, times_as_wide
 
    ! Points per wave, in each direction and in time.
    real(dp), parameter, public :: fewest_points_per_wave = 8        !! that resolve it, see theory eq. (E6)
@@ -27,7 +28,7 @@ module ehlwave_resolution
 
    !> Times as wide as all of these a mesh may be with the fitted scheme. Measured: with 0.45 to 0.5 inlet lengths the
    !> central film is 0.3 to 2 per cent off (M = 1000 to 10,000, L = 2.5 to 20, D = 1 to 0.07), with 0.9 5 per cent.
-   real(dp), parameter, public :: fitted_inlet = 2
+   real(dp), parameter :: fitted_inlet = 2
 
    !> Largest hX over the distance from the contact's edge to the meniscus that resolves its answer to waves: Ad/Ai is
    !> then 8 per cent off, with 0.44 40 per cent (M = 100, D = 1, r = 0.5). The film needs no such grid: with 0.7 to 1.2
@@ -130,6 +131,12 @@ contains
       reasons = reasons//reason
    end subroutine add_reason
 
+   !> Times as wide a mesh may be by the inlet as that of the averaged scheme.
+   pure real(dp) function times_as_wide(is_fitted)
+      logical, intent(in) :: is_fitted   !! scheme
+      times_as_wide = merge(fitted_inlet, 1.0_dp, is_fitted)
+   end function times_as_wide
+
    !> Whether a film above 1 has all the domain that it needs, at X = x_min and at Y = y_max.
    pure logical function has_room(conditions, x_min, y_max)
       type(conditions_t), intent(in) :: conditions
@@ -159,7 +166,7 @@ contains
       length = inlet_length(conditions)
       self%inlet = hx/length
       coarsest = 1
-      if (present(is_fitted)) coarsest = merge(fitted_inlet, coarsest, is_fitted)
+      if (present(is_fitted)) coarsest = times_as_wide(is_fitted)
       call judge_inlet(self%inlet, coarsest*coarsest_inlet, 'hX')
       ! Measured at M = 3000, D = 1: with hY = 0.5 inlet lengths no solution is found where 0.25 has one (L = 12.05);
       ! with 0.31 the central film is 0.1 per cent off, but the smallest, in the side lobes, by a factor of two (L =

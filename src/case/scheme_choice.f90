@@ -6,7 +6,7 @@ module ehlwave_scheme_choice
    use ehlwave_errors, only: error_t, raise
    use ehlwave_grid_choice, only: accurate_mesh
    use ehlwave_kinds, only: dp
-   use ehlwave_resolution, only: coarsest_inlet, fewest_points_per_wave, fitted_inlet, inlet_length
+   use ehlwave_resolution, only: coarsest_inlet, fewest_points_per_wave, inlet_length, times_as_wide
    implicit none (type, external)
    private
    public :: averaged_cells, check_scheme, choose_scheme, is_fitted
@@ -52,7 +52,7 @@ contains
       waves = max(wave_number(case%roughness_t), wave_number(case%second))*max(1.0_dp, conditions%slip_parameter)
       mesh = accurate_mesh(case, conditions, case%has_ratio(), waves > 0 .and. conditions%slip_parameter > 0, &
                            merge(waves, 0.0_dp, fitted), merge(fitted_share, 1.0_dp, fitted))
-      mesh = min(mesh, merge(fitted_inlet, 1.0_dp, fitted)*coarsest_inlet*inlet_length(conditions))
+      mesh = min(mesh, times_as_wide(fitted)*coarsest_inlet*inlet_length(conditions))
       cells = (case%x_max - case%x_min)*max(1/mesh, waves*fewest_points_per_wave)
    end function cells
 
@@ -67,9 +67,8 @@ contains
    subroutine check_scheme(case, error)
       type(case_t), intent(in) :: case
       type(error_t), allocatable, intent(inout) :: error
-      if (case%scheme /= 'fitted' .or. allocated(error)) return
-      if (.not. suits(case)) call raise(error, "&solver scheme = 'fitted' is written for Newtonian oils, without "// &
-         "heat, in flooded contacts: take 'averaged', or remove the key")
+      if (is_fitted(case) .and. .not. suits(case)) call raise(error, "&solver scheme = 'fitted' is written for "// &
+         "Newtonian oils, without heat, in flooded contacts: take 'averaged', or remove the key")
    end subroutine check_scheme
 
    !> Whether the case has the fitted scheme.

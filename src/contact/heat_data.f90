@@ -29,6 +29,7 @@ module ehlwave_heat_data
       character(len=7) :: wave_temperatures = frozen      !! as waves pass in time
    contains
       procedure :: is_given
+      procedure :: follows_waves
       procedure :: second_body
    end type heat_data_t
 
@@ -50,6 +51,12 @@ contains
       is_given = max(self%oil_conductivity_w_per_m_k, self%oil_heat_capacity_j_per_kg_k, self%oil_density_kg_per_m3, &
                      self%oil_expansion_per_k, self%viscosity_temperature_per_k) > 0
    end function is_given
+
+   !> Whether temperatures of the oil follow the waves that pass in time.
+   elemental logical function follows_waves(self)
+      class(heat_data_t), intent(in) :: self
+      follows_waves = self%is_given() .and. self%wave_temperatures == carried
+   end function follows_waves
 
    !> The body of surface 2.
    pure function second_body(self) result(body)

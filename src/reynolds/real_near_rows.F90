@@ -1,7 +1,7 @@
 #define SCALAR real(dp)
 !> Rows of the near part of the Jacobian with real weights of wedge and squeeze.
 module ehlwave_real_near_rows
-   use ehlwave_real_wedge, only: wedge_t
+   use ehlwave_real_wedge, only: fold, wedge_t
    use ehlwave_flow, only: flow_t
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp

@@ -4,7 +4,7 @@ module ehlwave_real_wedge
    use ehlwave_kinds, only: dp
    implicit none (type, external)
    private
-   public :: new_wedge
+   public :: fold, new_wedge
 
 #include "wedge.inc"
 

@@ -11,7 +11,7 @@ module ehlwave_transport
    use ehlwave_complex_wedge, only: complex_wedge_t => wedge_t, new_complex_wedge => new_wedge
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
-   use ehlwave_real_wedge, only: new_wedge, wedge_t
+   use ehlwave_real_wedge, only: fold, new_wedge, wedge_t
    implicit none (type, external)
    private
    public :: steady_transport, characteristic_transport, harmonic_wedge, implicit_part
@@ -49,19 +49,8 @@ contains
       self%w0(1) = 1/grid%hx
       self%w1(1) = -1/grid%hx
       self%w2(1) = 0
-      if (grid%is_fitted) call raise_order(self, third_order/grid%hx)
+      if (grid%is_fitted) call self%raise_order(third_order/grid%hx)
    end function steady_transport
-
-   !> Weights of third order where three nodes lie upstream.
-   pure subroutine raise_order(self, weight)
-      type(transport_t), intent(inout) :: self
-      real(dp), intent(in) :: weight(0:)      !! (0:3)
-      allocate (self%w3(0:ubound(self%w0, 1)), source=0.0_dp)
-      self%w0(3:) = weight(0)
-      self%w1(3:) = weight(1)
-      self%w2(3:) = weight(2)
-      self%w3(3:) = weight(3)
-   end subroutine raise_order
 
    !> Transient: second-order backward difference along the characteristic X - T = const, with the idea
    !> of the narrow upstream scheme NU2 (Venner and others 1999), theory eq. (D5): with dT = hX
@@ -138,13 +127,12 @@ contains
          self%w1(:1) = -z/h
          self%w2(:1) = 0
       end associate
-      if (grid%is_fitted) call raise_harmonic_order(self, grid%hx, z, dt)
+      if (grid%is_fitted) call self%raise_order(harmonic_weights(grid%hx, z, dt))
    end function harmonic_wedge
 
-   !> Weights of third order where three nodes lie upstream: t0 f + t1 f' + t2 f'' + t3 f''' with the differences of the
-   !> cubic through the four nodes.
-   pure subroutine raise_harmonic_order(self, h, z, dt)
-      type(complex_wedge_t), intent(inout) :: self
+   !> Weights of third order of f(i) to f(i-3): t0 f + t1 f' + t2 f'' + t3 f''' with the differences of the cubic
+   !> through the four nodes.
+   pure function harmonic_weights(h, z, dt) result(weight)
       real(dp), intent(in) :: h           !! mesh size in X of the grid at hand
       complex(dp), intent(in) :: z        !! exp(i w dT)
       real(dp), intent(in) :: dt
@@ -159,12 +147,7 @@ contains
          t = t + third_order(l)*z**l/dt*[1.0_dp, -l*dt, (l*dt)**2/2, -(l*dt)**3/6]
       end do
       weight = matmul(difference, t/h**[0, 1, 2, 3])
-      allocate (self%w3(0:ubound(self%w0, 1)), source=(0.0_dp, 0.0_dp))
-      self%w0(3:) = weight(0)
-      self%w1(3:) = weight(1)
-      self%w2(3:) = weight(2)
-      self%w3(3:) = weight(3)
-   end subroutine raise_harmonic_order
+   end function harmonic_weights
 
    !> The terms at the present time, on the same grid or on one with half as many cells: what a Jacobian needs.
    !> Terms that look upstream in X follow the mesh size; terms along the characteristic do not.
@@ -199,12 +182,8 @@ contains
       self%w2 = transport%w2/ratio
       if (allocated(transport%w3)) then
          self%w3 = transport%w3/ratio
-         associate (outside => self%w3(:2))      ! f(i-3) of the parabola through the others
-            self%w0(:2) = self%w0(:2) + outside
-            self%w1(:2) = self%w1(:2) - 3*outside
-            self%w2(:2) = self%w2(:2) + 3*outside
-            outside = 0
-         end associate
+         call fold(self%w0(:2), self%w1(:2), self%w2(:2), self%w3(:2))   ! that f(i-3) is outside
+         self%w3(:2) = 0
       end if
       self%w0(1) = still(1) - self%w1(1) - self%w2(1)
       self%w1(1) = self%w1(1) + self%w2(1)

@@ -11,7 +11,6 @@ module ehlwave_case_runner
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_given, only: given_t
    use ehlwave_harmonic_case, only: run_responses
-   use ehlwave_heat_data, only: carried
    use ehlwave_heat_result, only: warm_fields
    use ehlwave_hierarchy, only: level_t
    use ehlwave_kinds, only: dp, pi
@@ -91,7 +90,7 @@ contains
             associate (heat => result%heat)
                result%friction_error = result%friction_error + heat%settling*result%shear%cancellation &
                                        + heat%levels_error
-               result%central_film_error = result%central_film_error + heat%settling + heat%levels_error
+               result%central_film_error = result%central_film_error + heat%film_error()
                call add_warning(result, heat%warning())
             end associate
             if (plan%surfaces%is_rough()) call add_warning(result, wave_heat_text(case, result%heat%frozen_error))
@@ -158,7 +157,7 @@ contains
       character(len=:), allocatable :: text
       text = ''
       if (.not. case%heat%is_given()) return
-      if (case%heat%wave_temperatures == carried) then
+      if (case%heat%follows_waves()) then
          text = 'in the march the oil takes its own temperatures, both surfaces keep those of the smooth contact'
          if (case%response == 'both') text = text//'; the linear response has all of them from there'// &
             ', which leaves about '//to_text(frozen_error, 1)//' of Ai in its Ad/Ai'
@@ -202,8 +201,7 @@ contains
          if (abs(ratio/small - 1) <= largest_difference) return
          call add_warning(result, waves//to_text(100*amplitude, 3)//' % of the film do not respond as small ones: '// &
             'Ad/Ai = '//to_text(ratio, 3)//' against '//to_text(small, 3)//' of the linear response'// &
-            trim(merge(', whose temperatures stay', repeat(' ', 25), &
-                       case%heat%is_given() .and. case%heat%wave_temperatures == carried)))
+            trim(merge(', whose temperatures stay', repeat(' ', 25), case%heat%follows_waves())))
       end subroutine compare
 
    end subroutine compare_with_small_waves

@@ -13,7 +13,7 @@ module ehlwave_estimated_case
    use ehlwave_march_keeper, only: march_keeper_t
    use ehlwave_monitor, only: go_on, monitor_t, stop_now
    use ehlwave_planned_case, only: case_plan_t
-   use ehlwave_resolution, only: fitted_inlet, telling_inlet, telling_points_per_wave
+   use ehlwave_resolution, only: telling_inlet, telling_points_per_wave, times_as_wide
    use ehlwave_shared_steady, only: shared_steady_t
    use ehlwave_status, only: is_success, status_interrupted, status_over_budget, status_pending
    use ehlwave_work_unit, only: work_unit_operations
@@ -58,7 +58,7 @@ contains
       call run_case(case, plan, monitor, result, shared, keeper)
       if (.not. plan%surfaces%is_rough() .or. .not. is_success(result%status)) return
       if (.not. ieee_is_finite(result%amplitude_ratio_fit)) return
-      by_heat = result%heat%settling + result%heat%levels_error
+      by_heat = result%heat%film_error()
       result%amplitude_ratio_error = plan%model_ratio_error(result%max_pressure, result%central_film_error) &
                                      + plan%expected%time + plan%expected%algebraic + by_heat
       result%amplitude_error_basis = 'model'
@@ -160,7 +160,7 @@ contains
       real(dp) :: points(3)
       associate (r => plan%resolution)
          points = [r%points_x, r%points_y, r%samples]
-         can_tell = r%inlet <= telling_inlet*merge(fitted_inlet, 1.0_dp, plan%is_fitted) .and. &
+         can_tell = r%inlet <= telling_inlet*times_as_wide(plan%is_fitted) .and. &
                     all(points <= 0 .or. points >= telling_points_per_wave - 1e-9_dp)
       end associate
    end function can_tell

@@ -103,7 +103,7 @@ contains
          harmonic%p = response%p
          harmonic%h = response%h
       end if
-      by_heat = result%heat%settling + result%heat%levels_error
+      by_heat = result%heat%film_error()
       harmonic%error = error_by_model(plan, result, harmonic) + by_heat   ! unless a coarser grid tells more
       harmonic%error_basis = 'model'
       if (.not. steady%has_coarse) return

@@ -29,6 +29,7 @@ module ehlwave_heat_result
       real(dp) :: peclet(2) = huge(1.0_dp)                 !! of `heat_scales_t`
    contains
       procedure :: take
+      procedure :: film_error
       procedure :: explain
       procedure :: warning
    end type heat_result_t
@@ -44,6 +45,12 @@ module ehlwave_heat_result
    real(dp), parameter :: by_frozen_heat = 0.1_dp
 
 contains
+
+   !> Relative error of the film by temperatures that have not settled and by the levels across it.
+   pure real(dp) function film_error(self)
+      class(heat_result_t), intent(in) :: self
+      film_error = self%settling + self%levels_error
+   end function film_error
 
    !> Account of the last march at a solution. The balance is that of the film under pressure: heat carried off is the
    !> flow of oil through its edges times the rise there.

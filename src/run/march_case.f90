@@ -6,7 +6,6 @@ module ehlwave_march_case
    use ehlwave_case_result, only: case_result_t
    use ehlwave_energy, only: energy_t
    use ehlwave_full_multigrid, only: full_multigrid_t
-   use ehlwave_heat_data, only: carried
    use ehlwave_kinds, only: dp, no_value, pi
    use ehlwave_march_keeper, only: march_keeper_t
    use ehlwave_march_settings, only: march_settings_t
@@ -93,7 +92,7 @@ contains
       logical :: keeps
 
       finest = size(multigrid%levels)
-      if (case%heat%is_given() .and. case%heat%wave_temperatures == carried) then
+      if (case%heat%follows_waves()) then
          call march%begin(multigrid%levels, march_settings(case, plan, result%central_film), rescue, energy)
       else
          call march%begin(multigrid%levels, march_settings(case, plan, result%central_film), rescue)
