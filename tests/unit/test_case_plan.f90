@@ -7,6 +7,7 @@ program test_case_plan
    use ehlwave_kinds, only: dp
    use ehlwave_planned_case, only: case_plan_t, run_march, run_smooth, run_standing
    use ehlwave_text, only: to_text
+   use sample_plan, only: plan_of
    use testing, only: test_t
    implicit none (type, external)
 
@@ -40,17 +41,17 @@ contains
    subroutine check_thinning()
       type(case_plan_t) :: newtonian, plan
       type(case_t) :: case
-      newtonian = plan_of(sample('none', 0.0_dp))
+      newtonian = plan_of(test, sample('none', 0.0_dp))
       case = sample('none', 0.0_dp)
       case%data%reduced_modulus_pa = 2.26e11_dp
       case%slip_parameter = 0.5_dp
       case%oil%flow_law = 'eyring'
       case%oil%eyring_stress_pa = 1e12_dp
-      plan = plan_of(case)
+      plan = plan_of(test, case)
       call test%check_close([newtonian%thinning%steepness, newtonian%thinning%cost], [1.0_dp, 1.0_dp], 'Newtonian', relative=0.0_dp)
       call test%check_close(plan%expected%mesh, newtonian%expected%mesh, 'hardly thins', relative=1e-4_dp)
       case%oil%eyring_stress_pa = 2e5_dp
-      plan = plan_of(case)
+      plan = plan_of(test, case)
       associate (stress => plan%conditions%hertz_pressure_pa**2/(2.26e11_dp*2e5_dp))
          call test%check_close(plan%expected%mesh, (1 + 0.15_dp*stress)*newtonian%expected%mesh, 'thins', relative=1e-10_dp)
       end associate
@@ -58,7 +59,7 @@ contains
       case%oil%flow_law = 'carreau'
       case%oil%carreau_modulus_pa = 2e5_dp
       case%oil%carreau_exponent = 1
-      plan = plan_of(case)
+      plan = plan_of(test, case)
       call test%check_close(plan%expected%mesh, newtonian%expected%mesh, 'n = 1 is Newtonian', relative=1e-10_dp)
    end subroutine check_thinning
 
@@ -67,77 +68,66 @@ contains
       type(case_plan_t) :: plan
       type(case_t) :: case
       case = sample('transverse', 0.5_dp)
-      plan = plan_of(case)
+      plan = plan_of(test, case)
       call test%check(plan%has_work_cap() .and. plan%largest_work > plan%expected_work(), 'a cap')
       call test%check(plan%largest_work < 10*plan%expected_work(), 'within ten times the plan')
       case%largest_total_steps = 100
-      plan = plan_of(case)
+      plan = plan_of(test, case)
       call test%check(.not. plan%has_work_cap() .and. plan%largest_total_steps == 100, 'that of the case')
    end subroutine check_work_cap
-
-   function plan_of(given) result(plan)
-      type(case_t), intent(in) :: given
-      type(case_plan_t) :: plan
-      type(case_t) :: case
-      type(error_t), allocatable :: error
-      case = given
-      call complete_case(case, '', error)
-      if (.not. allocated(error)) call make_plan(case, plan, error)
-      call test%check_no_error(error, 'plan')
-   end function plan_of
 
    subroutine check_kinds()
       type(case_plan_t) :: plan
       type(case_t) :: case
-      plan = plan_of(sample('none', 0.0_dp))
+      plan = plan_of(test, sample('none', 0.0_dp))
       call test%check(plan%kind == run_smooth .and. plan%is_half .and. plan%steps == 0, 'smooth')
-      plan = plan_of(sample('longitudinal', 0.5_dp))
+      plan = plan_of(test, sample('longitudinal', 0.5_dp))
       call test%check(plan%kind == run_standing .and. plan%phases == 2, 'longitudinal: crest and trough')
-      plan = plan_of(sample('isotropic', 0.5_dp))
+      plan = plan_of(test, sample('isotropic', 0.5_dp))
       call test%check(plan%kind == run_march .and. plan%is_half, 'isotropic: march on half the domain')
       case = sample('isotropic', 0.5_dp)
       case%slip_parameter = 0
-      plan = plan_of(case)
+      plan = plan_of(test, case)
       call test%check(plan%kind == run_standing .and. plan%phases == 8, 'a surface at rest: eight phases')
       case = sample('custom', 0.0_dp)
       case%wavelength_x_over_a = 0.5_dp
       case%wavelength_y_over_a = 1
       case%oblique = .true.
-      plan = plan_of(case)
+      plan = plan_of(test, case)
       call test%check(plan%kind == run_march .and. .not. plan%is_half, 'oblique: whole domain')
       case = sample('isotropic', 0.5_dp)
       case%domain = 'whole'
-      plan = plan_of(case)
+      plan = plan_of(test, case)
       call test%check(.not. plan%is_half, 'whole domain as asked')
    end subroutine check_kinds
 
    subroutine check_steps()
       type(case_plan_t) :: plan
       type(case_t) :: case
-      plan = plan_of(sample('transverse', 0.5_dp))
+      plan = plan_of(test, sample('transverse', 0.5_dp))
       call test%check_close(plan%dt, 0.0625_dp, 'dT = hX', relative=1e-15_dp)
       call test%check(plan%first_sample == 64 .and. plan%steps == 72, 'one wave after T = 3.5, for one wave')
       case = sample('transverse', 0.5_dp)
       case%settling_periods = 0
-      plan = plan_of(case)
+      plan = plan_of(test, case)
       call test%check(plan%first_sample == 56 .and. plan%steps == 64, 'from T = 3.5 for one wave')
       case = sample('transverse', 0.5_dp)
       case%slip_parameter = 0.5_dp
-      plan = plan_of(case)
+      plan = plan_of(test, case)
       call test%check(plan%first_sample == 128 .and. plan%steps == 144, 'slow surface: T = 7, period 1')
       case%slip_parameter = 2
-      plan = plan_of(case)
+      plan = plan_of(test, case)
       call test%check(plan%first_sample == 60 .and. plan%steps == 64, 'fast surface: the lubricant is slower')
       case = sample('transverse', 1.0_dp)
       case%time_step_over_cell = 2
-      plan = plan_of(case)
+      plan = plan_of(test, case)
       call test%check(plan%steps == 44 .and. plan%cells_per_step == 2 .and. plan%steps_per_cell == 1, 'two cells a step')
       case%time_step_over_cell = 0.25_dp
-      plan = plan_of(case)
+      plan = plan_of(test, case)
       call test%check(plan%steps == 352 .and. plan%cells_per_step == 1 .and. plan%steps_per_cell == 4, 'four steps a cell')
       case = sample('transverse', 0.5_dp)
       case%end_time = 6
-      plan = plan_of(case)
+      plan = plan_of(test, case)
       call test%check(plan%steps == 96 .and. plan%first_sample == 88, 'end time asked for')
    end subroutine check_steps
 
@@ -147,7 +137,7 @@ contains
       case = sample('transverse', 0.3_dp)
       case%cells_x = 0
       case%cells_y = 0
-      plan = plan_of(case)
+      plan = plan_of(test, case)
       call test%check(plan%cells_x == 256, '16 points per wave of 0.3: '//to_text(plan%cells_x))
       call test%check(plan%cells_y == 128, 'hY <= 2 hX: '//to_text(plan%cells_y))
       call test%check(plan%resolution%is_resolved, 'a chosen grid resolves')
@@ -155,10 +145,10 @@ contains
       case%radius_ratio_d = 0.04_dp
       case%cells_x = 0
       case%cells_y = 0
-      plan = plan_of(case)
+      plan = plan_of(test, case)
       call test%check(plan%resolution%points_y >= 16, 'slender contact: 16 points per wave along Y too')
       case%largest_cells = 128
-      plan = plan_of(case)
+      plan = plan_of(test, case)
       call test%check(plan%cells_y == 128 .and. .not. plan%resolution%is_resolved, 'limited, and said so')
       call test%check(index(plan%grid_reason, 'limited') > 0, 'the plan says limited')
    end subroutine check_grid
@@ -166,26 +156,26 @@ contains
    subroutine check_deformation()
       type(case_plan_t) :: plan
       type(case_t) :: case
-      plan = plan_of(sample('none', 0.0_dp))
+      plan = plan_of(test, sample('none', 0.0_dp))
       call test%check(plan%deformation == 'fft', 'small: FFT')
       case = sample('none', 0.0_dp)
       case%cells_x = 512
       case%cells_y = 512
-      plan = plan_of(case)
+      plan = plan_of(test, case)
       call test%check(plan%deformation == 'fft', 'half of a large domain: FFT')
       case%radius_ratio_d = 0.04_dp
-      plan = plan_of(case)
+      plan = plan_of(test, case)
       call test%check(plan%deformation == 'fft', 'of a slender contact, too')
       case%deformation = 'mlmi'
-      plan = plan_of(case)
+      plan = plan_of(test, case)
       call test%check(plan%deformation == 'mlmi', 'MLMI where it is asked for')
       case%deformation = 'auto'
       case%domain = 'whole'
-      plan = plan_of(case)
+      plan = plan_of(test, case)
       call test%check(plan%deformation == 'fft', 'whole domain: FFT, too')
       case%domain = 'auto'
       case%deformation = 'fft'
-      plan = plan_of(case)
+      plan = plan_of(test, case)
       call test%check(plan%deformation == 'fft', 'as asked')
    end subroutine check_deformation
 

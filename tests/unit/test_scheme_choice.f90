@@ -2,10 +2,10 @@
 program test_scheme_choice
    use ehlwave_case_completion, only: complete_case
    use ehlwave_case_definition, only: case_t
-   use ehlwave_case_plan, only: make_plan
    use ehlwave_errors, only: error_t
    use ehlwave_kinds, only: dp
    use ehlwave_planned_case, only: case_plan_t
+   use sample_plan, only: plan_of
    use testing, only: test_t
    implicit none (type, external)
 
@@ -40,21 +40,21 @@ program test_scheme_choice
    case%radius_ratio_d = 0
    call check(case, 'auto', 'a line contact')
 
-   fitted = plan_of(sample(10000.0_dp))
+   fitted = plan_of(test, sample(10000.0_dp))
    case = sample(10000.0_dp)
    case%scheme = 'averaged'
    case%largest_cells = 4096
-   averaged = plan_of(case)
+   averaged = plan_of(test, case)
    call test%check(fitted%resolution%is_resolved .and. fitted%expected_error <= 0.01_dp, 'the plan reaches it')
    call test%check(fitted%expected_work() < 0.2_dp*averaged%expected_work(), 'at a fifth of the work')
    case = sample(10000.0_dp)
    case%lubricant_parameter_l = 2.5_dp
-   fitted = plan_of(case)
+   fitted = plan_of(test, case)
    call test%check(fitted%resolution%is_resolved, 'an inlet that is short for its accuracy')
    case = with_waves(3000.0_dp, 1.0_dp)
    case%response = 'transient'
    case%time_step_over_cell = 0
-   fitted = plan_of(case)
+   fitted = plan_of(test, case)
    call test%check(fitted%is_fitted .and. fitted%cells_per_step == 1, 'steps as short as the mesh')
    call test%finish()
 
@@ -80,17 +80,6 @@ contains
       case%wavelength_over_a = wavelength
       case%response = 'harmonic'
    end function with_waves
-
-   function plan_of(given) result(plan)
-      type(case_t), intent(in) :: given
-      type(case_plan_t) :: plan
-      type(case_t) :: case
-      type(error_t), allocatable :: error
-      case = given
-      call complete_case(case, '', error)
-      if (.not. allocated(error)) call make_plan(case, plan, error)
-      call test%check_no_error(error, 'plan')
-   end function plan_of
 
    subroutine check(given, scheme, name)
       type(case_t), intent(in) :: given
