@@ -3,7 +3,6 @@
 import argparse
 import json
 import math
-import resource
 import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
@@ -15,7 +14,7 @@ from ehlwave.contact.scales import radius_ratio
 from ehlwave.schema import SETTLED
 from studies.command import maps
 from studies.command.options import step_parser
-from studies.programs import Groups, Outcome, last_line, run_case
+from studies.programs import Groups, last_line, processor_seconds
 from studies.sweeps import run_command, write_rows
 
 PRESSURE = 0.3e9, 2e9
@@ -133,17 +132,6 @@ def isothermal(groups: Groups) -> Groups:
     cold = {name: keys for name, keys in groups.items() if name != "heat"}
     cold["lubricant"] = {k: v for k, v in groups["lubricant"].items() if k != "temperature_k"}
     return cold
-
-
-def processor_seconds(groups: Groups, repeats: int, *options: str) -> tuple[Outcome, float]:
-    """Run a case some times; return the last outcome and the least processor time."""
-    least = math.inf
-    for _ in range(repeats):
-        before = resource.getrusage(resource.RUSAGE_CHILDREN)
-        outcome = run_case(groups, *options)
-        after = resource.getrusage(resource.RUSAGE_CHILDREN)
-        least = min(least, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
-    return outcome, least
 
 
 def timed(groups: Groups, repeats: int) -> tuple[Mapping[str, object], float]:

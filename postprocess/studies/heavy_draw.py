@@ -7,8 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from studies.heat_map import processor_seconds
-from studies.programs import Groups, last_line
+from studies.programs import Groups, last_line, processor_seconds
 
 ACCURACY = 0.01
 LOADS = 2000.0, 10000.0

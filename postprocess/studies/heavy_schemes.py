@@ -5,6 +5,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from ehlwave.contact.scales import ellipticity, pressure_factor
 from studies.programs import Groups, solve
 from studies.work_unit import convolutions
 
@@ -65,7 +66,7 @@ def groups_of(m: float, d: float, wave: float, scheme: str, cells: int) -> Group
 
 def reference_cells(m: float, d: float) -> int:
     """Return cells of the finer reference grid: about 0.1 inlet lengths of the heaviest load."""
-    steepness = m * d**0.8  # about gamma M
+    steepness = m * pressure_factor(ellipticity(d))
     return next((n for n in (256, 512) if n * n > 200 * steepness), 1024)
 
 

@@ -16,9 +16,8 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from ehlwave.writing import Writer, write_new_text
-from studies.heat_map import processor_seconds
 from studies.heavy import BOOK
-from studies.programs import Groups, last_line
+from studies.programs import Groups, last_line, processor_seconds
 
 RADIUS_M = 12.5e-3
 MODULUS_PA = 110e9

@@ -8,7 +8,7 @@ import pytest
 import ehlwave
 from ehlwave.atlas.atlas import load_atlas, shipped
 from ehlwave.atlas.kinds import LINE, LINE_SLIDING
-from ehlwave.atlas.line_sliding import MODULUS_PA
+from ehlwave.atlas.sliding import MODULUS_PA
 from ehlwave.deform import trace_surface
 from studies.atlas.line_sliding_design import case, write_batch
 

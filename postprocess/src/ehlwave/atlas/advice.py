@@ -6,7 +6,7 @@ from collections.abc import Mapping
 import numpy as np
 from scipy.optimize import linprog
 
-from ehlwave.atlas.kind import Kind
+from ehlwave.atlas.kind import Kind, is_within
 from ehlwave.contact.conditions import Conditions, moes_values
 from ehlwave.errors import RangeError, SurfaceError
 from ehlwave.hints import see
@@ -45,7 +45,7 @@ def refuse_outside(contact: Conditions, kind: Kind) -> None:
     A contact given by M, L and D is left to the message of the atlas itself.
     """
     place, ranges = contact.atlas_keys(), kind.ranges
-    wrong = [key for key, (low, high) in ranges.items() if not _is_inside(place[key], low, high)]
+    wrong = [key for key, (low, high) in ranges.items() if not is_within(place[key], low, high)]
     given = dict(contact.given)
     if "slip_parameter" in wrong:
         raise RangeError(_slip_text(contact, ranges["slip_parameter"]))
@@ -77,10 +77,6 @@ def refuse_outside(contact: Conditions, kind: Kind) -> None:
     else:
         text = f"this contact has {said}; {_nearest(place, given, powers, kind, names)}"
     raise RangeError(f"{text}; or compute it: ehlwave-case, ehlwave.Case{see('atlas')}")
-
-
-def _is_inside(value: float, low: float, high: float) -> bool:
-    return low * (1 - 1e-9) <= value <= high * (1 + 1e-9)
 
 
 def _follow(wrong: list[str], given: Mapping[str, float]) -> bool:
@@ -126,7 +122,7 @@ def _interval(
     for key, ends in ranges.items():
         power = powers.get(key, 0.0)
         if power == 0:
-            if not _is_inside(place[key], *ends):
+            if not is_within(place[key], *ends):
                 return None
             continue
         factors = sorted((end / place[key]) ** (1 / power) for end in ends)

@@ -1,19 +1,18 @@
 """The coordinates of line contacts that slide, and references of their films and friction."""
 
 from collections.abc import Mapping
-from functools import lru_cache
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ehlwave.atlas.coordinates import Floats, columns
+from ehlwave.atlas.coordinates import Floats
 from ehlwave.atlas.line import line_coordinates
 from ehlwave.atlas.line_rolling import rolling_line_chart
 from ehlwave.atlas.ranges import LINE_RANGES
-from ehlwave.atlas.sliding import MODULUS_PA, STRESS_POINTS
-from ehlwave.contact.conditions import Conditions, conditions_from_keys
+from ehlwave.atlas.sliding import STRESS_POINTS, conditions_of, slip_coordinates
+from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.line_contact import line_film, moes_per_line_film
-from ehlwave.contact.medium import INLET_VISCOSITY, hertz_medium
+from ehlwave.contact.medium import hertz_medium
 from ehlwave.contact.oils import log_viscosity
 
 LINE_SLIDING_RANGES = LINE_RANGES | {
@@ -28,19 +27,7 @@ They are what its networks were fitted to, whatever the ranges of ellipses are.
 
 def line_conditions_of(keys: Mapping[str, ArrayLike]) -> list[Conditions]:
     """Return the conditions of line contacts given by columns named as their keys."""
-    table = map(np.atleast_1d, columns(keys, LINE_SLIDING_RANGES))
-    return [_conditions(*map(float, row)) for row in zip(*table, strict=True)]
-
-
-@lru_cache(maxsize=4096)
-def _conditions(*values: float) -> Conditions:
-    keys = dict(zip(LINE_SLIDING_RANGES, values, strict=True))
-    more = {
-        "radius_ratio_d": 0.0,
-        "reduced_modulus_pa": MODULUS_PA,
-        "eyring_stress_pa": keys.pop("stress_modulus_pa2") / MODULUS_PA,
-    }
-    return conditions_from_keys(keys | more, "atlas", needs_lengths=False)
+    return conditions_of(keys, LINE_SLIDING_RANGES)
 
 
 def thinning(contact: Conditions, slip: float) -> float:
@@ -55,10 +42,8 @@ def line_sliding_coordinates(keys: Mapping[str, ArrayLike]) -> Floats:
 
     Those of line contacts that roll, and the three of slip: ``atlas/sliding.py``.
     """
-    slip = np.atleast_1d(np.asarray(keys["slip_parameter"], dtype=float))
-    stress = INLET_VISCOSITY * np.array([thinning(one, 2.0) for one in line_conditions_of(keys)])
-    own = np.log1p((stress * (slip - 1)) ** 2) / 2
-    return np.column_stack([line_coordinates(keys), np.log(stress), own, (slip - 1) ** 2])
+    at_two = [thinning(one, 2.0) for one in line_conditions_of(keys)]
+    return np.column_stack([line_coordinates(keys), slip_coordinates(keys, at_two)])
 
 
 def mean_line_stress(contact: Conditions) -> float:

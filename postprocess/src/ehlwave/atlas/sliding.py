@@ -1,6 +1,6 @@
 """The coordinates of contacts that slide, and what their films and friction are relative to."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from functools import lru_cache
 
 import numpy as np
@@ -28,21 +28,33 @@ def sliding_coordinates(keys: Mapping[str, ArrayLike]) -> Floats:
     S = 2; and what is the same for S and 2 - S, as films are: (S - 1)^2 and, for the slip that
     there is, ln(1 + (that stress ratio)^2)/2.
     """
+    thinning = [one.medium(2.0).thinning for one in conditions_of(keys)]
+    return np.column_stack([contact_coordinates(keys), slip_coordinates(keys, thinning)])
+
+
+def slip_coordinates(keys: Mapping[str, ArrayLike], thinning: ArrayLike) -> Floats:
+    """Return those by slip, shape (c, 3), from B of contacts at S = 2 and ambient pressure."""
     slip = np.atleast_1d(np.asarray(keys["slip_parameter"], dtype=float))
-    stress = INLET_VISCOSITY * np.array([one.medium(2.0).thinning for one in conditions_of(keys)])
+    stress = INLET_VISCOSITY * np.asarray(thinning)
     own = np.log1p((stress * (slip - 1)) ** 2) / 2
-    return np.column_stack([contact_coordinates(keys), np.log(stress), own, (slip - 1) ** 2])
+    return np.column_stack([np.log(stress), own, (slip - 1) ** 2])
 
 
-def conditions_of(keys: Mapping[str, ArrayLike]) -> list[Conditions]:
-    """Return the conditions of contacts given by columns named as their keys."""
-    table = map(np.atleast_1d, columns(keys, SLIDING_RANGES))
-    return [_conditions(*map(float, row)) for row in zip(*table, strict=True)]
+def conditions_of(
+    keys: Mapping[str, ArrayLike], ranges: Iterable[str] = SLIDING_RANGES
+) -> list[Conditions]:
+    """Return the conditions of contacts given by columns named as the keys of their ranges.
+
+    Without a ratio of radii they are line contacts.
+    """
+    names = tuple(ranges)
+    table = map(np.atleast_1d, columns(keys, names))
+    return [_conditions(names, *map(float, row)) for row in zip(*table, strict=True)]
 
 
-@lru_cache(maxsize=4096)
-def _conditions(*values: float) -> Conditions:
-    keys = dict(zip(SLIDING_RANGES, values, strict=True))
+@lru_cache(maxsize=8192)
+def _conditions(names: tuple[str, ...], *values: float) -> Conditions:
+    keys = {"radius_ratio_d": 0.0} | dict(zip(names, values, strict=True))
     stress = {
         "reduced_modulus_pa": MODULUS_PA,
         "eyring_stress_pa": keys.pop("stress_modulus_pa2") / MODULUS_PA,
