@@ -1,5 +1,6 @@
 import csv
 import json
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -11,6 +12,7 @@ from synthetic import Columns, make_columns, write_results, written_names
 from ehlwave.cli import main
 
 Capture = pytest.CaptureFixture[str]
+EHLWAVE = [sys.executable, "-m", "ehlwave"]
 KEY = ("orientation", "load_parameter_m", "radius_ratio_d", "wavelength_over_a")
 
 
@@ -153,9 +155,8 @@ def test_bad_option_values(results_file: Path, capsys: Capture) -> None:
 @pytest.mark.parametrize("command", [["collapse"], ["refit"], ["table"], ["export", "--csv", "x"]])
 def test_a_newer_format_ends_the_program_with_a_message(tmp_path: Path, command: list[str]) -> None:
     source = write_results(tmp_path / "r.h5", make_columns(), format_version=2)
-    code = "import sys; from ehlwave.cli import main; sys.exit(main())"
     finished = subprocess.run(
-        [sys.executable, "-c", code, command[0], str(source), *command[1:]],
+        [*EHLWAVE, command[0], str(source), *command[1:]],
         capture_output=True,
         text=True,
         cwd=tmp_path,
@@ -165,3 +166,20 @@ def test_a_newer_format_ends_the_program_with_a_message(tmp_path: Path, command:
     assert finished.stderr.startswith(f"ehlwave: error: {source}: format version 2 is newer")
     assert finished.stderr.count("\n") == 1
     assert written_names(tmp_path) == {"r.h5"}
+
+
+@pytest.mark.parametrize("command", [["--version"], ["--help"], ["deform", "--help"]])
+def test_a_full_disk_and_a_reader_who_has_seen_enough(command: list[str]) -> None:
+    with Path("/dev/full").open("w") as full:
+        finished = subprocess.run(
+            [*EHLWAVE, *command], stdout=full, stderr=subprocess.PIPE, text=True, check=False
+        )
+    assert finished.returncode == 3
+    assert finished.stderr == "ehlwave: error: output: No space left on device\n"
+    reader, writer = os.pipe()
+    os.close(reader)
+    with os.fdopen(writer, "w") as closed:
+        finished = subprocess.run(
+            [*EHLWAVE, *command], stdout=closed, stderr=subprocess.PIPE, text=True, check=False
+        )
+    assert (finished.returncode, finished.stderr) == (0, "")

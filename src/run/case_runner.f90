@@ -82,11 +82,11 @@ contains
          result%heat = steady%heat
          if (result%status == status_converged) then
             call take_smooth_film(case, plan, level, stress, result)
-            call estimate_film_errors(plan, steady%multigrid%hierarchy_t, stress, case%tolerance, result)
             if (plan%inlet%is_short()) then
                call result%starved%take(steady%multigrid%levels, steady%flooded, result%work)
                call add_warning(result, result%starved%warning(level%problem%grid))
             end if
+            call estimate_film_errors(plan, steady%multigrid%hierarchy_t, stress, case%tolerance, result)
             associate (heat => result%heat)
                result%friction_error = result%friction_error + heat%settling*result%shear%cancellation &
                                        + heat%levels_error

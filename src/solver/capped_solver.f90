@@ -21,6 +21,7 @@ module ehlwave_capped_solver
       procedure :: attempt_from_coarsest
       procedure :: is_spent
       procedure :: solve_below
+      procedure :: solve_coarse
    end type capped_solver_t
 
 contains
@@ -110,6 +111,24 @@ contains
       call multigrid%solve_below(bounded(self, limits))
       self%work_left = self%work_left - (multigrid%work() - work_before)
    end subroutine solve_below
+
+   !> A coarser level, whose steps the cap on those of the finest does not count. It may take `coarse_share` of what is
+   !> left, so that one that stalls leaves the finest enough.
+   subroutine solve_coarse(self, multigrid, l, limits, report)
+      class(capped_solver_t), intent(inout) :: self
+      type(full_multigrid_t), intent(inout) :: multigrid
+      integer, intent(in) :: l
+      type(solve_limits_t), intent(in) :: limits
+      type(solve_report_t), intent(out) :: report
+      real(dp), parameter :: coarse_share = 0.25_dp
+      type(solve_limits_t) :: here
+      real(dp) :: work_before
+      work_before = multigrid%work()
+      here = bounded(self, limits)
+      here%largest_work = min(here%largest_work, coarse_share*max(0.0_dp, self%work_left))
+      call multigrid%solve_level(l, here, report)
+      self%work_left = self%work_left - (multigrid%work() - work_before)
+   end subroutine solve_coarse
 
    !> Whether the case has used up what it may take.
    pure logical function is_spent(self)

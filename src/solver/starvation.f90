@@ -73,7 +73,7 @@ contains
             end if
             if (l < n) then
                report = solve_report_t()
-               if (is_known) call multigrid%solve_level(l, loose, report)
+               if (is_known) call rescue%solve_coarse(multigrid, l, loose, report)
                if (report%status /= status_converged) &
                   call come_down(rescue, multigrid, l, full, flooded%oil(l), loose, report)
                level%report = report
@@ -128,7 +128,7 @@ contains
                call rescue%attempt(multigrid, here)
                report = level%report
             else
-               call multigrid%solve_level(l, here, report)
+               call rescue%solve_coarse(multigrid, l, here, report)
             end if
             is_solved = report%status == status_converged
             if (is_solved) last = level%state

@@ -33,12 +33,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
     Returns
     -------
     int
-        0; with a message on standard error 2 for what cannot be used or must not be replaced, 3 for
-        output that cannot be written.
+        0, also where the reader of the output has seen enough; with a message on standard error 2
+        for what cannot be used or must not be replaced, 3 for output that cannot be written.
     """
     with plain_text_only():
-        options = command_parser().parse_args(arguments)
+        options = argparse.Namespace()
         try:
+            command_parser().parse_args(arguments, options)
             options.writer = Writer(
                 _inputs(options), overwrite=getattr(options, "overwrite", False)
             )
@@ -56,7 +57,6 @@ def main(arguments: Sequence[str] | None = None) -> int:
         except BrokenPipeError:
             # The reader of our output has gone; keep Python from saying so again at exit.
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-            return 1
         except OSError as error:
             return _fail(f"{error.filename or 'output'}: {error.strerror or error}", NOT_WRITTEN)
     return 0

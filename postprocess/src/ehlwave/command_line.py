@@ -2,8 +2,9 @@
 
 import argparse
 import re
+import sys
 from collections.abc import Iterator
-from typing import NoReturn
+from typing import NoReturn, TextIO
 
 from ehlwave.hints import did_you_mean
 from ehlwave.slip import RATIO
@@ -11,6 +12,10 @@ from ehlwave.slip import RATIO
 
 class Parser(argparse.ArgumentParser):
     """A parser that asks for the nearest command or option where one is unknown."""
+
+    def print_help(self, file: TextIO | None = None) -> None:  # type: ignore[override]
+        """Print the help; raises OSError where it cannot be written, as any output does."""
+        print(self.format_help(), end="", file=file or sys.stdout, flush=True)
 
     def error(self, message: str) -> NoReturn:
         """Say what is wrong and what is near, and end with status 2."""
