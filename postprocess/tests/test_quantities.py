@@ -109,6 +109,12 @@ def test_usual_values_pass_and_a_million_off_is_asked_about(name: str) -> None:
                 number(value, name)
 
 
+@pytest.mark.parametrize("switch", [True, np.bool_(True)])
+def test_a_switch_is_no_number(switch: object) -> None:
+    with pytest.raises(SurfaceError, match="oil_over_flooded = True is not a number"):
+        ehlwave.Contact(**PLAIN, oil_over_flooded=switch)
+
+
 def test_cases_and_studies_take_units() -> None:
     try:
         one = ehlwave.Case(**WITH_UNITS, cells_x=64, cells_y=64)

@@ -32,9 +32,9 @@ module ehlwave_film_errors
    !> more than 1.16 times the estimate; three of them had R = 0.16 to 0.27 and were off by 1.2 to 1.6 times that.
    real(dp), parameter :: starved_share = 0.5_dp   !! of 1 - R
 
-   !> Error of the friction over the estimate: of 410 random contacts three were off by 1.4 to 1.5 times the estimate;
-   !> where no second grid shows how the pressure spike grows, a contact with P up to 1.8 by 2.4 times.
-   real(dp), parameter :: friction_margin = 1.3_dp
+   !> Error of the friction over the estimate: of 694 random contacts five were off by 1.4 to 1.8 times the estimate;
+   !> where no second grid shows how the pressure spike grows, one with P up to 1.8 by 2.4 times.
+   real(dp), parameter :: friction_margin = 1.6_dp
 
    !> Estimate of it above which no friction is given; 1 where no second grid shows how the pressure spike grows. Random
    !> cases that said 1 to 10 with a second grid were off by less.

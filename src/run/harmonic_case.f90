@@ -25,8 +25,8 @@ module ehlwave_harmonic_case
    !> to 1.7 times those said.
    real(dp), parameter :: enough_points = 12
 
-   !> Error over what two grids show: of 370 random responses one was off by 1.5 times that, ten by more than 1.1 times.
-   real(dp), parameter :: grids_margin = 1.25_dp
+   !> Error over what two grids show: of 393 random responses three were off by 1.5 to 1.7 times that.
+   real(dp), parameter :: grids_margin = 1.4_dp
 
 contains
 

@@ -27,6 +27,7 @@ module ehlwave_fas_multigrid
       character(len=1) :: cycle = 'f'             !! 'v', 'w' or 'f'
       type(fas_level_t), allocatable, private :: levels(:)   ! coarsest first
       type(newton_t), private :: direct           ! solves the coarsest level
+      real(dp), private :: most_work = huge(1.0_dp)   ! of the hierarchy, from which on no further step begins
    contains
       procedure :: init
       procedure :: solve
@@ -68,6 +69,7 @@ contains
       end if
       allocate (report%history(0))
       work_before = hierarchy%work()
+      self%most_work = work_before + limits%largest_work
       associate (problem => hierarchy%levels(l)%problem, given => hierarchy%levels(l)%given, level => self%levels(l), &
                  state => self%levels(l)%state)
          state = hierarchy%levels(l)%state
@@ -79,7 +81,7 @@ contains
             if (report%status /= status_stalled) exit
             if (report%residual > divergence*report%history(1)) report%status = status_diverged
             if (report%status == status_diverged .or. k == limits%largest_steps) exit
-            if (hierarchy%work() - work_before >= limits%largest_work) exit
+            if (hierarchy%work() >= self%most_work) exit
             if (report%worst() < progress*least) then
                least = report%worst()
                of_least = k
@@ -126,7 +128,8 @@ contains
 
       associate (coarsest => self%levels(1))
          call self%direct%improve(hierarchy%levels(:1), coarsest%given, coarsest%state, &
-                                  solve_limits_t(tolerance=tolerance, largest_steps=direct_steps), report)
+                                  solve_limits_t(tolerance=tolerance, largest_steps=direct_steps, &
+                                                 largest_work=self%most_work - hierarchy%work()), report)
          if (.not. report%residual <= report%history(1)) coarsest%state = coarsest%restricted    ! better no correction
       end associate
    end subroutine solve_directly

@@ -132,6 +132,8 @@ def number(value: Any, name: str, place: str = "") -> float:  # noqa: ANN401 - w
     """
     start = f"{place}: " if place else ""
     has_unit = is_quantity(value)
+    if type(value).__name__ in ("bool", "bool_"):  # of Python, and of numpy
+        raise SurfaceError(f"{start}{name} = {value} is not a number")
     try:
         found = float(plain(value, name))
     except (TypeError, ValueError):
