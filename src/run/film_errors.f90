@@ -72,8 +72,8 @@ contains
                                                  likely_order(result%film_order, plan%resolution, &
                                                  plan%steepness))
       result%film_error_basis = 'coarse_grid'
-      between = merge(kink_share, smooth_share, plan%is_fitted)* &
-                bend(multigrid%levels(n)%problem%grid, multigrid%levels(n)%state%h)
+      between = between_nodes(multigrid%levels(n)%problem%grid, multigrid%levels(n)%state%h, &
+                              merge(kink_share, smooth_share, plan%is_fitted))
       if (ieee_is_finite(result%minimum_film_error)) &
          result%minimum_film_error = max(result%minimum_film_error, result%central_film_error + between)
       if (.not. ieee_is_finite(result%central_film_error)) then
@@ -129,17 +129,25 @@ contains
       if (plan%is_fitted) error = error*merge(1.0_dp, sum_share, result%film_error_basis == 'model')/fitted_share
    end function averaged_error
 
-   !> Second differences of the film at its thinnest node over the film there, along X and Y together.
-   pure real(dp) function bend(grid, h)
+   !> By how much the film may be thinner somewhere between the nodes than at the thinnest node, over the film there: that
+   !> share of its second differences along X and Y below each node. Not of the thinnest node alone: a constriction that
+   !> is narrower than a cell leaves the plateau as the thinnest place (line contact, M = 141, 192 to 768 cells, fitted:
+   !> 0.0154, 0.0148, 0.0147).
+   pure real(dp) function between_nodes(grid, h, share)
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: h(0:, 0:)   !! H, (0:nx, 0:ny)
-      integer :: i, j, node(2)
+      real(dp), intent(in) :: share
+      real(dp) :: thinnest
+      integer :: i, j
 
-      node = minloc(h) - 1
-      i = min(max(node(1), 1), grid%nx - 1)
-      j = min(max(node(2), grid%first_row), grid%last_row)
-      bend = (abs(h(i + 1, j) - 2*h(i, j) + h(i - 1, j)) &
-              + abs(h(i, grid%above(j)) - 2*h(i, j) + h(i, grid%below(j))))/h(i, j)
-   end function bend
+      thinnest = minval(h)
+      do j = grid%first_row, grid%last_row
+         do i = 1, grid%nx - 1
+            thinnest = min(thinnest, h(i, j) - share*(abs(h(i + 1, j) - 2*h(i, j) + h(i - 1, j)) &
+                                                      + abs(h(i, grid%above(j)) - 2*h(i, j) + h(i, grid%below(j)))))
+         end do
+      end do
+      between_nodes = 1 - thinnest/minval(h)
+   end function between_nodes
 
 end module ehlwave_film_errors
