@@ -12,7 +12,8 @@ module ehlwave_wave_medium
 
 contains
 
-   !> Media in every row of some columns of nodes; of an oil that is warm, at the temperatures that it has there.
+   !> Media in every row of some columns of nodes; of an oil that is warm, at the temperatures that it has
+   !> there, and of one whose stress is limited, at the limit there.
    pure subroutine take_media(problem, state, first, medium)
       type(contact_problem_t), intent(in) :: problem
       type(state_t), intent(in) :: state
@@ -22,20 +23,25 @@ contains
       real(dp), allocatable, dimension(:, :) :: gx, gy
       real(dp) :: factor(2, 0:problem%grid%ny)
       type(across_film_t), allocatable :: across
+      logical :: is_limited
       integer :: i, j
 
       associate (grid => problem%grid, c => problem%conditions, p => state%p, h => state%h)
          allocate (gx, gy, mold=p)
          if (.not. problem%rheology%is_newtonian()) call node_gradient(grid, c%elliptic%kappa, p, gx, gy)
          factor = 1
+         is_limited = .false.
+         if (allocated(problem%film_flow)) is_limited = allocated(problem%film_flow%limit)
+         if (allocated(problem%heat) .or. is_limited) allocate (across)
          do i = first, ubound(medium, 2)
             if (allocated(problem%heat)) then
                call problem%rheology%evaluate(grid%ny + 1, p(i, :), rho, drho, fluidity, dln_eta, &
                                               problem%heat%mean_rise(i, :))
-               across = across_film_t(problem%heat%ln_fluidity(:, i, :), p(i, :))
+               across%ln_fluidity = problem%heat%ln_fluidity(:, i, :)
             else
                call problem%rheology%evaluate(grid%ny + 1, p(i, :), rho, drho, fluidity, dln_eta)
             end if
+            if (is_limited) across%p = p(i, :)
             if (.not. problem%rheology%is_newtonian()) &
                call problem%film_flow%mean_stress(fluidity, h(i, :), gx(i, :), gy(i, :), stress, b, factor, across)
             do j = 0, grid%ny

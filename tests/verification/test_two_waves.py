@@ -64,6 +64,16 @@ class TwoWaves(TestCase):
         self.assertLess(result["two_wave_misfit"], 0.02)
         self.assertLess(abs(waves(result, "attenuated") - waves(result, "attenuated_formula")), 0.02)
 
+    def test_limit_of_the_stress(self):
+        """Where the stress is at its limit, what is left of its slope moves the oil: |a| = 0.98, 0.23 without it."""
+        result = solve(m=50, l=12.05, d=0, conditions={"slip_parameter": 1.5, "reduced_modulus_pa": 226e9},
+                       lubricant={**OIL, "shear_limit_over_pressure": 0.05}, waviness={**WAVE, "wavelength_over_a": 0.5},
+                       grid={"cells_x": 512})
+        a, formula = waves(result, "attenuated"), waves(result, "attenuated_formula")
+        self.assertLess(abs(a - formula), 0.05)
+        self.assertGreater(abs(formula), 0.9)
+        report(f"stress limited: a = {a:.3f}, formula {formula:.3f}")
+
     def test_no_split_in_pure_rolling(self):
         result = self.solve(1, 1, grid={"cells_x": 64, "cells_y": 64})
         self.assertIsNone(result["attenuated_real"])
