@@ -18,10 +18,10 @@ module ehlwave_film_errors
                                                !! stands in; a share of the film without error,
    real(dp), parameter :: largest_share = 0.95_dp   !! at most: the film is too thin by it
 
-   !> Between the nodes the film may be thinner than at the thinnest one, by so much of its second differences there: a
-   !> parabola by an eighth, a kink by half. Fitted meshes are coarse enough for kinks (line contact, M = 32, 64 to 512
-   !> cells: 0.0689, 0.0647, 0.0641, 0.0640). Of 348 random contacts with the averaged scheme one was off by 1.8 times
-   !> the error without this part, with it all by less than 1.1 times.
+   !> Between nodes a film may be thinner by so much of its second differences: a parabola by an eighth, a kink by half.
+   !> Fitted meshes are coarse enough for kinks (line contact, M = 32, 64 to 512 cells: 0.0689, 0.0647, 0.0641, 0.0640).
+   !> Without this part some of 913 random contacts were off by 1.8 to 2.0 times the error, with it all by less than 1.1
+   !> times.
    real(dp), parameter :: kink_share = 0.5_dp, smooth_share = 0.125_dp
 
    !> Of the error to expect of a film, of a fitted scheme at least: it goes up and down with the mesh, and grids agree
@@ -129,10 +129,10 @@ contains
       if (plan%is_fitted) error = error*merge(1.0_dp, sum_share, result%film_error_basis == 'model')/fitted_share
    end function averaged_error
 
-   !> By how much the film may be thinner somewhere between the nodes than at the thinnest node, over the film there: that
-   !> share of its second differences along X and Y below each node. Not of the thinnest node alone: a constriction that
-   !> is narrower than a cell leaves the plateau as the thinnest place (line contact, M = 141, 192 to 768 cells, fitted:
-   !> 0.0154, 0.0148, 0.0147).
+   !> By how much the film may be thinner somewhere between the nodes than at the thinnest node, over the film there. A
+   !> film may go below each node by a share of its second differences along X and Y. Not below the thinnest node alone:
+   !> a constriction that is narrower than a cell leaves the plateau as the thinnest place (line contact, M = 141, 192
+   !> to 768 cells, fitted: 0.0154, 0.0148, 0.0147).
    pure real(dp) function between_nodes(grid, h, share)
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: h(0:, 0:)   !! H, (0:nx, 0:ny)
