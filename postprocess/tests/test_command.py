@@ -137,15 +137,25 @@ def test_steps_follow_each_other(started: Started, tmp_path: Path) -> None:
     ]
 
 
-def test_programs_that_are_named_are_not_built(started: Started) -> None:
+def test_programs_that_are_named_are_not_built(started: Started, tmp_path: Path) -> None:
+    (tmp_path / "ehlwave-sweep").touch()
     status, calls = started(
-        "error-vs-time", "--program", "/there/ehlwave-sweep", "--minutes", "1.5"
+        "error-vs-time", "--program", str(tmp_path / "ehlwave-sweep"), "--minutes", "1.5"
     )
     assert status == 0
-    assert os.environ["EHLWAVE_CASE"] == "/there/ehlwave-case"
-    assert os.environ["EHLWAVE_SWEEP"] == "/there/ehlwave-sweep"
+    assert os.environ["EHLWAVE_CASE"] == str(tmp_path / "ehlwave-case")
+    assert os.environ["EHLWAVE_SWEEP"] == str(tmp_path / "ehlwave-sweep")
     assert "build" not in {Path(one[0]).name for one in calls}
     assert calls[2][1:2] + calls[2][3:] == ["--ranks=1", "--time-limit", "90"]
+
+
+@pytest.mark.parametrize("name", ["ehlwave", "missing/ehlwave-case"])
+def test_a_program_that_is_none(
+    started: Started, tmp_path: Path, name: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "ehlwave").touch()
+    assert started("heavy", "--program", str(tmp_path / name))[0] == 2
+    assert "no file whose name ends in -case or -sweep" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(

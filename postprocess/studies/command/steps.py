@@ -96,6 +96,8 @@ def prepare(program: Path | None = None) -> None:
         build()
     else:
         stem = str(program).removesuffix("-case").removesuffix("-sweep")
+        if not (program.is_file() and str(program) != stem):
+            raise refuse(f"--program {program}: no file whose name ends in -case or -sweep")
         os.environ |= {f"EHLWAVE_{name.upper()}": f"{stem}-{name}" for name in ("case", "sweep")}
     find_python()
 
