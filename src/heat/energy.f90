@@ -108,7 +108,7 @@ contains
       type(contact_problem_t), intent(inout) :: problem
       type(state_t), intent(in) :: state
       type(flow_t), intent(in) :: flow             !! at the state
-      real(dp) :: before, change, largest, mean
+      real(dp) :: before, change, largest, mean, w(0:problem%grid%nx)
       integer :: i, j
 
       if (allocated(self%earlier)) then
@@ -119,8 +119,10 @@ contains
       end if
       call find_layer_fluxes(self%flux, problem%grid, problem%conditions%elliptic%kappa, self%levels, self%shear, flow)
       self%rise = problem%heat%rise
+      w = wall_weights(problem%grid%nx, problem%grid%hx)
+      w = w(problem%grid%nx:0:-1)
       do j = problem%grid%first_row, problem%grid%last_row
-         call self%march_row(problem%grid, problem%conditions%elliptic%kappa, state%h(:, j), flow%f(:, j), &
+         call self%march_row(problem%grid, problem%conditions%elliptic%kappa, w, state%h(:, j), flow%f(:, j), &
                              problem%heat%rise(:, :, j), j)
       end do
       change = 0
@@ -184,50 +186,53 @@ contains
    end function carried
 
    !> One row, from the inlet to the outlet. Where oil flows back, columns are solved upstream and downstream in turn.
-   pure subroutine march_row(self, grid, kappa, h, f, before, j)
+   pure subroutine march_row(self, grid, kappa, w, h, f, before, j)
       class(energy_t), intent(inout) :: self
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: kappa
+      real(dp), intent(in), contiguous :: w(0:)    !! of `wall_weights`, backward
       real(dp), intent(in) :: h(0:), f(0:)         !! H and rho H of the row, (0:nx)
       real(dp), intent(in) :: before(0:, 0:)       !! rise at which the source is known, (0:levels, 0:nx)
       integer, intent(in) :: j
-      real(dp) :: w(0:grid%nx)
+      real(dp) :: q(0:grid%nx, 2)                  ! heat flows into surfaces 1 and 2
       type(column_t) :: column
       integer :: i, last, turn
 
       column = new_column(self%levels%n)
-      w = wall_weights(grid%nx, grid%hx)
+      q = transpose(self%into_wall(:, :, j))
       last = 0
       do i = 1, grid%nx - 1
          if (any(self%flux%x(:, i - 1, j) < 0)) last = i
       end do
       do turn = 1, turns
          do i = last, 1, -1
-            call solve_node(self, grid, kappa, h(i), f(i), w, before(:, i), i, j, column)
+            call solve_node(self, grid, kappa, h(i), f(i), w, q, before(:, i), i, j, column)
          end do
          self%rise(:, 0, j) = merge(0.0_dp, self%rise(:, 1, j), self%flux%x(:, 0, j) >= 0)
          do i = 1, last
-            call solve_node(self, grid, kappa, h(i), f(i), w, before(:, i), i, j, column)
+            call solve_node(self, grid, kappa, h(i), f(i), w, q, before(:, i), i, j, column)
          end do
       end do
       do i = last + 1, grid%nx - 1
-         call solve_node(self, grid, kappa, h(i), f(i), w, before(:, i), i, j, column)
+         call solve_node(self, grid, kappa, h(i), f(i), w, q, before(:, i), i, j, column)
       end do
       self%rise(:, grid%nx, j) = self%rise(:, grid%nx - 1, j)
+      self%into_wall(:, :, j) = transpose(q)
    end subroutine march_row
 
    !> One node. Flows through its sides take the rise from upstream, of second order; oil that flows back along X of
    !> first.
-   pure subroutine solve_node(self, grid, kappa, h, f, w, before, i, j, column)
+   pure subroutine solve_node(self, grid, kappa, h, f, w, q, before, i, j, column)
       type(energy_t), intent(inout) :: self
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: kappa, h, f          !! H and rho H of the node
-      real(dp), intent(in) :: w(0:)                !! of `wall_weights`
-      real(dp), intent(in) :: before(0:)           !! rise at which the source is known
+      real(dp), intent(in), contiguous :: w(0:)    !! of `wall_weights`, backward
+      real(dp), intent(inout), contiguous :: q(0:, :)    !! heat flows into surfaces 1 and 2 of the row
+      real(dp), intent(in), contiguous :: before(0:)     !! rise at which the source is known
       integer, intent(in) :: i, j
       type(column_t), intent(inout) :: column      !! work space
-      real(dp) :: cx, cy, share
-      integer :: above, below, m
+      real(dp) :: cx, cy, into(2), share
+      integer :: above, below, k, m
 
       cx = 1/grid%hx
       cy = kappa/grid%hy
@@ -243,7 +248,7 @@ contains
             column%net = (f - then%f(i, j))/then%dt
          end associate
       end if
-      associate (theta => self%rise, x => self%flux%x, y => self%flux%y, q => self%into_wall)
+      associate (theta => self%rise, x => self%flux%x, y => self%flux%y, nx => grid%nx)
          call add_side(column, cx, x(:, i, j), theta(:, i - 1, j), theta(:, i + 1, j))
          call add_inflow(column, cx, x(:, i - 1, j), theta(:, max(i - 2, 0), j), theta(:, i - 1, j))
          if (.not. grid%is_line) then
@@ -260,24 +265,41 @@ contains
          column%own_share = merge(1.0_dp, 0.0_dp, self%difference < near)
          column%convection = self%scales%convection*h
          column%h = h
-         do m = 1, 2
-            column%wall_before(m) = self%scales%wall(m)*dot_product(w(i:1:-1), q(m, 0:i - 1, j))
-         end do
-         column%wall_own = self%scales%wall*w(0)
          if (allocated(self%held)) then
             column%wall_before = self%held(:, i, j)
             column%wall_own = 0
+         else
+            do m = 1, 2
+               column%wall_before(m) = self%scales%wall(m)*heated(i, w(nx - i:), q(:, m))
+            end do
+            column%wall_own = self%scales%wall*w(nx)
          end if
-         call solve_column(column, self%levels, self%shear%made(:, :, i, j), before, theta(:, i, j), q(:, i, j))
-         share = maxval(abs(theta(:, i, j) - before))
+         call solve_column(column, self%levels, self%shear%made(:, :, i, j), before, theta(:, i, j), into)
+         share = 0
+         do k = 0, self%levels%n
+            share = max(share, abs(theta(k, i, j) - before(k)))
+         end do
          if (share > largest_step_k) then
             share = largest_step_k/share
             theta(:, i, j) = before + share*(theta(:, i, j) - before)
-            q(:, i, j) = share*q(:, i, j)
+            into = share*into
          end if
+         q(i, :) = into
       end associate
 
    contains
+
+      !> What so many heat flows upstream do.
+      pure real(dp) function heated(n, w, q)
+         integer, intent(in) :: n
+         real(dp), intent(in) :: w(n), q(n)
+         integer :: l
+         heated = 0
+         !$omp simd reduction(+:heated)
+         do l = 1, n
+            heated = heated + w(l)*q(l)
+         end do
+      end function heated
 
       !> The row beyond a row, on the way of oil that comes from there; itself at the edge.
       pure integer function farther(row, step)
