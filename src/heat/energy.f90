@@ -6,7 +6,7 @@
 module ehlwave_energy
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_film_column, only: add_inflow, add_side, column_t, new_column, solve_column
-   use ehlwave_film_heat, only: film_heat_t
+   use ehlwave_film_heat, only: new_film_heat
    use ehlwave_film_levels, only: film_levels_t, new_film_levels
    use ehlwave_film_shear, only: film_shear_t, new_film_shear, shear_film
    use ehlwave_flow, only: flow_t
@@ -73,12 +73,10 @@ contains
 
       associate (c => problem%conditions, nx => problem%grid%nx, ny => problem%grid%ny)
          call problem%rheology%generalise()
-         problem%film_flow = problem%rheology%film_flow(c%elliptic%k, c%lambdabar, c%slip_parameter)
+         if (.not. allocated(problem%film_flow)) &
+            problem%film_flow = problem%rheology%film_flow(c%elliptic%k, c%lambdabar, c%slip_parameter)
          call problem%film_flow%set_levels(levels)
-         problem%heat = film_heat_t()
-         allocate (problem%heat%rise(0:levels, 0:nx, 0:ny), source=0.0_dp)
-         allocate (problem%heat%ln_fluidity, problem%heat%thinning, source=problem%heat%rise)
-         allocate (problem%heat%mean_rise(0:nx, 0:ny), source=0.0_dp)
+         problem%heat = new_film_heat(levels, nx, ny, problem%film_flow)
       end associate
    end subroutine warm_problem
 

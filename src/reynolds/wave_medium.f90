@@ -32,7 +32,8 @@ contains
             if (allocated(problem%heat)) then
                call problem%rheology%evaluate(grid%ny + 1, p(i, :), rho, drho, fluidity, dln_eta, &
                                               problem%heat%mean_rise(i, :))
-               across = across_film_t(problem%heat%ln_fluidity(:, i, :), p(i, :))
+               across = across_film_t(problem%heat%ln_fluidity(:, i, :), p(i, :), problem%heat%range(i, :))
+               if (allocated(problem%heat%moments)) across%moments = problem%heat%moments(:, i, :)
             else
                call problem%rheology%evaluate(grid%ny + 1, p(i, :), rho, drho, fluidity, dln_eta)
             end if

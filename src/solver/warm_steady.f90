@@ -141,7 +141,8 @@ contains
          total = level%report
          rounds = merge(most_rounds, most_coarse_rounds, l == size(multigrid%levels))
          call level%problem%film(level%given, level%state%p, level%state%delta, level%state%h)
-         call level%problem%heat%weigh(level%problem%rheology, energy%levels%weight, level%state%p)
+         call level%problem%heat%weigh(level%problem%rheology, level%problem%film_flow, energy%levels%weight, &
+            level%state%p)
          centre = level%problem%grid%value_at_centre(level%state%h)
          is_stuck = .false.
          residual = 0
@@ -193,7 +194,8 @@ contains
          if (is_later .and. present(anderson)) &
             call anderson%mix(size(rise, 1), size(level%state%p), max(level%state%p, 0.0_dp), rise, &
                               level%problem%heat%rise)
-         call level%problem%heat%weigh(level%problem%rheology, energy%levels%weight, level%state%p)
+         call level%problem%heat%weigh(level%problem%rheology, level%problem%film_flow, energy%levels%weight, &
+            level%state%p)
       end associate
    end subroutine warm_up
 

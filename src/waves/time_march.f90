@@ -233,7 +233,7 @@ contains
             if (self%result%status /= status_converged) return
             call equations%evaluate(problem, level%given, level%state)
             call self%energy%march(problem, level%state, equations%flow)
-            call problem%heat%weigh(problem%rheology, self%energy%levels%weight, level%state%p)
+            call problem%heat%weigh(problem%rheology, problem%film_flow, self%energy%levels%weight, level%state%p)
             call solve_step(self, multigrid, limits)
          end do
          call self%energy%pass_time(problem, level%state, self%settings%time_step(problem%grid))
