@@ -44,8 +44,8 @@ module ehlwave_film_flow
    end type across_film_t
 
    ! Points across the film by the range of ln(fluidity): measured, the flow is exact to 1e-6
-   real(dp), parameter :: warm_range(*) = [0.3_dp, 1.5_dp, 4.0_dp, 8.0_dp]
-   integer, parameter :: warm_rule(*) = [4, 5, 6, 7, 8]
+   real(dp), parameter :: warm_range(*) = [0.1_dp, 0.8_dp, 2.5_dp, 8.0_dp]
+   integer, parameter :: warm_rule(*) = [3, 4, 5, 6, 7]
    real(dp), parameter :: limited_variation(*) = [0.003_dp, 0.02_dp, 0.1_dp]   ! |Sigma|/sigma_L
    integer, parameter :: limited_rule(*) = [5, 7, 9, 11]
 

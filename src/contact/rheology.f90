@@ -170,21 +170,13 @@ contains
       end do
    end subroutine evaluate
 
-   !> ln(eta/eta0) and its derivative by temperature, 1/K, at pressures P >= 0.
-   pure subroutine ln_viscosity(self, n, p, rise_k, exponent, slope_per_k)
+   !> ln(eta/eta0) and its derivative by temperature, 1/K, at some rises for each pressure P >= 0.
+   pure subroutine ln_viscosity(self, n, rises, p, rise_k, exponent, slope_per_k)
       class(rheology_t), intent(in) :: self
-      integer, intent(in) :: n
-      real(dp), intent(in) :: p(n), rise_k(n)   !! P; T - T0, K
-      real(dp), intent(out) :: exponent(n), slope_per_k(n)
-      real(dp), dimension(block_size) :: p_pa, slope
-      integer :: first, last, m
-
-      do first = 1, n, block_size
-         last = min(first + block_size - 1, n)
-         m = last - first + 1
-         p_pa(:m) = self%ph_pa*p(first:last)
-         call self%viscosity%evaluate(m, p_pa, rise_k(first:last), exponent(first:last), slope, slope_per_k(first:last))
-      end do
+      integer, intent(in) :: n, rises
+      real(dp), intent(in) :: p(n), rise_k(n, rises)   !! P; T - T0, K
+      real(dp), intent(out) :: exponent(n, rises), slope_per_k(n, rises)
+      call self%viscosity%evaluate_rises(n, rises, self%ph_pa*p, rise_k, exponent, slope_per_k)
       exponent = self%exponent_factor*exponent
       slope_per_k = self%exponent_factor*slope_per_k
    end subroutine ln_viscosity

@@ -5,7 +5,7 @@
 !> while viscosity and pressure settle, so that none is repeated for that alone.
 module ehlwave_energy
    use ehlwave_contact_problem, only: contact_problem_t
-   use ehlwave_film_column, only: add_inflow, add_side, column_t, new_column, solve_column
+   use ehlwave_film_column, only: column_t, new_column, pass_across, pass_along, solve_column
    use ehlwave_film_heat, only: new_film_heat
    use ehlwave_film_levels, only: film_levels_t, new_film_levels
    use ehlwave_film_shear, only: film_shear_t, new_film_shear, shear_film
@@ -48,7 +48,7 @@ module ehlwave_energy
       procedure, private :: march_row
    end type energy_t
 
-   integer, parameter :: turns = 2
+   integer, parameter :: turns = 1
    real(dp), parameter :: bearing = 1e-3_dp        ! P of nodes whose heat is compared
    real(dp), parameter :: near = 0.1_dp, largest_step_k = 100
 
@@ -236,30 +236,19 @@ contains
       cy = kappa/grid%hy
       above = grid%above(j)
       below = grid%below(j)
-      column%own = 0
-      column%brought = 0
-      column%net = 0
-      if (allocated(self%earlier)) then
-         associate (then => self%earlier)
-            column%own = f/then%dt
-            column%brought = then%f(i, j)*then%rise(:, i, j)/then%dt
-            column%net = (f - then%f(i, j))/then%dt
-         end associate
-      end if
       associate (theta => self%rise, x => self%flux%x, y => self%flux%y, nx => grid%nx)
-         call add_side(column, cx, x(:, i, j), theta(:, i - 1, j), theta(:, i + 1, j))
-         call add_inflow(column, cx, x(:, i - 1, j), theta(:, max(i - 2, 0), j), theta(:, i - 1, j))
+         call pass_along(column, cx, x(:, i - 1, j), x(:, i, j), theta(:, max(i - 2, 0), j), theta(:, i - 1, j), &
+                         theta(:, i + 1, j))
          if (.not. grid%is_line) then
-            call add_side(column, cy, y(:, i, j), theta(:, i, below), theta(:, i, above), &
-                          theta(:, i, farther(above, 1)))
             if (below > j) then                    ! the line of symmetry
-               call add_side(column, cy, y(:, i, j), theta(:, i, above), theta(:, i, below), &
-                             theta(:, i, farther(below, 1)))
+               call pass_across(column, [cy, cy], y(:, i, j), y(:, i, j), theta(:, i, farther(below, 1)), &
+                                theta(:, i, below), theta(:, i, above), theta(:, i, farther(above, 1)))
             else
-               call add_side(column, -cy, y(:, i, below), theta(:, i, above), theta(:, i, below), &
-                             theta(:, i, farther(below, -1)))
+               call pass_across(column, [-cy, cy], y(:, i, below), y(:, i, j), theta(:, i, farther(below, -1)), &
+                                theta(:, i, below), theta(:, i, above), theta(:, i, farther(above, 1)))
             end if
          end if
+         if (allocated(self%earlier)) call stay(column, self%earlier, f, i, j)
          column%own_share = merge(1.0_dp, 0.0_dp, self%difference < near)
          column%convection = self%scales%convection*h
          column%h = h
@@ -287,7 +276,7 @@ contains
 
    contains
 
-      !> What so many heat flows upstream do.
+      !> Sum of so many weighted heat flows upstream.
       pure real(dp) function heated(n, w, q)
          integer, intent(in) :: n
          real(dp), intent(in) :: w(n), q(n)
@@ -308,5 +297,19 @@ contains
       end function farther
 
    end subroutine solve_node
+
+   !> Oil of the time before that a node holds, in (T9).
+   pure subroutine stay(column, then, f, i, j)
+      type(column_t), intent(inout) :: column
+      type(earlier_t), intent(in) :: then
+      real(dp), intent(in) :: f                        !! rho H now
+      integer, intent(in) :: i, j
+      integer :: k
+      do k = 0, ubound(then%rise, 1)
+         column%own(k) = column%own(k) + f/then%dt
+         column%brought(k) = column%brought(k) + then%f(i, j)*then%rise(k, i, j)/then%dt
+         column%net(k) = column%net(k) + (f - then%f(i, j))/then%dt
+      end do
+   end subroutine stay
 
 end module ehlwave_energy

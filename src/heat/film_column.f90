@@ -5,7 +5,7 @@ module ehlwave_film_column
    use ehlwave_kinds, only: dp
    implicit none (type, external)
    private
-   public :: add_inflow, add_side, new_column, solve_column
+   public :: new_column, pass_across, pass_along, solve_column
 
    real(dp), parameter :: steepest = 30       ! growth of the source with the rise, over conduction: above it a half of
                                               ! the film would have no solution by itself
@@ -147,45 +147,47 @@ contains
       end do
    end subroutine convect
 
-   !> Flow out of a node takes the node's rise and half of its difference to the node behind it; flow back brings that
-   !> of the node beyond, along Y with half of its difference to the one after it.
-   pure subroutine add_side(column, scale, flow, behind, beyond, farther)
+   !> Flow along X into a node from that before and out to that beyond. It takes the rise of the node that it leaves
+   !> and half of its difference to the one before that; flow back takes the rise of the node beyond.
+   pure subroutine pass_along(column, scale, into, out, farther, before, beyond)
       type(column_t), intent(inout) :: column
       real(dp), intent(in) :: scale
-      real(dp), intent(in), contiguous :: flow(:)              !! their product: out of the node
-      real(dp), intent(in), contiguous :: behind(:), beyond(:) !! rises
-      real(dp), intent(in), contiguous, optional :: farther(:)
-      real(dp) :: back, out
+      real(dp), intent(in), contiguous :: into(0:), out(0:)                    !! flows, over the scale
+      real(dp), intent(in), contiguous :: farther(0:), before(0:), beyond(0:)  !! rises
+      real(dp) :: ahead, back, came, left
       integer :: k
-      do k = 1, size(flow)
-         out = max(scale*flow(k), 0.0_dp)
-         back = min(scale*flow(k), 0.0_dp)
-         column%net(k - 1) = column%net(k - 1) + (out + back)
-         column%own(k - 1) = column%own(k - 1) + 1.5_dp*out
-         column%brought(k - 1) = column%brought(k - 1) + 0.5_dp*out*behind(k) - back*beyond(k)
+      do k = 0, ubound(out, 1)
+         ahead = max(scale*out(k), 0.0_dp)
+         back = min(scale*out(k), 0.0_dp)
+         came = max(scale*into(k), 0.0_dp)
+         left = min(scale*into(k), 0.0_dp)
+         column%net(k) = ahead + back - (came + left)
+         column%own(k) = 1.5_dp*ahead - left
+         column%brought(k) = 0.5_dp*ahead*before(k) - back*beyond(k) + came*(1.5_dp*before(k) - 0.5_dp*farther(k))
       end do
-      if (.not. present(farther)) return
-      do k = 1, size(flow)
-         back = min(scale*flow(k), 0.0_dp)
-         column%brought(k - 1) = column%brought(k - 1) - 0.5_dp*back*(beyond(k) - farther(k))
-      end do
-   end subroutine add_side
+   end subroutine pass_along
 
-   !> Flow into a node from the node before, with that one's rise and half of its difference to the one before it.
-   pure subroutine add_inflow(column, scale, flow, farther, before)
+   !> After that, flow out of a node along Y, downward and upward. All of it takes half a difference with it.
+   pure subroutine pass_across(column, scale, down, up, lowest, lower, upper, uppermost)
       type(column_t), intent(inout) :: column
-      real(dp), intent(in) :: scale
-      real(dp), intent(in), contiguous :: flow(:), farther(:), before(:)
-      real(dp) :: into, back
+      real(dp), intent(in) :: scale(2)
+      real(dp), intent(in), contiguous :: down(0:), up(0:)           !! flows, over the scale
+      real(dp), intent(in), contiguous :: lowest(0:), lower(0:)      !! rises of the neighbours
+      real(dp), intent(in), contiguous :: upper(0:), uppermost(0:)
+      real(dp) :: fell, from_above, from_below, rose
       integer :: k
-      do k = 1, size(flow)
-         into = max(scale*flow(k), 0.0_dp)
-         back = min(scale*flow(k), 0.0_dp)
-         column%net(k - 1) = column%net(k - 1) - (into + back)
-         column%own(k - 1) = column%own(k - 1) - back
-         column%brought(k - 1) = column%brought(k - 1) + into*(1.5_dp*before(k) - 0.5_dp*farther(k))
+      do k = 0, ubound(up, 1)
+         fell = max(scale(1)*down(k), 0.0_dp)
+         from_below = min(scale(1)*down(k), 0.0_dp)
+         rose = max(scale(2)*up(k), 0.0_dp)
+         from_above = min(scale(2)*up(k), 0.0_dp)
+         column%net(k) = column%net(k) + ((fell + from_below) + (rose + from_above))
+         column%own(k) = column%own(k) + 1.5_dp*(fell + rose)
+         column%brought(k) = column%brought(k) + 0.5_dp*(fell*upper(k) + rose*lower(k)) &
+                             - from_below*(1.5_dp*lower(k) - 0.5_dp*lowest(k)) &
+                             - from_above*(1.5_dp*upper(k) - 0.5_dp*uppermost(k))
       end do
-   end subroutine add_inflow
+   end subroutine pass_across
 
    !> Two right sides, from both surfaces to the middle: there pivots stay positive where a source that grows with the
    !> rise would make them vanish on the way through the film.

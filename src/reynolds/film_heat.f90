@@ -48,7 +48,8 @@ contains
       type(film_flow_t), intent(in) :: film
       real(dp), intent(in) :: weight(0:)     !! of an integral across the film, (0:levels)
       real(dp), intent(in) :: p(0:, 0:)      !! P, (0:nx, 0:ny)
-      real(dp), dimension(0:ubound(p, 1)) :: at, at_mean, exponent, largest, least, rise, slope   ! of a row
+      real(dp), dimension(0:ubound(p, 1)) :: at, largest, least                      ! of a row
+      real(dp), dimension(0:ubound(p, 1), 0:size(weight)) :: exponent, rise, slope   ! at the levels and at the mean
       logical :: is_warm(0:ubound(p, 1))
       integer :: i, j, k, m, n
 
@@ -57,31 +58,39 @@ contains
       do j = 0, ubound(p, 2)
          do i = 0, m - 1
             at(i) = max(p(i, j), 0.0_dp)
-            self%mean_rise(i, j) = dot_product(weight, self%rise(:, i, j))
+            rise(i, n + 1) = 0
+            do k = 0, n
+               rise(i, k) = self%rise(k, i, j)
+               rise(i, n + 1) = rise(i, n + 1) + weight(k)*rise(i, k)
+            end do
             is_warm(i) = maxval(abs(self%rise(:, i, j))) > 0
          end do
-         rise = self%mean_rise(:, j)
-         call rheology%ln_viscosity(m, at, rise, at_mean, slope)
+         self%mean_rise(:, j) = rise(:, n + 1)
+         call rheology%ln_viscosity(m, n + 2, at, rise, exponent, slope)
+         largest = -huge(largest)
+         least = huge(least)
          do k = 0, n
-            rise = self%rise(k, :, j)
-            call rheology%ln_viscosity(m, at, rise, exponent, slope)
             do i = 0, m - 1
                ! not what rounding makes of an even viscosity
-               exponent(i) = merge(at_mean(i) - exponent(i), 0.0_dp, is_warm(i) .and. abs(slope(i)) > 0)
-               if (k == 0) largest(i) = exponent(i)
-               if (k == 0) least(i) = exponent(i)
-               largest(i) = max(largest(i), exponent(i))
-               least(i) = min(least(i), exponent(i))
+               exponent(i, k) = merge(exponent(i, n + 1) - exponent(i, k), 0.0_dp, &
+                                      is_warm(i) .and. abs(slope(i, k)) > 0)
+               largest(i) = max(largest(i), exponent(i, k))
+               least(i) = min(least(i), exponent(i, k))
             end do
-            self%ln_fluidity(k, :, j) = exponent
-            self%thinning(k, :, j) = -slope
          end do
-         self%range(:, j) = largest - least
-         if (allocated(self%moments)) call film%moments_of(self%ln_fluidity(:, :, j), self%range(:, j), self%moments(:, :, j))
+         do i = 0, m - 1
+            self%range(i, j) = largest(i) - least(i)
+            do k = 0, n
+               self%ln_fluidity(k, i, j) = exponent(i, k)
+               self%thinning(k, i, j) = -slope(i, k)
+            end do
+         end do
+         if (allocated(self%moments)) &
+            call film%moments_of(self%ln_fluidity(:, :, j), self%range(:, j), self%moments(:, :, j))
       end do
    end subroutine weigh
 
-   !> What differs across the film at the nodes of a row.
+   !> Differences across the film at the nodes of a row.
    pure subroutine take_row(self, across, j)
       class(film_heat_t), intent(in) :: self
       type(across_film_t), intent(inout) :: across
