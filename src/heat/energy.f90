@@ -48,7 +48,7 @@ module ehlwave_energy
       procedure, private :: march_row
    end type energy_t
 
-   integer, parameter :: turns = 1
+   integer, parameter :: steady_turns = 1, turns_in_time = 2   ! marches that follow settle a steady state
    real(dp), parameter :: bearing = 1e-3_dp        ! P of nodes whose heat is compared
    real(dp), parameter :: near = 0.1_dp, largest_step_k = 100
 
@@ -202,7 +202,7 @@ contains
       do i = 1, grid%nx - 1
          if (any(self%flux%x(:, i - 1, j) < 0)) last = i
       end do
-      do turn = 1, turns
+      do turn = 1, merge(turns_in_time, steady_turns, allocated(self%earlier))
          do i = last, 1, -1
             call solve_node(self, grid, kappa, h(i), f(i), w, q, before(:, i), i, j, column)
          end do

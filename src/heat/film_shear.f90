@@ -114,7 +114,6 @@ contains
       integer :: k
 
       associate (film => problem%film_flow, n => levels%n, zeta => levels%zeta, theta => problem%heat%rise(:, i, j), &
-                 thinning => problem%heat%thinning(:, i, j), &
                  slip => problem%conditions%slip_parameter)
          do k = 0, n
             sigma_x(k) = node%mean(1) + (2*zeta(k) - 1)*node%sigma(1)
@@ -169,10 +168,10 @@ contains
          ! of the heat, that of sliding is relieved
          share = min(max(node%mean(1)*node%b/made, 0.0_dp), 1.0_dp)
          do k = 0, n
-            self%made(k, made_by_own, i, j) = share*heat(k)*thinning(k)
+            self%made(k, made_by_own, i, j) = share*heat(k)*problem%heat%thinning(k, i, j)
             self%made(k, made_by_stress, i, j) = share*heat(k)*2*(1 + slope(k)*stress2(k)/s(k))*sigma_x(k) &
                                                  /(stress2(k)*stiffness)
-            self%made(k, made_stress_by_rise, i, j) = levels%weight(k)*s(k)*sigma_x(k)*thinning(k)
+            self%made(k, made_stress_by_rise, i, j) = levels%weight(k)*s(k)*sigma_x(k)*problem%heat%thinning(k, i, j)
          end do
       end associate
    end subroutine shear_node
