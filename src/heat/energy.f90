@@ -24,6 +24,7 @@ module ehlwave_energy
    type :: earlier_t
       real(dp) :: dt = 0                                       ! time since, in units of a/ubar
       real(dp), allocatable :: f(:, :), p(:, :), rise(:, :, :) ! rho H, P and K, all nodes
+      real(dp), allocatable :: before(:, :, :)                 ! K, as long before that; absent at first
    end type earlier_t
 
    type, public :: energy_t
@@ -43,6 +44,7 @@ module ehlwave_energy
    contains
       procedure :: hold_surfaces
       procedure :: pass_time
+      procedure :: look_ahead
       procedure :: march
       procedure :: carried
       procedure, private :: march_row
@@ -96,9 +98,19 @@ contains
       type(contact_problem_t), intent(in) :: problem
       type(state_t), intent(in) :: state       !! now
       real(dp), intent(in) :: dt
-      self%earlier = earlier_t(dt, state%p, state%p, problem%heat%rise)
+      type(earlier_t) :: now
+      now = earlier_t(dt, state%p, state%p, problem%heat%rise)
+      if (allocated(self%earlier)) call move_alloc(self%earlier%rise, now%before)
+      self%earlier = now
       self%earlier%f(:, :) = problem%density(state%p)*state%h
    end subroutine pass_time
+
+   !> Temperatures as they went on in the last step: a first guess of those of the next.
+   pure subroutine look_ahead(self, problem)
+      class(energy_t), intent(in) :: self
+      type(contact_problem_t), intent(inout) :: problem
+      if (allocated(self%earlier%before)) problem%heat%rise = 2*self%earlier%rise - self%earlier%before
+   end subroutine look_ahead
 
    !> One march at a state: temperatures of the problem, whose source is linearised about those before.
    subroutine march(self, problem, state, flow)

@@ -30,7 +30,7 @@ module ehlwave_time_march
    integer, parameter, public :: steps_per_stretch = 32
 
    integer, parameter :: heat_rounds = 1    !! of temperatures and film after the first solution of a step: it leaves up
-                                            !! to 0.001 of Ai against three, the step 0.002 against half of it
+                                            !! to 0.0005 of Ai against four, the step 0.002 against half of it
    real(dp), parameter :: looser = 30       !! tolerance of that solution, over that of the step
    integer, parameter :: young = 3   !! steps in which the solutions before are not yet all solutions
 
@@ -238,6 +238,8 @@ contains
       loose = limits
       loose%tolerance = looser*limits%tolerance
       associate (problem => multigrid%levels(self%l)%problem, level => multigrid%levels(self%l))
+         call self%energy%look_ahead(problem)
+         call problem%heat%weigh(problem%rheology, problem%film_flow, self%energy%levels%weight, level%state%p)
          worst = [self%result%worst_residual, self%result%worst_load_error]
          call solve_step(self, multigrid, loose)
          if (self%result%status == status_converged) then   ! those of the steps alone count
