@@ -39,11 +39,13 @@ module ehlwave_film_flow
       real(dp), allocatable :: ln_fluidity(:, :)   !! (0:levels, n) of an oil that is warm: ln of its fluidity at each
                                                    !! level over that given
       real(dp), allocatable :: p(:)                !! P, (n), where the stress is limited
+      real(dp), allocatable :: range(:)            !! (n) of `ln_fluidity` across the film, if it is known
+      real(dp), allocatable :: moments(:, :)       !! (0:2, n) those of `moments_of` in place of `ln_fluidity`
    end type across_film_t
 
    ! Points across the film by the range of ln(fluidity): measured, the flow is exact to 1e-6
-   real(dp), parameter :: warm_range(*) = [0.3_dp, 1.5_dp, 4.0_dp, 8.0_dp]
-   integer, parameter :: warm_rule(*) = [4, 5, 6, 7, 8]
+   real(dp), parameter :: warm_range(*) = [0.1_dp, 0.8_dp, 2.5_dp, 8.0_dp]
+   integer, parameter :: warm_rule(*) = [3, 4, 5, 6, 7]
    real(dp), parameter :: limited_variation(*) = [0.003_dp, 0.02_dp, 0.1_dp]   ! |Sigma|/sigma_L
    integer, parameter :: limited_rule(*) = [5, 7, 9, 11]
 
@@ -58,6 +60,8 @@ module ehlwave_film_flow
       type(level_weights_t), allocatable, private :: to_rule(:)   ! of an oil that is warm, from the levels to each rule
    contains
       procedure :: set_levels
+      procedure :: has_moments
+      procedure :: moments_of
       procedure :: evaluate
       procedure :: mean_stress
       procedure, private :: sort
@@ -80,11 +84,11 @@ contains
       self%n0 = n0
       self%lambdabar = lambdabar
       self%rate = lambdabar*n0/3*(slip_parameter - 1)
-      allocate (self%rule(size(rule_points)))
-      do i = 1, size(rule_points)
+      self%reach = law%largest_variation(rule_points(:size(rule_points) - 1))
+      allocate (self%rule(min(size(rule_points), max(maxval(limited_rule), 1 + count(self%reach < huge(1.0_dp))))))
+      do i = 1, size(self%rule)
          self%rule(i) = new_gauss_rule(rule_points(i))
       end do
-      self%reach = law%largest_variation(rule_points(:size(rule_points) - 1))
    end function new_film_flow
 
    !> Be ready for fluidities at levels across the film.
@@ -98,6 +102,53 @@ contains
          self%to_rule(k) = new_level_weights(n, self%rule(k)%node)
       end do
    end subroutine set_levels
+
+   !> Whether moments are all that counts of fluidities across the film.
+   pure logical function has_moments(self)
+      class(film_flow_t), intent(in) :: self
+      has_moments = self%law%is_newtonian .and. .not. allocated(self%limit)
+   end function has_moments
+
+   !> 1/2 integral zeta^k f dzeta of the fluidity f across the film over that given, k = 0 to 2.
+   pure subroutine moments_of(self, ln_fluidity, range, moments)
+      class(film_flow_t), intent(in) :: self
+      real(dp), intent(in) :: ln_fluidity(0:, :)   !! (0:levels, n) of f
+      real(dp), intent(in) :: range(:)             !! its range, (n)
+      real(dp), intent(out) :: moments(0:, :)      !! (0:2, n)
+      integer :: i, k
+      do i = 1, size(range)
+         if (range(i) > 0) then
+            k = warm_rule(1 + count(range(i) > warm_range))
+            call moments_by(self%rule(k), self%to_rule(k), ln_fluidity(:, i), moments(:, i))
+         else
+            moments(:, i) = [1.0_dp, 0.0_dp, 1/3.0_dp]
+         end if
+      end do
+   end subroutine moments_of
+
+   !> Those of one place.
+   pure subroutine moments_by(rule, to, ln, moments)
+      type(gauss_rule_t), intent(in) :: rule
+      type(level_weights_t), intent(in) :: to
+      real(dp), intent(in), contiguous :: ln(0:)
+      real(dp), intent(out) :: moments(0:2)
+      real(dp) :: fluidity(maxval(rule_points(:maxval(warm_rule))))
+      integer :: k, l
+      do k = 1, rule%n
+         l = to%first(k)
+         fluidity(k) = to%weight(1, k)*ln(l) + to%weight(2, k)*ln(l + 1) + to%weight(3, k)*ln(l + 2) &
+                       + to%weight(4, k)*ln(l + 3)
+      end do
+      do k = 1, rule%n
+         fluidity(k) = 0.5_dp*rule%weight(k)*exp(fluidity(k))
+      end do
+      moments = 0
+      do k = 1, rule%n
+         moments(0) = moments(0) + fluidity(k)
+         moments(1) = moments(1) + rule%node(k)*fluidity(k)
+         moments(2) = moments(2) + rule%node(k)**2*fluidity(k)
+      end do
+   end subroutine moments_by
 
    !> One component of Qhat and its derivatives at n places.
    pure subroutine evaluate(self, component, fluidity, h, gx, gy, flow, points, across)
@@ -118,7 +169,7 @@ contains
       fluid = fluidity(order)
       film = h(order)
       if (present(points)) points = 0
-      do k = 1, size(rule_points)
+      do k = 1, size(self%rule)
          do start = first(k), first(k + 1) - 1, block_size
             last = min(start + block_size, first(k + 1)) - 1
             if (present(across)) call self%load(across, k, order(start:last), sigma(start:last, :), stress)
@@ -154,7 +205,7 @@ contains
 
       call self%sort(fluidity, h, gx, gy, order, first, sigma, rate, across)
       b(order) = rate
-      do k = 1, size(rule_points)
+      do k = 1, size(self%rule)
          do start = first(k), first(k + 1) - 1, block_size
             last = min(start + block_size, first(k + 1)) - 1
             if (present(across)) call self%load(across, k, order(start:last), sigma(start:last, :), stress)
@@ -222,7 +273,11 @@ contains
       needed = 1
       if (allocated(across%ln_fluidity)) then
          do i = 1, size(needed)
-            range = maxval(across%ln_fluidity(:, i)) - minval(across%ln_fluidity(:, i))
+            if (allocated(across%range)) then
+               range = across%range(i)
+            else
+               range = maxval(across%ln_fluidity(:, i)) - minval(across%ln_fluidity(:, i))
+            end if
             if (range > 0) needed(i) = warm_rule(1 + count(range > warm_range))
          end do
       end if
@@ -285,12 +340,27 @@ contains
       type(film_stress_t), intent(inout) :: stress
       real(dp) :: by_p, value(block_size)
       integer :: i, j, k
+      logical :: is_even
 
-      if (allocated(across%ln_fluidity)) then
-         if (allocated(stress%fluidity)) deallocate (stress%fluidity)
+      if (allocated(across%moments)) then
+         if (.not. allocated(stress%moments)) allocate (stress%moments(block_size, 0:2))
+         do i = 1, size(places)
+            stress%moments(i, :) = across%moments(:, places(i))
+         end do
+      else if (allocated(across%ln_fluidity)) then
          associate (to => self%to_rule(rule), ln => across%ln_fluidity)
-            if (maxval(abs(ln(:, places))) > 0) allocate (stress%fluidity(block_size, self%rule(rule)%n))
-            do k = 1, merge(self%rule(rule)%n, 0, allocated(stress%fluidity))
+            if (allocated(across%range)) then
+               is_even = .not. any(across%range(places) > 0)
+            else
+               is_even = .not. maxval(abs(ln(:, places))) > 0
+            end if
+            if (is_even .and. allocated(stress%fluidity)) deallocate (stress%fluidity)
+            if (allocated(stress%fluidity)) then
+               if (size(stress%fluidity, 2) < self%rule(rule)%n) deallocate (stress%fluidity)
+            end if
+            if (.not. (is_even .or. allocated(stress%fluidity))) &
+               allocate (stress%fluidity(block_size, self%rule(rule)%n))
+            do k = 1, merge(0, self%rule(rule)%n, is_even)
                associate (l => lbound(ln, 1) + to%first(k), w => to%weight(:, k))
                   do i = 1, size(places)
                      j = places(i)

@@ -4,8 +4,9 @@ module ehlwave_film_levels
    use ehlwave_lagrange, only: lagrange_weights
    implicit none (type, external)
    private
-   public :: add_source, new_film_levels
+   public :: add_source, integrate_levels, new_film_levels
 
+   integer, parameter, public :: most_levels = 128   !! intervals
    integer, parameter :: points = 4           ! of the cubics between levels
 
    type, public :: film_levels_t
@@ -52,10 +53,13 @@ contains
    !> Add a source to what the layers about the levels get: 1, 10, 1 inside, half a layer at the surfaces.
    pure subroutine add_source(levels, source, layer)
       class(film_levels_t), intent(in) :: levels
-      real(dp), intent(in) :: source(0:)      !! (0:n)
-      real(dp), intent(inout) :: layer(0:)
+      real(dp), intent(in), contiguous :: source(0:)      !! (0:n)
+      real(dp), intent(inout), contiguous :: layer(0:)
+      integer :: k
       associate (n => levels%n, d => levels%d, s => source)
-         layer(1:n - 1) = layer(1:n - 1) + d/12*(s(:n - 2) + 10*s(1:n - 1) + s(2:))
+         do k = 1, n - 1
+            layer(k) = layer(k) + d/12*(s(k - 1) + 10*s(k) + s(k + 1))
+         end do
          layer(0) = layer(0) + d/24*(7*s(0) + 6*s(1) - s(2))
          layer(n) = layer(n) + d/24*(7*s(n) + 6*s(n - 1) - s(n - 2))
       end associate
@@ -66,17 +70,30 @@ contains
       class(film_levels_t), intent(in) :: self
       real(dp), intent(in) :: field(0:)       !! (0:n)
       real(dp) :: integral(0:self%n)
+      call integrate_levels(self%n, field, integral)
+   end function running_integral
+
+   !> The same between so many intervals.
+   pure subroutine integrate_levels(n, field, integral)
+      integer, intent(in) :: n
+      real(dp), intent(in) :: field(0:n)
+      real(dp), intent(out) :: integral(0:n)
+      real(dp) :: share
       integer :: k
 
-      associate (n => self%n, f => field)
+      share = 1.0_dp/(24*n)
+      associate (f => field)
          integral(0) = 0
-         integral(1) = self%d/24*(9*f(0) + 19*f(1) - 5*f(2) + f(3))
+         integral(1) = share*(9*f(0) + 19*f(1) - 5*f(2) + f(3))
          do k = 2, n - 1
-            integral(k) = integral(k - 1) + self%d/24*(13*(f(k - 1) + f(k)) - f(k - 2) - f(k + 1))
+            integral(k) = share*(13*(f(k - 1) + f(k)) - f(k - 2) - f(k + 1))
          end do
-         integral(n) = integral(n - 1) + self%d/24*(9*f(n) + 19*f(n - 1) - 5*f(n - 2) + f(n - 3))
+         integral(n) = share*(9*f(n) + 19*f(n - 1) - 5*f(n - 2) + f(n - 3))
+         do k = 2, n
+            integral(k) = integral(k - 1) + integral(k)
+         end do
       end associate
-   end function running_integral
+   end subroutine integrate_levels
 
    pure function new_level_weights(n, place) result(self)
       integer, intent(in) :: n                !! intervals between levels

@@ -42,7 +42,8 @@ module ehlwave_film_stress
       real(dp) :: flow(block_size, 2)                !! 1/2 integral zeta s sigma dzeta
       real(dp) :: flow_by_b(block_size, 2)           !! its derivative by B, sigma_m following
       real(dp) :: flow_by_sigma(block_size, 2, 2)    !! by Sigma, sigma_m following
-      real(dp), allocatable :: fluidity(:, :)        !! (block_size, points of the rule) of an oil that is warm
+      real(dp), allocatable :: fluidity(:, :)        !! (block_size, points of the rule or more) of an oil that is warm
+      real(dp), allocatable :: moments(:, :)         !! (block_size, 0:2) of it, where they are all that counts
       type(shear_limit_t), allocatable :: limit      !! of the stress, if there is one,
       real(dp) :: inverse_square(block_size)         !! 1/sigma_L^2,
       real(dp) :: by_sigma2(block_size)              !! its derivative by |Sigma|^2,
@@ -76,8 +77,8 @@ contains
       self%sigma(:self%n, :) = sigma
       self%b(:self%n) = b
       self%points = 0
-      if (law%is_newtonian .and. allocated(self%fluidity) .and. .not. allocated(self%limit)) then
-         call solve_newtonian(self, rule)
+      if (allocated(self%moments)) then
+         call solve_newtonian(self)
          return
       end if
       self%mean(:self%n, 1) = b
@@ -109,34 +110,28 @@ contains
    end subroutine solve
 
    !> The same of a Newtonian oil that is warm, whose rate is linear in the stress: T_k = a_k I.
-   pure subroutine solve_newtonian(self, rule)
+   pure subroutine solve_newtonian(self)
       class(film_stress_t), intent(inout) :: self
-      type(gauss_rule_t), intent(in) :: rule
-      real(dp), dimension(block_size) :: a0, a1, a2
-      real(dp) :: share, weighted
-      integer :: i, k
+      real(dp) :: share, slope
+      integer :: i
 
-      self%points = self%n*rule%n
-      a0 = 0
-      a1 = 0
-      a2 = 0
-      do k = 1, rule%n
+      self%points = self%n
+      associate (a => self%moments, s => self%sigma)
          do i = 1, self%n
-            weighted = 0.5_dp*rule%weight(k)*self%fluidity(i, k)
-            a0(i) = a0(i) + weighted
-            a1(i) = a1(i) + rule%node(k)*weighted
-            a2(i) = a2(i) + rule%node(k)**2*weighted
+            share = a(i, 1)/a(i, 0)
+            slope = a(i, 2) - a(i, 1)*share
+            self%mean(i, 1) = self%b(i)/a(i, 0) - share*s(i, 1)
+            self%mean(i, 2) = -share*s(i, 2)
+            self%flow(i, 1) = share*self%b(i) + slope*s(i, 1)
+            self%flow(i, 2) = slope*s(i, 2)
+            self%flow_by_b(i, 1) = share
+            self%flow_by_b(i, 2) = 0
+            self%flow_by_sigma(i, 1, 1) = slope
+            self%flow_by_sigma(i, 2, 1) = 0
+            self%flow_by_sigma(i, 1, 2) = 0
+            self%flow_by_sigma(i, 2, 2) = slope
          end do
-      end do
-      do i = 1, self%n
-         share = a1(i)/a0(i)
-         self%mean(i, :) = -share*self%sigma(i, :)
-         self%mean(i, 1) = self%mean(i, 1) + self%b(i)/a0(i)
-         self%flow(i, :) = a1(i)*self%mean(i, :) + a2(i)*self%sigma(i, :)
-         self%flow_by_b(i, :) = [share, 0.0_dp]
-         self%flow_by_sigma(i, 1, :) = [a2(i) - a1(i)*share, 0.0_dp]
-         self%flow_by_sigma(i, 2, :) = [0.0_dp, a2(i) - a1(i)*share]
-      end do
+      end associate
    end subroutine solve_newtonian
 
    !> Whether the rate is B where the stress is limited: there it hardly depends on it.

@@ -170,14 +170,13 @@ contains
       end do
    end subroutine evaluate
 
-   !> ln(eta/eta0) and its derivative by temperature, 1/K, at pressures P >= 0.
-   pure subroutine ln_viscosity(self, n, p, rise_k, exponent, slope_per_k)
+   !> ln(eta/eta0) and its derivative by temperature, 1/K, at some rises for each pressure P >= 0.
+   pure subroutine ln_viscosity(self, n, rises, p, rise_k, exponent, slope_per_k)
       class(rheology_t), intent(in) :: self
-      integer, intent(in) :: n
-      real(dp), intent(in) :: p(n), rise_k(n)   !! P; T - T0, K
-      real(dp), intent(out) :: exponent(n), slope_per_k(n)
-      real(dp) :: slope(n)
-      call self%viscosity%evaluate(n, self%ph_pa*p, rise_k, exponent, slope, slope_per_k)
+      integer, intent(in) :: n, rises
+      real(dp), intent(in) :: p(n), rise_k(n, rises)   !! P; T - T0, K
+      real(dp), intent(out) :: exponent(n, rises), slope_per_k(n, rises)
+      call self%viscosity%evaluate_rises(n, rises, self%ph_pa*p, rise_k, exponent, slope_per_k)
       exponent = self%exponent_factor*exponent
       slope_per_k = self%exponent_factor*slope_per_k
    end subroutine ln_viscosity
@@ -188,9 +187,16 @@ contains
       integer, intent(in) :: n
       real(dp), intent(in) :: p(n), rise_k(n)   !! P; T - T0, K
       real(dp), intent(out) :: expansion(n)
-      real(dp), dimension(n) :: rho, slope
-      call self%density_law%evaluate(n, self%ph_pa*p, rise_k, rho, slope, expansion)
-      expansion = -expansion/rho
+      real(dp), dimension(block_size) :: p_pa, rho, slope
+      integer :: first, last, m
+
+      do first = 1, n, block_size
+         last = min(first + block_size - 1, n)
+         m = last - first + 1
+         p_pa(:m) = self%ph_pa*p(first:last)
+         call self%density_law%evaluate(m, p_pa, rise_k(first:last), rho, slope, expansion(first:last))
+         expansion(first:last) = -expansion(first:last)/rho(:m)
+      end do
    end subroutine expansivity
 
    !> d ln(eta)/dP at P = 0.

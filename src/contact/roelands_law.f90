@@ -17,6 +17,7 @@ module ehlwave_roelands_law
       real(dp) :: temperature_k = 0     !! T0, K; needed where beta is not 0
    contains
       procedure :: evaluate
+      procedure :: evaluate_rises
    end type roelands_law_t
 
 contains
@@ -48,5 +49,37 @@ contains
          exponent(i) = min((exponent(i) + scale)*power - scale, largest_exponent)
       end do
    end subroutine evaluate
+
+   !> See the interface: what pressure does is found once.
+   pure subroutine evaluate_rises(self, n, rises, p_pa, rise_k, exponent, slope_per_k)
+      class(roelands_law_t), intent(in) :: self
+      integer, intent(in) :: n, rises
+      real(dp), intent(in) :: p_pa(n), rise_k(n, rises)
+      real(dp), intent(out) :: exponent(n, rises), slope_per_k(n, rises)
+      real(dp) :: at_reference(n), power, range_k, s0, scale, x
+      integer :: i, k
+
+      scale = self%alpha_per_pa*roelands_pressure_pa/self%index
+      do i = 1, n
+         x = 1 + p_pa(i)/roelands_pressure_pa
+         power = exp(self%index*log(x))
+         at_reference(i) = min(scale*(power - 1), largest_exponent)
+      end do
+      range_k = self%temperature_k - coldest_k
+      s0 = self%beta_per_k*range_k/scale
+      do k = 1, rises
+         if (.not. self%beta_per_k > 0) then
+            exponent(:, k) = at_reference
+            slope_per_k(:, k) = 0
+            cycle
+         end if
+         do i = 1, n
+            x = 1 + rise_k(i, k)/range_k
+            power = exp(-s0*log(x))
+            slope_per_k(i, k) = -(at_reference(i) + scale)*power*s0/(x*range_k)
+            exponent(i, k) = min((at_reference(i) + scale)*power - scale, largest_exponent)
+         end do
+      end do
+   end subroutine evaluate_rises
 
 end module ehlwave_roelands_law

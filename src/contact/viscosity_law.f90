@@ -16,6 +16,7 @@ module ehlwave_viscosity_law
       real(dp) :: largest_pressure_pa = huge(1.0_dp)         !! beyond it the law is extrapolated
    contains
       procedure(evaluate), deferred :: evaluate
+      procedure :: evaluate_rises
       procedure :: coefficient => film_forming_coefficient
    end type viscosity_law_t
 
@@ -42,6 +43,19 @@ module ehlwave_viscosity_law
    integer, parameter :: panel_points = 16
 
 contains
+
+   !> ln(eta/eta0) and its derivative by temperature at some rises for each pressure.
+   pure subroutine evaluate_rises(self, n, rises, p_pa, rise_k, exponent, slope_per_k)
+      class(viscosity_law_t), intent(in) :: self
+      integer, intent(in) :: n, rises
+      real(dp), intent(in) :: p_pa(n), rise_k(n, rises)
+      real(dp), intent(out) :: exponent(n, rises), slope_per_k(n, rises)
+      real(dp) :: slope(n)
+      integer :: k
+      do k = 1, rises
+         call self%evaluate(n, p_pa, rise_k(:, k), exponent(:, k), slope, slope_per_k(:, k))
+      end do
+   end subroutine evaluate_rises
 
    !> alpha* = 1/integral_0^inf eta(0)/eta(p) dp, 1/Pa, at T0: the reciprocal asymptotic isoviscous pressure (Blok
    !> 1963), theory eq. (R8). Zero for a law that does not rise with pressure from the first.

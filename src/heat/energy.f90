@@ -5,8 +5,8 @@
 !> while viscosity and pressure settle, so that none is repeated for that alone.
 module ehlwave_energy
    use ehlwave_contact_problem, only: contact_problem_t
-   use ehlwave_film_column, only: add_inflow, add_side, column_t, new_column, solve_column
-   use ehlwave_film_heat, only: film_heat_t
+   use ehlwave_film_column, only: column_t, new_column, pass_across, pass_along, solve_column
+   use ehlwave_film_heat, only: new_film_heat
    use ehlwave_film_levels, only: film_levels_t, new_film_levels
    use ehlwave_film_shear, only: film_shear_t, new_film_shear, shear_film
    use ehlwave_flow, only: flow_t
@@ -24,6 +24,7 @@ module ehlwave_energy
    type :: earlier_t
       real(dp) :: dt = 0                                       ! time since, in units of a/ubar
       real(dp), allocatable :: f(:, :), p(:, :), rise(:, :, :) ! rho H, P and K, all nodes
+      real(dp), allocatable :: before(:, :, :)                 ! K, as long before that; absent at first
    end type earlier_t
 
    type, public :: energy_t
@@ -43,12 +44,13 @@ module ehlwave_energy
    contains
       procedure :: hold_surfaces
       procedure :: pass_time
+      procedure :: look_ahead
       procedure :: march
       procedure :: carried
       procedure, private :: march_row
    end type energy_t
 
-   integer, parameter :: turns = 2
+   integer, parameter :: steady_turns = 1, turns_in_time = 2   ! marches that follow settle a steady state
    real(dp), parameter :: bearing = 1e-3_dp        ! P of nodes whose heat is compared
    real(dp), parameter :: near = 0.1_dp, largest_step_k = 100
 
@@ -73,12 +75,10 @@ contains
 
       associate (c => problem%conditions, nx => problem%grid%nx, ny => problem%grid%ny)
          call problem%rheology%generalise()
-         problem%film_flow = problem%rheology%film_flow(c%elliptic%k, c%lambdabar, c%slip_parameter)
+         if (.not. allocated(problem%film_flow)) &
+            problem%film_flow = problem%rheology%film_flow(c%elliptic%k, c%lambdabar, c%slip_parameter)
          call problem%film_flow%set_levels(levels)
-         problem%heat = film_heat_t()
-         allocate (problem%heat%rise(0:levels, 0:nx, 0:ny), source=0.0_dp)
-         allocate (problem%heat%ln_fluidity, problem%heat%thinning, source=problem%heat%rise)
-         allocate (problem%heat%mean_rise(0:nx, 0:ny), source=0.0_dp)
+         problem%heat = new_film_heat(levels, nx, ny, problem%film_flow)
       end associate
    end subroutine warm_problem
 
@@ -98,9 +98,19 @@ contains
       type(contact_problem_t), intent(in) :: problem
       type(state_t), intent(in) :: state       !! now
       real(dp), intent(in) :: dt
-      self%earlier = earlier_t(dt, state%p, state%p, problem%heat%rise)
+      type(earlier_t) :: now
+      now = earlier_t(dt, state%p, state%p, problem%heat%rise)
+      if (allocated(self%earlier)) call move_alloc(self%earlier%rise, now%before)
+      self%earlier = now
       self%earlier%f(:, :) = problem%density(state%p)*state%h
    end subroutine pass_time
+
+   !> Temperatures as they went on in the last step: a first guess of those of the next.
+   pure subroutine look_ahead(self, problem)
+      class(energy_t), intent(in) :: self
+      type(contact_problem_t), intent(inout) :: problem
+      if (allocated(self%earlier%before)) problem%heat%rise = 2*self%earlier%rise - self%earlier%before
+   end subroutine look_ahead
 
    !> One march at a state: temperatures of the problem, whose source is linearised about those before.
    subroutine march(self, problem, state, flow)
@@ -108,7 +118,7 @@ contains
       type(contact_problem_t), intent(inout) :: problem
       type(state_t), intent(in) :: state
       type(flow_t), intent(in) :: flow             !! at the state
-      real(dp) :: before, change, largest, mean
+      real(dp) :: before, change, largest, mean, w(0:problem%grid%nx)
       integer :: i, j
 
       if (allocated(self%earlier)) then
@@ -119,8 +129,10 @@ contains
       end if
       call find_layer_fluxes(self%flux, problem%grid, problem%conditions%elliptic%kappa, self%levels, self%shear, flow)
       self%rise = problem%heat%rise
+      w = wall_weights(problem%grid%nx, problem%grid%hx)
+      w = w(problem%grid%nx:0:-1)
       do j = problem%grid%first_row, problem%grid%last_row
-         call self%march_row(problem%grid, problem%conditions%elliptic%kappa, state%h(:, j), flow%f(:, j), &
+         call self%march_row(problem%grid, problem%conditions%elliptic%kappa, w, state%h(:, j), flow%f(:, j), &
                              problem%heat%rise(:, :, j), j)
       end do
       change = 0
@@ -184,100 +196,109 @@ contains
    end function carried
 
    !> One row, from the inlet to the outlet. Where oil flows back, columns are solved upstream and downstream in turn.
-   pure subroutine march_row(self, grid, kappa, h, f, before, j)
+   pure subroutine march_row(self, grid, kappa, w, h, f, before, j)
       class(energy_t), intent(inout) :: self
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: kappa
+      real(dp), intent(in), contiguous :: w(0:)    !! of `wall_weights`, backward
       real(dp), intent(in) :: h(0:), f(0:)         !! H and rho H of the row, (0:nx)
       real(dp), intent(in) :: before(0:, 0:)       !! rise at which the source is known, (0:levels, 0:nx)
       integer, intent(in) :: j
-      real(dp) :: w(0:grid%nx)
+      real(dp) :: q(0:grid%nx, 2)                  ! heat flows into surfaces 1 and 2
       type(column_t) :: column
       integer :: i, last, turn
 
       column = new_column(self%levels%n)
-      w = wall_weights(grid%nx, grid%hx)
+      q = transpose(self%into_wall(:, :, j))
       last = 0
       do i = 1, grid%nx - 1
          if (any(self%flux%x(:, i - 1, j) < 0)) last = i
       end do
-      do turn = 1, turns
+      do turn = 1, merge(turns_in_time, steady_turns, allocated(self%earlier))
          do i = last, 1, -1
-            call solve_node(self, grid, kappa, h(i), f(i), w, before(:, i), i, j, column)
+            call solve_node(self, grid, kappa, h(i), f(i), w, q, before(:, i), i, j, column)
          end do
          self%rise(:, 0, j) = merge(0.0_dp, self%rise(:, 1, j), self%flux%x(:, 0, j) >= 0)
          do i = 1, last
-            call solve_node(self, grid, kappa, h(i), f(i), w, before(:, i), i, j, column)
+            call solve_node(self, grid, kappa, h(i), f(i), w, q, before(:, i), i, j, column)
          end do
       end do
       do i = last + 1, grid%nx - 1
-         call solve_node(self, grid, kappa, h(i), f(i), w, before(:, i), i, j, column)
+         call solve_node(self, grid, kappa, h(i), f(i), w, q, before(:, i), i, j, column)
       end do
       self%rise(:, grid%nx, j) = self%rise(:, grid%nx - 1, j)
+      self%into_wall(:, :, j) = transpose(q)
    end subroutine march_row
 
    !> One node. Flows through its sides take the rise from upstream, of second order; oil that flows back along X of
    !> first.
-   pure subroutine solve_node(self, grid, kappa, h, f, w, before, i, j, column)
+   pure subroutine solve_node(self, grid, kappa, h, f, w, q, before, i, j, column)
       type(energy_t), intent(inout) :: self
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: kappa, h, f          !! H and rho H of the node
-      real(dp), intent(in) :: w(0:)                !! of `wall_weights`
-      real(dp), intent(in) :: before(0:)           !! rise at which the source is known
+      real(dp), intent(in), contiguous :: w(0:)    !! of `wall_weights`, backward
+      real(dp), intent(inout), contiguous :: q(0:, :)    !! heat flows into surfaces 1 and 2 of the row
+      real(dp), intent(in), contiguous :: before(0:)     !! rise at which the source is known
       integer, intent(in) :: i, j
       type(column_t), intent(inout) :: column      !! work space
-      real(dp) :: cx, cy, share
-      integer :: above, below, m
+      real(dp) :: cx, cy, into(2), share
+      integer :: above, below, k, m
 
       cx = 1/grid%hx
       cy = kappa/grid%hy
       above = grid%above(j)
       below = grid%below(j)
-      column%own = 0
-      column%brought = 0
-      column%net = 0
-      if (allocated(self%earlier)) then
-         associate (then => self%earlier)
-            column%own = f/then%dt
-            column%brought = then%f(i, j)*then%rise(:, i, j)/then%dt
-            column%net = (f - then%f(i, j))/then%dt
-         end associate
-      end if
-      associate (theta => self%rise, x => self%flux%x, y => self%flux%y, q => self%into_wall)
-         call add_side(column, cx, x(:, i, j), theta(:, i - 1, j), theta(:, i + 1, j))
-         call add_inflow(column, cx, x(:, i - 1, j), theta(:, max(i - 2, 0), j), theta(:, i - 1, j))
+      associate (theta => self%rise, x => self%flux%x, y => self%flux%y, nx => grid%nx)
+         call pass_along(column, cx, x(:, i - 1, j), x(:, i, j), theta(:, max(i - 2, 0), j), theta(:, i - 1, j), &
+                         theta(:, i + 1, j))
          if (.not. grid%is_line) then
-            call add_side(column, cy, y(:, i, j), theta(:, i, below), theta(:, i, above), &
-                          theta(:, i, farther(above, 1)))
             if (below > j) then                    ! the line of symmetry
-               call add_side(column, cy, y(:, i, j), theta(:, i, above), theta(:, i, below), &
-                             theta(:, i, farther(below, 1)))
+               call pass_across(column, [cy, cy], y(:, i, j), y(:, i, j), theta(:, i, farther(below, 1)), &
+                                theta(:, i, below), theta(:, i, above), theta(:, i, farther(above, 1)))
             else
-               call add_side(column, -cy, y(:, i, below), theta(:, i, above), theta(:, i, below), &
-                             theta(:, i, farther(below, -1)))
+               call pass_across(column, [-cy, cy], y(:, i, below), y(:, i, j), theta(:, i, farther(below, -1)), &
+                                theta(:, i, below), theta(:, i, above), theta(:, i, farther(above, 1)))
             end if
          end if
+         if (allocated(self%earlier)) call stay(column, self%earlier, f, i, j)
          column%own_share = merge(1.0_dp, 0.0_dp, self%difference < near)
          column%convection = self%scales%convection*h
          column%h = h
-         do m = 1, 2
-            column%wall_before(m) = self%scales%wall(m)*dot_product(w(i:1:-1), q(m, 0:i - 1, j))
-         end do
-         column%wall_own = self%scales%wall*w(0)
          if (allocated(self%held)) then
             column%wall_before = self%held(:, i, j)
             column%wall_own = 0
+         else
+            do m = 1, 2
+               column%wall_before(m) = self%scales%wall(m)*heated(i, w(nx - i:), q(:, m))
+            end do
+            column%wall_own = self%scales%wall*w(nx)
          end if
-         call solve_column(column, self%levels, self%shear%made(:, :, i, j), before, theta(:, i, j), q(:, i, j))
-         share = maxval(abs(theta(:, i, j) - before))
+         call solve_column(column, self%levels, self%shear%made(:, :, i, j), before, theta(:, i, j), into)
+         share = 0
+         do k = 0, self%levels%n
+            share = max(share, abs(theta(k, i, j) - before(k)))
+         end do
          if (share > largest_step_k) then
             share = largest_step_k/share
             theta(:, i, j) = before + share*(theta(:, i, j) - before)
-            q(:, i, j) = share*q(:, i, j)
+            into = share*into
          end if
+         q(i, :) = into
       end associate
 
    contains
+
+      !> Sum of so many weighted heat flows upstream.
+      pure real(dp) function heated(n, w, q)
+         integer, intent(in) :: n
+         real(dp), intent(in) :: w(n), q(n)
+         integer :: l
+         heated = 0
+         !$omp simd reduction(+:heated)
+         do l = 1, n
+            heated = heated + w(l)*q(l)
+         end do
+      end function heated
 
       !> The row beyond a row, on the way of oil that comes from there; itself at the edge.
       pure integer function farther(row, step)
@@ -288,5 +309,19 @@ contains
       end function farther
 
    end subroutine solve_node
+
+   !> Oil of the time before that a node holds, in (T9).
+   pure subroutine stay(column, then, f, i, j)
+      type(column_t), intent(inout) :: column
+      type(earlier_t), intent(in) :: then
+      real(dp), intent(in) :: f                        !! rho H now
+      integer, intent(in) :: i, j
+      integer :: k
+      do k = 0, ubound(then%rise, 1)
+         column%own(k) = column%own(k) + f/then%dt
+         column%brought(k) = column%brought(k) + then%f(i, j)*then%rise(k, i, j)/then%dt
+         column%net(k) = column%net(k) + (f - then%f(i, j))/then%dt
+      end do
+   end subroutine stay
 
 end module ehlwave_energy

@@ -1,11 +1,11 @@
 !> Temperature across the film at one node, by what its neighbours and the surfaces upstream are: theory eq. (D9).
 module ehlwave_film_column
-   use ehlwave_film_levels, only: add_source, film_levels_t
+   use ehlwave_film_levels, only: add_source, film_levels_t, most_levels
    use ehlwave_film_shear, only: made_by_own, made_by_stress, made_heat, made_stress_by_rise
    use ehlwave_kinds, only: dp
    implicit none (type, external)
    private
-   public :: add_inflow, add_side, new_column, solve_column
+   public :: new_column, pass_across, pass_along, solve_column
 
    real(dp), parameter :: steepest = 30       ! growth of the source with the rise, over conduction: above it a half of
                                               ! the film would have no solution by itself
@@ -42,57 +42,37 @@ contains
       type(film_levels_t), intent(in) :: levels
       real(dp), intent(in), contiguous :: made(0:, :)  !! of `film_shear_t`, at
       real(dp), intent(in), contiguous :: before(0:)   !! this rise
-      real(dp), intent(out) :: rise(0:)        !! K
+      real(dp), intent(out), contiguous :: rise(0:)    !! K
       real(dp), intent(out) :: into_wall(2)
-      real(dp), dimension(0:levels%n) :: below, diagonal, above, right, stress
-      real(dp) :: across, own(0:levels%n), residual, share, stress_now, weight
-      real(dp) :: upstream, wall_diagonal(2), wall_beside(2), wall_right(2), wall_stress(2)
-      real(dp), parameter :: still = 1e-100_dp   ! of the convection, to divide by
+      real(dp), dimension(0:most_levels) :: below, diagonal, above, right, stress   ! (0:n) of each
+      real(dp) :: change, layer, own, share, slope, stress_before, stress_now, weight
+      real(dp) :: wall_diagonal(2), wall_beside(2), wall_right(2), wall_stress(2)
       integer :: k
 
       associate (n => levels%n, d => levels%d, c => column)
-         residual = d*(sum(c%net) - 0.5_dp*(c%net(0) + c%net(n)))   ! of the Reynolds equation
-         ! convection: diagonal theta_k + below theta_(k-1) + above theta_(k+1) = right, each layer times its thickness
-         below = 0
-         above = 0
-         diagonal = c%own - residual
-         diagonal(0) = 0.5_dp*d*diagonal(0)
-         diagonal(n) = 0.5_dp*d*diagonal(n)
-         diagonal(1:n - 1) = d*diagonal(1:n - 1)
-         right = d*c%brought
-         right(0) = 0.5_dp*right(0)
-         right(n) = 0.5_dp*right(n)
-         across = 0
-         do k = 0, n - 1
-            across = across - merge(0.5_dp*d, d, k == 0)*(c%net(k) - residual)
-            upstream = max(0.0_dp, abs(across) - 2/(max(c%convection, still)*d))
-            diagonal(k) = diagonal(k) + 0.5_dp*(across + upstream)
-            above(k) = above(k) + 0.5_dp*(across - upstream)
-            diagonal(k + 1) = diagonal(k + 1) - 0.5_dp*(across - upstream)
-            below(k + 1) = below(k + 1) - 0.5_dp*(across + upstream)
-         end do
-         below = c%convection*below
-         diagonal = c%convection*diagonal
-         above = c%convection*above
-         right = c%convection*right
-         ! conduction and source
-         diagonal(0) = diagonal(0) + 1/d
-         diagonal(1:n - 1) = diagonal(1:n - 1) + 2/d
-         diagonal(n) = diagonal(n) + 1/d
-         above(:n - 1) = above(:n - 1) - 1/d
-         below(1:) = below(1:) - 1/d
+         call convect(c, n, d, below, diagonal, above, right)
          call add_source(levels, made(:, made_heat), right)
-         weight = sum(made(:, made_stress_by_rise))
-         share = sum(made(:, made_by_own))
-         share = c%own_share*min(1.0_dp, steepest/max(d*share, steepest))
-         stress = 0
-         call add_source(levels, made(:, made_by_stress)*weight - (1 - share)*made(:, made_by_own), stress)
+         weight = 0
+         slope = 0
+         stress_before = 0
+         do k = 0, n
+            weight = weight + made(k, made_stress_by_rise)
+            slope = slope + made(k, made_by_own)
+            stress_before = stress_before + made(k, made_stress_by_rise)*before(k)
+         end do
+         share = c%own_share*min(1.0_dp, steepest/max(d*slope, steepest))
+         do k = 0, n
+            rise(k) = made(k, made_by_stress)*weight - (1 - share)*made(k, made_by_own)
+            stress(k) = 0
+         end do
+         call add_source(levels, rise, stress)
          weight = 1/sign(max(abs(weight), tiny(weight)), weight)
-         own = share*d*made(:, made_by_own)
-         own(0) = 0.5_dp*own(0)
-         own(n) = 0.5_dp*own(n)
-         diagonal = diagonal - own
-         right = right - own*before + stress*(weight*dot_product(made(:, made_stress_by_rise), before))
+         do k = 0, n
+            layer = merge(0.5_dp*d, d, k == 0 .or. k == n)
+            own = share*layer*made(k, made_by_own)
+            diagonal(k) = diagonal(k) - own
+            right(k) = right(k) - own*before(k) + stress(k)*(weight*stress_before)
+         end do
          ! what is left at the surfaces goes into them: H q = right - diagonal theta - beside theta'
          wall_diagonal = [diagonal(n), diagonal(0)]
          wall_beside = [below(n), above(0)]
@@ -107,81 +87,148 @@ contains
          stress(n) = c%wall_own(1)/c%h*wall_stress(1)
          stress(0) = c%wall_own(2)/c%h*wall_stress(2)
          call solve_both(n, below, diagonal, above, right, stress)
-         stress_now = weight*dot_product(made(:, made_stress_by_rise), right) &
-                      /(1 + weight*dot_product(made(:, made_stress_by_rise), stress))
-         rise = right - stress_now*stress
+         stress_now = 0
+         change = 0
+         do k = 0, n
+            stress_now = stress_now + made(k, made_stress_by_rise)*right(k)
+            change = change + made(k, made_stress_by_rise)*stress(k)
+         end do
+         stress_now = weight*stress_now/(1 + weight*change)
+         do k = 0, n
+            rise(k) = right(k) - stress_now*stress(k)
+         end do
          wall_right = wall_right - stress_now*wall_stress
          into_wall(1) = (wall_right(1) - wall_diagonal(1)*rise(n) - wall_beside(1)*rise(n - 1))/c%h
          into_wall(2) = (wall_right(2) - wall_diagonal(2)*rise(0) - wall_beside(2)*rise(1))/c%h
       end associate
    end subroutine solve_column
 
-   !> Flow out of a node takes the node's rise and half of its difference to the node behind it; flow back brings that
-   !> of the node beyond, along Y with half of its difference to the one after it.
-   pure subroutine add_side(column, scale, flow, behind, beyond, farther)
-      type(column_t), intent(inout) :: column
-      real(dp), intent(in) :: scale, flow(:)              !! their product: out of the node
-      real(dp), intent(in) :: behind(:), beyond(:)        !! rises
-      real(dp), intent(in), optional :: farther(:)
-      real(dp) :: back, out
+   !> Convection and conduction: diagonal theta_k + below theta_(k-1) + above theta_(k+1) = right, each layer times its
+   !> thickness.
+   pure subroutine convect(c, n, d, below, diagonal, above, right)
+      type(column_t), intent(in) :: c
+      integer, intent(in) :: n                         !! intervals across,
+      real(dp), intent(in) :: d                        !! each of this size
+      real(dp), intent(out), dimension(0:n) :: below, diagonal, above, right
+      real(dp), parameter :: still = 1e-100_dp         ! of the convection, to divide by
+      real(dp) :: across(0:most_levels), gained, largest, upstream
       integer :: k
-      do k = 1, size(flow)
-         out = max(scale*flow(k), 0.0_dp)
-         back = min(scale*flow(k), 0.0_dp)
-         column%net(k - 1) = column%net(k - 1) + (out + back)
-         column%own(k - 1) = column%own(k - 1) + 1.5_dp*out
-         column%brought(k - 1) = column%brought(k - 1) + 0.5_dp*out*behind(k) - back*beyond(k)
-         if (present(farther)) column%brought(k - 1) = column%brought(k - 1) - 0.5_dp*back*(beyond(k) - farther(k))
-      end do
-   end subroutine add_side
 
-   !> Flow into a node from the node before, with that one's rise and half of its difference to the one before it.
-   pure subroutine add_inflow(column, scale, flow, farther, before)
-      type(column_t), intent(inout) :: column
-      real(dp), intent(in) :: scale, flow(:)
-      real(dp), intent(in) :: farther(:), before(:)
-      real(dp) :: into, back
-      integer :: k
-      do k = 1, size(flow)
-         into = max(scale*flow(k), 0.0_dp)
-         back = min(scale*flow(k), 0.0_dp)
-         column%net(k - 1) = column%net(k - 1) - (into + back)
-         column%own(k - 1) = column%own(k - 1) - back
-         column%brought(k - 1) = column%brought(k - 1) + into*(1.5_dp*before(k) - 0.5_dp*farther(k))
+      gained = -0.5_dp*(c%net(0) + c%net(n))           ! of the Reynolds equation
+      do k = 0, n
+         gained = gained + c%net(k)
       end do
-   end subroutine add_inflow
+      gained = d*gained
+      do k = 0, n
+         diagonal(k) = (c%convection*d)*(c%own(k) - gained)
+         right(k) = (c%convection*d)*c%brought(k)
+      end do
+      diagonal(0) = 0.5_dp*diagonal(0)
+      right(0) = 0.5_dp*right(0)
+      diagonal(n) = 0.5_dp*diagonal(n)
+      right(n) = 0.5_dp*right(n)
+      across(0) = -0.5_dp*d*(c%net(0) - gained)
+      do k = 1, n - 1
+         across(k) = across(k - 1) - d*(c%net(k) - gained)
+      end do
+      largest = 2/(max(c%convection, still)*d)
+      below(0) = 0
+      above(n) = 0
+      do k = 0, n - 1
+         upstream = max(0.0_dp, abs(across(k)) - largest)
+         above(k) = 0.5_dp*c%convection*(across(k) - upstream) - 1/d
+         below(k + 1) = -0.5_dp*c%convection*(across(k) + upstream) - 1/d
+      end do
+      do k = 0, n - 1                                  ! what goes up from a level, and what comes down to the next
+         diagonal(k) = diagonal(k) - below(k + 1)
+      end do
+      do k = 1, n
+         diagonal(k) = diagonal(k) - above(k - 1)
+      end do
+   end subroutine convect
+
+   !> Flow along X into a node from that before and out to that beyond. It takes the rise of the node that it leaves
+   !> and half of its difference to the one before that; flow back takes the rise of the node beyond.
+   pure subroutine pass_along(column, scale, into, out, farther, before, beyond)
+      type(column_t), intent(inout) :: column
+      real(dp), intent(in) :: scale
+      real(dp), intent(in), contiguous :: into(0:), out(0:)                    !! flows, over the scale
+      real(dp), intent(in), contiguous :: farther(0:), before(0:), beyond(0:)  !! rises
+      real(dp) :: ahead, back, came, left
+      integer :: k
+      do k = 0, ubound(out, 1)
+         ahead = max(scale*out(k), 0.0_dp)
+         back = min(scale*out(k), 0.0_dp)
+         came = max(scale*into(k), 0.0_dp)
+         left = min(scale*into(k), 0.0_dp)
+         column%net(k) = ahead + back - (came + left)
+         column%own(k) = 1.5_dp*ahead - left
+         column%brought(k) = 0.5_dp*ahead*before(k) - back*beyond(k) + came*(1.5_dp*before(k) - 0.5_dp*farther(k))
+      end do
+   end subroutine pass_along
+
+   !> After that, flow out of a node along Y, downward and upward. All of it takes half a difference with it.
+   pure subroutine pass_across(column, scale, down, up, lowest, lower, upper, uppermost)
+      type(column_t), intent(inout) :: column
+      real(dp), intent(in) :: scale(2)
+      real(dp), intent(in), contiguous :: down(0:), up(0:)           !! flows, over the scale
+      real(dp), intent(in), contiguous :: lowest(0:), lower(0:)      !! rises of the neighbours
+      real(dp), intent(in), contiguous :: upper(0:), uppermost(0:)
+      real(dp) :: fell, from_above, from_below, rose
+      integer :: k
+      do k = 0, ubound(up, 1)
+         fell = max(scale(1)*down(k), 0.0_dp)
+         from_below = min(scale(1)*down(k), 0.0_dp)
+         rose = max(scale(2)*up(k), 0.0_dp)
+         from_above = min(scale(2)*up(k), 0.0_dp)
+         column%net(k) = column%net(k) + ((fell + from_below) + (rose + from_above))
+         column%own(k) = column%own(k) + 1.5_dp*(fell + rose)
+         column%brought(k) = column%brought(k) + 0.5_dp*(fell*upper(k) + rose*lower(k)) &
+                             - from_below*(1.5_dp*lower(k) - 0.5_dp*lowest(k)) &
+                             - from_above*(1.5_dp*upper(k) - 0.5_dp*uppermost(k))
+      end do
+   end subroutine pass_across
 
    !> Two right sides, from both surfaces to the middle: there pivots stay positive where a source that grows with the
    !> rise would make them vanish on the way through the film.
    pure subroutine solve_both(n, below, diagonal, above, first, second)
       integer, intent(in) :: n
-      real(dp), intent(in) :: below(0:), above(0:)
-      real(dp), intent(inout) :: diagonal(0:), first(0:), second(0:)   !! right sides; solutions
+      real(dp), intent(in), dimension(0:n) :: below, above
+      real(dp), intent(inout), dimension(0:n) :: diagonal, first, second   !! right sides; solutions
       real(dp) :: factor
       integer :: k, middle
 
-      middle = n/2
-      do k = 1, middle
-         factor = below(k)/diagonal(k - 1)
-         diagonal(k) = diagonal(k) - factor*above(k - 1)
+      middle = n/2                                    ! pivots are kept as their inverses
+      diagonal(0) = 1/diagonal(0)
+      do k = 1, middle - 1
+         factor = below(k)*diagonal(k - 1)
+         diagonal(k) = 1/(diagonal(k) - factor*above(k - 1))
          first(k) = first(k) - factor*first(k - 1)
          second(k) = second(k) - factor*second(k - 1)
       end do
-      do k = n - 1, middle, -1
-         factor = above(k)/diagonal(k + 1)
-         diagonal(k) = diagonal(k) - factor*below(k + 1)
+      diagonal(n) = 1/diagonal(n)
+      do k = n - 1, middle + 1, -1
+         factor = above(k)*diagonal(k + 1)
+         diagonal(k) = 1/(diagonal(k) - factor*below(k + 1))
          first(k) = first(k) - factor*first(k + 1)
          second(k) = second(k) - factor*second(k + 1)
       end do
-      first(middle) = first(middle)/diagonal(middle)
-      second(middle) = second(middle)/diagonal(middle)
+      k = middle
+      factor = below(k)*diagonal(k - 1)
+      diagonal(k) = diagonal(k) - factor*above(k - 1)
+      first(k) = first(k) - factor*first(k - 1)
+      second(k) = second(k) - factor*second(k - 1)
+      factor = above(k)*diagonal(k + 1)
+      diagonal(k) = 1/(diagonal(k) - factor*below(k + 1))
+      first(k) = (first(k) - factor*first(k + 1))*diagonal(k)
+      second(k) = (second(k) - factor*second(k + 1))*diagonal(k)
       do k = middle - 1, 0, -1
-         first(k) = (first(k) - above(k)*first(k + 1))/diagonal(k)
-         second(k) = (second(k) - above(k)*second(k + 1))/diagonal(k)
+         first(k) = (first(k) - above(k)*first(k + 1))*diagonal(k)
+         second(k) = (second(k) - above(k)*second(k + 1))*diagonal(k)
       end do
       do k = middle + 1, n
-         first(k) = (first(k) - below(k)*first(k - 1))/diagonal(k)
-         second(k) = (second(k) - below(k)*second(k - 1))/diagonal(k)
+         first(k) = (first(k) - below(k)*first(k - 1))*diagonal(k)
+         second(k) = (second(k) - below(k)*second(k - 1))*diagonal(k)
       end do
    end subroutine solve_both
 

@@ -2,7 +2,7 @@
 module ehlwave_film_shear
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_film_flow, only: across_film_t
-   use ehlwave_film_levels, only: film_levels_t
+   use ehlwave_film_levels, only: film_levels_t, integrate_levels, most_levels
    use ehlwave_heat_data, only: heat_scales_t
    use ehlwave_kinds, only: dp
    use ehlwave_shear_stress, only: least_pressure, node_gradient, oil_of_row
@@ -109,16 +109,16 @@ contains
       real(dp), intent(in) :: p
       integer, intent(in) :: i, j
       real(dp), parameter :: largest_correction = 4
-      real(dp), dimension(0:levels%n) :: at, compression, expansion, fluidity, heat, s, slope, stress2, u, v
-      real(dp) :: sigma(0:levels%n, 2), by_p, by_sigma2, inverse, rate, share, stiffness, total, w, w_slope
+      real(dp), dimension(0:most_levels) :: compression, heat, s, sigma_x, slope, stress2, u, v   ! (0:n) of each
+      real(dp) :: by_p, by_sigma2, inverse, made, rate, scale, share, stiffness, total, w, w_slope
       integer :: k
 
-      associate (film => problem%film_flow, n => levels%n, theta => problem%heat%rise(:, i, j), &
-                 thinning => problem%heat%thinning(:, i, j), &
+      associate (film => problem%film_flow, n => levels%n, zeta => levels%zeta, theta => problem%heat%rise(:, i, j), &
                  slip => problem%conditions%slip_parameter)
          do k = 0, n
-            sigma(k, :) = node%mean + (2*levels%zeta(k) - 1)*node%sigma
-            stress2(k) = max(sigma(k, 1)**2 + sigma(k, 2)**2, tiny(stress2))
+            sigma_x(k) = node%mean(1) + (2*zeta(k) - 1)*node%sigma(1)
+            v(k) = node%mean(2) + (2*zeta(k) - 1)*node%sigma(2)
+            stress2(k) = max(sigma_x(k)**2 + v(k)**2, tiny(stress2))
          end do
          call film%law%shear_factor(n + 1, stress2, s, slope)
          if (allocated(film%limit)) then
@@ -129,36 +129,73 @@ contains
                s(k) = s(k)*w
             end do
          end if
-         fluidity = exp(problem%heat%ln_fluidity(:, i, j))
-         s = s*fluidity
+         do k = 0, n                          ! of the oil as warm as it is here
+            w = exp(problem%heat%ln_fluidity(k, i, j))
+            s(k) = s(k)*w
+            slope(k) = slope(k)*w
+            compression(k) = s(k)*sigma_x(k)
+            v(k) = s(k)*v(k)
+         end do
          rate = 6*node%h*node%fluidity/(film%lambdabar*film%n0)
-         u = 2 - slip + rate*levels%running_integral(s*sigma(:, 1))
-         v = rate*levels%running_integral(s*sigma(:, 2))
-         u = u + (slip - u(n))*levels%zeta
-         v = v - v(n)*levels%zeta
-         heat = s*stress2
-         total = node%mean(1)*node%b + dot_product(node%sigma, node%flow)
-         share = total/max(dot_product(levels%heat_weight, heat), tiny(share))
-         heat = heat*min(max(share, 1/largest_correction), largest_correction)
-         heat = heat*(0.5_dp*scales%work*node%h/film%n0*rate)*min(1.0_dp, p/full_pressure)
-
-         at = p
-         call problem%rheology%expansivity(n + 1, at, theta, expansion)
-         compression = scales%work*node%h**2*(scales%temperature_k + theta)*expansion*(u*node%gx + v*node%gy &
-                                                                                        + node%growth)
-         self%u(:, i, j) = u
-         self%v(:, i, j) = v
-         self%made(:, made_heat, i, j) = heat + compression
-         self%shear_heat(i, j) = dot_product(levels%heat_weight, heat)
-         self%pressure_heat(i, j) = dot_product(levels%heat_weight, compression)
+         call integrate_levels(n, compression, u)
+         call integrate_levels(n, v, compression)
+         share = slip - (2 - slip + rate*u(n))
+         scale = 0.5_dp*scales%work*node%h/film%n0*rate*min(1.0_dp, p/full_pressure)
+         total = 0
+         do k = 0, n
+            u(k) = 2 - slip + rate*u(k) + share*zeta(k)
+            v(k) = rate*(compression(k) - compression(n)*zeta(k))
+            heat(k) = s(k)*stress2(k)
+            total = total + levels%heat_weight(k)*heat(k)
+         end do
+         made = node%mean(1)*node%b + dot_product(node%sigma, node%flow)
+         share = made/max(total, tiny(share))
+         scale = scale*min(max(share, 1/largest_correction), largest_correction)
+         call compress(problem, scales, node, p, theta, u, v, compression)
+         self%shear_heat(i, j) = 0
+         self%pressure_heat(i, j) = 0
+         stiffness = 0                        ! d B/d sigma_m
+         do k = 0, n
+            heat(k) = scale*heat(k)
+            self%u(k, i, j) = u(k)
+            self%v(k, i, j) = v(k)
+            self%made(k, made_heat, i, j) = heat(k) + compression(k)
+            self%shear_heat(i, j) = self%shear_heat(i, j) + levels%heat_weight(k)*heat(k)
+            self%pressure_heat(i, j) = self%pressure_heat(i, j) + levels%heat_weight(k)*compression(k)
+            stiffness = stiffness + levels%weight(k)*(s(k) + 2*slope(k)*sigma_x(k)**2)
+         end do
 
          ! of the heat, that of sliding is relieved
-         share = min(max(node%mean(1)*node%b/total, 0.0_dp), 1.0_dp)
-         stiffness = dot_product(levels%weight, (s + 2*slope*fluidity*sigma(:, 1)**2))   ! d B/d sigma_m
-         self%made(:, made_by_own, i, j) = share*heat*thinning
-         self%made(:, made_by_stress, i, j) = share*heat*2*(1 + slope*fluidity*stress2/s)*sigma(:, 1)/stress2/stiffness
-         self%made(:, made_stress_by_rise, i, j) = levels%weight*s*sigma(:, 1)*thinning
+         share = min(max(node%mean(1)*node%b/made, 0.0_dp), 1.0_dp)
+         do k = 0, n
+            self%made(k, made_by_own, i, j) = share*heat(k)*problem%heat%thinning(k, i, j)
+            self%made(k, made_by_stress, i, j) = share*heat(k)*2*(1 + slope(k)*stress2(k)/s(k))*sigma_x(k) &
+                                                 /(stress2(k)*stiffness)
+            self%made(k, made_stress_by_rise, i, j) = levels%weight(k)*s(k)*sigma_x(k)*problem%heat%thinning(k, i, j)
+         end do
       end associate
    end subroutine shear_node
+
+   !> Heat of compression at the levels of a node.
+   pure subroutine compress(problem, scales, node, p, theta, u, v, heat)
+      type(contact_problem_t), intent(in) :: problem
+      type(heat_scales_t), intent(in) :: scales
+      type(node_t), intent(in) :: node
+      real(dp), intent(in) :: p
+      real(dp), intent(in), contiguous :: theta(0:)           !! rises, (0:levels)
+      real(dp), intent(in), contiguous :: u(0:), v(0:)        !! velocities
+      real(dp), intent(inout), contiguous :: heat(0:)
+      real(dp), dimension(0:most_levels) :: at, expansion
+      real(dp) :: unit
+      integer :: k
+
+      at = p
+      call problem%rheology%expansivity(size(theta), at, theta, expansion)
+      unit = scales%work*node%h**2
+      do k = 0, ubound(theta, 1)
+         heat(k) = unit*(scales%temperature_k + theta(k))*expansion(k)*(u(k)*node%gx + v(k)*node%gy &
+            + node%growth)
+      end do
+   end subroutine compress
 
 end module ehlwave_film_shear

@@ -1,6 +1,7 @@
 !> The keys of group &heat: how oil and bodies conduct and store heat. With them temperatures are found.
 module ehlwave_heat_keys
    use ehlwave_case_key, only: key_t
+   use ehlwave_film_levels, only: most_levels
    use ehlwave_heat_data, only: body_heat_t, carried, frozen, heat_data_t
    use ehlwave_key_list, only: key_list_t
    use ehlwave_kinds, only: dp
@@ -30,7 +31,8 @@ contains
          minimum=0.0_dp, maximum=1.0_dp))
       call visit_body('body', heat%body(1), ' of the bodies', list)
       call visit_body('body2', heat%body(2), ' of the body of surface 2', list)
-      call list%see(heat%levels, key_t('levels', 'intervals across the film', minimum=4.0_dp, maximum=128.0_dp))
+      call list%see(heat%levels, key_t('levels', 'intervals across the film', minimum=4.0_dp, &
+         maximum=real(most_levels, dp)))
       call list%see(heat%wave_temperatures, key_t('wave_temperatures', "temperatures in marches; 'frozen': those "// &
          "of the smooth contact; 'carried': of the oil by the equation of energy in time, of both surfaces those "// &
          'of the smooth contact', choices=frozen//' '//carried))

@@ -84,11 +84,18 @@ contains
 
    pure real(dp) function product_of(weight, a, b)
       real(dp), intent(in) :: weight(:)
-      real(sp), intent(in) :: a(:, :), b(:, :)
-      integer :: i
+      real(sp), intent(in), contiguous :: a(:, :), b(:, :)
+      real(sp) :: product
+      integer :: i, k
       product_of = 0
       do i = 1, size(weight)
-         product_of = product_of + weight(i)*real(dot_product(a(:, i), b(:, i)), dp)
+         if (.not. weight(i) > 0) cycle
+         product = 0
+         !$omp simd reduction(+:product)
+         do k = 1, size(a, 1)
+            product = product + a(k, i)*b(k, i)
+         end do
+         product_of = product_of + weight(i)*real(product, dp)
       end do
    end function product_of
 

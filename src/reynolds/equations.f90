@@ -8,7 +8,7 @@ module ehlwave_equations
    use ehlwave_kernel, only: cell_influence
    use ehlwave_kinds, only: dp
    use ehlwave_oil_content, only: new_content, oil_content_t
-   use ehlwave_reynolds, only: driven_flow, mesh_t, new_mesh, reynolds_residual, reynolds_scale
+   use ehlwave_reynolds, only: driven_flow, follow_state, mesh_t, new_mesh, reynolds_residual, reynolds_scale
    use ehlwave_state, only: state_t
    use ehlwave_threads, only: is_shared
    use ehlwave_work_unit, only: evaluation_operations
@@ -33,6 +33,7 @@ module ehlwave_equations
    contains
       procedure :: init
       procedure :: evaluate
+      procedure :: follow
       procedure :: work
       procedure :: inject_from
       procedure :: set_scale
@@ -106,6 +107,13 @@ contains
       if (allocated(given%rough)) call assert(all(shape(given%rough) == shape(self%residual)), &
                                               'equations%evaluate: roughness on this grid')
    end subroutine check_shapes
+
+   !> Let the flow follow a change of the state linearly, in place of an evaluation; all else stays that of before.
+   subroutine follow(self, state)
+      class(equations_t), intent(inout) :: self
+      type(state_t), intent(in) :: state
+      call follow_state(self%mesh, self%flow, state%p, state%h)
+   end subroutine follow
 
    !> Operations of the last evaluation, see `ehlwave_work_unit`.
    pure real(dp) function work(self)

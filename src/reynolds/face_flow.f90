@@ -179,7 +179,8 @@ contains
       do k = 1, size(gx)
          if (.not. abs(gx(k)) + abs(gy(k)) > 0) then
             if (.not. present(heat)) cycle
-            if (.not. maxval(abs(heat%ln_fluidity(:, node(1) + k - 1:node(1) + k - 1 + i2, node(2):j2))) > 0) cycle
+            f = node(1) + k - 1
+            if (.not. max(heat%range(f, node(2)), heat%range(f + i2, j2)) > 0) cycle
             ! where the film may come to bear, the flow must be that of a gradient: a warm oil's is far from Newton's
             do next = max(next, k), size(gx)
                if (abs(gx(next)) + abs(gy(next)) > 0) exit
@@ -206,11 +207,7 @@ contains
          allocate (across_film)
          associate (nodes => node(1) - 1 + driven(:n))
             if (allocated(film%limit)) across_film%p = [oil%p(nodes, node(2)), oil%p(nodes + i2, j2)]
-            if (present(heat)) then
-               allocate (across_film%ln_fluidity(size(heat%rise, 1), 2*n))
-               across_film%ln_fluidity(:, :n) = heat%ln_fluidity(:, nodes, node(2))
-               across_film%ln_fluidity(:, n + 1:) = heat%ln_fluidity(:, nodes + i2, j2)
-            end if
+            if (present(heat)) call heat%take_ends(across_film, nodes, i2, [node(2), j2])
          end associate
       end if
       grad_x(n + 1:2*n) = grad_x(:n)

@@ -16,8 +16,8 @@ module ehlwave_reynolds
    use ehlwave_transport, only: transport_t
    implicit none (type, external)
    private
-   public :: new_mesh, driven_flow, face_flux, reynolds_residual, reynolds_change, reynolds_scale, poiseuille_links, &
-             intake
+   public :: new_mesh, driven_flow, face_flux, follow_state, reynolds_residual, reynolds_change, reynolds_scale, &
+             poiseuille_links, intake
 
    !> A grid with the weights of a difference of fluxes along X and along Y.
    type, public :: mesh_t
@@ -319,5 +319,28 @@ contains
          intake = intake - mesh%cy*(y%by_p1(i, j) + from_below)
       end associate
    end function intake_at_gradient
+
+   !> Let a flow through faces follow a change of the state, linearly.
+   subroutine follow_state(mesh, flow, p, h)
+      type(mesh_t), intent(in) :: mesh
+      type(flow_t), intent(inout) :: flow      !! at the state before, with fluxes through faces
+      real(dp), intent(in) :: p(0:, 0:), h(0:, 0:)
+      real(dp), dimension(0:mesh%grid%nx) :: flux
+      real(dp), allocatable, dimension(:, :) :: dh, q
+      integer :: j
+
+      allocate (dh, q, mold=flow%p)
+      q = p - flow%p
+      dh = h - flow%h
+      do j = mesh%grid%first_row, mesh%grid%last_row
+         call real_general_change(mesh, flow, q, dh, [j], flux)
+         flow%along_x%flux(:mesh%grid%nx - 1, j) = flow%along_x%flux(:mesh%grid%nx - 1, j) + flux(:mesh%grid%nx - 1)
+      end do
+      do j = 0, mesh%grid%ny - 1
+         call real_general_change(mesh, flow, q, dh, [j, j + 1], flux)
+         flow%along_y%flux(:, j) = flow%along_y%flux(:, j) + flux
+      end do
+      flow%f = flow%f + flow%f_p*q + flow%rho*dh
+   end subroutine follow_state
 
 end module ehlwave_reynolds

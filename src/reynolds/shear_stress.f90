@@ -128,7 +128,7 @@ contains
       if (.not. allocated(problem%film_flow)) return
       if (.not. (allocated(problem%heat) .or. allocated(problem%film_flow%limit))) return
       allocate (across)
-      if (allocated(problem%heat)) across%ln_fluidity = problem%heat%ln_fluidity(:, :, j)
+      if (allocated(problem%heat)) call problem%heat%take_row(across, j)
       if (allocated(problem%film_flow%limit)) across%p = state%p(:, j)
    end subroutine oil_of_row
 

@@ -38,6 +38,8 @@ contains
                call problem%rheology%evaluate(grid%ny + 1, p(i, :), rho, drho, fluidity, dln_eta, &
                                               problem%heat%mean_rise(i, :))
                across%ln_fluidity = problem%heat%ln_fluidity(:, i, :)
+               across%range = problem%heat%range(i, :)
+               if (allocated(problem%heat%moments)) across%moments = problem%heat%moments(:, i, :)
             else
                call problem%rheology%evaluate(grid%ny + 1, p(i, :), rho, drho, fluidity, dln_eta)
             end if

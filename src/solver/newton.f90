@@ -152,6 +152,10 @@ contains
                exit
             end if
             report%nonlinear_steps = k + 1
+            if (limits%leaves_last .and. k + 1 == limits%largest_steps) then
+               call equations%follow(state)
+               exit
+            end if
          end do
       end associate
       if (report%status == status_converged) state%p = max(state%p, 0.0_dp)

@@ -26,7 +26,13 @@ module ehlwave_warm_steady
    real(dp), parameter :: settled = 100             !! change of film and heat in a round, in units of the tolerance
    real(dp), parameter :: loosening = 1.3_dp        !! of that with each round beyond so many: where a node at the edge
    integer, parameter :: patience = 12              !! of the film, or of the backflow, goes to and fro
-   real(dp), parameter :: loose = 50                !! change of temperatures over that, of which integrals hardly know
+   real(dp), parameter :: loose = 5                 !! change of temperatures over that, of which integrals hardly know
+   integer, parameter :: marches = 2                !! in a round, at most: where temperatures change by more than
+   real(dp), parameter :: far = 0.03_dp             !! this share of themselves
+   real(dp), parameter :: ahead_of_film = 3         !! and so many times as much as the film did
+   ! A step of Newton's method is not judged where the changes before it are between
+   real(dp), parameter :: farther = 10              !! so many bounds
+   real(dp), parameter :: near = 0.05_dp            !! and this share
 
    real(dp), parameter :: ahead = 0.25_dp           !! of a difference of two grids: to the next, of second order
 
@@ -74,7 +80,7 @@ contains
          energy = new_energy(intervals, scales, multigrid%levels(l)%problem%grid)
          here = limits
          if (l < n) here%tolerance = max(limits%tolerance, coarse_tolerance)
-         call settle(multigrid, l, here, cap, energy)
+         call settle(multigrid, l, allocated(predicted), here, cap, energy)
          if (multigrid%levels(l)%report%status /= status_converged) cycle
          call multigrid%take_film(l)
          if (l < n) below = warming_of(multigrid%levels(l), cold, predicted)
@@ -124,44 +130,69 @@ contains
       level%problem%heat%rise = self%rise
    end subroutine give
 
-   !> Rounds on one level until neither the film nor the temperatures change.
-   subroutine settle(multigrid, l, limits, cap, energy)
+   !> Rounds on one level until neither the film nor the temperatures change. Each marches temperatures and, unless they
+   !> and the film are settled with that, solves for the film under them.
+   subroutine settle(multigrid, l, is_predicted, limits, cap, energy)
       type(full_multigrid_t), intent(inout) :: multigrid
       integer, intent(in) :: l
+      logical, intent(in) :: is_predicted              !! whether the level has temperatures that its film is not yet of
       type(solve_limits_t), intent(in) :: limits
       class(capped_solver_t), intent(inout) :: cap
       type(energy_t), intent(inout) :: energy
       type(anderson_t) :: anderson
       type(solve_report_t) :: report, total
-      real(dp) :: before, bound, centre, residual
-      integer :: round, rounds
-      logical :: is_stuck, is_warm
+      real(dp), allocatable :: rise(:, :, :)
+      real(dp) :: before, bound, centre, change, residual
+      integer :: again, round, rounds
+      logical :: is_near, is_settled, is_stuck, is_warm
 
       associate (level => multigrid%levels(l))
          total = level%report
          rounds = merge(most_rounds, most_coarse_rounds, l == size(multigrid%levels))
          call level%problem%film(level%given, level%state%p, level%state%delta, level%state%h)
-         call level%problem%heat%weigh(level%problem%rheology, energy%levels%weight, level%state%p)
+         call weigh(level, energy)
          centre = level%problem%grid%value_at_centre(level%state%h)
          is_stuck = .false.
          residual = 0
+         energy%film_difference = huge(before)
+         report%status = status_stalled
+         if (is_predicted) then
+            call improve(multigrid, l, limits, 1, .false., cap, report, total)
+            energy%film_difference = abs(level%problem%grid%value_at_centre(level%state%h)/centre - 1)
+         end if
          do round = 1, rounds
-            call warm_up(multigrid, l, round > 1, energy, anderson)
+            rise = level%problem%heat%rise
+            do again = 1, marches
+               if (again > 1) call weigh(level, energy)
+               call march(multigrid, l, is_predicted .or. round > 1, energy)
+               if (.not. energy%difference > max(far, ahead_of_film*energy%film_difference)) exit
+            end do
+            is_settled = .false.
             if (.not. ieee_is_finite(energy%difference)) exit
-            before = centre
-            residual = report%residual
             bound = settled*limits%tolerance*loosening**max(0, round - patience)
             is_warm = max(energy%heat_difference, energy%difference/loose) <= bound
-            call improve(multigrid, l, limits, merge(more_steps, 1, is_warm .or. is_stuck), cap, report, total)
+            is_settled = report%status == status_converged .and. is_warm .and. energy%film_difference <= bound
+            if (is_settled) exit
+            if (is_predicted .or. round > 1) &
+               call anderson%mix(size(rise, 1), size(level%state%p), max(level%state%p, 0.0_dp), rise, &
+                                 level%problem%heat%rise)
+            call weigh(level, energy)
+            before = level%problem%grid%value_at_centre(level%state%h)
+            residual = report%residual
+            change = max(energy%difference, energy%film_difference)
+            is_near = .not. max(change, merge(energy%heat_difference, 0.0_dp, round > 1)) > farther*bound
+            call improve(multigrid, l, limits, merge(more_steps, 1, is_warm .or. is_stuck), &
+                         .not. (is_near .or. is_stuck .or. change > near), cap, report, total)
             centre = level%problem%grid%value_at_centre(level%state%h)
             energy%film_difference = abs(centre/before - 1)
             if (report%status /= status_converged .and. report%status /= status_stalled) exit
-            if (report%status == status_converged .and. is_warm .and. energy%film_difference <= bound) exit
+            is_settled = report%status == status_converged .and. is_warm .and. energy%film_difference <= bound
+            if (is_settled) exit
             is_stuck = round > 2 .and. report%status == status_stalled .and. report%residual > stuck*residual
-            report%status = status_stalled
             if (cap%is_spent()) exit
          end do
-         if (report%status == status_converged) call warm_up(multigrid, l, .true., energy)   ! of the film as it is now
+         if (is_settled) call weigh(level, energy)
+         if (report%status == status_converged .and. .not. is_settled) report%status = status_stalled
          report%nonlinear_steps = total%nonlinear_steps
          report%linear_steps = total%linear_steps
          report%factorisations = total%factorisations
@@ -170,37 +201,41 @@ contains
    end subroutine settle
 
    !> Temperatures by a march through the film of a level.
-   subroutine warm_up(multigrid, l, is_later, energy, anderson)
+   subroutine march(multigrid, l, is_solved, energy)
       type(full_multigrid_t), intent(inout), target :: multigrid
       integer, intent(in) :: l
-      logical, intent(in) :: is_later              !! whether the level was solved with the temperatures before
+      logical, intent(in) :: is_solved             !! whether it was the last that was solved for
       type(energy_t), intent(inout) :: energy
-      type(anderson_t), intent(inout), optional :: anderson
       type(equations_t), target :: own
       type(equations_t), pointer :: equations
-      real(dp), allocatable :: rise(:, :, :)
 
       associate (level => multigrid%levels(l))
          equations => null()
-         if (is_later) equations => multigrid%last_equations(l)
+         if (is_solved) equations => multigrid%last_equations(l)
          if (.not. associated(equations)) then
             call own%init(level%problem)
             call own%evaluate(level%problem, level%given, level%state)
             equations => own
          end if
-         rise = level%problem%heat%rise
          call energy%march(level%problem, level%state, equations%flow)
-         if (is_later .and. present(anderson)) &
-            call anderson%mix(size(rise, 1), size(level%state%p), max(level%state%p, 0.0_dp), rise, &
-                              level%problem%heat%rise)
-         call level%problem%heat%weigh(level%problem%rheology, energy%levels%weight, level%state%p)
       end associate
-   end subroutine warm_up
+   end subroutine march
 
-   !> Steps of Newton's method under the temperatures of a level, within the cap; `total` counts those of all rounds.
-   subroutine improve(multigrid, l, limits, steps, cap, report, total)
+   !> Means and fluidities of the temperatures of a level.
+   pure subroutine weigh(level, energy)
+      type(level_t), intent(inout) :: level
+      type(energy_t), intent(in) :: energy
+      associate (problem => level%problem)
+         call problem%heat%weigh(problem%rheology, problem%film_flow, energy%levels%weight, level%state%p)
+      end associate
+   end subroutine weigh
+
+   !> Steps of Newton's method under the temperatures of a level, within the cap, of which the last is judged or left as
+   !> it is; `total` counts those of all rounds.
+   subroutine improve(multigrid, l, limits, steps, leaves_last, cap, report, total)
       type(full_multigrid_t), intent(inout) :: multigrid
       integer, intent(in) :: l, steps
+      logical, intent(in) :: leaves_last
       type(solve_limits_t), intent(in) :: limits
       class(capped_solver_t), intent(inout) :: cap
       type(solve_report_t), intent(out) :: report
@@ -210,6 +245,7 @@ contains
 
       here = limits
       here%largest_steps = min(steps, cap%steps_left)
+      here%leaves_last = leaves_last
       work_before = multigrid%work()
       call multigrid%solve_level(l, here, report)
       cap%work_left = cap%work_left - (multigrid%work() - work_before)

@@ -200,6 +200,7 @@ contains
       if (present(ln_fluidity)) then
          call flow%set_levels(size(ln_fluidity) - 1)
          across%ln_fluidity = reshape(ln_fluidity, [size(ln_fluidity), 1])
+         if (flow%has_moments()) call take_moments(flow, across)
       end if
       do i = 1, size(points, 2)
          do component = along_x, along_y
@@ -235,6 +236,7 @@ contains
       flow = new_film_flow(new_carreau_law(1.0_dp), n0, lambdabar, 1.5_dp)
       call flow%set_levels(levels)
       across%ln_fluidity = reshape([(log(1 + c*(2.0_dp*k/levels - 1)), k=0, levels)], [levels + 1, 1])
+      call take_moments(flow, across)
       variation = n0*h*g
       mean = b - c/3*variation
       call flow%evaluate(along_x, [fluidity_for(flow, b, h)], [h], [g], [0.0_dp], row, across=across)
@@ -243,6 +245,16 @@ contains
       call flow%mean_stress([fluidity_for(flow, b, h)], [h], [g], [0.0_dp], sigma, rate, factors, across)
       call test%check_close(sigma(1), mean, 'its stress', relative=1e-5_dp)
    end subroutine check_uneven
+
+   !> Moments of the fluidities of a place.
+   subroutine take_moments(flow, across)
+      type(film_flow_t), intent(in) :: flow
+      type(across_film_t), intent(inout) :: across
+      associate (ln => across%ln_fluidity)
+         allocate (across%moments(0:2, 1))
+         call flow%moments_of(ln, maxval(ln, 1) - minval(ln, 1), across%moments)
+      end associate
+   end subroutine take_moments
 
    !> Sliding as fast as may be never needs more than the limit of the stress, and nears it.
    subroutine check_limit()
