@@ -104,12 +104,13 @@ def constant_law(c: dict[str, Floats]) -> Law:
 
 
 def wave_law(c: dict[str, Floats]) -> Law:
-    """Return Ad/Ai: the flooded formula, its parameter and sharpness times powers of R."""
+    """Return Ad/Ai: the flooded formula, its parameter, sharpness and itself with powers of R."""
     x, n, along = wave_parameters(c)
     ratio = c["film_over_flooded"]
 
     def law(p: Floats) -> Floats:
-        return power_ratio(p[3] * x * ratio ** -(p[0] + p[1] * along), n * ratio ** p[2])
+        parameter = p[3] * x * ratio ** -(p[0] + p[1] * along)
+        return power_ratio(parameter, n * ratio ** p[2]) ** (ratio ** -p[4])
 
     return law
 
@@ -185,7 +186,7 @@ def _draw(
     """Draw R over r and over the law, waves over x of the flooded contact and over x with R."""
     figure, panels = plt.subplots(2, 2, figsize=(10, 8.5), layout="constrained")
     _draw_films(panels[0], films, np.array([rows[1][f"c{k}"] for k in range(5)]))
-    _draw_waves(panels[1], waves, flooded, np.array([rows[2][f"c{k}"] for k in range(4)]))
+    _draw_waves(panels[1], waves, flooded, np.array([rows[2][f"c{k}"] for k in range(5)]))
     write_figure(figure, folder, "starvation", writer=Writer(overwrite=True))
     plt.close(figure)
 
@@ -225,6 +226,7 @@ def _draw_waves(
         line = np.geomspace(0.02, 20, 200)
         for film, style in ((1.0, "-"), (0.6, "--"), (0.4, ":")) if power else ((1.0, "-"),):
             curve = power_ratio(line, float(np.median(n)) * film ** (p[2] * power))
+            curve = curve ** (film ** -(p[4] * power))
             axes.plot(line, curve, style, color="0.3", linewidth=0.9, label=f"law, R = {film:g}")
         axes.set(xscale="log", xlim=(0.02, 20), ylabel="Ad/Ai computed")
         axes.legend(fontsize=8)

@@ -168,3 +168,15 @@ def test_record_of_tracks() -> None:
     thin = rows[rows["overrollings"] == 60].iloc[0]
     both = thin["loss_first_inlet"] + thin["loss_first_sides"]
     assert thin["loss_first"] == pytest.approx(both, rel=0.2)
+
+
+def test_record_of_the_other_solver() -> None:
+    place = Path(__file__).parents[1] / "record/starvation/other_solver.csv"
+    rows = pd.read_csv(place)
+    apart = rows["ratio"] - rows["ratio_other"]
+    assert apart.to_numpy() == pytest.approx(rows["difference"], abs=2e-4)
+    assert apart.abs().max() < 0.0241
+    left = (apart - rows["by_film"]).abs().groupby(rows["r"]).max()
+    assert left[1.0] < 0.0071
+    assert left[0.7] < 0.0101
+    assert left[0.5] < 0.0165

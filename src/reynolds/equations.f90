@@ -74,7 +74,7 @@ contains
          call self%flow%fit(problem%grid, problem%conditions%lambdabar)
       end if
       call self%set_scale(abs(given%transport%w0))
-      if (allocated(given%supply)) then
+      if (given%conserves_oil()) then
          call driven_flow(self%mesh, self%flow, self%residual)
          if (.not. allocated(self%content)) self%content = new_content(problem%grid)
          call self%content%carry(problem%grid, given%transport, given%supply, state%p, self%scale, self%flow%f, &
@@ -82,11 +82,14 @@ contains
          self%is_cavitated = self%content%is_partial
          self%is_cavitated(0, :) = .false.
       else
+         if (allocated(self%content)) deallocate (self%content)
          call reynolds_residual(self%mesh, given%transport, self%flow, self%residual)
          !$omp parallel do schedule(static) if (is_shared(size(state%p)))
          do j = 0, problem%grid%ny
             self%is_cavitated(:, j) = self%scale(:, j) > 0 .and. &
                                       state%p(:, j) + self%scale(:, j)*self%residual(:, j) <= 0
+            if (allocated(given%is_empty)) &
+               self%is_cavitated(:, j) = self%is_cavitated(:, j) .or. given%is_empty(:, j)
          end do
       end if
       self%edges = problem%edges
@@ -127,7 +130,10 @@ contains
       class(equations_t), intent(in) :: fine
       call self%flow%inject_from(fine%flow, self%mesh%grid)
       self%is_cavitated = fine%is_cavitated(::2, ::self%mesh%grid%row_ratio)
-      if (.not. allocated(fine%content)) return
+      if (.not. allocated(fine%content)) then
+         if (allocated(self%content)) deallocate (self%content)
+         return
+      end if
       if (.not. allocated(self%content)) self%content = new_content(self%mesh%grid)
       call self%content%inject_from(fine%content, self%mesh%grid%row_ratio)
    end subroutine inject_from

@@ -19,9 +19,12 @@ module ehlwave_given
                                                !! else
       real(dp), allocatable :: supply(:)       !! (0:ny) oil offered at the inlet edge, theta rho H; not allocated:
                                                !! flooded
+      logical, allocatable :: is_empty(:, :)   !! (0:nx, 0:ny), with a supply: where P is held at 0 and the oil is not
+                                               !! followed
    contains
       procedure :: set_rough
       procedure :: blend
+      procedure :: conserves_oil
    end type given_t
 
 contains
@@ -67,5 +70,11 @@ contains
       if (allocated(later%transport%inflow) .and. allocated(self%transport%inflow)) &
          between%transport%inflow = (1 - place)*self%transport%inflow + place*later%transport%inflow
    end function blend
+
+   !> Whether the oil of a gap is followed that may be partly filled.
+   pure logical function conserves_oil(self)
+      class(given_t), intent(in) :: self
+      conserves_oil = allocated(self%supply) .and. .not. allocated(self%is_empty)
+   end function conserves_oil
 
 end module ehlwave_given

@@ -21,7 +21,7 @@ module ehlwave_newton
    ! Of oils that are not Newtonian:
    real(dp), parameter :: much_worse = 2         !! right side over the smallest so far above which a step is taken back
                                                  !! by halves
-   integer, parameter :: most_halvings = 10, most_front_halvings = 3
+   integer, parameter :: most_halvings = 10
    real(dp), parameter :: progress = 0.9_dp      !! of the smallest right side, or less, to be reached in so many steps
    integer, parameter :: patience = 15, starved_patience = 10
    ! Starved contacts whose film closes come to rest away from the solution, at a right side that changes by less than
@@ -89,8 +89,8 @@ contains
       type(solve_report_t), intent(out) :: report
       type(state_t) :: before
       real(dp) :: best, forcing, length, work_before, worth, worth_before
-      integer :: k, last_gain, partial(3), rests
-      logical :: asks_local
+      integer :: k, last_gain, rests
+      logical :: asks_local, is_starved
 
       if (checks) call assert(allocated(state%p) .and. limits%tolerance > 0, &
                               'newton%improve: a first guess and a tolerance')
@@ -99,13 +99,13 @@ contains
       allocate (report%history(0))
       worth_before = 0
       rests = 0
-      partial = 0
       work_before = work_of(levels)
       forcing = self%loosest
       before = state
       ! what heat changes is smooth, and a part alone may end beside the solution
       asks_local = allocated(self%local) .and. .not. allocated(given%supply) .and. &
                    .not. allocated(levels(size(levels))%problem%heat)
+      is_starved = given%conserves_oil()
       associate (problem => levels(size(levels))%problem, equations => self%step%linear%levels(size(levels))%equations)
          call problem%film_of_guess(given, state)
          do k = 0, limits%largest_steps
@@ -114,7 +114,6 @@ contains
                best = worth
                last_gain = 0
             end if
-            if (allocated(given%supply)) call keep_front(self, problem, given, before, partial, state, worth)
             if (.not. problem%rheology%is_newtonian()) then
                if (k > 0) then
                   call go_back(self, problem, given, before, best, work_before + limits%largest_work, levels, state, &
@@ -131,7 +130,7 @@ contains
                 report%worst() > limits%guess_share*limits%tolerance) report%status = status_stalled
             if (report%status /= status_stalled .or. k == limits%largest_steps) exit
             if (.not. problem%rheology%is_newtonian() .and. k > last_gain + patience) exit
-            if (allocated(given%supply)) then   ! a film that closes stays closed
+            if (is_starved) then   ! a film that closes stays closed
                if (worth < progress*best .or. worth > much_worse*worth_before) last_gain = k
                best = min(merge(best, worth, last_gain < k), worth)
                rests = merge(rests + 1, 0, abs(worth - worth_before) < rest*worth)
@@ -141,12 +140,15 @@ contains
 
             if (k > 0) forcing = next_forcing(self, forcing, worth/worth_before)
             forcing = min(self%loosest, max(forcing, last_step_share*limits%tolerance/report%residual))
-            if (allocated(given%supply)) forcing = min(forcing, starved_forcing)
+            if (is_starved) forcing = min(forcing, starved_forcing)
             worth_before = worth
-            if (allocated(given%supply) .or. .not. problem%rheology%is_newtonian()) before = state
+            if (.not. problem%rheology%is_newtonian()) before = state
             call self%step%solve(levels, forcing, work_before + limits%largest_work, report)
             length = 1
             if (self%step%alternates(k)) length = 0.5_dp
+            if (is_starved .and. k > 1) then   ! a meniscus that comes back nearer to the solution is no cycle
+               if (report%residual < report%history(k - 1)) length = 1
+            end if
             if (.not. self%step%take(problem, self%limit, length, state)) then
                report%status = status_diverged
                exit
@@ -211,36 +213,6 @@ contains
       state = before
       call self%step%assemble(problem, given, state, worth)
    end subroutine improve_part
-
-   !> Where the meniscus went upstream, in the step before or since the first guess, and a step would take it more than
-   !> a row farther downstream than it was: go back by halves. It comes back upstream by a row a step only, and else
-   !> goes forth and back for ever in some contacts (D = 0.1, r = 3).
-   subroutine keep_front(self, problem, given, before, partial, state, worth)
-      class(newton_t), intent(inout) :: self
-      type(contact_problem_t), intent(in) :: problem
-      type(given_t), intent(in) :: given
-      type(state_t), intent(in) :: before
-      integer, intent(inout) :: partial(3)       !! partly filled nodes: last state, that before, guess
-      type(state_t), intent(inout) :: state
-      real(dp), intent(inout) :: worth           !! norm of the right side here
-      integer :: farthest, found, n
-
-      associate (equations => self%step%linear%levels(self%step%linear%finest)%equations, grid => problem%grid)
-         farthest = huge(0) - grid%ny
-         if (partial(1) < partial(3)) farthest = partial(3)
-         if (partial(1) < partial(2)) farthest = partial(1)
-         do n = 0, most_front_halvings
-            found = count(equations%is_cavitated)
-            if (found <= farthest + grid%last_row - grid%first_row) exit
-            if (n == most_front_halvings) exit
-            state%p = 0.5_dp*(before%p + state%p)
-            state%h = 0.5_dp*(before%h + state%h)
-            state%delta = 0.5_dp*(before%delta + state%delta)
-            call self%step%assemble(problem, given, state, worth)
-         end do
-         partial = [found, partial(1), merge(partial(3), found, partial(3) > 0)]
-      end associate
-   end subroutine keep_front
 
    !> Go half of the way back to the state before, again and again, while the right side is much larger than the
    !> smallest so far. The flow of oils that are not Newtonian can grow exponentially with the pressure gradient: a step

@@ -7,6 +7,7 @@ module ehlwave_newton_step
    use ehlwave_given, only: given_t
    use ehlwave_hierarchy, only: level_t, work_of
    use ehlwave_kinds, only: dp
+   use ehlwave_meniscus, only: fill_ahead
    use ehlwave_real_gmres, only: gmres_t
    use ehlwave_real_linearised_contact, only: linearised_contact_t, set_wedge
    use ehlwave_solve_report, only: solve_report_t
@@ -21,6 +22,7 @@ module ehlwave_newton_step
    type, public :: newton_step_t
       type(linearised_contact_t) :: linear
       type(gmres_t) :: gmres
+      logical, private :: fills = .false.        !! the gap ahead of a meniscus: a steady state with too little oil
       real(dp), allocatable, private :: rhs(:), change(:), film_change(:, :)
       logical, allocatable :: cavitated_before(:, :)
       logical, allocatable, private :: cavitated_earlier(:, :)
@@ -50,6 +52,7 @@ contains
          call linear%start(n)
          linear%inertia = given%load%inertia
          call set_wedge(linear, given%transport)
+         self%fills = given%conserves_oil() .and. .not. allocated(given%transport%inflow)
          if (allocated(self%film_change)) then
             if (all(shape(self%film_change) == [nx + 1, ny + 1])) return
             deallocate (self%rhs, self%change, self%film_change, self%cavitated_before, self%cavitated_earlier)
@@ -158,6 +161,7 @@ contains
          step = longest*limit%of_pressure(dp_)
          call bend(self%linear%levels(self%linear%finest)%equations, step, dp_)
          dp_ = max(dp_, lowest_pressure - state%p)
+         if (self%fills) call fill_ahead(self%linear%levels(self%linear%finest)%equations, state, dp_)
          self%change(n) = step*self%change(n)
          call problem%deformation%apply(dp_, self%film_change)
          self%film_change = self%film_change - self%change(n)

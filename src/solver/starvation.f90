@@ -6,6 +6,7 @@ module ehlwave_starvation
    use ehlwave_hierarchy, only: level_t
    use ehlwave_inlet_oil, only: inlet_oil_t
    use ehlwave_kinds, only: dp, no_value
+   use ehlwave_meniscus, only: hold_empty, is_full_to_edge
    use ehlwave_rescue, only: rescue_t, rung_continuation
    use ehlwave_solve_report, only: solve_limits_t, solve_report_t
    use ehlwave_state, only: state_t
@@ -42,7 +43,7 @@ contains
       type(solve_limits_t) :: loose
       type(solve_report_t) :: report
       type(state_t) :: full
-      logical :: is_known
+      logical :: is_full, is_known
       integer :: l, n
 
       n = size(multigrid%levels)
@@ -66,7 +67,11 @@ contains
             full = level%state
             is_known = l > 1
             if (is_known) is_known = multigrid%levels(l - 1)%has_film()
-            if (is_known) call multigrid%start_level(l)
+            if (is_known) then
+               is_full = is_full_to_edge(multigrid%last_equations(l - 1))
+               call multigrid%start_level(l)
+               if (is_full) call settle(rescue, multigrid, l, loose)
+            end if
             if (.not. is_known .and. maxval(level%given%supply) > direct*flooded%oil(l)) then
                call empty_inlet(level, flooded%oil(l))
                is_known = .true.
@@ -94,6 +99,32 @@ contains
          end associate
       end do
    end subroutine starve
+
+   !> First guess from the next coarser grid where the gap is full from the inlet edge on: one step with the meniscus
+   !> held. Oil offered is the flow through the full gap, so it is the contact that says how high the pressure there is.
+   !> An error of it that is small in the contact, which the new grid has still to resolve, is that of many rows of a
+   !> meniscus far out.
+   subroutine settle(rescue, multigrid, l, limits)
+      type(rescue_t), intent(inout) :: rescue
+      type(full_multigrid_t), intent(inout) :: multigrid
+      integer, intent(in) :: l                      !! level
+      type(solve_limits_t), intent(in) :: limits
+      type(solve_limits_t) :: once
+      type(solve_report_t) :: report
+
+      once = limits
+      once%tolerance = max(limits%tolerance, loose_tolerance)
+      once%largest_steps = 1
+      associate (level => multigrid%levels(l))
+         call hold_empty(level)
+         if (l == size(multigrid%levels)) then
+            call rescue%attempt(multigrid, once)
+         else
+            call multigrid%solve_level(l, once, report)
+         end if
+         deallocate (level%given%is_empty)
+      end associate
+   end subroutine settle
 
    !> From the flooded state with plenty of oil down to what is offered, by steps that grow and shrink.
    subroutine come_down(rescue, multigrid, l, full, flooded_oil, limits, report)

@@ -7,6 +7,7 @@ program test_oil_content
    use ehlwave_given, only: given_t
    use ehlwave_inlet_oil, only: inlet_oil_t
    use ehlwave_kinds, only: dp
+   use ehlwave_meniscus, only: fill_ahead, hold_empty, is_full_to_edge
    use ehlwave_oil_passage, only: follow_oil, oil_passage_t
    use ehlwave_real_linearised_contact, only: linearised_contact_t, set_wedge
    use ehlwave_rescue, only: rescue_t
@@ -55,6 +56,8 @@ contains
       call check_passage(multigrid, what)
       call check_state(multigrid, what)
       call check_jacobian(multigrid, what//'steady: ')
+      call check_filling(multigrid, what)
+      call check_holding(multigrid, what)
       call check_step(multigrid, what)
       call check_jacobian(multigrid, what//'time step: ')
    end subroutine check_contact
@@ -90,6 +93,72 @@ contains
          end associate
       end associate
    end subroutine check_state
+
+   !> A step that makes nodes overflow fills them, at pressures that leave little of the imbalance; one that lowers the
+   !> pressure fills nothing.
+   subroutine check_filling(multigrid, what)
+      type(full_multigrid_t), intent(inout) :: multigrid
+      character(len=*), intent(in) :: what
+      type(equations_t) :: filled, overfull, solved
+      type(state_t) :: state
+      real(dp), allocatable :: change(:, :), step(:, :)
+      integer :: j
+
+      associate (level => multigrid%levels(size(multigrid%levels)))
+         call solved%init(level%problem)
+         call solved%evaluate(level%problem, level%given, level%state)
+         step = level%state%p
+         do j = 0, ubound(step, 2)
+            step(:, j) = merge(3*step(:, j), 0.0_dp, level%problem%grid%x < -1)
+         end do
+         change = -0.3_dp*step
+         call fill_ahead(solved, level%state, change)
+         call test%check_close([change], [-0.3_dp*step], what//'less pressure fills nothing', absolute=0.0_dp)
+         change = step
+         call fill_ahead(solved, level%state, change)
+         call test%check(all(abs(change - step) <= 0 .or. solved%content%is_partial), what//'full nodes keep their step')
+         state = level%state
+         state%p = level%state%p + step
+         call overfull%init(level%problem)
+         call overfull%evaluate(level%problem, level%given, state)
+         state%p = level%state%p + change
+         call filled%init(level%problem)
+         call filled%evaluate(level%problem, level%given, state)
+         associate (were_empty => solved%content%is_partial)
+            call test%check(count(change > step) > 0 .and. .not. any(filled%content%is_partial .and. change > step), &
+                            what//'filled nodes are full')
+            call test%check(maxval(abs(filled%residual), mask=were_empty) < &
+                            0.7_dp*maxval(abs(overfull%residual), mask=were_empty), what//'and take what overflows')
+         end associate
+      end associate
+   end subroutine check_filling
+
+   !> Held, the empty part has no pressure, and the other nodes have the equations of a full gap.
+   subroutine check_holding(multigrid, what)
+      type(full_multigrid_t), intent(inout) :: multigrid
+      character(len=*), intent(in) :: what
+      type(equations_t) :: full, held
+      type(given_t) :: without
+
+      associate (level => multigrid%levels(size(multigrid%levels)))
+         call held%init(level%problem)
+         call held%evaluate(level%problem, level%given, level%state)
+         call test%check(.not. is_full_to_edge(held), what//'a meniscus away from the edge')
+         call hold_empty(level)
+         call held%evaluate(level%problem, level%given, level%state)
+         without = level%given
+         deallocate (without%supply, without%is_empty)
+         call full%init(level%problem)
+         call full%evaluate(level%problem, without, level%state)
+         call test%check(.not. allocated(held%content) .and. &
+                         all(held%is_cavitated .eqv. (full%is_cavitated .or. level%given%is_empty)), &
+                         what//'held nodes are cavitated')
+         call test%check(any(level%given%is_empty) .and. &
+                         maxval(level%state%p, mask=level%given%is_empty) <= 0, what//'no pressure in them')
+         call test%check_close([held%residual], [full%residual], what//'the others as in a full gap', absolute=0.0_dp)
+         deallocate (level%given%is_empty)
+      end associate
+   end subroutine check_holding
 
    !> Let the problem be that of a time step, after which the gap has changed.
    subroutine check_step(multigrid, what)

@@ -206,7 +206,7 @@ class Contact:
     >>> print(f"Hc = {film.central_moes:.2f} within {film.central_error:.0%}")
     Hc = 1.89 within 4%
     >>> print(f"Ad/Ai = {abs(response.film):.2f} within {response.error:.2f}")
-    Ad/Ai = 0.52 within 0.12
+    Ad/Ai = 0.54 within 0.11
     """
 
     def __init__(
