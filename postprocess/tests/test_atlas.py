@@ -167,7 +167,7 @@ def test_advice_keeps_to_films_that_the_atlas_holds() -> None:
     for load, said in ((20000.0, "gives M = 1.56e"), (1.0, "gives a film of 50.8 times")):
         with pytest.raises(ehlwave.RangeError, match=said) as raised:
             ehlwave.Contact(**ball | {"load_n": load}).film()
-        found = re.search(r"holds ([0-9.]+) to ([0-9.]+) N", str(raised.value))
+        found = re.search(r"holds ([0-9.e+]+) to ([0-9.e+]+) N", str(raised.value))
         assert found is not None
         for inside in map(float, found.groups()):
             assert ehlwave.Contact(**ball | {"load_n": inside}).film().central_m
