@@ -47,7 +47,7 @@ def test_what_lies_outside_is_flagged_and_not_a_number() -> None:
 
 def test_a_contact_outside_the_atlas_is_an_error_and_no_table_of_nothing() -> None:
     with pytest.raises(ehlwave.RangeError, match="load_parameter_m"):
-        ehlwave.Contact(**MOES | {"load_parameter_m": 1e5}).responses([1.0])
+        ehlwave.Contact(**MOES | {"load_parameter_m": 2e5}).responses([1.0])
     with pytest.raises(ehlwave.RangeError, match="slip_parameter"):
         ehlwave.Contact(**MOES).responses([1.0], slip_parameter=1.9)
 

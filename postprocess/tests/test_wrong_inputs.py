@@ -189,10 +189,10 @@ WRONG = [
     Wrong(film, {"load_n": 0.2}, "load_n = 0.2 gives M = 0.6", "holds {} to", {"load_n": None}),
     Wrong(
         film,
-        {"mean_speed_m_per_s": 12},
-        "mean_speed_m_per_s = 12 gives L = ",
+        {"mean_speed_m_per_s": 300, "load_n": 800},
+        "mean_speed_m_per_s = 300 gives L = ",
         "holds {} to",
-        {"mean_speed_m_per_s": None},
+        {"mean_speed_m_per_s": None, "load_n": 800},
     ),
     Wrong(
         film, {"viscosity_pa_s": 0.7, "load_n": 5}, "gives M = ", "holds {} to", {"load_n": None}
@@ -203,7 +203,7 @@ WRONG = [
         moes,
         {"load_parameter_m": 3},
         "load_parameter_m = 3",
-        "5 to 10000",
+        "5 to 100000",
         {"load_parameter_m": 20},
     ),
     Wrong(

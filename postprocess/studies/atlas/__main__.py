@@ -10,8 +10,9 @@ from pathlib import Path
 
 from ehlwave.atlas import Atlas, load_atlas
 from ehlwave.atlas.atlas import shipped
-from ehlwave.atlas.kinds import KINDS, LINE, LINE_SLIDING, WIDE, Kind
-from studies.atlas import bearings, line_design, line_sliding_design
+from ehlwave.atlas.kinds import KINDS, LINE, LINE_SLIDING, Kind
+from studies.atlas import line_design, line_sliding_design
+from studies.atlas.catalogue import DRAWS
 from studies.atlas.design import DESIGNS, write_batch, write_rises, write_validation
 from studies.atlas.fit import finished
 from studies.atlas.points import read_points
@@ -29,7 +30,7 @@ STEPS = ("batch", "rises", "fit", "unseen", "validate", "catalogue", "bearings")
 BLOCK = 16
 """Of the later batches, those that follow from one fit, which takes as long as ten of them."""
 
-RISE_BATCHES = {"rolling": 24, "rolling_wide": 3, "sliding": 24}
+RISE_BATCHES = {"rolling": range(24), "rolling_wide": (0, 1, 10), "sliding": range(24)}
 """Batches of which the rise of the mean film under oblique waves is computed: that costs more."""
 
 
@@ -56,7 +57,8 @@ def _do(options: argparse.Namespace) -> None:
         else:
             print(write_batch(folder, options.batch, DESIGNS[kind.name], known))
     elif step == "rises":
-        with_rises = read_points(batches[: RISE_BATCHES[kind.name]], kind=kind)
+        rising = [batches[one] for one in RISE_BATCHES[kind.name] if one < len(batches)]
+        with_rises = read_points(rising, kind=kind)
         print(write_rises(folder, DESIGNS[kind.name], with_rises))
     elif step == "fit":
         rises = folder / f"{kind.name}-rises.h5"
@@ -71,11 +73,15 @@ def _do(options: argparse.Namespace) -> None:
         else:
             print(write_validation(folder, DESIGNS[kind.name]))
     elif step == "catalogue":
-        print(bearings.write(folder, options.atlas and load_atlas(atlas)))
+        for draw in DRAWS:
+            print(draw.write(folder, options.atlas and load_atlas(atlas)))
     elif step == "bearings":
-        print(bearings.text(options.atlas and load_atlas(atlas)))
-        computed = read_points([folder / "bearings.h5"], kind=WIDE)
-        print(judge(load_atlas(options.atlas or shipped(WIDE)), computed).text())
+        for draw in DRAWS:
+            known = options.atlas and load_atlas(atlas)
+            print(draw.text(known))
+            computed = read_points([folder / f"{draw.name}.h5"], kind=draw.kind)
+            own = known if known and known.kind is draw.kind else load_atlas(shipped(draw.kind))
+            print(judge(own, computed).text())
     else:
         computed = read_points([folder / f"{kind.name}-validation.h5"], kind=kind)
         print(judge(load_atlas(atlas), computed).text())

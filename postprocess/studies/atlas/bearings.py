@@ -1,20 +1,14 @@
-"""Ball bearings as catalogues have them: how many of their contacts the atlas answers, how well.
+"""Bearings as catalogues have them.
 
 Boundary dimensions are those of ISO 15; what is in a bearing, and how it is run, is drawn.
 """
 
-from collections.abc import Iterator
-from pathlib import Path
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import numpy as np
 
 import ehlwave
-from ehlwave.atlas.atlas import Atlas, chart_of
-from ehlwave.atlas.kinds import WIDE
-from ehlwave.errors import RangeError
-from studies import sweeps
-from studies.atlas.design import WIDE_DESIGN, random_wave
 
 BOUNDARIES_MM = {
     "60": ((10, 26), (15, 32), (20, 42), (30, 55), (40, 68), (50, 80), (70, 110), (100, 150)),
@@ -22,6 +16,9 @@ BOUNDARIES_MM = {
     "63": ((10, 35), (15, 42), (20, 52), (30, 72), (40, 90), (50, 110), (70, 150), (100, 215)),
 }
 """Bore and outer diameter of bearings of these dimension series, ISO 15."""
+
+ROLLER_SERIES = ("62", "63")
+"""Those that cylindrical roller bearings share, as N 2 and N 3 (DIN 5412)."""
 
 ANGLES_DEG = (0.0, 0.0, 15.0, 25.0, 40.0)
 """Contact angles: half of the bearings have deep grooves, the others are of the usual angles."""
@@ -32,11 +29,14 @@ BALL_SHARE = (0.28, 0.33)
 OSCULATION = (0.515, 0.53)
 """Radius of grooves over the diameter of balls (Harris and Kotzalas 2007)."""
 
-RATED_PA = 4.2e9
-"""Hertz pressure of the most loaded ball under the static load rating, ISO 76."""
+ROLLER_SHARE = (0.24, 0.29)
+"""Diameter of cylindrical rollers over the same difference, usual in series 62 and 63."""
+
+RATED_PA, RATED_LINE_PA = 4.2e9, 4e9
+"""Hertz pressure of the most loaded ball, or roller, under the static load rating, ISO 76."""
 
 LOAD_SHARE = (0.01, 0.3)
-"""Of a ball, over that at this pressure: static safety factors of 100 to 3.3."""
+"""Of a ball or roller, over that at this pressure: static safety factors of 100 to 3.3."""
 
 SPEED_FACTOR = (2e4, 5e5)
 """Revolutions a minute times mean diameter, mm: up to what catalogues give for oil and grease."""
@@ -47,75 +47,63 @@ VISCOSITY_PA_S = (0.005, 0.2)
 PRESSURE_VISCOSITY_PER_PA = (1.2e-8, 2.5e-8)
 ROELANDS = (0.5, 0.7)
 
-CONTACTS, COMPUTED, SEED = 300, 30, 76
+CONTACTS, SEED = 300, 76
 
 
-def contacts(count: int = CONTACTS) -> Iterator[ehlwave.Contact]:
+def ball_contacts(count: int = CONTACTS) -> Iterator[ehlwave.Contact]:
     """Yield contacts of balls with inner and outer rings in turn."""
     random = np.random.default_rng(SEED)
-
-    def log(ends: tuple[float, float]) -> float:
-        return float(np.exp(random.uniform(*np.log(ends))))
-
     for number in range(count):
         series = BOUNDARIES_MM[str(random.choice(list(BOUNDARIES_MM)))]
         bore, outer = series[random.integers(len(series))]
         pitch = (bore + outer) / 2
         ball_mm = (outer - bore) * random.uniform(*BALL_SHARE)
         angle = float(random.choice(ANGLES_DEG))
-        race_of = ehlwave.Body.outer_race if number % 2 else ehlwave.Body.inner_race
-        race = race_of(
+        race = _race_of(number)(
             *(1e-3 * ball_mm, 1e-3 * pitch), random.uniform(*OSCULATION), angle, material="steel"
         )
-        rolling = 1e-3 * (pitch - ball_mm**2 * np.cos(np.radians(angle)) ** 2 / pitch) / 2
-        speed = rolling * np.pi * log(SPEED_FACTOR) / pitch / 60
-        oil: dict[str, Any] = {
-            "viscosity_pa_s": log(VISCOSITY_PA_S),
-            "pressure_viscosity_per_pa": random.uniform(*PRESSURE_VISCOSITY_PER_PA),
-            "roelands_index": random.uniform(*ROELANDS),
-            "mean_speed_m_per_s": float(speed),
-        }
+        oil = _oil(random, ball_mm, pitch, angle)
         ball = ehlwave.Body.ball(1e-3 * ball_mm, material="steel")
         one = ehlwave.Contact.from_bodies(ball, race, load_n=1.0, **oil)
         rated = (RATED_PA / one.conditions.hertz_pa) ** 3
-        yield ehlwave.Contact.from_bodies(ball, race, load_n=rated * log(LOAD_SHARE), **oil)
+        load = rated * _log_uniform(random, LOAD_SHARE)
+        yield ehlwave.Contact.from_bodies(ball, race, load_n=load, **oil)
 
 
-def answered(atlas: Atlas | None) -> tuple[list[ehlwave.Contact], list[str]]:
-    """Return contacts that the atlas answers, and why it does not answer the others."""
-    found, refused = [], []
-    for contact in contacts():
-        try:
-            chart_of(contact.conditions, atlas)
-        except RangeError as error:
-            refused.append(str(error))
-        else:
-            found.append(contact)
-    return found, refused
-
-
-def write(folder: Path, atlas: Atlas | None) -> Path:
-    """Write the sweep of some of those that are answered, two random waves in each."""
+def roller_contacts(count: int = CONTACTS) -> Iterator[ehlwave.Contact]:
+    """Yield line contacts of cylindrical rollers with inner and outer rings in turn."""
     random = np.random.default_rng(SEED)
-    rows = []
-    for contact in answered(atlas)[0][:COMPUTED]:
-        place = contact.conditions.atlas_keys()
-        keys = {key: float(f"{place[key]:.6g}") for key in WIDE.ranges}
-        for _ in range(2):
-            waves = random_wave(WIDE_DESIGN, keys, random)
-            rows.append({**keys, **waves, **WIDE_DESIGN.domain(keys)})
-    return sweeps.write_sweep(folder, "bearings", rows, WIDE_DESIGN.groups)
+    for number in range(count):
+        series = BOUNDARIES_MM[str(random.choice(ROLLER_SERIES))]
+        bore, outer = series[random.integers(len(series))]
+        pitch = (bore + outer) / 2
+        roller_mm = (outer - bore) * random.uniform(*ROLLER_SHARE)
+        race = _race_of(number)(1e-3 * roller_mm, 1e-3 * pitch, material="steel")
+        oil = _oil(random, roller_mm, pitch)
+        roller = ehlwave.Body(radius_x_m=5e-4 * roller_mm, material="steel")
+        one = ehlwave.Contact.from_bodies(roller, race, load_n_per_m=1.0, **oil)
+        rated = (RATED_LINE_PA / one.conditions.hertz_pa) ** 2
+        load = rated * _log_uniform(random, LOAD_SHARE)
+        yield ehlwave.Contact.from_bodies(roller, race, load_n_per_m=load, **oil)
 
 
-def text(atlas: Atlas | None) -> str:
-    """Return how many are answered, and where all of them lie."""
-    found, refused = answered(atlas)
-    places = [contact.conditions.atlas_keys() for contact in contacts()]
-    ends = "; ".join(
-        f"{key} {np.quantile(values, 0.02):.3g} to {np.quantile(values, 0.98):.3g}"
-        for key in WIDE.ranges
-        for values in ([place[key] for place in places],)
-    )
-    share = 100 * len(found) / CONTACTS
-    count = f"{len(found)} of {CONTACTS} contacts of bearings answered ({share:.1f} %)"
-    return "\n".join([f"{count}; 96 % have {ends}", *(f"refused: {why}" for why in refused)])
+def _race_of(number: int) -> Callable[..., ehlwave.Body]:
+    return ehlwave.Body.outer_race if number % 2 else ehlwave.Body.inner_race
+
+
+def _log_uniform(random: np.random.Generator, ends: tuple[float, float]) -> float:
+    return float(np.exp(random.uniform(*np.log(ends))))
+
+
+def _oil(
+    random: np.random.Generator, element_mm: float, pitch: float, angle: float = 0.0
+) -> dict[str, Any]:
+    """Return the oil of a bearing, and the speed of its contacts."""
+    rolling = 1e-3 * (pitch - element_mm**2 * np.cos(np.radians(angle)) ** 2 / pitch) / 2
+    speed = rolling * np.pi * _log_uniform(random, SPEED_FACTOR) / pitch / 60
+    return {
+        "viscosity_pa_s": _log_uniform(random, VISCOSITY_PA_S),
+        "pressure_viscosity_per_pa": random.uniform(*PRESSURE_VISCOSITY_PER_PA),
+        "roelands_index": random.uniform(*ROELANDS),
+        "mean_speed_m_per_s": float(speed),
+    }

@@ -11,6 +11,7 @@ from scipy.stats import qmc
 
 from ehlwave.atlas import Atlas
 from ehlwave.atlas.coordinates import hertz_film
+from ehlwave.atlas.kind import is_within
 from ehlwave.atlas.kinds import ROLLING, SLIDING, WIDE, Kind
 from ehlwave.atlas.ranges import CONTACT_RANGES, WAVE_RANGE
 from ehlwave.atlas.sliding import MODULUS_PA
@@ -36,10 +37,18 @@ SLENDER = {"load_parameter_m": (20.0, 70.0), "radius_ratio_d": (0.04, 0.2)}
 SLENDER_BATCHES = (8, 10, 12, 14)
 """Batches of them, of contacts that roll: there responses change most from one to the next."""
 
+FIRST_RANGES = {"load_parameter_m": (5.0, 10000.0), "lubricant_parameter_l": (2.0, 20.0)}
+FIRST_BATCHES = 10
+"""Of the wide atlas: those within these ranges. Later ones are of contacts beyond them."""
+
+BALLS = {"radius_ratio_d": (0.018, 0.08)}
+BALL_BATCHES = range(14, 17)
+"""Of those beyond, the ones of balls in grooves."""
+
 INLET_MESHES = 5, 3
 """Mesh sizes in the length of the inlet wanted along X and Y, of the fitted scheme."""
 
-FEWEST_CELLS, MOST_FITTED_CELLS = 192, 384
+FEWEST_CELLS, MOST_FITTED_CELLS = 192, 512
 """Along X, of the same: the former for short waves."""
 
 CELLS_ACROSS = 36
@@ -141,7 +150,7 @@ def fitted_grid(contact: Mapping[str, float]) -> tuple[int, int]:
 
 
 ROLLING_DESIGN = Design(ROLLING, 2000, ((0.0, 3), (90.0, 2), (None, 4)), 12, 150, 1997, GROUPS)
-WIDE_DESIGN = Design(WIDE, 2000, ((0.0, 3), (90.0, 2), (None, 4)), 8, 150, 1997, FITTED)
+WIDE_DESIGN = Design(WIDE, 2000, ((0.0, 3), (90.0, 2), (None, 4)), 8, 60, 1997, FITTED)
 SLIDING_DESIGN = Design(
     SLIDING,
     2100,
@@ -159,16 +168,23 @@ DESIGNS = {design.kind.name: design for design in (ROLLING_DESIGN, WIDE_DESIGN, 
 
 
 def spread_contacts(
-    ranges: Ranges, seed: int, count: int, piece: int = 0, kind: Kind | None = None
+    ranges: Ranges,
+    seed: int,
+    count: int,
+    piece: int = 0,
+    kind: Kind | None = None,
+    outside: Ranges | None = None,
 ) -> list[Contact]:
     """Return contacts that fill ranges: a piece, counted from 0, of a Sobol sequence.
 
-    Those beyond the limits of a kind are passed over.
+    Those beyond the limits of a kind are passed over, and those that lie not `outside` of others.
     """
     sequence, found = qmc.Sobol(len(ranges), seed=seed), list[Contact]()
     while len(found) < (piece + 1) * count:
-        drawn = (contact_at(one.tolist(), ranges) for one in sequence.random(count))
-        found += [contact for contact in drawn if kind is None or not kind.beyond(contact)]
+        for contact in (contact_at(one.tolist(), ranges) for one in sequence.random(count)):
+            inside = outside and all(is_within(contact[key], *outside[key]) for key in outside)
+            if not inside and (kind is None or not kind.beyond(contact)):
+                found.append(contact)
     return found[piece * count : (piece + 1) * count]
 
 
@@ -230,11 +246,25 @@ def write_batch(
         chosen = uncertain_contacts(atlas, design.seed + 1000 + batch)
     elif design.kind is ROLLING and batch in SLENDER_BATCHES:
         chosen = spread_contacts({**CONTACT_RANGES, **SLENDER}, 4000 + batch, CONTACTS)
+    elif design.kind is WIDE:
+        chosen = wide_contacts(batch, design)
     else:
         chosen = spread_contacts(design.kind.ranges, design.seed, CONTACTS, batch, design.kind)
     random = np.random.default_rng([batch, design.seed])
     name = f"{design.kind.name}-{batch:02d}"
     return sweeps.write_sweep(folder, name, rows(design, chosen, random), design.groups)
+
+
+def wide_contacts(batch: int, design: Design) -> list[Contact]:
+    """Return contacts of a batch of the wide atlas: within its first ranges, then beyond them."""
+    kind, ranges = design.kind, design.kind.ranges
+    if batch < FIRST_BATCHES:
+        return spread_contacts({**ranges, **FIRST_RANGES}, design.seed, CONTACTS, batch, kind)
+    piece, seed = batch - FIRST_BATCHES, design.seed + FIRST_BATCHES
+    if batch in BALL_BATCHES:
+        ranges, seed = {**ranges, **BALLS}, seed + 1
+        piece = batch - BALL_BATCHES.start
+    return spread_contacts(ranges, seed, CONTACTS, piece, kind, FIRST_RANGES)
 
 
 def write_validation(folder: Path, design: Design = ROLLING_DESIGN, each: int = 2) -> Path:

@@ -35,6 +35,8 @@ _STEP, _MARGIN = 1e-4, 0.02
 _DIGITS = 3
 _TRIED = 200
 """Values of an interval at which limits are looked at."""
+_HALVINGS = 6
+"""Of the step between two of them, by which an end is found."""
 _LARGEST_CHANGE = 1e3
 """Of one quantity; beyond it the smallest change of several is said."""
 
@@ -146,9 +148,22 @@ def _within_limits(
     """Return the part of an interval that no limit of the kind excludes; None: there is none."""
     if factors is None:
         return None
-    tried = np.geomspace(*factors, _TRIED)
-    inside = tried[[not kind.beyond(_moved(place, powers, float(factor))) for factor in tried]]
-    return (float(inside[0]), float(inside[-1])) if inside.size > 1 else None
+
+    def is_inside(factor: float) -> bool:
+        return not kind.beyond(_moved(place, powers, factor))
+
+    tried = np.geomspace(*factors, _TRIED).tolist()
+    inside = [number for number, factor in enumerate(tried) if is_inside(factor)]
+    if len(inside) < 2:
+        return None
+    ends = []
+    for last, step in ((inside[0], -1), (inside[-1], 1)):
+        within, without = tried[last], tried[min(max(last + step, 0), _TRIED - 1)]
+        for _ in range(_HALVINGS):
+            middle = math.sqrt(within * without)
+            within, without = (middle, without) if is_inside(middle) else (within, middle)
+        ends.append(within)
+    return ends[0], ends[1]
 
 
 def _is_plausible(key: str, value: float, factors: tuple[float, float]) -> bool:

@@ -5,7 +5,13 @@ from collections.abc import Iterable, Mapping
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ehlwave.atlas.ranges import CONTACT_RANGES, LARGEST_PRESSURE_PA, THICKEST_FILM
+from ehlwave.atlas.ranges import (
+    CONTACT_RANGES,
+    LARGEST_ALPHABAR,
+    LARGEST_PRESSURE_PA,
+    THICKEST_FILM,
+    THINNEST_FILM,
+)
 from ehlwave.contact.conditions import MOES_KEYS
 from ehlwave.contact.oils import log_viscosity
 from ehlwave.contact.scales import (
@@ -45,8 +51,15 @@ def beyond_limits(keys: Mapping[str, float]) -> str:
             f"a film of {film:.3g} times the Hertz approach (of at most {THICKEST_FILM:g}: "
             "thicker ones hardly deform the bodies)"
         )
-    gamma = pressure_factor(ellipticity(d))
-    pressure = alphabar(m, l, gamma) / keys["pressure_viscosity_per_pa"]
+    if film < THINNEST_FILM * (1 - 1e-9):
+        return (
+            f"a film of {film:.3g} times the Hertz approach (of at least {THINNEST_FILM:g}: "
+            "thinner ones have inlets too steep)"
+        )
+    product = alphabar(m, l, pressure_factor(ellipticity(d)))
+    if product > LARGEST_ALPHABAR * (1 + 1e-9):
+        return f"alpha ph of {product:.3g} (of at most {LARGEST_ALPHABAR:g})"
+    pressure = product / keys["pressure_viscosity_per_pa"]
     if pressure > LARGEST_PRESSURE_PA * (1 + 1e-9):
         most = LARGEST_PRESSURE_PA / 1e9
         return f"a Hertz pressure of {pressure / 1e9:.3g} GPa (of at most {most:g})"

@@ -10,13 +10,18 @@ CONTACT_RANGES = {
 """Smallest and largest value of each key of a contact."""
 
 WIDE_RANGES = CONTACT_RANGES | {
-    "load_parameter_m": (5.0, 10000.0),
+    "load_parameter_m": (5.0, 100000.0),
+    "lubricant_parameter_l": (2.0, 42.0),
     "radius_ratio_d": (0.01, 1.0),
 }
 """The same of contacts that roll beyond them, as of ball bearings."""
 
-THICKEST_FILM = 2.5
-"""H of the formula, film over Hertz approach, beyond them: thicker ones hardly deform bodies."""
+THINNEST_FILM, THICKEST_FILM = 0.0015, 2.5
+"""H of the formula, film over Hertz approach, beyond them: thinner ones have steep inlets,
+thicker ones hardly deform bodies."""
+
+LARGEST_ALPHABAR = 160.0
+"""Alpha times the Hertz pressure, beyond them: oils of more hardly flow."""
 
 LARGEST_PRESSURE_PA = 1e10
 """Of Hertz, beyond them: more is of no contact."""

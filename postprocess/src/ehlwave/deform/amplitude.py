@@ -7,7 +7,7 @@ import math
 
 from ehlwave.atlas.kind import is_within
 from ehlwave.atlas.ranges import CONTACT_RANGES
-from ehlwave.contact.conditions import Conditions
+from ehlwave.contact.conditions import MOES_KEYS, Conditions
 
 VALIDATED_ROLLING, VALIDATED_SLIDING = 1.5, 0.95
 """Largest amplitude over film at which predictions were compared with marches of several rough maps
@@ -31,7 +31,7 @@ of ``record/lambda`` are within. Most of it are higher harmonics, which Ad/Ai do
 
 RISE_ERRORS = {
     "rolling": 0.067,
-    "rolling_wide": 0.103,
+    "rolling_wide": 0.108,
     "sliding": 0.12,
     "line": 0.017,
     "line_sliding": 0.104,
@@ -63,10 +63,9 @@ def expected_nonlinearity(conditions: Conditions, amplitude: float) -> float:
 
 
 def is_usual(conditions: Conditions) -> bool:
-    """Return whether a contact has the load and the ellipticity of the usual atlas."""
+    """Return whether a contact has M, L and D of the usual atlas."""
     place = conditions.atlas_keys()
-    both = ("load_parameter_m", "radius_ratio_d")
-    return all(is_within(place[key], *CONTACT_RANGES[key]) for key in both)
+    return all(is_within(place[key], *CONTACT_RANGES[key]) for key in MOES_KEYS)
 
 
 def rise_error(conditions: Conditions, amplitude: float) -> float:
