@@ -120,7 +120,7 @@ contains
          if (l == size(multigrid%levels)) then
             call rescue%attempt(multigrid, once)
          else
-            call multigrid%solve_level(l, once, report)
+            call rescue%solve_coarse(multigrid, l, once, report)
          end if
          deallocate (level%given%is_empty)
       end associate
