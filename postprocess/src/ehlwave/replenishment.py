@@ -244,8 +244,8 @@ def replenish(conditions: Conditions, track_length_m: float, overrollings: float
     >>> import ehlwave
     >>> from ehlwave.replenishment import replenish
     >>> contact = ehlwave.Contact(radius_x_m=0.0127, radius_y_m=0.0127,
-    ...                           reduced_modulus_pa=2.26e11, load_n=120,
-    ...                           mean_speed_m_per_s=4, viscosity_pa_s=0.05, oil_over_flooded=0.5)
+    ...     reduced_modulus_pa=2.26e11, load_n=120,
+    ...     mean_speed_m_per_s=4, viscosity_pa_s=0.05, oil_over_flooded=0.5)
     >>> table = replenish(contact.conditions, track_length_m=0.3, overrollings=100)
     >>> table[["overrollings", "inlet"]].iloc[[0, -1]].round(2).to_numpy().tolist()
     [[1.0, 0.48], [100.0, 0.23]]

@@ -191,8 +191,7 @@ def regimes(table: pd.DataFrame, slope: float) -> list[str]:
     >>> import pandas as pd
     >>> from ehlwave.traction import regimes
     >>> regimes(pd.DataFrame({"slide_to_roll_ratio": [0.01, 0.1, 1],
-    ...                       "isothermal": [0.01, 0.04, 0.06],
-    ...                       "thermal": [0.01, 0.039, 0.03]}), slope=1.05)
+    ...     "isothermal": [0.01, 0.04, 0.06], "thermal": [0.01, 0.039, 0.03]}), slope=1.05)
     ['linear', 'nonlinear', 'thermal']
     """
     cold = table["isothermal"].to_numpy(dtype=float)
