@@ -87,10 +87,8 @@ def _check_fields(contact: xr.Dataset) -> None:
 def central_film(case: xr.Dataset) -> float:
     """Return H of the centre, which pictures are scaled by.
 
-    Raises
-    ------
-    ResultsError
-        If it is not there or not above 0, or if there is nothing that could be drawn.
+    Raises ResultsError if it is not there or not above 0, or if there is nothing that could be
+    drawn.
     """
     if case["x"].size < 2:
         raise ResultsError(f"{_place(case)}: has one point along x: nothing to draw")

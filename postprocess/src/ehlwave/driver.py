@@ -312,10 +312,7 @@ class Study(Shown):
 def grouped(keys: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
     """Return keys by the group that they belong to in an input file.
 
-    Raises
-    ------
-    ProgramError
-        If a key is not known to the program.
+    Raises ProgramError if a key is not known to the program.
     """
     known, groups = key_groups(), {}
     for key, value in keys.items():
@@ -336,10 +333,7 @@ def key_table() -> pd.DataFrame:
     ``maximum``, ``choices``, ``default``, ``default_text``, ``required``, ``help`` and
     ``belongs_to``, the cases that have the key.
 
-    Raises
-    ------
-    ProgramError
-        If there is no program, or one of another version that does not say it.
+    Raises ProgramError if there is no program, or one of another version that does not say it.
     """
     said = _run("ehlwave-case", "--keys", "--json").stdout
     try:

@@ -125,10 +125,7 @@ def plain(value: Any, name: str) -> Any:  # noqa: ANN401 - a number, an array, o
 def number(value: Any, name: str, place: str = "") -> float:  # noqa: ANN401 - what users give
     """Return a finite number in SI; a plain one only where contacts have such values.
 
-    Raises
-    ------
-    SurfaceError
-        If it is no number, or a plain one that no contact has: a prefix forgotten.
+    Raises SurfaceError if it is no number, or a plain one that no contact has: a prefix forgotten.
     """
     start = f"{place}: " if place else ""
     has_unit = is_quantity(value)

@@ -74,10 +74,7 @@ class Traction:
 def read_keys(path: str | Path) -> dict[str, Any]:
     """Return the keys of an input file of ``ehlwave-case``, whatever their group.
 
-    Raises
-    ------
-    ArgumentError
-        If the file is none, or has waves or lists of a sweep.
+    Raises ArgumentError if the file is none, or has waves or lists of a sweep.
     """
     if not Path(path).is_file():
         raise ArgumentError(f"{path}: no such file: give an input file of ehlwave-case")

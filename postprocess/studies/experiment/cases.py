@@ -64,10 +64,7 @@ def all_runs(surface: str | None = None) -> list[Run]:
 def read_input(path: Path) -> Groups:
     """Return the groups of the study's input file.
 
-    Raises
-    ------
-    ResultsError
-        If it cannot be read.
+    Raises ResultsError if it cannot be read.
     """
     if not path.is_file():
         raise ResultsError(f"{path}: no such file; --inputs names the folder of experiment.nml")

@@ -40,10 +40,7 @@ class Given:
 def made(given: Given) -> Contact:
     """Return the contact.
 
-    Raises
-    ------
-    ResultsError
-        If something is missing or makes no sense.
+    Raises ResultsError if something is missing or makes no sense.
     """
     oil = getattr(Oil, given.maker)(**given.oil) if given.maker else None
     if given.bodies is not None:

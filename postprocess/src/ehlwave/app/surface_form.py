@@ -96,10 +96,7 @@ class SurfaceForm:
 def task_of(contact: ContactForm, surface: SurfaceForm) -> Task:
     """Return what is asked.
 
-    Raises
-    ------
-    SurfaceError
-        If a file was refused, or a number of the surface is none.
+    Raises SurfaceError if a file was refused, or a number of the surface is none.
     """
     if surface.file.refused:
         raise SurfaceError(f"the file: {surface.file.refused}")

@@ -74,10 +74,8 @@ class Answer:
 def answered(task: Task) -> Answer:
     """Return the answer.
 
-    Raises
-    ------
-    ResultsError
-        If something was entered that cannot be used; the message is that of the command line.
+    Raises ResultsError if something was entered that cannot be used; the message is that of the
+    command line.
     """
     contact = made(task.given)
     found, pictures = None, {}

@@ -97,10 +97,7 @@ ESTIMATES = {
 def estimate_alpha(name: str, state: State) -> tuple[float, float, str]:
     """Return alpha, 1/Pa, its relative scatter, and what it was estimated by.
 
-    Raises
-    ------
-    SurfaceError
-        If there is no such estimate or kind of oil, or the estimate is not for it.
+    Raises SurfaceError if there is no such estimate or kind of oil, or the estimate is not for it.
     """
     if name not in ESTIMATES:
         raise SurfaceError(

@@ -80,10 +80,7 @@ MATERIALS = {
 def material(name: str) -> Material:
     """Return a material by its name.
 
-    Raises
-    ------
-    SurfaceError
-        If there is none of this name.
+    Raises SurfaceError if there is none of this name.
     """
     found = MATERIALS.get(name.lower().replace("_", " "))
     if found is None:

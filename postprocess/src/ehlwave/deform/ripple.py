@@ -79,10 +79,7 @@ class PressureWaves:
 def stiffness_pa(conditions: Conditions) -> float:
     """Return E'/4, Pa: the pressure of a wave over its deflection and its wave number.
 
-    Raises
-    ------
-    StressError
-        If the conditions have no lengths.
+    Raises StressError if the conditions have no lengths.
     """
     approach = conditions.hertz_approach_c_m
     if approach is None:

@@ -97,10 +97,8 @@ class Ripple(Shown):
 def ripple_of(deformed: Predicted, *, every_line: bool = False) -> Ripple:
     """Return the ripple of a surface, along some lines of a map or along every one.
 
-    Raises
-    ------
-    StressError
-        If the surface was not predicted with a transfer, or the contact has no lengths.
+    Raises StressError if the surface was not predicted with a transfer, or the contact has no
+    lengths.
     """
     surface, conditions, transfer = deformed.surface, deformed.conditions, deformed.transfer
     if transfer is None:

@@ -160,10 +160,7 @@ STRESSES = ("eyring_stress_pa", "carreau_modulus_pa")
 def carried_columns(points: xr.Dataset) -> dict[str, list[Any]]:
     """Return the columns of the keys that a response depends on, of the points of a sweep.
 
-    Raises
-    ------
-    ResultsError
-        If the points have heat, or differ in a key that this version does not know.
+    Raises ResultsError if the points have heat, or differ in a key that this version does not know.
     """
     inputs = _inputs(points)
     if any(key in OF_THE_HEAT for one in inputs for key in one):
@@ -220,10 +217,7 @@ def _is_linear(points: xr.Dataset) -> list[bool]:
 def table_columns(raw: pd.DataFrame, place: str) -> Mapping[str, pd.Series]:
     """Return the key columns of a table: numbers, or text of the laws.
 
-    Raises
-    ------
-    SurfaceError
-        If there is text where a number belongs.
+    Raises SurfaceError if there is text where a number belongs.
     """
     found = {}
     for key in CARRIED:

@@ -60,10 +60,8 @@ def checked_load(
 ) -> Load:
     """Return loads that can be computed with; arguments as of :func:`ehlwave.stress.stress_below`.
 
-    Raises
-    ------
-    StressError
-        If there is none, shapes differ, a value is not finite, or a number makes no sense.
+    Raises StressError if there is none, shapes differ, a value is not finite, or a number makes no
+    sense.
     """
     given = {
         "pressure_pa": pressure_pa,
