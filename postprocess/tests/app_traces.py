@@ -11,25 +11,18 @@ ROOT = Path(__file__).parents[2]
 
 @dataclass(frozen=True)
 class Example:
-    """One of them.
-
-    Attributes
-    ----------
-    path : path
-        Its file.
-    kind : str
-        How the contact is entered.
-    typed, chosen : mapping
-        Texts of fields and of choices by their labels, in the units that the page begins with.
-    command : sequence of str
-        Arguments of ``ehlwave deform`` besides the file, in SI.
-    """
+    """One of them."""
 
     path: Path
+    """Its file."""
     kind: str
+    """How the contact is entered."""
     typed: Mapping[str, str]
     chosen: Mapping[str, str]
+    """`typed`, `chosen`: texts of fields and of choices by their labels, in the units that the page
+    begins with."""
     command: Sequence[str]
+    """Arguments of ``ehlwave deform`` besides the file, in SI."""
 
 
 def examples(folder: Path) -> list[Example]:

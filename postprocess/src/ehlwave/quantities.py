@@ -31,22 +31,15 @@ UNITS = {
 
 @dataclass(frozen=True)
 class Plausible:
-    """What contacts have: values outside ``low`` to ``high`` are refused.
-
-    Attributes
-    ----------
-    low, high : float
-        What no contact is known beyond, SI.
-    usual : tuple of float
-        What most have: a factor that leads here is what is asked about.
-    factors : tuple of float
-        That are tried: prefixes, or per cent.
-    """
+    """What contacts have: values outside ``low`` to ``high`` are refused."""
 
     low: float
     high: float
+    """`low`, `high`: what no contact is known beyond, SI."""
     usual: tuple[float, float]
+    """What most have: a factor that leads here is what is asked about."""
     factors: tuple[float, ...] = (1e9, 1e6, 1e3, 1e-3, 1e-6, 1e-9)
+    """That are tried: prefixes, or per cent."""
 
 
 _PER_CENT = (1e-2,)

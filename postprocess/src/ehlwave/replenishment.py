@@ -35,18 +35,12 @@ MOST_OVERROLLINGS = 1e12
 
 @dataclass(frozen=True)
 class Track:
-    """What films over time depend on besides r.
-
-    Attributes
-    ----------
-    conditions : Conditions
-        Of the starved contact, from dimensional data.
-    length_m : float
-        Of the tracks of both bodies together, m.
-    """
+    """What films over time depend on besides r."""
 
     conditions: Conditions
+    """Of the starved contact, from dimensional data."""
     length_m: float
+    """Of the tracks of both bodies together, m."""
 
     def __post_init__(self) -> None:
         """Refuse what has no film in metres, no viscosity or another oil."""

@@ -42,20 +42,14 @@ RISES = {
 
 @dataclass(frozen=True)
 class Traction:
-    """Friction of a contact over its slide-to-roll ratio.
-
-    Attributes
-    ----------
-    table : pandas.DataFrame
-        ``slide_to_roll_ratio``; friction coefficients ``isothermal``, ``thermal``, ``limited`` and
-        ``limited_thermal``, as far as heat and a limit are given; the largest rises, K, and the
-        central film, um, of the last of these; ``regime``; ``status`` of the computed cases.
-    limit : float or None
-        Largest shear stress over pressure.
-    """
+    """Friction of a contact over its slide-to-roll ratio."""
 
     table: pd.DataFrame
+    """``slide_to_roll_ratio``; friction coefficients ``isothermal``, ``thermal``, ``limited`` and
+    ``limited_thermal``, as far as heat and a limit are given; the largest rises, K, and the central
+    film, um, of the last of these; ``regime``; ``status`` of the computed cases."""
     limit: float | None
+    """Largest shear stress over pressure."""
 
     @property
     def curve(self) -> str:

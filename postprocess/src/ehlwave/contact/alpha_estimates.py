@@ -35,24 +35,16 @@ class State(NamedTuple):
 
 
 class Estimate(NamedTuple):
-    """An estimate.
-
-    Attributes
-    ----------
-    value : callable
-        alpha, 1/Pa, of a state.
-    scatter : float
-        Relative; all measured oils lie within.
-    kinds : tuple of str
-        Base oils that it is for.
-    source : str
-        Its source.
-    """
+    """An estimate."""
 
     value: Callable[[State], float]
+    """alpha, 1/Pa, of a state."""
     scatter: float
+    """Relative; all measured oils lie within."""
     kinds: tuple[str, ...]
+    """Base oils that it is for."""
     source: str
+    """Its source."""
 
 
 def _gold(state: State) -> float:

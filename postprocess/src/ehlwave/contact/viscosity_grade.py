@@ -61,16 +61,11 @@ def _unwalther(ordinate: float) -> float:
 
 @dataclass(frozen=True)
 class Walther:
-    """The straight line log10 log10 Z = A - B log10 T of an oil.
-
-    Attributes
-    ----------
-    a, b : float
-        A and B; T in K.
-    """
+    """The straight line log10 log10 Z = A - B log10 T of an oil."""
 
     a: float
     b: float
+    """`a`, `b`: A and B; T in K."""
 
     @classmethod
     def through(cls, one: tuple[float, float], other: tuple[float, float]) -> "Walther":

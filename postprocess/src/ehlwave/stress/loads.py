@@ -16,28 +16,19 @@ SAME_STEP = 1e-6
 
 @dataclass(frozen=True)
 class Load:
-    """Pressure and traction on a grid.
-
-    Attributes
-    ----------
-    fields : dict of ndarray, shape (nx, ny)
-        By kind, as the keys of :data:`ehlwave.stress.waves.LOADS`, Pa.
-    steps_m : pair of float
-        Of the grid.
-    poisson_ratio : float
-        Of the body.
-    periodic : pair of bool
-        Whether the load repeats along x, along y.
-    x_m, y_m : ndarray
-        Places.
-    """
+    """Pressure and traction on a grid."""
 
     fields: dict[str, Floats]
+    """By kind, as the keys of :data:`ehlwave.stress.waves.LOADS`, Pa; shape shape (nx, ny)."""
     steps_m: tuple[float, float]
+    """Of the grid."""
     poisson_ratio: float
+    """Of the body."""
     periodic: tuple[bool, bool]
+    """Whether the load repeats along x, along y."""
     x_m: Floats
     y_m: Floats
+    """`x_m`, `y_m`: places."""
 
     @property
     def shape(self) -> tuple[int, int]:
