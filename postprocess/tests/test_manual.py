@@ -44,12 +44,7 @@ def module(name: str) -> ModuleType:
 def test_the_picture_has_layers_and_programs_alone() -> None:
     layers = module("layers")
     uses, libraries = layers.read_graph(GRAPH)
-    assert uses == {
-        "ehlwave-case": ["run"],
-        "core": [],
-        "io": ["core"],
-        "run": ["core", "io"],
-    }
+    assert uses == {"ehlwave-case": ["run"], "core": [], "io": ["core"], "run": ["core", "io"]}
     assert libraries == {"io": "HDF5"}
     assert layers.ranks(uses) == {"core": 0, "io": 1, "run": 2, "ehlwave-case": 3}
     rows, chains = layers.arranged(uses, layers.ranks(uses))

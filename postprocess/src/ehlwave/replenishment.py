@@ -169,10 +169,7 @@ def side_flow(film: ArrayLike, growth: ArrayLike) -> Floats:
 
 
 def by_both_losses(
-    conditions: Conditions,
-    overrollings: NDArray[np.int64],
-    growth: float,
-    factor: float = 1.0,
+    conditions: Conditions, overrollings: NDArray[np.int64], growth: float, factor: float = 1.0
 ) -> Floats:
     """Return R of overrollings by both losses, (C9).
 

@@ -143,8 +143,7 @@ def starved_ratio(
     _, along = wave_and_direction(wavelength_x, wavelength_y)
     x = recommended_parameter(m, l, gamma, wavelength_x, wavelength_y)
     return power_ratio(
-        factor * x * ratio ** -(of_x + of_direction * along),
-        recommended_sharpness(l) * ratio**of_n,
+        factor * x * ratio ** -(of_x + of_direction * along), recommended_sharpness(l) * ratio**of_n
     )
 
 

@@ -157,9 +157,7 @@ def _without_heat(keys: Mapping[str, Any], cases: pd.DataFrame, ranks: int) -> N
     cold = {key: value for key, value in keys.items() if key not in (*heat, "temperature_k")}
     found = Study(cases, **cold).run(ranks=ranks, progress=False)
     return np.where(
-        np.isin(found["status"].values, SETTLED),
-        found["friction_coefficient"].values,
-        np.nan,
+        np.isin(found["status"].values, SETTLED), found["friction_coefficient"].values, np.nan
     )
 
 

@@ -80,11 +80,7 @@ def passings(folder: Path) -> list[Passing]:
 
 
 def _passing(
-    folder: Path,
-    name: str,
-    slip: float,
-    cases: tuple[sweeps.Row, sweeps.Row],
-    table: pd.DataFrame,
+    folder: Path, name: str, slip: float, cases: tuple[sweeps.Row, sweeps.Row], table: pd.DataFrame
 ) -> Passing:
     row, smooth = cases
     contact = conditions_at(slip)

@@ -139,12 +139,7 @@ def stress_of_case(
     loads = contact.loads(body, contact.last)
     pressure = loads.pop("pressure_pa")
     found = stress_below(
-        pressure,
-        contact.steps_m,
-        depths_m,
-        poisson_ratio=poisson_ratio,
-        workers=workers,
-        **loads,
+        pressure, contact.steps_m, depths_m, poisson_ratio=poisson_ratio, workers=workers, **loads
     )
     return found.assign_attrs(body=body, length_unit="m" if contact.has_lengths else "a")
 

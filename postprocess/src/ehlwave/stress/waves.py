@@ -87,11 +87,7 @@ LOADS = {"pressure_pa": PRESSURE, "traction_x_pa": TRACTION_X, "traction_y_pa": 
 
 
 def wave_stress(
-    load: str,
-    a: ArrayLike,
-    b: ArrayLike,
-    depth: ArrayLike,
-    poisson_ratio: float = 0.3,
+    load: str, a: ArrayLike, b: ArrayLike, depth: ArrayLike, poisson_ratio: float = 0.3
 ) -> dict[str, Complex]:
     """Return the stresses below a load exp(i (a x + b y)), tension positive, per unit of load.
 
