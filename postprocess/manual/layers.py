@@ -81,6 +81,7 @@ def svg(uses: Graph, libraries: dict[str, str]) -> str:
         '<defs><marker id="tip" viewBox="0 0 8 8" refX="8" refY="4" markerWidth="7" '
         'markerHeight="7" orient="auto"><path d="M0 0L8 4L0 8z" fill="#555"/></marker></defs>',
         f'<rect width="{width}" height="{height}" fill="#fff"/>',
+        '<g fill="none" stroke="#555" marker-end="url(#tip)">',
     ]
     for chain in chains:
         points = [place[name] for name in chain]
@@ -90,7 +91,8 @@ def svg(uses: Graph, libraries: dict[str, str]) -> str:
         for (x0, y0), (x1, y1) in pairwise(points):
             middle = (y0 + y1) / 2
             path += f"C{x0:g} {middle:g} {x1:g} {middle:g} {x1:g} {y1:g}"
-        lines.append(f'<path d="{path}" fill="none" stroke="#555" marker-end="url(#tip)"/>')
+        lines.append(f'<path d="{path}"/>')
+    lines.append("</g>")
     for name in uses:
         x, y = place[name]
         fill = "#fde9c9" if name in PROGRAMS else "#dbe9f6"

@@ -19,10 +19,7 @@ SEED = 20000
 def grouped_folds(condition: NDArray[np.intp], count: int = FOLDS, seed: int = SEED) -> list[Mask]:
     """Return the test sets of ``count`` folds; a condition is in one of them with all its points.
 
-    Raises
-    ------
-    ValueError
-        If there are fewer conditions than folds.
+    Raises ValueError if there are fewer conditions than folds.
     """
     labels = np.unique(condition)
     if labels.size < count:

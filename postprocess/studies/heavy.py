@@ -13,11 +13,7 @@ from studies.programs import Groups, solve
 from studies.sweeps import run_command, write_rows
 
 BOOK: Groups = {
-    "conditions": {
-        "load_parameter_m": 20,
-        "lubricant_parameter_l": 10,
-        "radius_ratio_d": 1,
-    },
+    "conditions": {"load_parameter_m": 20, "lubricant_parameter_l": 10, "radius_ratio_d": 1},
     "lubricant": {"viscosity_law": "barus", "density_law": "incompressible"},
     "grid": {"edges": "truncated", "x_min": -4.5, "x_max": 1.5, "y_max": 3},
 }

@@ -47,11 +47,7 @@ class Point:
 def groups_of(m: float, d: float, wave: float, scheme: str, cells: int) -> Groups:
     """Return the input of one run."""
     groups: dict[str, Mapping[str, object]] = {
-        "conditions": {
-            "load_parameter_m": m,
-            "lubricant_parameter_l": 12.05,
-            "radius_ratio_d": d,
-        },
+        "conditions": {"load_parameter_m": m, "lubricant_parameter_l": 12.05, "radius_ratio_d": d},
         "grid": {"edges": "flooded", "cells_x": cells, "cells_y": cells // 2},
         "solver": {"scheme": scheme, "threads": 1},
     }

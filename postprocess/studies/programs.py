@@ -72,12 +72,8 @@ def run(
 ) -> Outcome:
     """Run ``case`` or ``sweep`` in `folder`; with `ranks` under mpiexec.
 
-    Raises
-    ------
-    subprocess.TimeoutExpired
-        If it takes longer than `seconds`; it has been stopped then.
-    OSError
-        If there is no such program.
+    Raises subprocess.TimeoutExpired if it takes longer than `seconds`; it has been stopped then;
+    OSError if there is no such program.
     """
     command = [str(program(name)), *map(str, arguments)]
     if ranks:
@@ -122,10 +118,7 @@ def solve(**groups: Any) -> dict[str, Any]:  # noqa: ANN401 - groups, or one of 
 
     ``m``, ``l`` (12.05 if absent) and ``d`` may stand for the keys of ``conditions``.
 
-    Raises
-    ------
-    AssertionError
-        If it does not; the message has the input and what the program said.
+    Raises AssertionError if it does not; the message has the input and what the program said.
     """
     if "m" in groups:
         moes = {

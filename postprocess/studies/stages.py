@@ -16,10 +16,7 @@ POINT = (*CONDITION, "wavelength_x_over_a", "wavelength_y_over_a")
 def read_stage(folder: Path, name: str) -> xr.Dataset:
     """Return the results of one sweep of the study.
 
-    Raises
-    ------
-    ResultsError
-        If the sweep has not been run, or not to its end.
+    Raises ResultsError if the sweep has not been run, or not to its end.
     """
     path = folder / f"{name}.h5"
     if not path.is_file():

@@ -51,10 +51,7 @@ def write_sweep(
 def read_sweep(folder: Path, name: str, cases: int | None = None) -> list[Row]:
     """Return the cases of a sweep in the order of its rows; NaN is what a case has no number for.
 
-    Raises
-    ------
-    ResultsError
-        If it has not been run, or has another number of cases than `cases`.
+    Raises ResultsError if it has not been run, or has another number of cases than `cases`.
     """
     path = folder / f"{name}.h5"
     if not path.is_file():

@@ -11,25 +11,22 @@ ROOT = Path(__file__).parents[2]
 
 @dataclass(frozen=True)
 class Example:
-    """One of them.
-
-    Attributes
-    ----------
-    path : path
-        Its file.
-    kind : str
-        How the contact is entered.
-    typed, chosen : mapping
-        Texts of fields and of choices by their labels, in the units that the page begins with.
-    command : sequence of str
-        Arguments of ``ehlwave deform`` besides the file, in SI.
-    """
+    """One of them."""
 
     path: Path
+    """Its file."""
     kind: str
+    """How the contact is entered."""
     typed: Mapping[str, str]
     chosen: Mapping[str, str]
+    """`typed`, `chosen`: texts of fields and of choices by their labels, in the units that the page
+    begins with."""
     command: Sequence[str]
+    """Arguments of ``ehlwave deform`` besides the file, in SI."""
+
+
+def words(text: str) -> list[str]:
+    return text.split()
 
 
 def examples(folder: Path) -> list[Example]:
@@ -60,18 +57,12 @@ def examples(folder: Path) -> list[Example]:
                 "Pressure coefficient": "22.5",
             },
             {},
-            [
-                "--conditions",
-                "radius_x_m=12.52e-3",
-                "radius_y_m=12.52e-3",
-                "reduced_modulus_pa=1.17e11",
-                "load_n=39.2",
-                "mean_speed_m_per_s=0.024",
-                "viscosity_pa_s=1.22",
-                "pressure_viscosity_per_pa=2.25e-8",
-                "roelands_index=0.68",
-                "slide_to_roll_ratio=0",
-            ],
+            words(
+                "--conditions radius_x_m=12.52e-3 radius_y_m=12.52e-3 "
+                "reduced_modulus_pa=1.17e11 load_n=39.2 mean_speed_m_per_s=0.024 "
+                "viscosity_pa_s=1.22 pressure_viscosity_per_pa=2.25e-8 roelands_index=0.68 "
+                "slide_to_roll_ratio=0"
+            ),
         ),
         Example(
             plain,
@@ -90,27 +81,12 @@ def examples(folder: Path) -> list[Example]:
                 "Measured": "across rolling",
                 "Form removed": "quadratic",
             },
-            [
-                "--length-unit",
-                "um",
-                "--height-unit",
-                "nm",
-                "--step",
-                "1.5",
-                "--rolling-axis",
-                "y",
-                "--form",
-                "quadratic",
-                "--conditions",
-                "load_parameter_m=150",
-                "lubricant_parameter_l=8",
-                "radius_ratio_d=0.5",
-                "semi_axis_a_m=0.21e-3",
-                "radius_x_m=11.3e-3",
-                "pressure_viscosity_per_pa=2.2e-8",
-                "roelands_index=0.68",
-                "slide_to_roll_ratio=0",
-            ],
+            words(
+                "--length-unit um --height-unit nm --step 1.5 --rolling-axis y --form "
+                "quadratic --conditions load_parameter_m=150 lubricant_parameter_l=8 "
+                "radius_ratio_d=0.5 semi_axis_a_m=0.21e-3 radius_x_m=11.3e-3 "
+                "pressure_viscosity_per_pa=2.2e-8 roelands_index=0.68 slide_to_roll_ratio=0"
+            ),
         ),
         Example(
             german,
@@ -123,43 +99,23 @@ def examples(folder: Path) -> list[Example]:
                 "Filter: longest wave": "250",
             },
             {"Ends": "taper", "Judged by": "Atlas of computed responses"},
-            [
-                "--cutoff",
-                "250",
-                "--ends",
-                "taper",
-                "--conditions",
-                "radius_x_m=5e-3",
-                "reduced_modulus_pa=2.26e11",
-                "load_n_per_m=1.5e5",
-                "mean_speed_m_per_s=2",
-                "viscosity_pa_s=0.03",
-                "pressure_viscosity_per_pa=2.2e-8",
-                "roelands_index=0.68",
-                "slide_to_roll_ratio=0",
-            ],
+            words(
+                "--cutoff 250 --ends taper --conditions radius_x_m=5e-3 "
+                "reduced_modulus_pa=2.26e11 load_n_per_m=1.5e5 mean_speed_m_per_s=2 "
+                "viscosity_pa_s=0.03 pressure_viscosity_per_pa=2.2e-8 roelands_index=0.68 "
+                "slide_to_roll_ratio=0"
+            ),
         ),
         Example(
             packed,
             "Reduced",
             {"Slide-to-roll ratio": "0.3", "Eyring stress": "6"},
             {"Flow law": "Ree-Eyring", "Unit of lengths": "m", "Unit of heights": "m"},
-            [
-                "--length-unit",
-                "m",
-                "--height-unit",
-                "m",
-                "--conditions",
-                "radius_x_m=0.0127",
-                "radius_y_m=0.0127",
-                "reduced_modulus_pa=2.26e11",
-                "load_n=40",
-                "mean_speed_m_per_s=4",
-                "viscosity_pa_s=0.05",
-                "pressure_viscosity_per_pa=2.2e-8",
-                "roelands_index=0.68",
-                "slide_to_roll_ratio=0.3",
-                "eyring_stress_pa=6e6",
-            ],
+            words(
+                "--length-unit m --height-unit m --conditions radius_x_m=0.0127 "
+                "radius_y_m=0.0127 reduced_modulus_pa=2.26e11 load_n=40 mean_speed_m_per_s=4 "
+                "viscosity_pa_s=0.05 pressure_viscosity_per_pa=2.2e-8 roelands_index=0.68 "
+                "slide_to_roll_ratio=0.3 eyring_stress_pa=6e6"
+            ),
         ),
     ]

@@ -124,11 +124,7 @@ def test_flags_have_meanings() -> None:
     ],
 )
 def test_formats_that_do_not_fit_are_refused(
-    words: list[str],
-    said: str,
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: Capture,
+    words: list[str], said: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: Capture
 ) -> None:
     monkeypatch.chdir(tmp_path)
     write_results(tmp_path / "r.h5", make_columns())

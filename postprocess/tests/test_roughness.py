@@ -1,12 +1,7 @@
 import numpy as np
 import pytest
 
-from ehlwave.deform import (
-    gaussian_filtered,
-    map_surface,
-    roughness_parameters,
-    trace_surface,
-)
+from ehlwave.deform import gaussian_filtered, map_surface, roughness_parameters, trace_surface
 from ehlwave.errors import SurfaceError
 
 STEP = 1e-6

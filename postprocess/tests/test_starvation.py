@@ -20,14 +20,7 @@ from ehlwave.starvation import (
     film_over_flooded,
     starved_ratio,
 )
-from studies.overrollings import (
-    ROWS,
-    TrackOfContacts,
-    compare,
-    inlet_loss,
-    predicted,
-    side_loss,
-)
+from studies.overrollings import ROWS, TrackOfContacts, compare, inlet_loss, predicted, side_loss
 from studies.starvation import OIL_OF_WAVES, WAVES, contacts, film_law, fit, main, usable
 
 # R of M = 100, L = 12.05, D = 1 at 64 cells per a, tests/verification/test_starvation.py.

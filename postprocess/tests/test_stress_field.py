@@ -50,12 +50,7 @@ def test_single_waves_are_the_closed_forms(
     a, b = (2 * np.pi * w / (n * h) for w, n, h in zip(waves, POINTS, STEPS, strict=True))
     pressure = 1e9 * np.cos(a * x) * np.cos(b * y)
     found = stress_below(
-        pressure,
-        STEPS,
-        DEPTHS,
-        traction_x_pa=friction * pressure,
-        poisson_ratio=nu,
-        periodic=True,
+        pressure, STEPS, DEPTHS, traction_x_pa=friction * pressure, poisson_ratio=nu, periodic=True
     )
     exact = closed_wave(a, b, 1e9, friction * 1e9, nu, (x, y, DEPTHS[:, None, None]))
     for name in COMPONENTS:

@@ -1,6 +1,7 @@
 """Wrong inputs: each message names the culprit and a value that works, and the value works."""
 
 import re
+from ast import literal_eval
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -108,68 +109,38 @@ class Wrong(NamedTuple):
     right: Keys
 
 
+def value(
+    call: Callable[..., object], key: str, wrong: object, right: str, said: str = ""
+) -> Wrong:
+    """Return a wrong value of a key; the message has the right one, or what is `said` of it."""
+    return Wrong(call, {key: wrong}, f"{key} = {wrong}", said or right, {key: literal_eval(right)})
+
+
+def misspelt(call: Callable[..., object], key: str, wrong: str, right: str) -> Wrong:
+    return Wrong(call, {key: wrong}, f"{key} = '{wrong}'", f"did you mean {right}", {key: right})
+
+
+def no_key(call: Callable[..., object], wrong: str, right: str, given: object) -> Wrong:
+    said = f"did you mean {right}"
+    return Wrong(call, {wrong: given}, f"unknown key {wrong}", said, {right: given})
+
+
 WRONG = [
     # a prefix forgotten
-    Wrong(
-        film,
-        {"reduced_modulus_pa": 220},
-        "reduced_modulus_pa = 220",
-        "220e9",
-        {"reduced_modulus_pa": 220e9},
-    ),
-    Wrong(
-        film,
-        {"reduced_modulus_pa": 226000},
-        "reduced_modulus_pa = 226000",
-        "226000e6",
-        {"reduced_modulus_pa": 226000e6},
-    ),
-    Wrong(film, {"radius_x_m": 12.7}, "radius_x_m = 12.7", "0.0127", {"radius_x_m": 0.0127}),
-    Wrong(film, {"viscosity_pa_s": 50}, "viscosity_pa_s = 50", "0.05", {"viscosity_pa_s": 0.05}),
-    Wrong(
-        film,
-        {"mean_speed_m_per_s": 500},
-        "mean_speed_m_per_s = 500",
-        "0.5",
-        {"mean_speed_m_per_s": 0.5},
-    ),
-    Wrong(
-        film,
-        {"pressure_viscosity_per_pa": 22},
-        "pressure_viscosity_per_pa = 22",
-        "22e-9",
-        {"pressure_viscosity_per_pa": 22e-9},
-    ),
-    Wrong(
-        film, {"central_film_m": 0.3}, "central_film_m = 0.3", "0.3e-6", {"central_film_m": 0.3e-6}
-    ),
-    Wrong(
-        sliding,
-        {"slide_to_roll_ratio": 30},
-        "slide_to_roll_ratio = 30",
-        "0.3",
-        {"slide_to_roll_ratio": 0.3},
-    ),
-    Wrong(
-        sliding, {"eyring_stress_pa": 5}, "eyring_stress_pa = 5", "5e6", {"eyring_stress_pa": 5e6}
-    ),
-    Wrong(
-        body,
-        {"elastic_modulus_pa": 206},
-        "elastic_modulus_pa = 206",
-        "206e9",
-        {"elastic_modulus_pa": 206e9},
-    ),
-    Wrong(body, {"poisson_ratio": 30}, "poisson_ratio = 30", "0.3", {"poisson_ratio": 0.3}),
-    Wrong(body, {"radius_x_m": 25}, "radius_x_m = 25", "0.025", {"radius_x_m": 0.025}),
-    Wrong(sheet, {"temperature_k": 60}, "temperature_k = 60", "333.15", {"temperature_k": 333.15}),
-    Wrong(
-        sheet,
-        {"density_15c_kg_per_m3": 0.88},
-        "density_15c_kg_per_m3 = 0.88",
-        "880",
-        {"density_15c_kg_per_m3": 880},
-    ),
+    value(film, "reduced_modulus_pa", 220, "220e9"),
+    value(film, "reduced_modulus_pa", 226000, "226000e6"),
+    value(film, "radius_x_m", 12.7, "0.0127"),
+    value(film, "viscosity_pa_s", 50, "0.05"),
+    value(film, "mean_speed_m_per_s", 500, "0.5"),
+    value(film, "pressure_viscosity_per_pa", 22, "22e-9"),
+    value(film, "central_film_m", 0.3, "0.3e-6"),
+    value(sliding, "slide_to_roll_ratio", 30, "0.3"),
+    value(sliding, "eyring_stress_pa", 5, "5e6"),
+    value(body, "elastic_modulus_pa", 206, "206e9"),
+    value(body, "poisson_ratio", 30, "0.3"),
+    value(body, "radius_x_m", 25, "0.025"),
+    value(sheet, "temperature_k", 60, "333.15"),
+    value(sheet, "density_15c_kg_per_m3", 0.88, "880"),
     Wrong(
         sheet,
         {"iso_vg": REMOVED, "viscosity_40c_mm2_per_s": 68e-6},
@@ -177,13 +148,7 @@ WRONG = [
         "68",
         {"iso_vg": REMOVED, "viscosity_40c_mm2_per_s": 68},
     ),
-    Wrong(
-        case,
-        {"reduced_modulus_pa": 220},
-        "reduced_modulus_pa = 220",
-        "220e9",
-        {"reduced_modulus_pa": 220e9},
-    ),
+    value(case, "reduced_modulus_pa", 220, "220e9"),
     Wrong(study, {"load_n": [20, 4e10]}, "load_n = 4e+10", "40000", {"load_n": [20, 40000]}),
     # outside the atlas, in the user's quantities
     Wrong(film, {"load_n": 0.2}, "load_n = 0.2 gives M = 0.6", "holds {} to", {"load_n": None}),
@@ -199,52 +164,16 @@ WRONG = [
     ),
     Wrong(balls, {"load_n": 0.2}, "load_n = 0.2 gives M = ", "holds {} to", {"load_n": None}),
     Wrong(lines, {"load_n": 2}, "load_n = 2 gives M = ", "holds {} to", {"load_n": None}),
-    Wrong(
-        moes,
-        {"load_parameter_m": 3},
-        "load_parameter_m = 3",
-        "5 to 100000",
-        {"load_parameter_m": 20},
-    ),
-    Wrong(
-        sliding,
-        {"slide_to_roll_ratio": 1.6},
-        "slide_to_roll_ratio = 1.6",
-        "-1 to 1",
-        {"slide_to_roll_ratio": 1},
-    ),
-    Wrong(
-        response,
-        {"wavelength_over_a": 9},
-        "wavelength_over_a = 9",
-        "0.1 to 4",
-        {"wavelength_over_a": 4},
-    ),
-    Wrong(response, {"angle_deg": 120}, "angle_deg = 120", "0 to 90", {"angle_deg": 90}),
-    Wrong(
-        response,
-        {"slip_parameter": 1.9},
-        "slip_parameter = 1.9",
-        "0.5 to 1.5",
-        {"slip_parameter": 1.5},
-    ),
+    value(moes, "load_parameter_m", 3, "20", "5 to 100000"),
+    value(sliding, "slide_to_roll_ratio", 1.6, "1", "-1 to 1"),
+    value(response, "wavelength_over_a", 9, "4", "0.1 to 4"),
+    value(response, "angle_deg", 120, "90", "0 to 90"),
+    value(response, "slip_parameter", 1.9, "1.5", "0.5 to 1.5"),
     Wrong(law, {}, "load_n = 0.5 gives M", "by='recommended'", {"by": "recommended"}),
     # misspelt
     Wrong(film, {"load": 40}, "unknown key load", "load_n", {"load_n": 40}),
-    Wrong(
-        film,
-        {"radus_y_m": 0.0127},
-        "unknown key radus_y_m",
-        "did you mean radius_y_m",
-        {"radius_y_m": 0.0127},
-    ),
-    Wrong(
-        balls,
-        {"speed_m_per_s": (0.5, 0.5)},
-        "unknown key speed_m_per_s",
-        "did you mean speeds_m_per_s",
-        {"speeds_m_per_s": (0.5, 0.5)},
-    ),
+    no_key(film, "radus_y_m", "radius_y_m", 0.0127),
+    no_key(balls, "speed_m_per_s", "speeds_m_per_s", (0.5, 0.5)),
     Wrong(
         case,
         {"wavelenght_over_a": 1, "orientation": "transverse"},
@@ -266,18 +195,10 @@ WRONG = [
         "did you mean steel",
         {"elastic_modulus_pa": None, "poisson_ratio": None, "material": "steel"},
     ),
-    Wrong(
-        sheet, {"kind": "minral"}, "kind = 'minral'", "did you mean mineral", {"kind": "mineral"}
-    ),
-    Wrong(sheet, {"alpha": "goldd"}, "alpha = 'goldd'", "did you mean gold", {"alpha": "gold"}),
-    Wrong(sheet, {"iso_vg": 65}, "iso_vg = 65", "68", {"iso_vg": 68}),
-    Wrong(
-        measured,
-        {"name": "heavy oil 153"},
-        "name = 'heavy oil 153'",
-        "did you mean heavy machine oil 153",
-        {"name": "heavy machine oil 153"},
-    ),
+    misspelt(sheet, "kind", "minral", "mineral"),
+    misspelt(sheet, "alpha", "goldd", "gold"),
+    value(sheet, "iso_vg", 65, "68"),
+    misspelt(measured, "name", "heavy oil 153", "heavy machine oil 153"),
     # missing, contradicting, impossible
     Wrong(
         film,
@@ -297,34 +218,10 @@ WRONG = [
         "remove one",
         {"oil": sheet(), "viscosity_pa_s": REMOVED},
     ),
-    Wrong(
-        balls,
-        {"speeds_m_per_s": 0.5},
-        "speeds_m_per_s = 0.5",
-        "(0.5, 0.5)",
-        {"speeds_m_per_s": (0.5, 0.5)},
-    ),
-    Wrong(
-        balls,
-        {"speeds_m_per_s": (0.5, -0.5)},
-        "speeds_m_per_s = (0.5, -0.5)",
-        "(0.5, 0.5)",
-        {"speeds_m_per_s": (0.5, 0.5)},
-    ),
-    Wrong(
-        balls,
-        {"speeds_m_per_s": (0, 0)},
-        "speeds_m_per_s = (0, 0)",
-        "(1, 1)",
-        {"speeds_m_per_s": (1, 1)},
-    ),
-    Wrong(
-        balls,
-        {"speeds_m_per_s": (0.6, -0.3)},
-        "speeds_m_per_s = (0.6, -0.3)",
-        "(0.6, 0.3)",
-        {"speeds_m_per_s": (0.6, 0.3)},
-    ),
+    value(balls, "speeds_m_per_s", 0.5, "(0.5, 0.5)"),
+    value(balls, "speeds_m_per_s", (0.5, -0.5), "(0.5, 0.5)"),
+    value(balls, "speeds_m_per_s", (0, 0), "(1, 1)"),
+    value(balls, "speeds_m_per_s", (0.6, -0.3), "(0.6, 0.3)"),
     Wrong(
         body,
         {"elastic_modulus_pa": None, "poisson_ratio": None},
@@ -347,14 +244,8 @@ WRONG = [
         "radius_y_m=-0.011",
         {"radius_y_m": -0.011},
     ),
-    Wrong(race, {"osculation": 0.4}, "osculation = 0.4", "0.52", {"osculation": 0.52}),
-    Wrong(
-        race,
-        {"pitch_diameter_m": 6e-3},
-        "pitch_diameter_m = 0.006",
-        "0.04",
-        {"pitch_diameter_m": 0.04},
-    ),
+    value(race, "osculation", 0.4, "0.52"),
+    value(race, "pitch_diameter_m", 0.006, "0.04"),
     Wrong(
         sheet,
         {"temperature_k": REMOVED},
@@ -363,14 +254,8 @@ WRONG = [
         {"temperature_k": 313.15},
     ),
     Wrong(sheet, {"iso_vg": REMOVED}, "iso_vg is missing", "such as 68", {"iso_vg": 68}),
-    Wrong(sheet, {"viscosity_index": 900}, "viscosity_index = 900", "95", {"viscosity_index": 95}),
-    Wrong(
-        sheet,
-        {"viscosity_100c_mm2_per_s": 70},
-        "viscosity_100c_mm2_per_s = 70",
-        "8.53",
-        {"viscosity_100c_mm2_per_s": 8.53},
-    ),
+    value(sheet, "viscosity_index", 900, "95"),
+    value(sheet, "viscosity_100c_mm2_per_s", 70, "8.53"),
     Wrong(
         sheet,
         {"kind": "pao", "alpha": "wooster"},
@@ -378,13 +263,7 @@ WRONG = [
         "alpha='gold'",
         {"kind": "pao", "alpha": "gold"},
     ),
-    Wrong(
-        measured,
-        {"temperature_k": 250},
-        "temperature_k = 250",
-        "303.15 to 373.15",
-        {"temperature_k": 303.15},
-    ),
+    value(measured, "temperature_k", 250, "303.15", "303.15 to 373.15"),
     Wrong(
         case,
         {"slip_parameter": 1.5, "slide_to_roll_ratio": 1},
@@ -454,67 +333,30 @@ def trace(tmp_path: Path) -> str:
 CONDITIONS = [f"{key}={value}" for key, value in DATA.items()]
 UNITS = ["--length-unit", "um", "--height-unit", "um"]
 LIGHT = [*CONDITIONS[:3], "load_n=0.5", *CONDITIONS[4:]]
+DEFORM = ["deform", "TRACE", "--conditions", *CONDITIONS]
+RATIO = "--slide-to-roll-ratio"
+UNDER_SLIP = [*DEFORM, "eyring_stress_pa=5e6", RATIO, "0.3", *UNITS]
+TWICE = [*DEFORM, "slip_parameter=1", RATIO, "0", *UNITS]
+TOO_LIGHT = ["deform", "TRACE", "--conditions", *LIGHT, *UNITS]
+WORKS = [*DEFORM, *UNITS]
 COMMANDS = [
+    (["deforn"], "'deforn'", "did you mean deform", WORKS),
     (
-        ["deforn"],
-        "'deforn'",
-        "did you mean deform",
-        ["deform", "TRACE", "--conditions", *CONDITIONS, *UNITS],
-    ),
-    (
-        ["deform", "TRACE", "--conditions", *CONDITIONS, "--lenght-unit", "um", *UNITS[2:]],
+        [*DEFORM, "--lenght-unit", "um", *UNITS[2:]],
         "--lenght-unit",
         "did you mean --length-unit",
-        ["deform", "TRACE", "--conditions", *CONDITIONS, *UNITS],
+        WORKS,
     ),
+    (DEFORM, "unit", "set --height-unit (m, mm, um, nm)", WORKS),
     (
-        ["deform", "TRACE", "--conditions", *CONDITIONS],
-        "unit",
-        "set --height-unit (m, mm, um, nm)",
-        ["deform", "TRACE", "--conditions", *CONDITIONS, *UNITS],
-    ),
-    (
-        ["deform", "TRACE", "--conditions", *LIGHT, *UNITS],
+        TOO_LIGHT,
         "load_n = 0.5 gives M",
         "--formula recommended",
-        ["deform", "TRACE", "--conditions", *LIGHT, *UNITS, "--formula", "recommended"],
+        [*TOO_LIGHT, "--formula", "recommended"],
     ),
-    (
-        ["deform", "TRACE", "--conditions", *CONDITIONS, "--slide-to-roll-ratio", "30", *UNITS],
-        "slide_to_roll_ratio = 30",
-        "did you mean 0.3?",
-        [
-            "deform",
-            "TRACE",
-            "--conditions",
-            *CONDITIONS,
-            "eyring_stress_pa=5e6",
-            "--slide-to-roll-ratio",
-            "0.3",
-            *UNITS,
-        ],
-    ),
-    (
-        [
-            "deform",
-            "TRACE",
-            "--conditions",
-            *CONDITIONS,
-            "slip_parameter=1",
-            "--slide-to-roll-ratio",
-            "0",
-            *UNITS,
-        ],
-        "slip_parameter = 1",
-        "remove slip_parameter",
-        ["deform", "TRACE", "--conditions", *CONDITIONS, "--slide-to-roll-ratio", "0", *UNITS],
-    ),
-    (
-        ["deform", "TRACE", "--conditions", *CONDITIONS, *UNITS, "--step", "3"],
-        "--step 3",
-        "whose step is 2",
-        ["deform", "TRACE", "--conditions", *CONDITIONS, *UNITS, "--step", "2"],
-    ),
+    ([*DEFORM, RATIO, "30", *UNITS], "slide_to_roll_ratio = 30", "did you mean 0.3?", UNDER_SLIP),
+    (TWICE, "slip_parameter = 1", "remove slip_parameter", [*DEFORM, RATIO, "0", *UNITS]),
+    ([*WORKS, "--step", "3"], "--step 3", "whose step is 2", [*WORKS, "--step", "2"]),
 ]
 
 

@@ -1,7 +1,6 @@
 !> How warm a contact is, and where its heat goes.
 module ehlwave_heat_result
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-   use ehlwave_conditions, only: conditions_t
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_energy, only: energy_t
    use ehlwave_kinds, only: dp, no_value

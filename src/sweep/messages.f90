@@ -8,7 +8,7 @@ module ehlwave_messages
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_file, only: case_from_text
    use ehlwave_case_plan, only: make_plan
-   use ehlwave_outcome, only: message_length, outcome_t
+   use ehlwave_outcome, only: outcome_t
    use ehlwave_case_text, only: effective_input
    use ehlwave_errors, only: error_t, raise
    use ehlwave_planned_case, only: case_plan_t

@@ -25,7 +25,6 @@ module ehlwave_oil_sensitivity
    use ehlwave_reynolds, only: reynolds_change
    use ehlwave_rheology, only: rheology_t
    use ehlwave_state, only: state_t
-   use ehlwave_status, only: status_converged
    use ehlwave_steady_tangent, only: steady_tangent_t, tangent_change_t
    implicit none (type, external)
    private

@@ -3,6 +3,7 @@
 import math
 import os
 import re
+import tempfile
 import unittest
 from pathlib import Path
 
@@ -10,6 +11,7 @@ from studies.programs import MPI_ENVIRONMENT, is_open_mpi, last_line, mpi_comman
 
 __all__ = [
     "EIGHT_CASES",
+    "FolderTest",
     "HANGS_S",
     "IS_LONG",
     "MPI_ENVIRONMENT",
@@ -55,6 +57,19 @@ class TestCase(unittest.TestCase):
         order = math.log2(abs(values[1] - values[0])/abs(values[2] - values[1]))
         self.assertGreaterEqual(order, smallest, f"{what}: order {order:.3f} of {values}")
         return order
+
+    def check_status(self, outcome, status=0):
+        """The exit status of a process; its output is shown where it is another."""
+        self.assertEqual(outcome.returncode, status, f"{outcome.stdout}{outcome.stderr}")
+
+
+class FolderTest(TestCase):
+    """Every test has a folder of its own."""
+
+    def setUp(self):
+        place = tempfile.TemporaryDirectory()
+        self.addCleanup(place.cleanup)
+        self.folder = Path(place.name)
 
 
 def report(text):

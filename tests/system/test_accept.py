@@ -8,6 +8,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
+from ehlwave_program import TestCase
+
 SCRIPT = Path(__file__).parents[2]/"scripts"/"accept"
 SHIPPED = SCRIPT.with_suffix(".csv")
 
@@ -16,7 +18,7 @@ def accept(*options):
     return subprocess.run([sys.executable, "-B", SCRIPT, *options], capture_output=True, text=True, check=False)
 
 
-class Accept(unittest.TestCase):
+class Accept(TestCase):
     @classmethod
     def setUpClass(cls):
         folder = tempfile.TemporaryDirectory()
@@ -40,13 +42,13 @@ class Accept(unittest.TestCase):
             writer.writeheader()
             writer.writerows(rows)
         outcome = accept(os.environ["EHLWAVE_CASE"], "--values", changed)
-        self.assertEqual(outcome.returncode, 1, outcome.stdout + outcome.stderr)
+        self.check_status(outcome, 1)
         self.assertIn("20 of 21 cases accepted", outcome.stdout)
         (line,) = [line for line in outcome.stdout.split("\n") if "FAILED" in line]
         self.assertIn(column, line)
 
     def test_this_build(self):
-        self.assertEqual(self.outcome.returncode, 0, self.outcome.stdout + self.outcome.stderr)
+        self.check_status(self.outcome)
         self.assertIn("21 of 21 cases accepted", self.outcome.stdout)
 
     def test_a_film_that_is_off(self):

@@ -40,7 +40,7 @@ class Accuracy(TestCase):
 
     def plan(self, groups):
         outcome = self.call(groups, "--plan")
-        self.assertEqual(outcome.returncode, 0, outcome.stderr)
+        self.check_status(outcome)
         return last_line(outcome), outcome.stdout
 
     def test_grid_follows_accuracy(self):

@@ -1,11 +1,10 @@
 """What ehlwave-case refuses: exit status 2, a message that names the key, nothing written."""
 
 import copy
-import tempfile
 import unittest
 from pathlib import Path
 
-from ehlwave_program import namelist, run
+from ehlwave_program import FolderTest, namelist, run
 
 GOOD = {"conditions": {"load_parameter_m": 100, "lubricant_parameter_l": 12.05, "radius_ratio_d": 1},
         "waviness": {"orientation": "transverse", "wavelength_over_a": 0.5},
@@ -95,12 +94,7 @@ PAIRS = [
 ]
 
 
-class BadInput(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-
+class BadInput(FolderTest):
     def write(self, name, content):
         mode = "wb" if isinstance(content, bytes) else "w"
         with Path(self.folder, name).open(mode) as file:
@@ -110,7 +104,7 @@ class BadInput(unittest.TestCase):
         """Exit status 2, one line that begins with the program and holds the needle, no new files."""
         before = sorted(self.folder.iterdir())
         outcome = run("case", *arguments, folder=self.folder)
-        self.assertEqual(outcome.returncode, 2, outcome.stdout + outcome.stderr)
+        self.check_status(outcome, 2)
         self.assertTrue(outcome.stderr.startswith("ehlwave-case: "), outcome.stderr)
         self.assertEqual(outcome.stderr.count("\n"), 1, outcome.stderr)
         self.assertIn(needle, outcome.stderr)

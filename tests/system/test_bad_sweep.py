@@ -1,11 +1,10 @@
 """What ehlwave-sweep refuses: exit status 2 on every rank, one message, nothing written."""
 
 import copy
-import tempfile
 import unittest
 from pathlib import Path
 
-from ehlwave_program import namelist, run
+from ehlwave_program import FolderTest, namelist, run
 
 GOOD = {"sweep": {"load_parameter_m": [100, 200], "lubricant_parameter_l": 12.05, "radius_ratio_d": 1,
                   "orientation": "transverse", "wavelength_over_a": 1},
@@ -40,12 +39,7 @@ TYPOS = [
 ]
 
 
-class BadSweep(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-
+class BadSweep(FolderTest):
     def write(self, name, text):
         Path(self.folder, name).write_text(text)
 
@@ -53,7 +47,7 @@ class BadSweep(unittest.TestCase):
         Path(self.folder, "results.h5").unlink(missing_ok=True)   # of an earlier mistake that was accepted
         before = sorted(self.folder.iterdir())
         outcome = run("sweep", *arguments, ranks=ranks, folder=self.folder)
-        self.assertEqual(outcome.returncode, 2, outcome.stdout + outcome.stderr)
+        self.check_status(outcome, 2)
         self.assertEqual(outcome.stderr.count("ehlwave-sweep: "), 1, outcome.stderr)
         for needle in needles:
             self.assertIn(needle, outcome.stderr)

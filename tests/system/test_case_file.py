@@ -1,26 +1,20 @@
 """The HDF5 file of a case: fields looked up by coordinates, history, and an input that repeats the run."""
 
 import math
-import tempfile
 import unittest
 from pathlib import Path
 
-from ehlwave_program import last_line, namelist, run
+from ehlwave_program import FolderTest, last_line, namelist, run
 from hdf5_reading import dimensions, read
 
 CONDITIONS = {"load_parameter_m": 200, "lubricant_parameter_l": 12.05, "radius_ratio_d": 0.35}
 
 
-class CaseFile(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-
+class CaseFile(FolderTest):
     def run_case(self, text, output="case.h5"):
         Path(self.folder, "case.nml").write_text(text)
         outcome = run("case", "case.nml", "--json", "--quiet", "--output", output, folder=self.folder)
-        self.assertEqual(outcome.returncode, 0, outcome.stderr)
+        self.check_status(outcome)
         self.assertEqual(list(self.folder.glob("*.part*")), [])
         return last_line(outcome), *read(self.folder / output)
 
@@ -77,7 +71,7 @@ class CaseFile(unittest.TestCase):
             groups = {"conditions": CONDITIONS, "waviness": waviness, "output": {"fields_every": 2}}
             Path(self.folder, "case.nml").write_text(namelist(groups))
             outcome = run("case", "case.nml", "--plan", folder=self.folder)
-            self.assertEqual(outcome.returncode, 2, outcome.stdout)
+            self.check_status(outcome, 2)
             self.assertIn("fields_every = 2", outcome.stderr)
 
     def test_history(self):

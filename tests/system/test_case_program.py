@@ -1,11 +1,10 @@
 """ehlwave-case as a user meets it: options, output, exit status."""
 
 import math
-import tempfile
 import unittest
 from pathlib import Path
 
-from ehlwave_program import last_line, namelist, run
+from ehlwave_program import FolderTest, last_line, namelist, run
 
 SMOOTH = {"conditions": {"load_parameter_m": 100, "lubricant_parameter_l": 12.05, "radius_ratio_d": 1},
           "grid": {"cells_x": 64, "cells_y": 64}}
@@ -15,12 +14,7 @@ KEYS = ["status", "central_film", "minimum_film", "central_film_moes", "max_pres
         "peak_memory_mib"]
 
 
-class CaseProgram(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-
+class CaseProgram(FolderTest):
     def run_case(self, groups, *arguments):
         Path(self.folder, "case.nml").write_text(namelist(groups))
         return run("case", "case.nml", *arguments, folder=self.folder)
@@ -38,7 +32,7 @@ class CaseProgram(unittest.TestCase):
         Path(self.folder, "minimal.nml").write_text(
             "&conditions load_parameter_m = 100, lubricant_parameter_l = 12.05,\n radius_ratio_d = 1 /\n")
         outcome = run("case", "minimal.nml", "--plan", folder=self.folder)
-        self.assertEqual(outcome.returncode, 0, outcome.stderr)
+        self.check_status(outcome)
 
     def test_plan_computes_nothing(self):
         outcome = self.run_case(WAVY, "--plan", "--json")
@@ -61,14 +55,14 @@ class CaseProgram(unittest.TestCase):
         for cycle in "vwf":
             groups = {**SMOOTH, "solver": {"method": "fas", "cycle": cycle}}
             outcome = self.run_case(groups, "--json")
-            self.assertEqual(outcome.returncode, 0, outcome.stderr)
+            self.check_status(outcome)
             self.assertIn(f"FAS multigrid, {cycle} cycles", outcome.stdout)
             self.assertRegex(outcome.stdout, r"\d+ cycles and \d+ sweeps")
             self.assertAlmostEqual(last_line(outcome)["central_film"] / newton["central_film"], 1, delta=1e-6)
 
     def test_result(self):
         outcome = self.run_case(WAVY, "--json")
-        self.assertEqual(outcome.returncode, 0, outcome.stderr)
+        self.check_status(outcome)
         result = last_line(outcome)
         self.assertEqual([key for key in KEYS if key not in result], [])
         self.assertEqual(result["status"], "converged")
@@ -127,7 +121,7 @@ class CaseProgram(unittest.TestCase):
                   "grid": {"cells_x": 128, "cells_y": 128}}
         outcome = self.run_case(groups, "--json", "--quiet")
         result = last_line(outcome)
-        self.assertEqual(outcome.returncode, 0, outcome.stderr)
+        self.check_status(outcome)
         # published: 0.24 um computed
         self.assertAlmostEqual(result["central_film_um"], 0.24, delta=0.02)
 
@@ -142,7 +136,7 @@ class CaseProgram(unittest.TestCase):
                 if "&sweep" in path.read_text():
                     continue
                 outcome = run(program, path, "--plan", folder=top)
-                self.assertEqual(outcome.returncode, 0, outcome.stderr)
+                self.check_status(outcome)
 
 
 if __name__ == "__main__":

@@ -2,11 +2,9 @@
 
 import os
 import subprocess
-import tempfile
 import unittest
-from pathlib import Path
 
-from ehlwave_program import EIGHT_CASES, HANGS_S, IS_LONG, MPI_ENVIRONMENT, SKIPPED, is_open_mpi, mpi_command, namelist
+from ehlwave_program import EIGHT_CASES, HANGS_S, IS_LONG, MPI_ENVIRONMENT, SKIPPED, FolderTest, is_open_mpi, mpi_command, namelist
 from hdf5_reading import read
 from store_reading import finished
 from torture import CIRCUMSTANCES
@@ -19,11 +17,9 @@ MORE = ["mpi_init 1 0", "mpi_bcast 1 1", "mpi_bcast 3 0", "mpi_bcast 4 1", "mpi_
         "mpi_send 1 2", "mpi_isend 2 2", "mpi_isend 2 0", "mpi_isend 8 0", "mpi_allreduce 1 0", "mpi_finalize 1 2"]
 
 
-class DeadRanks(unittest.TestCase):
+class DeadRanks(FolderTest):
     def setUp(self):
-        place = tempfile.TemporaryDirectory()
-        self.addCleanup(place.cleanup)
-        self.folder = Path(place.name)
+        super().setUp()
         self.expected = self.finish("undisturbed")
 
     def run_in(self, name, *command, **variables):
@@ -37,7 +33,7 @@ class DeadRanks(unittest.TestCase):
     def finish(self, name):
         """Columns of the results of a run that nothing disturbs, but for where and when."""
         folder, outcome = self.run_in(name)
-        self.assertEqual(outcome.returncode, 0, outcome.stdout + outcome.stderr)
+        self.check_status(outcome)
         return {name: repr(list(values)) for name, values in read(folder/"results.h5")[1].items() if name not in CIRCUMSTANCES}
 
     def test_nothing_is_lost(self):

@@ -4,11 +4,10 @@ import os
 import resource
 import signal
 import subprocess
-import tempfile
 import unittest
 from pathlib import Path
 
-from ehlwave_program import EIGHT_CASES, HANGS_S, MPI_ENVIRONMENT, ONE_RANK, is_open_mpi, last_line, namelist
+from ehlwave_program import EIGHT_CASES, HANGS_S, MPI_ENVIRONMENT, ONE_RANK, FolderTest, is_open_mpi, last_line, namelist
 from store_reading import finished
 
 CASE, SWEEP = os.environ["EHLWAVE_CASE"], os.environ["EHLWAVE_SWEEP"]
@@ -26,11 +25,9 @@ def limited(name, value):
     return lambda: resource.setrlimit(getattr(resource, name), (value, value))
 
 
-class Ends(unittest.TestCase):
+class Ends(FolderTest):
     def setUp(self):
-        place = tempfile.TemporaryDirectory()
-        self.addCleanup(place.cleanup)
-        self.folder = Path(place.name)
+        super().setUp()
         (self.folder/"sweep.nml").write_text(namelist(EIGHT_CASES))
 
     def write_case(self, cells, **groups):
@@ -52,7 +49,7 @@ class Files(Ends):
             with self.subTest(bytes=bytes_):
                 outcome = self.call(CASE, "case.nml", "--quiet", "--output", "out.h5", "--overwrite",
                                     before=limited("RLIMIT_FSIZE", bytes_))
-                self.assertEqual(outcome.returncode, NOT_WRITTEN, outcome.stderr)
+                self.check_status(outcome, NOT_WRITTEN)
                 self.assertRegex(outcome.stderr, r"^ehlwave-case: cannot write out.h5: File too large[^\n]*\n$")
                 self.assertEqual((self.folder/"out.h5").read_text(), "before")
                 self.assertEqual(self.names(), {"case.nml", "sweep.nml", "out.h5"})
@@ -64,19 +61,19 @@ class Files(Ends):
                 results = f"{bytes_}.h5"
                 outcome = self.call(RUN_SWEEP, "--ranks", 2, "sweep.nml", "--output", results,
                                     before=limited("RLIMIT_FSIZE", bytes_), **FEW_FILES)
-                self.assertEqual(outcome.returncode, NOT_WRITTEN, outcome.stdout + outcome.stderr)
+                self.check_status(outcome, NOT_WRITTEN)
                 self.assertIn("File too large", outcome.stderr)
                 self.assertNotIn("again", outcome.stdout)
                 self.assertNotIn("Backtrace", outcome.stderr)
                 self.assertEqual([name for name in self.names() if ".part" in name], [])
                 again = self.call(SWEEP, "sweep.nml", "--output", results)
-                self.assertEqual(again.returncode, 0, again.stdout + again.stderr)
+                self.check_status(again)
                 self.assertEqual(len(finished(self.folder/f"{bytes_}.store")), 8)
 
     @unittest.skipUnless(is_open_mpi(), "another MPI starts")
     def test_a_limit_under_which_mpi_cannot_start(self):
         outcome = self.call(RUN_SWEEP, "--ranks", 2, "sweep.nml", before=limited("RLIMIT_FSIZE", MIB), EHLWAVE_PATIENCE="10")
-        self.assertEqual(outcome.returncode, NOT_WRITTEN, outcome.stdout + outcome.stderr)
+        self.check_status(outcome, NOT_WRITTEN)
         self.assertRegex(outcome.stdout, r"run-sweep: MPI cannot start [^\n]*ulimit -f[^\n]*\n$")
         self.assertNotIn("again", outcome.stdout)
 
@@ -101,7 +98,7 @@ class ProcessorTime(Ends):
         (self.folder/"long.nml").write_text(namelist({**EIGHT_CASES, "grid": {"cells_x": 512, "cells_y": 512}}))
         limit = lambda: resource.setrlimit(resource.RLIMIT_CPU, (1, 600))   # noqa: E731
         outcome = self.call(SWEEP, "long.nml", before=limit, **ONE_RANK)
-        self.assertEqual(outcome.returncode, UNFINISHED, outcome.stdout + outcome.stderr)
+        self.check_status(outcome, UNFINISHED)
         self.assertNotIn("Backtrace", outcome.stderr)
 
 
@@ -111,7 +108,7 @@ class Memory(Ends):
         self.write_case(2048)
         few = limited("RLIMIT_AS", 300*MIB)
         plan = self.call(CASE, "case.nml", "--plan", before=few)
-        self.assertEqual(plan.returncode, 0, plan.stderr)
+        self.check_status(plan)
         self.assertRegex(plan.stdout, r"TOO LITTLE MEMORY: the case needs about 1\d{3} MiB .* this process can have 2\d\d MiB")
         self.assertNotIn("TOO LITTLE", self.call(CASE, "case.nml", "--plan").stdout)
         run = self.call(CASE, "case.nml", "--output", "out.h5", before=few)
@@ -170,7 +167,7 @@ class Memory(Ends):
         plan = self.call(SWEEP, "sweep.nml", "--plan", before=few)
         self.assertIn("TOO LITTLE MEMORY for 1 cases", plan.stdout)
         outcome = self.call(SWEEP, "sweep.nml", before=few)
-        self.assertEqual(outcome.returncode, INACCURATE, outcome.stdout + outcome.stderr)
+        self.check_status(outcome, INACCURATE)
         self.assertRegex(outcome.stdout, r"2 converged\n +1 over_budget")
         status = self.call(SWEEP, "--status", "rows.h5").stdout
         self.assertRegex(status, r"the case needs about \d+ MiB of memory")
@@ -184,7 +181,7 @@ class Plan(Ends):
             before = resource.getrusage(resource.RUSAGE_CHILDREN)
             outcome = self.call(CASE, "case.nml", "--plan", "--json")
             after = resource.getrusage(resource.RUSAGE_CHILDREN)
-            self.assertEqual(outcome.returncode, 0, outcome.stderr)
+            self.check_status(outcome)
             self.assertGreater(last_line(outcome)["expected_seconds"], 0)
             self.assertLess(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, 2)
             if not IS_DEBUG:
@@ -243,7 +240,7 @@ class LastLine(Ends):
                                   (UNFINISHED, ["long.nml", "--output", "c.h5", "--time-limit", "0.5"])):
             with self.subTest(status=status):
                 outcome = self.call(RUN_SWEEP, "--ranks", 2, *arguments)
-                self.assertEqual(outcome.returncode, status, outcome.stdout + outcome.stderr)
+                self.check_status(outcome, status)
                 for words in ("mpirun", "Primary job", "aborted", "-----"):
                     self.assertNotIn(words, outcome.stderr)
         self.assertRegex(outcome.stdout, r"\n[^\n]* run-sweep: stopped before the end; the same command goes on [^\n]*\n$")

@@ -9,7 +9,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from ehlwave_program import run
+from ehlwave_program import FolderTest, run
 
 ROOT = Path(os.environ["EHLWAVE_ROOT"])
 INPUTS = ROOT / "inputs" / "full"
@@ -42,11 +42,9 @@ class Inputs(unittest.TestCase):
                     self.assertTrue(counted[0].startswith(said), counted[0])
 
 
-class Stages(unittest.TestCase):
+class Stages(FolderTest):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
+        super().setUp()
         self.calls = self.folder / "calls"
         for name, text in (("ehlwave-sweep", PROGRAM), ("launcher", LAUNCHER)):
             (self.folder / name).write_text(text)
@@ -65,7 +63,7 @@ class Stages(unittest.TestCase):
 
     def test_the_stages_that_are_asked_for(self):
         outcome = self.study("companion", "rheology")
-        self.assertEqual(outcome.returncode, 0, outcome.stdout + outcome.stderr)
+        self.check_status(outcome)
         calls = [line for line in self.calls.read_text().splitlines() if "--status" not in line]
         self.assertEqual(len(calls), 6)
         self.assertIn("companion.nml --output", calls[0])

@@ -2,13 +2,11 @@
 
 import base64
 import struct
-import tempfile
 import unittest
 import zlib
-from pathlib import Path
 
 from attack import REFUSED, attack
-from ehlwave_program import namelist
+from ehlwave_program import FolderTest, namelist
 
 MOES = "&conditions load_parameter_m = 100, lubricant_parameter_l = 12.05, radius_ratio_d = 1 /\n"
 GRID = {"cells_x": 32, "cells_y": 32}
@@ -28,12 +26,7 @@ BROKEN = [base64.b64decode(text) for text in (
     "ChOKC0gAOaQrg4AOfGQrk=")]
 
 
-class HostileInput(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-
+class HostileInput(FolderTest):
     def write(self, name, text):
         data = text if isinstance(text, bytes) else text.encode()
         (self.folder/name).write_bytes(data)

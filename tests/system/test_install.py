@@ -11,7 +11,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from ehlwave_program import last_line, namelist
+from ehlwave_program import FolderTest, last_line, namelist
 
 ROOT = Path(__file__).parents[2]
 BUILD = Path(os.environ["EHLWAVE_BUILD"])
@@ -34,7 +34,7 @@ def install(stage, *options):
     return {path.relative_to(stage/STAGED) for path in (stage/STAGED).rglob("*") if path.is_file()}
 
 
-class Install(unittest.TestCase):
+class Install(FolderTest):
     @classmethod
     def setUpClass(cls):
         place = tempfile.TemporaryDirectory()
@@ -45,9 +45,7 @@ class Install(unittest.TestCase):
         cls.home = cls.prefix/"share"/"ehlwave"
 
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
+        super().setUp()
         (self.folder/"case.nml").write_text(namelist({"conditions": CONTACT, "grid": GRID}))
         (self.folder/"sweep.nml").write_text(namelist({"sweep": {**CONTACT, "radius_ratio_d": [1, 0.5]}, "grid": GRID}))
 
@@ -56,7 +54,7 @@ class Install(unittest.TestCase):
         kept = {name: os.environ[name] for name in ("HOME", "TMPDIR", "ASAN_OPTIONS") if name in os.environ}
         outcome = subprocess.run(command, cwd=folder or self.folder, capture_output=True, text=True, check=False,
                                  env={**kept, "PATH": os.defpath + ":/usr/local/bin:" + os.environ["PATH"], **variables})
-        self.assertEqual(outcome.returncode, status, outcome.stdout + outcome.stderr)
+        self.check_status(outcome, status)
         return outcome
 
     def test_a_case(self):

@@ -5,13 +5,12 @@ import shutil
 import signal
 import stat
 import subprocess
-import tempfile
 import time
 import unittest
 from pathlib import Path
 
 from attack import REFUSED, attack
-from ehlwave_program import HANGS_S, MPI_ENVIRONMENT, mpi_command, namelist
+from ehlwave_program import HANGS_S, MPI_ENVIRONMENT, FolderTest, mpi_command, namelist
 from hdf5_reading import read
 from store_reading import finished
 
@@ -22,11 +21,9 @@ NOT_WRITTEN = 3
 UNFINISHED = 85
 
 
-class OddFiles(unittest.TestCase):
+class OddFiles(FolderTest):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
+        super().setUp()
         (self.folder/"case.nml").write_text(namelist(CASE))
         (self.folder/"sweep.nml").write_text(namelist(SWEEP))
 

@@ -4,11 +4,10 @@ import os
 import re
 import shutil
 import subprocess
-import tempfile
 import unittest
 from pathlib import Path
 
-from ehlwave_program import last_line, namelist
+from ehlwave_program import FolderTest, last_line, namelist
 
 PROGRAM = Path(os.environ["EHLWAVE_CASE"])
 LIBRARY = PROGRAM.parent.parent/"lib"/"libehlwave_petsc.so"
@@ -20,12 +19,7 @@ def libraries_of(path):
     return subprocess.run(["ldd", path], capture_output=True, text=True, check=True).stdout
 
 
-class PetscLibrary(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-
+class PetscLibrary(FolderTest):
     def run_case(self, solver, *arguments, program=PROGRAM, library=None):
         Path(self.folder, "case.nml").write_text(namelist({**CONTACT, "solver": solver}))
         environment = {name: value for name, value in os.environ.items() if name != "EHLWAVE_PETSC_LIBRARY"}
@@ -35,7 +29,7 @@ class PetscLibrary(unittest.TestCase):
                               capture_output=True, text=True, check=False)
 
     def check_refused(self, outcome, *words):
-        self.assertEqual(outcome.returncode, 2, outcome.stderr)
+        self.check_status(outcome, 2)
         for word in ["PETSc cannot be loaded", "choose another solver", *words]:
             self.assertIn(word, outcome.stderr)
 
@@ -60,7 +54,7 @@ class PetscLibrary(unittest.TestCase):
     def test_other_methods_need_none(self):
         """Not even the rescue ladder, whose last rung is PETSc: the case fails as a stalled one."""
         outcome = self.run_case({}, library="/nowhere/library.so")
-        self.assertEqual(outcome.returncode, 0, outcome.stderr)
+        self.check_status(outcome)
         outcome = self.run_case({"largest_steps": 1}, library="/nowhere/library.so")
         self.assertEqual((outcome.returncode, last_line(outcome)["status"]), (1, "stalled"))
 
@@ -69,7 +63,7 @@ class PetscLibrary(unittest.TestCase):
         program = self.install()
         shutil.copy2(LIBRARY, Path(self.folder, "lib"))
         outcome = self.run_case({"method": "petsc"}, "--output", "case.h5", program=program)
-        self.assertEqual(outcome.returncode, 0, outcome.stderr)
+        self.check_status(outcome)
         self.assertGreater(Path(self.folder, "case.h5").stat().st_size, 0)
         film = last_line(outcome)["central_film"]
         newton = last_line(self.run_case({}, program=program))["central_film"]

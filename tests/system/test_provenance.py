@@ -11,7 +11,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from ehlwave_program import namelist
+from ehlwave_program import FolderTest, namelist
 from hdf5_reading import read
 
 ROOT = Path(__file__).parents[2]
@@ -85,13 +85,8 @@ def expected():
             "processor": model[1].strip() if model else "unknown"}
 
 
-class Provenance(unittest.TestCase):
+class Provenance(FolderTest):
     maxDiff = None
-
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
 
     def said(self, program):
         lines = output(os.environ[program], "--version", "--verbose").splitlines()

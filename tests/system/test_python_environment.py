@@ -3,22 +3,21 @@
 import os
 import shutil
 import subprocess
-import tempfile
 import unittest
 from pathlib import Path
+
+from ehlwave_program import FolderTest
 
 ROOT = Path(__file__).parents[2]
 REFUSED = 2
 NOBODY = 65534
 
 
-class PythonEnvironment(unittest.TestCase):
+class PythonEnvironment(FolderTest):
     """In a copy of the tree where `python3` has no packages and can make no environment."""
 
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
+        super().setUp()
         for name in ["scripts/python-environment", "scripts/environment", "postprocess/pyproject.toml"]:
             (self.folder/name).parent.mkdir(exist_ok=True)
             shutil.copy(ROOT/name, self.folder/name)
@@ -39,7 +38,7 @@ class PythonEnvironment(unittest.TestCase):
 
     def test_eval_passes_a_failure_on(self):
         outcome = self.run_bash('eval "$(scripts/python-environment)"')
-        self.assertEqual(outcome.returncode, REFUSED, outcome.stderr)
+        self.check_status(outcome, REFUSED)
         self.assertIn("could not be installed", outcome.stderr)
         outcome = self.run_bash('set -e; eval "$(scripts/python-environment --unknown)"; echo went on')
         self.assertEqual((outcome.returncode, outcome.stdout), (REFUSED, ""))

@@ -19,7 +19,7 @@ class Response(TestCase):
             path = Path(folder, "case.nml")
             path.write_text(namelist({"conditions": CONTACT, "grid": GRID, **groups}))
             outcome = run("case", path)
-        self.assertEqual(outcome.returncode, 2, outcome.stdout)
+        self.check_status(outcome, 2)
         self.assertIn(expected, outcome.stderr)
 
     def test_choices(self):

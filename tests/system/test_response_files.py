@@ -1,10 +1,8 @@
 """Files with linear responses: fields of a case, and rows of a sweep whatever the number of ranks."""
 
-import tempfile
 import unittest
-from pathlib import Path
 
-from ehlwave_program import TestCase, namelist, run
+from ehlwave_program import FolderTest, namelist, run
 from hdf5_reading import read
 
 CONTACT = {"load_parameter_m": 100, "lubricant_parameter_l": 12.05, "radius_ratio_d": 1}
@@ -12,18 +10,13 @@ GRID = {"cells_x": 32, "cells_y": 32}
 EFFORT = {"seconds", "work_units", "harmonic_work_units", "peak_memory_mib", "rank"}   # may differ from run to run
 
 
-class ResponseFiles(TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-
+class ResponseFiles(FolderTest):
     def test_fields(self):
         case, output = self.folder/"case.nml", self.folder/"case.h5"
         case.write_text(namelist({"conditions": CONTACT, "grid": GRID, "waviness": {
             "orientation": "transverse", "wavelength_over_a": 1, "response": "harmonic"}}))
         outcome = run("case", case, "--output", output)
-        self.assertEqual(outcome.returncode, 0, outcome.stderr)
+        self.check_status(outcome)
         _, data = read(output)
         x, y = data["x"].tolist().index(0), data["y"].tolist().index(0)
         where = (x, y) if data["film_response"].shape[0] == len(data["x"]) else (y, x)
@@ -39,7 +32,7 @@ class ResponseFiles(TestCase):
             "orientation": ["transverse", "isotropic", "longitudinal"], "wavelength_over_a": [1, 2]},
             "waviness": {"response": "harmonic"}, "grid": GRID}))
         outcome = run("sweep", path, "--output", output, ranks=ranks)
-        self.assertEqual(outcome.returncode, 0, outcome.stderr)
+        self.check_status(outcome)
         return read(output)[1]
 
     def test_numbers_do_not_depend_on_ranks(self):

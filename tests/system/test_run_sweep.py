@@ -2,11 +2,10 @@
 
 import os
 import subprocess
-import tempfile
 import unittest
 from pathlib import Path
 
-from ehlwave_program import HANGS_S, namelist
+from ehlwave_program import HANGS_S, FolderTest, namelist
 
 SCRIPT = Path(__file__).parents[2]/"scripts"/"run-sweep"
 SWEEP = {"load_parameter_m": 100, "lubricant_parameter_l": 12.05, "radius_ratio_d": [1, 0.5]}
@@ -22,11 +21,9 @@ time.sleep(7200)
 """
 
 
-class RunSweep(unittest.TestCase):
+class RunSweep(FolderTest):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
+        super().setUp()
         (self.folder/"sweep.nml").write_text(namelist({"sweep": SWEEP, "grid": {"cells_x": 32, "cells_y": 32}}))
         (self.folder/"launcher").write_text(LOCKS_UP_ONCE)
         (self.folder/"launcher").chmod(0o755)
@@ -35,7 +32,7 @@ class RunSweep(unittest.TestCase):
         variables = {"EHLWAVE_LAUNCHER": "./launcher", "EHLWAVE_PATIENCE": "1"}
         outcome = subprocess.run([SCRIPT, "--ranks", "1", "sweep.nml", "--output", "results.h5"], cwd=self.folder, text=True,
                                  capture_output=True, check=False, timeout=HANGS_S, env={**os.environ, **variables})
-        self.assertEqual(outcome.returncode, 0, outcome.stdout + outcome.stderr)
+        self.check_status(outcome)
         self.assertIn("all ranks have ended", outcome.stdout)
         self.assertIn("start 1 of at most 5 again", outcome.stdout)
         self.assertTrue((self.folder/"results.h5").exists())
@@ -44,7 +41,7 @@ class RunSweep(unittest.TestCase):
         for ranks in ("0", "-1", "two", ""):
             outcome = subprocess.run([SCRIPT, "--ranks", ranks, "sweep.nml"], cwd=self.folder, text=True, capture_output=True, check=False,
                                      timeout=HANGS_S)
-            self.assertEqual(outcome.returncode, 2, outcome.stdout + outcome.stderr)
+            self.check_status(outcome, 2)
             self.assertRegex(outcome.stderr, r"^run-sweep: --ranks wants a whole number above 0[^\n]*\n$")
 
 

@@ -4,11 +4,10 @@ import os
 import re
 import shutil
 import subprocess
-import tempfile
 import unittest
 from pathlib import Path
 
-from ehlwave_program import HANGS_S
+from ehlwave_program import HANGS_S, FolderTest
 
 ROOT = Path(__file__).parents[2]
 SCRIPTS = ROOT/"scripts"
@@ -47,11 +46,9 @@ def comment_of(path):
     return lines
 
 
-class Scripts(unittest.TestCase):
+class Scripts(FolderTest):
     def setUp(self):
-        place = tempfile.TemporaryDirectory()
-        self.addCleanup(place.cleanup)
-        self.folder = Path(place.name)
+        super().setUp()
         for name in ("scripts", "postprocess/studies", "postprocess/src/ehlwave"):
             shutil.copytree(ROOT/name, self.folder/"tree"/name, ignore=shutil.ignore_patterns("__pycache__", "*.nc"))
         stubs = self.folder/"stubs"
@@ -109,7 +106,7 @@ class Scripts(unittest.TestCase):
                 for value in bad:
                     with self.subTest(script=str(script), option=option, value=value):
                         outcome = self.call(script, option, *([value] if value is not MISSING else []))
-                        self.assertEqual(outcome.returncode, 2, outcome.stdout + outcome.stderr)
+                        self.check_status(outcome, 2)
                         self.assertIn(option, outcome.stderr)
                         tried += 1
         self.assertGreater(tried, 20)
@@ -121,7 +118,7 @@ class Scripts(unittest.TestCase):
                 continue
             with self.subTest(script=str(script)):
                 outcome = self.call(script, "--nonsense")
-                self.assertEqual(outcome.returncode, 2, outcome.stdout + outcome.stderr)
+                self.check_status(outcome, 2)
 
 
 if __name__ == "__main__":

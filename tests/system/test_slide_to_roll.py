@@ -1,10 +1,9 @@
 """A slide-to-roll ratio is another word for the slip parameter: S = 1 + ratio/2, one identity, one store."""
 
-import tempfile
 import unittest
 from pathlib import Path
 
-from ehlwave_program import last_line, namelist, run
+from ehlwave_program import FolderTest, last_line, namelist, run
 from hdf5_reading import read
 
 CONDITIONS = {"load_parameter_m": 20, "lubricant_parameter_l": 5, "radius_ratio_d": 1}
@@ -13,12 +12,7 @@ GRID = {"cells_x": 32, "cells_y": 32}
 SAME = [(0.3, 1.15), (-0.3, 0.85), (0, 1), (2, 2), (-2, 0), (-1.98, 0.01), (0.1, 1.05)]
 
 
-class SlideToRoll(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-
+class SlideToRoll(FolderTest):
     def case(self, *arguments, **keys):
         groups = {"conditions": CONDITIONS | keys, "grid": GRID}
         Path(self.folder, "case.nml").write_text(namelist(groups))
@@ -28,7 +22,7 @@ class SlideToRoll(unittest.TestCase):
         groups = {"sweep": lists, "conditions": CONDITIONS | conditions, "grid": GRID}
         Path(self.folder, "sweep.nml").write_text(namelist(groups))
         outcome = run("sweep", "sweep.nml", *arguments, folder=self.folder)
-        self.assertEqual(outcome.returncode, status, outcome.stderr + outcome.stdout)
+        self.check_status(outcome, status)
         return outcome
 
     def test_identity_and_effective_input(self):

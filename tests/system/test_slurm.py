@@ -6,13 +6,12 @@ Needs slurmctld, slurmd, sbatch (Debian: slurm-wlm) and munge; scripts/install-r
 import os
 import re
 import sys
-import tempfile
 import time
 import unittest
 from pathlib import Path
 
 import private_slurm
-from ehlwave_program import HANGS_S, MPI_ENVIRONMENT, SKIPPED, namelist
+from ehlwave_program import HANGS_S, MPI_ENVIRONMENT, SKIPPED, FolderTest, namelist
 from hdf5_reading import read
 from store_reading import count_records, finished
 
@@ -22,11 +21,9 @@ REST = 4     # seconds from the requeue of a job to its next start
 CASES = 10   # so many that a task is not over before the signal comes
 
 
-class Slurm(unittest.TestCase):
+class Slurm(FolderTest):
     def setUp(self):
-        place = tempfile.TemporaryDirectory()
-        self.addCleanup(place.cleanup)
-        self.folder = Path(place.name)
+        super().setUp()
         (self.folder/"slurm").mkdir()
         self.slurm = private_slurm.PrivateSlurm(self.folder/"slurm")
         self.addCleanup(self.slurm.stop)

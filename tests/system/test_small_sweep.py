@@ -4,12 +4,10 @@ import os
 import re
 import signal
 import subprocess
-import tempfile
 import time
 import unittest
-from pathlib import Path
 
-from ehlwave_program import HANGS_S, MPI_ENVIRONMENT, mpi_command, namelist
+from ehlwave_program import HANGS_S, MPI_ENVIRONMENT, FolderTest, mpi_command, namelist
 from store_reading import finished
 
 TABLE = """load_parameter_m,radius_ratio_d,orientation,wavelength_over_a,response,slip_parameter,method,end_time
@@ -27,11 +25,9 @@ CASES = len(TABLE.splitlines()) - 1
 COMPLAINTS = re.compile(r"runtime error|Sanitizer|Fortran runtime|Backtrace|SIGFPE", re.IGNORECASE)
 
 
-class SmallSweep(unittest.TestCase):
+class SmallSweep(FolderTest):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
+        super().setUp()
         (self.folder/"sweep.nml").write_text(namelist(GROUPS))
         (self.folder/"cases.csv").write_text(TABLE)
 
@@ -61,7 +57,7 @@ class SmallSweep(unittest.TestCase):
             outcome = subprocess.run([os.environ["EHLWAVE_SWEEP"], option, "results.h5" if option == "--status" else "sweep.nml"],
                                      cwd=self.folder, env={**os.environ, **MPI_ENVIRONMENT}, capture_output=True, text=True,
                                      check=False)
-            self.assertEqual(outcome.returncode, 0, outcome.stdout + outcome.stderr)
+            self.check_status(outcome)
             self.assertNotRegex(outcome.stdout + outcome.stderr, COMPLAINTS)
 
 

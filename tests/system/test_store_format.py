@@ -4,21 +4,19 @@ import json
 import os
 import shutil
 import subprocess
-import tempfile
 import unittest
 from pathlib import Path
 
 from hdf5_reading import read
+from ehlwave_program import FolderTest
 from store_reading import finished
 
 OLD = Path(__file__).parent/"store_of_0.1.0"   # sweep.nml, and what it left: 2 linear responses on 32 x 32 cells
 
 
-class StoreFormat(unittest.TestCase):
+class StoreFormat(FolderTest):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
+        super().setUp()
         shutil.copytree(OLD, self.folder, dirs_exist_ok=True)
         self.store = self.folder/"results.store"
         self.old = finished(self.store)
@@ -26,7 +24,7 @@ class StoreFormat(unittest.TestCase):
     def run_sweep(self, *arguments, status=0):
         outcome = subprocess.run([os.environ["EHLWAVE_SWEEP"], *arguments], cwd=self.folder, capture_output=True, text=True,
                                  check=False)
-        self.assertEqual(outcome.returncode, status, outcome.stdout + outcome.stderr)
+        self.check_status(outcome, status)
         return outcome.stdout + outcome.stderr
 
     def rows(self):

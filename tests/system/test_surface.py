@@ -1,11 +1,10 @@
 """A measured surface in the full simulation: what is read, refused, computed and written."""
 
 import math
-import tempfile
 import unittest
 from pathlib import Path
 
-from ehlwave_program import last_line, namelist, run
+from ehlwave_program import FolderTest, last_line, namelist, run
 from hdf5_reading import h5py, read
 
 CONTACT = {"radius_x_m": 12.52e-3, "radius_y_m": 12.52e-3, "reduced_modulus_pa": 1.17e11, "load_n": 39.2,
@@ -24,12 +23,7 @@ def ridge():
     return [20e-9*hump((i - POINTS//2)*STEP/90e-6) for i in range(POINTS)]
 
 
-class Surfaces(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-
+class Surfaces(FolderTest):
     def write(self, heights, **replaced):
         """Surface file of rows of constant y."""
         arrays = {"height": heights, "x": [i*STEP for i in range(len(heights[0]))],
@@ -47,7 +41,7 @@ class Surfaces(unittest.TestCase):
     def test_ridge_passes_the_centre(self):
         self.write([ridge()])
         outcome = self.run_case("--json", "--output", "out.h5")
-        self.assertEqual(outcome.returncode, 0, outcome.stdout + outcome.stderr)
+        self.check_status(outcome)
         result = last_line(outcome)
         self.assertEqual(result["surface_file"], "s.h5")
         self.assertIn("97 x 1 points", outcome.stdout)
@@ -89,7 +83,7 @@ class Surfaces(unittest.TestCase):
 
     def assert_refused(self, message, **groups):
         outcome = self.run_case("--plan", **groups)
-        self.assertEqual(outcome.returncode, 2, outcome.stdout + outcome.stderr)
+        self.check_status(outcome, 2)
         self.assertIn(message, outcome.stderr)
 
     def test_bad_surfaces_are_refused(self):

@@ -1,11 +1,10 @@
 """Rows of a sweep's results file: independent of the number of ranks, complete, without duplicates."""
 
 import math
-import tempfile
 import unittest
 from pathlib import Path
 
-from ehlwave_program import last_line, namelist, run
+from ehlwave_program import FolderTest, last_line, namelist, run
 from hdf5_reading import dimensions, read
 
 SWEEP = {"sweep": {"load_parameter_m": [100, 200], "lubricant_parameter_l": 12.05, "radius_ratio_d": [1, 0.35],
@@ -15,16 +14,11 @@ SWEEP = {"sweep": {"load_parameter_m": [100, 200], "lubricant_parameter_l": 12.0
 CIRCUMSTANCES = {"rank", "host", "started", "finished", "seconds", "work_units", "peak_memory_mib"}
 
 
-class SweepFile(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-
+class SweepFile(FolderTest):
     def sweep(self, groups, status=0, ranks=0):
         Path(self.folder, "sweep.nml").write_text(namelist(groups))
         outcome = run("sweep", "sweep.nml", "--overwrite", ranks=ranks, folder=self.folder)
-        self.assertEqual(outcome.returncode, status, outcome.stderr + outcome.stdout)
+        self.check_status(outcome, status)
         self.assertEqual(list(self.folder.glob("*.part*")), [])
         return read(self.folder / "results.h5")
 

@@ -2,11 +2,10 @@
 
 import copy
 import math
-import tempfile
 import unittest
 from pathlib import Path
 
-from ehlwave_program import last_line, namelist, run
+from ehlwave_program import FolderTest, last_line, namelist, run
 from hdf5_reading import read
 
 CONDITIONS = {"load_parameter_m": 20, "lubricant_parameter_l": 5, "radius_ratio_d": 1}
@@ -17,19 +16,14 @@ GROUP_OF = {"slip_parameter": "conditions", "method": "solver", "step_tolerance"
             "tolerance": "solver", "oblique": "waviness", "amplitude_over_film": "waviness", "cells_x": "grid"}
 
 
-class SweepKeys(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-
+class SweepKeys(FolderTest):
     def write(self, name, text):
         Path(self.folder, name).write_text(text)
 
     def sweep(self, groups, *arguments, ranks=0, status=0):
         self.write("sweep.nml", namelist({"sweep": {}, **groups}))   # &sweep on line 1
         outcome = run("sweep", "sweep.nml", *arguments, ranks=ranks, folder=self.folder)
-        self.assertEqual(outcome.returncode, status, outcome.stderr + outcome.stdout)
+        self.check_status(outcome, status)
         return outcome
 
     def results(self, groups, ranks=0):

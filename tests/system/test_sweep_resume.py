@@ -3,12 +3,11 @@
 import os
 import signal
 import subprocess
-import tempfile
 import time
 import unittest
 from pathlib import Path
 
-from ehlwave_program import HANGS_S, MPI_ENVIRONMENT, VERSION, is_open_mpi, mpi_command, namelist, run
+from ehlwave_program import HANGS_S, MPI_ENVIRONMENT, VERSION, FolderTest, is_open_mpi, mpi_command, namelist, run
 from hdf5_reading import h5py, read
 from store_reading import count_records, finished
 from torture import CIRCUMSTANCES
@@ -29,16 +28,11 @@ SLOWER = {**LONG, "grid": {"cells_x": 384, "cells_y": 384}}   # far from done wh
 UNFINISHED = 85
 
 
-class SweepResume(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-
+class SweepResume(FolderTest):
     def sweep(self, groups, *arguments, status=0, ranks=0):
         (self.folder/"sweep.nml").write_text(namelist(groups))
         outcome = run("sweep", "sweep.nml", *arguments, ranks=ranks, folder=self.folder)
-        self.assertEqual(outcome.returncode, status, outcome.stderr + outcome.stdout)
+        self.check_status(outcome, status)
         return outcome.stdout + outcome.stderr
 
     def start(self, *arguments, ranks=0):
@@ -165,7 +159,7 @@ class SweepResume(unittest.TestCase):
             outcome = run("sweep", "sweep.nml", "--time-limit", f"{limit:.4f}", folder=self.folder)
             if outcome.returncode == 0:
                 return
-            self.assertEqual(outcome.returncode, UNFINISHED, outcome.stderr)
+            self.check_status(outcome, UNFINISHED)
             self.assertIn("the time limit is reached", outcome.stdout)
             yield
             if self.starts() == starts:   # a busy machine did not even get to the case
@@ -348,7 +342,7 @@ class SweepResume(unittest.TestCase):
                        "EHLWAVE_RANKS": "1", "PATH": f"{self.folder}:{os.environ['PATH']}", "QSUB_LOG": str(self.folder/"log"),
                        "sweep": str(self.folder/"sweep.nml"), "results": str(self.folder/"results.h5")}
         outcome = subprocess.run(["bash", self.folder/"pbs.sh"], env=environment, capture_output=True, text=True, check=False)
-        self.assertEqual(outcome.returncode, UNFINISHED, outcome.stdout + outcome.stderr)
+        self.check_status(outcome, UNFINISHED)
         self.assertIn("job 7.server: start 4 on", outcome.stdout)
         self.assertEqual((self.folder/"log").read_text(), f"-v sweep={self.folder}/sweep.nml,results={self.folder}/results.h5,"
                          f"EHLWAVE_HOME={root},starts=4 {root}/scripts/batch/pbs.sh\n")

@@ -7,7 +7,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from ehlwave_program import MPI_ENVIRONMENT, mpi_command, namelist, report, run
+from ehlwave_program import MPI_ENVIRONMENT, TestCase, mpi_command, namelist, report, run
 from growth import LARGEST_GROWTH_KIB, growth, samples_of
 from hdf5_reading import read
 
@@ -16,7 +16,7 @@ MANY_CASES = int(os.environ.get("EHLWAVE_MANY_CASES", "5000"))
 LARGEST_CASE = 2048   # bytes in store and results file, without fields
 
 
-class SweepScale(unittest.TestCase):
+class SweepScale(TestCase):
     def test_many_cases(self):
         with tempfile.TemporaryDirectory() as folder:
             outcome = self.synthetic(folder, CASES, 0, ranks=4)
@@ -31,7 +31,7 @@ class SweepScale(unittest.TestCase):
             self.assertEqual(set(data["status"]), {"converged"})
             self.assertTrue((data["amplitude_ratio"] >= 0).all())
             outcome = run("sweep", "--status", "results.h5", folder=folder)
-            self.assertEqual(outcome.returncode, 0, outcome.stderr)
+            self.check_status(outcome)
             self.assertIn(f"{CASES} finished, 0 left", outcome.stdout)
 
     def test_disk_of_a_case(self):
@@ -86,7 +86,7 @@ class SweepScale(unittest.TestCase):
     def synthetic(self, folder, cases, seconds, ranks):
         outcome = subprocess.run(self.command(cases, seconds, ranks), cwd=folder, env={**os.environ, **MPI_ENVIRONMENT},
                                  capture_output=True, text=True, check=False)
-        self.assertEqual(outcome.returncode, 0, outcome.stdout + outcome.stderr)
+        self.check_status(outcome)
         return outcome
 
 

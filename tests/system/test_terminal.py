@@ -2,12 +2,10 @@
 
 import os
 import shutil
-import tempfile
 import unittest
 import zlib
-from pathlib import Path
 
-from ehlwave_program import ONE_RANK, VERSION, namelist, run
+from ehlwave_program import ONE_RANK, VERSION, FolderTest, namelist, run
 
 SWEEP = {"sweep": {"load_parameter_m": [20, 25], "lubricant_parameter_l": 5, "radius_ratio_d": 1}, "grid": {"cells_x": 16, "cells_y": 16}}
 HARM = "\x1b]0;owned\x07\x1b[2J\x9b31m"
@@ -15,11 +13,9 @@ UNPRINTABLE = {*range(32), 127, *range(128, 160)} - {10}
 os.environ.update(ONE_RANK)
 
 
-class Terminal(unittest.TestCase):
+class Terminal(FolderTest):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
+        super().setUp()
         (self.folder/"sweep.nml").write_text(namelist(SWEEP))
 
     def check(self, name, *arguments, status):

@@ -1,10 +1,9 @@
 """Threads that share one contact: the same results with any number of them, and what programs say of them."""
 
-import tempfile
 import unittest
 from pathlib import Path
 
-from ehlwave_program import last_line, namelist, run
+from ehlwave_program import FolderTest, last_line, namelist, run
 
 TIMES = {"seconds", "work_units", "harmonic_work_units", "peak_memory_mib", "input"}
 CONDITIONS = {"load_parameter_m": 100, "lubricant_parameter_l": 12.05, "radius_ratio_d": 1}
@@ -17,12 +16,7 @@ CASES = {
 }
 
 
-class Threads(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-
+class Threads(FolderTest):
     def solve(self, groups, threads, *arguments):
         groups = {**groups, "solver": {**groups.get("solver", {}), "threads": threads}}
         Path(self.folder, "case.nml").write_text(namelist(groups))
@@ -30,7 +24,7 @@ class Threads(unittest.TestCase):
 
     def results(self, groups, threads):
         outcome = self.solve(groups, threads, "--json")
-        self.assertEqual(outcome.returncode, 0, outcome.stderr)
+        self.check_status(outcome)
         return {name: value for name, value in last_line(outcome).items() if name not in TIMES}
 
     def test_same_bits(self):

@@ -1,11 +1,9 @@
 """Measured viscosities from a file: films, what is said beyond the table, what is refused."""
 
 import math
-import tempfile
 import unittest
-from pathlib import Path
 
-from ehlwave_program import TestCase, last_line, namelist, report, run
+from ehlwave_program import FolderTest, last_line, namelist, report, run
 
 CONTACT = {"radius_x_m": 0.0125, "radius_y_m": 0.0125, "reduced_modulus_pa": 2.26e11, "load_n": 40,
            "mean_speed_m_per_s": 0.5, "viscosity_pa_s": 0.05}
@@ -25,12 +23,7 @@ def rows(largest, count):
     return "pressure_pa,viscosity_pa_s\n" + "".join(f"{p!r},{roelands(p)!r}\n" for p in pressures)
 
 
-class ViscosityTables(TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-
+class ViscosityTables(FolderTest):
     def run_case(self, table, lubricant, *arguments, **groups):
         (self.folder/"oil.csv").write_text(table)
         inputs = {"conditions": CONTACT, "grid": GRID, "lubricant": lubricant, **groups}
@@ -39,7 +32,7 @@ class ViscosityTables(TestCase):
 
     def solve(self, table, lubricant, **groups):
         outcome = self.run_case(table, lubricant, "--quiet", **groups)
-        self.assertEqual(outcome.returncode, 0, outcome.stdout + outcome.stderr)
+        self.check_status(outcome)
         return last_line(outcome)
 
     def test_table_of_roelands_is_roelands(self):
@@ -78,7 +71,7 @@ class ViscosityTables(TestCase):
 
     def assert_refused(self, message, table, lubricant, **groups):
         outcome = self.run_case(table, lubricant, "--plan", **groups)
-        self.assertEqual(outcome.returncode, 2, outcome.stdout + outcome.stderr)
+        self.check_status(outcome, 2)
         self.assertIn(message, outcome.stderr)
 
     def test_refusals(self):

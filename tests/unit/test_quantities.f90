@@ -6,7 +6,7 @@ program test_quantities
    use ehlwave_case_plan, only: make_plan
    use ehlwave_case_result, only: case_result_t
    use ehlwave_errors, only: error_t
-   use ehlwave_json_reader, only: json_string, split_list
+   use ehlwave_json_reader, only: split_list
    use ehlwave_kinds, only: dp, i8
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_quantities, only: add_case, add_plan, add_result

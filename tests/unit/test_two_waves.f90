@@ -1,7 +1,7 @@
 !> Attenuated and complementary wave: closed forms and the split of a film.
 program test_two_waves
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-   use ehlwave_kinds, only: dp, pi
+   use ehlwave_kinds, only: dp
    use ehlwave_two_waves, only: fit_two_waves, two_waves_t, wave_medium_t
    use testing, only: test_t
    implicit none (type, external)

@@ -40,7 +40,7 @@ class Experiment(TestCase):
                        INPUTS/"sputtered_profile.csv", "--period", "60", "--repeat", "16", "--output", "sputtered_wave.h5"]
             subprocess.run(command, cwd=folder, check=True, capture_output=True)
             outcome = run("case", INPUTS/"experiment.nml", "--plan", "--json", folder=folder)
-        self.assertEqual(outcome.returncode, 0, outcome.stderr)
+        self.check_status(outcome)
         plan = last_line(outcome)
         self.assertTrue(plan["is_resolved"])
         self.assertEqual(plan["time_steps"], 4.5*64)

@@ -308,7 +308,7 @@ class Heat(TestCase):
         with tempfile.TemporaryDirectory() as folder:
             Path(folder, "sweep.nml").write_text(namelist({"sweep": lists, **given}))
             outcome = run("sweep", "sweep.nml", folder=folder)
-            self.assertEqual(outcome.returncode, 0, outcome.stderr)
+            self.check_status(outcome)
             with h5py.File(Path(folder, "results.h5")) as file:
                 found = {(s, w): ratio for s, w, ratio in zip(file["slip_parameter"][:], file["wavelength_x_over_a"][:],
                                                               file["harmonic_ratio"][:], strict=True)}
@@ -352,7 +352,7 @@ class Heat(TestCase):
                 path = Path(folder) / "case.nml"
                 path.write_text(namelist(given))
                 outcome = run("case", str(path))
-                self.assertEqual(outcome.returncode, 2, outcome.stdout)
+                self.check_status(outcome, 2)
                 self.assertIn(message, outcome.stderr)
 
 

@@ -43,7 +43,7 @@ class RoughPair(TestCase):
                                  "solver": {**BY_MODEL, "settling_periods": 3}})
                 Path(folder, "pair.nml").write_text(text)
                 outcome = run("case", "pair.nml", "--output", "pair.h5", folder=folder)
-                self.assertEqual(outcome.returncode, 0, outcome.stdout + outcome.stderr)
+                self.check_status(outcome)
                 _, data = read(Path(folder, "pair.h5"))
                 film = float(data["central_film"])
                 settled = data["time"] > data["time"][-1] - 4
@@ -113,7 +113,7 @@ class RoughPair(TestCase):
                 "conditions": conditions, "surface": {"file": "s.h5"}, "surface2": {"file": "s_2.h5"}, "grid": GRID,
                 "dynamics": {"end_time": 10}}))
             outcome = run("case", "maps.nml", "--output", "maps.h5", folder=folder)
-            self.assertEqual(outcome.returncode, 0, outcome.stdout + outcome.stderr)
+            self.check_status(outcome)
             _, data = read(Path(folder, "maps.h5"))
         # both maps fill the inlet and the contact, and what came before has passed
         first, last = (-START + 1.8)/0.75, (length - START - 1.8)/1.25

@@ -1,11 +1,9 @@
 """Stresses below a rough contact, predicted from the atlas, against those of a march of the same trace."""
 
 import sys
-import tempfile
 import unittest
-from pathlib import Path
 
-from ehlwave_program import IS_LONG, SKIPPED, namelist, run
+from ehlwave_program import IS_LONG, SKIPPED, FolderTest, namelist, run
 
 try:
     import numpy as np
@@ -40,12 +38,7 @@ def heights(amplitude):
     return amplitude*waves/np.std(waves)/np.sqrt(2)
 
 
-class Stress(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-
+class Stress(FolderTest):
     def march(self, slip, trace):
         """File of a march of the trace with fields over time."""
         write_simulation_surface(trace, self.folder/"trace.h5")
@@ -54,7 +47,7 @@ class Stress(unittest.TestCase):
                   "surface": {"file": "trace.h5"}, "grid": {"cells_x": 96, "cells_y": 64}, "output": {"fields_every": 3}}
         (self.folder/"case.nml").write_text(namelist(groups))
         outcome = run("case", "case.nml", "--quiet", "--output", "case.h5", folder=self.folder)
-        self.assertEqual(outcome.returncode, 0, outcome.stdout + outcome.stderr)
+        self.check_status(outcome)
         return self.folder/"case.h5"
 
     def compare(self, slip):

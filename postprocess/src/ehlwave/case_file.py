@@ -55,7 +55,7 @@ def read_contact(path: str | Path) -> xr.Dataset:
     >>> import ehlwave
     >>> from ehlwave.programs import find_program
     >>> case = ehlwave.Case(load_parameter_m=10, lubricant_parameter_l=5, radius_ratio_d=1,
-    ...                     cells_x=64, cells_y=64)
+    ...     cells_x=64, cells_y=64)
     >>> _ = Path("input.nml").write_text(repr(case))
     >>> command = [find_program("ehlwave-case"), "input.nml", "--output", "contact.h5"]
     >>> done = subprocess.run(command, capture_output=True)
@@ -87,10 +87,8 @@ def _check_fields(contact: xr.Dataset) -> None:
 def central_film(case: xr.Dataset) -> float:
     """Return H of the centre, which pictures are scaled by.
 
-    Raises
-    ------
-    ResultsError
-        If it is not there or not above 0, or if there is nothing that could be drawn.
+    Raises ResultsError if it is not there or not above 0, or if there is nothing that could be
+    drawn.
     """
     if case["x"].size < 2:
         raise ResultsError(f"{_place(case)}: has one point along x: nothing to draw")

@@ -39,10 +39,8 @@ class Colours:
 def colours_of(points: xr.Dataset, column: str) -> Colours:
     """Return the colours of the values that a column of points has.
 
-    Raises
-    ------
-    ResultsError
-        If there is no such column, or it has more words than there are colours, or no numbers.
+    Raises ResultsError if there is no such column, or it has more words than there are colours, or
+    no numbers.
     """
     if column not in points.variables or points[column].dims != (DIMENSION,):
         columns = ", ".join(sorted(str(name) for name in points.data_vars)[:8])

@@ -60,8 +60,8 @@ class Case:
     --------
     >>> import ehlwave
     >>> case = ehlwave.Case(load_parameter_m=10, lubricant_parameter_l=5, radius_ratio_d=1,
-    ...                     orientation="transverse", wavelength_over_a=1, response="harmonic",
-    ...                     cells_x=64, cells_y=64)
+    ...     orientation="transverse", wavelength_over_a=1, response="harmonic",
+    ...     cells_x=64, cells_y=64)
     >>> result = case.run()
     >>> print(result.attrs["status"], f"Ad/Ai = {float(result['harmonic_ratio']):.2f}")
     converged Ad/Ai = 0.93
@@ -86,8 +86,8 @@ class Case:
         --------
         >>> import ehlwave
         >>> case = ehlwave.Case(load_parameter_m=10, lubricant_parameter_l=5, radius_ratio_d=1,
-        ...                     orientation="transverse", wavelength_over_a=1, response="harmonic",
-        ...                     cells_x=64, cells_y=64)
+        ...     orientation="transverse", wavelength_over_a=1, response="harmonic",
+        ...     cells_x=64, cells_y=64)
         >>> plan = case.plan()
         >>> plan["cells_x"], plan["run"], plan["is_resolved"]
         (64, 'harmonic', True)
@@ -124,8 +124,8 @@ class Case:
         --------
         >>> import ehlwave
         >>> case = ehlwave.Case(load_parameter_m=10, lubricant_parameter_l=5, radius_ratio_d=1,
-        ...                     orientation="transverse", wavelength_over_a=1, response="harmonic",
-        ...                     cells_x=64, cells_y=64)
+        ...     orientation="transverse", wavelength_over_a=1, response="harmonic",
+        ...     cells_x=64, cells_y=64)
         >>> result = case.run(seconds=60)
         >>> result["harmonic_ratio"].attrs["units"], result["pressure"].dims
         ('1', ('y', 'x'))
@@ -172,8 +172,7 @@ class Study(Shown):
     >>> import ehlwave
     >>> grid = {"load_parameter_m": [10, 20, 50], "wavelength_over_a": [1, 2, 4]}
     >>> study = ehlwave.Study(grid, lubricant_parameter_l=5, radius_ratio_d=1,
-    ...                       cells_x=64, cells_y=64,
-    ...                       orientation="transverse", response="harmonic")
+    ...     cells_x=64, cells_y=64, orientation="transverse", response="harmonic")
     >>> results = study.run()
     >>> results.sizes["case"], set(results["status"].values.tolist())
     (9, {'converged'})
@@ -258,8 +257,7 @@ class Study(Shown):
         >>> rows = [{"load_parameter_m": 10, "wavelength_over_a": 1},
         ...         {"load_parameter_m": 20, "wavelength_over_a": 2}]
         >>> study = ehlwave.Study(rows, lubricant_parameter_l=5, radius_ratio_d=1,
-        ...                       cells_x=64, cells_y=64,
-        ...                       orientation="transverse", response="harmonic")
+        ...     cells_x=64, cells_y=64, orientation="transverse", response="harmonic")
         >>> results = study.run("results.h5")
         >>> results["harmonic_ratio"].values.round(2).tolist()
         [0.93, 0.57]
@@ -291,7 +289,7 @@ class Study(Shown):
         >>> import ehlwave
         >>> grid = {"load_parameter_m": [10, 20, 50], "wavelength_over_a": [1, 2, 4]}
         >>> study = ehlwave.Study(grid, lubricant_parameter_l=5, radius_ratio_d=1,
-        ...                       orientation="transverse", response="harmonic")
+        ...     orientation="transverse", response="harmonic")
         >>> len(study.plan().splitlines()) > 9
         True
         """
@@ -314,10 +312,7 @@ class Study(Shown):
 def grouped(keys: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
     """Return keys by the group that they belong to in an input file.
 
-    Raises
-    ------
-    ProgramError
-        If a key is not known to the program.
+    Raises ProgramError if a key is not known to the program.
     """
     known, groups = key_groups(), {}
     for key, value in keys.items():
@@ -338,10 +333,7 @@ def key_table() -> pd.DataFrame:
     ``maximum``, ``choices``, ``default``, ``default_text``, ``required``, ``help`` and
     ``belongs_to``, the cases that have the key.
 
-    Raises
-    ------
-    ProgramError
-        If there is no program, or one of another version that does not say it.
+    Raises ProgramError if there is no program, or one of another version that does not say it.
     """
     said = _run("ehlwave-case", "--keys", "--json").stdout
     try:

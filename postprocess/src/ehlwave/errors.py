@@ -91,8 +91,7 @@ class RangeError(ResultsError, ValueError):
     Examples
     --------
     >>> import ehlwave
-    >>> contact = ehlwave.Contact(load_parameter_m=100, lubricant_parameter_l=10,
-    ...                           radius_ratio_d=1)
+    >>> contact = ehlwave.Contact(load_parameter_m=100, lubricant_parameter_l=10, radius_ratio_d=1)
     >>> try:
     ...     contact.response(wavelength_over_a=9)
     ... except ehlwave.RangeError as error:
@@ -149,7 +148,7 @@ class ExtrapolationWarning(UserWarning):
     >>> import numpy as np
     >>> import ehlwave
     >>> contact = ehlwave.Contact(radius_x_m=0.0127, radius_y_m=0.0127, reduced_modulus_pa=2.26e11,
-    ...                           load_n=40, mean_speed_m_per_s=4, viscosity_pa_s=0.05)
+    ...     load_n=40, mean_speed_m_per_s=4, viscosity_pa_s=0.05)
     >>> x = np.arange(0, 2e-3, 2e-6)
     >>> height = 1500e-9 * np.cos(2 * np.pi * x / 1e-4)
     >>> trace = ehlwave.deform.trace_surface(height, step_m=2e-6, axis="x", name="waves")

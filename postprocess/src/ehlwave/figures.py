@@ -62,8 +62,7 @@ def collapse_figure(points: xr.Dataset, variable: Variable, color_by: str | None
     >>> import ehlwave
     >>> grid = {"load_parameter_m": [10, 20, 50], "wavelength_over_a": [1, 2, 4]}
     >>> study = ehlwave.Study(grid, lubricant_parameter_l=5, radius_ratio_d=1,
-    ...                       cells_x=64, cells_y=64,
-    ...                       orientation="transverse", response="harmonic")
+    ...     cells_x=64, cells_y=64, orientation="transverse", response="harmonic")
     >>> results = study.run()
     >>> points = ehlwave.select_points(results, "harmonic")
     >>> figure = ehlwave.collapse_figure(points, "f_v")

@@ -226,8 +226,7 @@ def bootstrap_coefficients(
     >>> x = np.array([0.5, 1, 2, 5, 10])
     >>> ratio = np.array([0.90, 0.80, 0.63, 0.33, 0.16])
     >>> found = ehlwave.bootstrap_coefficients(np.tile(x, 3), np.tile(ratio, 3),
-    ...                                        condition=np.repeat([0, 1, 2], 5),
-    ...                                        replicates=20, seed=1)
+    ...     condition=np.repeat([0, 1, 2], 5), replicates=20, seed=1)
     >>> found.shape
     (20, 2)
     """

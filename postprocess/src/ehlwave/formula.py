@@ -240,10 +240,7 @@ def wave_and_direction(wavelength_x: ArrayLike, wavelength_y: ArrayLike) -> tupl
     for transverse, 1/2 for isotropic, 0 for longitudinal waviness. A wavelength of zero means
     infinite; where both are, the answers are NaN.
 
-    Raises
-    ------
-    ValueError
-        If a wavelength is negative.
+    Raises ValueError if a wavelength is negative.
     """
     along, across = _wave_numbers(wavelength_x, wavelength_y)
     squared = along**2 + across**2

@@ -30,11 +30,8 @@ _PURE_DIMENSION = b"This is a netCDF dimension but not a netCDF variable"
 def opened(path: str | Path) -> Iterator[h5py.File]:
     """Open a file for reading and check it.
 
-    Raises
-    ------
-    ResultsError
-        If it is not there, not HDF5, damaged, not complete by itself, or claims too much; also for
-        whatever its damage makes those who read it inside stumble into.
+    Raises ResultsError if it is not there, not HDF5, damaged, not complete by itself, or claims too
+    much; also for whatever its damage makes those who read it inside stumble into.
     """
     file = Path(path)
     check_is_file(file)
@@ -58,10 +55,7 @@ def opened(path: str | Path) -> Iterator[h5py.File]:
 def read_dataset(path: str | Path, **options: Any) -> xr.Dataset:  # noqa: ANN401
     """Return all of a file as a dataset; options are those of :func:`xarray.open_dataset`.
 
-    Raises
-    ------
-    ResultsError
-        As :func:`opened`.
+    Raises ResultsError as :func:`opened`.
     """
     with (
         opened(path),

@@ -243,10 +243,7 @@ def _oil_error(given: dict[str, float], heat: Heat, case: Sliding, friction: flo
 def check_heat(conditions: Conditions, heat: Heat) -> None:
     """Refuse contacts that the laws are not for.
 
-    Raises
-    ------
-    SurfaceError
-        If the contact has no dimensional data, is starved, or `heat` is none.
+    Raises SurfaceError if the contact has no dimensional data, is starved, or `heat` is none.
     """
     if not isinstance(heat, Heat):
         raise SurfaceError(

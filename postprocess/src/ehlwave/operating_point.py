@@ -83,8 +83,7 @@ class Film:
     Examples
     --------
     >>> import ehlwave
-    >>> contact = ehlwave.Contact(load_parameter_m=100, lubricant_parameter_l=10,
-    ...                           radius_ratio_d=1)
+    >>> contact = ehlwave.Contact(load_parameter_m=100, lubricant_parameter_l=10, radius_ratio_d=1)
     >>> film = contact.film()
     >>> print(f"Hc = {film.central_moes:.2f}, Hmin = {film.minimum_moes:.2f}")
     Hc = 3.87, Hmin = 2.08
@@ -137,8 +136,7 @@ class Response:
     Examples
     --------
     >>> import ehlwave
-    >>> contact = ehlwave.Contact(load_parameter_m=100, lubricant_parameter_l=10,
-    ...                           radius_ratio_d=1)
+    >>> contact = ehlwave.Contact(load_parameter_m=100, lubricant_parameter_l=10, radius_ratio_d=1)
     >>> response = contact.response(wavelength_over_a=0.5)
     >>> print(f"{abs(response.film):.2f} within {response.error:.2f}")
     0.92 within 0.01
@@ -192,8 +190,7 @@ class Contact:
     Examples
     --------
     >>> import ehlwave
-    >>> contact = ehlwave.Contact(load_parameter_m=100, lubricant_parameter_l=10,
-    ...                           radius_ratio_d=1)
+    >>> contact = ehlwave.Contact(load_parameter_m=100, lubricant_parameter_l=10, radius_ratio_d=1)
     >>> response = contact.response(wavelength_over_a=0.5)
     >>> print(f"Ad/Ai = {abs(response.film):.2f} within {response.error:.2f}")
     Ad/Ai = 0.92 within 0.01
@@ -201,7 +198,7 @@ class Contact:
     Half the oil that the flooded contact passes:
 
     >>> starved = ehlwave.Contact(load_parameter_m=100, lubricant_parameter_l=10,
-    ...                           radius_ratio_d=1, oil_over_flooded=0.5)
+    ...     radius_ratio_d=1, oil_over_flooded=0.5)
     >>> film, response = starved.film(), starved.response(wavelength_over_a=0.5)
     >>> print(f"Hc = {film.central_moes:.2f} within {film.central_error:.0%}")
     Hc = 1.89 within 4%
@@ -271,7 +268,7 @@ class Contact:
         >>> disc = ehlwave.Body(material="glass")
         >>> oil = ehlwave.Oil.from_grade(iso_vg=100, viscosity_index=95, temperature_k=313.15)
         >>> contact = ehlwave.Contact.from_bodies(ball, disc, oil=oil, load_n=20,
-        ...                                       speeds_m_per_s=(0.2, 0.2))
+        ...     speeds_m_per_s=(0.2, 0.2))
         >>> contact
         Contact(M=141.13, L=6.1412, D=1, S=1)
 
@@ -280,7 +277,7 @@ class Contact:
         >>> roller = ehlwave.Body(radius_x_m=0.02, material="steel")
         >>> oil = ehlwave.Oil.from_grade(iso_vg=46, temperature_k=333.15, eyring_stress_pa=5e6)
         >>> contact = ehlwave.Contact.from_bodies(roller, roller, oil=oil, load_n_per_m=4e5,
-        ...                                       speeds_m_per_s=(11, 9), heat=True)
+        ...     speeds_m_per_s=(11, 9), heat=True)
         >>> found = contact.film().heated
         >>> print(f"friction {found.friction:.3f} in place of {found.isothermal_friction:.3f}")
         friction 0.018 in place of 0.038
@@ -330,7 +327,7 @@ class Contact:
         --------
         >>> import ehlwave
         >>> contact = ehlwave.Contact(load_parameter_m=100, lubricant_parameter_l=10,
-        ...                           radius_ratio_d=1)
+        ...     radius_ratio_d=1)
         >>> contact.atlas().kind.name
         'rolling'
         """
@@ -367,8 +364,7 @@ class Contact:
         --------
         >>> import ehlwave
         >>> contact = ehlwave.Contact(radius_x_m=0.0127, radius_y_m=0.0127,
-        ...                           reduced_modulus_pa=2.26e11, load_n=40,
-        ...                           mean_speed_m_per_s=4, viscosity_pa_s=0.05)
+        ...     reduced_modulus_pa=2.26e11, load_n=40, mean_speed_m_per_s=4, viscosity_pa_s=0.05)
         >>> film = contact.film()
         >>> print(f"{film.central_m * 1e6:.2f} um within {film.central_error:.0%}")
         0.83 um within 1%
@@ -451,7 +447,7 @@ class Contact:
         --------
         >>> import ehlwave
         >>> contact = ehlwave.Contact(load_parameter_m=100, lubricant_parameter_l=10,
-        ...                           radius_ratio_d=1)
+        ...     radius_ratio_d=1)
         >>> for angle in (0, 45, 90):
         ...     print(angle, f"{abs(contact.response(0.5, angle_deg=angle).film):.2f}")
         0 0.92
@@ -547,7 +543,7 @@ class Contact:
         --------
         >>> import ehlwave
         >>> contact = ehlwave.Contact(load_parameter_m=100, lubricant_parameter_l=10,
-        ...                           radius_ratio_d=1)
+        ...     radius_ratio_d=1)
         >>> found = contact.responses([0.5, 1, 9], angle_deg=[0, 90])
         >>> found["film_amplitude"].values.round(2).tolist()
         [[0.92, 0.65], [0.68, 0.39], [nan, nan]]
@@ -581,7 +577,7 @@ class Contact:
         --------
         >>> import ehlwave
         >>> contact = ehlwave.Contact(load_parameter_m=100, lubricant_parameter_l=10,
-        ...                           radius_ratio_d=1)
+        ...     radius_ratio_d=1)
         >>> figure = contact.plot()
         >>> [axes.get_ylabel() for axes in figure.axes][1]
         'lag of the film [degrees]'
@@ -610,7 +606,7 @@ class Contact:
         --------
         >>> import ehlwave
         >>> contact = ehlwave.Contact(load_parameter_m=100, lubricant_parameter_l=10,
-        ...                           radius_ratio_d=1)
+        ...     radius_ratio_d=1)
         >>> contact.transfer("paper").name
         "formula (18), the paper's coefficients"
         """
@@ -675,8 +671,7 @@ class Contact:
         >>> import numpy as np
         >>> import ehlwave
         >>> contact = ehlwave.Contact(radius_x_m=0.0127, radius_y_m=0.0127,
-        ...                           reduced_modulus_pa=2.26e11, load_n=40,
-        ...                           mean_speed_m_per_s=4, viscosity_pa_s=0.05)
+        ...     reduced_modulus_pa=2.26e11, load_n=40, mean_speed_m_per_s=4, viscosity_pa_s=0.05)
         >>> x = np.arange(0, 2e-3, 2e-6)
         >>> height = 50e-9 * np.cos(2 * np.pi * x / 1e-4)
         >>> trace = ehlwave.deform.trace_surface(height, step_m=2e-6, axis="x", name="waves")
@@ -722,8 +717,7 @@ class Contact:
         >>> import numpy as np
         >>> import ehlwave
         >>> contact = ehlwave.Contact(radius_x_m=0.0127, radius_y_m=0.0127,
-        ...                           reduced_modulus_pa=2.26e11, load_n=40,
-        ...                           mean_speed_m_per_s=4, viscosity_pa_s=0.05)
+        ...     reduced_modulus_pa=2.26e11, load_n=40, mean_speed_m_per_s=4, viscosity_pa_s=0.05)
         >>> x = np.arange(0, 2e-3, 2e-6)
         >>> ball, disc = (30e-9 * np.cos(2 * np.pi * x / wave) for wave in (1e-4, 7e-5))
         >>> pair = contact.deform_pair(ball, disc, step=2e-6)
@@ -782,8 +776,7 @@ class Contact:
         >>> import numpy as np
         >>> import ehlwave
         >>> contact = ehlwave.Contact(radius_x_m=0.0127, radius_y_m=0.0127,
-        ...                           reduced_modulus_pa=2.26e11, load_n=40,
-        ...                           mean_speed_m_per_s=4, viscosity_pa_s=0.05)
+        ...     reduced_modulus_pa=2.26e11, load_n=40, mean_speed_m_per_s=4, viscosity_pa_s=0.05)
         >>> x = np.arange(0, 2e-3, 2e-6)
         >>> height = 50e-9 * np.cos(2 * np.pi * x / 1e-4)
         >>> trace = ehlwave.deform.trace_surface(height, step_m=2e-6, axis="x", name="waves")
@@ -825,8 +818,7 @@ class Contact:
         >>> import numpy as np
         >>> import ehlwave
         >>> contact = ehlwave.Contact(radius_x_m=0.0127, radius_y_m=0.0127,
-        ...                           reduced_modulus_pa=2.26e11, load_n=40,
-        ...                           mean_speed_m_per_s=4, viscosity_pa_s=0.05)
+        ...     reduced_modulus_pa=2.26e11, load_n=40, mean_speed_m_per_s=4, viscosity_pa_s=0.05)
         >>> x = np.arange(0, 2e-3, 2e-6)
         >>> height = 50e-9 * np.cos(2 * np.pi * x / 1e-4)
         >>> trace = ehlwave.deform.trace_surface(height, step_m=2e-6, axis="x", name="waves")

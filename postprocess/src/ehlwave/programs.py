@@ -21,10 +21,7 @@ def find_program(name: str) -> Path:
     In this order: the folder ``EHLWAVE_PROGRAMS``; ``PATH``; the build tree that this package is in
     the source tree of (``build/native``, then ``build/release``); the folder of the wheel.
 
-    Raises
-    ------
-    ProgramError
-        If there is none.
+    Raises ProgramError if there is none.
     """
     folder = os.environ.get("EHLWAVE_PROGRAMS")
     if folder:
@@ -66,10 +63,7 @@ def find_run_sweep() -> Path | None:
 def namelist(groups: Groups) -> str:
     """Return the text of an input file, one key a line; lists become comma-separated values.
 
-    Raises
-    ------
-    ProgramError
-        If a text has a line break, which no input file can hold.
+    Raises ProgramError if a text has a line break, which no input file can hold.
     """
     lines = []
     for group, keys in groups.items():

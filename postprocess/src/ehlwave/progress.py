@@ -39,10 +39,7 @@ def run_following(
 
     An error of the callback, Ctrl-C among them, ends the program in good order before it is raised.
 
-    Raises
-    ------
-    subprocess.TimeoutExpired
-        If it takes longer than `seconds`.
+    Raises subprocess.TimeoutExpired if it takes longer than `seconds`.
     """
     if callback is None:
         return subprocess.run(

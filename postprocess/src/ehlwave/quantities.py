@@ -31,22 +31,15 @@ UNITS = {
 
 @dataclass(frozen=True)
 class Plausible:
-    """What contacts have: values outside ``low`` to ``high`` are refused.
-
-    Attributes
-    ----------
-    low, high : float
-        What no contact is known beyond, SI.
-    usual : tuple of float
-        What most have: a factor that leads here is what is asked about.
-    factors : tuple of float
-        That are tried: prefixes, or per cent.
-    """
+    """What contacts have: values outside ``low`` to ``high`` are refused."""
 
     low: float
     high: float
+    """`low`, `high`: what no contact is known beyond, SI."""
     usual: tuple[float, float]
+    """What most have: a factor that leads here is what is asked about."""
     factors: tuple[float, ...] = (1e9, 1e6, 1e3, 1e-3, 1e-6, 1e-9)
+    """That are tried: prefixes, or per cent."""
 
 
 _PER_CENT = (1e-2,)
@@ -125,10 +118,7 @@ def plain(value: Any, name: str) -> Any:  # noqa: ANN401 - a number, an array, o
 def number(value: Any, name: str, place: str = "") -> float:  # noqa: ANN401 - what users give
     """Return a finite number in SI; a plain one only where contacts have such values.
 
-    Raises
-    ------
-    SurfaceError
-        If it is no number, or a plain one that no contact has: a prefix forgotten.
+    Raises SurfaceError if it is no number, or a plain one that no contact has: a prefix forgotten.
     """
     start = f"{place}: " if place else ""
     has_unit = is_quantity(value)

@@ -51,7 +51,7 @@ def read_results(paths: str | Path | Sequence[str | Path]) -> xr.Dataset:
     --------
     >>> import ehlwave
     >>> study = ehlwave.Study({"load_parameter_m": [10, 20]}, lubricant_parameter_l=5,
-    ...                       radius_ratio_d=1, cells_x=64, cells_y=64)
+    ...     radius_ratio_d=1, cells_x=64, cells_y=64)
     >>> _ = study.run("results.h5")
     >>> results = ehlwave.read_results("results.h5")
     >>> results["status"].values.tolist()

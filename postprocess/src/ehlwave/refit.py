@@ -80,8 +80,7 @@ class RefitRow:
     >>> import ehlwave
     >>> grid = {"load_parameter_m": [10, 20, 50], "wavelength_over_a": [1, 2, 4]}
     >>> study = ehlwave.Study(grid, lubricant_parameter_l=5, radius_ratio_d=1,
-    ...                       cells_x=64, cells_y=64,
-    ...                       orientation="transverse", response="harmonic")
+    ...     cells_x=64, cells_y=64, orientation="transverse", response="harmonic")
     >>> results = study.run()
     >>> points = ehlwave.select_points(results, "harmonic")
     >>> row = ehlwave.refit_groups(points, ehlwave.RefitSettings(replicates=20))[0]
@@ -129,8 +128,7 @@ def refit_groups(points: xr.Dataset, settings: RefitSettings | None = None) -> l
     >>> import ehlwave
     >>> grid = {"load_parameter_m": [10, 20, 50], "wavelength_over_a": [1, 2, 4]}
     >>> study = ehlwave.Study(grid, lubricant_parameter_l=5, radius_ratio_d=1,
-    ...                       cells_x=64, cells_y=64,
-    ...                       orientation="transverse", response="harmonic")
+    ...     cells_x=64, cells_y=64, orientation="transverse", response="harmonic")
     >>> results = study.run()
     >>> points = ehlwave.select_points(results, "harmonic")
     >>> rows = ehlwave.refit_groups(points, ehlwave.RefitSettings(replicates=20))

@@ -35,18 +35,12 @@ MOST_OVERROLLINGS = 1e12
 
 @dataclass(frozen=True)
 class Track:
-    """What films over time depend on besides r.
-
-    Attributes
-    ----------
-    conditions : Conditions
-        Of the starved contact, from dimensional data.
-    length_m : float
-        Of the tracks of both bodies together, m.
-    """
+    """What films over time depend on besides r."""
 
     conditions: Conditions
+    """Of the starved contact, from dimensional data."""
     length_m: float
+    """Of the tracks of both bodies together, m."""
 
     def __post_init__(self) -> None:
         """Refuse what has no film in metres, no viscosity or another oil."""
@@ -175,10 +169,7 @@ def side_flow(film: ArrayLike, growth: ArrayLike) -> Floats:
 
 
 def by_both_losses(
-    conditions: Conditions,
-    overrollings: NDArray[np.int64],
-    growth: float,
-    factor: float = 1.0,
+    conditions: Conditions, overrollings: NDArray[np.int64], growth: float, factor: float = 1.0
 ) -> Floats:
     """Return R of overrollings by both losses, (C9).
 
@@ -244,8 +235,8 @@ def replenish(conditions: Conditions, track_length_m: float, overrollings: float
     >>> import ehlwave
     >>> from ehlwave.replenishment import replenish
     >>> contact = ehlwave.Contact(radius_x_m=0.0127, radius_y_m=0.0127,
-    ...                           reduced_modulus_pa=2.26e11, load_n=120,
-    ...                           mean_speed_m_per_s=4, viscosity_pa_s=0.05, oil_over_flooded=0.5)
+    ...     reduced_modulus_pa=2.26e11, load_n=120,
+    ...     mean_speed_m_per_s=4, viscosity_pa_s=0.05, oil_over_flooded=0.5)
     >>> table = replenish(contact.conditions, track_length_m=0.3, overrollings=100)
     >>> table[["overrollings", "inlet"]].iloc[[0, -1]].round(2).to_numpy().tolist()
     [[1.0, 0.48], [100.0, 0.23]]

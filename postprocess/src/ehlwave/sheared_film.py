@@ -27,30 +27,23 @@ ROELANDS_K = 138.0
 
 @dataclass(frozen=True)
 class Sliding:
-    """A film between two surfaces that slide.
-
-    Attributes
-    ----------
-    hertz_pa, semi_axis_a_m, film_m : float
-        Largest pressure, half width along rolling, film.
-    mean_speed_m_per_s, slide_to_roll_ratio : float
-        Mean speed and ratio, not 0.
-    viscosity_pa_s, pressure_viscosity_per_pa, roelands_index, eyring_stress_pa : float
-        Of a Ree-Eyring oil with Roelands' viscosity.
-    is_line : bool
-        Whether it has no ends across.
-    """
+    """A film between two surfaces that slide."""
 
     hertz_pa: float
     semi_axis_a_m: float
     film_m: float
+    """`hertz_pa`, `semi_axis_a_m`, `film_m`: largest pressure, half width along rolling, film."""
     mean_speed_m_per_s: float
     slide_to_roll_ratio: float
+    """`mean_speed_m_per_s`, `slide_to_roll_ratio`: mean speed and ratio, not 0."""
     viscosity_pa_s: float
     pressure_viscosity_per_pa: float
     roelands_index: float
     eyring_stress_pa: float
+    """`viscosity_pa_s`, `pressure_viscosity_per_pa`, `roelands_index`, `eyring_stress_pa`: of a
+    Ree-Eyring oil with Roelands' viscosity."""
     is_line: bool
+    """Whether it has no ends across."""
 
     @property
     def speeds(self) -> tuple[float, float]:

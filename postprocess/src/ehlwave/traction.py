@@ -42,20 +42,14 @@ RISES = {
 
 @dataclass(frozen=True)
 class Traction:
-    """Friction of a contact over its slide-to-roll ratio.
-
-    Attributes
-    ----------
-    table : pandas.DataFrame
-        ``slide_to_roll_ratio``; friction coefficients ``isothermal``, ``thermal``, ``limited`` and
-        ``limited_thermal``, as far as heat and a limit are given; the largest rises, K, and the
-        central film, um, of the last of these; ``regime``; ``status`` of the computed cases.
-    limit : float or None
-        Largest shear stress over pressure.
-    """
+    """Friction of a contact over its slide-to-roll ratio."""
 
     table: pd.DataFrame
+    """``slide_to_roll_ratio``; friction coefficients ``isothermal``, ``thermal``, ``limited`` and
+    ``limited_thermal``, as far as heat and a limit are given; the largest rises, K, and the central
+    film, um, of the last of these; ``regime``; ``status`` of the computed cases."""
     limit: float | None
+    """Largest shear stress over pressure."""
 
     @property
     def curve(self) -> str:
@@ -74,10 +68,7 @@ class Traction:
 def read_keys(path: str | Path) -> dict[str, Any]:
     """Return the keys of an input file of ``ehlwave-case``, whatever their group.
 
-    Raises
-    ------
-    ArgumentError
-        If the file is none, or has waves or lists of a sweep.
+    Raises ArgumentError if the file is none, or has waves or lists of a sweep.
     """
     if not Path(path).is_file():
         raise ArgumentError(f"{path}: no such file: give an input file of ehlwave-case")
@@ -166,9 +157,7 @@ def _without_heat(keys: Mapping[str, Any], cases: pd.DataFrame, ranks: int) -> N
     cold = {key: value for key, value in keys.items() if key not in (*heat, "temperature_k")}
     found = Study(cases, **cold).run(ranks=ranks, progress=False)
     return np.where(
-        np.isin(found["status"].values, SETTLED),
-        found["friction_coefficient"].values,
-        np.nan,
+        np.isin(found["status"].values, SETTLED), found["friction_coefficient"].values, np.nan
     )
 
 
@@ -191,8 +180,7 @@ def regimes(table: pd.DataFrame, slope: float) -> list[str]:
     >>> import pandas as pd
     >>> from ehlwave.traction import regimes
     >>> regimes(pd.DataFrame({"slide_to_roll_ratio": [0.01, 0.1, 1],
-    ...                       "isothermal": [0.01, 0.04, 0.06],
-    ...                       "thermal": [0.01, 0.039, 0.03]}), slope=1.05)
+    ...     "isothermal": [0.01, 0.04, 0.06], "thermal": [0.01, 0.039, 0.03]}), slope=1.05)
     ['linear', 'nonlinear', 'thermal']
     """
     cold = table["isothermal"].to_numpy(dtype=float)

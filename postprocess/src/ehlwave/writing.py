@@ -55,10 +55,7 @@ class Writer:
     def folder(self, path: str | Path) -> Path:
         """Return a folder, made if it is not there.
 
-        Raises
-        ------
-        OutputError
-            If there is something else of this name.
+        Raises OutputError if there is something else of this name.
         """
         place = Path(path)
         for part in (place, *place.parents):
@@ -70,12 +67,8 @@ class Writer:
     def file(self, path: str | Path, write: Callable[[Path], object]) -> Path:
         """Let `write` make a file of the name it is given, and move that to its place.
 
-        Raises
-        ------
-        OutputError
-            If there is something of this name that must not be replaced.
-        OSError
-            If it cannot be written; then there is nothing of it.
+        Raises OutputError if there is something of this name that must not be replaced; OSError if
+        it cannot be written; then there is nothing of it.
         """
         place = Path(path)
         self.check(place)
@@ -142,10 +135,7 @@ class Writer:
     def parquet(self, path: str | Path, table: pd.DataFrame) -> Path:
         """Write a table as Parquet.
 
-        Raises
-        ------
-        ResultsError
-            If pyarrow is not installed.
+        Raises ResultsError if pyarrow is not installed.
         """
         try:
             import pyarrow  # noqa: F401

@@ -250,6 +250,22 @@ def _end(c: Contact, row: Row) -> Value:
     return c.between(1, 6)
 
 
+def _between(low: float, high: float) -> Draw:
+    return lambda c, row: c.between(low, high)
+
+
+def _power(low: float, high: float) -> Draw:
+    return lambda c, row: c.power(low, high)
+
+
+def _whole(low: float, high: float) -> Draw:
+    return lambda c, row: int(c.power(low, high))
+
+
+def _one_of(*choices: Value) -> Draw:
+    return lambda c, row: c.one_of(*choices)
+
+
 _custom = _where("orientation", "custom")
 _yasutomi = _where("viscosity_law", "yasutomi")
 _doolittle = _where("viscosity_law", "doolittle")
@@ -290,69 +306,65 @@ DRAWS: dict[str, Draw] = {
     "slip_parameter": _slip,
     "viscosity_law": _law,
     "pressure_viscosity_per_pa": _has_alpha(lambda c, row: c.alpha),
-    "roelands_index": _has_alpha(_share(0.4, lambda c, row: c.between(0.4, 0.9))),
-    "density_law": _share(
-        0.4, lambda c, row: c.one_of("incompressible", "tait", "dowson_higginson")
-    ),
-    "flow_law": _share(0.5, lambda c, row: c.one_of("eyring", "eyring", "carreau", "newtonian")),
-    "eyring_stress_pa": _where("flow_law", "eyring")(lambda c, row: c.power(1e5, 2e7)),
-    "carreau_modulus_pa": _where("flow_law", "carreau")(lambda c, row: c.power(1e5, 1e7)),
-    "carreau_exponent": _where("flow_law", "carreau")(lambda c, row: c.between(0.35, 1)),
-    "shear_limit_over_pressure": _share(0.2, lambda c, row: c.between(0.03, 0.15)),
+    "roelands_index": _has_alpha(_share(0.4, _between(0.4, 0.9))),
+    "density_law": _share(0.4, _one_of("incompressible", "tait", "dowson_higginson")),
+    "flow_law": _share(0.5, _one_of("eyring", "eyring", "carreau", "newtonian")),
+    "eyring_stress_pa": _where("flow_law", "eyring")(_power(1e5, 2e7)),
+    "carreau_modulus_pa": _where("flow_law", "carreau")(_power(1e5, 1e7)),
+    "carreau_exponent": _where("flow_law", "carreau")(_between(0.35, 1)),
+    "shear_limit_over_pressure": _share(0.2, _between(0.03, 0.15)),
     "shear_limit_width": lambda c, row: (
         c.between(0.05, 0.3) if "shear_limit_over_pressure" in row else None
     ),
-    "mcewen_coefficient_per_pa": _where("viscosity_law", "mcewen")(
-        lambda c, row: c.power(8e-9, 3e-8)
-    ),
-    "mcewen_exponent": _where("viscosity_law", "mcewen")(lambda c, row: c.between(4, 16)),
-    "yasutomi_c1": _yasutomi(lambda c, row: c.between(15.5, 16.5)),
-    "yasutomi_c2_k": _yasutomi(lambda c, row: c.between(15, 27)),
-    "yasutomi_above_glass_k": _yasutomi(lambda c, row: c.between(90, 130)),
-    "yasutomi_a1_k": _yasutomi(lambda c, row: c.between(40, 290)),
-    "yasutomi_a2_per_pa": _yasutomi(lambda c, row: c.power(6e-10, 4e-9)),
-    "yasutomi_b1_per_pa": _yasutomi(lambda c, row: c.power(5e-9, 1e-8)),
-    "yasutomi_b2": _yasutomi(lambda c, row: c.between(-0.6, -0.3)),
-    "doolittle_factor": _doolittle(lambda c, row: c.between(3, 5)),
-    "doolittle_occupied_fraction": _doolittle(lambda c, row: c.between(0.6, 0.72)),
-    "tait_modulus_pa": _tait(lambda c, row: c.power(8e8, 2e9)),
-    "tait_modulus_rate": _tait(lambda c, row: c.between(9, 12)),
-    "tait_softening_per_k": _warm(_tait(lambda c, row: c.between(0.004, 0.008))),
-    "doolittle_occupied_rate_per_k": _warm(_doolittle(lambda c, row: c.between(-1.5e-3, -5e-4))),
+    "mcewen_coefficient_per_pa": _where("viscosity_law", "mcewen")(_power(8e-9, 3e-8)),
+    "mcewen_exponent": _where("viscosity_law", "mcewen")(_between(4, 16)),
+    "yasutomi_c1": _yasutomi(_between(15.5, 16.5)),
+    "yasutomi_c2_k": _yasutomi(_between(15, 27)),
+    "yasutomi_above_glass_k": _yasutomi(_between(90, 130)),
+    "yasutomi_a1_k": _yasutomi(_between(40, 290)),
+    "yasutomi_a2_per_pa": _yasutomi(_power(6e-10, 4e-9)),
+    "yasutomi_b1_per_pa": _yasutomi(_power(5e-9, 1e-8)),
+    "yasutomi_b2": _yasutomi(_between(-0.6, -0.3)),
+    "doolittle_factor": _doolittle(_between(3, 5)),
+    "doolittle_occupied_fraction": _doolittle(_between(0.6, 0.72)),
+    "tait_modulus_pa": _tait(_power(8e8, 2e9)),
+    "tait_modulus_rate": _tait(_between(9, 12)),
+    "tait_softening_per_k": _warm(_tait(_between(0.004, 0.008))),
+    "doolittle_occupied_rate_per_k": _warm(_doolittle(_between(-1.5e-3, -5e-4))),
     "viscosity_table": _table(lambda c, row: c.viscosities()),
     "temperature_k": lambda c, row: (
         c.between(AMBIENT_K, AMBIENT_K + 50)
         if c.is_warm or row.get("viscosity_law") == "table"
         else None
     ),
-    "oil_conductivity_w_per_m_k": _warm(lambda c, row: c.between(0.1, 0.2)),
-    "oil_heat_capacity_j_per_kg_k": _warm(lambda c, row: c.between(1600, 2400)),
-    "oil_density_kg_per_m3": _warm(lambda c, row: c.between(800, 1000)),
-    "oil_expansion_per_k": _warm(_share(0.8, lambda c, row: c.between(5e-4, 9e-4))),
+    "oil_conductivity_w_per_m_k": _warm(_between(0.1, 0.2)),
+    "oil_heat_capacity_j_per_kg_k": _warm(_between(1600, 2400)),
+    "oil_density_kg_per_m3": _warm(_between(800, 1000)),
+    "oil_expansion_per_k": _warm(_share(0.8, _between(5e-4, 9e-4))),
     "viscosity_temperature_per_k": _warm(_beta),
-    "body_conductivity_w_per_m_k": _warm(_share(0.2, lambda c, row: c.between(1, 60))),
-    "body_density_kg_per_m3": _warm(_share(0.2, lambda c, row: c.between(2000, 8000))),
-    "body_heat_capacity_j_per_kg_k": _warm(_share(0.2, lambda c, row: c.between(400, 900))),
-    "body2_conductivity_w_per_m_k": _warm(_share(0.2, lambda c, row: c.between(1, 60))),
-    "body2_density_kg_per_m3": _warm(_share(0.2, lambda c, row: c.between(2000, 8000))),
-    "body2_heat_capacity_j_per_kg_k": _warm(_share(0.2, lambda c, row: c.between(400, 900))),
-    "levels": _warm(_share(0.2, lambda c, row: int(c.power(6, 40)))),
+    "body_conductivity_w_per_m_k": _warm(_share(0.2, _between(1, 60))),
+    "body_density_kg_per_m3": _warm(_share(0.2, _between(2000, 8000))),
+    "body_heat_capacity_j_per_kg_k": _warm(_share(0.2, _between(400, 900))),
+    "body2_conductivity_w_per_m_k": _warm(_share(0.2, _between(1, 60))),
+    "body2_density_kg_per_m3": _warm(_share(0.2, _between(2000, 8000))),
+    "body2_heat_capacity_j_per_kg_k": _warm(_share(0.2, _between(400, 900))),
+    "levels": _warm(_share(0.2, _whole(6, 40))),
     "orientation": _orientation,
-    "wavelength_over_a": _where("orientation", *ONE_LENGTH)(lambda c, row: c.power(0.5, 3)),
+    "wavelength_over_a": _where("orientation", *ONE_LENGTH)(_power(0.5, 3)),
     "wavelength_x_over_a": _custom(lambda c, row: 0.0 if c.chance(0.15) else c.power(0.4, 3)),
     "wavelength_y_over_a": _wave_y,
     "oblique": _custom(
         lambda c, row: c.chance(0.5) and row["wavelength_x_over_a"] * row["wavelength_y_over_a"] > 0
     ),
-    "amplitude_over_film": _wavy(_share(0.7, lambda c, row: c.power(0.01, 1))),
+    "amplitude_over_film": _wavy(_share(0.7, _power(0.01, 1))),
     "response": _response,
     "wave_temperatures": _where("response", "transient", "both")(
         lambda c, row: "carried" if c.carries_heat else None
     ),
     "file": lambda c, row: c.surface() if c.has_surface else None,
     "orientation_2": _orientation_2,
-    "wavelength_over_a_2": _where("orientation_2", *ONE_LENGTH)(lambda c, row: c.power(0.5, 3)),
-    "wavelength_x_over_a_2": _where("orientation_2", "custom")(lambda c, row: c.power(0.4, 3)),
+    "wavelength_over_a_2": _where("orientation_2", *ONE_LENGTH)(_power(0.5, 3)),
+    "wavelength_x_over_a_2": _where("orientation_2", "custom")(_power(0.4, 3)),
     "wavelength_y_over_a_2": _where("orientation_2", "custom")(
         lambda c, row: 0.0 if c.chance(0.3) else c.power(0.5, 2.5)
     ),
@@ -360,52 +372,48 @@ DRAWS: dict[str, Draw] = {
         lambda c, row: c.chance(0.5) and row["wavelength_y_over_a_2"] > 0
     ),
     "amplitude_over_film_2": _where("orientation_2", *ONE_LENGTH, "custom")(
-        _share(0.7, lambda c, row: c.power(0.01, 0.5))
+        _share(0.7, _power(0.01, 0.5))
     ),
     "file_2": _share(0.2, lambda c, row: c.surface() if c.has_surface else None),
     "oil_over_flooded": _oil,
     "oil_layer_m": _layer,
     "oil_profile": _starved(_share(0.2, lambda c, row: c.layers())),
     "oil_change_factor": _starved(
-        _where("response", "transient", "both")(_share(0.2, lambda c, row: c.between(0.5, 1.5)))
+        _where("response", "transient", "both")(_share(0.2, _between(0.5, 1.5)))
     ),
-    "oil_change_start": _changing(lambda c, row: c.between(0, 2)),
-    "oil_change_length": _changing(_share(0.5, lambda c, row: c.between(0.5, 2))),
-    "x_min": _share(0.15, lambda c, row: c.between(-5, -2)),
-    "x_max": _share(0.15, lambda c, row: c.between(1.3, 2.5)),
+    "oil_change_start": _changing(_between(0, 2)),
+    "oil_change_length": _changing(_share(0.5, _between(0.5, 2))),
+    "x_min": _share(0.15, _between(-5, -2)),
+    "x_max": _share(0.15, _between(1.3, 2.5)),
     "y_max": _share(0.15, lambda c, row: None if c.is_line else c.between(1.5, 3)),
     "cells_x": _cells,
     "cells_y": lambda c, row: None if c.is_line else _cells(c, row),
     "largest_cells": lambda c, row: c.one_of(*LARGEST_CELLS) * (4 if c.is_line else 1),
     "domain": _share(0.08, lambda c, row: None if c.is_line else c.one_of("auto", "whole")),
-    "edges": _share(0.4, lambda c, row: c.one_of("truncated", "flooded")),
+    "edges": _share(0.4, _one_of("truncated", "flooded")),
     "tolerance": _tolerance(1e-6),
     "step_tolerance": _tolerance(1e-4),
     "response_tolerance": _tolerance(1e-5),
     "time_step_over_cell": _step,
-    "largest_steps": _share(0.1, lambda c, row: int(c.power(20, 100))),
-    "settling_periods": _share(0.15, lambda c, row: c.one_of(0, 1, 2, 3)),
-    "largest_total_steps": _share(0.05, lambda c, row: int(c.power(200, 5000))),
+    "largest_steps": _share(0.1, _whole(20, 100)),
+    "settling_periods": _share(0.15, _one_of(0, 1, 2, 3)),
+    "largest_total_steps": _share(0.05, _whole(200, 5000)),
     "method": _method,
-    "cycle": _where("method", "fas")(_share(0.6, lambda c, row: c.one_of("v", "f", "w"))),
+    "cycle": _where("method", "fas")(_share(0.6, _one_of("v", "f", "w"))),
     "deformation": _share(
         0.2, lambda c, row: "fft" if c.is_line else c.one_of("auto", "mlmi", "fft")
     ),
-    "error_estimate": _share(0.1, lambda c, row: c.one_of("model", "coarse_grid")),
+    "error_estimate": _share(0.1, _one_of("model", "coarse_grid")),
     "accuracy": lambda c, row: c.accuracy,
-    "threads": _share(0.2, lambda c, row: c.one_of(1, 2, 3)),
+    "threads": _share(0.2, _one_of(1, 2, 3)),
     "load_balance": _share(
         0.08, lambda c, row: "force_balance" if c.is_line else "equation_of_motion"
     ),
-    "natural_frequency": _where("load_balance", "equation_of_motion")(
-        lambda c, row: c.power(1, 30)
-    ),
-    "load_factor": _share(0.03, lambda c, row: c.between(0.8, 1.2)),
+    "natural_frequency": _where("load_balance", "equation_of_motion")(_power(1, 30)),
+    "load_factor": _share(0.03, _between(0.8, 1.2)),
     "end_time": _end,
     "fields": _share(0.1, lambda c, row: True),
-    "fields_every": _where("response", "transient", "both")(
-        _share(0.2, lambda c, row: int(c.power(4, 40)))
-    ),
+    "fields_every": _where("response", "transient", "both")(_share(0.2, _whole(4, 40))),
     "sensitivities": _share(
         0.1, lambda c, row: None if {"oil_over_flooded", "oil_layer_m"} & set(row) else True
     ),

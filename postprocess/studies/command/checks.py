@@ -50,8 +50,7 @@ def accuracy(options: argparse.Namespace) -> int:
 
 
 @study(
-    "jacobian",
-    ("preset", {"nargs": "?", "choices": ("release", "debug"), "default": "release"}),
+    "jacobian", ("preset", {"nargs": "?", "choices": ("release", "debug"), "default": "release"})
 )
 def jacobian(options: argparse.Namespace) -> int:
     """Test the Jacobian of every law of viscosity and flow (Taylor test).

@@ -4,16 +4,7 @@ import argparse
 import os
 
 from studies.command import steps
-from studies.command.options import (
-    COUNT,
-    Option,
-    at_once,
-    flag,
-    given,
-    option,
-    output,
-    study,
-)
+from studies.command.options import COUNT, Option, at_once, flag, given, option, output, study
 
 
 @study(

@@ -49,10 +49,7 @@ def call(
 ) -> tuple[int, str]:
     """Run a command; return its exit status and, with ``stdout=subprocess.PIPE``, what it said.
 
-    Raises
-    ------
-    StoppedError
-        If its exit status is not accepted.
+    Raises StoppedError if its exit status is not accepted.
     """
     sys.stdout.flush()
     words = list(map(str, command))

@@ -75,10 +75,7 @@ def available_methods() -> tuple[str, ...]:
 def write_cases(folder: Path, extent: Extent) -> Path:
     """Write the sweep of the runs whose methods the build takes; return the path of its file.
 
-    Raises
-    ------
-    ResultsError
-        If the program cannot be run.
+    Raises ResultsError if the program cannot be run.
     """
     try:
         runs = all_runs(extent, available_methods())

@@ -64,10 +64,7 @@ def all_runs(surface: str | None = None) -> list[Run]:
 def read_input(path: Path) -> Groups:
     """Return the groups of the study's input file.
 
-    Raises
-    ------
-    ResultsError
-        If it cannot be read.
+    Raises ResultsError if it cannot be read.
     """
     if not path.is_file():
         raise ResultsError(f"{path}: no such file; --inputs names the folder of experiment.nml")
@@ -87,11 +84,7 @@ def keys_of(run: Run, base: Groups, smooth_film_m: float | None = None) -> dict[
         Central film of the smooth contact on the same grid, m, which ``&waviness`` counts
         amplitudes in; needed for the cosine.
     """
-    keys = {
-        "mean_speed_m_per_s": run.speed,
-        "cells_x": run.cells_x,
-        "cells_y": run.cells_y,
-    }
+    keys = {"mean_speed_m_per_s": run.speed, "cells_x": run.cells_x, "cells_y": run.cells_y}
     if run.variant == PAPER_ML:
         keys |= _keys_of_printed_ml(base, run.speed)
     elif run.variant == Z_DEFAULT:

@@ -75,10 +75,7 @@ class Value:
 def read_solved(folder: Path, run: Run) -> Solved:
     """Read a finished run, once.
 
-    Raises
-    ------
-    ResultsError
-        If the run is not finished, or did not converge on a grid that resolves it.
+    Raises ResultsError if the run is not finished, or did not converge on a grid that resolves it.
     """
     result = finished(folder, run)
     fields = read_contact(fields_file(folder, run.surface, result))

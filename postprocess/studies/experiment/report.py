@@ -8,15 +8,7 @@ import pandas as pd
 from ehlwave.deform import read_surface
 from ehlwave.errors import ResultsError
 from studies.experiment import paper
-from studies.experiment.cases import (
-    GRIDS,
-    SMOOTH,
-    SPEEDS,
-    TRACE,
-    Run,
-    all_runs,
-    read_input,
-)
+from studies.experiment.cases import GRIDS, SMOOTH, SPEEDS, TRACE, Run, all_runs, read_input
 from studies.experiment.comparison import (
     definition_rows,
     film_rows,

@@ -39,10 +39,7 @@ def write_runs(folder: Path, surface: str, base: Groups, trace: Path) -> Path:
 def finished(folder: Path, run: Run) -> dict[str, Any]:
     """Return the result of a run.
 
-    Raises
-    ------
-    ResultsError
-        If it is not finished, or did not converge on a grid that resolves it.
+    Raises ResultsError if it is not finished, or did not converge on a grid that resolves it.
     """
     runs = all_runs(run.surface)
     row = sweeps.read_sweep(folder, run.surface, len(runs))[runs.index(run)]

@@ -68,10 +68,7 @@ def compare_speeds(
 
     `tables` is the folder of the harmonic tables.
 
-    Raises
-    ------
-    ResultsError
-        If a simulation is not finished, or did not converge.
+    Raises ResultsError if a simulation is not finished, or did not converge.
     """
     rows = sweeps.read_sweep(folder, surface.name, len(speeds))
     moved = read_surface(sweeps.surface_file(folder, surface))

@@ -125,10 +125,7 @@ def write_traces(
 def compare_traces(folder: Path, points_per_a: int = POINTS_PER_A) -> list[LambdaRatio]:
     """Return the lambda ratios of all traces of the sweep.
 
-    Raises
-    ------
-    ResultsError
-        If a simulation is not finished, or did not converge.
+    Raises ResultsError if a simulation is not finished, or did not converge.
     """
     files = sorted(folder.glob("trace-*.csv"))
     rows = {Path(row["file"]).stem: row for row in sweeps.read_sweep(folder, SWEEP, len(files))}

@@ -5,12 +5,7 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 
-from ehlwave.formula import (
-    RECOMMENDED_L_EXPONENT,
-    RECOMMENDED_SCALE,
-    RECOMMENDED_SHARPNESS,
-    f_of_r,
-)
+from ehlwave.formula import RECOMMENDED_L_EXPONENT, RECOMMENDED_SCALE, RECOMMENDED_SHARPNESS, f_of_r
 from ehlwave.points import select_points
 from ehlwave.read import read_results
 from studies.paper import better_formula_figures as figures

@@ -67,10 +67,7 @@ def fresh_cases() -> Iterator[tuple[float, float, float, str, float, float, floa
 
 
 def waves_at(
-    m: float,
-    l: float,
-    d: float,
-    directions: Sequence[float],
+    m: float, l: float, d: float, directions: Sequence[float]
 ) -> Iterator[tuple[float, float, float, str, float, float, float]]:
     """Yield the waves at one condition: those with the values ``F_V`` of f(r) V, eqs. (15), (17).
 

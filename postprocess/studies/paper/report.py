@@ -8,13 +8,7 @@ from pathlib import Path
 import pandas as pd
 
 from studies import experiment, html
-from studies.paper import (
-    better_formula,
-    line_contact,
-    paper_points,
-    provenance,
-    refitted,
-)
+from studies.paper import better_formula, line_contact, paper_points, provenance, refitted
 from studies.section import COMPARISON, Parts, Section, Table, make_sections, write_section
 from studies.two_waves import section as two_waves
 from studies.validation import companion
@@ -36,10 +30,7 @@ PARTS: Parts = (
 
 
 def write_report(
-    folder: Path,
-    output: Path,
-    note: Callable[[str], None] = print,
-    parts: Parts = PARTS,
+    folder: Path, output: Path, note: Callable[[str], None] = print, parts: Parts = PARTS
 ) -> list[Path]:
     """Write the report on the study in ``folder`` into ``output``; return the files.
 
@@ -77,6 +68,6 @@ def summary(sections: Sequence[Section]) -> Section:
     text = [
         "The paper's sweep of waviness through elliptical contacts, its formula, and its "
         "experiment, computed anew. Each part below says what was asked, what came out, and how "
-        "far off it may be. Tables are beside this page as CSV files, figures as PDF.",
+        "far off it may be. Tables are beside this page as CSV files, figures as PDF."
     ]
     return Section("The paper beside this code", text, [table])

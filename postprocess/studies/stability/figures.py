@@ -8,14 +8,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from studies.stability.cases import OUTSIDE, SLIDING
-from studies.stability.outcome import (
-    CONVERGED,
-    FAILED,
-    REFUSED,
-    UNRESOLVED,
-    UNSOLVED,
-    Row,
-)
+from studies.stability.outcome import CONVERGED, FAILED, REFUSED, UNRESOLVED, UNSOLVED, Row
 
 # Colours that stay apart for colour-blind readers (Okabe and Ito).
 _COLOURS = {

@@ -22,17 +22,12 @@ class ComputedWaves:
     c exp(-i (psi - kx)), which turns slowly; a and psi are the closed forms at the computed contact
     centre, c what a leaves of the film there. Longer waves than the longest are taken as that one,
     the mean as nothing; shorter ones than the shortest are left as they are.
-
-    Attributes
-    ----------
-    conditions : Conditions
-        Of the contact, with its computed film.
-    table : DataFrame
-        Linear responses at all combinations of wavelengths along X and Y; 0 is infinite.
     """
 
     conditions: Conditions
+    """Of the contact, with its computed film."""
     table: pd.DataFrame
+    """Linear responses at all combinations of wavelengths along X and Y; 0 is infinite."""
     name: str = "computed waves"
 
     def waves(self, per_length_x: Floats, per_length_y: Floats) -> TwoWaves:

@@ -63,10 +63,7 @@ class Passing:
 def passings(folder: Path) -> list[Passing]:
     """Return every shape at every slip.
 
-    Raises
-    ------
-    ResultsError
-        If a sweep has not been run, or a case did not converge.
+    Raises ResultsError if a sweep has not been run, or a case did not converge.
     """
     count = (len(WAVELENGTHS) + 1) * (len(WAVELENGTHS_ACROSS) + 1) - 1
     waves = pd.DataFrame(sweeps.read_sweep(folder, WAVES, len(SLIPS) * count))
@@ -83,11 +80,7 @@ def passings(folder: Path) -> list[Passing]:
 
 
 def _passing(
-    folder: Path,
-    name: str,
-    slip: float,
-    cases: tuple[sweeps.Row, sweeps.Row],
-    table: pd.DataFrame,
+    folder: Path, name: str, slip: float, cases: tuple[sweeps.Row, sweeps.Row], table: pd.DataFrame
 ) -> Passing:
     row, smooth = cases
     contact = conditions_at(slip)

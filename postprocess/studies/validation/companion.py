@@ -32,7 +32,7 @@ def section(folder: Path) -> Section:
             "The paper's Figures 1 and 2 show symbols, not numbers. Its companion on circular "
             "contacts (Venner and Lubrecht 1999) prints one value computed for M = 1007.6, "
             "L = 12.05, lambda/a = 0.25: Ad/Ai = 0.739, where (18) gives 0.704. Which orientation "
-            "it is for is told by f(r) = 1: transverse or isotropic.",
+            "it is for is told by f(r) = 1: transverse or isotropic."
         ],
         [comparison("companion", "Ad/Ai at M = 1007.6, lambda/a = 0.25", rows)],
     )

@@ -12,10 +12,7 @@ LOADS = (20, 50, 100, 200, 500)
 LUBRICANTS = (2.5, 5, 10, 20)
 RATIOS = (1, 0.35, 0.12)
 
-GRIDS = {
-    "coarse": {"cells_x": 128, "cells_y": 128},
-    "fine": {"cells_x": 256, "cells_y": 256},
-}
+GRIDS = {"coarse": {"cells_x": 128, "cells_y": 128}, "fine": {"cells_x": 256, "cells_y": 256}}
 NEAR = {"x_min": -4, "x_max": 1.5, "y_max": 2}
 WIDE = {"x_min": -9.5, "x_max": 1.5, "y_max": 4}
 """Twice the lengths: on the cells of the fine grid it has the mesh of the coarse one."""

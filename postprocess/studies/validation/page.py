@@ -23,10 +23,7 @@ def write_validation(
 ) -> list[Path]:
     """Run what is not in `runs`, write the page of the parts `names` to `output`; return the files.
 
-    Raises
-    ------
-    ResultsError
-        If a case fails.
+    Raises ResultsError if a case fails.
     """
     Writer().folder(runs)
     chosen = [part for part in PARTS if part[0] in names]

@@ -17,10 +17,7 @@ def swept(
 ) -> xr.Dataset:
     """Return the results of one case for each row, with `groups` in common.
 
-    Raises
-    ------
-    ResultsError
-        If a case fails; unresolved ones are for the caller to judge.
+    Raises ResultsError if a case fails; unresolved ones are for the caller to judge.
     """
     return run_sweep(write_sweep(folder, name, rows, groups), folder / f"{name}.h5")
 
@@ -28,10 +25,7 @@ def swept(
 def run_sweep(path: Path, output: Path) -> xr.Dataset:
     """Return the results of the sweep file `path`, which go to `output`.
 
-    Raises
-    ------
-    ResultsError
-        If a case fails.
+    Raises ResultsError if a case fails.
     """
     outcome = run("sweep", path, "--output", output)
     if outcome.returncode not in (0, 1):

@@ -17,33 +17,22 @@ Numbers = Mapping[str, Any]
 
 @dataclass(frozen=True)
 class Given:
-    """What was entered.
-
-    Attributes
-    ----------
-    keys : mapping
-        Of :class:`ehlwave.Contact`, or of its ``from_bodies``.
-    bodies : pair of mapping, optional
-        Arguments of :class:`ehlwave.Body`, the rough one first.
-    oil : mapping
-        Arguments of `maker`.
-    maker : {"", "from_grade", "named"}
-        Of :class:`ehlwave.Oil`; the oil stands in `keys` where there is none.
-    """
+    """What was entered."""
 
     keys: Numbers
+    """Of :class:`ehlwave.Contact`, or of its ``from_bodies``."""
     bodies: tuple[Numbers, Numbers] | None = None
+    """Arguments of :class:`ehlwave.Body`, the rough one first."""
     oil: Numbers = field(default_factory=dict)
+    """Arguments of `maker`."""
     maker: str = ""
+    """Of :class:`ehlwave.Oil`; the oil stands in `keys` where there is none."""
 
 
 def made(given: Given) -> Contact:
     """Return the contact.
 
-    Raises
-    ------
-    ResultsError
-        If something is missing or makes no sense.
+    Raises ResultsError if something is missing or makes no sense.
     """
     oil = getattr(Oil, given.maker)(**given.oil) if given.maker else None
     if given.bodies is not None:

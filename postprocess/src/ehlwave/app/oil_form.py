@@ -54,11 +54,7 @@ class OilForm:
     def shown(self) -> list[NumberField]:
         """Return the fields that count."""
         own = [self.viscosity] if self.has_viscosity else []
-        parts = {
-            NUMBERS: [*own, *self.numbers],
-            BY_GRADE: self.sheet,
-            BY_NAME: [self.temperature],
-        }
+        parts = {NUMBERS: [*own, *self.numbers], BY_GRADE: self.sheet, BY_NAME: [self.temperature]}
         return [*parts[self.chosen], *self.flows[self.flow.value]]
 
     def given(self) -> dict[str, Any]:

@@ -64,8 +64,7 @@ class Page:
         page = pn.Template(TEMPLATE)
         page.add_variable("app_title", TITLE)
         page.add_panel(
-            "inputs",
-            column(self.contact.view, self.surface.view, pn.Row(self.button, **AT_BOTTOM)),
+            "inputs", column(self.contact.view, self.surface.view, pn.Row(self.button, **AT_BOTTOM))
         )
         early = (self.first, self.warnings, self.saving, self.figures)
         late = (self.doubts, self.numbers, self.details)

@@ -15,27 +15,18 @@ PRESSURES: Units = {"GPa": 9, "MPa": 6, "Pa": 0}
 
 @dataclass(frozen=True)
 class Quantity:
-    """A number with a unit.
-
-    Attributes
-    ----------
-    key : str
-        Of the input files, or an argument.
-    label : str
-        Beside the field.
-    example : str
-        In the field at the beginning, in the first unit.
-    units : mapping
-        Units that it can be typed in; nothing of a number without unit.
-    help : str
-        One sentence.
-    """
+    """A number with a unit."""
 
     key: str
+    """Of the input files, or an argument."""
     label: str
+    """Beside the field."""
     example: str = ""
+    """In the field at the beginning, in the first unit."""
     units: Units = field(default_factory=dict)
+    """Units that it can be typed in; nothing of a number without unit."""
     help: str = ""
+    """One sentence."""
 
 
 def in_si(text: str, unit: int | None) -> float | str:

@@ -8,15 +8,7 @@ from ehlwave.app import quantities as q
 from ehlwave.app.contact_form import ContactForm
 from ehlwave.app.task import Task
 from ehlwave.app.uploads import LARGEST_MB
-from ehlwave.app.widgets import (
-    CARD,
-    FileField,
-    NumberField,
-    in_rows,
-    section,
-    select,
-    widgets_of,
-)
+from ehlwave.app.widgets import CARD, FileField, NumberField, in_rows, section, select, widgets_of
 from ehlwave.choices import DECIMALS, FORMS, WINDOWS
 from ehlwave.errors import SurfaceError
 
@@ -96,10 +88,7 @@ class SurfaceForm:
 def task_of(contact: ContactForm, surface: SurfaceForm) -> Task:
     """Return what is asked.
 
-    Raises
-    ------
-    SurfaceError
-        If a file was refused, or a number of the surface is none.
+    Raises SurfaceError if a file was refused, or a number of the surface is none.
     """
     if surface.file.refused:
         raise SurfaceError(f"the file: {surface.file.refused}")

@@ -25,22 +25,16 @@ _DRAWING = Lock()
 
 @dataclass(frozen=True)
 class Task:
-    """What a page asks.
-
-    Attributes
-    ----------
-    given : Given
-        The contact as it was entered.
-    upload : Upload or None
-        A measured surface.
-    reading, options : mapping
-        Of :class:`ehlwave.deform.ReadOptions`, and of :meth:`ehlwave.Contact.deform`.
-    """
+    """What a page asks."""
 
     given: Given
+    """The contact as it was entered."""
     upload: Upload | None = None
+    """A measured surface."""
     reading: Mapping[str, Any] = field(default_factory=dict)
     options: Mapping[str, Any] = field(default_factory=dict)
+    """`reading`, `options`: of :class:`ehlwave.deform.ReadOptions`, and of
+    :meth:`ehlwave.Contact.deform`."""
 
 
 @dataclass(frozen=True)
@@ -74,10 +68,8 @@ class Answer:
 def answered(task: Task) -> Answer:
     """Return the answer.
 
-    Raises
-    ------
-    ResultsError
-        If something was entered that cannot be used; the message is that of the command line.
+    Raises ResultsError if something was entered that cannot be used; the message is that of the
+    command line.
     """
     contact = made(task.given)
     found, pictures = None, {}

@@ -41,10 +41,7 @@ def file_name(name: str) -> str:
 def read_upload(upload: Upload, options: ReadOptions) -> Surface:
     """Return the surface of a file, by the reader of the command line, from a private folder.
 
-    Raises
-    ------
-    SurfaceError
-        As :func:`ehlwave.read_surface`; or the file is too large for the page.
+    Raises SurfaceError as :func:`ehlwave.read_surface`; or the file is too large for the page.
     """
     name = file_name(upload.name)
     if len(upload.data) > LARGEST_BYTES:

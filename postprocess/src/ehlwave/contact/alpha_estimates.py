@@ -35,24 +35,16 @@ class State(NamedTuple):
 
 
 class Estimate(NamedTuple):
-    """An estimate.
-
-    Attributes
-    ----------
-    value : callable
-        alpha, 1/Pa, of a state.
-    scatter : float
-        Relative; all measured oils lie within.
-    kinds : tuple of str
-        Base oils that it is for.
-    source : str
-        Its source.
-    """
+    """An estimate."""
 
     value: Callable[[State], float]
+    """alpha, 1/Pa, of a state."""
     scatter: float
+    """Relative; all measured oils lie within."""
     kinds: tuple[str, ...]
+    """Base oils that it is for."""
     source: str
+    """Its source."""
 
 
 def _gold(state: State) -> float:
@@ -97,10 +89,7 @@ ESTIMATES = {
 def estimate_alpha(name: str, state: State) -> tuple[float, float, str]:
     """Return alpha, 1/Pa, its relative scatter, and what it was estimated by.
 
-    Raises
-    ------
-    SurfaceError
-        If there is no such estimate or kind of oil, or the estimate is not for it.
+    Raises SurfaceError if there is no such estimate or kind of oil, or the estimate is not for it.
     """
     if name not in ESTIMATES:
         raise SurfaceError(

@@ -152,7 +152,7 @@ class Oil:
         --------
         >>> import ehlwave
         >>> oil = ehlwave.Oil.from_grade(viscosity_40c_mm2_per_s=46, viscosity_100c_mm2_per_s=7.9,
-        ...                              kind="pao", temperature_k=343.15)
+        ...     kind="pao", temperature_k=343.15)
         >>> print(oil)
         13.2 mPa s and alpha = 12.1 1/GPa within 31 % at 70 C
         """

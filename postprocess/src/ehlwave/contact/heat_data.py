@@ -73,8 +73,8 @@ class Heat:
     --------
     >>> import ehlwave
     >>> heat = ehlwave.Heat(temperature_k=313.15, viscosity_temperature_per_k=0.045,
-    ...                     oil_conductivity_w_per_m_k=0.13, oil_heat_capacity_j_per_kg_k=1950,
-    ...                     oil_density_kg_per_m3=870)
+    ...     oil_conductivity_w_per_m_k=0.13, oil_heat_capacity_j_per_kg_k=1950,
+    ...     oil_density_kg_per_m3=870)
     >>> heat.keys()["body_conductivity_w_per_m_k"]
     46.0
     """

@@ -8,27 +8,18 @@ from ehlwave.hints import did_you_mean, see
 
 
 class Material(NamedTuple):
-    """A material.
-
-    Attributes
-    ----------
-    elastic_modulus_pa : float
-        Young's modulus, Pa.
-    poisson_ratio : float
-        Poisson's ratio.
-    source : str
-        Where they are from.
-    heat : BodyHeat
-        Conductivity, density and heat capacity at 20 to 25 C.
-    heat_source : str
-        Where these are from.
-    """
+    """A material."""
 
     elastic_modulus_pa: float
+    """Young's modulus, Pa."""
     poisson_ratio: float
+    """Poisson's ratio."""
     source: str
+    """Where they are from."""
     heat: BodyHeat
+    """Conductivity, density and heat capacity at 20 to 25 C."""
     heat_source: str
+    """Where these are from."""
 
 
 _HARRIS = "Harris and Kotzalas, Rolling Bearing Analysis, 5th edition, CRC Press, 2007"
@@ -80,10 +71,7 @@ MATERIALS = {
 def material(name: str) -> Material:
     """Return a material by its name.
 
-    Raises
-    ------
-    SurfaceError
-        If there is none of this name.
+    Raises SurfaceError if there is none of this name.
     """
     found = MATERIALS.get(name.lower().replace("_", " "))
     if found is None:

@@ -24,10 +24,7 @@ def ellipticity(d: float) -> float:
 
     The elliptic integrals have the parameter 1 - kappa^2. Valid for 0.005 <= D <= 1.
 
-    Raises
-    ------
-    SurfaceError
-        For D = 0, a line contact, which has no width.
+    Raises SurfaceError for D = 0, a line contact, which has no width.
     """
     if d == 0:
         raise SurfaceError(

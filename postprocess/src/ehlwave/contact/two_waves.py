@@ -80,27 +80,20 @@ class TwoWaves:
 
 @dataclass(frozen=True)
 class Launch:
-    """Inlet parameters of the complementary wave: its launch and its way; arrays over waves.
-
-    Attributes
-    ----------
-    attenuated : ndarray of complex
-        a.
-    mismatch, mismatch_rolling : ndarray of complex
-        psi - kx, and the same in pure rolling, 1/a.
-    slip, along, load, length, thinning : ndarray
-        S, above 0; cos^2 of the angle between wave vector and X; gamma M; d of
-        :func:`launch_length`; B0.
-    """
+    """Inlet parameters of the complementary wave: its launch and its way; arrays over waves."""
 
     attenuated: Complex
+    """a."""
     mismatch: Complex
     mismatch_rolling: Complex
+    """`mismatch`, `mismatch_rolling`: psi - kx, and the same in pure rolling, 1/a."""
     slip: Floats
     along: Floats
     load: Floats
     length: Floats
     thinning: Floats
+    """`slip`, `along`, `load`, `length`, `thinning`: S, above 0; cos^2 of the angle between wave
+    vector and X; gamma M; d of :func:`launch_length`; B0."""
 
 
 def launched(rolling: Complex, launch: Launch, powers: Sequence[float] = SLIP_POWERS) -> Complex:

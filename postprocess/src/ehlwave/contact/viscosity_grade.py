@@ -61,16 +61,11 @@ def _unwalther(ordinate: float) -> float:
 
 @dataclass(frozen=True)
 class Walther:
-    """The straight line log10 log10 Z = A - B log10 T of an oil.
-
-    Attributes
-    ----------
-    a, b : float
-        A and B; T in K.
-    """
+    """The straight line log10 log10 Z = A - B log10 T of an oil."""
 
     a: float
     b: float
+    """`a`, `b`: A and B; T in K."""
 
     @classmethod
     def through(cls, one: tuple[float, float], other: tuple[float, float]) -> "Walther":
@@ -82,10 +77,7 @@ class Walther:
     def viscosity(self, temperature_k: float) -> float:
         """Return the kinematic viscosity, mm2/s.
 
-        Raises
-        ------
-        SurfaceError
-            Where it is so thin that the standard ends.
+        Raises SurfaceError where it is so thin that the standard ends.
         """
         ordinate = self.a - self.b * math.log10(temperature_k)
         if ordinate < _walther(THINNEST):
@@ -108,10 +100,7 @@ def _index_limits(hot: float) -> tuple[float, float]:
 def viscosity_index(cold: float, hot: float) -> float:
     """Return the viscosity index of viscosities at 40 and 100 C, mm2/s, D2270 A and B.
 
-    Raises
-    ------
-    SurfaceError
-        Below 2 mm2/s at 100 C, which the standard does not cover.
+    Raises SurfaceError below 2 mm2/s at 100 C, which the standard does not cover.
     """
     if hot < INDEX_TERMS[0][0]:
         raise SurfaceError(
@@ -127,10 +116,7 @@ def viscosity_index(cold: float, hot: float) -> float:
 def hot_viscosity(cold: float, index: float) -> float:
     """Return the viscosity at 100 C of one at 40 C and a viscosity index, mm2/s.
 
-    Raises
-    ------
-    SurfaceError
-        If no oil has both.
+    Raises SurfaceError if no oil has both.
     """
     low, high = INDEX_TERMS[0][0], 0.95 * cold
     if not (high > low and -200 <= index <= 500) or (

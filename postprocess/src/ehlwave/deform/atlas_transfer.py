@@ -51,11 +51,9 @@ class AtlasTransfer:
     def __init__(self, conditions: Conditions, atlas: Atlas | None = None) -> None:
         """Draw the chart of the contact.
 
-        Raises
-        ------
-        RangeError
-            A ValueError: the contact lies outside the atlas, slides in an oil that is not
-            Ree-Eyring's, or the oil has laws of viscosity or density that the atlas does not.
+        Raises RangeError (a ValueError) if the contact lies outside the atlas, slides in an oil
+        that is not Ree-Eyring's, or the oil has laws of viscosity or density that the atlas does
+        not.
         """
         if conditions.is_line and not conditions.has_atlas:
             raise RangeError(ROLLS_ALONE)

@@ -22,11 +22,7 @@ _QUOTED_NUMBER = re.compile(r'"\s*[-+]?\d+,\d+\s*"')
 
 
 def settled(
-    file: Path,
-    body: Sequence[str],
-    separator: str | None,
-    names: int,
-    decimal: Decimal | None,
+    file: Path, body: Sequence[str], separator: str | None, names: int, decimal: Decimal | None
 ) -> tuple[list[str], str | None, bool]:
     """Return lines with decimal points, what separates their numbers, and whether it was commas.
 

@@ -9,11 +9,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from ehlwave.deform.amplitude import (
-    expected_nonlinearity,
-    lowest_film,
-    validated_amplitude,
-)
+from ehlwave.deform.amplitude import expected_nonlinearity, lowest_film, validated_amplitude
 from ehlwave.deform.predict import Deformed
 from ehlwave.deform.two_surfaces import FilmOfTwo, film_of_two
 from ehlwave.errors import SurfaceError

@@ -80,10 +80,7 @@ def raw_array(heights: NDArray[Any], place: Path) -> RawSurface:
 def raw_topography(topography: TopographyLike, place: Path) -> RawSurface:
     """Return the heights, steps and unit of an object of SurfaceTopography.
 
-    Raises
-    ------
-    SurfaceError
-        If its points are not equidistant.
+    Raises SurfaceError if its points are not equidistant.
     """
     if not topography.is_uniform:
         raise SurfaceError(f"{place}: points are not equidistant: resample to equal steps")
@@ -103,10 +100,7 @@ def raw_topography(topography: TopographyLike, place: Path) -> RawSurface:
 def raw_instrument(file: Path) -> RawSurface:
     """Return a file of an instrument, as SurfaceTopography reads it.
 
-    Raises
-    ------
-    SurfaceError
-        If it is not installed, or cannot read the file.
+    Raises SurfaceError if it is not installed, or cannot read the file.
     """
     try:
         import SurfaceTopography  # optional, and slow to import
@@ -143,10 +137,7 @@ def refuse_large(file: Path, points: int) -> None:
 def topography_of(height: NDArray[Any], steps: tuple[float, float], name: str) -> Any:  # noqa: ANN401
     """Return heights, m, as an object of SurfaceTopography: a line scan of a trace, else a map.
 
-    Raises
-    ------
-    SurfaceError
-        If it is not installed.
+    Raises SurfaceError if it is not installed.
     """
     try:
         from SurfaceTopography import Topography, UniformLineScan

@@ -33,32 +33,22 @@ centre. Where it decays fast it is not known there, and taken no larger."""
 
 @dataclass(frozen=True)
 class PressureWaves:
-    """Pressure per amplitude of waves at the contact centre; arrays of one shape.
-
-    Attributes
-    ----------
-    number_x, number_y : ndarray
-        Wave numbers of the surface, 1/m; along x 0 or more.
-    attenuated, complementary : ndarray of complex
-        Pressure of both waves at X = 0 over the amplitude, Pa/m.
-    psi : ndarray of complex
-        Wave number of the complementary wave along x, 1/m.
-    film : pair of ndarray of complex
-        Film of both over the amplitude: a and c.
-    error : ndarray
-        Of their sum by the error bar of the response, Pa/m.
-    most_growth : ndarray
-        By how much the complementary wave is larger upstream, at most.
-    """
+    """Pressure per amplitude of waves at the contact centre; arrays of one shape."""
 
     number_x: Floats
     number_y: Floats
+    """`number_x`, `number_y`: wave numbers of the surface, 1/m; along x 0 or more."""
     attenuated: Complex
     complementary: Complex
+    """`attenuated`, `complementary`: pressure of both waves at X = 0 over the amplitude, Pa/m."""
     psi: Complex
+    """Wave number of the complementary wave along x, 1/m."""
     film: tuple[Complex, Complex]
+    """Film of both over the amplitude: a and c."""
     error: Floats
+    """Of their sum by the error bar of the response, Pa/m."""
     most_growth: Floats
+    """By how much the complementary wave is larger upstream, at most."""
 
     def at(self, x_m: float) -> Complex:
         """Return the pressure over the amplitude at X = x, Pa/m, times exp(-i w t)."""
@@ -79,10 +69,7 @@ class PressureWaves:
 def stiffness_pa(conditions: Conditions) -> float:
     """Return E'/4, Pa: the pressure of a wave over its deflection and its wave number.
 
-    Raises
-    ------
-    StressError
-        If the conditions have no lengths.
+    Raises StressError if the conditions have no lengths.
     """
     approach = conditions.hertz_approach_c_m
     if approach is None:

@@ -46,31 +46,23 @@ class Predicted(Protocol):
 
 @dataclass(frozen=True, repr=False)
 class Ripple(Shown):
-    """The pressure waves of one surface inside a contact.
-
-    Attributes
-    ----------
-    slip : float
-        S of the surface.
-    length_m : float
-        After which it repeats along rolling; 0: it does not vary along rolling.
-    points, measured : int
-        Points of that length, and how many of them, the first, are the surface as it was measured.
-    amplitude : ndarray of complex, shape (kx, ky)
-        Of the gap, m; those with kx above 0 stand for themselves and their conjugates.
-    waves : PressureWaves
-        Of the same shape.
-    lines_m : ndarray
-        Places across rolling that are judged.
-    """
+    """The pressure waves of one surface inside a contact."""
 
     slip: float
+    """S of the surface."""
     length_m: float
+    """After which it repeats along rolling; 0: it does not vary along rolling."""
     points: int
     measured: int
+    """`points`, `measured`: points of that length, and how many of them, the first, are the surface
+    as it was measured."""
     amplitude: Complex
+    """Of the gap, m; those with kx above 0 stand for themselves and their conjugates; shape shape
+    (kx, ky)."""
     waves: PressureWaves
+    """Of the same shape."""
     lines_m: Floats
+    """Places across rolling that are judged."""
 
     def _shown_rows(self) -> dict[str, str]:
         """Return its slip, points and waves."""
@@ -97,10 +89,8 @@ class Ripple(Shown):
 def ripple_of(deformed: Predicted, *, every_line: bool = False) -> Ripple:
     """Return the ripple of a surface, along some lines of a map or along every one.
 
-    Raises
-    ------
-    StressError
-        If the surface was not predicted with a transfer, or the contact has no lengths.
+    Raises StressError if the surface was not predicted with a transfer, or the contact has no
+    lengths.
     """
     surface, conditions, transfer = deformed.surface, deformed.conditions, deformed.transfer
     if transfer is None:

@@ -63,25 +63,17 @@ class Component:
 
 @dataclass(frozen=True)
 class Unjudged:
-    """A class of components that the transfer cannot judge.
-
-    Attributes
-    ----------
-    reason : str
-        Why.
-    components : int
-        How many, a component and its conjugate being one.
-    share_before, share_after : float
-        Of the mean square of the surface before and after.
-    largest : tuple of Component
-        The largest of them.
-    """
+    """A class of components that the transfer cannot judge."""
 
     reason: str
+    """Why."""
     components: int
+    """How many, a component and its conjugate being one."""
     share_before: float
     share_after: float
+    """`share_before`, `share_after`: of the mean square of the surface before and after."""
     largest: tuple[Component, ...]
+    """The largest of them."""
 
 
 class Tally:

@@ -26,11 +26,8 @@ class StarvedTransfer:
     Waves that the law was not fitted to are continued by its form. Their error counts as large as
     what is continued: what shorter waves lose, what is left of longer ones.
 
-    Raises
-    ------
-    RangeError
-        A ValueError: R, M, L or D lies outside the range of the law, the contact slides, or the oil
-        has other laws of viscosity or density than the contacts of the fit.
+    Raises RangeError (a ValueError) if R, M, L or D lies outside the range of the law, the contact
+    slides, or the oil has other laws of viscosity or density than the contacts of the fit.
     """
 
     conditions: Conditions

@@ -21,68 +21,49 @@ LINEAR_LIMIT = 0.3
 
 @dataclass(frozen=True)
 class FilmStatistics:
-    """Lengths in m. Film thicknesses and ratios are None when the smooth film is unknown.
-
-    Attributes
-    ----------
-    rq_before_m, rq_after_m : float
-        Root mean square roughness about the mean.
-    rz_before_m, rz_after_m : float
-        From the lowest to the highest point.
-    mean_film_m : float or None
-        Of the rough contact's centre: the smooth central film and `mean_rise_m`, where it is used.
-    mean_rise_m : float or None
-        What the roughness adds to the mean film, to second order. None: the transfer has no rises,
-        or the amplitude is above those that rises were compared with.
-    minimum_film_m : float or None
-        At the highest deformed point, by :func:`ehlwave.deform.amplitude.lowest_film`: marches
-        have more there than the mean film less that point. None where that is not above 0.
-    surfaces_touch : bool or None
-        Whether it is not. Marches then touch somewhere in the contact, if not at its centre.
-    lambda_ratio_before, lambda_ratio_after : float or None
-        Mean film over Rq before (the usual ratio) and after (what is there in the contact).
-    lambda_errors : dict of float or None
-        Relative errors of `lambda_ratio_after` by ``"film"``, the smooth one, ``"responses"``, the
-        linear ones, ``"amplitude"``, what is not linear, and ``"rise"``. A rise that is not used
-        counts in full. None: the transfer has no errors.
-    lambda_error : float or None
-        Their sum.
-    amplitude_over_film : float or None
-        sqrt(2) Rq before over the smooth film: the amplitude of a cosine of the same Rq.
-    extrapolated : bool or None
-        Whether that is above the amplitudes that predictions were compared with.
-    """
+    """Lengths in m. Film thicknesses and ratios are None when the smooth film is unknown."""
 
     rq_before_m: float
     rq_after_m: float
+    """`rq_before_m`, `rq_after_m`: root mean square roughness about the mean."""
     rz_before_m: float
     rz_after_m: float
+    """`rz_before_m`, `rz_after_m`: from the lowest to the highest point."""
     mean_film_m: float | None = None
+    """Of the rough contact's centre: the smooth central film and `mean_rise_m`, where it is
+    used."""
     mean_rise_m: float | None = None
+    """What the roughness adds to the mean film, to second order. None: the transfer has no rises,
+    or the amplitude is above those that rises were compared with."""
     minimum_film_m: float | None = None
+    """At the highest deformed point, by :func:`ehlwave.deform.amplitude.lowest_film`: marches have
+    more there than the mean film less that point. None where that is not above 0."""
     surfaces_touch: bool | None = None
+    """Whether it is not. Marches then touch somewhere in the contact, if not at its centre."""
     lambda_ratio_before: float | None = None
     lambda_ratio_after: float | None = None
+    """`lambda_ratio_before`, `lambda_ratio_after`: mean film over Rq before (the usual ratio) and
+    after (what is there in the contact)."""
     lambda_errors: dict[str, float] | None = None
+    """Relative errors of `lambda_ratio_after` by ``"film"``, the smooth one, ``"responses"``, the
+    linear ones, ``"amplitude"``, what is not linear, and ``"rise"``. A rise that is not used counts
+    in full. None: the transfer has no errors."""
     lambda_error: float | None = None
+    """Their sum."""
     amplitude_over_film: float | None = None
+    """sqrt(2) Rq before over the smooth film: the amplitude of a cosine of the same Rq."""
     extrapolated: bool | None = None
+    """Whether that is above the amplitudes that predictions were compared with."""
 
 
 @dataclass(frozen=True)
 class Components:
-    """Statistics of the sum of all harmonic components.
-
-    Attributes
-    ----------
-    rise : float or None
-        (Mean film less smooth film) times the film, over Rq squared; None: not known.
-    error : float or None
-        Root mean square error of the deformed heights over Rq before; None: not known.
-    """
+    """Statistics of the sum of all harmonic components."""
 
     rise: float | None = None
+    """(Mean film less smooth film) times the film, over Rq squared; None: not known."""
     error: float | None = None
+    """Root mean square error of the deformed heights over Rq before; None: not known."""
 
 
 def film_statistics(

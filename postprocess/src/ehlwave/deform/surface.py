@@ -112,11 +112,8 @@ def map_surface(height: Heights, step_x_m: float, step_y_m: float, name: str = "
 def checked_surface(surface: Surface) -> Surface:
     """Return the surface if it can be used.
 
-    Raises
-    ------
-    SurfaceError
-        If it has fewer than 8 points along a direction, a step that is not positive, missing or
-        infinite heights, or slopes that only a wrong unit explains.
+    Raises SurfaceError if it has fewer than 8 points along a direction, a step that is not
+    positive, missing or infinite heights, or slopes that only a wrong unit explains.
     """
     name, height = surface.name, surface.height
     steps = {"x": (0, surface.step_x_m), "y": (1, surface.step_y_m)}
@@ -169,10 +166,7 @@ def rms_slope(surface: Surface) -> float:
 def filled(height: Heights) -> Heights:
     """Return heights with each missing one replaced by its nearest neighbour.
 
-    Raises
-    ------
-    SurfaceError
-        If more than one tenth is missing: then it is not the surface any more.
+    Raises SurfaceError if more than one tenth is missing: then it is not the surface any more.
     """
     missing = ~np.isfinite(height)
     count = int(missing.sum())
@@ -199,10 +193,8 @@ def is_uniform(positions: NDArray[np.float64]) -> bool:
 def uniform_step(positions: NDArray[np.float64], name: str) -> float:
     """Return the step of equidistant positions, in their unit.
 
-    Raises
-    ------
-    SurfaceError
-        If they are not increasing, or one is more than 0.05 steps from a uniform grid.
+    Raises SurfaceError if they are not increasing, or one is more than 0.05 steps from a uniform
+    grid.
     """
     if not np.all(np.isfinite(positions)):
         raise SurfaceError(f"{name}: positions hold missing or infinite numbers")

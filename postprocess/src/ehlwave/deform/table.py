@@ -108,11 +108,8 @@ class TableTransfer:
     def __init__(self, conditions: Conditions, rows: pd.DataFrame, name: str = "table") -> None:
         """Make curves from rows of :func:`ehlwave.deform.table_read.read_table`.
 
-        Raises
-        ------
-        SurfaceError
-            If the contact does not lie among the table's conditions, or no orientation of one has
-            two wavelengths.
+        Raises SurfaceError if the contact does not lie among the table's conditions, or no
+        orientation of one has two wavelengths.
         """
         self._name = name
         self._v_per_wavelength = conditions.v_per_wavelength

@@ -22,11 +22,8 @@ def weighted_conditions(
     interpolation in (log M, log L, log D), in as many directions as the table's conditions span: a
     table of one contact at several speeds spans one.
 
-    Raises
-    ------
-    SurfaceError
-        If the contact does not lie among the table's conditions of the same slip and oil; line
-        contacts.
+    Raises SurfaceError if the contact does not lie among the table's conditions of the same slip
+    and oil; line contacts.
     """
     if conditions.is_line:
         raise SurfaceError(f"{name}: harmonic tables are for elliptical contacts, D of 0.005 to 1")

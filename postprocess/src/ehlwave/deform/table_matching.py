@@ -25,11 +25,8 @@ def matching_rows(rows: pd.DataFrame, conditions: Conditions, name: str) -> pd.D
     Numbers are the same within 1 per cent, as M, L and D; of a stress its product with the reduced
     modulus is. A key that the table does not have, or that does not apply, is not compared.
 
-    Raises
-    ------
-    SurfaceError
-        If there are none, naming the key and both values; if rows are left that differ in a key
-        of which the contact says nothing, or that have two responses to one wave.
+    Raises SurfaceError if there are none, naming the key and both values; if rows are left that
+    differ in a key of which the contact says nothing, or that have two responses to one wave.
     """
     slides = conditions.slip_parameter != 1 and conditions.oil.stress_modulus_pa2 is not None
     if slides and "flow_law" not in rows:

@@ -72,10 +72,7 @@ def read_table(path: str | Path) -> pd.DataFrame:
 def table_rows(raw: pd.DataFrame, place: str) -> pd.DataFrame:
     """Return the rows of a table with the columns of :func:`read_table`, whatever it is given by.
 
-    Raises
-    ------
-    SurfaceError
-        If a column is missing or not numeric.
+    Raises SurfaceError if a column is missing or not numeric.
     """
     raw = _with_slip(raw, place)
     needed = [*CONDITION_COLUMNS]

@@ -77,11 +77,8 @@ def read_text_table(file: Path, decimal: Decimal | None = None) -> TextTable:
     Numbers may have decimal commas; what commas mean is found by :mod:`ehlwave.deform.decimals`,
     or said by `decimal`.
 
-    Raises
-    ------
-    SurfaceError
-        If a row has another length than the first, or a cell is not a number. Empty cells and
-        ``nan`` are missing heights, not errors.
+    Raises SurfaceError if a row has another length than the first, or a cell is not a number. Empty
+    cells and ``nan`` are missing heights, not errors.
     """
     try:
         text = file.read_text(encoding="utf-8-sig")

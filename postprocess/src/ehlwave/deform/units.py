@@ -23,10 +23,7 @@ CHOICES = ("m", "mm", "um", "nm", "inch")
 def metres(unit: str, place: str) -> float:
     """Return the length of a unit in metres.
 
-    Raises
-    ------
-    SurfaceError
-        If the unit is not known.
+    Raises SurfaceError if the unit is not known.
     """
     try:
         return METRES[unit.strip()]

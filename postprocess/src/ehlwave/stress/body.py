@@ -21,82 +21,61 @@ INNER = 0.5
 
 @dataclass(frozen=True)
 class Peak:
-    """A largest stress.
-
-    Attributes
-    ----------
-    value_pa : float
-        The stress.
-    depth_m, place_m, point_m : float
-        Its depth, where in the contact (0 the centre), and which point of the body.
-    smooth_pa : float
-        The largest of the smooth contact; 0 of the ripple.
-    """
+    """A largest stress."""
 
     value_pa: float
+    """The stress."""
     depth_m: float
     place_m: float
     point_m: float
+    """`depth_m`, `place_m`, `point_m`: its depth, where in the contact (0 the centre), and which
+    point of the body."""
     smooth_pa: float = 0.0
+    """The largest of the smooth contact; 0 of the ripple."""
 
 
 @dataclass(frozen=True, repr=False)
 class BodyStress(Shown):
-    """Stresses of one body.
-
-    Attributes
-    ----------
-    name : str
-        Which one.
-    slip : float
-        S of the body.
-    is_rough : bool
-        Whether it has a roughness of its own.
-    peaks : dict of Peak
-        By criterion, of the whole stress.
-    ripple_shear : Peak
-        Largest shear of the ripple alone within half a semi-axis of the centre.
-    ripple_shear_error_pa : float
-        Its error.
-    dang_van, dang_van_smooth, dang_van_error : float
-        Largest factor over the body; of the smooth contact; error of the former.
-    dang_van_depth_m, dang_van_point_m : float
-        Where it is.
-    near_m, dang_van_near, dang_van_near_smooth : float
-        Depth that the ripple reaches, and the largest factors down to it: what micropitting is
-        about. The largest of all is often that of the smooth contact, deeper.
-    share_at_risk : float
-        Share of the surface where the factor is 1 or more down to that depth.
-    life_ratio : float
-        Life over that of the smooth contact, by Ioannides and Harris.
-    risk : DataArray
-        Dang Van's factor over depth and points, even ones alone.
-    smooth_over_depth, ripple_over_depth_pa : ndarray
-        Factor of the smooth contact, and largest shear of the ripple, over the depths of ``risk``.
-    path : Path
-        Of the point of the largest factor, over its passage.
-    """
+    """Stresses of one body."""
 
     name: str
+    """Which one."""
     slip: float
+    """S of the body."""
     is_rough: bool
+    """Whether it has a roughness of its own."""
     peaks: dict[str, Peak]
+    """By criterion, of the whole stress."""
     ripple_shear: Peak
+    """Largest shear of the ripple alone within half a semi-axis of the centre."""
     ripple_shear_error_pa: float
+    """Its error."""
     dang_van: float
     dang_van_smooth: float
     dang_van_error: float
+    """`dang_van`, `dang_van_smooth`, `dang_van_error`: largest factor over the body; of the smooth
+    contact; error of the former."""
     dang_van_depth_m: float
     dang_van_point_m: float
+    """`dang_van_depth_m`, `dang_van_point_m`: where it is."""
     near_m: float
     dang_van_near: float
     dang_van_near_smooth: float
+    """`near_m`, `dang_van_near`, `dang_van_near_smooth`: depth that the ripple reaches, and the
+    largest factors down to it: what micropitting is about. The largest of all is often that of the
+    smooth contact, deeper."""
     share_at_risk: float
+    """Share of the surface where the factor is 1 or more down to that depth."""
     life_ratio: float
+    """Life over that of the smooth contact, by Ioannides and Harris."""
     risk: xr.DataArray
+    """Dang Van's factor over depth and points, even ones alone."""
     smooth_over_depth: Floats
     ripple_over_depth_pa: Floats
+    """`smooth_over_depth`, `ripple_over_depth_pa`: factor of the smooth contact, and largest shear
+    of the ripple, over the depths of ``risk``."""
     path: Path
+    """Of the point of the largest factor, over its passage."""
 
     def _shown_rows(self) -> dict[str, str]:
         """Return the largest stresses, Dang Van's factor and the life."""

@@ -23,30 +23,20 @@ OVER_TIME = {"pressure": "pressure_over_time", "shear": "mean_shear_stress_over_
 
 @dataclass(frozen=True)
 class SolvedContact:
-    """A solved contact in the units of stresses.
-
-    Attributes
-    ----------
-    case : Dataset
-        As :func:`ehlwave.read_case` reads it.
-    steps_m : pair of float
-        Of the grid.
-    scales_m : pair of float
-        a and b; 1 and b/a where the case has no lengths: all lengths are in units of a then.
-    has_lengths : bool
-        Whether it has.
-    hertz_pa : float
-        Largest Hertz pressure.
-    slip : float
-        S of the first surface.
-    """
+    """A solved contact in the units of stresses."""
 
     case: xr.Dataset
+    """As :func:`ehlwave.read_case` reads it."""
     steps_m: tuple[float, float]
+    """Of the grid."""
     scales_m: tuple[float, float]
+    """a and b; 1 and b/a where the case has no lengths: all lengths are in units of a then."""
     has_lengths: bool
+    """Whether it has."""
     hertz_pa: float
+    """Largest Hertz pressure."""
     slip: float
+    """S of the first surface."""
 
     def loads(self, body: int, sets: Mapping[str, xr.DataArray]) -> dict[str, xr.DataArray]:
         """Return pressure and traction on a body, Pa, from fields of the file over x and y in m.
@@ -149,12 +139,7 @@ def stress_of_case(
     loads = contact.loads(body, contact.last)
     pressure = loads.pop("pressure_pa")
     found = stress_below(
-        pressure,
-        contact.steps_m,
-        depths_m,
-        poisson_ratio=poisson_ratio,
-        workers=workers,
-        **loads,
+        pressure, contact.steps_m, depths_m, poisson_ratio=poisson_ratio, workers=workers, **loads
     )
     return found.assign_attrs(body=body, length_unit="m" if contact.has_lengths else "a")
 

@@ -129,10 +129,7 @@ def stress_line(load: Load, depths_m: Floats, row: int) -> dict[str, Floats]:
 def checked_depths(depths_m: ArrayLike) -> Floats:
     """Return depths as a list, m.
 
-    Raises
-    ------
-    StressError
-        If one is negative or not finite, or there is none.
+    Raises StressError if one is negative or not finite, or there is none.
     """
     depths = np.atleast_1d(np.asarray(depths_m, dtype=float)).ravel()
     if depths.size == 0 or not np.all(np.isfinite(depths)) or np.any(depths < 0):

@@ -35,29 +35,21 @@ EXTREMES = 24
 
 @dataclass(frozen=True)
 class Histories:
-    """Stresses of material points of one body over their passage, at places X of the contact.
-
-    Attributes
-    ----------
-    places_m : ndarray, shape (time,)
-        X, 0 the contact centre.
-    depths_m : ndarray, shape (z,)
-        Depths.
-    points_m : ndarray, shape (points,)
-        Place on the body, m: along its motion, of ridges along rolling across it.
-    even : int
-        How many of the points, the first, are evenly spread.
-    ripple, smooth : dict of ndarray
-        Stresses by component, Pa: of the ripple over (time, z, points), and of the smooth contact
-        over (time, z, 1).
-    """
+    """Stresses of material points of one body over their passage, at places X of the contact."""
 
     places_m: Floats
+    """X, 0 the contact centre; shape shape (time,)."""
     depths_m: Floats
+    """Depths; shape shape (z,)."""
     points_m: Floats
+    """Place on the body, m: along its motion, of ridges along rolling across it; shape shape
+    (points,)."""
     even: int
+    """How many of the points, the first, are evenly spread."""
     ripple: Stresses
     smooth: Stresses
+    """`ripple`, `smooth`: stresses by component, Pa: of the ripple over (time, z, points), and of
+    the smooth contact over (time, z, 1)."""
 
     @property
     def total(self) -> Stresses:

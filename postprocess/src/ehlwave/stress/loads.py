@@ -16,28 +16,19 @@ SAME_STEP = 1e-6
 
 @dataclass(frozen=True)
 class Load:
-    """Pressure and traction on a grid.
-
-    Attributes
-    ----------
-    fields : dict of ndarray, shape (nx, ny)
-        By kind, as the keys of :data:`ehlwave.stress.waves.LOADS`, Pa.
-    steps_m : pair of float
-        Of the grid.
-    poisson_ratio : float
-        Of the body.
-    periodic : pair of bool
-        Whether the load repeats along x, along y.
-    x_m, y_m : ndarray
-        Places.
-    """
+    """Pressure and traction on a grid."""
 
     fields: dict[str, Floats]
+    """By kind, as the keys of :data:`ehlwave.stress.waves.LOADS`, Pa; shape shape (nx, ny)."""
     steps_m: tuple[float, float]
+    """Of the grid."""
     poisson_ratio: float
+    """Of the body."""
     periodic: tuple[bool, bool]
+    """Whether the load repeats along x, along y."""
     x_m: Floats
     y_m: Floats
+    """`x_m`, `y_m`: places."""
 
     @property
     def shape(self) -> tuple[int, int]:
@@ -60,10 +51,8 @@ def checked_load(
 ) -> Load:
     """Return loads that can be computed with; arguments as of :func:`ehlwave.stress.stress_below`.
 
-    Raises
-    ------
-    StressError
-        If there is none, shapes differ, a value is not finite, or a number makes no sense.
+    Raises StressError if there is none, shapes differ, a value is not finite, or a number makes no
+    sense.
     """
     given = {
         "pressure_pa": pressure_pa,

@@ -36,20 +36,15 @@ Factor = Callable[["Directions", Any, float], Any]
 
 @dataclass(frozen=True)
 class Directions:
-    """Direction cosines of waves.
-
-    Attributes
-    ----------
-    u, v : array
-        a/k and b/k where factors are odd in them: real fields have none of the shortest wave.
-    uu, vv : array
-        Their squares, where factors are even.
-    """
+    """Direction cosines of waves."""
 
     u: Any
     v: Any
+    """`u`, `v`: a/k and b/k where factors are odd in them: real fields have none of the shortest
+    wave."""
     uu: Any
     vv: Any
+    """`uu`, `vv`: their squares, where factors are even."""
 
     def exchanged(self) -> "Directions":
         """Return the same with x and y exchanged."""
@@ -92,11 +87,7 @@ LOADS = {"pressure_pa": PRESSURE, "traction_x_pa": TRACTION_X, "traction_y_pa": 
 
 
 def wave_stress(
-    load: str,
-    a: ArrayLike,
-    b: ArrayLike,
-    depth: ArrayLike,
-    poisson_ratio: float = 0.3,
+    load: str, a: ArrayLike, b: ArrayLike, depth: ArrayLike, poisson_ratio: float = 0.3
 ) -> dict[str, Complex]:
     """Return the stresses below a load exp(i (a x + b y)), tension positive, per unit of load.
 
