@@ -44,7 +44,13 @@ class CaseKeys(TypedDict, total=False):
     roelands_index: SupportsFloat
     """index z of Roelands' viscosity"""
     viscosity_law: Literal[
-        "roelands", "barus", "isoviscous", "mcewen", "yasutomi", "doolittle", "table"
+        "roelands",
+        "barus",
+        "isoviscous",
+        "mcewen",
+        "yasutomi",
+        "doolittle",
+        "table",
     ]
     """viscosity against pressure"""
     density_law: Literal["dowson_higginson", "incompressible", "tait"]
