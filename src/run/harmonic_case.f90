@@ -28,8 +28,8 @@ module ehlwave_harmonic_case
    !> Error over what two grids show: of 393 random responses three were off by 1.5 to 1.7 times that.
    real(dp), parameter :: grids_margin = 1.4_dp
 
-   !> Of the error of the film, at least, where P exceeds the Hertz pressure: two of 511 random responses, of contacts
-   !> with P = 1.02 and 1.31, were off by 2.2 and 2.6 times what two grids show, 2.7 and 3.5 times the error of the film.
+   !> Of the error of the film, at least, where P exceeds the Hertz pressure. Two of 511 random responses were off by 2.2
+   !> and 2.6 times what two grids show, 2.7 and 3.5 times the error of the film: of contacts with P = 1.31 and 1.02.
    real(dp), parameter :: film_share = 1.5_dp
 
 contains
@@ -118,8 +118,8 @@ contains
                                           plan%steps_per_cell, coarse)
       if (coarse%status /= status_converged) return
       call harmonic%extrapolate(coarse%film, coarse%pressure, order_of_response(case, plan, result))
-      ! the pressure spike of a light contact grows with the grid, which tells less of waves than of the film; under slip
-      ! the wave of the oil starts there
+      ! the pressure spike of a light contact grows with the grid, which tells less of waves than of the film; the wave
+      ! of the oil under slip starts there
       if (result%max_pressure > 1) harmonic%error = max(harmonic%error, film_share*result%central_film_error)
       if (waves%moves() .and. abs(plan%conditions%slip_parameter - 1) > 0) &
          harmonic%error = harmonic%error*max(1.0_dp, result%max_pressure)**2
