@@ -28,8 +28,8 @@ module ehlwave_harmonic_case
    !> Error over what two grids show: of 393 random responses three were off by 1.5 to 1.7 times that.
    real(dp), parameter :: grids_margin = 1.4_dp
 
-   !> Of the error of the film, at least, where P exceeds the Hertz pressure. Two of 511 random responses were off by 2.2
-   !> and 2.6 times what two grids show, 2.7 and 3.5 times the error of the film: of contacts with P = 1.31 and 1.02.
+   !> Of the error of the film, at least, where P exceeds the Hertz pressure. Two of 511 random responses were off by
+   !> 2.2 and 2.6 times what two grids show, 2.7 and 3.5 times the error of the film: of contacts with P = 1.31 and 1.02.
    real(dp), parameter :: film_share = 1.5_dp
 
 contains
