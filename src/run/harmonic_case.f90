@@ -29,7 +29,7 @@ module ehlwave_harmonic_case
    real(dp), parameter :: grids_margin = 1.4_dp
 
    !> Of the error of the film, at least, where P exceeds the Hertz pressure. Two of 511 random responses were off by
-   !> 2.2 and 2.6 times what two grids show, 2.7 and 3.5 times the error of the film: of contacts with P = 1.31 and 1.02.
+   !> 2.2 and 2.6 times what two grids show, 2.7 and 3.5 times the error of the film: contacts with P = 1.31 and 1.02.
    real(dp), parameter :: film_share = 1.5_dp
 
 contains
