@@ -84,6 +84,8 @@ contains
          ! the pressure spike of a light contact grows with the grid, and takes the waves along
          estimate = grids_margin*max(1.0_dp, result%max_pressure)**2* &
                     max(maxval(estimates), plan%least_ratio_error(result%central_film_error)) + by_heat
+         ! the response to the same waves, where it is there, has no better one
+         if (ieee_is_finite(result%harmonic%error)) estimate = max(estimate, result%harmonic%error)
          result%amplitude_ratio_error = estimate
          if (plan%steps > 0) result%amplitude_ratio_error = estimate + expected_step_error(case%step_tolerance)
          result%amplitude_error_basis = 'coarse_grid'

@@ -34,6 +34,10 @@ module ehlwave_film_errors
    real(dp), parameter :: starved_share = 0.5_dp   !! of 1 - R
    real(dp), parameter :: full_margin = 2
 
+   !> Largest P above which coarse grids tell less of the film: of 1573 random contacts one with P = 1.96 (M = 30, D =
+   !> 0.09) was off by 1.6 times the estimate.
+   real(dp), parameter :: high_spike = 1.25_dp
+
    !> Error of the friction over the estimate: of 694 random contacts five were off by 1.4 to 1.8 times the estimate;
    !> where no second grid shows how the pressure spike grows, one with P up to 1.8 by 2.4 times.
    real(dp), parameter :: friction_margin = 1.6_dp
@@ -70,7 +74,7 @@ contains
          starved = 1 + starved_share*max(0.0_dp, 1 - result%starved%film_over_flooded)
          if (.not. ieee_is_finite(result%starved%passage%meniscus_x)) starved = full_margin
       end if
-      result%central_film_error = starved*result%central_film_error
+      result%central_film_error = starved*max(1.0_dp, result%max_pressure/high_spike)*result%central_film_error
       result%film_order = observed_order(multigrid%levels(n:1:-1)%central_film)
       result%minimum_film_error = estimate_error(multigrid%levels(n:1:-1)%minimum_film, &
                                                  likely_order(result%film_order, plan%resolution, &
