@@ -9,7 +9,7 @@ module ehlwave_accuracy_model
    implicit none (type, external)
    private
    public :: expected_film_error, expected_long_step_error, expected_meniscus_error, expected_ratio_error, &
-      expected_step_error, largest_mesh, points_for, steady_work_units, step_work_units
+      expected_step_error, largest_mesh, points_for, spike_factor, steady_work_units, step_work_units
 
    real(dp), parameter :: film_factor = 0.172_dp           !! model 'film'
    real(dp), parameter :: moving_factor = 0.265_dp         !! model 'moving_ratio'
@@ -143,5 +143,12 @@ contains
       integer, intent(in) :: cells
       cost = c(1)*(cells/128.0_dp)**c(2)*(conditions%gamma*conditions%m/100)**c(3)
    end function cost
+
+   !> Times as far off numbers may be where the pressure spike of a light contact is above the Hertz pressure: it grows
+   !> with every grid.
+   elemental real(dp) function spike_factor(max_pressure)
+      real(dp), intent(in) :: max_pressure   !! of the smooth contact, over the Hertz pressure
+      spike_factor = max(1.0_dp, max_pressure)**2
+   end function spike_factor
 
 end module ehlwave_accuracy_model

@@ -1,6 +1,6 @@
 !> The plan of one case: what is computed, on which grid, in how many steps, and why.
 module ehlwave_planned_case
-   use ehlwave_accuracy_model, only: expected_film_error
+   use ehlwave_accuracy_model, only: expected_film_error, spike_factor
    use ehlwave_case_files, only: case_file_t
    use ehlwave_conditions, only: conditions_t
    use ehlwave_error_parts, only: error_parts_t
@@ -94,7 +94,7 @@ contains
       class(case_plan_t), intent(in) :: self
       real(dp), intent(in) :: max_pressure   !! of the smooth contact, over the Hertz pressure
       real(dp), parameter :: usual_margin = 2, usual_ratio = 2
-      model_margin = usual_margin*max(1.0_dp, (self%hy/(usual_ratio*self%hx))**2)*max(1.0_dp, max_pressure)**2
+      model_margin = usual_margin*max(1.0_dp, (self%hy/(usual_ratio*self%hx))**2)*spike_factor(max_pressure)
    end function model_margin
 
    !> Relative error of Ad/Ai by the mesh, where no coarser grid tells it. Under slip two waves add up whose phases the

@@ -54,7 +54,7 @@ contains
       type(heat_scales_t), intent(in) :: scales
       real(dp), intent(in), optional :: by_time(0:, 0:)   !! dP/dT, (0:nx, 0:ny); absent: 0
       type(across_film_t), allocatable :: across
-      real(dp), dimension(0:problem%grid%nx) :: b, fluidity, rho, sigma_x, sigma_y
+      real(dp), dimension(0:problem%grid%nx) :: b, drho, fluidity, rho, sigma_x, sigma_y
       real(dp) :: factor(2, 0:problem%grid%nx), flow(2, 0:problem%grid%nx)
       real(dp), allocatable, dimension(:, :) :: gx, gy
       real(dp) :: growth
@@ -66,7 +66,7 @@ contains
                  kappa => problem%conditions%elliptic%kappa)
          call node_gradient(grid, kappa, p, gx, gy)
          do j = 0, grid%ny
-            call oil_of_row(problem, state, j, rho, fluidity, across)
+            call oil_of_row(problem, state, j, rho, drho, fluidity, across)
             call film%mean_stress(fluidity, h(:, j), gx(:, j), gy(:, j), sigma_x, b, factor, across, sigma_y, flow)
             do i = 0, grid%nx
                if (present(by_time)) growth = by_time(i, j)

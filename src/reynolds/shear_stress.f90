@@ -80,7 +80,7 @@ contains
       type(contact_problem_t), intent(in) :: problem
       type(state_t), intent(in) :: state
       real(dp), allocatable, dimension(:, :), intent(out) :: stress, b, factor_x, factor_y   !! (0:nx, 0:ny)
-      real(dp), dimension(0:problem%grid%nx) :: fluidity, rho
+      real(dp), dimension(0:problem%grid%nx) :: drho, fluidity, rho
       type(across_film_t), allocatable :: across
       real(dp), allocatable, dimension(:, :) :: gx, gy
       real(dp) :: factor(2, 0:problem%grid%nx), scale
@@ -95,7 +95,7 @@ contains
          allocate (gx, gy, mold=stress)
          if (.not. problem%rheology%is_newtonian()) call node_gradient(grid, c%elliptic%kappa, p, gx, gy)
          do j = 0, grid%ny
-            call oil_of_row(problem, state, j, rho, fluidity, across)
+            call oil_of_row(problem, state, j, rho, drho, fluidity, across)
             if (.not. problem%rheology%is_newtonian()) then
                call problem%film_flow%mean_stress(fluidity, h(:, j), gx(:, j), gy(:, j), stress(:, j), b(:, j), &
                                                   factor, across)
@@ -109,14 +109,14 @@ contains
       end associate
    end subroutine shear_stress
 
-   !> Density and fluidity at the nodes of a row, and what differs across the film there.
-   pure subroutine oil_of_row(problem, state, j, rho, fluidity, across)
+   !> Density, its slope and fluidity at the nodes of a row, and what differs across the film there.
+   pure subroutine oil_of_row(problem, state, j, rho, drho, fluidity, across)
       type(contact_problem_t), intent(in) :: problem
       type(state_t), intent(in) :: state
       integer, intent(in) :: j
-      real(dp), intent(out) :: rho(0:), fluidity(0:)         !! (0:nx)
+      real(dp), intent(out), dimension(0:) :: rho, drho, fluidity   !! (0:nx)
       type(across_film_t), allocatable, intent(out) :: across
-      real(dp), dimension(0:problem%grid%nx) :: drho, dln_eta
+      real(dp) :: dln_eta(0:problem%grid%nx)
       integer :: n
 
       n = problem%grid%nx + 1

@@ -1,7 +1,7 @@
 !> Runs one planned case and estimates the discretisation error of its Ad/Ai.
 module ehlwave_estimated_case
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-   use ehlwave_accuracy_model, only: expected_step_error
+   use ehlwave_accuracy_model, only: expected_step_error, spike_factor
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: make_plan
    use ehlwave_case_result, only: case_result_t
@@ -82,7 +82,7 @@ contains
       end associate
       if (all(ieee_is_finite(estimates))) then
          ! the pressure spike of a light contact grows with the grid, and takes the waves along
-         estimate = grids_margin*max(1.0_dp, result%max_pressure)**2* &
+         estimate = grids_margin*spike_factor(result%max_pressure)* &
                     max(maxval(estimates), plan%least_ratio_error(result%central_film_error)) + by_heat
          ! the response to the same waves, where it is there, has no better one
          if (ieee_is_finite(result%harmonic%error)) estimate = max(estimate, result%harmonic%error)

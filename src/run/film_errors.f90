@@ -1,7 +1,7 @@
 !> Discretisation errors of smooth film and friction.
 module ehlwave_film_errors
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-   use ehlwave_accuracy_model, only: fitted_share
+   use ehlwave_accuracy_model, only: fitted_share, spike_factor
    use ehlwave_case_account, only: add_warning
    use ehlwave_case_result, only: case_result_t
    use ehlwave_error_estimate, only: estimate_error, likely_order, observed_order
@@ -90,7 +90,7 @@ contains
          result%minimum_film_error = of_found(minimum_margin*result%central_film_error) + between
       end if
       spread = friction_margin
-      if (result%film_error_basis == 'model') spread = spread*max(1.0_dp, result%max_pressure)**2
+      if (result%film_error_basis == 'model') spread = spread*spike_factor(result%max_pressure)
       if (ieee_is_finite(result%shear%friction_coefficient)) result%friction_error = spread* &
          estimate_friction_error(multigrid%levels(n:1:-1), stress, averaged_error(plan, result))
       if (ieee_is_finite(result%heat%isothermal_film)) call add_steepness(plan, result)

@@ -1,6 +1,7 @@
 !> The linear response of a case: no time steps.
 module ehlwave_harmonic_case
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+   use ehlwave_accuracy_model, only: spike_factor
    use ehlwave_case_account, only: add_warning
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_result, only: case_result_t
@@ -122,7 +123,7 @@ contains
       ! of the oil under slip starts there
       if (result%max_pressure > 1) harmonic%error = max(harmonic%error, film_share*result%central_film_error)
       if (waves%moves() .and. abs(plan%conditions%slip_parameter - 1) > 0) &
-         harmonic%error = harmonic%error*max(1.0_dp, result%max_pressure)**2
+         harmonic%error = harmonic%error*spike_factor(result%max_pressure)
       harmonic%error = grids_margin*max(harmonic%error, plan%least_ratio_error(result%central_film_error)) + by_heat
       harmonic%error_basis = 'coarse_grid'
    end subroutine run_response

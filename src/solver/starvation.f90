@@ -117,11 +117,7 @@ contains
       once%largest_steps = 1
       associate (level => multigrid%levels(l))
          call hold_empty(level)
-         if (l == size(multigrid%levels)) then
-            call rescue%attempt(multigrid, once)
-         else
-            call rescue%solve_coarse(multigrid, l, once, report)
-         end if
+         call solve_capped(rescue, multigrid, l, once, report)
          deallocate (level%given%is_empty)
       end associate
    end subroutine settle
@@ -137,6 +133,7 @@ contains
       type(solve_report_t), intent(inout) :: report
       type(adaptive_path_t) :: path
       type(solve_limits_t) :: here
+      type(solve_report_t) :: found
       type(state_t) :: last
       real(dp), allocatable :: supply(:)
       real(dp) :: most
@@ -155,18 +152,29 @@ contains
             level%state = last
             here = limits
             if (.not. path%is_at_end()) here%tolerance = max(limits%tolerance, loose_tolerance)
-            if (l == size(multigrid%levels)) then
-               call rescue%attempt(multigrid, here)
-               report = level%report
-            else
-               call rescue%solve_coarse(multigrid, l, here, report)
-            end if
+            call solve_capped(rescue, multigrid, l, here, found)
+            report = found                       ! may be that of the level itself
             is_solved = report%status == status_converged
             if (is_solved) last = level%state
          end do
          level%given%supply = supply
       end associate
    end subroutine come_down
+
+   !> A solve of a level within the cap of the case; on the finest its report counts all attempts.
+   subroutine solve_capped(rescue, multigrid, l, limits, report)
+      type(rescue_t), intent(inout) :: rescue
+      type(full_multigrid_t), intent(inout) :: multigrid
+      integer, intent(in) :: l
+      type(solve_limits_t), intent(in) :: limits
+      type(solve_report_t), intent(out) :: report
+      if (l < size(multigrid%levels)) then
+         call rescue%solve_coarse(multigrid, l, limits, report)
+      else
+         call rescue%attempt(multigrid, limits)
+         report = multigrid%levels(l)%report
+      end if
+   end subroutine solve_capped
 
    !> First guess from the flooded state: no pressure where the gap is much wider than the layer, of a film that loses
    !> what is missing. From the flooded state itself the empty part of the inlet would grow by some rows a step.
