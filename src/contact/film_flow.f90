@@ -39,7 +39,7 @@ module ehlwave_film_flow
       real(dp), allocatable :: ln_fluidity(:, :)   !! (0:levels, n) of an oil that is warm: ln of its fluidity at each
                                                    !! level over that given
       real(dp), allocatable :: p(:)                !! P, (n), where the stress is limited
-      real(dp), allocatable :: range(:)            !! (n) of `ln_fluidity` across the film, if it is known
+      real(dp), allocatable :: range(:)            !! (n) of `ln_fluidity` across the film, given with it
       real(dp), allocatable :: moments(:, :)       !! (0:2, n) those of `moments_of` in place of `ln_fluidity`
    end type across_film_t
 
@@ -267,18 +267,13 @@ contains
       type(across_film_t), intent(in) :: across
       real(dp), intent(in) :: variation(:)     !! |Sigma|
       integer :: needed(size(variation))
-      real(dp) :: by_p, by_sigma2, inverse, range
+      real(dp) :: by_p, by_sigma2, inverse
       integer :: i
 
       needed = 1
       if (allocated(across%ln_fluidity)) then
          do i = 1, size(needed)
-            if (allocated(across%range)) then
-               range = across%range(i)
-            else
-               range = maxval(across%ln_fluidity(:, i)) - minval(across%ln_fluidity(:, i))
-            end if
-            if (range > 0) needed(i) = warm_rule(1 + count(range > warm_range))
+            if (across%range(i) > 0) needed(i) = warm_rule(1 + count(across%range(i) > warm_range))
          end do
       end if
       if (.not. allocated(self%limit)) return
@@ -349,11 +344,7 @@ contains
          end do
       else if (allocated(across%ln_fluidity)) then
          associate (to => self%to_rule(rule), ln => across%ln_fluidity)
-            if (allocated(across%range)) then
-               is_even = .not. any(across%range(places) > 0)
-            else
-               is_even = .not. maxval(abs(ln(:, places))) > 0
-            end if
+            is_even = .not. any(across%range(places) > 0)
             if (is_even .and. allocated(stress%fluidity)) deallocate (stress%fluidity)
             if (allocated(stress%fluidity)) then
                if (size(stress%fluidity, 2) < self%rule(rule)%n) deallocate (stress%fluidity)

@@ -200,6 +200,7 @@ contains
       if (present(ln_fluidity)) then
          call flow%set_levels(size(ln_fluidity) - 1)
          across%ln_fluidity = reshape(ln_fluidity, [size(ln_fluidity), 1])
+         across%range = [maxval(ln_fluidity) - minval(ln_fluidity)]
          if (flow%has_moments()) call take_moments(flow, across)
       end if
       do i = 1, size(points, 2)
@@ -252,7 +253,8 @@ contains
       type(across_film_t), intent(inout) :: across
       associate (ln => across%ln_fluidity)
          allocate (across%moments(0:2, 1))
-         call flow%moments_of(ln, maxval(ln, 1) - minval(ln, 1), across%moments)
+         across%range = maxval(ln, 1) - minval(ln, 1)
+         call flow%moments_of(ln, across%range, across%moments)
       end associate
    end subroutine take_moments
 
