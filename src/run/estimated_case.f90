@@ -1,7 +1,7 @@
 !> Runs one planned case and estimates the discretisation error of its Ad/Ai.
 module ehlwave_estimated_case
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-   use ehlwave_accuracy_model, only: expected_step_error, spike_factor
+   use ehlwave_accuracy_model, only: expected_step_error, grids_margin, spike_factor
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: make_plan
    use ehlwave_case_result, only: case_result_t
@@ -22,9 +22,6 @@ module ehlwave_estimated_case
    public :: run_estimated_case
 
    integer, parameter :: fewest_cells = 24   !! of a coarser grid that is worth running
-
-   !> Error over what grids show: of 160 random Ad/Ai in time three were off by 1.2 to 2 times that.
-   real(dp), parameter :: grids_margin = 1.2_dp
 
    !> Asked to stop, the coarse runs are finished if that takes no longer.
    real(dp), parameter :: largest_delay_s = 10

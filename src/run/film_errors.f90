@@ -1,7 +1,7 @@
 !> Discretisation errors of smooth film and friction.
 module ehlwave_film_errors
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-   use ehlwave_accuracy_model, only: fitted_share, spike_factor
+   use ehlwave_accuracy_model, only: fitted_share, grids_margin, spike_factor
    use ehlwave_case_account, only: add_warning
    use ehlwave_case_result, only: case_result_t
    use ehlwave_error_estimate, only: estimate_error, likely_order, observed_order
@@ -37,10 +37,6 @@ module ehlwave_film_errors
    !> Largest P above which coarse grids tell less of the film: of 1573 random contacts one with P = 1.96 (M = 30, D =
    !> 0.09) was off by 1.6 times the estimate.
    real(dp), parameter :: high_spike = 1.25_dp
-
-   !> Error of the friction over the estimate: of 694 random contacts five were off by 1.4 to 1.8 times the estimate;
-   !> where no second grid shows how the pressure spike grows, one with P up to 1.8 by 2.4 times.
-   real(dp), parameter :: friction_margin = 1.6_dp
 
    !> Estimate of it above which no friction is given; 1 where no second grid shows how the pressure spike grows. Random
    !> cases that said 1 to 10 with a second grid were off by less.
@@ -89,7 +85,8 @@ contains
          result%central_film_error = starved*plan%model_margin(result%max_pressure)*plan%expected_film_mesh_error()
          result%minimum_film_error = of_found(minimum_margin*result%central_film_error) + between
       end if
-      spread = friction_margin
+      spread = grids_margin
+      ! one random friction with P up to 1.8 was off by 2.4 times that
       if (result%film_error_basis == 'model') spread = spread*spike_factor(result%max_pressure)
       if (ieee_is_finite(result%shear%friction_coefficient)) result%friction_error = spread* &
          estimate_friction_error(multigrid%levels(n:1:-1), stress, averaged_error(plan, result))

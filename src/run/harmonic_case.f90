@@ -1,7 +1,7 @@
 !> The linear response of a case: no time steps.
 module ehlwave_harmonic_case
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-   use ehlwave_accuracy_model, only: spike_factor
+   use ehlwave_accuracy_model, only: grids_margin, spike_factor
    use ehlwave_case_account, only: add_warning
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_result, only: case_result_t
@@ -25,9 +25,6 @@ module ehlwave_harmonic_case
    !> On a wave, above the fewest, that show the second order with two grids. With 4, errors of 12 to 18 points were 1.1
    !> to 1.7 times those said.
    real(dp), parameter :: enough_points = 12
-
-   !> Error over what two grids show: of 393 random responses three were off by 1.5 to 1.7 times that.
-   real(dp), parameter :: grids_margin = 1.4_dp
 
    !> Of the error of the film, at least, where P exceeds the Hertz pressure. Two of 511 random responses were off by
    !> 2.2 and 2.6 times what two grids show, 2.7 and 3.5 times the error of the film: contacts with P = 1.31 and 1.02.
@@ -122,6 +119,10 @@ contains
       ! the pressure spike of a light contact grows with the grid, which tells less of waves than of the film; the wave
       ! of the oil under slip starts there
       if (result%max_pressure > 1) harmonic%error = max(harmonic%error, film_share*result%central_film_error)
+      ! how much the bodies move is as uncertain as the film, which tells for waves that the contact flattens, and near
+      ! resonance, where the bodies move more than the waves
+      if (harmonic%ratio > 0) harmonic%error = max(harmonic%error, &
+         film_share*result%central_film_error*abs(response%approach)/harmonic%ratio)
       if (waves%moves() .and. abs(plan%conditions%slip_parameter - 1) > 0) &
          harmonic%error = harmonic%error*spike_factor(result%max_pressure)
       harmonic%error = grids_margin*max(harmonic%error, plan%least_ratio_error(result%central_film_error)) + by_heat
