@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from ehlwave import contact as contact
     from ehlwave import deform as deform
     from ehlwave import stress as stress
+    from ehlwave.answers import Film, Response
     from ehlwave.atlas import Atlas, load_atlas
     from ehlwave.case_file import read_contact as read_case
     from ehlwave.contact.bodies import Body
@@ -41,7 +42,7 @@ if TYPE_CHECKING:
         rms_residual,
     )
     from ehlwave.formula import amplitude_ratio_formula, f_of_r, v, v2, wavelength_ratio
-    from ehlwave.operating_point import Contact, Film, Response
+    from ehlwave.operating_point import Contact
     from ehlwave.points import select_points
     from ehlwave.read import read_results
     from ehlwave.refit import RefitRow, RefitSettings, refit_groups
@@ -49,6 +50,7 @@ if TYPE_CHECKING:
     __version__: str
 
 _HOMES = {
+    "answers": ("Film", "Response"),
     "atlas": ("Atlas", "load_atlas"),
     "contact.bodies": ("Body",),
     "contact.data_sheet": ("Oil",),
@@ -76,7 +78,7 @@ _HOMES = {
         "rms_residual",
     ),
     "formula": ("amplitude_ratio_formula", "f_of_r", "v", "v2", "wavelength_ratio"),
-    "operating_point": ("Contact", "Film", "Response"),
+    "operating_point": ("Contact",),
     "points": ("select_points",),
     "read": ("read_results",),
     "refit": ("RefitRow", "RefitSettings", "refit_groups"),

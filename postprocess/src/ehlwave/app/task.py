@@ -10,13 +10,14 @@ from typing import Any
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
+from ehlwave.answers import Film
 from ehlwave.app.contacts import Given, made
 from ehlwave.app.uploads import Upload, read_upload
 from ehlwave.deform.figures import deformed_figure, spectrum_figure
 from ehlwave.deform.predict import Deformed
 from ehlwave.deform.read import ReadOptions
 from ehlwave.errors import ExtrapolationWarning, RangeError
-from ehlwave.operating_point import Contact, Film
+from ehlwave.operating_point import Contact
 
 DOTS_PER_INCH = 200
 _DRAWING = Lock()
