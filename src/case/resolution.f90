@@ -101,14 +101,10 @@ contains
    !> central film, then none does, on the finer grid either.
    function touching_reason(smallest_film, central_film) result(reason)
       real(dp), intent(in) :: smallest_film   !! of all solutions of the case, H
-      real(dp), intent(in) :: central_film    !! smooth H(0,0)
+      real(dp), intent(in) :: central_film    !! smooth H(0,0); NaN: none
       character(len=:), allocatable :: reason
-      reason = ''
-      if (ieee_is_nan(central_film)) return
-      if (smallest_film < touching_film*central_film) reason = &
-         'the waves touch the other surface: the film falls to '// &
-         to_text(100*smallest_film/central_film, 2)//' per cent of the smooth central one, at least '// &
-         to_text(100*touching_film, 2)//' needed: reduce amplitude_over_film'
+      reason = thin_reason('the waves touch the other surface: the film falls to ', smallest_film/central_film, &
+                           'smooth central one', 'reduce amplitude_over_film')
    end function touching_reason
 
    !> The same of smooth surfaces. A line contact with a film of 1.1 per cent at its outlet had 2.4 on twice the cells.
@@ -116,12 +112,18 @@ contains
       real(dp), intent(in) :: smallest_film   !! H of the smooth contact,
       real(dp), intent(in) :: central_film    !! and H(0,0); NaN: none
       character(len=:), allocatable :: reason
-      reason = ''
-      if (ieee_is_nan(central_film)) return
-      if (smallest_film < touching_film*central_film) reason = &
-         'the smallest film is '//to_text(100*smallest_film/central_film, 2)//' per cent of the central one, at '// &
-         'least '//to_text(100*touching_film, 2)//' needed: use more cells'
+      reason = thin_reason('the smallest film is ', smallest_film/central_film, 'central one', 'use more cells')
    end function closing_reason
+
+   function thin_reason(found, share, whole, advice) result(reason)
+      real(dp), intent(in) :: share   !! of the whole; NaN: not known, which is no reason
+      character(len=*), intent(in) :: found, whole, advice
+      character(len=:), allocatable :: reason
+      reason = ''
+      if (ieee_is_nan(share)) return
+      if (share < touching_film) reason = found//to_text(100*share, 2)//' per cent of the '//whole//', at least '// &
+         to_text(100*touching_film, 2)//' needed: '//advice
+   end function thin_reason
 
    !> Put a reason, if there is one, behind those found so far.
    pure subroutine add_reason(reasons, reason)
