@@ -17,7 +17,7 @@ module ehlwave_fas_multigrid
    integer, parameter :: sweeps_before = 1, sweeps_after = 2   !! the coarse problem; fewest work units measured
    integer, parameter :: direct_steps = 10           !! Newton steps per visit of the coarsest level
    real(dp), parameter :: direct_share = 0.01_dp     !! of the residual of the finest level, to be left there
-   real(dp), parameter :: divergence = 1e3_dp        !! growth of the residual that ends a solve
+   real(dp), parameter :: divergence = 1e3_dp        !! growth of the residual, over the least, that ends a solve
    !> Cycles without `progress` that end a solve: on grids that do not resolve a heavy contact a film can close, and
    !> then no step may go far (M = 10,000 on 64 to 256 cells).
    integer, parameter :: patience = 6
@@ -79,7 +79,7 @@ contains
             call report%judge(given, level%equations, state, solve_limits_t(tolerance=limits%tolerance))
             report%history = [report%history, report%residual]
             if (report%status /= status_stalled) exit
-            if (report%residual > divergence*report%history(1)) report%status = status_diverged
+            if (report%residual > divergence*minval(report%history)) report%status = status_diverged
             if (report%status == status_diverged .or. k == limits%largest_steps) exit
             if (hierarchy%work() >= self%most_work) exit
             if (report%worst() < progress*least) then
@@ -105,6 +105,7 @@ contains
       real(dp), intent(in) :: tolerance         !! of the coarsest level
       integer :: visit
 
+      if (hierarchy%work() >= self%most_work) return   ! no correction
       if (l == 1) then
          call solve_directly(self, hierarchy, tolerance)
          return
