@@ -91,6 +91,7 @@ contains
                result%friction_error = result%friction_error + heat%settling*result%shear%cancellation &
                                        + heat%levels_error
                result%central_film_error = result%central_film_error + heat%film_error()
+               result%minimum_film_error = result%minimum_film_error + heat%film_error()
                call add_warning(result, heat%warning())
             end associate
             if (plan%surfaces%is_rough()) call add_warning(result, wave_heat_text(case, result%heat%frozen_error))
