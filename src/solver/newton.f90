@@ -90,7 +90,7 @@ contains
       type(state_t) :: before
       real(dp) :: best, forcing, length, work_before, worth, worth_before
       integer :: k, last_gain, rests
-      logical :: asks_local, is_starved
+      logical :: asks_local, is_starved, may_cut
 
       if (checks) call assert(allocated(state%p) .and. limits%tolerance > 0, &
                               'newton%improve: a first guess and a tolerance')
@@ -106,6 +106,8 @@ contains
       asks_local = allocated(self%local) .and. .not. allocated(given%supply) .and. &
                    .not. allocated(levels(size(levels))%problem%heat)
       is_starved = given%conserves_oil()
+      self%step%is_cut = .false.
+      may_cut = levels(size(levels))%problem%rheology%is_newtonian()
       associate (problem => levels(size(levels))%problem, equations => self%step%linear%levels(size(levels))%equations)
          call problem%film_of_guess(given, state)
          do k = 0, limits%largest_steps
@@ -124,6 +126,12 @@ contains
                best = min(best, worth)
             end if
             if (asks_local) call improve_part(self, problem, given, limits, state, worth, asks_local)
+            if (self%step%is_cut .and. worth > 0.3_dp*worth_before) then
+               may_cut = .false.
+               if (.not. self%step%take_shorter(problem, self%limit, state)) exit
+               call self%step%assemble(problem, given, state, worth)
+               if (asks_local) call improve_part(self, problem, given, limits, state, worth, asks_local)
+            end if
             call report%judge(given, equations, state, limits)
             report%history = [report%history, report%residual]
             if (k == 0 .and. report%status == status_converged .and. &
@@ -149,7 +157,7 @@ contains
             if (is_starved .and. k > 1) then   ! a meniscus that comes back nearer to the solution is no cycle
                if (report%residual < report%history(k - 1)) length = 1
             end if
-            if (.not. self%step%take(problem, self%limit, length, state)) then
+            if (.not. self%step%take(problem, self%limit, length, may_cut .and. asks_local, state)) then
                report%status = status_diverged
                exit
             end if
