@@ -41,6 +41,7 @@ module ehlwave_newton_step
 
    real(dp), parameter :: lowest_pressure = -0.02_dp   !! of an iterate; solutions are clipped at 0
    real(dp), parameter :: few = 0.01_dp                !! of the nodes, whose changes are cut one by one
+   real(dp), parameter :: much_shorter = 0.5_dp        !! of a step, where they are
 
 contains
 
@@ -147,8 +148,8 @@ contains
    !> Step along `change`, made shorter so that the pressure change and the film stay within their limits, and bent.
    !> False if there is no step to take.
    !>
-   !> Where a few nodes of a steep spike ask for more than the limit of pressures, a step that may be cut cuts their
-   !> changes and goes all the way elsewhere: a shorter one would leave the most part of all other residuals.
+   !> Where a few nodes of a steep spike ask for much more than the limit of pressures, a step that may be cut cuts
+   !> their changes and goes all the way elsewhere: a shorter one would leave the most part of all other residuals.
    !>
    !> Pressures may become slightly negative: the active set makes them zero in the next step. Clipping them at zero
    !> here instead leaves neighbours with changes that counted on the negative value, and the active set can go round
@@ -158,7 +159,7 @@ contains
       type(contact_problem_t), intent(inout) :: problem
       type(step_limit_t), intent(in) :: limit
       real(dp), intent(in) :: longest    !! step length, at most 1
-      logical, intent(in) :: may_cut
+      logical, intent(in) :: may_cut     !! node by node
       type(state_t), intent(inout) :: state
       real(dp), pointer, contiguous :: dp_(:, :)
       real(dp) :: step
@@ -169,7 +170,8 @@ contains
          has_moved = ieee_is_finite(maxval(abs(dp_))) .and. ieee_is_finite(self%change(n))
          if (.not. has_moved) return
          step = longest*limit%of_pressure(dp_)
-         self%is_cut = may_cut .and. step < longest .and. count(abs(dp_) > limit%largest_change) <= few*n
+         self%is_cut = may_cut .and. step < much_shorter*longest .and. &
+                       count(abs(dp_) > limit%largest_change) <= few*n
          if (self%is_cut) then
             self%before = state
             self%shorter_change = self%change
@@ -182,7 +184,7 @@ contains
       has_moved = advance(self, problem, limit, state)
    end function take
 
-   !> In place of a step that was cut and led nowhere: the whole step, shorter.
+   !> In place of a step that was cut and led nowhere: the whole step, shorter. False if there is none.
    logical function take_shorter(self, problem, limit, state) result(has_moved)
       class(newton_step_t), intent(inout) :: self
       type(contact_problem_t), intent(inout) :: problem
