@@ -239,7 +239,8 @@ contains
       loose%tolerance = looser*limits%tolerance
       associate (problem => multigrid%levels(self%l)%problem, level => multigrid%levels(self%l))
          call self%energy%look_ahead(problem)
-         call problem%heat%weigh(problem%rheology, problem%film_flow, self%energy%levels%weight, level%state%p)
+         call problem%heat%weigh(problem%rheology, problem%film_flow, self%energy%levels%weight, level%state%p, &
+                                    self%energy%until)
          worst = [self%result%worst_residual, self%result%worst_load_error]
          call solve_step(self, multigrid, loose)
          if (self%result%status == status_converged) then   ! those of the steps alone count
@@ -257,8 +258,9 @@ contains
                call own%evaluate(problem, level%given, level%state)
                equations => own
             end if
-            call self%energy%march(problem, level%state, equations%flow)
-            call problem%heat%weigh(problem%rheology, problem%film_flow, self%energy%levels%weight, level%state%p)
+            call self%energy%march(problem, level%state, equations%flow, until_film_ends=.false.)
+            call problem%heat%weigh(problem%rheology, problem%film_flow, self%energy%levels%weight, level%state%p, &
+                                    self%energy%until)
             call solve_step(self, multigrid, limits)
          end do
          call self%energy%pass_time(problem, level%state, self%settings%time_step(problem%grid))
