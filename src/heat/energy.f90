@@ -17,15 +17,16 @@ module ehlwave_energy
    use ehlwave_shear_stress, only: least_pressure
    use ehlwave_state, only: state_t
    use ehlwave_wall_heat, only: wall_weights
+   use ehlwave_wall_history, only: new_wall_history, wall_history_t
    implicit none (type, external)
    private
    public :: new_energy, warm_problem
 
    !> Oil at the time before.
-   type :: earlier_t
-      real(dp) :: dt = 0                                       ! time since, in units of a/ubar
-      real(dp), allocatable :: f(:, :), p(:, :), rise(:, :, :) ! rho H, P and K, all nodes
-      real(dp), allocatable :: before(:, :, :)                 ! K, as long before that; absent at first
+   type, public :: earlier_t
+      real(dp) :: dt = 0                                       !! time since, in units of a/ubar
+      real(dp), allocatable :: f(:, :), p(:, :), rise(:, :, :) !! rho H, P and K, all nodes
+      real(dp), allocatable :: before(:, :, :)                 !! K, as long before that
    end type earlier_t
 
    type, public :: energy_t
@@ -40,11 +41,13 @@ module ehlwave_energy
       real(dp) :: film_difference = huge(1.0_dp)    !! relative change of H(0,0) since, which who solves for it writes
       integer, allocatable :: until(:)              !! last node of each row that the last march came to, see `march`
       real(dp), private :: heat = 0                 ! of shear
-      real(dp), allocatable, private :: held(:, :, :)     ! rise of surfaces 1 and 2 that is held, (2, 0:nx, 0:ny);
-                                                          ! absent: that by the heat into them
-      type(earlier_t), allocatable, private :: earlier    ! absent: the steady state
+      type(earlier_t), allocatable :: earlier       !! absent: the steady state
+      type(wall_history_t), allocatable :: walls(:) !! of surfaces 1 and 2, by what heat into them is beside that of the
+                                                    !! steady state; with `earlier`
+      real(dp), allocatable, private :: steady_rise(:, :, :), steady_heat(:, :, :)   ! of surfaces 1 and 2 and into them
+                                                                                     ! then, (2, 0:nx, 0:ny)
    contains
-      procedure :: hold_surfaces
+      procedure :: start_in_time
       procedure :: pass_time
       procedure :: look_ahead
       procedure :: march
@@ -87,34 +90,61 @@ contains
       end associate
    end subroutine warm_problem
 
-   !> Let surfaces stay as warm as they are.
-   pure subroutine hold_surfaces(self)
+   !> After marches of a steady state: let the next be those of a time later by dT, theory eq. (T9).
+   pure subroutine start_in_time(self, problem, state, dt)
       class(energy_t), intent(inout) :: self
+      type(contact_problem_t), intent(in) :: problem
+      type(state_t), intent(in) :: state       !! the steady one
+      real(dp), intent(in) :: dt
+      real(dp) :: speed
       integer :: wall
-      allocate (self%held, mold=self%into_wall)
-      do wall = 1, 2
-         self%held(wall, :, :) = self%rise(merge(self%levels%n, 0, wall == 1), :, :)
-      end do
-   end subroutine hold_surfaces
 
-   !> Let the next marches be those of a time later by dT: theory eq. (T9).
-   pure subroutine pass_time(self, problem, state, dt)
+      allocate (self%steady_rise(2, 0:problem%grid%nx, 0:problem%grid%ny))
+      allocate (self%walls(2))
+      do wall = 1, 2
+         self%steady_rise(wall, :, :) = self%rise(merge(self%levels%n, 0, wall == 1), :, :)
+         speed = merge(problem%conditions%slip_parameter, 2 - problem%conditions%slip_parameter, wall == 1)
+         self%walls(wall) = new_wall_history(problem%grid%nx, problem%grid%ny, problem%grid%hx, speed, dt, &
+                                             self%scales%wall(wall))
+      end do
+      self%steady_heat = self%into_wall
+      allocate (self%earlier)
+      self%earlier%dt = dt
+      call take_oil(self%earlier, problem, state)
+      self%earlier%before = self%earlier%rise
+   end subroutine start_in_time
+
+   !> Let them be those of the time after the last ones.
+   pure subroutine pass_time(self, problem, state)
       class(energy_t), intent(inout) :: self
       type(contact_problem_t), intent(in) :: problem
       type(state_t), intent(in) :: state       !! now
-      real(dp), intent(in) :: dt
-      type(earlier_t) :: now
-      now = earlier_t(dt, state%p, state%p, problem%heat%rise)
-      if (allocated(self%earlier)) call move_alloc(self%earlier%rise, now%before)
-      self%earlier = now
-      self%earlier%f(:, :) = problem%density(state%p)*state%h
+      integer :: wall
+
+      do wall = 1, 2
+         call self%walls(wall)%take(self%into_wall(wall, :, :) - self%steady_heat(wall, :, :))
+         call self%walls(wall)%go_on()
+      end do
+      call move_alloc(self%earlier%rise, self%earlier%before)
+      call take_oil(self%earlier, problem, state)
    end subroutine pass_time
+
+   !> The oil as it is now.
+   pure subroutine take_oil(earlier, problem, state)
+      type(earlier_t), intent(inout) :: earlier
+      type(contact_problem_t), intent(in) :: problem
+      type(state_t), intent(in) :: state
+      earlier%p = state%p
+      if (.not. allocated(earlier%f)) allocate (earlier%f, mold=state%p)
+      earlier%f(:, :) = problem%density(state%p)*state%h
+      earlier%rise = problem%heat%rise
+   end subroutine take_oil
 
    !> Temperatures as they went on in the last step: a first guess of those of the next.
    pure subroutine look_ahead(self, problem)
       class(energy_t), intent(in) :: self
       type(contact_problem_t), intent(inout) :: problem
-      if (allocated(self%earlier%before)) problem%heat%rise = 2*self%earlier%rise - self%earlier%before
+      problem%heat%rise = 2*self%earlier%rise - self%earlier%before
    end subroutine look_ahead
 
    !> One march at a state: temperatures of the problem, whose source is linearised about those before. Downstream of all
@@ -320,9 +350,10 @@ contains
          column%own_share = merge(1.0_dp, 0.0_dp, self%difference < near)
          column%convection = self%scales%convection*h
          column%h = h
-         if (allocated(self%held)) then
-            column%wall_before = self%held(:, i, j)
-            column%wall_own = 0
+         if (allocated(self%walls)) then
+            column%wall_own = self%walls%own
+            column%wall_before = self%steady_rise(:, i, j) - column%wall_own*self%steady_heat(:, i, j) &
+                                 + [self%walls(1)%rise(i, j), self%walls(2)%rise(i, j)]
          else
             do m = 1, 2
                column%wall_before(m) = self%scales%wall(m)*heated(i, w(nx - i:), q(:, m))

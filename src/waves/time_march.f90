@@ -119,8 +119,7 @@ contains
          if (allocated(self%energy)) deallocate (self%energy)
          if (present(energy)) then
             self%energy = energy
-            call self%energy%hold_surfaces()
-            call self%energy%pass_time(problem, state, self%settings%time_step(grid))
+            call self%energy%start_in_time(problem, state, self%settings%time_step(grid))
          end if
          self%share = carried_share(levels(self%l))
          allocate (self%result%time(0:settings%steps), self%result%central_film(0:settings%steps), &
@@ -263,7 +262,7 @@ contains
                                     self%energy%until)
             call solve_step(self, multigrid, limits)
          end do
-         call self%energy%pass_time(problem, level%state, self%settings%time_step(problem%grid))
+         call self%energy%pass_time(problem, level%state)
       end associate
    end subroutine carry_heat
 
