@@ -59,7 +59,7 @@ module ehlwave_energy
    integer, parameter :: steady_turns = 1, turns_in_time = 2   ! marches that follow settle a steady state
    real(dp), parameter :: bearing = 1e-3_dp        ! P of nodes whose heat is compared
    real(dp), parameter :: near = 0.1_dp, largest_step_k = 100
-   integer, parameter :: beside = 2   ! rows and nodes beyond the film under pressure that marches of its heat alone take
+   integer, parameter :: beside = 2   ! rows and nodes beyond the film under pressure that marches of it alone take
 
 contains
 
@@ -147,8 +147,9 @@ contains
       problem%heat%rise = 2*self%earlier%rise - self%earlier%before
    end subroutine look_ahead
 
-   !> One march at a state: temperatures of the problem, whose source is linearised about those before. Downstream of all
-   !> film under pressure nothing flows back: there, on request, rises are those of the last node before, until `finish`.
+   !> One march at a state: temperatures of the problem, whose source is linearised about those before. Nothing flows
+   !> back from downstream of all film under pressure: there, on request, rises are those of the last node before, until
+   !> `finish`.
    subroutine march(self, problem, state, flow, until_film_ends)
       class(energy_t), intent(inout) :: self
       type(contact_problem_t), intent(inout) :: problem

@@ -1,5 +1,5 @@
-!> Rise of a surface that moves along X under a heat flow that changes in time: a half-space that conducts into its depth
-!> alone, theory eq. (T11).
+!> Rise of a surface that moves along X under a heat flow that changes in time: a half-space that conducts into its
+!> depth alone, theory eq. (T10).
 !>
 !> A point of the surface remembers the heat that it has taken since it came under the film. The kernel s^(-1/2) is that
 !> of the last step, exact for flows that are linear in it, and before it a sum of exponentials, each of which goes on
@@ -28,7 +28,7 @@ module ehlwave_wall_history
    end type wall_history_t
 
    ! Rates of the exponentials are mu^2 with mu = e^y, in equal steps of y: s^(-1/2) = 2/sqrt(pi) integral exp(-mu^2 s)
-   ! d mu has an error of 1e-4 then.
+   ! d mu has an error of 2e-4 then.
    real(dp), parameter :: step = 0.5_dp
    real(dp), parameter :: slowest = 0.3_dp            ! mu times the root of the longest time; slower ones are one
    real(dp), parameter :: fastest = 12                ! mu^2 times a step

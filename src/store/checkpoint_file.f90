@@ -152,7 +152,7 @@ contains
       if (allocated(march%energy)) call pass_energy(bytes, march%energy)
    end subroutine pass_march
 
-   !> What the next steps take of the temperatures so far, besides those of the steady state.
+   !> Temperatures so far as the next steps take them, besides those of the steady state.
    subroutine pass_energy(bytes, energy)
       type(bytes_t), intent(inout) :: bytes
       type(energy_t), intent(inout) :: energy
