@@ -6,8 +6,7 @@ module ehlwave_heat_data
    private
    public :: new_heat_scales
 
-   !> Temperatures in marches: those of the smooth contact; in the oil those that the equation of energy gives at each
-   !> time, between surfaces as warm as those of the smooth contact.
+   !> Temperatures in marches: those of the smooth contact, or of oil and surfaces those that heat gives at each time.
    character(len=*), parameter, public :: frozen = 'frozen', carried = 'carried'
 
    !> A body; by default bearing steel.
@@ -52,7 +51,7 @@ contains
                      self%oil_expansion_per_k, self%viscosity_temperature_per_k) > 0
    end function is_given
 
-   !> Whether temperatures of the oil follow the waves that pass in time.
+   !> Whether temperatures follow the waves that pass in time.
    elemental logical function follows_waves(self)
       class(heat_data_t), intent(in) :: self
       follows_waves = self%is_given() .and. self%wave_temperatures == carried

@@ -14,17 +14,19 @@ module ehlwave_energy
    use ehlwave_heat_data, only: heat_scales_t
    use ehlwave_kinds, only: dp
    use ehlwave_layer_flux, only: find_layer_fluxes, layer_flux_t, layer_shares
+   use ehlwave_shear_stress, only: least_pressure
    use ehlwave_state, only: state_t
    use ehlwave_wall_heat, only: wall_weights
+   use ehlwave_wall_history, only: new_wall_history, wall_history_t
    implicit none (type, external)
    private
    public :: new_energy, warm_problem
 
    !> Oil at the time before.
-   type :: earlier_t
-      real(dp) :: dt = 0                                       ! time since, in units of a/ubar
-      real(dp), allocatable :: f(:, :), p(:, :), rise(:, :, :) ! rho H, P and K, all nodes
-      real(dp), allocatable :: before(:, :, :)                 ! K, as long before that; absent at first
+   type, public :: earlier_t
+      real(dp) :: dt = 0                                       !! time since, in units of a/ubar
+      real(dp), allocatable :: f(:, :), p(:, :), rise(:, :, :) !! rho H, P and K, all nodes
+      real(dp), allocatable :: before(:, :, :)                 !! K, as long before that
    end type earlier_t
 
    type, public :: energy_t
@@ -37,15 +39,19 @@ module ehlwave_energy
       real(dp) :: difference = huge(1.0_dp)         !! of its mean rise from that before, over the largest,
       real(dp) :: heat_difference = huge(1.0_dp)    !! and of the heat of shear, which goes with friction
       real(dp) :: film_difference = huge(1.0_dp)    !! relative change of H(0,0) since, which who solves for it writes
+      integer, allocatable :: until(:)              !! last node of each row that the last march came to, see `march`
       real(dp), private :: heat = 0                 ! of shear
-      real(dp), allocatable, private :: held(:, :, :)     ! rise of surfaces 1 and 2 that is held, (2, 0:nx, 0:ny);
-                                                          ! absent: that by the heat into them
-      type(earlier_t), allocatable, private :: earlier    ! absent: the steady state
+      type(earlier_t), allocatable :: earlier       !! absent: the steady state
+      type(wall_history_t), allocatable :: walls(:) !! of surfaces 1 and 2, by what heat into them is beside that of the
+                                                    !! steady state; with `earlier`
+      real(dp), allocatable, private :: steady_rise(:, :, :), steady_heat(:, :, :)   ! of surfaces 1 and 2 and into them
+                                                                                     ! then, (2, 0:nx, 0:ny)
    contains
-      procedure :: hold_surfaces
+      procedure :: start_in_time
       procedure :: pass_time
       procedure :: look_ahead
       procedure :: march
+      procedure :: finish
       procedure :: carried
       procedure, private :: march_row
    end type energy_t
@@ -53,6 +59,7 @@ module ehlwave_energy
    integer, parameter :: steady_turns = 1, turns_in_time = 2   ! marches that follow settle a steady state
    real(dp), parameter :: bearing = 1e-3_dp        ! P of nodes whose heat is compared
    real(dp), parameter :: near = 0.1_dp, largest_step_k = 100
+   integer, parameter :: beside = 2   ! rows and nodes beyond the film under pressure that marches of it alone take
 
 contains
 
@@ -66,6 +73,7 @@ contains
       self%scales = scales
       self%shear = new_film_shear(levels, grid%nx, grid%ny)
       allocate (self%rise(0:levels, 0:grid%nx, 0:grid%ny), self%into_wall(2, 0:grid%nx, 0:grid%ny), source=0.0_dp)
+      allocate (self%until(0:grid%ny), source=grid%nx)
    end function new_energy
 
    !> Let a problem have temperatures: T0 everywhere at first, and the flow across the film of a Newtonian oil, too.
@@ -82,42 +90,72 @@ contains
       end associate
    end subroutine warm_problem
 
-   !> Let surfaces stay as warm as they are.
-   pure subroutine hold_surfaces(self)
+   !> After marches of a steady state: let the next be those of a time later by dT, theory eq. (T9).
+   pure subroutine start_in_time(self, problem, state, dt)
       class(energy_t), intent(inout) :: self
+      type(contact_problem_t), intent(in) :: problem
+      type(state_t), intent(in) :: state       !! the steady one
+      real(dp), intent(in) :: dt
+      real(dp) :: speed
       integer :: wall
-      allocate (self%held, mold=self%into_wall)
-      do wall = 1, 2
-         self%held(wall, :, :) = self%rise(merge(self%levels%n, 0, wall == 1), :, :)
-      end do
-   end subroutine hold_surfaces
 
-   !> Let the next marches be those of a time later by dT: theory eq. (T9).
-   pure subroutine pass_time(self, problem, state, dt)
+      allocate (self%steady_rise(2, 0:problem%grid%nx, 0:problem%grid%ny))
+      allocate (self%walls(2))
+      do wall = 1, 2
+         self%steady_rise(wall, :, :) = self%rise(merge(self%levels%n, 0, wall == 1), :, :)
+         speed = merge(problem%conditions%slip_parameter, 2 - problem%conditions%slip_parameter, wall == 1)
+         self%walls(wall) = new_wall_history(problem%grid%nx, problem%grid%ny, problem%grid%hx, speed, dt, &
+                                             self%scales%wall(wall))
+      end do
+      self%steady_heat = self%into_wall
+      allocate (self%earlier)
+      self%earlier%dt = dt
+      call take_oil(self%earlier, problem, state)
+      self%earlier%before = self%earlier%rise
+   end subroutine start_in_time
+
+   !> Let them be those of the time after the last ones.
+   pure subroutine pass_time(self, problem, state)
       class(energy_t), intent(inout) :: self
       type(contact_problem_t), intent(in) :: problem
       type(state_t), intent(in) :: state       !! now
-      real(dp), intent(in) :: dt
-      type(earlier_t) :: now
-      now = earlier_t(dt, state%p, state%p, problem%heat%rise)
-      if (allocated(self%earlier)) call move_alloc(self%earlier%rise, now%before)
-      self%earlier = now
-      self%earlier%f(:, :) = problem%density(state%p)*state%h
+      integer :: wall
+
+      do wall = 1, 2
+         call self%walls(wall)%take(self%into_wall(wall, :, :) - self%steady_heat(wall, :, :))
+         call self%walls(wall)%go_on()
+      end do
+      call move_alloc(self%earlier%rise, self%earlier%before)
+      call take_oil(self%earlier, problem, state)
    end subroutine pass_time
+
+   !> The oil as it is now.
+   pure subroutine take_oil(earlier, problem, state)
+      type(earlier_t), intent(inout) :: earlier
+      type(contact_problem_t), intent(in) :: problem
+      type(state_t), intent(in) :: state
+      earlier%p = state%p
+      if (.not. allocated(earlier%f)) allocate (earlier%f, mold=state%p)
+      earlier%f(:, :) = problem%density(state%p)*state%h
+      earlier%rise = problem%heat%rise
+   end subroutine take_oil
 
    !> Temperatures as they went on in the last step: a first guess of those of the next.
    pure subroutine look_ahead(self, problem)
       class(energy_t), intent(in) :: self
       type(contact_problem_t), intent(inout) :: problem
-      if (allocated(self%earlier%before)) problem%heat%rise = 2*self%earlier%rise - self%earlier%before
+      problem%heat%rise = 2*self%earlier%rise - self%earlier%before
    end subroutine look_ahead
 
-   !> One march at a state: temperatures of the problem, whose source is linearised about those before.
-   subroutine march(self, problem, state, flow)
+   !> One march at a state: temperatures of the problem, whose source is linearised about those before. Nothing flows
+   !> back from downstream of all film under pressure: there, on request, rises are those of the last node before, until
+   !> `finish`.
+   subroutine march(self, problem, state, flow, until_film_ends)
       class(energy_t), intent(inout) :: self
       type(contact_problem_t), intent(inout) :: problem
       type(state_t), intent(in) :: state
       type(flow_t), intent(in) :: flow             !! at the state
+      logical, intent(in) :: until_film_ends
       real(dp) :: before, change, largest, mean, w(0:problem%grid%nx)
       integer :: i, j
 
@@ -129,11 +167,13 @@ contains
       end if
       call find_layer_fluxes(self%flux, problem%grid, problem%conditions%elliptic%kappa, self%levels, self%shear, flow)
       self%rise = problem%heat%rise
+      self%until = problem%grid%nx
+      if (until_film_ends) self%until = film_ends(problem%grid, state%p)
       w = wall_weights(problem%grid%nx, problem%grid%hx)
       w = w(problem%grid%nx:0:-1)
       do j = problem%grid%first_row, problem%grid%last_row
          call self%march_row(problem%grid, problem%conditions%elliptic%kappa, w, state%h(:, j), flow%f(:, j), &
-                             problem%heat%rise(:, :, j), j)
+                             problem%heat%rise(:, :, j), j, 0)
       end do
       change = 0
       largest = tiny(largest)
@@ -152,6 +192,46 @@ contains
       self%heat_difference = abs(self%heat_difference - self%heat)/max(self%heat, tiny(before))
       self%difference = change*problem%grid%hx*problem%grid%hy/largest
    end subroutine march
+
+   !> Last node of each row that is within so many nodes and rows of the film under pressure.
+   pure function film_ends(grid, p) result(until)
+      type(grid_t), intent(in) :: grid
+      real(dp), intent(in) :: p(0:, 0:)
+      integer :: until(0:grid%ny)
+      integer :: i, j, last(0:grid%ny)
+
+      do j = 0, grid%ny
+         last(j) = 1
+         do i = grid%nx - beside, 2, -1
+            if (.not. p(i, j) > least_pressure) cycle
+            last(j) = i + beside
+            exit
+         end do
+      end do
+      do j = 0, grid%ny
+         until(j) = maxval(last(max(0, j - beside):min(grid%ny, j + beside)))
+         if (until(j) >= grid%nx - 1) until(j) = grid%nx
+      end do
+   end function film_ends
+
+   !> The rest of the nodes, after a march until the film ends.
+   pure subroutine finish(self, problem, state)
+      class(energy_t), intent(inout) :: self
+      type(contact_problem_t), intent(inout) :: problem
+      type(state_t), intent(in) :: state
+      real(dp) :: f(0:problem%grid%nx, 0:problem%grid%ny), w(0:problem%grid%nx)
+      integer :: j
+
+      w = wall_weights(problem%grid%nx, problem%grid%hx)
+      w = w(problem%grid%nx:0:-1)
+      f = problem%density(state%p)*state%h
+      do j = problem%grid%first_row, problem%grid%last_row
+         call self%march_row(problem%grid, problem%conditions%elliptic%kappa, w, state%h(:, j), f(:, j), &
+                             problem%heat%rise(:, :, j), j, self%until(j))
+      end do
+      self%until = problem%grid%nx
+      problem%heat%rise = self%rise
+   end subroutine finish
 
    !> Heat that the oil carries off from each node, through its sides and across all levels, in the unit of heat flows
    !> into the surfaces. Oil that a node gains or loses by itself, the first one by its difference of first order, takes
@@ -195,38 +275,45 @@ contains
       heat = self%scales%convection*heat
    end function carried
 
-   !> One row, from the inlet to the outlet. Where oil flows back, columns are solved upstream and downstream in turn.
-   pure subroutine march_row(self, grid, kappa, w, h, f, before, j)
+   !> One row, from a node on. Where oil flows back, columns are solved upstream and downstream in turn.
+   pure subroutine march_row(self, grid, kappa, w, h, f, before, j, from)
       class(energy_t), intent(inout) :: self
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: kappa
       real(dp), intent(in), contiguous :: w(0:)    !! of `wall_weights`, backward
-      real(dp), intent(in) :: h(0:), f(0:)         !! H and rho H of the row, (0:nx)
-      real(dp), intent(in) :: before(0:, 0:)       !! rise at which the source is known, (0:levels, 0:nx)
+      real(dp), intent(in), contiguous :: h(0:), f(0:)   !! H and rho H of the row, (0:nx)
+      real(dp), intent(in), contiguous :: before(0:, 0:) !! rise at which the source is known, (0:levels, 0:nx)
       integer, intent(in) :: j
+      integer, intent(in) :: from                  !! the node before the first, 0: the inlet; else to the outlet
       real(dp) :: q(0:grid%nx, 2)                  ! heat flows into surfaces 1 and 2
       type(column_t) :: column
-      integer :: i, last, turn
+      integer :: end, i, last, turn
 
       column = new_column(self%levels%n)
       q = transpose(self%into_wall(:, :, j))
-      last = 0
-      do i = 1, grid%nx - 1
-         if (any(self%flux%x(:, i - 1, j) < 0)) last = i
-      end do
-      do turn = 1, merge(turns_in_time, steady_turns, allocated(self%earlier))
-         do i = last, 1, -1
-            call solve_node(self, grid, kappa, h(i), f(i), w, q, before(:, i), i, j, column)
+      end = grid%nx - 1
+      last = from
+      if (from == 0) then
+         end = min(end, self%until(j))
+         do i = 1, end
+            if (any(self%flux%x(:, i - 1, j) < 0)) last = i
          end do
-         self%rise(:, 0, j) = merge(0.0_dp, self%rise(:, 1, j), self%flux%x(:, 0, j) >= 0)
-         do i = 1, last
-            call solve_node(self, grid, kappa, h(i), f(i), w, q, before(:, i), i, j, column)
+         do turn = 1, merge(turns_in_time, steady_turns, allocated(self%earlier))
+            do i = last, 1, -1
+               call solve_node(self, grid, kappa, h(i), f(i), w, q, before(:, i), i, j, column)
+            end do
+            self%rise(:, 0, j) = merge(0.0_dp, self%rise(:, 1, j), self%flux%x(:, 0, j) >= 0)
+            do i = 1, last
+               call solve_node(self, grid, kappa, h(i), f(i), w, q, before(:, i), i, j, column)
+            end do
          end do
-      end do
-      do i = last + 1, grid%nx - 1
+      end if
+      do i = last + 1, end
          call solve_node(self, grid, kappa, h(i), f(i), w, q, before(:, i), i, j, column)
       end do
-      self%rise(:, grid%nx, j) = self%rise(:, grid%nx - 1, j)
+      do i = end + 1, grid%nx
+         self%rise(:, i, j) = self%rise(:, end, j)
+      end do
       self%into_wall(:, :, j) = transpose(q)
    end subroutine march_row
 
@@ -264,9 +351,10 @@ contains
          column%own_share = merge(1.0_dp, 0.0_dp, self%difference < near)
          column%convection = self%scales%convection*h
          column%h = h
-         if (allocated(self%held)) then
-            column%wall_before = self%held(:, i, j)
-            column%wall_own = 0
+         if (allocated(self%walls)) then
+            column%wall_own = self%walls%own
+            column%wall_before = self%steady_rise(:, i, j) - column%wall_own*self%steady_heat(:, i, j) &
+                                 + [self%walls(1)%rise(i, j), self%walls(2)%rise(i, j)]
          else
             do m = 1, 2
                column%wall_before(m) = self%scales%wall(m)*heated(i, w(nx - i:), q(:, m))

@@ -34,8 +34,8 @@ contains
       call list%see(heat%levels, key_t('levels', 'intervals across the film', minimum=4.0_dp, &
          maximum=real(most_levels, dp)))
       call list%see(heat%wave_temperatures, key_t('wave_temperatures', "temperatures in marches; 'frozen': those "// &
-         "of the smooth contact; 'carried': of the oil by the equation of energy in time, of both surfaces those "// &
-         'of the smooth contact', choices=frozen//' '//carried))
+         "of the smooth contact; 'carried': of the oil and of both surfaces as heat flows in time", &
+         choices=frozen//' '//carried))
    end subroutine visit_heat_keys
 
    subroutine visit_body(name, body, of, list)

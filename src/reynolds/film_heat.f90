@@ -41,54 +41,77 @@ contains
       self%moments(2, :, :) = 1/3.0_dp
    end function new_film_heat
 
-   !> Take means and fluidities of the rises at pressure p.
-   pure subroutine weigh(self, rheology, film, weight, p)
+   !> Take means and fluidities of the rises at pressure p. Beyond the last node that is given of a row the rises are
+   !> those of that node, and where no pressure is all else is.
+   pure subroutine weigh(self, rheology, film, weight, p, until)
       class(film_heat_t), intent(inout) :: self
       type(rheology_t), intent(in) :: rheology
       type(film_flow_t), intent(in) :: film
       real(dp), intent(in) :: weight(0:)     !! of an integral across the film, (0:levels)
       real(dp), intent(in) :: p(0:, 0:)      !! P, (0:nx, 0:ny)
-      real(dp), dimension(0:ubound(p, 1)) :: at, largest, least                      ! of a row
-      real(dp), dimension(0:ubound(p, 1), 0:size(weight)) :: exponent, rise, slope   ! at the levels and at the mean
-      logical :: is_warm(0:ubound(p, 1))
-      integer :: i, j, k, m, n
+      integer, intent(in) :: until(0:)       !! (0:ny)
+      integer :: i, j, last
 
-      m = size(at)
-      n = ubound(weight, 1)
       do j = 0, ubound(p, 2)
-         do i = 0, m - 1
-            at(i) = max(p(i, j), 0.0_dp)
-            rise(i, n + 1) = 0
-            do k = 0, n
-               rise(i, k) = self%rise(k, i, j)
-               rise(i, n + 1) = rise(i, n + 1) + weight(k)*rise(i, k)
-            end do
-            is_warm(i) = maxval(abs(self%rise(:, i, j))) > 0
+         last = until(j)
+         if (any(p(last + 1:, j) > 0)) last = ubound(p, 1)
+         call weigh_row(self, rheology, film, weight, p(:last, j), last, j)
+         do i = last + 1, ubound(p, 1)
+            self%mean_rise(i, j) = self%mean_rise(last, j)
+            self%range(i, j) = self%range(last, j)
+            self%ln_fluidity(:, i, j) = self%ln_fluidity(:, last, j)
+            self%thinning(:, i, j) = self%thinning(:, last, j)
+            if (allocated(self%moments)) self%moments(:, i, j) = self%moments(:, last, j)
          end do
-         self%mean_rise(:, j) = rise(:, n + 1)
-         call rheology%ln_viscosity(m, n + 2, at, rise, exponent, slope)
-         largest = -huge(largest)
-         least = huge(least)
-         do k = 0, n
-            do i = 0, m - 1
-               ! not what rounding makes of an even viscosity
-               exponent(i, k) = merge(exponent(i, n + 1) - exponent(i, k), 0.0_dp, &
-                                      is_warm(i) .and. abs(slope(i, k)) > 0)
-               largest(i) = max(largest(i), exponent(i, k))
-               least(i) = min(least(i), exponent(i, k))
-            end do
-         end do
-         do i = 0, m - 1
-            self%range(i, j) = largest(i) - least(i)
-            do k = 0, n
-               self%ln_fluidity(k, i, j) = exponent(i, k)
-               self%thinning(k, i, j) = -slope(i, k)
-            end do
-         end do
-         if (allocated(self%moments)) &
-            call film%moments_of(self%ln_fluidity(:, :, j), self%range(:, j), self%moments(:, :, j))
       end do
    end subroutine weigh
+
+   !> Those of a row, up to a node.
+   pure subroutine weigh_row(self, rheology, film, weight, p, last, j)
+      class(film_heat_t), intent(inout) :: self
+      type(rheology_t), intent(in) :: rheology
+      type(film_flow_t), intent(in) :: film
+      real(dp), intent(in) :: weight(0:)     !! (0:levels)
+      integer, intent(in) :: last, j
+      real(dp), intent(in) :: p(0:last)
+      real(dp), dimension(0:last) :: at, largest, least                      ! of the row
+      real(dp), dimension(0:last, 0:size(weight)) :: exponent, rise, slope   ! at the levels and at the mean
+      logical :: is_warm(0:last)
+      integer :: i, k, n
+
+      n = ubound(weight, 1)
+      at = max(p, 0.0_dp)
+      is_warm = .false.
+      rise(:, n + 1) = 0
+      do k = 0, n
+         do i = 0, last
+            rise(i, k) = self%rise(k, i, j)
+            rise(i, n + 1) = rise(i, n + 1) + weight(k)*rise(i, k)
+            is_warm(i) = is_warm(i) .or. abs(rise(i, k)) > 0
+         end do
+      end do
+      self%mean_rise(:last, j) = rise(:, n + 1)
+      call rheology%ln_viscosity(last + 1, n + 2, at, rise, exponent, slope)
+      largest = -huge(largest)
+      least = huge(least)
+      do k = 0, n
+         do i = 0, last
+            ! not what rounding makes of an even viscosity
+            exponent(i, k) = merge(exponent(i, n + 1) - exponent(i, k), 0.0_dp, is_warm(i) .and. abs(slope(i, k)) > 0)
+            largest(i) = max(largest(i), exponent(i, k))
+            least(i) = min(least(i), exponent(i, k))
+         end do
+      end do
+      do i = 0, last
+         self%range(i, j) = largest(i) - least(i)
+         do k = 0, n
+            self%ln_fluidity(k, i, j) = exponent(i, k)
+            self%thinning(k, i, j) = -slope(i, k)
+         end do
+      end do
+      if (allocated(self%moments)) call film%moments_of(self%ln_fluidity(:, :last, j), self%range(:last, j), &
+                                                        self%moments(:, :last, j))
+   end subroutine weigh_row
 
    !> Differences across the film at the nodes of a row.
    pure subroutine take_row(self, across, j)

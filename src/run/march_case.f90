@@ -101,8 +101,7 @@ contains
          if (case%fields_every > 0) call result%history%begin(level, case%fields_every, plan%steps)
          call result%history%see(level, 0, 0.0_dp)
       end associate
-      ! fields of steps before are not kept, nor temperatures
-      keeps = present(keeper) .and. case%fields_every == 0 .and. .not. allocated(march%energy)
+      keeps = present(keeper) .and. case%fields_every == 0   ! fields of steps before are not kept
       if (keeps) call keeper%load(march)
       if (march%result%steps > 0) call march%restore(multigrid%levels(finest))
       do while (march%result%steps < plan%steps)

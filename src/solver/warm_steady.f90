@@ -191,7 +191,10 @@ contains
             is_stuck = round > 2 .and. report%status == status_stalled .and. report%residual > stuck*residual
             if (cap%is_spent()) exit
          end do
-         if (is_settled) call weigh(level, energy)
+         if (is_settled) then
+            call energy%finish(level%problem, level%state)
+            call weigh(level, energy)
+         end if
          if (report%status == status_converged .and. .not. is_settled) report%status = status_stalled
          report%nonlinear_steps = total%nonlinear_steps
          report%linear_steps = total%linear_steps
@@ -217,7 +220,7 @@ contains
             call own%evaluate(level%problem, level%given, level%state)
             equations => own
          end if
-         call energy%march(level%problem, level%state, equations%flow)
+         call energy%march(level%problem, level%state, equations%flow, until_film_ends=.true.)
       end associate
    end subroutine march
 
@@ -226,7 +229,8 @@ contains
       type(level_t), intent(inout) :: level
       type(energy_t), intent(in) :: energy
       associate (problem => level%problem)
-         call problem%heat%weigh(problem%rheology, problem%film_flow, energy%levels%weight, level%state%p)
+         call problem%heat%weigh(problem%rheology, problem%film_flow, energy%levels%weight, level%state%p, &
+                                 energy%until)
       end associate
    end subroutine weigh
 

@@ -3,6 +3,7 @@ module ehlwave_checkpoint_file
    use, intrinsic :: iso_c_binding, only: c_f_pointer, c_loc
    use, intrinsic :: iso_fortran_env, only: error_unit
    use ehlwave_clock, only: wall_seconds
+   use ehlwave_energy, only: energy_t
    use ehlwave_kinds, only: dp
    use ehlwave_march_keeper, only: march_keeper_t
    use ehlwave_posix, only: checksum, reason_text, remove_file, replace_file
@@ -13,7 +14,7 @@ module ehlwave_checkpoint_file
    implicit none (type, external)
    private
 
-   character(len=*), parameter :: format_line = 'ehlwave-checkpoint 5 '//program_version//' '//git_revision//' '// &
+   character(len=*), parameter :: format_line = 'ehlwave-checkpoint 6 '//program_version//' '//git_revision//' '// &
       compiler//' '//compiler_flags
 
    integer, parameter :: bytes_of_real = storage_size(1.0_dp)/8
@@ -148,7 +149,28 @@ contains
          call bytes%numbers(given%transport%carried)
          call bytes%numbers(given%rough)
       end associate
+      if (allocated(march%energy)) call pass_energy(bytes, march%energy)
    end subroutine pass_march
+
+   !> Temperatures so far as the next steps take them, besides those of the steady state.
+   subroutine pass_energy(bytes, energy)
+      type(bytes_t), intent(inout) :: bytes
+      type(energy_t), intent(inout) :: energy
+      integer :: wall
+
+      call bytes%numbers(energy%difference)
+      call bytes%numbers(energy%into_wall)
+      call bytes%numbers(energy%rise)
+      call bytes%numbers(energy%earlier%f)
+      call bytes%numbers(energy%earlier%p)
+      call bytes%numbers(energy%earlier%rise)
+      call bytes%numbers(energy%earlier%before)
+      do wall = 1, size(energy%walls)
+         call bytes%numbers(energy%walls(wall)%rise)
+         call bytes%numbers(energy%walls(wall)%heat)
+         call bytes%numbers(energy%walls(wall)%modes)
+      end do
+   end subroutine pass_energy
 
    !> Real numbers, one or as many dimensions as there are.
    subroutine pass_numbers(self, values)

@@ -119,8 +119,7 @@ contains
          if (allocated(self%energy)) deallocate (self%energy)
          if (present(energy)) then
             self%energy = energy
-            call self%energy%hold_surfaces()
-            call self%energy%pass_time(problem, state, self%settings%time_step(grid))
+            call self%energy%start_in_time(problem, state, self%settings%time_step(grid))
          end if
          self%share = carried_share(levels(self%l))
          allocate (self%result%time(0:settings%steps), self%result%central_film(0:settings%steps), &
@@ -239,7 +238,8 @@ contains
       loose%tolerance = looser*limits%tolerance
       associate (problem => multigrid%levels(self%l)%problem, level => multigrid%levels(self%l))
          call self%energy%look_ahead(problem)
-         call problem%heat%weigh(problem%rheology, problem%film_flow, self%energy%levels%weight, level%state%p)
+         call problem%heat%weigh(problem%rheology, problem%film_flow, self%energy%levels%weight, level%state%p, &
+                                    self%energy%until)
          worst = [self%result%worst_residual, self%result%worst_load_error]
          call solve_step(self, multigrid, loose)
          if (self%result%status == status_converged) then   ! those of the steps alone count
@@ -257,11 +257,12 @@ contains
                call own%evaluate(problem, level%given, level%state)
                equations => own
             end if
-            call self%energy%march(problem, level%state, equations%flow)
-            call problem%heat%weigh(problem%rheology, problem%film_flow, self%energy%levels%weight, level%state%p)
+            call self%energy%march(problem, level%state, equations%flow, until_film_ends=.false.)
+            call problem%heat%weigh(problem%rheology, problem%film_flow, self%energy%levels%weight, level%state%p, &
+                                    self%energy%until)
             call solve_step(self, multigrid, limits)
          end do
-         call self%energy%pass_time(problem, level%state, self%settings%time_step(problem%grid))
+         call self%energy%pass_time(problem, level%state)
       end associate
    end subroutine carry_heat
 

@@ -32,8 +32,10 @@ program test_checkpoint_file
    use ehlwave_case_result, only: case_result_t
    use ehlwave_case_runner, only: run_case
    use ehlwave_checkpoint_file, only: checkpoint_t
+   use ehlwave_conditions, only: contact_data_t
    use ehlwave_errors, only: error_t
-   use ehlwave_kinds, only: i8
+   use ehlwave_heat_data, only: heat_data_t
+   use ehlwave_kinds, only: dp, i8
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_posix, only: remove_file, replace_file
    use ehlwave_status, only: is_success, status_interrupted
@@ -52,19 +54,26 @@ program test_checkpoint_file
    integer :: i, places(5), status
 
    call make_case()
-   call run_with(whole, text='', expected_steps=plan%steps, what='a march without a checkpoint')
-   call test%check(is_success(whole%status), 'the whole march')
-   call stop_march()
-   call read_whole_file(path, text)
-   call test%check(allocated(text), 'there is a checkpoint')
-   if (.not. allocated(text)) call test%finish()
-   call run_with(stopped, text, expected_steps=plan%steps - steps_per_stretch, what='a march that goes on')
-   call compare('a march that goes on')
+   call check_case()
    call check_unusable()
+   call make_warm_case()
+   call check_case()
    call remove_file(path, status)
    call test%finish()
 
 contains
+
+   !> Stop a march and go on.
+   subroutine check_case()
+      call run_with(whole, text='', expected_steps=plan%steps, what='a march without a checkpoint')
+      call test%check(is_success(whole%status), 'the whole march')
+      call stop_march()
+      call read_whole_file(path, text)
+      call test%check(allocated(text), 'there is a checkpoint')
+      if (.not. allocated(text)) call test%finish()
+      call run_with(stopped, text, expected_steps=plan%steps - steps_per_stretch, what='a march that goes on')
+      call compare('a march that goes on')
+   end subroutine check_case
 
    subroutine make_case()
       type(error_t), allocatable :: error
@@ -85,6 +94,31 @@ contains
       call test%check_no_error(error, 'case')
       call test%check(plan%steps > steps_per_stretch, 'the march is longer than a stretch')
    end subroutine make_case
+
+   !> The same with heat, whose oil and surfaces follow the waves.
+   subroutine make_warm_case()
+      type(error_t), allocatable :: error
+      type(case_t) :: defaults
+      case = defaults
+      case%is_dimensional = .true.
+      case%data = contact_data_t(radius_x_m=0.02_dp, radius_y_m=0.02_dp, reduced_modulus_pa=2.26e11_dp, load_n=100.0_dp, &
+                                 mean_speed_m_per_s=2.0_dp, viscosity_pa_s=0.08_dp, pressure_viscosity_per_pa=2e-8_dp)
+      case%oil%temperature_k = 313
+      case%heat = heat_data_t(oil_conductivity_w_per_m_k=0.14_dp, oil_heat_capacity_j_per_kg_k=2000.0_dp, &
+                              oil_density_kg_per_m3=870.0_dp, oil_expansion_per_k=7e-4_dp, &
+                              viscosity_temperature_per_k=0.045_dp, wave_temperatures='carried')
+      case%orientation = 'transverse'
+      case%wavelength_over_a = 1
+      case%slip_parameter = 1.02_dp
+      case%second%orientation = 'transverse'
+      case%second%wavelength_over_a = 0.8
+      case%cells_x = 32
+      case%cells_y = 32
+      call complete_case(case, '', error)
+      if (.not. allocated(error)) call make_plan(case, plan, error)
+      call test%check_no_error(error, 'case with heat')
+      call test%check(plan%steps > steps_per_stretch, 'its march is longer than a stretch')
+   end subroutine make_warm_case
 
    subroutine stop_march()
       type(checkpoint_t) :: checkpoint
