@@ -1,6 +1,7 @@
 """The command behind ``scripts/study heat-map``: random contacts with heat, and their cost."""
 
 import argparse
+import cmath
 import json
 import math
 import sys
@@ -24,6 +25,8 @@ LINE_CELLS = 8
 """Cells of a line contact over those of a point contact, at most."""
 LEVELS = 12
 """Across the film, unless a case says how many."""
+WAVES = 0.05
+"""Amplitude over the film, of small waves."""
 COMPARED = {"central_film": "central_film_error", "friction_coefficient": "friction_error"}
 """Results and their estimated errors."""
 
@@ -51,6 +54,10 @@ class Row:
     ratio: float = math.nan
     worst_share_of_error: float = math.nan
     """Change with twice the levels and half the mesh over the stated error, of film or friction."""
+    frozen_change: float = math.nan
+    """Change of Ad/Ai, as complex numbers, by temperatures that follow waves of length a."""
+    frozen_share: float = math.nan
+    """The same over its estimate."""
 
 
 def draw(number: int) -> Groups:
@@ -167,8 +174,34 @@ def finer(groups: Groups, result: Mapping[str, object]) -> float:
     return worst
 
 
-def study(number: int, cells: int, repeats: int, compares: bool) -> Row:
-    """Run one contact with and without heat, and on request with more levels and cells."""
+def freezing(groups: Groups, number: int) -> tuple[float, float]:
+    """Return how far Ad/Ai is off where temperatures stay as waves pass, and over its estimate.
+
+    Small waves of length a are on the faster surface of even contacts, of odd ones on the slower.
+    """
+    conditions = dict(groups["conditions"])
+    conditions["slide_to_roll_ratio"] *= (1, -1)[number % 2]
+    waves = {"orientation": "transverse", "wavelength_over_a": 1.0, "response": "both"}
+    wavy = {
+        **groups,
+        "conditions": conditions,
+        "heat": {**groups["heat"], "wave_temperatures": "carried"},
+        "waviness": {**waves, "amplitude_over_film": WAVES},
+    }
+    found, _ = timed(wavy, 1)
+    names = ("amplitude_ratio_fit", "phase_fit", "harmonic_ratio", "harmonic_phase")
+    march, march_phase, response, phase = (found.get(name) for name in names)
+    if march is None or response is None:
+        return math.nan, math.nan
+    change = abs(cmath.rect(march, march_phase) - cmath.rect(response, phase))
+    return change, change / found["frozen_heat_error"]
+
+
+def study(number: int, cells: int, repeats: int, compares: bool, waves: bool) -> Row:
+    """Run one contact with and without heat, and on request others besides.
+
+    They have more levels and cells, and waves.
+    """
     groups = grid(draw(number), cells)
     result, seconds = timed(groups, repeats)
     cold, cold_seconds = timed(isothermal(groups), repeats)
@@ -191,6 +224,8 @@ def study(number: int, cells: int, repeats: int, compares: bool) -> Row:
         row.ratio = seconds / cold_seconds
     if compares and result["status"] == "converged":
         row.worst_share_of_error = finer(groups, result)
+    if waves and is_solved(result["status"]):
+        row.frozen_change, row.frozen_share = freezing(groups, number)
     return row
 
 
@@ -222,6 +257,13 @@ def summary(rows: Sequence[Row]) -> str:
             f"{sum(share <= 1 for share in shares)} of {len(shares)}, "
             f"largest share {max(shares):.2f}"
         )
+    shares = [row.frozen_share for row in rows if math.isfinite(row.frozen_share)]
+    if shares:
+        lines.append(
+            f"temperatures that follow waves change Ad/Ai by less than is stated in "
+            f"{sum(share <= 1 for share in shares)} of {len(shares)}, "
+            f"largest share {max(shares):.2f}"
+        )
     return "\n".join(lines)
 
 
@@ -233,12 +275,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def _run(options: argparse.Namespace) -> int:
     rows = []
     for number in range(options.first, options.first + options.contacts):
-        row = study(number, options.cells, options.repeats, options.finer)
+        row = study(number, options.cells, options.repeats, options.finer, options.waves)
         rows.append(row)
         print(
             f"{row.number:3} {row.kind:8} {row.hertz_pressure_pa / 1e9:5.2f} GPa "
             f"{row.mean_speed_m_per_s:6.2f} m/s ratio {row.slide_to_roll_ratio:4.2f} "
             f"{row.flow_law:9} {row.status:10} {row.ratio:5.2f} {row.worst_share_of_error:5.2f} "
+            f"{row.frozen_change:6.3f} {row.frozen_share:5.2f} "
             f"{row.message[:160]}",
             flush=True,
         )

@@ -68,3 +68,22 @@ def test_share_of_error(monkeypatch: pytest.MonkeyPatch) -> None:
     errors = {"central_film_error": 0.02, "friction_error": 0.01}
     groups = grid(draw(1), 64)
     assert heat_map.finer(groups, result | errors) == pytest.approx(1.5)
+
+
+def test_freezing(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Marches whose temperatures follow are compared with responses, as complex numbers."""
+    seen: list[heat_map.Groups] = []
+
+    def timed(groups: heat_map.Groups, repeats: int) -> tuple[dict[str, float | None], float]:
+        seen.append(groups)
+        march = {"amplitude_ratio_fit": 0.5, "phase_fit": math.pi / 2}
+        response = {"harmonic_ratio": 0.5, "harmonic_phase": math.pi}
+        return {**march, **response, "frozen_heat_error": 1.0}, repeats
+
+    monkeypatch.setattr(heat_map, "timed", timed)
+    groups = grid(draw(1), 64)
+    assert heat_map.freezing(groups, 1) == pytest.approx((math.sqrt(0.5), math.sqrt(0.5)))
+    heat_map.freezing(groups, 2)
+    slips = [case["conditions"]["slide_to_roll_ratio"] for case in seen]
+    assert slips[0] == -slips[1] < 0
+    assert "wave_temperatures" not in groups["heat"]

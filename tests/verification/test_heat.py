@@ -223,6 +223,15 @@ class Heat(TestCase):
         self.assertGreater(result["heat_of_shear"], sliding)      # the flow along the pressure makes heat, too
         self.check_close(result["heat_of_shear"], sliding, 0.1, "power of shear")
 
+    def test_balance_under_heavy_load(self):
+        """The balance is that of the film under pressure alone: single nodes where it is cavitated keep some pressure."""
+        found = []
+        for cells in (256, 512):
+            result = solve(**groups({**read_rows()[7], "load_n_per_m": 1.2e6, "slide_to_roll_ratio": 1.8}, cells))
+            self.assertLess(result["heat_balance_error"], 2e-4, cells)
+            found.append(f"{result['heat_balance_error']:.0e}")
+        report(f"1.47 GPa, slide-to-roll ratio 1.8: heat balance {', '.join(found)}")
+
     def test_waves_without_effect(self):
         """The same of linear responses: of transverse, longitudinal and oblique waves, on lines and points."""
         inert = {"oil_expansion_per_k": 0.0, "viscosity_temperature_per_k": 0.0}

@@ -269,6 +269,7 @@ def heat(options: argparse.Namespace) -> int:
     option("--cells", "N", "the largest grid along each side; lines have 8 times (default 64)", 64),
     option("--repeats", "N", "runs of each, of which the fastest counts (default 3)", 3),
     flag("--finer", "each again with twice the levels and with half the mesh"),
+    flag("--waves", "each again with waves, whose temperatures follow in time or not"),
     option("--program", "FILE", "an ehlwave-case to use; otherwise it is built"),
 )
 def heat_map(options: argparse.Namespace) -> int:
@@ -282,5 +283,5 @@ def heat_map(options: argparse.Namespace) -> int:
     """
     steps.prepare(options.program)
     words = ("--output", options.output, *given(options, "contacts", "first", "cells", "repeats"))
-    finer = ("--finer",) if options.finer else ()
-    return steps.report("heat_map", *words, *finer)
+    more = [word for word in ("finer", "waves") if getattr(options, word)]
+    return steps.report("heat_map", *words, *(f"--{word}" for word in more))
