@@ -28,7 +28,8 @@ module ehlwave_plan_effort
    real(dp), parameter :: starved_cost = 2.7_dp      !! of a starved steady state with the flooded one on the way, of
                                                      !! that alone; measured: 2 to 4
    real(dp), parameter :: starved_step_cost = 1.3_dp !! of a time step without patches
-   real(dp), parameter :: limit_cost = 6             !! of an oil with a limit of its stress; measured: 2 to 20
+   !> Of an oil with a limit of its stress; measured: 2 to 20, and 65 by FAS, each of whose sweeps finds the stresses anew.
+   real(dp), parameter :: limit_cost = 6, fas_limit_cost = 30
    !> Of the fitted scheme, steady states and responses; measured (64 to 768 cells, M = 100 to 10,000): 0.9 to 4 and 0.8
    !> to 1.7.
    real(dp), parameter :: fitted_cost = 2, fitted_response_cost = 1.2_dp
@@ -78,7 +79,8 @@ contains
          plan%expected_work_units = (1 + 0.5_dp*plan%phases)*steady*steady_cost &
                                     + merge(periodic_share, 1.0_dp, plan%is_periodic)*plan%steps*step*steps_cost
       end associate
-      if (case%oil%shear_limit_over_pressure > 0) plan%expected_work_units = limit_cost*plan%expected_work_units
+      if (case%oil%shear_limit_over_pressure > 0) plan%expected_work_units = plan%expected_work_units* &
+         merge(fas_limit_cost, limit_cost, case%method == 'fas')
       if (case%heat%is_given()) plan%expected_work_units = heat_cost*plan%expected_work_units
       if (plan%responds) plan%expected_work_units = plan%expected_work_units &
          + size(plan%surfaces%list)*merge(line_response_work_units, response_work_units, plan%conditions%is_line()) &
