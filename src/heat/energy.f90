@@ -13,7 +13,7 @@ module ehlwave_energy
    use ehlwave_grid, only: grid_t
    use ehlwave_heat_data, only: heat_scales_t
    use ehlwave_kinds, only: dp
-   use ehlwave_layer_flux, only: find_layer_fluxes, layer_flux_t, layer_shares
+   use ehlwave_layer_flux, only: find_layer_fluxes, layer_flux_t
    use ehlwave_shear_stress, only: least_pressure
    use ehlwave_state, only: state_t
    use ehlwave_wall_heat, only: wall_weights
@@ -52,7 +52,6 @@ module ehlwave_energy
       procedure :: look_ahead
       procedure :: march
       procedure :: finish
-      procedure :: carried
       procedure, private :: march_row
    end type energy_t
 
@@ -232,48 +231,6 @@ contains
       self%until = problem%grid%nx
       problem%heat%rise = self%rise
    end subroutine finish
-
-   !> Heat that the oil carries off from each node, through its sides and across all levels, in the unit of heat flows
-   !> into the surfaces. Oil that a node gains or loses by itself, the first one by its difference of first order, takes
-   !> the rise of the node.
-   pure function carried(self, grid, kappa) result(heat)
-      class(energy_t), intent(in) :: self
-      type(grid_t), intent(in) :: grid
-      real(dp), intent(in) :: kappa
-      real(dp) :: heat(0:grid%nx, 0:grid%ny)
-      real(dp), dimension(0:self%levels%n) :: north, share
-      real(dp), dimension(0:grid%nx - 1) :: east, oil
-      integer :: back, front, i, j
-
-      share = layer_shares(self%levels)
-      heat = 0
-      associate (theta => self%rise, x => self%flux%x, y => self%flux%y)
-         do j = grid%first_row, grid%last_row
-            do i = 0, grid%nx - 1
-               oil(i) = dot_product(share, x(:, i, j))
-               east(i) = dot_product(share*x(:, i, j), &
-                  merge(1.5_dp*theta(:, i, j) - 0.5_dp*theta(:, max(i - 1, 0), j), theta(:, i + 1, j), x(:, i, j) > 0))
-            end do
-            heat(1:grid%nx - 1, j) = (east(1:) - east(:grid%nx - 2))/grid%hx
-            heat(1, j) = heat(1, j) - (oil(1) - oil(0))/grid%hx*dot_product(share, theta(:, 1, j))
-         end do
-         if (.not. grid%is_line) then
-            do j = 0, grid%ny - 1
-               do i = 1, grid%nx - 1
-                  back = min(j + 2, grid%ny)
-                  front = j - 1
-                  if (front < 0) front = merge(1, 0, grid%is_half)
-                  north = y(:, i, j)*merge(1.5_dp*theta(:, i, j) - 0.5_dp*theta(:, i, front), &
-                                           1.5_dp*theta(:, i, j + 1) - 0.5_dp*theta(:, i, back), y(:, i, j) > 0)
-                  heat(i, j) = heat(i, j) + kappa/grid%hy*dot_product(share, north)
-                  heat(i, j + 1) = heat(i, j + 1) - kappa/grid%hy*dot_product(share, north)
-                  if (j == 0 .and. grid%is_half) heat(i, j) = heat(i, j) + kappa/grid%hy*dot_product(share, north)
-               end do
-            end do
-         end if
-      end associate
-      heat = self%scales%convection*heat
-   end function carried
 
    !> One row, from a node on. Where oil flows back, columns are solved upstream and downstream in turn.
    pure subroutine march_row(self, grid, kappa, w, h, f, before, j, from)

@@ -1,6 +1,7 @@
 !> How warm a contact is, and where its heat goes.
 module ehlwave_heat_result
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+   use ehlwave_carried_heat, only: carried_heat
    use ehlwave_contact_problem, only: contact_problem_t
    use ehlwave_energy, only: energy_t
    use ehlwave_kinds, only: dp, no_value
@@ -39,9 +40,9 @@ module ehlwave_heat_result
    ! Error by the levels: measured with 12 and 24 of them
    real(dp), parameter :: level_error = 1e-4_dp, usual_levels = 12
    integer, parameter :: level_order = 3
-   ! Of Ad/Ai over Ai, over beta times the largest rise half-way across: 0.007 to 0.15 was measured between marches with
-   ! temperatures carried on and frozen, as complex numbers
-   real(dp), parameter :: by_frozen_heat = 0.15_dp
+   ! Of Ad/Ai over Ai, over beta times the largest rise half-way across: 0.003 to 0.25, once 0.5, was measured between
+   ! marches with temperatures carried on and frozen, as complex numbers
+   real(dp), parameter :: by_frozen_heat = 0.25_dp
 
 contains
 
@@ -92,7 +93,7 @@ contains
          end do
          self%sheared_w = unit*grid%integral(merge(energy%shear%shear_heat/state%h, 0.0_dp, bears))
          self%compressed_w = unit*grid%integral(merge(energy%shear%pressure_heat/state%h, 0.0_dp, bears))
-         field = energy%carried(grid, c%elliptic%kappa)
+         field = carried_heat(energy, grid, c%elliptic%kappa)
          self%carried_w = unit*grid%integral(merge(field, 0.0_dp, bears))
       end associate
       self%balance_error = abs(self%sheared_w + self%compressed_w - self%carried_w - sum(self%into_body_w)) &

@@ -27,7 +27,7 @@ module ehlwave_warm_steady
    real(dp), parameter :: loosening = 1.3_dp        !! of that with each round beyond so many: where a node at the edge
    integer, parameter :: patience = 12              !! of the film, or of the backflow, goes to and fro
    real(dp), parameter :: loose = 5                 !! change of temperatures over that, of which integrals hardly know
-   integer, parameter :: marches = 2                !! in a round, at most: where temperatures change by more than
+   integer, parameter :: marches = 6                !! in a round, at most: where temperatures change by more than
    real(dp), parameter :: far = 0.03_dp             !! this share of themselves
    real(dp), parameter :: ahead_of_film = 3         !! and so many times as much as the film did
    ! A step of Newton's method is not judged where the changes before it are between

@@ -334,7 +334,7 @@ class Heat(TestCase):
         for softening in (0.0, 6e-3):
             result = solve(**free_volume(row, {"doolittle_occupied_rate_per_k": -9e-4, "tait_softening_per_k": softening}, **waves))
             beta = 4.7*0.66*(OIL["oil_expansion_per_k"] + 9e-4)/0.34**2
-            self.check_close(result["frozen_heat_error"], 0.15*beta*result["largest_rise_mid_film_k"], 1e-9, "beta")
+            self.check_close(result["frozen_heat_error"], 0.25*beta*result["largest_rise_mid_film_k"], 1e-9, "beta")
             self.assertLess(result["friction_coefficient"], result["isothermal_friction_coefficient"])
             self.assertLess(result["central_film"], result["isothermal_central_film"])
             self.assertLess(result["heat_balance_error"], 1e-3)
