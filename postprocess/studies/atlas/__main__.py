@@ -10,7 +10,7 @@ from pathlib import Path
 
 from ehlwave.atlas import Atlas, load_atlas
 from ehlwave.atlas.atlas import shipped
-from ehlwave.atlas.kinds import KINDS, LINE, LINE_SLIDING, Kind
+from ehlwave.atlas.kinds import KINDS, LINE, LINE_NEWTONIAN, LINE_SLIDING, Kind
 from studies.atlas import line_design, line_sliding_design
 from studies.atlas.catalogue import DRAWS
 from studies.atlas.design import DESIGNS, write_batch, write_rises, write_validation
@@ -22,7 +22,14 @@ from studies.command import atlas as command
 from studies.command.options import step_parser
 from studies.sweeps import run_command
 
-FILLING = {"rolling": 24, "rolling_wide": 24, "sliding": 64, "line": 20, "line_sliding": 21}
+FILLING = {
+    "rolling": 24,
+    "rolling_wide": 24,
+    "sliding": 64,
+    "line": 24,
+    "line_sliding": 36,
+    "line_newtonian": 32,
+}
 """Batches that fill the ranges; later ones go where the errors of those before are largest."""
 
 STEPS = ("batch", "rises", "fit", "unseen", "validate", "catalogue", "bearings")
@@ -52,8 +59,8 @@ def _do(options: argparse.Namespace) -> None:
         known = _known_before(options.batch, folder, kind, options.at_once)
         if kind is LINE:
             print(line_design.write_batch(folder, options.batch, known))
-        elif kind is LINE_SLIDING:
-            print(line_sliding_design.write_batch(folder, options.batch, known))
+        elif kind in (LINE_SLIDING, LINE_NEWTONIAN):
+            print(line_sliding_design.write_batch(folder, options.batch, known, kind))
         else:
             print(write_batch(folder, options.batch, DESIGNS[kind.name], known))
     elif step == "rises":
@@ -68,8 +75,8 @@ def _do(options: argparse.Namespace) -> None:
     elif step == "unseen":
         if kind is LINE:
             print(line_design.write_validation(folder))
-        elif kind is LINE_SLIDING:
-            print(line_sliding_design.write_validation(folder))
+        elif kind in (LINE_SLIDING, LINE_NEWTONIAN):
+            print(line_sliding_design.write_validation(folder, kind))
         else:
             print(write_validation(folder, DESIGNS[kind.name]))
     elif step == "catalogue":

@@ -52,16 +52,16 @@ def cam_contacts(eyring: bool = True, count: int = CONTACTS) -> Iterator[ehlwave
         turn = log_uniform(random, SPEED_PER_MIN) * np.pi / 30 * 1e-3
         draw = _roller if number % 2 else _flat
         radii, speeds, pressures = draw(random, base, lift)
-        order = slice(None, None, -1 if number // 2 % 2 else 1)
-        speeds = tuple(turn * speed for speed in speeds[order])
+        first, second = (1, 0) if number // 2 % 2 else (0, 1)
+        bodies = 1e-3 * radii[first], 1e-3 * radii[second]
+        moving = turn * speeds[first], turn * speeds[second]
         wanted = log_uniform(random, pressures)
         oil = oil_of(random, VISCOSITY_PA_S)
         stress = log_uniform(random, EYRING_PA)
         if eyring:
             oil["eyring_stress_pa"] = stress
-        radii = tuple(1e-3 * radius for radius in radii[order])
-        one = contact(*radii, speeds, 1.0, oil)
-        yield contact(*radii, speeds, (wanted / one.conditions.hertz_pa) ** 2, oil)
+        one = contact(*bodies, moving, 1.0, oil)
+        yield contact(*bodies, moving, (wanted / one.conditions.hertz_pa) ** 2, oil)
 
 
 Place = tuple[tuple[float, float], tuple[float, float], tuple[float, float]]

@@ -1,7 +1,7 @@
 """Spur gears along the line of action: standard teeth, usual loads, speeds and gear oils."""
 
 from collections.abc import Iterator
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -94,11 +94,12 @@ def gear_contacts(eyring: bool = True, count: int = CONTACTS) -> Iterator[ehlwav
         stress = log_uniform(random, EYRING_PA)
         if eyring:
             oil["eyring_stress_pa"] = stress
-        pitch_radii = mesh.radii(mesh.base[0] * np.tan(np.radians(ANGLE_DEG)))
-        at_pitch = contact(*(module * np.array(pitch_radii)), (1.0, 1.0), 1.0, oil)
+        pinion, wheel = mesh.radii(float(mesh.base[0] * np.tan(np.radians(ANGLE_DEG))))
+        at_pitch = contact(module * pinion, module * wheel, (1.0, 1.0), 1.0, oil)
         load = (wanted / at_pitch.conditions.hertz_pa) ** 2 * mesh.share(place)
-        order = slice(None, None, -1 if number % 2 else 1)
-        yield contact(*(module * np.array(radii))[order], speeds[order], load, oil)
+        first, second = (1, 0) if number % 2 else (0, 1)
+        flanks = module * radii[first], module * radii[second]
+        yield contact(*flanks, (speeds[first], speeds[second]), load, oil)
 
 
 def contact(
@@ -106,7 +107,7 @@ def contact(
     second_m: float,
     speeds: tuple[float, ...],
     load_n_per_m: float,
-    oil: dict[str, float],
+    oil: dict[str, Any],
 ) -> ehlwave.Contact:
     """Return a line contact of two steel bodies of these radii."""
     bodies = (ehlwave.Body(radius_x_m=radius, material="steel") for radius in (first_m, second_m))

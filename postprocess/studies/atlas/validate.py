@@ -41,6 +41,7 @@ class Judged:
             f"median {np.median(error):.4f} (of the bar {np.median(bar):.4f}), "
             f"95 % {np.quantile(error, 0.95):.4f}, largest {error.max():.3f}"
             for name, error, bar in rows
+            if len(error)
         )
 
 
@@ -52,7 +53,8 @@ def judge(atlas: Atlas, computed: xr.Dataset) -> Judged:
     film_error, film_bar = [], []
     for contact in range(computed.sizes["contact"]):
         chart = atlas.at({key: float(computed[key].values[contact]) for key in atlas.kind.ranges})
-        film_error.append(_relative(chart.film_numbers - films[contact]))
+        missed = chart.film_numbers - films[contact]
+        film_error.append(_relative(missed)[: len(_bars(chart))])
         film_bar.append(_bars(chart))
         own = np.flatnonzero(of_contact == contact)
         found = chart.responses(wave[own], angle[own])

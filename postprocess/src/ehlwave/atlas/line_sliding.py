@@ -16,7 +16,7 @@ from ehlwave.contact.medium import hertz_medium
 from ehlwave.contact.oils import log_viscosity
 
 LINE_SLIDING_RANGES = LINE_RANGES | {
-    "slip_parameter": (0.5, 1.5),
+    "slip_parameter": (0.3, 1.7),
     "stress_modulus_pa2": (1.936e17, 9.68e18),
 }
 """Smallest and largest value of each key of a line contact that slides, of a Ree-Eyring oil.
