@@ -3,6 +3,7 @@
 from pathlib import Path
 
 import numpy as np
+import pandas as pd
 import pytest
 
 import ehlwave
@@ -11,7 +12,14 @@ from ehlwave.atlas.kind import Kind
 from ehlwave.atlas.kinds import LINE, LINE_NEWTONIAN, LINE_SLIDING
 from ehlwave.atlas.sliding import MODULUS_PA
 from ehlwave.deform import trace_surface
-from studies.atlas.line_sliding_design import case, write_batch, write_validation
+from studies.atlas.centre import centre_pressures
+from studies.atlas.line_sliding_design import (
+    EVENLY_SPREAD,
+    SLIGHT_SLIP,
+    case,
+    write_batch,
+    write_validation,
+)
 
 MODULUS = 2.26e11
 MOES = {"load_parameter_m": 100, "lubricant_parameter_l": 11, "radius_ratio_d": 0}
@@ -161,3 +169,34 @@ def test_newtonian_contacts_have_sweeps_of_their_own(tmp_path: Path) -> None:
         assert "eyring_stress_pa" not in rows.dtype.names
         assert rows["slip_parameter"].min() < 0.4
         assert rows["slip_parameter"].max() > 1.6
+
+
+def test_the_pressure_at_the_centre_is_found_from_the_attenuated_wave() -> None:
+    row = {
+        "load_parameter_m": 1.0,
+        "lubricant_parameter_l": 12.0,
+        "pressure_viscosity_per_pa": 2.2e-8,
+        "roelands_index": 0.68,
+        "slip_parameter": 1.3,
+        "wavelength_x_over_a": 1.0,
+        "central_film": 4.794250774,
+        "attenuated_formula_real": 0.999611468,
+        "attenuated_formula_imaginary": 0.012810231,
+        "max_pressure": 0.7283,
+    }
+    # ehlwave-case, 4096 cells over X of -26 to 6: the field of the pressure at X = 0
+    assert centre_pressures(pd.DataFrame([row])) == pytest.approx([0.408746], abs=1e-5)
+
+
+def test_the_last_batches_lie_where_machines_are(tmp_path: Path) -> None:
+    slight, light = (
+        np.genfromtxt(
+            write_batch(tmp_path, EVENLY_SPREAD[kind.name], kind=kind).with_suffix(".csv"),
+            names=True,
+            delimiter=",",
+        )
+        for kind in (LINE_SLIDING, LINE_NEWTONIAN)
+    )
+    slips = np.abs(slight["slip_parameter"] - 1)
+    assert SLIGHT_SLIP[0] * 0.99 < slips.min() < slips.max() < SLIGHT_SLIP[1] * 1.01
+    assert light["load_parameter_m"].max() <= 100

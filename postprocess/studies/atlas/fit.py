@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ehlwave.atlas.atlas import FORMAT_NAME, ranges_text
 from ehlwave.atlas.chart import with_contacts
 from ehlwave.atlas.committee import Committee
-from ehlwave.atlas.kinds import KINDS, LINE_NEWTONIAN, Kind
+from ehlwave.atlas.kinds import KINDS, Kind
 from ehlwave.atlas.sliding_shape import SlidingShape
 from studies.atlas.losses import Errors, Films, Task, Waves, part
 from studies.atlas.points import contact_of, film_numbers, waves_of
@@ -40,12 +40,15 @@ OF_WAVES = {
     "rolling_wide": Recipe(networks=5, hidden=64, steps=2000, decay=1e-6),
     "sliding": Recipe(networks=7, hidden=64, steps=3000, decay=1e-5),
     "line": Recipe(networks=5, hidden=32, steps=3000, decay=1e-6),
-    "line_sliding": Recipe(networks=5, hidden=32, steps=1500, decay=1e-5),
+    "line_sliding": Recipe(networks=5, hidden=32, steps=2500, decay=1e-5),
     "line_newtonian": Recipe(networks=3, hidden=32, steps=2500, decay=1e-5),
 }
 OF_FILMS = Recipe(networks=5, hidden=24, steps=1500, decay=1e-6)
-OF_KNOWN_FILMS = Recipe(networks=3, hidden=12, steps=500, decay=1e-6)
-"""Of contacts whose films are those of rolling: the pressure at the centre alone is learned."""
+OF_LINE_FILMS = {
+    "line_sliding": Recipe(networks=4, hidden=32, steps=2500, decay=1e-6),
+    "line_newtonian": Recipe(networks=3, hidden=12, steps=500, decay=1e-6),
+}
+"""Of lines that slide; Newtonian films are those of rolling: the pressure alone is learned."""
 OF_ERRORS = Recipe(networks=5, hidden=12, steps=200, decay=1e-4)
 OF_LINE_ERRORS = Recipe(networks=3, hidden=12, steps=200, decay=1e-4)
 
@@ -59,7 +62,7 @@ def finished(data: xr.Dataset, workers: int = 1) -> xr.Dataset:
     of_contact = contact_of(data)
     discretised = [f"{name}_discretisation" for name in kind.films]
     fold = np.random.default_rng(11).permutation(data.sizes["contact"]) % FOLDS
-    of_films = OF_KNOWN_FILMS if kind is LINE_NEWTONIAN else OF_FILMS
+    of_films = OF_LINE_FILMS.get(kind.name, OF_FILMS)
     of_errors = OF_LINE_ERRORS if kind.name.startswith("line") else OF_ERRORS
     films = Films(kind.coordinates(data), film_numbers(data, kind.films))
     with ProcessPoolExecutor(workers) as pool:
