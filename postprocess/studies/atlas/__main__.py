@@ -20,7 +20,7 @@ from studies.atlas.store import write_atlas
 from studies.atlas.validate import judge
 from studies.command import atlas as command
 from studies.command.options import step_parser
-from studies.sweeps import run_command
+from studies.sweeps import run_command, write_rows
 
 FILLING = {
     "rolling": 24,
@@ -83,15 +83,22 @@ def _do(options: argparse.Namespace) -> None:
         for draw in DRAWS:
             print(draw.write(folder, options.atlas and load_atlas(atlas)))
     elif step == "bearings":
+        rows = []
         for draw in DRAWS:
             known = options.atlas and load_atlas(atlas)
             print(draw.text(known))
             computed = read_points([folder / f"{draw.name}.h5"], kind=draw.kind)
             own = known if known and known.kind is draw.kind else load_atlas(shipped(draw.kind))
-            print(judge(own, computed).text())
+            judged = judge(own, computed)
+            print(judged.text())
+            answered = len(draw.answered(known)[0])
+            rows += [{**row, "answered": answered} for row in judged.rows(draw.elements)]
+        write_rows(folder / "catalogue-judged.csv", rows, digits=4)
     else:
         computed = read_points([folder / f"{kind.name}-validation.h5"], kind=kind)
-        print(judge(load_atlas(atlas), computed).text())
+        judged = judge(load_atlas(atlas), computed)
+        print(judged.text())
+        write_rows(folder / f"{kind.name}-judged.csv", judged.rows(kind.name), digits=4)
 
 
 def _known_before(batch: int, folder: Path, kind: Kind, ranks: int) -> Atlas | None:
