@@ -117,6 +117,7 @@ def atlas() -> str:
         "sliding": "sliding",
         "line": "line contacts, rolling",
         "line_sliding": "line contacts, sliding",
+        "line_newtonian": "line contacts, sliding, Newtonian",
     }
     columns = [KINDS[kind].ranges for kind in names]
     keys = list(dict.fromkeys(key for ranges in columns for key in ranges))

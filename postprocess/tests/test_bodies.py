@@ -116,7 +116,7 @@ def test_where_no_one_quantity_leads_inside_several_do() -> None:
         return ehlwave.Contact.from_bodies(roller, roller, **keys).film()
 
     with pytest.raises(RangeError, match=r"the nearest inside the atlas has load_n = ") as caught:
-        film(20, 100)
+        film(0.3, 100)
     words = str(caught.value).split("the nearest inside the atlas has ")[1].split()
     numbers = [float(words[i + 1]) for i, word in enumerate(words) if word == "="]
     assert film(*numbers).central_m

@@ -11,9 +11,10 @@ from ehlwave.atlas.kinds import LINE
 from ehlwave.cli import main
 from ehlwave.deform import map_surface, trace_surface
 from studies.atlas.design import contact_at, uncertain_contacts
-from studies.atlas.line_design import case, write_batch
+from studies.atlas.line_design import CONTACTS, case, domain, write_batch
 
 MOES = {"load_parameter_m": 100, "lubricant_parameter_l": 11, "radius_ratio_d": 0}
+LIGHT = {"load_parameter_m": 1, "lubricant_parameter_l": 12, "radius_ratio_d": 0}
 ROLLER = {
     "radius_x_m": 5e-3,
     "reduced_modulus_pa": 2.26e11,
@@ -47,15 +48,23 @@ def test_scales_and_films_are_those_of_the_program() -> None:
         (MOES, 0.25, 0.60076 + 0.31211j, -5.0009 + 3.9169j),
         (MOES, 2.0, 0.05514 + 0.04458j, -1.5754 + 0.0744j),
         (ROLLER, 0.5, 0.94933 + 0.18386j, -0.3056 + 1.1702j),
+        (LIGHT, 3.0, 1.09619 - 0.06038j, None),
+        (
+            LIGHT | {"load_parameter_m": 2, "lubricant_parameter_l": 20},
+            2.0,
+            1.02574 + 0.13245j,
+            None,
+        ),
     ],
 )
 def test_a_response_is_that_of_the_program(
-    keys: dict[str, float], wave: float, film: complex, pressure: complex
+    keys: dict[str, float], wave: float, film: complex, pressure: complex | None
 ) -> None:
-    # ehlwave-case, 2048 and 4096 cells, flooded edges, extrapolated to mesh size 0
+    # ehlwave-case, 2048 to 8192 cells, flooded edges, extrapolated to mesh size 0
     found = ehlwave.Contact(**keys).response(wave)
     assert abs(found.film - film) < found.error < 0.03
-    assert abs(found.pressure - pressure) < 0.2
+    if pressure is not None:
+        assert abs(found.pressure - pressure) < 0.2
 
 
 def test_a_trace_is_deformed_by_its_responses_on_the_command_line_too(
@@ -82,7 +91,7 @@ def test_a_trace_is_deformed_by_its_responses_on_the_command_line_too(
     ("asked", "said"),
     [
         ({"angle_deg": 30}, "slender elliptical contact"),
-        ({"slip_parameter": 1.2}, "Ree-Eyring oil alone"),
+        ({"slip_parameter": 1.8}, "slip_parameter = 1.8 .* 0.3 to 1.7"),
         ({"wavelength_over_a": 5}, "0.1 to 4"),
     ],
 )
@@ -93,20 +102,24 @@ def test_waves_that_are_not_covered_are_refused(asked: dict[str, float], said: s
 
 def test_surfaces_and_contacts_that_are_not_covered_are_refused() -> None:
     contact, sliding = ehlwave.Contact(**ROLLER), ehlwave.Contact(**ROLLER, slip_parameter=1.2)
+    carreau = {"carreau_modulus_pa": 5e6, "carreau_exponent": 0.5, "slip_parameter": 1.2}
+    thinned = ehlwave.Contact(**ROLLER, **carreau)
     trace = trace_surface(HEIGHT, 2e-6, "x")
     across = trace_surface(HEIGHT, 2e-6, "y")
     for surface in (across, map_surface(np.outer(HEIGHT, np.ones(40)), 2e-6, 2e-6)):
         for by in ("atlas", "paper"):
             with pytest.raises(ehlwave.SurfaceError, match="transverse waves alone"):
                 contact.deform(surface, by=by)
-    for by in ("atlas", "two-waves"):
-        with pytest.raises(ehlwave.SurfaceError, match="Ree-Eyring oil alone"):
-            sliding.deform(trace, by=by)
-    carreau = {"carreau_modulus_pa": 5e6, "carreau_exponent": 0.5}
-    with pytest.raises(ehlwave.RangeError, match="Ree-Eyring oil alone"):
-        ehlwave.Contact(**ROLLER, slip_parameter=1.2, **carreau).film()
-    with pytest.raises(ehlwave.RangeError, match="load_parameter_m = 4 "):
-        ehlwave.Contact(**{**MOES, "load_parameter_m": 4}).film()
+    for slides, by in ((thinned, "atlas"), (thinned, "two-waves"), (sliding, "two-waves")):
+        with pytest.raises(ehlwave.SurfaceError, match="Newtonian or Ree-Eyring oil alone"):
+            slides.deform(trace, by=by)
+    with pytest.raises(ehlwave.RangeError, match="Newtonian or Ree-Eyring oil alone"):
+        thinned.film()
+    with pytest.raises(ehlwave.RangeError, match=r"load_parameter_m = 0\.3 "):
+        ehlwave.Contact(**{**MOES, "load_parameter_m": 0.3}).film()
+    heavy = {**MOES, "load_parameter_m": 1900, "lubricant_parameter_l": 30}
+    with pytest.raises(ehlwave.RangeError, match=r"alpha ph of 522 \(of at most 500\)"):
+        ehlwave.Contact(**heavy).film()
     with pytest.raises(ehlwave.SurfaceError, match="load_n_per_m, of a line contact, and load_n"):
         ehlwave.Contact(**ROLLER, load_n=10)
 
@@ -125,6 +138,13 @@ def test_the_sweep_of_a_batch_fills_the_ranges_and_resolves_the_inlet(tmp_path: 
     assert heavy["cells_x"] == 8192
 
 
+def test_thick_films_have_larger_domains_with_meshes_as_fine() -> None:
+    light = case({"load_parameter_m": 1.0, "lubricant_parameter_l": 12.0}, 1.0)
+    assert (light["x_min"], light["x_max"], light["cells_x"]) == (-26, 6, 4096)
+    for m, begins in ((0.4, -26), (3, -13), (20, -6.5), (100, -2.5)):
+        assert domain(m, 12.0)[0] == begins
+
+
 def test_later_batches_go_where_the_atlas_knows_least(tmp_path: Path) -> None:
     atlas = load_atlas(shipped(LINE))
 
@@ -135,6 +155,6 @@ def test_later_batches_go_where_the_atlas_knows_least(tmp_path: Path) -> None:
     anywhere = [contact_at(one, LINE.ranges) for one in shares]
     assert bar(uncertain_contacts(atlas, 3, 16, 64)) > 1.3 * bar(anywhere)
     table = np.genfromtxt(
-        write_batch(tmp_path, 20, atlas).with_suffix(".csv"), names=True, delimiter=","
+        write_batch(tmp_path, 24, atlas).with_suffix(".csv"), names=True, delimiter=","
     )
-    assert len(np.unique(table["load_parameter_m"])) == 16
+    assert len(np.unique(table["load_parameter_m"])) == CONTACTS

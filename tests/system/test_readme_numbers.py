@@ -227,19 +227,40 @@ def atlas():
     except ImportError:
         return []
     claims, rises = [], {}
-    for kind in ("rolling", "rolling_wide", "sliding", "line", "line_sliding"):
+    kinds = ("rolling", "rolling_wide", "sliding", "line", "line_sliding", "line_newtonian")
+    for kind in kinds:
         path = ROOT/f"postprocess/src/ehlwave/atlas/{kind}.nc"
         with xarray.open_dataset(path) as data:
             of_file = [float(data.attrs["responses"]), float(data.attrs["contacts"])]
             rises[kind] = json.loads(data.attrs["rise_cross_validated"])
         claims.append((f"| `{kind}.nc` | {{}} KB | {{}} responses of {{}} contacts", [path.stat().st_size/1000, *of_file]))
-    all_kinds = [rises[kind] for kind in ("rolling", "rolling_wide", "sliding", "line", "line_sliding")]
-    claims.append(("has a median error of {} in contacts that roll (wide: {}), {} under slip, {} in line contacts and {} in those that slide, "
-                   "in units of (A/film)^2 of the film, and {} (wide: {}), {}, {} and {} at 95 % of the waves",
+    all_kinds = [rises[kind] for kind in kinds]
+    claims.append(("has a median error of {} in contacts that roll (wide: {}), {} under slip, {} in line contacts and {} in those that slide "
+                   "(Newtonian: {}), in units of (A/film)^2 of the film, and {} (wide: {}), {}, {} and {} ({}) at 95 % of the waves",
                    [one["median"] for one in all_kinds] + [one["95 %"] for one in all_kinds]))
     slip = [float(one) for one in re.findall(r'"(?:Ree-Eyring|Newtonian|Carreau)": ([\d.]+)',
                                              (ROOT/"postprocess/src/ehlwave/contact/two_waves.py").read_text())]
-    return [*claims, ("have the law alone, within {}, {} and {} of Ai", [slip[1], slip[2], slip[0]])]
+    return [*claims, *judged(), ("have the law alone, within {}, {} and {} of Ai", [slip[1], slip[2], slip[0]])]
+
+
+def judged():
+    """Line contacts of the atlas beside computed ones, and those of machines."""
+    claims = []
+    for of, name in (("line", "line"), ("line_sliding", "line, sliding"), ("line_newtonian", "line, sliding, Newtonian")):
+        for what, row in (("film response, units of Ai", name), ("film response, M > 100", f"{name}, M > 100"),
+                          ("central film, relative", f"central film, {name}")):
+            if row not in ("line, M > 100", "central film, line, sliding, Newtonian"):
+                columns = ("conditions", "within the bar [%]", "median", "median bar", "95 %", "largest")
+                claims.append((f"| {row} | {{}} | {{}} % | {{}} | {{}} | {{}} | {{}} |",
+                               [cell("atlas/lines.csv", column, of=of, what=what) for column in columns]))
+    for of in ("rollers", *(f"{machine} in a {law} oil" for machine in ("gears", "cams") for law in ("Ree-Eyring", "Newtonian"))):
+        where = {"of": of.replace("rollers", "bearing rollers"), "what": "film response, units of Ai"}
+        answered = cell("atlas/machines.csv", "answered", **where)
+        films = [100*cell("atlas/machines.csv", "median", of=where["of"], what=f"{one} film, relative") for one in ("central", "smallest")]
+        columns = ("conditions", "within the bar [%]", "median")
+        claims.append((f"| {of} | {{}} of 300, {{}} % | {{}} | {{}} % | {{}} | {{}} % | {{}} % |",
+                       [answered, answered/3, *(cell("atlas/machines.csv", column, **where) for column in columns), *films]))
+    return claims
 
 
 def validated():

@@ -273,7 +273,7 @@ class Contact:
         c = self.conditions
         # The laws of heat were fitted to films of lines that roll, with their error by thinning.
         rolls = c.is_line and self.heat is not None
-        slip = 1.0 if rolls else c.slip_parameter
+        slip = 1.0 if rolls else c.film_slip
         thinned = c.rolling_film_error if rolls else c.thinning_error
         atlas = self._atlas_for(replace(c, slip_parameter=slip))
         film = self._chart(slip).film()

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from ehlwave.atlas import Atlas, load_atlas
 from ehlwave.atlas.atlas import shipped
-from ehlwave.atlas.kinds import KINDS, LINE, LINE_SLIDING, Kind
+from ehlwave.atlas.kinds import KINDS, LINE, LINE_NEWTONIAN, LINE_SLIDING, Kind
 from studies.atlas import line_design, line_sliding_design
 from studies.atlas.catalogue import DRAWS
 from studies.atlas.design import DESIGNS, write_batch, write_rises, write_validation
@@ -20,9 +20,16 @@ from studies.atlas.store import write_atlas
 from studies.atlas.validate import judge
 from studies.command import atlas as command
 from studies.command.options import step_parser
-from studies.sweeps import run_command
+from studies.sweeps import run_command, write_rows
 
-FILLING = {"rolling": 24, "rolling_wide": 24, "sliding": 64, "line": 20, "line_sliding": 21}
+FILLING = {
+    "rolling": 24,
+    "rolling_wide": 24,
+    "sliding": 64,
+    "line": 24,
+    "line_sliding": 36,
+    "line_newtonian": 32,
+}
 """Batches that fill the ranges; later ones go where the errors of those before are largest."""
 
 STEPS = ("batch", "rises", "fit", "unseen", "validate", "catalogue", "bearings")
@@ -52,8 +59,8 @@ def _do(options: argparse.Namespace) -> None:
         known = _known_before(options.batch, folder, kind, options.at_once)
         if kind is LINE:
             print(line_design.write_batch(folder, options.batch, known))
-        elif kind is LINE_SLIDING:
-            print(line_sliding_design.write_batch(folder, options.batch, known))
+        elif kind in (LINE_SLIDING, LINE_NEWTONIAN):
+            print(line_sliding_design.write_batch(folder, options.batch, known, kind))
         else:
             print(write_batch(folder, options.batch, DESIGNS[kind.name], known))
     elif step == "rises":
@@ -68,23 +75,30 @@ def _do(options: argparse.Namespace) -> None:
     elif step == "unseen":
         if kind is LINE:
             print(line_design.write_validation(folder))
-        elif kind is LINE_SLIDING:
-            print(line_sliding_design.write_validation(folder))
+        elif kind in (LINE_SLIDING, LINE_NEWTONIAN):
+            print(line_sliding_design.write_validation(folder, kind))
         else:
             print(write_validation(folder, DESIGNS[kind.name]))
     elif step == "catalogue":
         for draw in DRAWS:
             print(draw.write(folder, options.atlas and load_atlas(atlas)))
     elif step == "bearings":
+        rows = []
         for draw in DRAWS:
             known = options.atlas and load_atlas(atlas)
             print(draw.text(known))
             computed = read_points([folder / f"{draw.name}.h5"], kind=draw.kind)
             own = known if known and known.kind is draw.kind else load_atlas(shipped(draw.kind))
-            print(judge(own, computed).text())
+            judged = judge(own, computed)
+            print(judged.text())
+            answered = len(draw.answered(known)[0])
+            rows += [{**row, "answered": answered} for row in judged.rows(draw.elements)]
+        write_rows(folder / "catalogue-judged.csv", rows, digits=4)
     else:
         computed = read_points([folder / f"{kind.name}-validation.h5"], kind=kind)
-        print(judge(load_atlas(atlas), computed).text())
+        judged = judge(load_atlas(atlas), computed)
+        print(judged.text())
+        write_rows(folder / f"{kind.name}-judged.csv", judged.rows(kind.name), digits=4)
 
 
 def _known_before(batch: int, folder: Path, kind: Kind, ranks: int) -> Atlas | None:

@@ -66,7 +66,7 @@ def ball_contacts(count: int = CONTACTS) -> Iterator[ehlwave.Contact]:
         ball = ehlwave.Body.ball(1e-3 * ball_mm, material="steel")
         one = ehlwave.Contact.from_bodies(ball, race, load_n=1.0, **oil)
         rated = (RATED_PA / one.conditions.hertz_pa) ** 3
-        load = rated * _log_uniform(random, LOAD_SHARE)
+        load = rated * log_uniform(random, LOAD_SHARE)
         yield ehlwave.Contact.from_bodies(ball, race, load_n=load, **oil)
 
 
@@ -83,7 +83,7 @@ def roller_contacts(count: int = CONTACTS) -> Iterator[ehlwave.Contact]:
         roller = ehlwave.Body(radius_x_m=5e-4 * roller_mm, material="steel")
         one = ehlwave.Contact.from_bodies(roller, race, load_n_per_m=1.0, **oil)
         rated = (RATED_LINE_PA / one.conditions.hertz_pa) ** 2
-        load = rated * _log_uniform(random, LOAD_SHARE)
+        load = rated * log_uniform(random, LOAD_SHARE)
         yield ehlwave.Contact.from_bodies(roller, race, load_n_per_m=load, **oil)
 
 
@@ -91,7 +91,8 @@ def _race_of(number: int) -> Callable[..., ehlwave.Body]:
     return ehlwave.Body.outer_race if number % 2 else ehlwave.Body.inner_race
 
 
-def _log_uniform(random: np.random.Generator, ends: tuple[float, float]) -> float:
+def log_uniform(random: np.random.Generator, ends: tuple[float, float]) -> float:
+    """Return a number between two ends, its logarithm evenly spread."""
     return float(np.exp(random.uniform(*np.log(ends))))
 
 
@@ -100,10 +101,14 @@ def _oil(
 ) -> dict[str, Any]:
     """Return the oil of a bearing, and the speed of its contacts."""
     rolling = 1e-3 * (pitch - element_mm**2 * np.cos(np.radians(angle)) ** 2 / pitch) / 2
-    speed = rolling * np.pi * _log_uniform(random, SPEED_FACTOR) / pitch / 60
+    speed = rolling * np.pi * log_uniform(random, SPEED_FACTOR) / pitch / 60
+    return {**oil_of(random, VISCOSITY_PA_S), "mean_speed_m_per_s": float(speed)}
+
+
+def oil_of(random: np.random.Generator, viscosity: tuple[float, float]) -> dict[str, Any]:
+    """Return the oil of a contact, of a viscosity in this range."""
     return {
-        "viscosity_pa_s": _log_uniform(random, VISCOSITY_PA_S),
+        "viscosity_pa_s": log_uniform(random, viscosity),
         "pressure_viscosity_per_pa": random.uniform(*PRESSURE_VISCOSITY_PER_PA),
         "roelands_index": random.uniform(*ROELANDS),
-        "mean_speed_m_per_s": float(speed),
     }

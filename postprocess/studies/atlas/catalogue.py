@@ -1,7 +1,8 @@
-"""How many contacts of bearings the atlas answers, and how well."""
+"""How many contacts of bearings, gears and cams the atlas answers, and how well."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -9,13 +10,16 @@ import numpy as np
 import ehlwave
 from ehlwave.atlas.atlas import Atlas, chart_of
 from ehlwave.atlas.kind import Kind
-from ehlwave.atlas.kinds import LINE, WIDE
+from ehlwave.atlas.kinds import LINE, LINE_NEWTONIAN, LINE_SLIDING, WIDE
 from ehlwave.atlas.ranges import WAVE_RANGE
 from ehlwave.errors import RangeError
 from studies import sweeps
-from studies.atlas import line_design
+from studies.atlas import line_design, line_sliding_design
 from studies.atlas.bearings import CONTACTS, SEED, ball_contacts, roller_contacts
+from studies.atlas.cams import cam_contacts
 from studies.atlas.design import GROUPS, WIDE_DESIGN, random_wave
+from studies.atlas.gears import gear_contacts
+from studies.atlas.line_sliding_design import GROUPS_OF
 from studies.programs import Groups
 
 COMPUTED = 30
@@ -31,14 +35,19 @@ def _wave_of_roller(keys: dict[str, float], random: np.random.Generator) -> swee
     return line_design.case(keys, low * (high / low) ** random.random())
 
 
+def _wave_of_sliding_line(keys: dict[str, float], random: np.random.Generator) -> sweeps.Row:
+    low, high = WAVE_RANGE
+    return line_sliding_design.case(keys, low * (high / low) ** random.random())
+
+
 @dataclass(frozen=True)
 class Draw:
-    """Bearings of one kind of rolling elements.
+    """Contacts of one kind of machine elements.
 
     Attributes
     ----------
     elements, name : str
-        What rolls; name of the sweep of some of their contacts.
+        What they are of; name of the sweep of some of their contacts.
     kind : Kind
         Of the atlas that the sweep is compared with.
     contacts : callable
@@ -88,11 +97,23 @@ class Draw:
             for values in ([place[key] for place in places],)
         )
         share = f"{100 * len(found) / CONTACTS:.1f} %"
-        count = f"{len(found)} of {CONTACTS} contacts of bearing {self.elements} answered ({share})"
+        count = f"{len(found)} of {CONTACTS} contacts of {self.elements} answered ({share})"
         return "\n".join([f"{count}; 96 % have {ends}", *(f"refused: {why}" for why in refused)])
 
 
 DRAWS = (
-    Draw("balls", "bearings", WIDE, ball_contacts, _wave_of_ball, WIDE_DESIGN.groups),
-    Draw("rollers", "rollers", LINE, roller_contacts, _wave_of_roller, GROUPS),
+    Draw("bearing balls", "bearings", WIDE, ball_contacts, _wave_of_ball, WIDE_DESIGN.groups),
+    Draw("bearing rollers", "rollers", LINE, roller_contacts, _wave_of_roller, GROUPS),
+    *(
+        Draw(
+            f"{machine} in a {law} oil",
+            f"{machine}_{kind.name}",
+            kind,
+            partial(contacts, kind is LINE_SLIDING),
+            _wave_of_sliding_line,
+            GROUPS_OF[kind.name],
+        )
+        for machine, contacts in (("gears", gear_contacts), ("cams", cam_contacts))
+        for law, kind in (("Ree-Eyring", LINE_SLIDING), ("Newtonian", LINE_NEWTONIAN))
+    ),
 )

@@ -40,10 +40,17 @@ OF_WAVES = {
     "rolling_wide": Recipe(networks=5, hidden=64, steps=2000, decay=1e-6),
     "sliding": Recipe(networks=7, hidden=64, steps=3000, decay=1e-5),
     "line": Recipe(networks=5, hidden=32, steps=3000, decay=1e-6),
-    "line_sliding": Recipe(networks=5, hidden=32, steps=1500, decay=1e-5),
+    "line_sliding": Recipe(networks=5, hidden=32, steps=2500, decay=1e-5),
+    "line_newtonian": Recipe(networks=3, hidden=32, steps=2500, decay=1e-5),
 }
 OF_FILMS = Recipe(networks=5, hidden=24, steps=1500, decay=1e-6)
+OF_LINE_FILMS = {
+    "line_sliding": Recipe(networks=4, hidden=32, steps=2500, decay=1e-6),
+    "line_newtonian": Recipe(networks=3, hidden=12, steps=500, decay=1e-6),
+}
+"""Of lines that slide; Newtonian films are those of rolling: the pressure alone is learned."""
 OF_ERRORS = Recipe(networks=5, hidden=12, steps=200, decay=1e-4)
+OF_LINE_ERRORS = Recipe(networks=3, hidden=12, steps=200, decay=1e-4)
 
 
 def finished(data: xr.Dataset, workers: int = 1) -> xr.Dataset:
@@ -55,28 +62,32 @@ def finished(data: xr.Dataset, workers: int = 1) -> xr.Dataset:
     of_contact = contact_of(data)
     discretised = [f"{name}_discretisation" for name in kind.films]
     fold = np.random.default_rng(11).permutation(data.sizes["contact"]) % FOLDS
+    of_films = OF_LINE_FILMS.get(kind.name, OF_FILMS)
+    of_errors = OF_LINE_ERRORS if kind.name.startswith("line") else OF_ERRORS
     films = Films(kind.coordinates(data), film_numbers(data, kind.films))
     with ProcessPoolExecutor(workers) as pool:
-        predicted = _left_out(pool, films, OF_FILMS, fold)
+        predicted = _left_out(pool, films, of_films, fold)
         film_misses = np.abs(predicted - films.numbers)
         waves = waves_in(data, kind, films, predicted)
         numbers = _left_out(pool, waves, OF_WAVES[kind.name], fold[of_contact])
         wave_misses = np.abs(waves.missed(numbers))
         found = {
-            "films": _of_all(pool, films, OF_FILMS),
+            "films": _of_all(pool, films, of_films),
             "waves": _of_all(pool, waves, OF_WAVES[kind.name]),
         }
-        found["film_errors"], of_films = _bars(
+        found["film_errors"], film_factors = _bars(
             pool,
             films.inputs,
             np.hypot(film_misses, film_numbers(data, discretised)),
             fold,
+            of_errors,
         )
         found["wave_errors"], of_waves = _bars(
             pool,
             waves.inputs,
             np.hypot(wave_misses, data["discretisation"].values)[:, None],
             fold[of_contact],
+            of_errors,
         )
     rises = np.abs(numbers[:, -1] - waves.rise)
     judged = {
@@ -93,7 +104,7 @@ def finished(data: xr.Dataset, workers: int = 1) -> xr.Dataset:
             "ranges": ranges_text(kind),
             "contacts": data.sizes["contact"],
             "responses": data.sizes["point"],
-            "film_errors_factors": json.dumps(of_films),
+            "film_errors_factors": json.dumps(film_factors),
             "wave_errors_factors": json.dumps(of_waves),
             "program": "ehlwave {program_version}, revision {git_revision}".format(**data.attrs),
         }
@@ -144,16 +155,16 @@ def _of_part(task: Task, scales: Floats, recipe: Recipe, seeds: Sequence[int]) -
 
 
 def _bars(
-    pool: Executor, inputs: Floats, misses: Floats, fold: Rows
+    pool: Executor, inputs: Floats, misses: Floats, fold: Rows, recipe: Recipe
 ) -> tuple[Committee, list[float]]:
     """Return networks of ln of some misses, and what makes bars that hold the wanted share.
 
     The factors are of misses of contacts whose bars are found from others.
     """
     task = Errors(inputs, np.maximum(misses, LEAST_MISS))
-    logs = _left_out(pool, task, OF_ERRORS, fold)
+    logs = _left_out(pool, task, recipe, fold)
     factors = np.quantile(misses / np.exp(logs), COVERED, axis=0)
-    return _of_all(pool, task, OF_ERRORS), [round(float(factor), 3) for factor in factors]
+    return _of_all(pool, task, recipe), [round(float(factor), 3) for factor in factors]
 
 
 def _quantiles(misses: Floats) -> dict[str, float]:

@@ -6,14 +6,23 @@ from pathlib import Path
 import numpy as np
 
 from ehlwave.atlas import Atlas
+from ehlwave.atlas.kind import Kind
 from ehlwave.atlas.kinds import LINE
 from ehlwave.atlas.line import LineShape
+from ehlwave.atlas.line_rolling import COMPUTED
 from ehlwave.atlas.ranges import WAVE_RANGE
-from ehlwave.contact.line_contact import SLENDER_OVER_LINE
+from ehlwave.contact.line_contact import SLENDER_OVER_LINE, line_film, moes_per_line_film
 from studies import sweeps
-from studies.atlas.design import GROUPS, MARGIN, contact_at, spread_contacts, uncertain_contacts
+from studies.atlas.design import (
+    GROUPS,
+    MARGIN,
+    Contact,
+    contact_at,
+    spread_contacts,
+    uncertain_contacts,
+)
 
-CONTACTS = 16
+CONTACTS = 32
 """Of one batch."""
 
 WAVES = 5
@@ -27,22 +36,27 @@ STEEP = 0.4, 0.2
 INLET_CELLS = 16
 """Mesh sizes in the length of the inlet, (L/(gamma M))^(1/2)."""
 
+FEWEST_CELLS = 128
+"""Over a."""
+
 SIZES = (1024, 2048, 4096, 8192)
 LOW_LOAD = 40.0
 """The M below which the inlet is so long that the domain begins at X = -6.5, not -2.5."""
+
+THICK_FILMS = ((4.0, (-26.0, 6.0)), (1.0, (-13.0, 3.0)))
+"""H of the formula from which the pressure is so wide that the domain is larger still."""
 
 
 def write_batch(folder: Path, batch: int, atlas: Atlas | None = None) -> Path:
     """Write the sweep of a batch: where the atlas so far knows least, if there is one.
 
-    Without one it fills the ranges and a little below: responses change most at their lower ends.
+    Without one it fills the ranges and a little below.
     """
     random = np.random.default_rng([batch, SEED])
     if atlas is not None:
         chosen = uncertain_contacts(atlas, SEED + batch, CONTACTS)
     else:
-        ranges = {key: (low / MARGIN, high) for key, (low, high) in LINE.ranges.items()}
-        chosen = spread_contacts(ranges, SEED, CONTACTS, batch)
+        chosen = spread_contacts(COMPUTED.ranges, SEED, CONTACTS, batch, LINE)
     rows = (case(one, wave) for one in chosen for wave in waves(one, random))
     return sweeps.write_sweep(folder, f"line-{batch:02d}", rows, GROUPS)
 
@@ -50,11 +64,19 @@ def write_batch(folder: Path, batch: int, atlas: Atlas | None = None) -> Path:
 def write_validation(folder: Path, count: int = 150, each: int = 2) -> Path:
     """Write the sweep that the atlas is judged by: random contacts and waves."""
     random, found = np.random.default_rng(1997), []
-    for _ in range(count):
-        contact = contact_at(random.random(len(LINE.ranges)).tolist(), LINE.ranges)
-        low, high = WAVE_RANGE
+    low, high = WAVE_RANGE
+    for contact in random_contacts(LINE, random, count):
         found += [case(contact, low * (high / low) ** random.random()) for _ in range(each)]
     return sweeps.write_sweep(folder, "line-validation", found, GROUPS)
+
+
+def random_contacts(kind: Kind, random: np.random.Generator, count: int) -> Iterator[Contact]:
+    """Yield contacts anywhere within the ranges of a kind."""
+    while count:
+        contact = contact_at(random.random(len(kind.ranges)).tolist(), kind.ranges)
+        if not kind.beyond(contact):
+            count -= 1
+            yield contact
 
 
 def waves(contact: Mapping[str, float], random: np.random.Generator) -> Iterator[float]:
@@ -76,9 +98,16 @@ def case(
 ) -> sweeps.Row:
     """Return a case with a grid that resolves its inlet, of these sizes as far as they go."""
     m, l = contact["load_parameter_m"], contact["lubricant_parameter_l"]
-    x_min = -6.5 if m < LOW_LOAD else -2.5
+    x_min, x_max = domain(m, l)
     inlet = min(1.0, (l / (SLENDER_OVER_LINE * m**1.5)) ** 0.5)
-    wanted = (1.5 - x_min) / inlet * inlet_cells
+    wanted = (x_max - x_min) * max(inlet_cells / inlet, FEWEST_CELLS)
     cells = next((size for size in sizes if size >= wanted), sizes[-1])
     keys = {"radius_ratio_d": 0.0, "wavelength_x_over_a": float(f"{wave:.7g}")}
-    return {**contact, **keys, "cells_x": cells, "x_min": x_min}
+    return {**contact, **keys, "cells_x": cells, "x_min": x_min, "x_max": x_max}
+
+
+def domain(m: float, l: float) -> tuple[float, float]:
+    """Return where the domain begins and ends."""
+    film = line_film(m, l) / moes_per_line_film(m)
+    usual = (-6.5 if m < LOW_LOAD else -2.5), 1.5
+    return next((ends for thick, ends in THICK_FILMS if film > thick), usual)

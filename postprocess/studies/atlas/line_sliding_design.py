@@ -1,4 +1,4 @@
-"""Where the atlas of line contacts that slide is computed: as that of those that roll."""
+"""Where the atlases of line contacts that slide are computed: as that of those that roll."""
 
 from collections.abc import Mapping
 from pathlib import Path
@@ -6,49 +6,81 @@ from pathlib import Path
 import numpy as np
 
 from ehlwave.atlas import Atlas
-from ehlwave.atlas.line_sliding import LINE_SLIDING_RANGES
+from ehlwave.atlas.kind import Kind
+from ehlwave.atlas.kinds import LINE_NEWTONIAN, LINE_SLIDING
+from ehlwave.atlas.line_rolling import COMPUTED
 from ehlwave.atlas.ranges import WAVE_RANGE
 from studies import sweeps
 from studies.atlas import line_design
 from studies.atlas.design import (
-    MARGIN,
+    GROUPS,
     SLIDING_DESIGN,
+    Contact,
+    Ranges,
     as_keys,
-    contact_at,
     spread_contacts,
     uncertain_contacts,
 )
-from studies.atlas.line_design import waves
+from studies.atlas.line_design import random_contacts, waves
 
 CONTACTS = 32
 """Of one batch."""
 
 SEED, VALIDATION_SEED = 2300, 2031
 
+GROUPS_OF = {LINE_SLIDING.name: SLIDING_DESIGN.groups, LINE_NEWTONIAN.name: GROUPS}
+"""What all cases share."""
+
 SIZES = (1024, 1536, 2048, 3072, 4096, 6144, 8192)
 COARSER = 0.625
 """Of the mesh sizes in the length of the inlet of contacts that roll: there are many contacts."""
+
+EVENLY_SPREAD = {LINE_SLIDING.name: 32, LINE_NEWTONIAN.name: 20}
+"""Batches over all of the ranges; those that follow are where machines are."""
+
+SLIGHT_SLIP = (5e-4, 0.05)
+"""Of Ree-Eyring oils: deviation of S from 1, as of rollers. Friction is still linear there."""
+
+LIGHT = {"load_parameter_m": (COMPUTED.ranges["load_parameter_m"][0], 100.0)}
+"""Of Newtonian oils, as of gears and cams: responses change most from one contact to the next."""
 
 EXTENDED = ("load_parameter_m", "lubricant_parameter_l")
 """Keys of which contacts lie a little below the range, too."""
 
 
-def write_batch(folder: Path, batch: int, atlas: Atlas | None = None) -> Path:
+def write_batch(
+    folder: Path, batch: int, atlas: Atlas | None = None, kind: Kind = LINE_SLIDING
+) -> Path:
     """Write the sweep of a batch: where the atlas so far knows least, if there is one.
 
     Without one it fills the ranges and a little below.
     """
     random = np.random.default_rng([batch, SEED])
     ranges = {
-        key: (low / MARGIN if key in EXTENDED else low, high)
-        for key, (low, high) in LINE_SLIDING_RANGES.items()
+        key: COMPUTED.ranges[key] if key in EXTENDED else ends for key, ends in kind.ranges.items()
     }
     if atlas is not None:
         chosen = uncertain_contacts(atlas, SEED + batch, CONTACTS)
+    elif batch < EVENLY_SPREAD[kind.name]:
+        chosen = spread_contacts(ranges, SEED, CONTACTS, batch, kind)
     else:
-        chosen = spread_contacts(ranges, SEED, CONTACTS, batch)
+        chosen = machine_contacts(ranges, batch - EVENLY_SPREAD[kind.name], kind, random)
     rows = (case(one, wave, COARSER) for one in chosen for wave in waves(one, random))
-    return sweeps.write_sweep(folder, f"line_sliding-{batch:02d}", rows, SLIDING_DESIGN.groups)
+    return sweeps.write_sweep(folder, f"{kind.name}-{batch:02d}", rows, GROUPS_OF[kind.name])
+
+
+def machine_contacts(
+    ranges: Ranges, piece: int, kind: Kind, random: np.random.Generator
+) -> list[Contact]:
+    """Return contacts of a piece, counted from 0, where those of machines mostly are."""
+    if kind is LINE_NEWTONIAN:
+        return spread_contacts({**ranges, **LIGHT}, SEED + 1, CONTACTS, piece, kind)
+    found = spread_contacts(ranges, SEED + 1, CONTACTS, piece, kind)
+    low, high = SLIGHT_SLIP
+    for contact in found:
+        slip = low * (high / low) ** random.random() * random.choice((-1, 1))
+        contact["slip_parameter"] = float(f"{1 + slip:.7g}")
+    return found
 
 
 def case(contact: Mapping[str, float], wave: float, share: float = 1.0) -> sweeps.Row:
@@ -57,13 +89,13 @@ def case(contact: Mapping[str, float], wave: float, share: float = 1.0) -> sweep
     return as_keys(found)
 
 
-def write_validation(folder: Path, count: int = 150, each: int = 2) -> Path:
+def write_validation(
+    folder: Path, kind: Kind = LINE_SLIDING, count: int = 150, each: int = 2
+) -> Path:
     """Write the sweep that the atlas is judged by: random contacts and waves."""
     random, found = np.random.default_rng(VALIDATION_SEED), []
     low, high = WAVE_RANGE
-    for _ in range(count):
-        shares = random.random(len(LINE_SLIDING_RANGES)).tolist()
-        contact = contact_at(shares, LINE_SLIDING_RANGES)
+    for contact in random_contacts(kind, random, count):
         drawn = (low * (high / low) ** random.random() for _ in range(each))
         found += [case(contact, wave) for wave in drawn]
-    return sweeps.write_sweep(folder, "line_sliding-validation", found, SLIDING_DESIGN.groups)
+    return sweeps.write_sweep(folder, f"{kind.name}-validation", found, GROUPS_OF[kind.name])

@@ -9,10 +9,11 @@ import xarray as xr
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from ehlwave.atlas.kinds import ROLLING, Kind
+from ehlwave.atlas.kinds import LINE_NEWTONIAN, ROLLING, Kind
 from ehlwave.atlas.sliding import MODULUS_PA, conditions_of
 from ehlwave.formula import wave_and_direction
 from ehlwave.read import read_results
+from studies.atlas.centre import centre_pressures
 
 Floats = NDArray[np.float64]
 
@@ -37,9 +38,10 @@ def read_points(
 ) -> xr.Dataset:
     """Return contacts and the responses of each, without `error`, of finished sweeps.
 
-    Film and pressure responses are those at mesh size 0; films are extrapolated likewise. With
-    `rises`, the results of :func:`studies.atlas.design.write_rises`, oblique waves have the rise
-    of the mean film, too; without them it is NaN.
+    Contacts beyond the limits of the kind are left out. Film and pressure responses are those at
+    mesh size 0; films are extrapolated likewise. With `rises`, the results of
+    :func:`studies.atlas.design.write_rises`, oblique waves have the rise of the mean film, too;
+    without them it is NaN.
     """
     results = read_results(paths)
     table = _with_modulus(results.to_dataframe().reset_index(drop=True))
@@ -51,6 +53,7 @@ def read_points(
     table["correction"] = np.abs(film - table["harmonic_real"] - 1j * table["harmonic_imaginary"])
     table = table[np.isfinite(table["correction"]) & (table["correction"] < LARGEST_CORRECTION)]
     keys = list(kind.ranges)
+    table = table[[not kind.beyond(one) for one in table[keys].to_dict("records")]]
     groups = table.groupby(keys, sort=True)
     contacts = groups.first().reset_index()
     order = np.argsort(groups.ngroup().to_numpy(), kind="stable")
@@ -132,7 +135,7 @@ def _films(contacts: pd.DataFrame, kind: Kind, base: Floats) -> dict[str, np.nda
     )
     numbers = {name: contacts[name].to_numpy(float) for name in kind.ranges}
     if "pressure_ratio" in kind.films:
-        numbers |= _centre(contacts)
+        numbers |= _centre(contacts, kind)
     if "friction_ratio" in kind.films:
         numbers |= _frictions(contacts, base[:, 2], discretisation[:, 0])
     return numbers | {
@@ -143,9 +146,10 @@ def _films(contacts: pd.DataFrame, kind: Kind, base: Floats) -> dict[str, np.nda
     }
 
 
-def _centre(contacts: pd.DataFrame) -> dict[str, np.ndarray]:
+def _centre(contacts: pd.DataFrame, kind: Kind) -> dict[str, np.ndarray]:
     """Return ln of the pressure at the centre: the largest, but for a spike."""
-    pressure = np.log(np.minimum(contacts["max_pressure"], LARGEST_PRESSURE)).to_numpy(float)
+    largest = np.minimum(contacts["max_pressure"], LARGEST_PRESSURE).to_numpy(float)
+    pressure = np.log(centre_pressures(contacts) if kind is LINE_NEWTONIAN else largest)
     return {"pressure_ratio": pressure, "pressure_ratio_discretisation": np.zeros(pressure.size)}
 
 

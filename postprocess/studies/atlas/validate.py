@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from ehlwave.atlas import Atlas
 from ehlwave.atlas.chart import Chart
 from studies.atlas.points import contact_of, film_numbers, waves_of
+from studies.sweeps import Row
 
 Floats = NDArray[np.float64]
 
@@ -30,18 +31,37 @@ class Judged:
 
     def text(self) -> str:
         """Return what a reader wants to know: shares within the bars, median, 95th percentile."""
-        heavy = self.load > 100
-        rows = [
-            ("film response, units of Ai", self.response, self.response_bar),
-            ("film response, M > 100", self.response[heavy], self.response_bar[heavy]),
-            *zip(FILMS, self.film.T, self.film_bar.T, strict=False),
-        ]
         return "\n".join(
             f"{name}: {len(error)} conditions, {100 * np.mean(error <= bar):.1f} % within the bar, "
             f"median {np.median(error):.4f} (of the bar {np.median(bar):.4f}), "
             f"95 % {np.quantile(error, 0.95):.4f}, largest {error.max():.3f}"
-            for name, error, bar in rows
+            for name, error, bar in self._parts()
         )
+
+    def rows(self, of: str) -> list[Row]:
+        """Return the same as rows of a table, `of` what is judged."""
+        return [
+            {
+                "of": of,
+                "what": name,
+                "conditions": len(error),
+                "within the bar [%]": round(100 * float(np.mean(error <= bar)), 1),
+                "median": float(np.median(error)),
+                "median bar": float(np.median(bar)),
+                "95 %": float(np.quantile(error, 0.95)),
+                "largest": float(error.max()),
+            }
+            for name, error, bar in self._parts()
+        ]
+
+    def _parts(self) -> list[tuple[str, Floats, Floats]]:
+        heavy = self.load > 100
+        parts = [
+            ("film response, units of Ai", self.response, self.response_bar),
+            ("film response, M > 100", self.response[heavy], self.response_bar[heavy]),
+            *zip(FILMS, self.film.T, self.film_bar.T, strict=False),
+        ]
+        return [part for part in parts if len(part[1])]
 
 
 def judge(atlas: Atlas, computed: xr.Dataset) -> Judged:
@@ -52,7 +72,8 @@ def judge(atlas: Atlas, computed: xr.Dataset) -> Judged:
     film_error, film_bar = [], []
     for contact in range(computed.sizes["contact"]):
         chart = atlas.at({key: float(computed[key].values[contact]) for key in atlas.kind.ranges})
-        film_error.append(_relative(chart.film_numbers - films[contact]))
+        missed = chart.film_numbers - films[contact]
+        film_error.append(_relative(missed)[: len(_bars(chart))])
         film_bar.append(_bars(chart))
         own = np.flatnonzero(of_contact == contact)
         found = chart.responses(wave[own], angle[own])

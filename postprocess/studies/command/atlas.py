@@ -7,7 +7,14 @@ import sys
 from studies.command import steps
 from studies.command.options import at_once, flag, given, option, output, study
 
-BATCHES = {"rolling": 24, "rolling_wide": 17, "sliding": 80, "line": 20, "line_sliding": 21}
+BATCHES = {
+    "rolling": 24,
+    "rolling_wide": 17,
+    "sliding": 80,
+    "line": 24,
+    "line_sliding": 36,
+    "line_newtonian": 32,
+}
 
 
 @study(
@@ -21,13 +28,21 @@ BATCHES = {"rolling": 24, "rolling_wide": 17, "sliding": 80, "line": 20, "line_s
         dest="kind",
         const="line_sliding",
     ),
+    flag(
+        "--line-newtonian",
+        "line contacts that slide in a Newtonian oil",
+        dest="kind",
+        const="line_newtonian",
+    ),
     output("atlas"),
     option(
-        "--batches", "N", "default 24; --wide: 17, --sliding: 80, --line: 20, --line-sliding: 21"
+        "--batches",
+        "N",
+        "default 24; --wide: 17, --sliding: 80; --line-sliding: 36, --line-newtonian: 32",
     ),
     option("--atlas", "FILE", "the atlas to be judged, default the one of the package"),
     flag("--validate", "judge in place of computing"),
-    flag("--bearings", "judge contacts of bearings that roll"),
+    flag("--bearings", "judge contacts of bearings that roll, of gears and of cams"),
     at_once(),
 )
 def atlas(options: argparse.Namespace) -> int:
@@ -39,19 +54,20 @@ def atlas(options: argparse.Namespace) -> int:
     networks are fitted to all that. A batch takes a minute of two cores, a fit ten. --wide is for M
     to 100,000, L to 42 and D from 0.01, by the fitted scheme: ten of its 17 batches lie within M of
     10,000 and L of 20, the others beyond. The atlas is DIR/rolling.nc, rolling_wide.nc,
-    sliding.nc, line.nc or line_sliding.nc.
+    sliding.nc, line.nc, line_sliding.nc or line_newtonian.nc.
 
     Contacts that slide have eight waves each; 64 batches fill the ranges, of S and of the Eyring
     stress, too; the atlas begins with the responses of contacts that roll, of the package. Line
-    contacts come in batches of 16, with five transverse waves each, of which 20 fill the ranges;
-    ten seconds a batch. Those that slide come in batches of 32, with five waves each, of which 21
-    fill the ranges; 25 seconds a batch beside other jobs.
+    contacts come in batches of 32, with five transverse waves each, all of which fill the ranges;
+    12 seconds a batch. Those that slide begin with the responses of line contacts that roll; their
+    last batches lie where machines are, at slight slip and at light loads.
 
     To judge, 300 random waves in 150 random contacts that no atlas is fitted to are computed
     (sliding: 200 in 100). Printed are how many of them lie within the error bars, the median error
     and the 95th percentile. Bearings are 300 contacts of balls and 300 of cylindrical
-    rollers with inner and outer rings, by boundary dimensions of ISO 15: printed is how many the
-    atlas answers, and 30 of each are computed.
+    rollers with inner and outer rings, by boundary dimensions of ISO 15. Of spur gears along the
+    line of action and of cams there are 300 each in a Ree-Eyring and in a Newtonian oil. Printed
+    is how many the atlas answers, and 30 of each are computed.
     """
     folder, kind = options.output, options.kind or "rolling"
     flag_of = options.kind and options.kind.removeprefix("rolling_").replace("_", "-")

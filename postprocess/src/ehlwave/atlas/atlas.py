@@ -10,7 +10,7 @@ import xarray as xr
 from ehlwave.atlas.advice import refuse_outside
 from ehlwave.atlas.chart import Chart
 from ehlwave.atlas.kind import Kind, shipped
-from ehlwave.atlas.kinds import KINDS, LINE, LINE_SLIDING, ROLLING, SLIDING, WIDE
+from ehlwave.atlas.kinds import KINDS, LINE, LINE_NEWTONIAN, LINE_SLIDING, ROLLING, SLIDING, WIDE
 from ehlwave.atlas.networks import Networks
 from ehlwave.atlas.stored import read_stored
 from ehlwave.contact.conditions import Conditions
@@ -102,14 +102,14 @@ def atlas_for(conditions: Conditions, atlas: Atlas | None = None) -> Atlas:
     Raises
     ------
     RangeError
-        Of a line contact under slip in an oil that is neither Ree-Eyring's nor Newtonian: of the
-        latter the film is that of rolling.
+        Of a line contact under slip in an oil that is neither Ree-Eyring's nor Newtonian.
     """
     kind = SLIDING if conditions.has_sliding_atlas else ROLLING
     if conditions.is_line:
-        if conditions.oil.name != "Newtonian" and not conditions.has_atlas:
+        if not conditions.has_atlas:
             raise RangeError(ROLLS_ALONE)
-        kind = LINE_SLIDING if conditions.has_sliding_atlas else LINE
+        slides = LINE_SLIDING if conditions.has_sliding_atlas else LINE_NEWTONIAN
+        kind = LINE if conditions.slip_parameter == 1 else slides
     elif kind is ROLLING and not ROLLING.holds(conditions.atlas_keys()):
         kind = WIDE
     of_kind = (ROLLING, WIDE) if kind in (ROLLING, WIDE) else (kind,)

@@ -1,6 +1,12 @@
 """The kinds of atlases that there are."""
 
 from ehlwave.atlas.kind import FILMS, Kind
+from ehlwave.atlas.line import beyond_sliding_limits, line_coordinates
+from ehlwave.atlas.line_newtonian import (
+    LINE_NEWTONIAN_RANGES,
+    LineNewtonianShape,
+    line_newtonian_references,
+)
 from ehlwave.atlas.line_rolling import LINE
 from ehlwave.atlas.line_sliding import (
     LINE_SLIDING_RANGES,
@@ -31,5 +37,17 @@ LINE_SLIDING = Kind(
     (*FILMS, "friction_ratio", "pressure_ratio"),
     line_sliding_references,
     line_sliding_state,
+    beyond_sliding_limits,
 )
-KINDS = {kind.name: kind for kind in (ROLLING, WIDE, SLIDING, LINE, LINE_SLIDING)}
+LINE_NEWTONIAN = Kind(
+    "line_newtonian",
+    LINE_NEWTONIAN_RANGES,
+    line_coordinates,
+    LineNewtonianShape.of_keys,
+    (*FILMS, "pressure_ratio"),
+    line_newtonian_references,
+    line_sliding_state,
+    beyond_sliding_limits,
+)
+_ALL = (ROLLING, WIDE, SLIDING, LINE, LINE_SLIDING, LINE_NEWTONIAN)
+KINDS = {kind.name: kind for kind in _ALL}

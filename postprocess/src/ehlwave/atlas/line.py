@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ehlwave.atlas.coordinates import Floats, columns
-from ehlwave.atlas.ranges import LINE_RANGES
+from ehlwave.atlas.ranges import LARGEST_LINE_ALPHABAR, LARGEST_PRESSURE_PA, LINE_RANGES
 from ehlwave.atlas.shape import INLET_SCALE, Seen, Shape, rolling_seen
 from ehlwave.contact.line_contact import (
     SLENDER_OVER_LINE,
@@ -28,6 +28,24 @@ def line_coordinates(keys: Mapping[str, ArrayLike]) -> Floats:
     b = log_viscosity(alpha, z, pressure)
     film = line_film(m, l) / moes_per_line_film(m)
     return np.stack([np.sqrt(film), np.log(l), np.log(pressure), np.log(b)], axis=1)
+
+
+def beyond_line_limits(keys: Mapping[str, float]) -> str:
+    """Return what a line contact has too much of for the atlas; '' if nothing."""
+    product = float(line_alphabar(*(keys[key] for key in list(LINE_RANGES)[:2])))
+    if product > LARGEST_LINE_ALPHABAR * (1 + 1e-9):
+        return f"alpha ph of {product:.3g} (of at most {LARGEST_LINE_ALPHABAR:g})"
+    return ""
+
+
+def beyond_sliding_limits(keys: Mapping[str, float]) -> str:
+    """Return the same of a line contact that slides, whose pressure is limited, too."""
+    pressure = float(line_alphabar(*(keys[key] for key in list(LINE_RANGES)[:2])))
+    pressure /= keys["pressure_viscosity_per_pa"]
+    if pressure > LARGEST_PRESSURE_PA * (1 + 1e-9):
+        most = LARGEST_PRESSURE_PA / 1e9
+        return f"a Hertz pressure of {pressure / 1e9:.3g} GPa (of at most {most:g})"
+    return beyond_line_limits(keys)
 
 
 def line_references(keys: Mapping[str, ArrayLike]) -> Floats:

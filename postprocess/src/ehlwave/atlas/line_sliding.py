@@ -16,7 +16,7 @@ from ehlwave.contact.medium import hertz_medium
 from ehlwave.contact.oils import log_viscosity
 
 LINE_SLIDING_RANGES = LINE_RANGES | {
-    "slip_parameter": (0.5, 1.5),
+    "slip_parameter": (0.3, 1.7),
     "stress_modulus_pa2": (1.936e17, 9.68e18),
 }
 """Smallest and largest value of each key of a line contact that slides, of a Ree-Eyring oil.
@@ -40,10 +40,12 @@ def thinning(contact: Conditions, slip: float) -> float:
 def line_sliding_coordinates(keys: Mapping[str, ArrayLike]) -> Floats:
     """Return the coordinates of contacts, shape (c, 7), by columns named as their keys.
 
-    Those of line contacts that roll, and the three of slip: ``atlas/sliding.py``.
+    Those of line contacts that roll, with ln H, and the three of slip: ``atlas/sliding.py``.
     """
+    rolling = line_coordinates(keys)
+    rolling[:, 0] = np.log(rolling[:, 0])
     at_two = [thinning(one, 2.0) for one in line_conditions_of(keys)]
-    return np.column_stack([line_coordinates(keys), slip_coordinates(keys, at_two)])
+    return np.column_stack([rolling, slip_coordinates(keys, at_two)])
 
 
 def mean_line_stress(contact: Conditions) -> float:

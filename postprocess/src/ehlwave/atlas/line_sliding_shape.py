@@ -20,12 +20,14 @@ class LineSlidingShape(SlidingShape, LineShape):
     """Responses of line contacts that slide: the law of the two waves with the rolling line's."""
 
     WAVE_AND_X = (1, 0)
+    CONDITIONS_OF = staticmethod(line_conditions_of)
+    """What makes conditions of keys."""
 
     @classmethod
     def of_keys(cls, keys: Mapping[str, ArrayLike]) -> "LineSlidingShape":
         """Return that of contacts: columns as :meth:`SlidingShape.of_keys` takes them."""
         shape = cls(*map(np.atleast_1d, columns(keys, list(LINE_RANGES)[:2])))
-        shape._take(line_conditions_of(keys), keys)
+        shape._take(cls.CONDITIONS_OF(keys), keys)
         return shape
 
     def seen(self, wavelength_over_a: ArrayLike, angle_deg: ArrayLike) -> Seen:

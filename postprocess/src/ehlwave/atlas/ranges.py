@@ -29,9 +29,12 @@ LARGEST_PRESSURE_PA = 1e10
 WAVE_RANGE = (0.1, 4.0)
 """Wavelength along the wave vector over a; directions are all there are."""
 
+LARGEST_LINE_ALPHABAR = 500.0
+"""The same of line contacts."""
+
 LINE_RANGES = {
-    "load_parameter_m": (5.0, 2000.0),
-    "lubricant_parameter_l": (2.0, 28.0),  # alpha ph is at most 500
+    "load_parameter_m": (0.4, 2000.0),
+    "lubricant_parameter_l": (2.0, 36.0),
     "pressure_viscosity_per_pa": CONTACT_RANGES["pressure_viscosity_per_pa"],
     "roelands_index": CONTACT_RANGES["roelands_index"],
 }

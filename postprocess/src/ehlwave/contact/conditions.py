@@ -208,7 +208,17 @@ class Conditions:
     @property
     def has_atlas(self) -> bool:
         """Whether there is an atlas for it: it rolls, or is one of contacts that slide."""
-        return self.slip_parameter == 1 or self.has_sliding_atlas
+        return self.slip_parameter == 1 or self.has_sliding_atlas or self.is_newtonian_line
+
+    @property
+    def is_newtonian_line(self) -> bool:
+        """Whether it is a line contact of an oil that slip does not thin: its film is rolling's."""
+        return self.is_line and self.oil.name == "Newtonian"
+
+    @property
+    def film_slip(self) -> float:
+        """Return the S by which the atlas has its film: 1 where slip does not change it."""
+        return 1.0 if self.is_newtonian_line else self.slip_parameter
 
     @property
     def has_sliding_atlas(self) -> bool:
@@ -237,6 +247,8 @@ class Conditions:
         }
         if self.is_line:
             del keys["radius_ratio_d"]
+        if self.is_newtonian_line and self.slip_parameter != 1:
+            keys["slip_parameter"] = self.slip_parameter
         if self.has_sliding_atlas and self.oil.stress_modulus_pa2 is not None:
             keys["slip_parameter"] = self.slip_parameter
             keys["stress_modulus_pa2"] = self.oil.stress_modulus_pa2

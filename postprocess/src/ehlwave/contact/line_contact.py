@@ -25,8 +25,8 @@ TRANSVERSE_ALONE = (
 )
 ROLLS_ALONE = (
     "a line contact answers in pure rolling (equal speeds, slip_parameter = 1, "
-    "slide_to_roll_ratio = 0), and under slip with a Ree-Eyring oil alone (eyring_stress_pa): with "
-    f"others compute it (ehlwave.Case, ehlwave-case), or {_SLENDER}"
+    "slide_to_roll_ratio = 0), and under slip with a Newtonian or Ree-Eyring oil alone: with a "
+    f"Carreau oil compute it (ehlwave.Case, ehlwave-case), or {_SLENDER}"
 )
 """Advice in refusals of line contacts."""
 

@@ -33,8 +33,9 @@ RISE_ERRORS = {
     "rolling": 0.067,
     "rolling_wide": 0.108,
     "sliding": 0.12,
-    "line": 0.017,
-    "line_sliding": 0.104,
+    "line": 0.0484,
+    "line_sliding": 0.15,
+    "line_newtonian": 0.242,
 }
 """Of the rise of the mean film over the film, per (amplitude/film)^2: 95 % of the waves in contacts
 that the networks have not seen (``scripts/study atlas --validate``)."""
@@ -75,6 +76,8 @@ def rise_error(conditions: Conditions, amplitude: float) -> float:
         kind = "rolling_wide"
     if conditions.slip_parameter != 1:
         kind = "line_sliding" if conditions.is_line else "sliding"
+    if kind == "line_sliding" and conditions.is_newtonian_line:
+        kind = "line_newtonian"
     return RISE_ERRORS[kind] * amplitude**2
 
 

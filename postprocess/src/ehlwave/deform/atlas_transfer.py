@@ -228,7 +228,7 @@ def with_atlas_film(conditions: Conditions, atlas: Atlas | None = None) -> Condi
     """
     if conditions.metres_per_moes is None or conditions.film_source.startswith("given"):
         return conditions
-    film = chart_of(conditions, atlas).film()
+    film = chart_of(replace(conditions, slip_parameter=conditions.film_slip), atlas).film()
     error = film.central_error + conditions.thinning_error + conditions.oil_error
     error += conditions.starvation_error
     source = f"atlas, within {100 * error:.1g} %"
