@@ -22,7 +22,7 @@ from studies.command import atlas as command
 from studies.command.options import step_parser
 from studies.sweeps import run_command
 
-FILLING = {"rolling": 24, "rolling_wide": 24, "sliding": 64, "line": 20, "line_sliding": 21}
+FILLING = {"rolling": 24, "rolling_wide": 24, "sliding": 64, "sliding_wide": 48, "line": 20, "line_sliding": 21}
 """Batches that fill the ranges; later ones go where the errors of those before are largest."""
 
 STEPS = ("batch", "rises", "fit", "unseen", "validate", "catalogue", "bearings")
@@ -30,7 +30,7 @@ STEPS = ("batch", "rises", "fit", "unseen", "validate", "catalogue", "bearings")
 BLOCK = 16
 """Of the later batches, those that follow from one fit, which takes as long as ten of them."""
 
-RISE_BATCHES = {"rolling": range(24), "rolling_wide": (0, 1, 10), "sliding": range(24)}
+RISE_BATCHES = {"rolling": range(24), "rolling_wide": (0, 1, 10), "sliding": range(24), "sliding_wide": (0, 1, 2)}
 """Batches of which the rise of the mean film under oblique waves is computed: that costs more."""
 
 

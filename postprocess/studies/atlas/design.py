@@ -1,7 +1,7 @@
 """Where the atlas is computed: contacts, the patterns of each, and its grid."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -12,7 +12,7 @@ from scipy.stats import qmc
 from ehlwave.atlas import Atlas
 from ehlwave.atlas.coordinates import hertz_film
 from ehlwave.atlas.kind import is_within
-from ehlwave.atlas.kinds import ROLLING, SLIDING, WIDE, Kind
+from ehlwave.atlas.kinds import ROLLING, SLIDING, SLIDING_WIDE, WIDE, Kind
 from ehlwave.atlas.ranges import CONTACT_RANGES, WAVE_RANGE
 from ehlwave.atlas.sliding import MODULUS_PA
 from ehlwave.contact.conditions import MOES_KEYS
@@ -57,6 +57,12 @@ CELLS_ACROSS = 36
 ROOMY_FILM, ROOM = 0.4, 2
 """Film over the Hertz approach from which on a domain is so many times as large as usual."""
 
+THICK_FILM = 0.15
+"""Over the Hertz approach, from which on the fewest cells do for contacts that slide."""
+
+LONGITUDINAL = 100.0
+"""Degrees up to which directions are drawn where a tenth shall be longitudinal."""
+
 MARGIN = 1.15
 """By which wavelengths go beyond the range, so that its ends are not ends of the data."""
 
@@ -96,6 +102,8 @@ class Design:
         were chosen is no judge: take another seed then.
     groups : mapping
         What all cases share.
+    most_cells : int
+        In one direction, where short waves have more than their contact; 0: they have not.
     """
 
     kind: Kind
@@ -105,6 +113,7 @@ class Design:
     validated: int
     validation_seed: int
     groups: Groups
+    most_cells: int = 0
 
     def grid(self, contact: Mapping[str, float]) -> tuple[int, int]:
         """Return cells along X and Y of a contact.
@@ -114,6 +123,8 @@ class Design:
         """
         if self.kind is WIDE:
             return fitted_grid(contact)
+        if self.kind is SLIDING_WIDE:
+            return wide_sliding_grid(contact)
         m, l, d = (contact[key] for key in MOES_KEYS)
         kappa = ellipticity(d)
         inlet = 0.0141 * (m * kappa) ** 0.44 * l**-0.365  # of 256 cells, as the plan has it
@@ -128,7 +139,7 @@ class Design:
     def domain(self, contact: Mapping[str, float]) -> dict[str, float]:
         """Return the keys of a domain that is not the usual one: thick films ask for more room."""
         m, l, d = (contact[key] for key in MOES_KEYS)
-        if self.kind is not WIDE or hertz_film(m, l, d) < ROOMY_FILM:
+        if self.kind not in (WIDE, SLIDING_WIDE) or hertz_film(m, l, d) < ROOMY_FILM:
             return {}
         return {"x_min": -2.5 * ROOM, "x_max": 1.5 * ROOM, "y_max": 2.0 * ROOM}
 
@@ -149,6 +160,14 @@ def fitted_grid(contact: Mapping[str, float]) -> tuple[int, int]:
     return next(n for n in SIZES if n >= along), next(n for n in SIZES if n >= across)
 
 
+def wide_sliding_grid(contact: Mapping[str, float]) -> tuple[int, int]:
+    """Return cells along X and Y of contacts that slide: thick films do with fewer."""
+    along, across = SLIDING_DESIGN.grid(contact)
+    if hertz_film(*(contact[key] for key in MOES_KEYS)) > THICK_FILM:
+        return SIZES[0], min(across, SIZES[0])
+    return along, across
+
+
 ROLLING_DESIGN = Design(ROLLING, 2000, ((0.0, 3), (90.0, 2), (None, 4)), 12, 150, 1997, GROUPS)
 WIDE_DESIGN = Design(WIDE, 2000, ((0.0, 3), (90.0, 2), (None, 4)), 8, 60, 1997, FITTED)
 SLIDING_DESIGN = Design(
@@ -164,7 +183,17 @@ SLIDING_DESIGN = Design(
         "lubricant": {"flow_law": "eyring"},
     },
 )
-DESIGNS = {design.kind.name: design for design in (ROLLING_DESIGN, WIDE_DESIGN, SLIDING_DESIGN)}
+SLIDING_WIDE_DESIGN = replace(
+    SLIDING_DESIGN,
+    kind=SLIDING_WIDE,
+    seed=2200,
+    directions=((0.0, 2), (None, 2)),
+    fewest_points=8,
+    validated=60,
+    validation_seed=2040,
+    most_cells=384,
+)
+DESIGNS = {design.kind.name: design for design in (ROLLING_DESIGN, WIDE_DESIGN, SLIDING_DESIGN, SLIDING_WIDE_DESIGN)}
 
 
 def spread_contacts(
@@ -201,10 +230,13 @@ def uncertain_contacts(
 
 
 def contact_at(shares: Sequence[float], ranges: Ranges = CONTACT_RANGES) -> dict[str, float]:
-    """Return a contact by its place in the ranges, 0 to 1 in each of them."""
+    """Return a contact by its place in the ranges, 0 to 1 in each of them: of logarithms, or from
+    0 on of values.
+    """
     found = {}
     for (key, (low, high)), share in zip(ranges.items(), shares, strict=True):
-        found[key] = float(f"{low * (high / low) ** share:.6g}")
+        value = low * (high / low) ** share if low > 0 else high * share
+        found[key] = float(f"{value:.6g}")
     return found
 
 
@@ -212,12 +244,13 @@ def patterns(
     design: Design, contact: dict[str, float], random: np.random.Generator
 ) -> Iterator[dict[str, float]]:
     """Yield wavelengths of the patterns of a contact that its grid resolves."""
-    cells_x, cells_y = design.grid(contact)
+    cells_x, cells_y = (max(cells, design.most_cells) for cells in design.grid(contact))
     shortest = design.fewest_points * np.array(design.extent(contact)) / (cells_x, cells_y)
     for angle, count in design.directions:
         order = random.permutation(count)
         for place in order:
-            theta = np.radians(random.uniform(0, 90) if angle is None else angle)
+            most = LONGITUDINAL if design.most_cells else 90
+            theta = np.radians(min(random.uniform(0, most), 90) if angle is None else angle)
             # What neither direction's mesh resolves is not asked for.
             low = max(WAVE_RANGE[0] / MARGIN, *(shortest * np.abs([np.cos(theta), np.sin(theta)])))
             high = WAVE_RANGE[1] * MARGIN
@@ -248,6 +281,9 @@ def write_batch(
         chosen = spread_contacts({**CONTACT_RANGES, **SLENDER}, 4000 + batch, CONTACTS)
     elif design.kind is WIDE:
         chosen = wide_contacts(batch, design)
+    elif design.kind is SLIDING_WIDE:
+        ranges, usual = design.kind.ranges, SLIDING.ranges
+        chosen = spread_contacts(ranges, design.seed, CONTACTS, batch, design.kind, usual)
     else:
         chosen = spread_contacts(design.kind.ranges, design.seed, CONTACTS, batch, design.kind)
     random = np.random.default_rng([batch, design.seed])
@@ -273,7 +309,9 @@ def write_validation(folder: Path, design: Design = ROLLING_DESIGN, each: int = 
     found = []
     while len(found) < design.validated * each:
         contact = contact_at(random.random(len(ranges)).tolist(), ranges)
-        if design.kind.beyond(contact):
+        if design.kind.beyond(contact) or (
+            design.kind is SLIDING_WIDE and SLIDING.holds(contact)
+        ):
             continue
         for _ in range(each):
             waves = random_wave(design, contact, random)
@@ -330,23 +368,27 @@ def random_wave(
 
     A quarter are transverse. What 1024 cells do not resolve is drawn again.
     """
-    cells_x, cells_y = design.grid(contact)
-    extent = design.extent(contact)
     while True:
         wave = WAVE_RANGE[0] * (WAVE_RANGE[1] / WAVE_RANGE[0]) ** random.random()
         angle = 0.0 if random.random() < 0.25 else random.uniform(0, 90)
-        needed = [
-            design.fewest_points * length / wave * share
-            for length, share in zip(
-                extent, (np.cos(np.radians(angle)), np.sin(np.radians(angle))), strict=True
-            )
-        ]
-        if max(needed) <= MOST_CELLS:
-            along, across = (
-                next(n for n in (cells, *SIZES) if n >= max(cells, need))
-                for cells, need in zip((cells_x, cells_y), needed, strict=True)
-            )
-            return {**pattern(wave, angle), "cells_x": along, "cells_y": across}
+        waves = pattern(wave, angle)
+        cells = cells_for(design, contact, waves)
+        if max(cells) <= MOST_CELLS:
+            return {**waves, **dict(zip(("cells_x", "cells_y"), cells, strict=True))}
+
+
+def cells_for(
+    design: Design, contact: Mapping[str, float], waves: Mapping[str, float]
+) -> tuple[int, int]:
+    """Return cells along X and Y that resolve a contact and a pattern."""
+    lengths = waves["wavelength_x_over_a"], waves["wavelength_y_over_a"]
+    found = []
+    for cells, extent, length in zip(
+        design.grid(contact), design.extent(contact), lengths, strict=True
+    ):
+        need = design.fewest_points * extent / length if length > 0 else 0.0
+        found.append(next((n for n in (cells, *SIZES) if n >= max(cells, need)), MOST_CELLS + 1))
+    return found[0], found[1]
 
 
 def rows(
@@ -354,6 +396,7 @@ def rows(
 ) -> Iterator[dict[str, float]]:
     """Yield the cases of some contacts."""
     for contact in chosen:
-        cells = dict(zip(("cells_x", "cells_y"), design.grid(contact), strict=True))
         for waves in patterns(design, contact, random):
+            found = cells_for(design, contact, waves) if design.most_cells else design.grid(contact)
+            cells = dict(zip(("cells_x", "cells_y"), found, strict=True))
             yield {**as_keys(contact), **waves, **cells, **design.domain(contact)}

@@ -7,13 +7,14 @@ import sys
 from studies.command import steps
 from studies.command.options import at_once, flag, given, option, output, study
 
-BATCHES = {"rolling": 24, "rolling_wide": 17, "sliding": 80, "line": 20, "line_sliding": 21}
+BATCHES = {"rolling": 24, "rolling_wide": 17, "sliding": 80, "sliding_wide": 24, "line": 20, "line_sliding": 21}
 
 
 @study(
     "atlas",
     flag("--wide", "rolling contacts beyond the usual ranges", dest="kind", const="rolling_wide"),
     flag("--sliding", "contacts that slide in a Ree-Eyring oil", dest="kind", const="sliding"),
+    flag("--sliding-wide", "the same beyond its ranges", dest="kind", const="sliding_wide"),
     flag("--line", "line contacts in pure rolling", dest="kind", const="line"),
     flag(
         "--line-sliding",

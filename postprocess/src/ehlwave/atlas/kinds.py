@@ -13,6 +13,7 @@ from ehlwave.atlas.ranges import SLIDING_RANGES
 from ehlwave.atlas.rolling import ROLLING, WIDE
 from ehlwave.atlas.sliding import sliding_coordinates, sliding_references, sliding_state
 from ehlwave.atlas.sliding_shape import SlidingShape
+from ehlwave.atlas.sliding_wide import SLIDING_WIDE
 
 SLIDING = Kind(
     "sliding",
@@ -32,4 +33,4 @@ LINE_SLIDING = Kind(
     line_sliding_references,
     line_sliding_state,
 )
-KINDS = {kind.name: kind for kind in (ROLLING, WIDE, SLIDING, LINE, LINE_SLIDING)}
+KINDS = {kind.name: kind for kind in (ROLLING, WIDE, SLIDING, SLIDING_WIDE, LINE, LINE_SLIDING)}
