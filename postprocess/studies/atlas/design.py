@@ -14,7 +14,8 @@ from ehlwave.atlas.coordinates import hertz_film
 from ehlwave.atlas.kind import is_within
 from ehlwave.atlas.kinds import ROLLING, SLIDING, SLIDING_WIDE, WIDE, Kind
 from ehlwave.atlas.ranges import CONTACT_RANGES, WAVE_RANGE
-from ehlwave.atlas.sliding import MODULUS_PA
+from ehlwave.atlas.sliding import MODULUS_PA, conditions_of
+from ehlwave.atlas.sliding_wide import beyond_sliding, film_under_slip, thinning_of
 from ehlwave.contact.conditions import MOES_KEYS
 from ehlwave.contact.scales import ellipticity, lambdabar, pressure_factor
 from studies import sweeps
@@ -59,6 +60,21 @@ ROOMY_FILM, ROOM = 0.4, 2
 
 THICK_FILM = 0.15
 """Over the Hertz approach, from which on the fewest cells do for contacts that slide."""
+
+EASY = {"thinning": 50.0, "film": 0.006}
+"""Most thinning and thinnest film under slip of most contacts of the wide atlas that slide."""
+
+HARD_BATCHES = range(14, 16)
+"""Batches of the others of them: there cases take several times as long."""
+
+SLOW, SLOW_BATCHES = {"slip_parameter": (0.0, 0.5)}, range(16, 24)
+"""S of more of them, where responses change most from one contact to the next."""
+
+MOST_STEPS = {"largest_total_steps": 100}
+"""Of a case of them: what has not converged then seldom does, and only after many more."""
+
+AT_REST = {0: 0.0, 16: 2.0}
+"""S of contacts of a batch of which one surface rests, the rough one or the other, by number."""
 
 LONGITUDINAL = 100.0
 """Degrees up to which directions are drawn where a tenth shall be longitudinal."""
@@ -161,11 +177,13 @@ def fitted_grid(contact: Mapping[str, float]) -> tuple[int, int]:
 
 
 def wide_sliding_grid(contact: Mapping[str, float]) -> tuple[int, int]:
-    """Return cells along X and Y of contacts that slide: thick films do with fewer."""
+    """Return cells along X and Y of contacts that slide: thick films do with fewer, thin ones ask
+    for more.
+    """
     along, across = SLIDING_DESIGN.grid(contact)
     if hertz_film(*(contact[key] for key in MOES_KEYS)) > THICK_FILM:
         return SIZES[0], min(across, SIZES[0])
-    return along, across
+    return (SIZES[3], SIZES[2]) if film_under_slip(contact) < EASY["film"] else (along, across)
 
 
 ROLLING_DESIGN = Design(ROLLING, 2000, ((0.0, 3), (90.0, 2), (None, 4)), 12, 150, 1997, GROUPS)
@@ -185,6 +203,7 @@ SLIDING_DESIGN = Design(
 )
 SLIDING_WIDE_DESIGN = replace(
     SLIDING_DESIGN,
+    groups=SLIDING_DESIGN.groups | {"solver": MOST_STEPS},
     kind=SLIDING_WIDE,
     seed=2200,
     directions=((0.0, 2), (None, 2)),
@@ -282,8 +301,7 @@ def write_batch(
     elif design.kind is WIDE:
         chosen = wide_contacts(batch, design)
     elif design.kind is SLIDING_WIDE:
-        ranges, usual = design.kind.ranges, SLIDING.ranges
-        chosen = spread_contacts(ranges, design.seed, CONTACTS, batch, design.kind, usual)
+        chosen = wide_sliding_contacts(batch, design)
     else:
         chosen = spread_contacts(design.kind.ranges, design.seed, CONTACTS, batch, design.kind)
     random = np.random.default_rng([batch, design.seed])
@@ -301,6 +319,37 @@ def wide_contacts(batch: int, design: Design) -> list[Contact]:
         ranges, seed = {**ranges, **BALLS}, seed + 1
         piece = batch - BALL_BATCHES.start
     return spread_contacts(ranges, seed, CONTACTS, piece, kind, FIRST_RANGES)
+
+
+def wide_sliding_contacts(batch: int, design: Design) -> list[Contact]:
+    """Return contacts of a batch that slide, beyond the usual ranges: two have a surface at rest.
+    """
+    kind, seed, piece, ranges = design.kind, design.seed, batch, design.kind.ranges
+    if batch in HARD_BATCHES:
+        kind, seed = replace(kind, beyond=_beyond_hard), seed + 1
+        piece = batch - HARD_BATCHES.start
+    else:
+        kind = replace(kind, beyond=_beyond_easy)
+    if batch in SLOW_BATCHES:
+        ranges, seed, piece = {**ranges, **SLOW}, seed + 2, batch - SLOW_BATCHES.start
+    found = spread_contacts(ranges, seed, CONTACTS, piece, kind, SLIDING.ranges)
+    for place, slip in AT_REST.items():
+        resting = {**found[place], "slip_parameter": slip}
+        if not kind.beyond(resting):
+            found[place] = resting
+    return found
+
+
+def _beyond_easy(contact: Mapping[str, float]) -> str:
+    is_hard = (
+        thinning_of(conditions_of(contact)[0]) > EASY["thinning"]
+        or film_under_slip(contact) < EASY["film"]
+    )
+    return beyond_sliding(contact) or ("hard" if is_hard else "")
+
+
+def _beyond_hard(contact: Mapping[str, float]) -> str:
+    return beyond_sliding(contact) or ("" if _beyond_easy(contact) else "easy")
 
 
 def write_validation(folder: Path, design: Design = ROLLING_DESIGN, each: int = 2) -> Path:

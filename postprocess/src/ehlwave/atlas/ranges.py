@@ -54,6 +54,6 @@ SLIDING_WIDE_RANGES = WIDE_RANGES | {
 }
 """The same of contacts that slide beyond them: E' tau0 ten times as far on either side."""
 
-MOST_THINNING, THINNEST_SLIDING_FILM = 50.0, 0.006
+MOST_THINNING, THINNEST_SLIDING_FILM = 100.0, 0.004
 """Newtonian shear stress in the inlet over the Eyring stress, T, and H (1 + T)^(-1/4), about the
 film under slip over the Hertz approach, beyond them: others have inlets too steep."""

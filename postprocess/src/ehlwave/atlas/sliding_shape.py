@@ -15,7 +15,13 @@ from ehlwave.atlas.shape import Seen, Shape
 from ehlwave.atlas.sliding import conditions_of
 from ehlwave.contact.conditions import MOES_KEYS, Conditions
 from ehlwave.contact.medium import INLET_VISCOSITY, Medium, hertz_medium
-from ehlwave.contact.two_waves import Launch, launch_length, launched
+from ehlwave.contact.two_waves import (
+    LAUNCH_LENGTH,
+    SLIP_POWERS,
+    Launch,
+    launch_length,
+    launched,
+)
 
 STANDING = 1e4
 """Wavelength along X, in units of a, of waves that hardly move: those of 90 degrees."""
@@ -32,6 +38,9 @@ class SlidingShape(Shape):
     OF_ALL = ("_rolling", "_chart")
     WAVE_AND_X: tuple[int, ...] = (2, 0)
     """Coordinates of waves that roll which count here: ln(lambda/a) and ln x."""
+    POWERS: tuple[float, ...] = SLIP_POWERS
+    LENGTH: tuple[float, ...] = LAUNCH_LENGTH
+    """Coefficients of the law of the two waves."""
 
     _contacts: NDArray[np.object_]
     _media: Floats
@@ -109,7 +118,7 @@ class SlidingShape(Shape):
         kx = np.maximum(number * np.cos(theta), 2 * np.pi / STANDING)
         ky = number * np.sin(theta)
         launch = self._launch(kx, ky)
-        a, c = launch.attenuated, launched(rolling, launch)
+        a, c = launch.attenuated, launched(rolling, launch, self.POWERS)
         loss, turn = launch.mismatch.imag, launch.mismatch.real
         parts = (
             launch.along,
@@ -140,7 +149,7 @@ class SlidingShape(Shape):
             slip=self._launching,
             along=kx**2 / (kx**2 + ky**2),
             load=self.load,
-            length=launch_length(self.load, self.l, self._alphabar),
+            length=launch_length(self.load, self.l, self._alphabar, self.LENGTH),
             thinning=under_slip.thinning,
         )
 
