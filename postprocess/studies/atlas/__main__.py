@@ -10,8 +10,9 @@ from pathlib import Path
 
 from ehlwave.atlas import Atlas, load_atlas
 from ehlwave.atlas.atlas import shipped
-from ehlwave.atlas.kinds import KINDS, LINE, LINE_SLIDING, Kind
+from ehlwave.atlas.kinds import KINDS, LINE, LINE_SLIDING, SLIDING_WIDE, Kind
 from studies.atlas import line_design, line_sliding_design
+from studies.atlas.anchors import with_anchors
 from studies.atlas.catalogue import DRAWS
 from studies.atlas.design import DESIGNS, write_batch, write_rises, write_validation
 from studies.atlas.fit import finished
@@ -22,7 +23,7 @@ from studies.command import atlas as command
 from studies.command.options import step_parser
 from studies.sweeps import run_command
 
-FILLING = {"rolling": 24, "rolling_wide": 24, "sliding": 64, "sliding_wide": 48, "line": 20, "line_sliding": 21}
+FILLING = {"rolling": 24, "rolling_wide": 24, "sliding": 64, "sliding_wide": 64, "line": 20, "line_sliding": 21}
 """Batches that fill the ranges; later ones go where the errors of those before are largest."""
 
 STEPS = ("batch", "rises", "fit", "unseen", "validate", "catalogue", "bearings")
@@ -63,6 +64,8 @@ def _do(options: argparse.Namespace) -> None:
     elif step == "fit":
         rises = folder / f"{kind.name}-rises.h5"
         data = read_points(batches, rises if rises.is_file() else None, kind)
+        if kind is SLIDING_WIDE:
+            data = with_anchors(data, kind)
         write_atlas(finished(data, options.at_once), atlas)
         print(atlas)
     elif step == "unseen":

@@ -70,6 +70,9 @@ HARD_BATCHES = range(14, 16)
 SLOW, SLOW_BATCHES = {"slip_parameter": (0.0, 0.5)}, range(16, 24)
 """S of more of them, where responses change most from one contact to the next."""
 
+THINNED, THINNED_BATCHES = 10.0, range(24, 29)
+"""Least thinning of more of them, where films change most."""
+
 MOST_STEPS = {"largest_total_steps": 100}
 """Of a case of them: what has not converged then seldom does, and only after many more."""
 
@@ -208,7 +211,7 @@ SLIDING_WIDE_DESIGN = replace(
     seed=2200,
     directions=((0.0, 2), (None, 2)),
     fewest_points=8,
-    validated=60,
+    validated=80,
     validation_seed=2040,
     most_cells=384,
 )
@@ -328,6 +331,9 @@ def wide_sliding_contacts(batch: int, design: Design) -> list[Contact]:
     if batch in HARD_BATCHES:
         kind, seed = replace(kind, beyond=_beyond_hard), seed + 1
         piece = batch - HARD_BATCHES.start
+    elif batch in THINNED_BATCHES:
+        kind, seed = replace(kind, beyond=_beyond_thinned), seed + 3
+        piece = batch - THINNED_BATCHES.start
     else:
         kind = replace(kind, beyond=_beyond_easy)
     if batch in SLOW_BATCHES:
@@ -346,6 +352,11 @@ def _beyond_easy(contact: Mapping[str, float]) -> str:
         or film_under_slip(contact) < EASY["film"]
     )
     return beyond_sliding(contact) or ("hard" if is_hard else "")
+
+
+def _beyond_thinned(contact: Mapping[str, float]) -> str:
+    is_thinned = thinning_of(conditions_of(contact)[0]) > THINNED
+    return beyond_sliding(contact) or ("" if is_thinned else "hardly thinned")
 
 
 def _beyond_hard(contact: Mapping[str, float]) -> str:
