@@ -428,12 +428,12 @@ class Contact:
             Line contacts answer for 0 alone.
         slip_parameter : float, optional
             S of the surface that carries the waves, 0 to 2; that of the contact if absent. Other
-            than 1 the atlas has it for a Ree-Eyring oil, of ``eyring_stress_pa``. Outside that,
-            for S of 0.5 to 1.5, for a Carreau oil (``carreau_modulus_pa``, ``carreau_exponent``) and for a
-            Newtonian one the law of the two waves answers, with an error to match and without
-            pressure (NaN); of line contacts the atlas alone answers. Longitudinal waves stand
-            still: the atlas of pure rolling answers. Starved contacts roll; their law answers
-            without phase and without pressure.
+            than 1 the atlas has it for a Ree-Eyring oil, of ``eyring_stress_pa``. Outside that, for
+            a Carreau oil (``carreau_modulus_pa``, ``carreau_exponent``) and for a Newtonian one the
+            law of the two waves answers for S of 0.5 to 1.5, with an error to match and without
+            pressure (NaN); of line contacts the atlas alone answers, for S of 0.5 to 1.5.
+            Longitudinal waves stand still: the atlas of pure rolling answers. Starved contacts
+            roll; their law answers without phase and without pressure.
         slide_to_roll_ratio : float, optional
             In place of `slip_parameter`, S = 1 + ratio/2.
 

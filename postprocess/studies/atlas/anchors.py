@@ -50,7 +50,9 @@ def with_anchors(data: xr.Dataset, kind: Kind) -> xr.Dataset:
     values = {name: one if name in NAMES[:2] else one.real for name, one in values.items()}
     names = [*kind.films, *(f"{name}_discretisation" for name in kind.films)]
     own = {name: ("contact", column) for name, column in columns.items()}
-    own |= {name: ("contact", column) for name, column in zip(names, np.array(films).T)}
+    own |= {
+        name: ("contact", column) for name, column in zip(names, np.array(films).T, strict=True)
+    }
     own["references"] = ("contact", "reference"), references
     own["responses"] = "contact", np.full(len(contacts), WAVES)
     own |= {name: ("point", column) for name, column in values.items()}

@@ -1,7 +1,7 @@
 """Where the atlas is computed: contacts, the patterns of each, and its grid."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -14,8 +14,7 @@ from ehlwave.atlas.coordinates import hertz_film
 from ehlwave.atlas.kind import is_within
 from ehlwave.atlas.kinds import ROLLING, SLIDING, SLIDING_WIDE, WIDE, Kind
 from ehlwave.atlas.ranges import CONTACT_RANGES, WAVE_RANGE
-from ehlwave.atlas.sliding import MODULUS_PA, conditions_of
-from ehlwave.atlas.sliding_wide import beyond_sliding, film_under_slip, thinning_of
+from ehlwave.atlas.sliding import MODULUS_PA
 from ehlwave.contact.conditions import MOES_KEYS
 from ehlwave.contact.scales import ellipticity, lambdabar, pressure_factor
 from studies import sweeps
@@ -57,27 +56,6 @@ CELLS_ACROSS = 36
 
 ROOMY_FILM, ROOM = 0.4, 2
 """Film over the Hertz approach from which on a domain is so many times as large as usual."""
-
-THICK_FILM = 0.15
-"""Over the Hertz approach, from which on the fewest cells do for contacts that slide."""
-
-EASY = {"thinning": 50.0, "film": 0.006}
-"""Most thinning and thinnest film under slip of most contacts of the wide atlas that slide."""
-
-HARD_BATCHES = range(14, 16)
-"""Batches of the others of them: there cases take several times as long."""
-
-SLOW, SLOW_BATCHES = {"slip_parameter": (0.0, 0.5)}, range(16, 24)
-"""S of more of them, where responses change most from one contact to the next."""
-
-THINNED, THINNED_BATCHES = 10.0, range(24, 29)
-"""Least thinning of more of them, where films change most."""
-
-MOST_STEPS = {"largest_total_steps": 100}
-"""Of a case of them: what has not converged then seldom does, and only after many more."""
-
-AT_REST = {0: 0.0, 16: 2.0}
-"""S of contacts of a batch of which one surface rests, the rough one or the other, by number."""
 
 LONGITUDINAL = 100.0
 """Degrees up to which directions are drawn where a tenth shall be longitudinal."""
@@ -142,8 +120,6 @@ class Design:
         """
         if self.kind is WIDE:
             return fitted_grid(contact)
-        if self.kind is SLIDING_WIDE:
-            return wide_sliding_grid(contact)
         m, l, d = (contact[key] for key in MOES_KEYS)
         kappa = ellipticity(d)
         inlet = 0.0141 * (m * kappa) ** 0.44 * l**-0.365  # of 256 cells, as the plan has it
@@ -154,6 +130,10 @@ class Design:
             along = min(256, along)
             across = max(64, min(across, 256 if across == along else 384) // 2)
         return along, across
+
+    def judges(self, contact: Mapping[str, float]) -> bool:
+        """Return whether the atlas is judged by a contact."""
+        return not self.kind.beyond(contact)
 
     def domain(self, contact: Mapping[str, float]) -> dict[str, float]:
         """Return the keys of a domain that is not the usual one: thick films ask for more room."""
@@ -179,16 +159,6 @@ def fitted_grid(contact: Mapping[str, float]) -> tuple[int, int]:
     return next(n for n in SIZES if n >= along), next(n for n in SIZES if n >= across)
 
 
-def wide_sliding_grid(contact: Mapping[str, float]) -> tuple[int, int]:
-    """Return cells along X and Y of contacts that slide: thick films do with fewer, thin ones ask
-    for more.
-    """
-    along, across = SLIDING_DESIGN.grid(contact)
-    if hertz_film(*(contact[key] for key in MOES_KEYS)) > THICK_FILM:
-        return SIZES[0], min(across, SIZES[0])
-    return (SIZES[3], SIZES[2]) if film_under_slip(contact) < EASY["film"] else (along, across)
-
-
 ROLLING_DESIGN = Design(ROLLING, 2000, ((0.0, 3), (90.0, 2), (None, 4)), 12, 150, 1997, GROUPS)
 WIDE_DESIGN = Design(WIDE, 2000, ((0.0, 3), (90.0, 2), (None, 4)), 8, 60, 1997, FITTED)
 SLIDING_DESIGN = Design(
@@ -204,18 +174,7 @@ SLIDING_DESIGN = Design(
         "lubricant": {"flow_law": "eyring"},
     },
 )
-SLIDING_WIDE_DESIGN = replace(
-    SLIDING_DESIGN,
-    groups=SLIDING_DESIGN.groups | {"solver": MOST_STEPS},
-    kind=SLIDING_WIDE,
-    seed=2200,
-    directions=((0.0, 2), (None, 2)),
-    fewest_points=8,
-    validated=80,
-    validation_seed=2040,
-    most_cells=384,
-)
-DESIGNS = {design.kind.name: design for design in (ROLLING_DESIGN, WIDE_DESIGN, SLIDING_DESIGN, SLIDING_WIDE_DESIGN)}
+DESIGNS = {design.kind.name: design for design in (ROLLING_DESIGN, WIDE_DESIGN, SLIDING_DESIGN)}
 
 
 def spread_contacts(
@@ -252,9 +211,7 @@ def uncertain_contacts(
 
 
 def contact_at(shares: Sequence[float], ranges: Ranges = CONTACT_RANGES) -> dict[str, float]:
-    """Return a contact by its place in the ranges, 0 to 1 in each of them: of logarithms, or from
-    0 on of values.
-    """
+    """Return a contact by its place in the ranges, 0 to 1 of logarithms, of values from 0 on."""
     found = {}
     for (key, (low, high)), share in zip(ranges.items(), shares, strict=True):
         value = low * (high / low) ** share if low > 0 else high * share
@@ -303,8 +260,6 @@ def write_batch(
         chosen = spread_contacts({**CONTACT_RANGES, **SLENDER}, 4000 + batch, CONTACTS)
     elif design.kind is WIDE:
         chosen = wide_contacts(batch, design)
-    elif design.kind is SLIDING_WIDE:
-        chosen = wide_sliding_contacts(batch, design)
     else:
         chosen = spread_contacts(design.kind.ranges, design.seed, CONTACTS, batch, design.kind)
     random = np.random.default_rng([batch, design.seed])
@@ -324,54 +279,13 @@ def wide_contacts(batch: int, design: Design) -> list[Contact]:
     return spread_contacts(ranges, seed, CONTACTS, piece, kind, FIRST_RANGES)
 
 
-def wide_sliding_contacts(batch: int, design: Design) -> list[Contact]:
-    """Return contacts of a batch that slide, beyond the usual ranges: two have a surface at rest.
-    """
-    kind, seed, piece, ranges = design.kind, design.seed, batch, design.kind.ranges
-    if batch in HARD_BATCHES:
-        kind, seed = replace(kind, beyond=_beyond_hard), seed + 1
-        piece = batch - HARD_BATCHES.start
-    elif batch in THINNED_BATCHES:
-        kind, seed = replace(kind, beyond=_beyond_thinned), seed + 3
-        piece = batch - THINNED_BATCHES.start
-    else:
-        kind = replace(kind, beyond=_beyond_easy)
-    if batch in SLOW_BATCHES:
-        ranges, seed, piece = {**ranges, **SLOW}, seed + 2, batch - SLOW_BATCHES.start
-    found = spread_contacts(ranges, seed, CONTACTS, piece, kind, SLIDING.ranges)
-    for place, slip in AT_REST.items():
-        resting = {**found[place], "slip_parameter": slip}
-        if not kind.beyond(resting):
-            found[place] = resting
-    return found
-
-
-def _beyond_easy(contact: Mapping[str, float]) -> str:
-    is_hard = (
-        thinning_of(conditions_of(contact)[0]) > EASY["thinning"]
-        or film_under_slip(contact) < EASY["film"]
-    )
-    return beyond_sliding(contact) or ("hard" if is_hard else "")
-
-
-def _beyond_thinned(contact: Mapping[str, float]) -> str:
-    is_thinned = thinning_of(conditions_of(contact)[0]) > THINNED
-    return beyond_sliding(contact) or ("" if is_thinned else "hardly thinned")
-
-
-def _beyond_hard(contact: Mapping[str, float]) -> str:
-    return beyond_sliding(contact) or ("" if _beyond_easy(contact) else "easy")
-
-
 def write_validation(folder: Path, design: Design = ROLLING_DESIGN, each: int = 2) -> Path:
     """Write the sweep that the atlas is judged by: random contacts and waves."""
     random, ranges = np.random.default_rng(design.validation_seed), design.kind.ranges
     found = []
     while len(found) < design.validated * each:
         contact = contact_at(random.random(len(ranges)).tolist(), ranges)
-        if design.kind.beyond(contact) or (
-            design.kind is SLIDING_WIDE and SLIDING.holds(contact)
-        ):
+        if not design.judges(contact):
             continue
         for _ in range(each):
             waves = random_wave(design, contact, random)

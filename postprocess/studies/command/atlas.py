@@ -7,7 +7,14 @@ import sys
 from studies.command import steps
 from studies.command.options import at_once, flag, given, option, output, study
 
-BATCHES = {"rolling": 24, "rolling_wide": 17, "sliding": 80, "sliding_wide": 24, "line": 20, "line_sliding": 21}
+BATCHES = {
+    "rolling": 24,
+    "rolling_wide": 17,
+    "sliding": 80,
+    "sliding_wide": 24,
+    "line": 20,
+    "line_sliding": 21,
+}
 
 
 @study(
