@@ -1,11 +1,15 @@
 """The atlas of contacts that slide beyond the usual ranges."""
 
+import re
+from pathlib import Path
+
 import numpy as np
 import pytest
 
 import ehlwave
 from ehlwave.atlas.atlas import load_atlas, shipped
 from ehlwave.atlas.kinds import SLIDING, SLIDING_WIDE
+from ehlwave.atlas.sliding import MODULUS_PA
 from ehlwave.atlas.sliding_wide import film_under_slip
 from ehlwave.deform import trace_surface
 from studies.atlas.design import CONTACTS
@@ -17,6 +21,8 @@ from studies.atlas.sliding_wide_design import (
     SLOW_BATCHES,
     batch_contacts,
 )
+
+ROOT = Path(__file__).resolve().parents[1]
 
 OIL = {"reduced_modulus_pa": 226e9, "eyring_stress_pa": 5e6}
 BALL = {"load_parameter_m": 5000, "lubricant_parameter_l": 8, "radius_ratio_d": 0.066}
@@ -81,6 +87,22 @@ def test_what_is_not_covered_is_refused_with_its_reason(keys: dict, said: str) -
         contact.film()
     with pytest.raises(ehlwave.RangeError, match=said):
         contact.response(1.0)
+
+
+def test_largest_loads_are_those_of_the_manual() -> None:
+    text = (ROOT / "manual/howto.md").read_text(encoding="utf-8")
+    rows = re.findall(
+        r"^\| ([05.]+) \| ([01.]+) \| ([\d,]+) \| ([\d,]+) \| ([\d,]+) \|$", text, re.M
+    )
+    assert len(rows) == 4
+    for stress, slip, *loads in rows:
+        for load, l, d in zip(loads, (5, 12, 5), (1, 1, 0.06), strict=True):  # noqa: E741
+            most = float(load.replace(",", ""))
+            keys = {"lubricant_parameter_l": l, "radius_ratio_d": d, "slip_parameter": float(slip)}
+            keys |= {"pressure_viscosity_per_pa": 2.2e-8, "roelands_index": 0.6}
+            keys |= {"stress_modulus_pa2": 1e6 * float(stress) * MODULUS_PA}
+            assert not SLIDING_WIDE.beyond(keys | {"load_parameter_m": 0.97 * most})
+            assert most == 1e4 or SLIDING_WIDE.beyond(keys | {"load_parameter_m": 1.03 * most})
 
 
 def test_a_rough_surface_at_rest_is_deformed() -> None:

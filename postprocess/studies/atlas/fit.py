@@ -39,7 +39,7 @@ OF_WAVES = {
     "rolling": Recipe(networks=5, hidden=64, steps=3000, decay=1e-6),
     "rolling_wide": Recipe(networks=5, hidden=64, steps=2000, decay=1e-6),
     "sliding": Recipe(networks=7, hidden=64, steps=3000, decay=1e-5),
-    "sliding_wide": Recipe(networks=4, hidden=48, steps=1500, decay=3e-5),
+    "sliding_wide": Recipe(networks=4, hidden=44, steps=1500, decay=1e-5),
     "line": Recipe(networks=5, hidden=32, steps=3000, decay=1e-6),
     "line_sliding": Recipe(networks=5, hidden=32, steps=1500, decay=1e-5),
 }

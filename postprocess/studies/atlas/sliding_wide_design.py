@@ -36,7 +36,7 @@ HARD_BATCHES = range(14, 16)
 SLOW, SLOW_BATCHES = {"slip_parameter": (0.0, 0.5)}, range(16, 24)
 """S of more of them, where responses change most from one contact to the next."""
 
-THINNED, THINNED_BATCHES = 10.0, range(24, 29)
+THINNED, THINNED_BATCHES = 10.0, range(24, 28)
 """Least thinning of more of them, where films change most."""
 
 MOST_STEPS = {"largest_total_steps": 100}

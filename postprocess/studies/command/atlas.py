@@ -11,7 +11,7 @@ BATCHES = {
     "rolling": 24,
     "rolling_wide": 17,
     "sliding": 80,
-    "sliding_wide": 24,
+    "sliding_wide": 31,
     "line": 20,
     "line_sliding": 21,
 }
@@ -31,7 +31,9 @@ BATCHES = {
     ),
     output("atlas"),
     option(
-        "--batches", "N", "default 24; --wide: 17, --sliding: 80, --line: 20, --line-sliding: 21"
+        "--batches",
+        "N",
+        "default 24; --wide: 17, --sliding: 80, --sliding-wide: 31, --line: 20, --line-sliding: 21",
     ),
     option("--atlas", "FILE", "the atlas to be judged, default the one of the package"),
     flag("--validate", "judge in place of computing"),
@@ -47,10 +49,13 @@ def atlas(options: argparse.Namespace) -> int:
     networks are fitted to all that. A batch takes a minute of two cores, a fit ten. --wide is for M
     to 100,000, L to 42 and D from 0.01, by the fitted scheme: ten of its 17 batches lie within M of
     10,000 and L of 20, the others beyond. The atlas is DIR/rolling.nc, rolling_wide.nc,
-    sliding.nc, line.nc or line_sliding.nc.
+    sliding.nc, sliding_wide.nc, line.nc or line_sliding.nc.
 
     Contacts that slide have eight waves each; 64 batches fill the ranges, of S and of the Eyring
-    stress, too; the atlas begins with the responses of contacts that roll, of the package. Line
+    stress, too; the atlas begins with the responses of contacts that roll, of the package.
+    --sliding-wide is for M to 10,000, S of 0 to 2 and D from 0.01, with four waves each; more
+    --batches narrow its bars: DIR/sliding_wide-00.nml and so on are sweeps for a cluster, too
+    (scripts/batch). Line
     contacts come in batches of 16, with five transverse waves each, of which 20 fill the ranges;
     ten seconds a batch. Those that slide come in batches of 32, with five waves each, of which 21
     fill the ranges; 25 seconds a batch beside other jobs.
