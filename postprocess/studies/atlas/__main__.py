@@ -44,7 +44,7 @@ RISE_BATCHES = {
     "rolling": range(24),
     "rolling_wide": (0, 1, 10),
     "sliding": range(24),
-    "sliding_wide": (0, 1, 2),
+    "sliding_wide": (0, 1),
 }
 """Batches of which the rise of the mean film under oblique waves is computed: that costs more."""
 
