@@ -12,6 +12,7 @@ from ehlwave.atlas.kinds import SLIDING, SLIDING_WIDE
 from ehlwave.atlas.sliding import MODULUS_PA
 from ehlwave.atlas.sliding_wide import film_under_slip
 from ehlwave.deform import trace_surface
+from studies.atlas.anchors import WAVES, anchors, with_anchors
 from studies.atlas.design import CONTACTS
 from studies.atlas.sliding_wide_design import (
     AT_REST,
@@ -114,6 +115,23 @@ def test_a_rough_surface_at_rest_is_deformed() -> None:
     response = contact.response(1.0)
     expected = 1e-8 * np.real(response.film * np.exp(2j * np.pi * x / 0.2e-3))
     np.testing.assert_allclose(found.height[:, 0], expected, atol=1e-10)
+
+
+def test_points_within_the_usual_ranges_are_those_of_the_usual_atlas() -> None:
+    points = anchors(SLIDING_WIDE, 8)
+    both = with_anchors(points.isel(contact=slice(2), point=slice(2 * WAVES)), SLIDING_WIDE, 8)
+    assert both["is_computed"].values.tolist() == [True] * 2 + [False] * points.sizes["contact"]
+    assert both.sizes["point"] == WAVES * both.sizes["contact"]
+    usual, names = load_atlas(shipped(SLIDING)), SLIDING.films
+    for number in range(points.sizes["contact"]):
+        one = points.isel(contact=number)
+        film = usual.at({key: float(one[key]) for key in SLIDING.ranges}).film()
+        references, ratios = one["references"].values, [float(one[name]) for name in names]
+        central = references[0] * np.exp(ratios[0])
+        smallest = central * references[1] / references[0] * np.exp(ratios[1])
+        assert central == pytest.approx(film.central_moes)
+        assert smallest == pytest.approx(film.minimum_moes)
+        assert references[2] * np.exp(ratios[2]) == pytest.approx(film.stress)
 
 
 @pytest.mark.parametrize("batch", [0, HARD_BATCHES.start, SLOW_BATCHES.start])

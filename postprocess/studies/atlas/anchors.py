@@ -18,16 +18,29 @@ NAMES = ("film", "pressure", "mean_rise", "discretisation", "wavelength_over_a",
 """Of responses, as :func:`studies.atlas.points.read_points` has them."""
 
 
-def with_anchors(data: xr.Dataset, kind: Kind) -> xr.Dataset:
+def with_anchors(data: xr.Dataset, kind: Kind, count: int = COUNT) -> xr.Dataset:
     """Return points with more of them, within the usual ranges, as the usual atlas knows them.
 
     There the wide atlas is not asked, but its networks have to meet the usual one at its ends.
     ``is_computed`` tells contacts apart.
     """
+    added, both = anchors(kind, count), []
+    for part, is_computed in ((data, True), (added, False)):
+        mark = np.full(part.sizes["contact"], is_computed)
+        both.append(part.assign(is_computed=("contact", mark))[[*added, "is_computed"]])
+    joined = {
+        name: (variable.dims, np.concatenate([part[name].values for part in both]))
+        for name, variable in both[0].variables.items()
+    }
+    return xr.Dataset(joined, attrs=data.attrs)
+
+
+def anchors(kind: Kind, count: int = COUNT) -> xr.Dataset:
+    """Return the points within the usual ranges."""
     atlas, random = load_atlas(shipped(SLIDING)), np.random.default_rng(SEED)
     contacts = [
         contact
-        for contact in spread_contacts(SLIDING.ranges, SEED, COUNT)
+        for contact in spread_contacts(SLIDING.ranges, SEED, count)
         if not kind.beyond(contact)
     ]
     columns = {key: np.array([one[key] for one in contacts]) for key in kind.ranges}
@@ -56,12 +69,4 @@ def with_anchors(data: xr.Dataset, kind: Kind) -> xr.Dataset:
     own["references"] = ("contact", "reference"), references
     own["responses"] = "contact", np.full(len(contacts), WAVES)
     own |= {name: ("point", column) for name, column in values.items()}
-    both = []
-    for part, is_computed in ((data, True), (xr.Dataset(own), False)):
-        mark = np.full(part.sizes["contact"], is_computed)
-        both.append(part.assign(is_computed=("contact", mark))[[*own, "is_computed"]])
-    joined = {
-        name: (variable.dims, np.concatenate([part[name].values for part in both]))
-        for name, variable in both[0].variables.items()
-    }
-    return xr.Dataset(joined, attrs=data.attrs)
+    return xr.Dataset(own)

@@ -11,7 +11,7 @@ BATCHES = {
     "rolling": 24,
     "rolling_wide": 17,
     "sliding": 80,
-    "sliding_wide": 31,
+    "sliding_wide": 30,
     "line": 20,
     "line_sliding": 21,
 }
@@ -33,7 +33,7 @@ BATCHES = {
     option(
         "--batches",
         "N",
-        "default 24; --wide: 17, --sliding: 80, --sliding-wide: 31, --line: 20, --line-sliding: 21",
+        "default 24; --wide: 17, --sliding: 80, --sliding-wide: 30, --line: 20, --line-sliding: 21",
     ),
     option("--atlas", "FILE", "the atlas to be judged, default the one of the package"),
     flag("--validate", "judge in place of computing"),
