@@ -33,7 +33,7 @@ RISE_ERRORS = {
     "rolling": 0.067,
     "rolling_wide": 0.108,
     "sliding": 0.12,
-    "sliding_wide": 0.3,
+    "sliding_wide": 0.313,
     "line": 0.017,
     "line_sliding": 0.104,
 }
