@@ -3,6 +3,7 @@
 import json
 from collections.abc import Sequence
 from concurrent.futures import Executor, ProcessPoolExecutor
+from dataclasses import replace
 from itertools import repeat
 
 import numpy as np
@@ -39,12 +40,14 @@ OF_WAVES = {
     "rolling": Recipe(networks=5, hidden=64, steps=3000, decay=1e-6),
     "rolling_wide": Recipe(networks=5, hidden=64, steps=2000, decay=1e-6),
     "sliding": Recipe(networks=7, hidden=64, steps=3000, decay=1e-5),
-    "sliding_wide": Recipe(networks=4, hidden=44, steps=1500, decay=1e-5),
+    "sliding_wide": Recipe(networks=3, hidden=44, steps=1500, decay=1e-5),
     "line": Recipe(networks=5, hidden=32, steps=3000, decay=1e-6),
     "line_sliding": Recipe(networks=5, hidden=32, steps=1500, decay=1e-5),
 }
 OF_FILMS = Recipe(networks=5, hidden=24, steps=1500, decay=1e-6)
 OF_ERRORS = Recipe(networks=5, hidden=12, steps=200, decay=1e-4)
+FEWER = {"sliding_wide": 3}
+"""Networks of films and errors, of a file that has to be small."""
 
 
 def finished(data: xr.Dataset, workers: int = 1) -> xr.Dataset:
@@ -57,6 +60,9 @@ def finished(data: xr.Dataset, workers: int = 1) -> xr.Dataset:
     # Anchors are no measure of errors.
     own = data.get("is_computed", xr.ones_like(data["responses"])).values.astype(bool)
     own_points = own[of_contact]
+    of_films_recipe, of_errors = (
+        replace(one, networks=FEWER.get(kind.name, one.networks)) for one in (OF_FILMS, OF_ERRORS)
+    )
     discretised = [f"{name}_discretisation" for name in kind.films]
     fold = np.random.default_rng(11).permutation(data.sizes["contact"]) % FOLDS
     films = Films(kind.coordinates(data), film_numbers(data, kind.films))
@@ -67,7 +73,7 @@ def finished(data: xr.Dataset, workers: int = 1) -> xr.Dataset:
         numbers = _left_out(pool, waves, OF_WAVES[kind.name], fold[of_contact])
         wave_misses = np.abs(waves.missed(numbers))
         found = {
-            "films": _of_all(pool, films, OF_FILMS),
+            "films": _of_all(pool, films, of_films_recipe),
             "waves": _of_all(pool, waves, OF_WAVES[kind.name]),
         }
         found["film_errors"], of_films = _bars(
@@ -75,12 +81,14 @@ def finished(data: xr.Dataset, workers: int = 1) -> xr.Dataset:
             films.inputs[own],
             np.hypot(film_misses, film_numbers(data, discretised))[own],
             fold[own],
+            of_errors,
         )
         found["wave_errors"], of_waves = _bars(
             pool,
             waves.inputs[own_points],
             np.hypot(wave_misses, data["discretisation"].values)[own_points, None],
             fold[of_contact][own_points],
+            of_errors,
         )
     rises = np.abs(numbers[:, -1] - waves.rise)[own_points]
     judged = {
@@ -148,16 +156,16 @@ def _of_part(task: Task, scales: Floats, recipe: Recipe, seeds: Sequence[int]) -
 
 
 def _bars(
-    pool: Executor, inputs: Floats, misses: Floats, fold: Rows
+    pool: Executor, inputs: Floats, misses: Floats, fold: Rows, recipe: Recipe
 ) -> tuple[Committee, list[float]]:
     """Return networks of ln of some misses, and what makes bars that hold the wanted share.
 
     The factors are of misses of contacts whose bars are found from others.
     """
     task = Errors(inputs, np.maximum(misses, LEAST_MISS))
-    logs = _left_out(pool, task, OF_ERRORS, fold)
+    logs = _left_out(pool, task, recipe, fold)
     factors = np.quantile(misses / np.exp(logs), COVERED, axis=0)
-    return _of_all(pool, task, OF_ERRORS), [round(float(factor), 3) for factor in factors]
+    return _of_all(pool, task, recipe), [round(float(factor), 3) for factor in factors]
 
 
 def _quantiles(misses: Floats) -> dict[str, float]:
