@@ -115,6 +115,7 @@ def atlas() -> str:
         "rolling": "rolling",
         "rolling_wide": "rolling, wide",
         "sliding": "sliding",
+        "sliding_wide": "sliding, wide",
         "line": "line contacts, rolling",
         "line_sliding": "line contacts, sliding",
         "line_newtonian": "line contacts, sliding, Newtonian",

@@ -76,12 +76,12 @@ def test_slip_that_vanishes_is_rolling() -> None:
 
 
 def test_outside_its_stresses_the_law_of_the_two_waves_answers() -> None:
-    contact = ehlwave.Contact(**MOES, reduced_modulus_pa=226e9, eyring_stress_pa=50e6)
+    contact = ehlwave.Contact(**MOES, reduced_modulus_pa=226e9, eyring_stress_pa=500e6)
     found = contact.response(0.7, slip_parameter=1.2)
     assert found.source.startswith("law of the two waves")
     with pytest.raises(ehlwave.RangeError, match="eyring_stress_pa reduced_modulus_pa"):
         ehlwave.Contact(
-            **MOES, reduced_modulus_pa=226e9, eyring_stress_pa=50e6, slip_parameter=1.2
+            **MOES, reduced_modulus_pa=226e9, eyring_stress_pa=500e6, slip_parameter=1.2
         ).film()
 
 

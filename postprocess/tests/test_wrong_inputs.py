@@ -165,7 +165,7 @@ WRONG = [
     Wrong(balls, {"load_n": 0.2}, "load_n = 0.2 gives M = ", "holds {} to", {"load_n": None}),
     Wrong(lines, {"load_n": 2}, "load_n = 2 gives M = ", "holds {} to", {"load_n": None}),
     value(moes, "load_parameter_m", 3, "20", "5 to 100000"),
-    value(sliding, "slide_to_roll_ratio", 1.6, "1", "-1 to 1"),
+    value(sliding, "slide_to_roll_ratio", 3, "1", "-2 to 2"),
     value(response, "wavelength_over_a", 9, "4", "0.1 to 4"),
     value(response, "angle_deg", 120, "90", "0 to 90"),
     value(response, "slip_parameter", 1.9, "1.5", "0.5 to 1.5"),

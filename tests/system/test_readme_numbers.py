@@ -227,7 +227,7 @@ def atlas():
     except ImportError:
         return []
     claims, rises = [], {}
-    kinds = ("rolling", "rolling_wide", "sliding", "line", "line_sliding", "line_newtonian")
+    kinds = ("rolling", "rolling_wide", "sliding", "sliding_wide", "line", "line_sliding", "line_newtonian")
     for kind in kinds:
         path = ROOT/f"postprocess/src/ehlwave/atlas/{kind}.nc"
         with xarray.open_dataset(path) as data:
@@ -235,8 +235,8 @@ def atlas():
             rises[kind] = json.loads(data.attrs["rise_cross_validated"])
         claims.append((f"| `{kind}.nc` | {{}} KB | {{}} responses of {{}} contacts", [path.stat().st_size/1000, *of_file]))
     all_kinds = [rises[kind] for kind in kinds]
-    claims.append(("has a median error of {} in contacts that roll (wide: {}), {} under slip, {} in line contacts and {} in those that slide "
-                   "(Newtonian: {}), in units of (A/film)^2 of the film, and {} (wide: {}), {}, {} and {} ({}) at 95 % of the waves",
+    claims.append(("has a median error of {} in contacts that roll (wide: {}), {} under slip (wide: {}), {} in line contacts and {} in those that slide "
+                   "(Newtonian: {}), in units of (A/film)^2 of the film, and {} (wide: {}), {} (wide: {}), {} and {} ({}) at 95 % of the waves",
                    [one["median"] for one in all_kinds] + [one["95 %"] for one in all_kinds]))
     slip = [float(one) for one in re.findall(r'"(?:Ree-Eyring|Newtonian|Carreau)": ([\d.]+)',
                                              (ROOT/"postprocess/src/ehlwave/contact/two_waves.py").read_text())]

@@ -54,7 +54,7 @@ if TYPE_CHECKING:
     from ehlwave.stress.rough import RoughStress
 
 SLIPS = SLIDING_RANGES["slip_parameter"]
-"""Slip parameters that :meth:`Contact.response` answers for."""
+"""Slip parameters that the law of the two waves answers for in :meth:`Contact.response`."""
 
 
 class Contact:
@@ -328,13 +328,13 @@ class Contact:
             Between wave vector and rolling direction, in metres: 0 transverse, 90 longitudinal.
             Line contacts answer for 0 alone.
         slip_parameter : float, optional
-            S of the surface that carries the waves, 0.5 to 1.5; that of the contact if absent.
-            Other than 1 the atlas has it for a Ree-Eyring oil, of ``eyring_stress_pa``. Outside
-            that, for a Carreau oil (``carreau_modulus_pa``, ``carreau_exponent``) and for a
-            Newtonian one the law of the two waves answers, with an error to match and without
-            pressure (NaN); of line contacts the atlas alone answers. Longitudinal waves stand
-            still: the atlas of pure rolling answers. Starved contacts roll; their law answers
-            without phase and without pressure.
+            S of the surface that carries the waves, 0 to 2; that of the contact if absent. Other
+            than 1 the atlas has it for a Ree-Eyring oil, of ``eyring_stress_pa``. Outside that, for
+            a Carreau oil (``carreau_modulus_pa``, ``carreau_exponent``) and for a Newtonian one the
+            law of the two waves answers for S of 0.5 to 1.5, with an error to match and without
+            pressure (NaN); of line contacts the atlas alone answers.
+            Longitudinal waves stand still: the atlas of pure rolling answers. Starved contacts
+            roll; their law answers without phase and without pressure.
         slide_to_roll_ratio : float, optional
             In place of `slip_parameter`, S = 1 + ratio/2.
 
@@ -382,7 +382,9 @@ class Contact:
         try:
             chart = self._chart(slip_parameter)
         except RangeError:
-            if conditions.is_line or not conditions.has_sliding_atlas or angle_deg == 90:
+            low, high = SLIPS
+            has_law = conditions.has_sliding_atlas and low <= slip_parameter <= high
+            if conditions.is_line or not has_law or angle_deg == 90:
                 raise
             return self._response_under_slip(wavelength_over_a, angle_deg, slip_parameter)
         found = chart.responses(wavelength_over_a, angle_deg)

@@ -10,8 +10,9 @@ from pathlib import Path
 
 from ehlwave.atlas import Atlas, load_atlas
 from ehlwave.atlas.atlas import shipped
-from ehlwave.atlas.kinds import KINDS, LINE, LINE_NEWTONIAN, LINE_SLIDING, Kind
-from studies.atlas import line_design, line_sliding_design
+from ehlwave.atlas.kinds import KINDS, LINE, LINE_NEWTONIAN, LINE_SLIDING, SLIDING_WIDE, Kind
+from studies.atlas import line_design, line_sliding_design, sliding_wide_design
+from studies.atlas.anchors import with_anchors
 from studies.atlas.catalogue import DRAWS
 from studies.atlas.design import DESIGNS, write_batch, write_rises, write_validation
 from studies.atlas.fit import finished
@@ -22,10 +23,13 @@ from studies.command import atlas as command
 from studies.command.options import step_parser
 from studies.sweeps import run_command, write_rows
 
+ALL_DESIGNS = DESIGNS | {"sliding_wide": sliding_wide_design.SLIDING_WIDE_DESIGN}
+
 FILLING = {
     "rolling": 24,
     "rolling_wide": 24,
     "sliding": 64,
+    "sliding_wide": 64,
     "line": 24,
     "line_sliding": 36,
     "line_newtonian": 32,
@@ -37,7 +41,12 @@ STEPS = ("batch", "rises", "fit", "unseen", "validate", "catalogue", "bearings")
 BLOCK = 16
 """Of the later batches, those that follow from one fit, which takes as long as ten of them."""
 
-RISE_BATCHES = {"rolling": range(24), "rolling_wide": (0, 1, 10), "sliding": range(24)}
+RISE_BATCHES = {
+    "rolling": range(24),
+    "rolling_wide": (0, 1, 10),
+    "sliding": range(24),
+    "sliding_wide": (0, 1),
+}
 """Batches of which the rise of the mean film under oblique waves is computed: that costs more."""
 
 
@@ -61,15 +70,19 @@ def _do(options: argparse.Namespace) -> None:
             print(line_design.write_batch(folder, options.batch, known))
         elif kind in (LINE_SLIDING, LINE_NEWTONIAN):
             print(line_sliding_design.write_batch(folder, options.batch, known, kind))
+        elif kind is SLIDING_WIDE:
+            print(sliding_wide_design.write_batch(folder, options.batch, known))
         else:
             print(write_batch(folder, options.batch, DESIGNS[kind.name], known))
     elif step == "rises":
         rising = [batches[one] for one in RISE_BATCHES[kind.name] if one < len(batches)]
         with_rises = read_points(rising, kind=kind)
-        print(write_rises(folder, DESIGNS[kind.name], with_rises))
+        print(write_rises(folder, ALL_DESIGNS[kind.name], with_rises))
     elif step == "fit":
         rises = folder / f"{kind.name}-rises.h5"
         data = read_points(batches, rises if rises.is_file() else None, kind)
+        if kind is SLIDING_WIDE:
+            data = with_anchors(data, kind)
         write_atlas(finished(data, options.at_once), atlas)
         print(atlas)
     elif step == "unseen":
@@ -78,7 +91,7 @@ def _do(options: argparse.Namespace) -> None:
         elif kind in (LINE_SLIDING, LINE_NEWTONIAN):
             print(line_sliding_design.write_validation(folder, kind))
         else:
-            print(write_validation(folder, DESIGNS[kind.name]))
+            print(write_validation(folder, ALL_DESIGNS[kind.name]))
     elif step == "catalogue":
         for draw in DRAWS:
             print(draw.write(folder, options.atlas and load_atlas(atlas)))

@@ -12,7 +12,7 @@ from scipy.stats import qmc
 from ehlwave.atlas import Atlas
 from ehlwave.atlas.coordinates import hertz_film
 from ehlwave.atlas.kind import is_within
-from ehlwave.atlas.kinds import ROLLING, SLIDING, WIDE, Kind
+from ehlwave.atlas.kinds import ROLLING, SLIDING, SLIDING_WIDE, WIDE, Kind
 from ehlwave.atlas.ranges import CONTACT_RANGES, WAVE_RANGE
 from ehlwave.atlas.sliding import MODULUS_PA
 from ehlwave.contact.conditions import MOES_KEYS
@@ -57,6 +57,9 @@ CELLS_ACROSS = 36
 ROOMY_FILM, ROOM = 0.4, 2
 """Film over the Hertz approach from which on a domain is so many times as large as usual."""
 
+LONGITUDINAL = 100.0
+"""Degrees up to which directions are drawn where a tenth shall be longitudinal."""
+
 MARGIN = 1.15
 """By which wavelengths go beyond the range, so that its ends are not ends of the data."""
 
@@ -96,6 +99,8 @@ class Design:
         were chosen is no judge: take another seed then.
     groups : mapping
         What all cases share.
+    most_cells : int
+        In one direction, where short waves have more than their contact; 0: they have not.
     """
 
     kind: Kind
@@ -105,6 +110,7 @@ class Design:
     validated: int
     validation_seed: int
     groups: Groups
+    most_cells: int = 0
 
     def grid(self, contact: Mapping[str, float]) -> tuple[int, int]:
         """Return cells along X and Y of a contact.
@@ -125,10 +131,14 @@ class Design:
             across = max(64, min(across, 256 if across == along else 384) // 2)
         return along, across
 
+    def judges(self, contact: Mapping[str, float]) -> bool:
+        """Return whether the atlas is judged by a contact."""
+        return not self.kind.beyond(contact)
+
     def domain(self, contact: Mapping[str, float]) -> dict[str, float]:
         """Return the keys of a domain that is not the usual one: thick films ask for more room."""
         m, l, d = (contact[key] for key in MOES_KEYS)
-        if self.kind is not WIDE or hertz_film(m, l, d) < ROOMY_FILM:
+        if self.kind not in (WIDE, SLIDING_WIDE) or hertz_film(m, l, d) < ROOMY_FILM:
             return {}
         return {"x_min": -2.5 * ROOM, "x_max": 1.5 * ROOM, "y_max": 2.0 * ROOM}
 
@@ -201,10 +211,11 @@ def uncertain_contacts(
 
 
 def contact_at(shares: Sequence[float], ranges: Ranges = CONTACT_RANGES) -> dict[str, float]:
-    """Return a contact by its place in the ranges, 0 to 1 in each of them."""
+    """Return a contact by its place in the ranges, 0 to 1 of logarithms, of values from 0 on."""
     found = {}
     for (key, (low, high)), share in zip(ranges.items(), shares, strict=True):
-        found[key] = float(f"{low * (high / low) ** share:.6g}")
+        value = low * (high / low) ** share if low > 0 else high * share
+        found[key] = float(f"{value:.6g}")
     return found
 
 
@@ -212,12 +223,13 @@ def patterns(
     design: Design, contact: dict[str, float], random: np.random.Generator
 ) -> Iterator[dict[str, float]]:
     """Yield wavelengths of the patterns of a contact that its grid resolves."""
-    cells_x, cells_y = design.grid(contact)
+    cells_x, cells_y = (max(cells, design.most_cells) for cells in design.grid(contact))
     shortest = design.fewest_points * np.array(design.extent(contact)) / (cells_x, cells_y)
     for angle, count in design.directions:
         order = random.permutation(count)
         for place in order:
-            theta = np.radians(random.uniform(0, 90) if angle is None else angle)
+            most = LONGITUDINAL if design.most_cells else 90
+            theta = np.radians(min(random.uniform(0, most), 90) if angle is None else angle)
             # What neither direction's mesh resolves is not asked for.
             low = max(WAVE_RANGE[0] / MARGIN, *(shortest * np.abs([np.cos(theta), np.sin(theta)])))
             high = WAVE_RANGE[1] * MARGIN
@@ -273,7 +285,7 @@ def write_validation(folder: Path, design: Design = ROLLING_DESIGN, each: int = 
     found = []
     while len(found) < design.validated * each:
         contact = contact_at(random.random(len(ranges)).tolist(), ranges)
-        if design.kind.beyond(contact):
+        if not design.judges(contact):
             continue
         for _ in range(each):
             waves = random_wave(design, contact, random)
@@ -330,23 +342,27 @@ def random_wave(
 
     A quarter are transverse. What 1024 cells do not resolve is drawn again.
     """
-    cells_x, cells_y = design.grid(contact)
-    extent = design.extent(contact)
     while True:
         wave = WAVE_RANGE[0] * (WAVE_RANGE[1] / WAVE_RANGE[0]) ** random.random()
         angle = 0.0 if random.random() < 0.25 else random.uniform(0, 90)
-        needed = [
-            design.fewest_points * length / wave * share
-            for length, share in zip(
-                extent, (np.cos(np.radians(angle)), np.sin(np.radians(angle))), strict=True
-            )
-        ]
-        if max(needed) <= MOST_CELLS:
-            along, across = (
-                next(n for n in (cells, *SIZES) if n >= max(cells, need))
-                for cells, need in zip((cells_x, cells_y), needed, strict=True)
-            )
-            return {**pattern(wave, angle), "cells_x": along, "cells_y": across}
+        waves = pattern(wave, angle)
+        cells = cells_for(design, contact, waves)
+        if max(cells) <= MOST_CELLS:
+            return {**waves, **dict(zip(("cells_x", "cells_y"), cells, strict=True))}
+
+
+def cells_for(
+    design: Design, contact: Mapping[str, float], waves: Mapping[str, float]
+) -> tuple[int, int]:
+    """Return cells along X and Y that resolve a contact and a pattern."""
+    lengths = waves["wavelength_x_over_a"], waves["wavelength_y_over_a"]
+    found = []
+    for cells, extent, length in zip(
+        design.grid(contact), design.extent(contact), lengths, strict=True
+    ):
+        need = design.fewest_points * extent / length if length > 0 else 0.0
+        found.append(next((n for n in (cells, *SIZES) if n >= max(cells, need)), MOST_CELLS + 1))
+    return found[0], found[1]
 
 
 def rows(
@@ -354,6 +370,7 @@ def rows(
 ) -> Iterator[dict[str, float]]:
     """Yield the cases of some contacts."""
     for contact in chosen:
-        cells = dict(zip(("cells_x", "cells_y"), design.grid(contact), strict=True))
         for waves in patterns(design, contact, random):
+            found = cells_for(design, contact, waves) if design.most_cells else design.grid(contact)
+            cells = dict(zip(("cells_x", "cells_y"), found, strict=True))
             yield {**as_keys(contact), **waves, **cells, **design.domain(contact)}

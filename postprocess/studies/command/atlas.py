@@ -11,6 +11,7 @@ BATCHES = {
     "rolling": 24,
     "rolling_wide": 17,
     "sliding": 80,
+    "sliding_wide": 30,
     "line": 24,
     "line_sliding": 36,
     "line_newtonian": 32,
@@ -21,6 +22,7 @@ BATCHES = {
     "atlas",
     flag("--wide", "rolling contacts beyond the usual ranges", dest="kind", const="rolling_wide"),
     flag("--sliding", "contacts that slide in a Ree-Eyring oil", dest="kind", const="sliding"),
+    flag("--sliding-wide", "the same beyond its ranges", dest="kind", const="sliding_wide"),
     flag("--line", "line contacts in pure rolling", dest="kind", const="line"),
     flag(
         "--line-sliding",
@@ -38,7 +40,8 @@ BATCHES = {
     option(
         "--batches",
         "N",
-        "default 24; --wide: 17, --sliding: 80; --line-sliding: 36, --line-newtonian: 32",
+        "default 24; --wide: 17, --sliding: 80, --sliding-wide: 30, --line-sliding: 36, "
+        "--line-newtonian: 32",
     ),
     option("--atlas", "FILE", "the atlas to be judged, default the one of the package"),
     flag("--validate", "judge in place of computing"),
@@ -54,10 +57,13 @@ def atlas(options: argparse.Namespace) -> int:
     networks are fitted to all that. A batch takes a minute of two cores, a fit ten. --wide is for M
     to 100,000, L to 42 and D from 0.01, by the fitted scheme: ten of its 17 batches lie within M of
     10,000 and L of 20, the others beyond. The atlas is DIR/rolling.nc, rolling_wide.nc,
-    sliding.nc, line.nc, line_sliding.nc or line_newtonian.nc.
+    sliding.nc, sliding_wide.nc, line.nc, line_sliding.nc or line_newtonian.nc.
 
     Contacts that slide have eight waves each; 64 batches fill the ranges, of S and of the Eyring
-    stress, too; the atlas begins with the responses of contacts that roll, of the package. Line
+    stress, too; the atlas begins with the responses of contacts that roll, of the package.
+    --sliding-wide is for M to 10,000, S of 0 to 2 and D from 0.01, with four waves each; more
+    --batches narrow its bars: DIR/sliding_wide-00.nml and so on are sweeps for a cluster, too
+    (scripts/batch). Line
     contacts come in batches of 32, with five transverse waves each, all of which fill the ranges;
     12 seconds a batch. Those that slide begin with the responses of line contacts that roll; their
     last batches lie where machines are, at slight slip and at light loads.

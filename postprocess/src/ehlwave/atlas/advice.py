@@ -11,7 +11,7 @@ from ehlwave.contact.conditions import Conditions, moes_values
 from ehlwave.errors import RangeError, SurfaceError
 from ehlwave.hints import see
 from ehlwave.quantities import PLAUSIBLE, unit_of
-from ehlwave.slip import RATIO, ratio_of
+from ehlwave.slip import RATIO, SLIP, ratio_of
 
 Ranges = Mapping[str, tuple[float, float]]
 
@@ -185,7 +185,8 @@ def _nearest(
     Logarithms of coordinates are linear in those of quantities. What people would change last
     counts most, and few are changed, since a corner is found.
     """
-    keys, ranges = list(powers), kind.ranges
+    keys = list(powers)
+    ranges = {key: ends for key, ends in kind.ranges.items() if key != SLIP}  # may begin at 0
     matrix = np.array([[powers[key].get(name, 0.0) for key in keys] for name in ranges])
     now = np.log([place[name] for name in ranges])
     low, high = (np.log([ends[i] for ends in ranges.values()]) for i in (0, 1))

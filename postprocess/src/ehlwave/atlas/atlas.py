@@ -10,7 +10,16 @@ import xarray as xr
 from ehlwave.atlas.advice import refuse_outside
 from ehlwave.atlas.chart import Chart
 from ehlwave.atlas.kind import Kind, shipped
-from ehlwave.atlas.kinds import KINDS, LINE, LINE_NEWTONIAN, LINE_SLIDING, ROLLING, SLIDING, WIDE
+from ehlwave.atlas.kinds import (
+    KINDS,
+    LINE,
+    LINE_NEWTONIAN,
+    LINE_SLIDING,
+    ROLLING,
+    SLIDING,
+    SLIDING_WIDE,
+    WIDE,
+)
 from ehlwave.atlas.networks import Networks
 from ehlwave.atlas.stored import read_stored
 from ehlwave.contact.conditions import Conditions
@@ -94,7 +103,8 @@ SHIPPED = shipped(ROLLING)
 def atlas_for(conditions: Conditions, atlas: Atlas | None = None) -> Atlas:
     """Return the atlas that a contact is looked up in: this one if it is of the kind, else ours.
 
-    Contacts that roll beyond the ranges of the usual atlas have a wider one, which knows less.
+    Contacts that roll or slide beyond the ranges of the usual atlas have a wider one, which knows
+    less.
 
     A Ree-Eyring oil under slip has one of its own, and line contacts have both; all else rolls as
     far as the atlas knows.
@@ -112,7 +122,10 @@ def atlas_for(conditions: Conditions, atlas: Atlas | None = None) -> Atlas:
         kind = LINE if conditions.slip_parameter == 1 else slides
     elif kind is ROLLING and not ROLLING.holds(conditions.atlas_keys()):
         kind = WIDE
-    of_kind = (ROLLING, WIDE) if kind in (ROLLING, WIDE) else (kind,)
+    elif kind is SLIDING and not SLIDING.holds(conditions.atlas_keys()):
+        kind = SLIDING_WIDE
+    families = (ROLLING, WIDE), (SLIDING, SLIDING_WIDE)
+    of_kind = next((family for family in families if kind in family), (kind,))
     return atlas if atlas is not None and atlas.kind in of_kind else load_atlas(shipped(kind))
 
 

@@ -19,6 +19,7 @@ from ehlwave.atlas.ranges import SLIDING_RANGES
 from ehlwave.atlas.rolling import ROLLING, WIDE
 from ehlwave.atlas.sliding import sliding_coordinates, sliding_references, sliding_state
 from ehlwave.atlas.sliding_shape import SlidingShape
+from ehlwave.atlas.sliding_wide import SLIDING_WIDE
 
 SLIDING = Kind(
     "sliding",
@@ -49,5 +50,5 @@ LINE_NEWTONIAN = Kind(
     line_sliding_state,
     beyond_sliding_limits,
 )
-_ALL = (ROLLING, WIDE, SLIDING, LINE, LINE_SLIDING, LINE_NEWTONIAN)
+_ALL = (ROLLING, WIDE, SLIDING, SLIDING_WIDE, LINE, LINE_SLIDING, LINE_NEWTONIAN)
 KINDS = {kind.name: kind for kind in _ALL}

@@ -48,3 +48,15 @@ SLIDING_RANGES = CONTACT_RANGES | {
 
 The latter alone counts of both: 0.88 to 44 MPa between steel bodies.
 """
+
+SLIDING_WIDE_RANGES = WIDE_RANGES | {
+    "load_parameter_m": (5.0, 10000.0),
+    "lubricant_parameter_l": CONTACT_RANGES["lubricant_parameter_l"],
+    "slip_parameter": (0.0, 2.0),
+    "stress_modulus_pa2": (1.936e16, 9.68e19),
+}
+"""The same of contacts that slide beyond them: E' tau0 ten times as far on either side."""
+
+MOST_THINNING, THINNEST_SLIDING_FILM = 100.0, 0.004
+"""Newtonian shear stress in the inlet over the Eyring stress, T, and H (1 + T)^(-1/4), about the
+film under slip over the Hertz approach, beyond them: others have inlets too steep."""

@@ -26,11 +26,12 @@ WIDE = Kind(
 )
 
 
-def rolling_chart(contact: Conditions) -> Chart:
-    """Return the chart of the same contact in pure rolling, from the atlas of this package."""
-    return Chart(_networks(), replace(contact, slip_parameter=1.0).atlas_keys())
+def rolling_chart(contact: Conditions, kind: Kind = ROLLING) -> Chart:
+    """Return the chart of the same contact in pure rolling, from an atlas of this package."""
+    return Chart(_networks(kind.name), replace(contact, slip_parameter=1.0).atlas_keys())
 
 
 @cache
-def _networks() -> Networks:
-    return Networks(read_stored(shipped(ROLLING)), ROLLING)
+def _networks(name: str) -> Networks:
+    kind = WIDE if name == WIDE.name else ROLLING
+    return Networks(read_stored(shipped(kind)), kind)

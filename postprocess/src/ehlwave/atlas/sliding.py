@@ -7,8 +7,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ehlwave.atlas.coordinates import Floats, columns, contact_coordinates
+from ehlwave.atlas.kind import Kind
 from ehlwave.atlas.ranges import SLIDING_RANGES
-from ehlwave.atlas.rolling import rolling_chart
+from ehlwave.atlas.rolling import ROLLING, rolling_chart
 from ehlwave.contact.conditions import Conditions, conditions_from_keys
 from ehlwave.contact.medium import INLET_VISCOSITY
 from ehlwave.contact.oils import log_viscosity
@@ -76,16 +77,16 @@ def mean_stress(contact: Conditions) -> float:
     return float(weights @ np.arcsinh(thinning * np.exp(viscosity)) / 2)
 
 
-def sliding_references(keys: Mapping[str, ArrayLike]) -> Floats:
+def sliding_references(keys: Mapping[str, ArrayLike], rolling: Kind = ROLLING) -> Floats:
     """Return central and smallest film in pure rolling, Moes scale, mean stress and P = 1.
 
-    Shape (c, 4), by columns named as the keys of contacts.
+    Shape (c, 4), by columns named as the keys of contacts; films by the atlas of a kind.
     """
-    return np.array([_references(contact) for contact in conditions_of(keys)])
+    return np.array([_references(contact, rolling) for contact in conditions_of(keys)])
 
 
-def _references(contact: Conditions) -> tuple[float, float, float, float]:
-    film = rolling_chart(contact).film()
+def _references(contact: Conditions, rolling: Kind) -> tuple[float, float, float, float]:
+    film = rolling_chart(contact, rolling).film()
     return film.central_moes, film.minimum_moes, mean_stress(contact), 1.0
 
 

@@ -15,7 +15,13 @@ from ehlwave.atlas.shape import Seen, Shape
 from ehlwave.atlas.sliding import conditions_of
 from ehlwave.contact.conditions import MOES_KEYS, Conditions
 from ehlwave.contact.medium import INLET_VISCOSITY, Medium, hertz_medium
-from ehlwave.contact.two_waves import Launch, launch_length, launched
+from ehlwave.contact.two_waves import (
+    LAUNCH_LENGTH,
+    SLIP_POWERS,
+    Launch,
+    launch_length,
+    launched,
+)
 
 STANDING = 1e4
 """Wavelength along X, in units of a, of waves that hardly move: those of 90 degrees."""
@@ -32,6 +38,9 @@ class SlidingShape(Shape):
     OF_ALL = ("_rolling", "_chart")
     WAVE_AND_X: tuple[int, ...] = (2, 0)
     """Coordinates of waves that roll which count here: ln(lambda/a) and ln x."""
+    POWERS: tuple[float, ...] = SLIP_POWERS
+    LENGTH: tuple[float, ...] = LAUNCH_LENGTH
+    """Coefficients of the law of the two waves."""
 
     _contacts: NDArray[np.object_]
     _media: Floats
@@ -61,14 +70,18 @@ class SlidingShape(Shape):
         self._slip = np.array([one.slip_parameter for one in found])
         self._alphabar = np.array([one.alphabar for one in found])
         thinned = np.log1p(INLET_VISCOSITY * self._media[:, 0, 6])
-        slip = np.log(self._slip)
-        parts = np.sqrt(film), *self._lengths(), thinned, slip, np.abs(slip)
+        parts = np.sqrt(film), *self._lengths(), thinned, *self._slips()
         self._state = np.stack([*parts, np.log(self._alphabar), np.exp(log_p)], axis=-1)
         self._rolling = None
 
     def _lengths(self) -> tuple[Floats, ...]:
         """Return the coordinates of a contact by L and its ellipticity."""
         return np.log(self.l), np.log(self.kappa)
+
+    def _slips(self) -> tuple[Floats, ...]:
+        """Return the coordinates of a contact by its slip."""
+        slip = np.log(self._slip)
+        return slip, np.abs(slip)
 
     @staticmethod
     def _rolls(contact: Conditions) -> Chart:
@@ -105,7 +118,7 @@ class SlidingShape(Shape):
         kx = np.maximum(number * np.cos(theta), 2 * np.pi / STANDING)
         ky = number * np.sin(theta)
         launch = self._launch(kx, ky)
-        a, c = launch.attenuated, launched(rolling, launch)
+        a, c = launch.attenuated, launched(rolling, launch, self.POWERS)
         loss, turn = launch.mismatch.imag, launch.mismatch.real
         parts = (
             launch.along,
@@ -128,17 +141,27 @@ class SlidingShape(Shape):
     def _launch(self, kx: Floats, ky: Floats) -> Launch:
         """Return what decides how much of waves the inlet launches."""
         under_slip, both = Medium(*self._media[:, 0].T), Medium(*self._media.T)
-        psi = both.complementary_number(np.stack([kx * self._slip, kx + 0 * self._slip]), ky)
+        psi = both.complementary_number(np.stack([kx * self._moving, kx + 0 * self._slip]), ky)
         return Launch(
             attenuated=under_slip.attenuated(kx, ky, self._slip),
             mismatch=psi[0] - kx,
             mismatch_rolling=psi[1] - kx,
-            slip=self._slip,
+            slip=self._launching,
             along=kx**2 / (kx**2 + ky**2),
             load=self.load,
-            length=launch_length(self.load, self.l, self._alphabar),
+            length=launch_length(self.load, self.l, self._alphabar, self.LENGTH),
             thinning=under_slip.thinning,
         )
+
+    @property
+    def _moving(self) -> Floats:
+        """S of the complementary wave."""
+        return self._slip
+
+    @property
+    def _launching(self) -> Floats:
+        """S by which the law of the two waves launches it."""
+        return self._slip
 
     @cached_property
     def _chart(self) -> Chart:

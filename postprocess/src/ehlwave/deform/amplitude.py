@@ -6,7 +6,7 @@ Amplitudes are over the film of the smooth contact.
 import math
 
 from ehlwave.atlas.kind import is_within
-from ehlwave.atlas.ranges import CONTACT_RANGES
+from ehlwave.atlas.ranges import CONTACT_RANGES, SLIDING_RANGES
 from ehlwave.contact.conditions import MOES_KEYS, Conditions
 
 VALIDATED_ROLLING, VALIDATED_SLIDING = 1.5, 0.95
@@ -33,6 +33,7 @@ RISE_ERRORS = {
     "rolling": 0.067,
     "rolling_wide": 0.108,
     "sliding": 0.12,
+    "sliding_wide": 0.313,
     "line": 0.0484,
     "line_sliding": 0.15,
     "line_newtonian": 0.242,
@@ -64,9 +65,10 @@ def expected_nonlinearity(conditions: Conditions, amplitude: float) -> float:
 
 
 def is_usual(conditions: Conditions) -> bool:
-    """Return whether a contact has M, L and D of the usual atlas."""
+    """Return whether a contact has M, L and D of the usual atlas, and its slip and stress."""
     place = conditions.atlas_keys()
-    return all(is_within(place[key], *CONTACT_RANGES[key]) for key in MOES_KEYS)
+    keys = (*MOES_KEYS, *(key for key in SLIDING_RANGES if key not in CONTACT_RANGES))
+    return all(is_within(place[key], *SLIDING_RANGES[key]) for key in keys if key in place)
 
 
 def rise_error(conditions: Conditions, amplitude: float) -> float:
@@ -76,6 +78,8 @@ def rise_error(conditions: Conditions, amplitude: float) -> float:
         kind = "rolling_wide"
     if conditions.slip_parameter != 1:
         kind = "line_sliding" if conditions.is_line else "sliding"
+        if kind == "sliding" and conditions.has_sliding_atlas and not is_usual(conditions):
+            kind = "sliding_wide"
     if kind == "line_sliding" and conditions.is_newtonian_line:
         kind = "line_newtonian"
     return RISE_ERRORS[kind] * amplitude**2
