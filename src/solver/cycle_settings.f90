@@ -11,10 +11,15 @@ module ehlwave_cycle_settings
       logical :: checks_factors = .false.   !! whether factors are tried before use: where they serve a long solve
    end type cycle_settings_t
 
-   type(cycle_settings_t), parameter, public :: newton_cycle = cycle_settings_t(near=near_settings_t(taper=0.5_dp))
+   !> Reach along X of long cells over that of a pattern isotropic in metres. The coarser grids have the rest: M = 1000, D
+   !> = 0.07, 256^2: 12 GMRES steps in place of 10 for three quarters of the work.
+   real(dp), parameter :: short_of_isotropic = 0.5_dp
+
+   type(cycle_settings_t), parameter, public :: newton_cycle = cycle_settings_t( &
+      near=near_settings_t(stretch_x=short_of_isotropic, taper=0.5_dp))
 
    type(cycle_settings_t), parameter, public :: response_cycle = cycle_settings_t( &
-      near=near_settings_t(least_x=3, taper=0.75_dp), checks_factors=.true.)
+      near=near_settings_t(least_x=3, stretch_x=short_of_isotropic, taper=0.75_dp), checks_factors=.true.)
 
    real(dp), parameter, public :: diagonal_shift(4) = [0.0_dp, 0.1_dp, 0.3_dp, 1.0_dp]   !! of factors, tried in turn
 

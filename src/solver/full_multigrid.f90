@@ -67,6 +67,7 @@ contains
       do l = 1, n
          call self%start_level(l)
          here = limits
+         here%gives_up = l < n
          if (l < n) here%tolerance = tolerance_below(limits%tolerance, coarse_tolerance, n - l)
          here%largest_work = limits%largest_work - (self%work() - work_before)
          call self%solve_level(l, here, report)

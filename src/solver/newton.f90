@@ -25,9 +25,11 @@ module ehlwave_newton
    real(dp), parameter :: progress = 0.9_dp      !! of the smallest right side, or less, to be reached in so many steps
    integer, parameter :: patience = 15, starved_patience = 10
    ! Starved contacts whose film closes come to rest away from the solution, at a right side that changes by less than
-   ! this share for so many steps.
-   real(dp), parameter :: rest = 0.03_dp
-   integer, parameter :: most_rests = 3
+   ! this share for so many steps; so do contacts that a coarse grid does not resolve.
+   real(dp), parameter :: starved_rest = 0.03_dp, coarse_rest = 0.01_dp
+   integer, parameter :: most_starved_rests = 3, most_coarse_rests = 6
+   !> Right side after a step that was cut, over that before, above which it is taken back and made shorter.
+   real(dp), parameter :: cut_gain = 0.3_dp
    !> Linear tolerance of starved contacts, at most: what is left of the large residuals at the meniscus would move all
    !> of it by some cells (M = 149, L = 14, D = 0.14, r = 1.6, 192 x 64 cells: 9 Newton steps in place of a stall).
    real(dp), parameter :: starved_forcing = 5e-3_dp
@@ -90,7 +92,7 @@ contains
       type(state_t) :: before
       real(dp) :: best, forcing, length, work_before, worth, worth_before
       integer :: k, last_gain, rests
-      logical :: asks_local, is_starved
+      logical :: asks_local, is_starved, may_cut
 
       if (checks) call assert(allocated(state%p) .and. limits%tolerance > 0, &
                               'newton%improve: a first guess and a tolerance')
@@ -106,6 +108,8 @@ contains
       asks_local = allocated(self%local) .and. .not. allocated(given%supply) .and. &
                    .not. allocated(levels(size(levels))%problem%heat)
       is_starved = given%conserves_oil()
+      self%step%is_cut = .false.
+      may_cut = levels(size(levels))%problem%rheology%is_newtonian()
       associate (problem => levels(size(levels))%problem, equations => self%step%linear%levels(size(levels))%equations)
          call problem%film_of_guess(given, state)
          do k = 0, limits%largest_steps
@@ -124,6 +128,12 @@ contains
                best = min(best, worth)
             end if
             if (asks_local) call improve_part(self, problem, given, limits, state, worth, asks_local)
+            if (self%step%is_cut .and. worth > cut_gain*worth_before) then
+               may_cut = .false.
+               if (.not. self%step%take_shorter(problem, self%limit, state)) exit
+               call self%step%assemble(problem, given, state, worth)
+               if (asks_local) call improve_part(self, problem, given, limits, state, worth, asks_local)
+            end if
             call report%judge(given, equations, state, limits)
             report%history = [report%history, report%residual]
             if (k == 0 .and. report%status == status_converged .and. &
@@ -133,8 +143,11 @@ contains
             if (is_starved) then   ! a film that closes stays closed
                if (worth < progress*best .or. worth > much_worse*worth_before) last_gain = k
                best = min(merge(best, worth, last_gain < k), worth)
-               rests = merge(rests + 1, 0, abs(worth - worth_before) < rest*worth)
-               if (k > last_gain + starved_patience .or. rests == most_rests) exit
+               rests = merge(rests + 1, 0, abs(worth - worth_before) < starved_rest*worth)
+               if (k > last_gain + starved_patience .or. rests == most_starved_rests) exit
+            else if (limits%gives_up) then
+               rests = merge(rests + 1, 0, k > 0 .and. abs(worth - worth_before) < coarse_rest*worth)
+               if (rests == most_coarse_rests) exit
             end if
             if (work_of(levels) - work_before >= limits%largest_work) exit
 
@@ -149,7 +162,7 @@ contains
             if (is_starved .and. k > 1) then   ! a meniscus that comes back nearer to the solution is no cycle
                if (report%residual < report%history(k - 1)) length = 1
             end if
-            if (.not. self%step%take(problem, self%limit, length, state)) then
+            if (.not. self%step%take(problem, self%limit, length, may_cut .and. asks_local, state)) then
                report%status = status_diverged
                exit
             end if

@@ -24,6 +24,9 @@ module ehlwave_newton_step
       type(gmres_t) :: gmres
       logical, private :: fills = .false.        !! the gap ahead of a meniscus: a steady state with too little oil
       real(dp), allocatable, private :: rhs(:), change(:), film_change(:, :)
+      logical :: is_cut = .false.                !! the last step: node by node, see `take`
+      type(state_t), private :: before           ! where that began
+      real(dp), allocatable, private :: shorter_change(:)   ! of it as a whole
       logical, allocatable :: cavitated_before(:, :)
       logical, allocatable, private :: cavitated_earlier(:, :)
    contains
@@ -33,9 +36,12 @@ module ehlwave_newton_step
       procedure :: solve
       procedure :: alternates
       procedure :: take
+      procedure :: take_shorter
    end type newton_step_t
 
    real(dp), parameter :: lowest_pressure = -0.02_dp   !! of an iterate; solutions are clipped at 0
+   real(dp), parameter :: few = 0.01_dp                !! of the nodes, whose changes are cut one by one
+   real(dp), parameter :: much_shorter = 0.5_dp        !! of a step, where they are
 
 contains
 
@@ -142,27 +148,82 @@ contains
    !> Step along `change`, made shorter so that the pressure change and the film stay within their limits, and bent.
    !> False if there is no step to take.
    !>
+   !> Where a few nodes of a steep spike ask for much more than the limit of pressures, a step that may be cut cuts
+   !> their changes and goes all the way elsewhere: a shorter one would leave the most part of all other residuals.
+   !>
    !> Pressures may become slightly negative: the active set makes them zero in the next step. Clipping them at zero
    !> here instead leaves neighbours with changes that counted on the negative value, and the active set can go round
    !> in circles (measured: M = 50, D = 0.04, a cycle of four sets).
-   logical function take(self, problem, limit, longest, state) result(has_moved)
+   logical function take(self, problem, limit, longest, may_cut, state) result(has_moved)
       class(newton_step_t), intent(inout), target :: self
       type(contact_problem_t), intent(inout) :: problem
       type(step_limit_t), intent(in) :: limit
       real(dp), intent(in) :: longest    !! step length, at most 1
+      logical, intent(in) :: may_cut     !! node by node
       type(state_t), intent(inout) :: state
       real(dp), pointer, contiguous :: dp_(:, :)
-      real(dp) :: shorter, step
+      real(dp) :: step
 
+      self%is_cut = .false.
       associate (grid => problem%grid, n => self%linear%n)
          dp_(0:grid%nx, 0:grid%ny) => self%change(:n - 1)
          has_moved = ieee_is_finite(maxval(abs(dp_))) .and. ieee_is_finite(self%change(n))
          if (.not. has_moved) return
          step = longest*limit%of_pressure(dp_)
-         call bend(self%linear%levels(self%linear%finest)%equations, step, dp_)
+         self%is_cut = may_cut .and. step < much_shorter*longest .and. &
+                       count(abs(dp_) > limit%largest_change) <= few*n
+         if (self%is_cut) then
+            self%before = state
+            self%shorter_change = self%change
+            call bend_all(self, state, step, self%shorter_change)
+            dp_ = limit%bounded(dp_)
+            step = longest
+         end if
+      end associate
+      call bend_all(self, state, step, self%change)
+      has_moved = advance(self, problem, limit, state)
+   end function take
+
+   !> In place of a step that was cut and led nowhere: the whole step, shorter. False if there is none.
+   logical function take_shorter(self, problem, limit, state) result(has_moved)
+      class(newton_step_t), intent(inout) :: self
+      type(contact_problem_t), intent(inout) :: problem
+      type(step_limit_t), intent(in) :: limit
+      type(state_t), intent(inout) :: state
+      self%is_cut = .false.
+      state = self%before
+      self%change = self%shorter_change
+      has_moved = advance(self, problem, limit, state)
+   end function take_shorter
+
+   !> A Newton direction bent and kept from pressures that are too low.
+   subroutine bend_all(self, state, step, change)
+      type(newton_step_t), intent(inout) :: self
+      type(state_t), intent(in) :: state       !! where the step begins
+      real(dp), intent(in) :: step             !! its length
+      real(dp), intent(inout), contiguous, target :: change(:)
+      real(dp), pointer, contiguous :: dp_(:, :)
+
+      associate (equations => self%linear%levels(self%linear%finest)%equations, n => self%linear%n)
+         dp_(0:equations%mesh%grid%nx, 0:equations%mesh%grid%ny) => change(:n - 1)
+         call bend(equations, step, dp_)
          dp_ = max(dp_, lowest_pressure - state%p)
-         if (self%fills) call fill_ahead(self%linear%levels(self%linear%finest)%equations, state, dp_)
-         self%change(n) = step*self%change(n)
+         if (self%fills) call fill_ahead(equations, state, dp_)
+         change(n) = step*change(n)
+      end associate
+   end subroutine bend_all
+
+   !> Go along `change` as far as the film lets. False if that is nowhere.
+   logical function advance(self, problem, limit, state) result(has_moved)
+      type(newton_step_t), intent(inout), target :: self
+      type(contact_problem_t), intent(inout) :: problem
+      type(step_limit_t), intent(in) :: limit
+      type(state_t), intent(inout) :: state
+      real(dp), pointer, contiguous :: dp_(:, :)
+      real(dp) :: shorter
+
+      associate (grid => problem%grid, n => self%linear%n)
+         dp_(0:grid%nx, 0:grid%ny) => self%change(:n - 1)
          call problem%deformation%apply(dp_, self%film_change)
          self%film_change = self%film_change - self%change(n)
          shorter = limit%of_film(state%h, self%film_change)
@@ -171,6 +232,6 @@ contains
          state%delta = state%delta + shorter*self%change(n)
          state%h = state%h + shorter*self%film_change      ! the film is linear in P and Delta
       end associate
-   end function take
+   end function advance
 
 end module ehlwave_newton_step

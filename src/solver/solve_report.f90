@@ -20,6 +20,7 @@ module ehlwave_solve_report
       real(dp) :: film_unit = 0         !! of the mass residual; 0: the film at the contact centre
       logical :: leaves_last = .false.  !! whether Newton's method leaves the state of the last step without judging it,
                                         !! with the flow of `last_equations` as the step has it
+      logical :: gives_up = .false.     !! whether Newton's method ends where it comes to rest away from the solution
       real(dp) :: guess_share = 1       !! of the tolerance, above which Newton's method leaves no first guess as it is
    end type solve_limits_t
 
