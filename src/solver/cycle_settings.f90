@@ -11,8 +11,8 @@ module ehlwave_cycle_settings
       logical :: checks_factors = .false.   !! whether factors are tried before use: where they serve a long solve
    end type cycle_settings_t
 
-   !> Reach along X of long cells over that of a pattern isotropic in metres. The coarser grids have the rest: M = 1000, D
-   !> = 0.07, 256^2: 12 GMRES steps in place of 10 for three quarters of the work.
+   !> Reach along X, where cells are short there, over that of a pattern isotropic in metres. The coarser grids have the
+   !> rest: M = 1000, D = 0.07, 256^2: 12 GMRES steps in place of 10 for three quarters of the work.
    real(dp), parameter :: short_of_isotropic = 0.5_dp
 
    type(cycle_settings_t), parameter, public :: newton_cycle = cycle_settings_t( &

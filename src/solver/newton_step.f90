@@ -39,7 +39,10 @@ module ehlwave_newton_step
       procedure :: take_shorter
    end type newton_step_t
 
-   real(dp), parameter :: lowest_pressure = -0.02_dp   !! of an iterate; solutions are clipped at 0
+   !> Of an iterate; solutions are clipped at 0. Where the pressure of a heavy contact falls to nothing within a cell,
+   !> what flows to the last node grows as exp(-alphabar P): M = 2000, L = 20, D = 0.07, 384 x 192 cells, fitted, took
+   !> 16 Newton and 235 GMRES steps with -0.02, 5 and 30 with this.
+   real(dp), parameter :: lowest_pressure = -0.002_dp
    real(dp), parameter :: few = 0.01_dp                !! of the nodes, whose changes are cut one by one
    real(dp), parameter :: much_shorter = 0.5_dp        !! of a step, where they are
 
