@@ -12,8 +12,9 @@ module ehlwave_cycle_settings
    end type cycle_settings_t
 
    ! Reach along X, where cells are short there, over that of a pattern isotropic in metres. The coarser grids have the
-   ! rest: M = 1000, D = 0.07, 256^2: 12 GMRES steps in place of 10 for three quarters of the work. Short waves need more
-   ! (M = 2000, D = 0.04, 0.125 a, 512^2: 14 steps with three quarters of that pattern, 20 with a half, 11 with all).
+   ! rest: M = 1000, D = 0.07, 256^2: 12 GMRES steps in place of 10 for three quarters of the work. Short waves need
+   ! more (M = 2000, D = 0.04, 0.125 a, 512^2: 14 steps with three quarters of that pattern, 20 with a half, 11 with
+   ! all).
    real(dp), parameter :: newton_reach = 0.5_dp, response_reach = 0.75_dp
 
    type(cycle_settings_t), parameter, public :: newton_cycle = cycle_settings_t( &
