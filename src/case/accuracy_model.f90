@@ -14,8 +14,8 @@ module ehlwave_accuracy_model
    real(dp), parameter :: film_factor = 0.172_dp           !! model 'film'
    real(dp), parameter :: moving_factor = 0.265_dp         !! model 'moving_ratio'
    real(dp), parameter :: standing_factor = 0.0592_dp      !! model 'standing_ratio'
-   !> Error of responses and of friction over what grids show. Of 393 random responses three were off by 1.5 to 1.7 times
-   !> that, of 694 random frictions five by 1.4 to 1.8 times.
+   !> Error of responses and of friction over what grids show. Of 393 random responses three were off by 1.5 to 1.7
+   !> times that, of 694 random frictions five by 1.4 to 1.8 times.
    real(dp), parameter, public :: grids_margin = 1.6_dp
    real(dp), parameter, public :: meniscus_factor = 0.35_dp   !! see expected_meniscus_error
    !> Errors of a fitted scheme over those of the averaged one, by the inlet: as if the inlet were so much less steep.

@@ -28,7 +28,7 @@ module ehlwave_plan_effort
    real(dp), parameter :: starved_cost = 2.7_dp      !! of a starved steady state with the flooded one on the way, of
                                                      !! that alone; measured: 2 to 4
    real(dp), parameter :: starved_step_cost = 1.3_dp !! of a time step without patches
-   !> Of an oil with a limit of its stress; measured: 2 to 20, and 65 by FAS, each of whose sweeps finds the stresses anew.
+   !> Of an oil with a limit of its stress; measured: 2 to 20, and 65 by FAS, whose every sweep finds the stresses anew.
    real(dp), parameter :: limit_cost = 6, fas_limit_cost = 30
    !> Of the fitted scheme, steady states and responses; measured (64 to 768 cells, M = 100 to 10,000): 0.9 to 4 and 0.8
    !> to 1.7.
