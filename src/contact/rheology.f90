@@ -31,6 +31,7 @@ module ehlwave_rheology
       procedure :: ln_viscosity
       procedure :: expansivity
       procedure :: use_limit
+      procedure :: is_limited
       procedure :: generalise
       procedure :: density
       procedure :: thickening
@@ -130,6 +131,12 @@ contains
       other = self
       other%exponent_factor = factor*self%exponent_factor
    end function with_alpha
+
+   !> Whether the stress has a limit.
+   pure logical function is_limited(self)
+      class(rheology_t), intent(in) :: self
+      is_limited = self%modulus_times_limit_pa > 0
+   end function is_limited
 
    !> The same oil with the stress of its flow law and the limit of the stress so many times as large.
    pure function with_stress(self, factor) result(other)

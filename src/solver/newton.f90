@@ -127,12 +127,12 @@ contains
                if (worth < progress*best) last_gain = k
                best = min(best, worth)
             end if
-            if (asks_local) call improve_part(self, problem, given, limits, state, worth, asks_local)
+            if (asks_local) call improve_part(self, problem, given, left(), state, worth, asks_local)
             if (self%step%is_cut .and. worth > cut_gain*worth_before) then
                may_cut = .false.
                if (.not. self%step%take_shorter(problem, self%limit, state)) exit
                call self%step%assemble(problem, given, state, worth)
-               if (asks_local) call improve_part(self, problem, given, limits, state, worth, asks_local)
+               if (asks_local) call improve_part(self, problem, given, left(), state, worth, asks_local)
             end if
             call report%judge(given, equations, state, limits)
             report%history = [report%history, report%residual]
@@ -175,6 +175,15 @@ contains
       end associate
       if (report%status == status_converged) state%p = max(state%p, 0.0_dp)
       call self%step%linear%release()
+   contains
+
+      !> What a part of the grid may take.
+      function left()
+         type(solve_limits_t) :: left
+         left = limits
+         left%largest_work = limits%largest_work - (work_of(levels) - work_before)
+      end function left
+
    end subroutine improve
 
    !> See the interface.
