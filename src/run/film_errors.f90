@@ -34,8 +34,8 @@ module ehlwave_film_errors
    real(dp), parameter :: starved_share = 0.5_dp   !! of 1 - R
    real(dp), parameter :: full_margin = 2
 
-   !> Tangent factor at the centre from which on the limit of the stress leaves the film of an inlet that moves by next to
-   !> no stress: three such line contacts of 45 with a limit were off by 1.1, 1.3 and 8 times the estimate.
+   !> Tangent factor at the centre from which on grids tell less of films of oils with a limit of their stress: three
+   !> such line contacts of 45 with a limit were off by 1.1, 1.3 and 8 times the estimate.
    real(dp), parameter :: far_beyond_limit = 100
    real(dp), parameter :: limit_margin = 3
 

@@ -177,7 +177,7 @@ contains
       call self%step%linear%release()
    contains
 
-      !> What a part of the grid may take.
+      !> Limits of a solve on a part of the grid.
       function left()
          type(solve_limits_t) :: left
          left = limits
