@@ -103,7 +103,7 @@ contains
       real(dp), intent(in) :: smallest_film   !! of all solutions of the case, H
       real(dp), intent(in) :: central_film    !! smooth H(0,0); NaN: none
       character(len=:), allocatable :: reason
-      reason = thin_reason('the waves touch the other surface: the film falls to ', smallest_film/central_film, &
+      reason = thin_reason('the waves touch the other surface: the film falls to ', smallest_film, central_film, &
                            'smooth central one', 'reduce amplitude_over_film')
    end function touching_reason
 
@@ -112,17 +112,17 @@ contains
       real(dp), intent(in) :: smallest_film   !! H of the smooth contact,
       real(dp), intent(in) :: central_film    !! and H(0,0); NaN: none
       character(len=:), allocatable :: reason
-      reason = thin_reason('the smallest film is ', smallest_film/central_film, 'central one', 'use more cells')
+      reason = thin_reason('the smallest film is ', smallest_film, central_film, 'central one', 'use more cells')
    end function closing_reason
 
-   function thin_reason(found, share, whole, advice) result(reason)
-      real(dp), intent(in) :: share   !! of the whole; NaN: not known, which is no reason
+   function thin_reason(found, smallest_film, central_film, whole, advice) result(reason)
+      real(dp), intent(in) :: smallest_film, central_film   !! NaN: none, which is no reason
       character(len=*), intent(in) :: found, whole, advice
       character(len=:), allocatable :: reason
       reason = ''
-      if (ieee_is_nan(share)) return
-      if (share < touching_film) reason = found//to_text(100*share, 2)//' per cent of the '//whole//', at least '// &
-         to_text(100*touching_film, 2)//' needed: '//advice
+      if (ieee_is_nan(central_film)) return
+      if (smallest_film < touching_film*central_film) reason = found//to_text(100*smallest_film/central_film, 2)// &
+         ' per cent of the '//whole//', at least '//to_text(100*touching_film, 2)//' needed: '//advice
    end function thin_reason
 
    !> Put a reason, if there is one, behind those found so far.

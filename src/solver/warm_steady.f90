@@ -165,7 +165,7 @@ contains
             do again = 1, marches
                if (again > 1) call weigh(level, energy)
                call march(multigrid, l, is_predicted .or. round > 1, energy)
-               if (.not. energy%difference > max(far, ahead_of_film*energy%film_difference)) exit
+               if (.not. (energy%difference > far .and. energy%difference/ahead_of_film > energy%film_difference)) exit
             end do
             is_settled = .false.
             if (.not. ieee_is_finite(energy%difference)) exit
