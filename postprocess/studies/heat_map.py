@@ -250,21 +250,20 @@ def summary(rows: Sequence[Row]) -> str:
     if balances:
         above = sum(balance > 1e-3 for balance in balances)
         lines.append(f"heat balance: largest error {max(balances):.1e}, above 1e-3: {above}")
-    shares = [row.worst_share_of_error for row in rows if math.isfinite(row.worst_share_of_error)]
-    if shares:
-        lines.append(
-            f"twice the levels and half the mesh: within the stated errors in "
-            f"{sum(share <= 1 for share in shares)} of {len(shares)}, "
-            f"largest share {max(shares):.2f}"
-        )
-    shares = [row.frozen_share for row in rows if math.isfinite(row.frozen_share)]
-    if shares:
-        lines.append(
-            f"temperatures that follow waves change Ad/Ai by less than is stated in "
-            f"{sum(share <= 1 for share in shares)} of {len(shares)}, "
-            f"largest share {max(shares):.2f}"
-        )
+    said = "twice the levels and half the mesh: within the stated errors in"
+    lines += _within(said, [row.worst_share_of_error for row in rows])
+    said = "temperatures that follow waves change Ad/Ai by less than is stated in"
+    lines += _within(said, [row.frozen_share for row in rows])
     return "\n".join(lines)
+
+
+def _within(said: str, shares: Sequence[float]) -> list[str]:
+    """Return a line on how many of the shares that were measured are at most 1; none if none."""
+    shares = [share for share in shares if math.isfinite(share)]
+    if not shares:
+        return []
+    count = sum(share <= 1 for share in shares)
+    return [f"{said} {count} of {len(shares)}, largest share {max(shares):.2f}"]
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

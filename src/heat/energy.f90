@@ -52,6 +52,8 @@ module ehlwave_energy
       procedure :: look_ahead
       procedure :: march
       procedure :: finish
+      procedure :: weigh
+      procedure, private :: march_rows
       procedure, private :: march_row
    end type energy_t
 
@@ -155,7 +157,7 @@ contains
       type(state_t), intent(in) :: state
       type(flow_t), intent(in) :: flow             !! at the state
       logical, intent(in) :: until_film_ends
-      real(dp) :: before, change, largest, mean, w(0:problem%grid%nx)
+      real(dp) :: before, change, largest, mean
       integer :: i, j
 
       if (allocated(self%earlier)) then
@@ -168,12 +170,7 @@ contains
       self%rise = problem%heat%rise
       self%until = problem%grid%nx
       if (until_film_ends) self%until = film_ends(problem%grid, state%p)
-      w = wall_weights(problem%grid%nx, problem%grid%hx)
-      w = w(problem%grid%nx:0:-1)
-      do j = problem%grid%first_row, problem%grid%last_row
-         call self%march_row(problem%grid, problem%conditions%elliptic%kappa, w, state%h(:, j), flow%f(:, j), &
-                             problem%heat%rise(:, :, j), j, 0)
-      end do
+      call self%march_rows(problem, state%h, flow%f, [(0, j=0, problem%grid%ny)])
       change = 0
       largest = tiny(largest)
       do j = 0, problem%grid%ny
@@ -218,19 +215,35 @@ contains
       class(energy_t), intent(inout) :: self
       type(contact_problem_t), intent(inout) :: problem
       type(state_t), intent(in) :: state
-      real(dp) :: f(0:problem%grid%nx, 0:problem%grid%ny), w(0:problem%grid%nx)
+      call self%march_rows(problem, state%h, problem%density(state%p)*state%h, self%until)
+      self%until = problem%grid%nx
+      problem%heat%rise = self%rise
+   end subroutine finish
+
+   !> Means and fluidities of the temperatures of a problem at a state.
+   pure subroutine weigh(self, problem, state)
+      class(energy_t), intent(in) :: self
+      type(contact_problem_t), intent(inout) :: problem
+      type(state_t), intent(in) :: state
+      call problem%heat%weigh(problem%rheology, problem%film_flow, self%levels%weight, state%p, self%until)
+   end subroutine weigh
+
+   !> All rows, each from its own node on.
+   pure subroutine march_rows(self, problem, h, f, from)
+      class(energy_t), intent(inout) :: self
+      type(contact_problem_t), intent(in) :: problem
+      real(dp), intent(in) :: h(0:, 0:), f(0:, 0:)   !! H and rho H
+      integer, intent(in) :: from(0:)                !! see `march_row`
+      real(dp) :: w(0:problem%grid%nx)
       integer :: j
 
       w = wall_weights(problem%grid%nx, problem%grid%hx)
       w = w(problem%grid%nx:0:-1)
-      f = problem%density(state%p)*state%h
       do j = problem%grid%first_row, problem%grid%last_row
-         call self%march_row(problem%grid, problem%conditions%elliptic%kappa, w, state%h(:, j), f(:, j), &
-                             problem%heat%rise(:, :, j), j, self%until(j))
+         call self%march_row(problem%grid, problem%conditions%elliptic%kappa, w, h(:, j), f(:, j), &
+                             problem%heat%rise(:, :, j), j, from(j))
       end do
-      self%until = problem%grid%nx
-      problem%heat%rise = self%rise
-   end subroutine finish
+   end subroutine march_rows
 
    !> One row, from a node on. Where oil flows back, columns are solved upstream and downstream in turn.
    pure subroutine march_row(self, grid, kappa, w, h, f, before, j, from)

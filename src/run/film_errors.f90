@@ -75,10 +75,8 @@ contains
          starved = 1 + starved_share*max(0.0_dp, 1 - result%starved%film_over_flooded)
          if (.not. ieee_is_finite(result%starved%passage%meniscus_x)) starved = full_margin
       end if
-      if (multigrid%levels(n)%problem%rheology%is_limited()) then
-         if (any(result%shear%tangent_factor > far_beyond_limit)) &
-            result%central_film_error = limit_margin*result%central_film_error
-      end if
+      if (plan%rheology%is_limited() .and. any(result%shear%tangent_factor > far_beyond_limit)) &
+         result%central_film_error = limit_margin*result%central_film_error
       result%central_film_error = starved*max(1.0_dp, result%max_pressure/high_spike)*result%central_film_error
       result%film_order = observed_order(multigrid%levels(n:1:-1)%central_film)
       result%minimum_film_error = estimate_error(multigrid%levels(n:1:-1)%minimum_film, &

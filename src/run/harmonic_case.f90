@@ -115,7 +115,7 @@ contains
       call steady%coarse_response%respond(steady%multigrid%levels(:n - 1), waves, case%natural_frequency, &
                                           plan%steps_per_cell, coarse)
       if (coarse%status /= status_converged) return
-      call harmonic%extrapolate(coarse%film, coarse%pressure, order_of_response(case, plan, result))
+      call harmonic%extrapolate(coarse%film, coarse%pressure, order_of_response(plan, result))
       ! the pressure spike of a light contact grows with the grid, which tells less of waves than of the film; the wave
       ! of the oil under slip starts there
       if (result%max_pressure > 1) harmonic%error = max(harmonic%error, film_share*result%central_film_error)
@@ -132,13 +132,12 @@ contains
    !> Order to expect of a response. Where the stress is at its limit all around the centre, what moves the oil there is
    !> the small part of the rate that the limit leaves: M = 63, L = 14, D = 0.084, S = 0.68, transverse 2.8 a, gave
    !> 1.010, 1.028, 1.002, 0.981 on 32 to 256 cells.
-   pure real(dp) function order_of_response(case, plan, result) result(order)
-      type(case_t), intent(in) :: case
+   pure real(dp) function order_of_response(plan, result) result(order)
       type(case_plan_t), intent(in) :: plan
       type(case_result_t), intent(in) :: result
       real(dp), parameter :: saturated = 2, order_at_limit = 0.5_dp   ! tangent factor at the centre from which on
       order = likely_order(result%film_order, plan%resolution, plan%steepness, enough_points)
-      if (case%oil%shear_limit_over_pressure > 0 .and. any(result%shear%tangent_factor > saturated)) &
+      if (plan%rheology%is_limited() .and. any(result%shear%tangent_factor > saturated)) &
          order = order_at_limit
    end function order_of_response
 

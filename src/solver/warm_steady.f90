@@ -150,7 +150,7 @@ contains
          total = level%report
          rounds = merge(most_rounds, most_coarse_rounds, l == size(multigrid%levels))
          call level%problem%film(level%given, level%state%p, level%state%delta, level%state%h)
-         call weigh(level, energy)
+         call energy%weigh(level%problem, level%state)
          centre = level%problem%grid%value_at_centre(level%state%h)
          is_stuck = .false.
          residual = 0
@@ -163,7 +163,7 @@ contains
          do round = 1, rounds
             rise = level%problem%heat%rise
             do again = 1, marches
-               if (again > 1) call weigh(level, energy)
+               if (again > 1) call energy%weigh(level%problem, level%state)
                call march(multigrid, l, is_predicted .or. round > 1, energy)
                if (.not. (energy%difference > far .and. energy%difference/ahead_of_film > energy%film_difference)) exit
             end do
@@ -176,7 +176,7 @@ contains
             if (is_predicted .or. round > 1) &
                call anderson%mix(size(rise, 1), size(level%state%p), max(level%state%p, 0.0_dp), rise, &
                                  level%problem%heat%rise)
-            call weigh(level, energy)
+            call energy%weigh(level%problem, level%state)
             before = level%problem%grid%value_at_centre(level%state%h)
             residual = report%residual
             change = max(energy%difference, energy%film_difference)
@@ -193,7 +193,7 @@ contains
          end do
          if (is_settled) then
             call energy%finish(level%problem, level%state)
-            call weigh(level, energy)
+            call energy%weigh(level%problem, level%state)
          end if
          if (report%status == status_converged .and. .not. is_settled) report%status = status_stalled
          report%nonlinear_steps = total%nonlinear_steps
@@ -223,16 +223,6 @@ contains
          call energy%march(level%problem, level%state, equations%flow, until_film_ends=.true.)
       end associate
    end subroutine march
-
-   !> Means and fluidities of the temperatures of a level.
-   pure subroutine weigh(level, energy)
-      type(level_t), intent(inout) :: level
-      type(energy_t), intent(in) :: energy
-      associate (problem => level%problem)
-         call problem%heat%weigh(problem%rheology, problem%film_flow, energy%levels%weight, level%state%p, &
-                                 energy%until)
-      end associate
-   end subroutine weigh
 
    !> Steps of Newton's method under the temperatures of a level, within the cap, of which the last is judged or left as
    !> it is; `total` counts those of all rounds.

@@ -238,8 +238,7 @@ contains
       loose%tolerance = looser*limits%tolerance
       associate (problem => multigrid%levels(self%l)%problem, level => multigrid%levels(self%l))
          call self%energy%look_ahead(problem)
-         call problem%heat%weigh(problem%rheology, problem%film_flow, self%energy%levels%weight, level%state%p, &
-                                    self%energy%until)
+         call self%energy%weigh(problem, level%state)
          worst = [self%result%worst_residual, self%result%worst_load_error]
          call solve_step(self, multigrid, loose)
          if (self%result%status == status_converged) then   ! those of the steps alone count
@@ -258,8 +257,7 @@ contains
                equations => own
             end if
             call self%energy%march(problem, level%state, equations%flow, until_film_ends=.false.)
-            call problem%heat%weigh(problem%rheology, problem%film_flow, self%energy%levels%weight, level%state%p, &
-                                    self%energy%until)
+            call self%energy%weigh(problem, level%state)
             call solve_step(self, multigrid, limits)
          end do
          call self%energy%pass_time(problem, level%state)

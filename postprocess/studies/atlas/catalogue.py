@@ -11,13 +11,12 @@ import ehlwave
 from ehlwave.atlas.atlas import Atlas, chart_of
 from ehlwave.atlas.kind import Kind
 from ehlwave.atlas.kinds import LINE, LINE_NEWTONIAN, LINE_SLIDING, WIDE
-from ehlwave.atlas.ranges import WAVE_RANGE
 from ehlwave.errors import RangeError
 from studies import sweeps
 from studies.atlas import line_design, line_sliding_design
 from studies.atlas.bearings import CONTACTS, SEED, ball_contacts, roller_contacts
 from studies.atlas.cams import cam_contacts
-from studies.atlas.design import GROUPS, WIDE_DESIGN, random_wave
+from studies.atlas.design import GROUPS, WIDE_DESIGN, random_wave, random_wavelength
 from studies.atlas.gears import gear_contacts
 from studies.atlas.line_sliding_design import GROUPS_OF
 from studies.programs import Groups
@@ -31,13 +30,11 @@ def _wave_of_ball(keys: dict[str, float], random: np.random.Generator) -> sweeps
 
 
 def _wave_of_roller(keys: dict[str, float], random: np.random.Generator) -> sweeps.Row:
-    low, high = WAVE_RANGE
-    return line_design.case(keys, low * (high / low) ** random.random())
+    return line_design.case(keys, random_wavelength(random))
 
 
 def _wave_of_sliding_line(keys: dict[str, float], random: np.random.Generator) -> sweeps.Row:
-    low, high = WAVE_RANGE
-    return line_sliding_design.case(keys, low * (high / low) ** random.random())
+    return line_sliding_design.case(keys, random_wavelength(random))
 
 
 @dataclass(frozen=True)

@@ -1,6 +1,6 @@
 """Where the atlas is computed: contacts, the patterns of each, and its grid."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -281,16 +281,32 @@ def wide_contacts(batch: int, design: Design) -> list[Contact]:
 
 def write_validation(folder: Path, design: Design = ROLLING_DESIGN, each: int = 2) -> Path:
     """Write the sweep that the atlas is judged by: random contacts and waves."""
-    random, ranges = np.random.default_rng(design.validation_seed), design.kind.ranges
-    found = []
-    while len(found) < design.validated * each:
-        contact = contact_at(random.random(len(ranges)).tolist(), ranges)
-        if not design.judges(contact):
-            continue
+    random, found = np.random.default_rng(design.validation_seed), []
+    for contact in random_contacts(design.kind, random, design.validated, design.judges):
         for _ in range(each):
             waves = random_wave(design, contact, random)
             found.append({**as_keys(contact), **waves, **design.domain(contact)})
     return sweeps.write_sweep(folder, f"{design.kind.name}-validation", found, design.groups)
+
+
+def random_contacts(
+    kind: Kind,
+    random: np.random.Generator,
+    count: int,
+    is_wanted: Callable[[Contact], bool] | None = None,
+) -> Iterator[Contact]:
+    """Yield contacts anywhere in an atlas, or so many of them as are wanted."""
+    while count:
+        contact = contact_at(random.random(len(kind.ranges)).tolist(), kind.ranges)
+        if is_wanted(contact) if is_wanted else not kind.beyond(contact):
+            count -= 1
+            yield contact
+
+
+def random_wavelength(random: np.random.Generator) -> float:
+    """Return a wavelength over a, its logarithm evenly spread over the range."""
+    low, high = WAVE_RANGE
+    return low * (high / low) ** random.random()
 
 
 def as_keys(contact: dict[str, float]) -> dict[str, float]:
@@ -343,7 +359,7 @@ def random_wave(
     A quarter are transverse. What 1024 cells do not resolve is drawn again.
     """
     while True:
-        wave = WAVE_RANGE[0] * (WAVE_RANGE[1] / WAVE_RANGE[0]) ** random.random()
+        wave = random_wavelength(random)
         angle = 0.0 if random.random() < 0.25 else random.uniform(0, 90)
         waves = pattern(wave, angle)
         cells = cells_for(design, contact, waves)

@@ -6,7 +6,6 @@ from pathlib import Path
 import numpy as np
 
 from ehlwave.atlas import Atlas
-from ehlwave.atlas.kind import Kind
 from ehlwave.atlas.kinds import LINE
 from ehlwave.atlas.line import LineShape
 from ehlwave.atlas.line_rolling import COMPUTED
@@ -16,8 +15,8 @@ from studies import sweeps
 from studies.atlas.design import (
     GROUPS,
     MARGIN,
-    Contact,
-    contact_at,
+    random_contacts,
+    random_wavelength,
     spread_contacts,
     uncertain_contacts,
 )
@@ -64,19 +63,9 @@ def write_batch(folder: Path, batch: int, atlas: Atlas | None = None) -> Path:
 def write_validation(folder: Path, count: int = 150, each: int = 2) -> Path:
     """Write the sweep that the atlas is judged by: random contacts and waves."""
     random, found = np.random.default_rng(1997), []
-    low, high = WAVE_RANGE
     for contact in random_contacts(LINE, random, count):
-        found += [case(contact, low * (high / low) ** random.random()) for _ in range(each)]
+        found += [case(contact, random_wavelength(random)) for _ in range(each)]
     return sweeps.write_sweep(folder, "line-validation", found, GROUPS)
-
-
-def random_contacts(kind: Kind, random: np.random.Generator, count: int) -> Iterator[Contact]:
-    """Yield contacts anywhere within the ranges of a kind."""
-    while count:
-        contact = contact_at(random.random(len(kind.ranges)).tolist(), kind.ranges)
-        if not kind.beyond(contact):
-            count -= 1
-            yield contact
 
 
 def waves(contact: Mapping[str, float], random: np.random.Generator) -> Iterator[float]:

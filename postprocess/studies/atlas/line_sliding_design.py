@@ -9,7 +9,6 @@ from ehlwave.atlas import Atlas
 from ehlwave.atlas.kind import Kind
 from ehlwave.atlas.kinds import LINE_NEWTONIAN, LINE_SLIDING
 from ehlwave.atlas.line_rolling import COMPUTED
-from ehlwave.atlas.ranges import WAVE_RANGE
 from studies import sweeps
 from studies.atlas import line_design
 from studies.atlas.design import (
@@ -18,10 +17,12 @@ from studies.atlas.design import (
     Contact,
     Ranges,
     as_keys,
+    random_contacts,
+    random_wavelength,
     spread_contacts,
     uncertain_contacts,
 )
-from studies.atlas.line_design import random_contacts, waves
+from studies.atlas.line_design import waves
 
 CONTACTS = 32
 """Of one batch."""
@@ -94,8 +95,6 @@ def write_validation(
 ) -> Path:
     """Write the sweep that the atlas is judged by: random contacts and waves."""
     random, found = np.random.default_rng(VALIDATION_SEED), []
-    low, high = WAVE_RANGE
     for contact in random_contacts(kind, random, count):
-        drawn = (low * (high / low) ** random.random() for _ in range(each))
-        found += [case(contact, wave) for wave in drawn]
+        found += [case(contact, random_wavelength(random)) for _ in range(each)]
     return sweeps.write_sweep(folder, f"{kind.name}-validation", found, GROUPS_OF[kind.name])

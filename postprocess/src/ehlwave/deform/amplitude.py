@@ -73,15 +73,14 @@ def is_usual(conditions: Conditions) -> bool:
 
 def rise_error(conditions: Conditions, amplitude: float) -> float:
     """Return the error of the rise of the mean film, over the film."""
-    kind = "line" if conditions.is_line else "rolling"
-    if kind == "rolling" and not is_usual(conditions):
-        kind = "rolling_wide"
-    if conditions.slip_parameter != 1:
-        kind = "line_sliding" if conditions.is_line else "sliding"
-        if kind == "sliding" and conditions.has_sliding_atlas and not is_usual(conditions):
-            kind = "sliding_wide"
-    if kind == "line_sliding" and conditions.is_newtonian_line:
-        kind = "line_newtonian"
+    rolls = conditions.slip_parameter == 1
+    if conditions.is_line:
+        slides = "line_newtonian" if conditions.is_newtonian_line else "line_sliding"
+        kind = "line" if rolls else slides
+    else:
+        kind = "rolling" if rolls else "sliding"
+        if (rolls or conditions.has_sliding_atlas) and not is_usual(conditions):
+            kind += "_wide"
     return RISE_ERRORS[kind] * amplitude**2
 
 
