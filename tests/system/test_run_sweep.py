@@ -1,6 +1,7 @@
 """scripts/run-sweep beside a launcher that misbehaves; how it starts again is in test_sweep_resume."""
 
 import os
+import resource
 import subprocess
 import unittest
 from pathlib import Path
@@ -20,6 +21,9 @@ child = subprocess.Popen(["true"])
 time.sleep(7200)
 """
 
+# The rank waits for ever in the start of MPI.
+NEVER_STARTS = LOCKS_UP_ONCE.replace('["true"]', '["sleep", "7200"]').replace("sys.argv[3:]", '["false"]')
+
 
 class RunSweep(FolderTest):
     def setUp(self):
@@ -36,6 +40,17 @@ class RunSweep(FolderTest):
         self.assertIn("all ranks have ended", outcome.stdout)
         self.assertIn("start 1 of at most 5 again", outcome.stdout)
         self.assertTrue((self.folder/"results.h5").exists())
+
+    def test_a_start_that_never_comes_is_ended(self):
+        (self.folder/"launcher").write_text(NEVER_STARTS)
+        variables = {"EHLWAVE_LAUNCHER": "./launcher", "EHLWAVE_PATIENCE": "1"}
+        few = 1 << 20
+        outcome = subprocess.run([SCRIPT, "--ranks", "1", "sweep.nml"], cwd=self.folder, text=True, capture_output=True, check=False,
+                                 timeout=HANGS_S, env={**os.environ, **variables},
+                                 preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (few, few)))
+        self.check_status(outcome, 3)
+        self.assertIn("no rank has started", outcome.stdout)
+        self.assertIn("MPI cannot start", outcome.stdout)
 
     def test_no_ranks_are_bad_input(self):
         for ranks in ("0", "-1", "two", ""):
