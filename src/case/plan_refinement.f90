@@ -24,11 +24,12 @@ contains
    !> Cells as many as the part of the mesh asks for, and twice the domain where its part is large, within what the case
    !> leaves free and its limits. False where nothing can be made finer, or that would not help.
    !>
-   !> It has no more cells than the work allows that is left for it.
-   subroutine refine_plan(case, plan, parts, work_left, finer, is_finer)
+   !> It has no more cells than the work allows that is left for it, if it takes as many times its plan as this one.
+   subroutine refine_plan(case, plan, parts, work_taken, work_left, finer, is_finer)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       type(error_parts_t), intent(in) :: parts       !! of the result of the plan
+      real(dp), intent(in) :: work_taken             !! by the run of the plan, operations
       real(dp), intent(in) :: work_left              !! operations
       type(case_plan_t), intent(out) :: finer
       logical, intent(out) :: is_finer
@@ -59,7 +60,7 @@ contains
          if (factor < smallest_factor .or. (copy%cells_x <= plan%cells_x .and. copy%cells_y <= plan%cells_y)) return
          call make_plan(copy, finer, error, scale)
          if (allocated(error)) return
-         if (finer%expected_work() <= work_left) exit
+         if (finer%expected_work()*max(1.0_dp, work_taken/plan%expected_work()) <= work_left) exit
          factor = step_back*factor
       end do
       finer%largest_work = work_left

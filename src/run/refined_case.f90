@@ -41,16 +41,18 @@ contains
       class(march_keeper_t), intent(inout), optional :: keeper
       type(case_plan_t) :: finer
       type(case_result_t) :: again
-      real(dp) :: largest_work
+      real(dp) :: largest_work, taken
       logical :: is_finer
 
       call run_estimated_case(case, plan, monitor, result, shared, keeper)
       call take_errors(case, plan, result)
       if (.not. case%accuracy > 0 .or. case%edges == 'truncated' .or. result%status /= status_converged) return
       largest_work = plan%largest_work
+      taken = result%all_work
       do while (result%error_estimate > case%accuracy .and. result%refinements < most_refinements)
          if (monitor%request /= go_on) exit
-         call refine_plan(case, plan, parts_of(case, result), largest_work - result%all_work, finer, is_finer)
+         call refine_plan(case, plan, parts_of(case, result), taken, largest_work - result%all_work, finer, &
+                          is_finer)
          if (.not. is_finer) exit
          if (memory_shortage(finer) /= '') exit
          call run_estimated_case(case, finer, monitor, again, shared)
@@ -64,6 +66,7 @@ contains
             result%total_work_units = result%all_work/work_unit_operations(plan%cells_x, plan%cells_y)
             exit
          end if
+         taken = again%all_work
          call take_errors(case, finer, again)
          again%work_units = again%work_units*(1 + result%seconds/again%seconds)
          again%work = again%work + result%work
