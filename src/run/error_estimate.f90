@@ -5,7 +5,7 @@ module ehlwave_error_estimate
    use ehlwave_resolution, only: coarsest_inlet, fewest_points_per_wave, resolution_t, wanted_points_per_wave
    implicit none (type, external)
    private
-   public :: estimate_error, likely_order, observed_order
+   public :: estimate_error, formal_order, likely_order, observed_order
 
    real(dp), parameter :: formal_order = 2     !! of the discretisation in space and time
    real(dp), parameter :: lowest_order = 1     !! assumed where the values do not converge monotonically
