@@ -318,6 +318,7 @@ def speeds():
         ("| steady state, 257 x 257 | {} | {} |", [get(steady, "newton"), get(steady, "fas")]),
         ("| one time step, transverse waves of 0.5 a, 257 x 257 | {} | {}, V cycles |", [get(step, "newton"), get(step, "fas")]),
         ("| linear response to them | {} | |", [get("linear response, 257 x 257", "newton")]),
+        ("(a march from rest: 4600) | {} | |", [get("periodic state", "newton")]),
         ("against 257 x 257 | {} times, {} MiB | {} times, {} MiB |",
          [get(ratio, "newton"), get(memory, "newton", "figure"), get(ratio, "fas"), get(memory, "fas", "figure")]),
         ("its steady state {} besides, a march of the waves {} ", [get(steady, "newton"), small_waves("march", cells="256")[0]]),
