@@ -374,6 +374,14 @@ def heavy_loads():
         works = [float(row[scheme]) for row in rows if (row["load_parameter_m"], row["radius_ratio_d"]) == contact
                  for scheme in ("averaged", "fitted")]
         claims.append((f"| {int(float(m)):,}, {d} | {{}}, {{}} | {{}}, {{}} | {{}}, {{}} |", works))
+    smooth = {(float(row["load_parameter_m"]), row["radius_ratio_d"]): float(row["averaged"])/float(row["fitted"])
+              for row in rows if float(row["wavelength_over_a"]) == 0}
+    for row in table("heavy/refinement.csv"):
+        contact = float(row["load_parameter_m"]), row["radius_ratio_d"]
+        values = [float(value) for value in list(row.values())[2:]]
+        values = [100*value if n in (0, 1, 2, 4, 6) else value for n, value in enumerate(values)]
+        claims.append((f"| {int(contact[0]):,}, {contact[1]} | {{}} %, {{}} % | {{}} %, {{}} | {{}} %, {{}} | {{}} %, {{}} | {{}} | {{}} |",
+                       [*values, smooth[contact]]))
     return claims
 
 
