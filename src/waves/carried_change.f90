@@ -31,7 +31,8 @@ module ehlwave_carried_change
    integer, parameter, public :: points = 6            !! of interpolation in time; four leave 1e-3 of A where a period
                                                        !! has ten steps
    real(dp), parameter :: farthest_upstream = -1       !! X, from where the film has to repeat
-   real(dp), parameter :: lost = 0.4_dp                !! of what is carried, on the way to the centre, at most
+   real(dp), parameter :: most_lost = 0.4_dp           !! of what is carried, on the way to the centre, by `spread`
+   real(dp), parameter :: least_lost = 0.1_dp          !! or gained, by all else
    real(dp), parameter :: spread = 6e-4_dp             !! of a wave by Poiseuille flow, on a way of length 1/k: this
                                                        !! times (1/share - 1) (k hX)^2; M = 100, lambda = 0.5 a:
                                                        !! changes at X = -0.8 differ by 0.07 at the centre
@@ -64,10 +65,11 @@ contains
       do i = count(grid%x <= 0) - 1, 0, -1
          if (grid%x(i) < farthest_upstream) exit
          loss = loss + spread*(1/share(i, self%row) - 1)*(wave_number*grid%hx)**3
-         if (loss > lost) exit
+         if (loss > most_lost) exit
          self%first = grid%x(i)
+         self%weight(i) = least_lost + loss
       end do
-      where (grid%x >= farthest_upstream .and. grid%x <= 0) self%weight = merge(lost, 1.0_dp, grid%x > self%first)
+      where (grid%x >= farthest_upstream .and. grid%x <= self%first) self%weight = 1
    end subroutine begin
 
    !> Take the film of step k.
