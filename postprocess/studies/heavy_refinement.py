@@ -16,25 +16,13 @@ import numpy as np
 from ehlwave.errors import ResultsError
 from studies.programs import last_line, run_case
 
-CONTACTS = tuple((m, d) for m in (1000, 3000, 10000) for d in (1, 0.07))
-"""M and D; L = 12.05."""
-
-CELLS = 512
-"""Along X and Y."""
-
+CONTACTS = tuple((m, d) for m in (1000, 3000, 10000) for d in (1, 0.07))  # M and D; L = 12.05
+CELLS = 512  # along X and Y
 ALPHA, Z, P0 = 2.2e-8, 0.68, 1.96e8  # of the default oil: 1/Pa, Roelands' index, Pa
-
-SATURATED = 0.9
-"""Of the reduced pressure in the contact, where the inlet ends."""
-
-LOADED = 0.1
-"""Pressure at X = 0 of rows whose film counts, over that of Hertz."""
-
-LEVELS = 2.0 ** -np.arange(1, 24)
-"""Of a node's share of the error, over the largest one, to be tried for patches."""
-
-COUNTS = 2.0 ** -np.arange(2, 14, 0.5)
-"""Shares of the nodes to be tried for patches of any shape."""
+SATURATED = 0.9  # of the reduced pressure in the contact, where the inlet ends
+LOADED = 0.1  # pressure at X = 0 of rows whose film counts, over that of Hertz
+LEVELS = 2.0 ** -np.arange(1, 24)  # of the error at a node, over the largest, tried for patches
+COUNTS = 2.0 ** -np.arange(2, 14, 0.5)  # shares of the nodes, tried for patches of any shape
 
 
 @dataclass(frozen=True)
