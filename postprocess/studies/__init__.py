@@ -7,7 +7,8 @@
 - ``error_time``, ``speed``, ``stability``, ``linearity``, ``microgeometry``, ``lambda_ratio``,
   ``validation``, ``accuracy``, ``all_keys``, ``periodic``, ``transients``, ``atlas``,
   ``many_ranks``, ``stress``, ``stress_speed``, ``starvation``, ``overrollings``, ``heavy``,
-  ``heavy_draw``, ``heavy_schemes``, ``peers``, ``peer_runs``, ``peer_slippy``,
+  ``heavy_draw``, ``heavy_refinement``, ``heavy_schemes``, ``peers``, ``peer_runs``,
+  ``peer_slippy``,
   ``heat``, ``heat_map``: one each.
 
 ``command`` is ``scripts/study``, which runs them all. ``section`` holds what a report is made of,

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, fields
 
 from ehlwave.errors import ResultsError
-from studies import heavy_draw, heavy_schemes
+from studies import heavy_draw, heavy_refinement, heavy_schemes
 from studies.command import maps
 from studies.command.options import step_parser
 from studies.programs import Groups, solve
@@ -97,6 +97,8 @@ def _run(options: argparse.Namespace) -> int | None:
         return _check_draw(options)
     if options.schemes:
         return _compare_schemes(options)
+    if options.refinement:
+        return _bound_refinement(options)
     rows = []
     cells = [n for n in CELLS if n <= options.largest]
     table = cases(cells, options.method, responds=options.responses)
@@ -131,6 +133,15 @@ def _compare_schemes(options: argparse.Namespace) -> int:
     write_rows(options.output / "work.csv", rows, digits=4)
     for row in rows:
         print(", ".join(f"{name} {value:.4g}" for name, value in row.items()))
+    return 0
+
+
+def _bound_refinement(options: argparse.Namespace) -> int:
+    bounds = []
+    for bound in heavy_refinement.measure():
+        bounds.append(asdict(bound))
+        print(", ".join(f"{name} {value:.4g}" for name, value in bounds[-1].items()), flush=True)
+    write_rows(options.output / "refinement.csv", bounds, digits=4)
     return 0
 
 

@@ -5,9 +5,10 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
 import pytest
 
-from studies import heavy_draw, heavy_schemes
+from studies import heavy_draw, heavy_refinement, heavy_schemes
 from studies.heavy_draw import BEARING, LOADS, LUBRICANTS, NARROWEST, check, draw, summary
 from studies.programs import Groups
 from studies.work_unit import convolutions
@@ -91,3 +92,26 @@ def test_waves_have_points() -> None:
     """No grid has fewer than 8 points on a wave."""
     points = heavy_schemes.measure(_scheme_run, [(100, 1)], 256)
     assert all(p.cells_x * p.wavelength_over_a / 4 >= 8 for p in points if p.wavelength_over_a > 0)
+
+
+def test_refinement_of_one_cell_block() -> None:
+    """An error within a hundredth of the nodes: a patch there, and what two halvings save."""
+    shares = np.zeros((100, 100))
+    shares[:10, 40:50] = -1
+    found = heavy_refinement.bound_of(shares, np.linspace(0, 1, 100), 0.05)
+    strip_share, strip, share, rectangles, _, any_shape, any_size = found
+    assert strip_share == pytest.approx(0.005)
+    assert strip == pytest.approx(16 / (1 + 20 * 0.005))
+    assert share == pytest.approx(0.01)
+    assert rectangles == pytest.approx(16 / (1 + 20 * 0.01))
+    assert any_shape <= rectangles
+    assert any_size == pytest.approx(100)
+    even = heavy_refinement.bound_of(np.ones((40, 40)), np.linspace(0, 1, 40), 2)
+    assert even[1] == even[3] == even[5] == even[6] == 1
+
+
+def test_refinement_predicts_the_error() -> None:
+    """The truncation error, weighted, is the error of the film."""
+    (found,) = heavy_refinement.measure([(1000, 0.07)])
+    assert found.predicted_error == pytest.approx(found.film_error, rel=0.1)
+    assert 1 < found.rectangles < found.any_shape < found.centre < 16

@@ -3,7 +3,7 @@ module ehlwave_kernel
    use ehlwave_kinds, only: dp, pi
    implicit none (type, external)
    private
-   public :: cell_influence, line_wave_influence
+   public :: cell_influence, corner, line_wave_influence
 
    !> Distance, in units of a, at which the deformation of a line contact counts as zero: that of a line load on a
    !> half-space is determined but for a constant, which the mutual approach takes up. The kernel is positive on any
@@ -82,7 +82,8 @@ contains
       if (abs(u) > 0) f = u*(1 + log(line_reference/abs(u)))
    end function log_integral
 
-   !> Antiderivative in both arguments of 1/sqrt(u^2 + v^2).
+   !> Antiderivative in both arguments of 1/sqrt(u^2 + v^2): with u = kappa X and v = Y that of `cell_influence` over
+   !> 1/(pi K kappa).
    elemental function corner(u, v) result(f)
       real(dp), intent(in) :: u, v
       real(dp) :: f

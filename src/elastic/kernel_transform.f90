@@ -4,8 +4,8 @@ module ehlwave_kernel_transform
       c_int32_t, c_intptr_t, c_char, c_float, c_float_complex, c_funptr, c_ptr, c_size_t
    use ehlwave_fftw_answer, only: obtained
    use ehlwave_grid, only: grid_t
-   use ehlwave_kernel, only: cell_influence
-   use ehlwave_kinds, only: dp
+   use ehlwave_kernel, only: corner
+   use ehlwave_kinds, only: dp, pi
    use ehlwave_threads, only: is_shared, thread_count, thread_number
    implicit none (type, external)
    private
@@ -65,17 +65,29 @@ contains
       end associate
    end function new_kernel_transform
 
-   !> Influence at the distances i along X, mirrored in the middle, and j = 0 to `reach` along Y.
+   !> Influence at the distances i along X, mirrored in the middle, and j = 0 to `reach` along Y. Four cells share a
+   !> corner: each row of them is found once, for a part of the rows.
    function distances(grid, kappa, k, px, reach) result(influence)
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: kappa, k
       integer, intent(in) :: px, reach
       real(dp) :: influence(0:px - 1, 0:reach)
-      integer :: i, j
-      !$omp parallel do schedule(static) if (is_shared(size(influence)))
+      real(dp) :: lower(0:px/2 + 1), u(0:px/2 + 1), upper(0:px/2 + 1)
+      integer :: i, j, last
+
+      u = kappa*grid%hx*([(i, i=0, px/2 + 1)] - 0.5_dp)
+      last = -huge(last)
+      !$omp parallel do private(lower, upper) firstprivate(last) schedule(static) if (is_shared(size(influence)))
       do j = 0, reach
-         influence(:px/2, j) = cell_influence([(i*grid%hx, i=0, px/2)], j*grid%hy, grid%hx, grid%hy, kappa, k)
+         if (j == last + 1) then
+            lower = upper
+         else
+            lower = corner(u, grid%hy*(j - 0.5_dp))
+         end if
+         upper = corner(u, grid%hy*(j + 0.5_dp))
+         influence(:px/2, j) = (upper(1:) - upper(:px/2) - lower(1:) + lower(:px/2))/(pi*k*kappa)
          influence(px/2 + 1:, j) = influence(px/2 - 1:1:-1, j)
+         last = j
       end do
    end function distances
 

@@ -1,5 +1,6 @@
 !> The periodic state of a contact with moving waves: a march that starts in what is known of them, from grid to grid.
 module ehlwave_periodic_state
+   use ehlwave_carried_change, only: carried_change_t, points
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_given, only: given_t
    use ehlwave_grid, only: grid_t
@@ -33,13 +34,10 @@ module ehlwave_periodic_state
       procedure :: at_times
    end type periodic_state_t
 
-   real(dp), parameter :: coarse_change = 2            !! of a film that repeats, on coarser grids, over that on the
+   real(dp), parameter :: coarse_change = 1            !! of a film that repeats, on coarser grids, over that on the
                                                        !! finest
-   real(dp), parameter :: coarse_tolerance = 1e-3_dp   !! of the time steps of coarser grids
+   real(dp), parameter :: coarse_tolerance = 3         !! of their time steps, over that on the finest
    real(dp), parameter :: fewest_points = 16            !! mesh sizes on a wave
-   integer, parameter :: points = 6                     !! of interpolation in time; four leave 1e-3 of A where a period
-                                                        !! has ten steps
-   real(dp), parameter :: farthest_upstream = -1       !! X, from where the film has to repeat
 
 contains
 
@@ -64,7 +62,8 @@ contains
 
       n = size(multigrid%levels)
       coarse = limits
-      coarse%tolerance = max(limits%tolerance, coarse_tolerance)
+      coarse%tolerance = coarse_tolerance*limits%tolerance
+      coarse%guess_share = 0   ! what a period left would stay
       has_rest = .false.
       associate (main => settings%surfaces%list(settings%surfaces%main))
          t = main%start/main%slip   ! so that steps are where a march from rest has its own
@@ -87,7 +86,7 @@ contains
             given = level%given
             smooth = level%state
             self%is_found = .false.
-            if (l == n) coarse%tolerance = limits%tolerance
+            if (l == n) coarse = limits
             call march_level(self, multigrid, l, waves, here, t, coarse, largest_change*merge(1.0_dp, coarse_change, &
                l == n), monitor)
             if (monitor%request /= go_on) return
@@ -164,50 +163,31 @@ contains
       type(solve_limits_t), intent(in) :: limits       !! of a time step
       real(dp), intent(in) :: tolerance                !! of `change`
       class(monitor_t), intent(inout) :: monitor
-      real(dp), allocatable :: films(:, :)             ! at Y = 0, of the last steps, see `change_since`
-      real(dp) :: lag
-      integer :: k, row
+      type(carried_change_t) :: carried
+      logical :: is_finest
+      integer :: k
 
       associate (march => self%march, result => self%march%result, grid => multigrid%levels(l)%problem%grid)
          call march%begin(multigrid%levels(:l), settings, march%rescue)
          call march%start_in(multigrid%levels(l), waves, start)
          self%repeats = settings%repeat_time(grid)
-         lag = self%repeats/settings%time_step(grid)
-         row = minloc(abs(grid%y), 1) - 1
-         allocate (films(0:grid%nx, 0:ceiling(lag) + 3))
-         films(:, 0) = multigrid%levels(l)%state%h(:, row)
+         is_finest = l == size(multigrid%levels)
+         call carried%begin(grid, settings, march%share, multigrid%levels(l)%state%h)
          do k = 1, settings%steps
             call march%take_step(multigrid, limits)
             if (result%status /= status_converged) exit
             call monitor%step_done('time step towards the periodic state', k, settings%steps)
             if (monitor%request /= go_on) exit
-            films(:, modulo(k, size(films, 2))) = multigrid%levels(l)%state%h(:, row)
-            if (k < max(lag + 2, real(points, dp))) cycle
-            self%change = change_since(grid, films, k, lag)/settings%amplitude()
+            call carried%see(k, multigrid%levels(l)%state%h)
+            if (carried%is_known(k)) self%change = carried%largest(is_finest)/settings%amplitude()
+            if (.not. carried%is_known(k)) cycle
             self%is_found = self%change <= tolerance
+            if (self%is_found .and. is_finest) call carried%correct(result%central_film(:k))
             if (self%is_found) exit
          end do
          self%nonlinear_steps = self%nonlinear_steps + result%nonlinear_steps
          self%linear_steps = self%linear_steps + result%linear_steps
       end associate
    end subroutine march_level
-
-   !> Largest change of the film between the inlet and the centre in `lag` steps to step k, interpolated in time.
-   pure real(dp) function change_since(grid, films, k, lag) result(change)
-      type(grid_t), intent(in) :: grid
-      real(dp), intent(in) :: films(0:, 0:)   !! (0:nx, 0:n - 1): film of step m at m modulo n, n at least lag + 4
-      integer, intent(in) :: k
-      real(dp), intent(in) :: lag             !! after which it repeats, in steps, at most k - 2
-      real(dp) :: difference(0:grid%nx), weights(0:points - 1)
-      integer :: base, m
-
-      base = k - ceiling(lag) - 2
-      weights = lagrange_weights(points, k - lag - base)
-      difference = films(:, modulo(k, size(films, 2)))
-      do m = 0, points - 1
-         difference = difference - weights(m)*films(:, modulo(base + m, size(films, 2)))
-      end do
-      change = maxval(abs(difference), mask=grid%x >= farthest_upstream .and. grid%x <= 0)
-   end function change_since
 
 end module ehlwave_periodic_state

@@ -54,7 +54,7 @@ module ehlwave_time_march
       type(past_t) :: past
       ! that it started in, see `start_in`; absent: it started from rest
       type(known_waves_t), allocatable, private :: waves
-      type(last_period_t), private :: period               ! of the finest level, with `waves`
+      type(last_period_t), private :: period               ! with `waves`
       integer, private :: l = 0                ! level that is marched
       real(dp), private :: start = 0           ! T before the first step
       real(dp), allocatable :: share(:, :)     !! see carried_share
@@ -217,8 +217,7 @@ contains
          self%result%work = self%result%work + multigrid%work() - work_before
          if (self%result%status /= status_converged) return
          call keep_step(self, level, t)
-         ! Steps of coarser grids are solved too loosely: their errors would come back period by period.
-         if (allocated(self%waves) .and. self%l == size(multigrid%levels)) call self%period%keep(t, level%state)
+         if (allocated(self%waves)) call self%period%keep(t, level%state)
       end associate
    end subroutine take_step
 

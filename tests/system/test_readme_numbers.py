@@ -318,6 +318,7 @@ def speeds():
         ("| steady state, 257 x 257 | {} | {} |", [get(steady, "newton"), get(steady, "fas")]),
         ("| one time step, transverse waves of 0.5 a, 257 x 257 | {} | {}, V cycles |", [get(step, "newton"), get(step, "fas")]),
         ("| linear response to them | {} | |", [get("linear response, 257 x 257", "newton")]),
+        ("(a march from rest: 4600) | {} | |", [get("periodic state", "newton")]),
         ("against 257 x 257 | {} times, {} MiB | {} times, {} MiB |",
          [get(ratio, "newton"), get(memory, "newton", "figure"), get(ratio, "fas"), get(memory, "fas", "figure")]),
         ("its steady state {} besides, a march of the waves {} ", [get(steady, "newton"), small_waves("march", cells="256")[0]]),
@@ -373,6 +374,14 @@ def heavy_loads():
         works = [float(row[scheme]) for row in rows if (row["load_parameter_m"], row["radius_ratio_d"]) == contact
                  for scheme in ("averaged", "fitted")]
         claims.append((f"| {int(float(m)):,}, {d} | {{}}, {{}} | {{}}, {{}} | {{}}, {{}} |", works))
+    smooth = {(float(row["load_parameter_m"]), row["radius_ratio_d"]): float(row["averaged"])/float(row["fitted"])
+              for row in rows if float(row["wavelength_over_a"]) == 0}
+    for row in table("heavy/refinement.csv"):
+        contact = float(row["load_parameter_m"]), row["radius_ratio_d"]
+        values = [float(value) for value in list(row.values())[2:]]
+        values = [100*value if n in (0, 1, 2, 4, 6) else value for n, value in enumerate(values)]
+        claims.append((f"| {int(contact[0]):,}, {contact[1]} | {{}} %, {{}} % | {{}} %, {{}} | {{}} %, {{}} | {{}} %, {{}} | {{}} | {{}} |",
+                       [*values, smooth[contact]]))
     return claims
 
 
