@@ -80,8 +80,7 @@ contains
    !> Whether the fitted scheme is written for what the case asks.
    pure logical function suits(case)
       type(case_t), intent(in) :: case
-      suits = case%oil%is_newtonian() .and. .not. (case%heat%is_given() .or. case%is_starved() .or. &
-                                                   case%oil%shear_limit_over_pressure > 0)
+      suits = .not. (case%heat%is_given() .or. case%is_starved())
    end function suits
 
 end module ehlwave_scheme_choice

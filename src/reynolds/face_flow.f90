@@ -9,6 +9,7 @@ module ehlwave_face_flow
    use ehlwave_film_flow, only: across_film_t, along_x, along_y, film_flow_t, flow_by_gx, flow_by_gy, flow_by_h, &
       flow_by_ln_eta, flow_by_p, flow_q, flow_values
    use ehlwave_film_heat, only: film_heat_t
+   use ehlwave_fitted_mean, only: fit_flows
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
    use ehlwave_threads, only: is_shared
@@ -80,7 +81,8 @@ contains
          across = kappa*(oil%p(:, grid%above(j)) - oil%p(:, grid%below(j)))/(2*grid%hy)
          gx = (oil%p(1:n, j) - oil%p(0:n - 1, j))/grid%hx
          gy = 0.5_dp*(across(0:n - 1) + across(1:n))
-         call self%set_row(film, oil, along_x, [0, j], gx, gy, [grid%hx, grid%hx*kappa/(4*grid%hy)], work(j), heat)
+         call self%set_row(film, oil, along_x, [0, j], gx, gy, [grid%hx, grid%hx*kappa/(4*grid%hy)], &
+                           grid%is_fitted, work(j), heat)
       end do
       self%work = sum(work)
    end subroutine evaluate_x
@@ -104,8 +106,8 @@ contains
          above = (oil%p(2:n + 1, j + 1) - oil%p(0:n - 1, j + 1))/(2*grid%hx)
          gx = 0.5_dp*(below + above)
          gy = kappa*(oil%p(1:n, j + 1) - oil%p(1:n, j))/grid%hy
-         call self%set_row(film, oil, along_y, [1, j], gx, gy, [grid%hy/kappa, grid%hy/(4*kappa*grid%hx)], work(j), &
-            heat)
+         call self%set_row(film, oil, along_y, [1, j], gx, gy, [grid%hy/kappa, grid%hy/(4*kappa*grid%hx)], &
+                           grid%is_fitted, work(j), heat)
       end do
       self%work = sum(work)
    end subroutine evaluate_y
@@ -154,7 +156,7 @@ contains
    end subroutine join
 
    !> Fluxes of a row of faces and their derivatives.
-   pure subroutine set_row(self, film, oil, direction, node, gx, gy, weight, work, heat)
+   pure subroutine set_row(self, film, oil, direction, node, gx, gy, weight, fits, work, heat)
       class(face_flow_t), intent(inout) :: self
       type(film_flow_t), intent(in) :: film
       type(node_oil_t), intent(in) :: oil
@@ -162,6 +164,7 @@ contains
       integer, intent(in) :: node(2)             !! first node of the first face
       real(dp), intent(in) :: gx(:), gy(:)       !! dP/dX and kappa dP/dY, (faces)
       real(dp), intent(in) :: weight(2)          !! half of 2 hX or of 2 hY/kappa; the same of `cross`
+      logical, intent(in) :: fits                !! one flow between the nodes, theory eq. (D11)
       real(dp), intent(out) :: work              !! operations that it took: whole numbers, whose sum is exact
       type(film_heat_t), intent(in), optional :: heat
       type(across_film_t), allocatable :: across_film
@@ -214,6 +217,14 @@ contains
       grad_y(n + 1:2*n) = grad_y(:n)
       call film%evaluate(direction, fluidity(:2*n), h(:2*n), grad_x(:2*n), grad_y(:2*n), flow(:, :2*n), points, &
                          across_film)
+      if (fits) then
+         do k = 1, n
+            f = node(1) + driven(k) - 1
+            l = k + n
+            call fit_flows(along, film%n0*max(h(k), h(l))*abs(merge(grad_x(k), grad_y(k), direction == along_x)), &
+                           [h(k), h(l)], [oil%rho(f, node(2)), oil%rho(f + i2, j2)], flow(:, k), flow(:, l))
+         end do
+      end if
       work = real(point_operations, dp)*points + real(place_operations, dp)*2*n
       if (n < size(gx)) call self%rest(oil, film%lambdabar, node, [i2, j2 - node(2)], size(gx))
       associate (j1 => node(2), rho => oil%rho, drho => oil%drho, dln_eta => oil%dln_eta)
