@@ -9,7 +9,7 @@ module ehlwave_face_flow
    use ehlwave_film_flow, only: across_film_t, along_x, along_y, film_flow_t, flow_by_gx, flow_by_gy, flow_by_h, &
       flow_by_ln_eta, flow_by_p, flow_q, flow_values
    use ehlwave_film_heat, only: film_heat_t
-   use ehlwave_fitted_mean, only: fit_flows
+   use ehlwave_fitted_mean, only: fit_flows, intervals
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
    use ehlwave_threads, only: is_shared
@@ -170,7 +170,7 @@ contains
       type(across_film_t), allocatable :: across_film
       ! Qhat at the first nodes, then at those beyond, of faces with a gradient
       real(dp) :: flow(flow_values, 2*size(gx))
-      real(dp), dimension(2*size(gx)) :: fluidity, grad_x, grad_y, h     ! there
+      real(dp), dimension(2*size(gx)) :: density, fluidity, grad_x, grad_y, h     ! there
       integer :: across, along, driven(size(gx)), f, i, i2, j2, k, l, last, n, next, points
       integer, parameter :: beside = 2                                   ! faces beyond one with a gradient
 
@@ -215,17 +215,17 @@ contains
       end if
       grad_x(n + 1:2*n) = grad_x(:n)
       grad_y(n + 1:2*n) = grad_y(:n)
-      call film%evaluate(direction, fluidity(:2*n), h(:2*n), grad_x(:2*n), grad_y(:2*n), flow(:, :2*n), points, &
-                         across_film)
       if (fits) then
-         do k = 1, n
-            f = node(1) + driven(k) - 1
-            l = k + n
-            call fit_flows(along, film%n0*max(h(k), h(l))*abs(merge(grad_x(k), grad_y(k), direction == along_x)), &
-                           [h(k), h(l)], [oil%rho(f, node(2)), oil%rho(f + i2, j2)], flow(:, k), flow(:, l))
-         end do
+         associate (first => node(1) - 1 + driven(:n))
+            density(:2*n) = [oil%rho(first, node(2)), oil%rho(first + i2, j2)]
+         end associate
+         call fit_flows(film, direction, reshape(fluidity(:2*n), [n, 2]), reshape(h(:2*n), [n, 2]), grad_x(:n), &
+                        grad_y(:n), reshape(density(:2*n), [n, 2]), flow(:, :2*n), points, across_film)
+      else
+         call film%evaluate(direction, fluidity(:2*n), h(:2*n), grad_x(:2*n), grad_y(:2*n), flow(:, :2*n), points, &
+                            across_film)
       end if
-      work = real(point_operations, dp)*points + real(place_operations, dp)*2*n
+      work = real(point_operations, dp)*points + real(place_operations, dp)*merge(intervals + 1, 2, fits)*n
       if (n < size(gx)) call self%rest(oil, film%lambdabar, node, [i2, j2 - node(2)], size(gx))
       associate (j1 => node(2), rho => oil%rho, drho => oil%drho, dln_eta => oil%dln_eta)
          do k = 1, n
