@@ -2,18 +2,19 @@
 !>
 !> At a face the pressure gradient along it is the difference of its two nodes, that across it the mean of the central
 !> differences of both. rho Qhat, theory eq. (S4), is evaluated at both nodes with their own P and H and this gradient,
-!> and averaged; with tau0 -> inf this is eps averaged between nodes. Fluxes are in the unit of
+!> and averaged; with tau0 -> inf this is eps averaged between nodes. The fitted scheme has one flow between them, see
+!> `ehlwave_fitted_mean`. Fluxes are in the unit of
 !> (eps_1 + eps_2) (P_2 - P_1), 2 hX rho Qhat_x along X and (2 hY/kappa) rho Qhat_y along Y, so that 1/(2 hX^2) and
 !> kappa^2/(2 hY^2) weight them in the Reynolds equation.
 module ehlwave_face_flow
    use ehlwave_film_flow, only: across_film_t, along_x, along_y, film_flow_t, flow_by_gx, flow_by_gy, flow_by_h, &
       flow_by_ln_eta, flow_by_p, flow_q, flow_values
    use ehlwave_film_heat, only: film_heat_t
-   use ehlwave_fitted_mean, only: fit_flows, intervals
+   use ehlwave_fitted_mean, only: fit_flows, places_of_face
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
    use ehlwave_threads, only: is_shared
-   use ehlwave_work_unit, only: place_operations, point_operations
+   use ehlwave_work_unit, only: fitted_operations, place_operations, point_operations
    implicit none (type, external)
    private
    public :: new_face_flow
@@ -225,7 +226,8 @@ contains
          call film%evaluate(direction, fluidity(:2*n), h(:2*n), grad_x(:2*n), grad_y(:2*n), flow(:, :2*n), points, &
                             across_film)
       end if
-      work = real(point_operations, dp)*points + real(place_operations, dp)*merge(intervals + 1, 2, fits)*n
+      work = real(point_operations, dp)*points + real(place_operations, dp)*merge(places_of_face, 2, fits)*n
+      if (fits) work = work + real(fitted_operations, dp)*n
       if (n < size(gx)) call self%rest(oil, film%lambdabar, node, [i2, j2 - node(2)], size(gx))
       associate (j1 => node(2), rho => oil%rho, drho => oil%drho, dln_eta => oil%dln_eta)
          do k = 1, n

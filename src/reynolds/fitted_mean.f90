@@ -1,13 +1,15 @@
-!> Means of the fitted scheme between two nodes, theory eq. (D11).
+!> Means between two nodes of the fitted scheme, and by them one flow of an oil that thins: theory eq. (D11), (D13).
 module ehlwave_fitted_mean
    use ehlwave_film_flow, only: across_film_t, along_x, film_flow_t, flow_by_gx, flow_by_gy, flow_by_h, &
       flow_by_ln_eta, flow_by_p, flow_q, flow_values
    use ehlwave_kinds, only: dp
    implicit none (type, external)
    private
-   public :: fit_flows, intervals, logarithmic_mean
+   public :: fit_flows, logarithmic_mean
 
-   integer, parameter :: intervals = 2   !! of a face, between whose places flows have logarithmic means
+   integer, parameter, public :: places_of_face = 3   !! where the flow is evaluated: both nodes, and between them
+   real(dp), parameter :: part(2, 0:2) = reshape([1.0_dp, 0.0_dp, 0.5_dp, 0.5_dp, 0.0_dp, 1.0_dp], [2, 3])   ! of nodes
+
    real(dp), parameter :: alike = 0.02_dp   !! |ln(b/a)| below which a series stands for the mean
    !> |Sigma| below which flows are those that derivatives drive: their own ratio is that of round-off.
    real(dp), parameter :: slight_stress = 1e-6_dp
@@ -31,83 +33,65 @@ contains
       by_a = 1 - by_b
    end subroutine logarithmic_mean
 
-   !> One flow through each face from those at places evenly between its nodes, in ln(eta), H and P, at the gradient of
-   !> the face: to each node the flow, and what its own quantities change of it, for densities that weight the nodes.
+   !> One flow through each face of a row at the gradient of the face: to each node the flow, and what its own quantities
+   !> change of it, for densities that weight the nodes.
    pure subroutine fit_flows(film, direction, fluidity, h, gx, gy, rho, flow, points, across)
       type(film_flow_t), intent(in) :: film
       integer, intent(in) :: direction                 !! of the faces: along_x or along_y
       real(dp), intent(in) :: fluidity(:, :), h(:, :)  !! eta0/eta and H, (faces, 2) at their nodes
       real(dp), intent(in) :: gx(:), gy(:)             !! dP/dX and kappa dP/dY, (faces)
       real(dp), intent(in) :: rho(:, :)                !! (faces, 2)
-      real(dp), intent(out) :: flow(:, :)              !! (flow_values, faces*2) at the first nodes, then at the others
+      real(dp), intent(out) :: flow(:, :)              !! (flow_values, 2*faces), those of first nodes first
       integer, intent(out) :: points                   !! see `evaluate` of `film_flow_t`
-      type(across_film_t), intent(in), optional :: across   !! at the nodes, in the order of `flow`
+      type(across_film_t), intent(in), optional :: across   !! P at the nodes, in the order of `flow`
       type(across_film_t), allocatable :: between
-      real(dp), dimension(size(gx), 0:intervals) :: fluid, thick
-      real(dp) :: at_place(flow_values, size(gx)*(intervals + 1)), sigma
-      integer :: k, n
+      real(dp) :: at_place(flow_values, size(gx)*places_of_face), gradient(size(gx)), thick(size(gx), 0:2)
+      integer :: along, k, n
 
       n = size(gx)
-      do k = 0, intervals
-         associate (s => k/real(intervals, dp))
-            fluid(:, k) = fluidity(:, 1)*(fluidity(:, 2)/fluidity(:, 1))**s
-            thick(:, k) = (1 - s)*h(:, 1) + s*h(:, 2)
-         end associate
-      end do
+      thick(:, 0) = h(:, 1)
+      thick(:, 1) = 0.5_dp*(h(:, 1) + h(:, 2))
+      thick(:, 2) = h(:, 2)
       if (present(across)) then
          allocate (between)
-         allocate (between%p(size(at_place, 2)))
-         do k = 0, intervals
-            associate (s => k/real(intervals, dp))
-               between%p(n*k + 1:n*(k + 1)) = (1 - s)*across%p(:n) + s*across%p(n + 1:)
-            end associate
-         end do
+         between%p = [across%p(:n), 0.5_dp*(across%p(:n) + across%p(n + 1:)), across%p(n + 1:)]
       end if
-      call film%evaluate(direction, [fluid], [thick], [spread(gx, 2, intervals + 1)], [spread(gy, 2, intervals + 1)], &
-                         at_place, points, between)
+      call film%evaluate(direction, [fluidity(:, 1), sqrt(fluidity(:, 1))*sqrt(fluidity(:, 2)), fluidity(:, 2)], &
+                         [thick], [gx, gx, gx], [gy, gy, gy], at_place, points, between)
+      along = merge(flow_by_gx, flow_by_gy, direction == along_x)
+      gradient = merge(gx, gy, direction == along_x)
       do k = 1, n
-         sigma = film%n0*maxval(h(k, :))*abs(merge(gx(k), gy(k), direction == along_x))
-         call join(merge(merge(flow_by_gx, flow_by_gy, direction == along_x), flow_q, sigma < slight_stress), &
-                   thick(k, :), rho(k, :), at_place(:, k::n), flow(:, k::n))
+         call join(merge(along, flow_q, film%n0*maxval(thick(k, :))*abs(gradient(k)) < slight_stress), thick(k, :), &
+                   rho(k, :), at_place(:, k::n), flow(:, k::n))
       end do
    end subroutine fit_flows
 
    !> The same of one face.
-   pure subroutine join(told, film, rho, places, nodes)
+   pure subroutine join(told, h, rho, places, nodes)
       integer, intent(in) :: told                   !! which value has the ratio of the flows
-      real(dp), intent(in) :: film(0:), rho(2)      !! H at the places; the density at both nodes
-      real(dp), intent(in) :: places(:, 0:)         !! (flow_values, 0:intervals)
+      real(dp), intent(in) :: h(0:2), rho(2)        !! H at the places; the density at both nodes
+      real(dp), intent(in) :: places(:, 0:)         !! (flow_values, 0:2)
       real(dp), intent(out) :: nodes(:, :)          !! (flow_values, 2)
-      real(dp), dimension(0:ubound(places, 2)) :: q, share
-      real(dp) :: flow, h(2), part(2), sum_h
-      integer :: k, n
+      real(dp) :: ends(2), flow, share(0:2)
+      integer :: k
 
-      n = ubound(places, 2)
-      q = places(told, :)/film**3
-      h = [film(0), film(n)]
-      sum_h = sum(h)
-      share = mean_shares(q)
-      share = 2*product(h)**2/sum_h*share/film**3
+      ends = [h(0), h(2)]
+      share = 2*product(ends)**2/(sum(ends)*h**3)*mean_shares(places(told, :)/h**3)
       flow = dot_product(share, places(flow_q, :))
-      nodes = 0
-      do k = 0, n
-         part = [n - k, k]/real(n, dp)
-         nodes(flow_by_ln_eta, :) = nodes(flow_by_ln_eta, :) + part*share(k)*places(flow_by_ln_eta, k)
-         nodes(flow_by_p, :) = nodes(flow_by_p, :) + part*share(k)*places(flow_by_p, k)
-         nodes(flow_by_h, :) = nodes(flow_by_h, :) &
-                               + part*share(k)*(places(flow_by_h, k) - 3*places(flow_q, k)/film(k))
-         nodes(flow_by_gx, :) = nodes(flow_by_gx, :) + 0.5_dp*share(k)*places(flow_by_gx, k)
-         nodes(flow_by_gy, :) = nodes(flow_by_gy, :) + 0.5_dp*share(k)*places(flow_by_gy, k)
-      end do
-      nodes(flow_by_h, :) = nodes(flow_by_h, :) + flow*(2/h - 1/sum_h)
+      nodes(flow_by_ln_eta, :) = matmul(part, share*places(flow_by_ln_eta, :))
+      nodes(flow_by_p, :) = matmul(part, share*places(flow_by_p, :))
+      nodes(flow_by_h, :) = matmul(part, share*(places(flow_by_h, :) - 3*places(flow_q, :)/h)) &
+                            + flow*(2/ends - 1/sum(ends))
+      nodes(flow_by_gx, :) = 0.5_dp*dot_product(share, places(flow_by_gx, :))
+      nodes(flow_by_gy, :) = 0.5_dp*dot_product(share, places(flow_by_gy, :))
       do k = 1, 2
          nodes(:, k) = nodes(:, k)*sum(rho)/rho(k)
       end do
       nodes(flow_q, :) = flow
    end subroutine join
 
-   !> The derivatives of a mean of flows at places evenly between two by each of them; their sum, weighted by the flows, is
-   !> the mean. That of both halves, L_2, and that of the whole, L_1, leave L_2^(4/3)/L_1^(1/3) exact to fourth order.
+   !> Derivatives of the mean (D13) by what is averaged, whose sum weighted by that is the mean; of one sign without heat,
+   !> else weights of Simpson's rule.
    pure function mean_shares(q) result(share)
       real(dp), intent(in) :: q(0:2)
       real(dp) :: share(0:2)
