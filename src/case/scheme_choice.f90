@@ -1,4 +1,4 @@
-!> The scheme of the Reynolds equation of a case: averaged, or fitted to steep inlets, theory eq. (D11), (D12).
+!> The scheme of the Reynolds equation of a case: averaged, or fitted to steep inlets, theory eq. (D11) to (D13).
 module ehlwave_scheme_choice
    use ehlwave_accuracy_model, only: fitted_share
    use ehlwave_case_definition, only: case_t, roughness_t

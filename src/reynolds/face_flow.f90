@@ -165,7 +165,7 @@ contains
       integer, intent(in) :: node(2)             !! first node of the first face
       real(dp), intent(in) :: gx(:), gy(:)       !! dP/dX and kappa dP/dY, (faces)
       real(dp), intent(in) :: weight(2)          !! half of 2 hX or of 2 hY/kappa; the same of `cross`
-      logical, intent(in) :: fits                !! one flow between the nodes, theory eq. (D11)
+      logical, intent(in) :: fits                !! one flow between the nodes, theory eq. (D13)
       real(dp), intent(out) :: work              !! operations that it took: whole numbers, whose sum is exact
       type(film_heat_t), intent(in), optional :: heat
       type(across_film_t), allocatable :: across_film

@@ -33,8 +33,8 @@ contains
       by_a = 1 - by_b
    end subroutine logarithmic_mean
 
-   !> One flow through each face of a row at the gradient of the face: to each node the flow, and what its own quantities
-   !> change of it, for densities that weight the nodes.
+   !> One flow through each face of a row at the gradient of the face: to each node the flow, and what its own
+   !> quantities change of it, for densities that weight the nodes.
    pure subroutine fit_flows(film, direction, fluidity, h, gx, gy, rho, flow, points, across)
       type(film_flow_t), intent(in) :: film
       integer, intent(in) :: direction                 !! of the faces: along_x or along_y
@@ -90,8 +90,8 @@ contains
       nodes(flow_q, :) = flow
    end subroutine join
 
-   !> Derivatives of the mean (D13) by what is averaged, whose sum weighted by that is the mean; of one sign without heat,
-   !> else weights of Simpson's rule.
+   !> Derivatives of the mean (D13) by what is averaged, whose sum weighted by that is the mean. Without heat all has one
+   !> sign; else the weights are those of Simpson's rule.
    pure function mean_shares(q) result(share)
       real(dp), intent(in) :: q(0:2)
       real(dp) :: share(0:2)
