@@ -10,6 +10,7 @@ program test_face_flow
    use ehlwave_kinds, only: dp
    use ehlwave_oil, only: oil_t
    use ehlwave_rheology, only: rheology_t
+   use ehlwave_shear_limit, only: new_shear_limit
    use sample_contact, only: rheology_of
    use testing, only: test_t
    implicit none (type, external)
@@ -121,6 +122,7 @@ contains
       grid%is_fitted = .true.
       call check_derivatives(grid, eyring_law_t())
       call check_derivatives(grid, new_carreau_law(0.4_dp))
+      call check_derivatives(grid, eyring_law_t(), limit=5.0_dp)
       n = grid%nx
       oil = oil_at(grid, 0.0_dp)
       x = new_face_flow(grid)
@@ -145,9 +147,10 @@ contains
    end subroutine check_fitted
 
    !> Taylor test of all fluxes along changes of P and H.
-   subroutine check_derivatives(grid, law)
+   subroutine check_derivatives(grid, law, limit)
       type(grid_t), intent(in) :: grid
       class(flow_law_t), intent(in) :: law
+      real(dp), intent(in), optional :: limit   !! of the stress over tau0 P
       type(face_flow_t) :: x(3), y(3)
       type(film_flow_t) :: film
       real(dp), parameter :: step(3) = [0.0_dp, 2e-3_dp, 1e-3_dp]
@@ -156,6 +159,7 @@ contains
       integer :: k
 
       film = new_film_flow(law, 1.2_dp, lambdabar, 1.5_dp)
+      if (present(limit)) film%limit = new_shear_limit(limit, 0.1_dp)
       do k = 1, 3
          x(k) = new_face_flow(grid)
          y(k) = new_face_flow(grid)
