@@ -90,8 +90,8 @@ contains
       nodes(flow_q, :) = flow
    end subroutine join
 
-   !> Derivatives of the mean (D13) by what is averaged, whose sum weighted by that is the mean. Without heat all has one
-   !> sign; else the weights are those of Simpson's rule.
+   !> Derivatives of the mean (D13) by what is averaged, whose sum weighted by that is the mean. Without heat all has
+   !> one sign; else the weights are those of Simpson's rule.
    pure function mean_shares(q) result(share)
       real(dp), intent(in) :: q(0:2)
       real(dp) :: share(0:2)
