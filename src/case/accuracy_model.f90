@@ -20,7 +20,8 @@ module ehlwave_accuracy_model
    real(dp), parameter, public :: meniscus_factor = 0.35_dp   !! see expected_meniscus_error
    !> Errors of a fitted scheme over those of the averaged one, by the inlet: as if the inlet were so much less steep.
    !> Measured (96 to 512 cells along X; M = 100 to 10,000, L = 1 to 20, D = 1 to 0.07): 0.02 to 0.065, 0.085 where hX
-   !> is above half an inlet length.
+   !> is above half an inlet length. In oils that thin 0.03 to 0.14 of that of a Newtonian one (Ree-Eyring, 1 to 10 MPa,
+   !> S = 1 to 1.75), where this share of their own is 0.05 to 0.18.
    real(dp), parameter, public :: fitted_share = 1/20.0_dp
    !> Relative error of Ad/Ai by waves along X of a fitted scheme, over the inverse square of their points. Measured:
    !> 0.9 to 1.1 (M = 100, D = 1; M = 1000, D = 0.07; transverse, 0.5 a, 8 to 32 points). Of the averaged scheme it is

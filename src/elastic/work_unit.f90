@@ -30,7 +30,7 @@ module ehlwave_work_unit
    !> record` of a march and of a linear response (M = 100, D = 1, transverse, 0.5 a, 257 x 257 nodes), whose transforms
    !> took 30 and 33 % of the time.
    integer, parameter, public :: evaluation_operations = 450    !! a node: flow, residual and its right side
-   integer, parameter, public :: place_operations = 500   !! a place (two a face) of a flow that is not Newtonian;
+   integer, parameter, public :: place_operations = 500   !! a place (2 or 3 a face) of a flow that is not Newtonian;
                                                           !! Ree-Eyring measured
    integer, parameter, public :: point_operations = 60    !! a point across the film there, each time the oil is asked;
                                                           !! Carreau's takes 150

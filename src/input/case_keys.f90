@@ -206,8 +206,8 @@ contains
          choices='auto fft mlmi'))
       call list%see(case%scheme, key_t('scheme', "differences of the Reynolds equation; 'averaged': eps averaged "// &
          "between nodes, upstream differences of second order; 'fitted': fluxes that integrate steep inlets "// &
-         "between nodes, upstream differences of third order, for heavy loads; Newtonian oils, without heat, in "// &
-         "flooded contacts; 'auto': 'fitted' for an accuracy that takes clearly fewer cells so, else 'averaged'", &
+         "between nodes, upstream differences of third order, for heavy loads; without heat, in flooded contacts; "// &
+         "'auto': 'fitted' for an accuracy that takes clearly fewer cells so, else 'averaged'", &
          choices='auto averaged fitted', is_late=.true.))
       call list%see(case%error_estimate, key_t('error_estimate', "estimate of the error of Ad/Ai; 'coarse_grid': "// &
          "from the "// &

@@ -2,17 +2,19 @@
 !>
 !> At a face the pressure gradient along it is the difference of its two nodes, that across it the mean of the central
 !> differences of both. rho Qhat, theory eq. (S4), is evaluated at both nodes with their own P and H and this gradient,
-!> and averaged; with tau0 -> inf this is eps averaged between nodes. Fluxes are in the unit of
+!> and averaged; with tau0 -> inf this is eps averaged between nodes. The fitted scheme has one flow between them, see
+!> `ehlwave_fitted_mean`. Fluxes are in the unit of
 !> (eps_1 + eps_2) (P_2 - P_1), 2 hX rho Qhat_x along X and (2 hY/kappa) rho Qhat_y along Y, so that 1/(2 hX^2) and
 !> kappa^2/(2 hY^2) weight them in the Reynolds equation.
 module ehlwave_face_flow
    use ehlwave_film_flow, only: across_film_t, along_x, along_y, film_flow_t, flow_by_gx, flow_by_gy, flow_by_h, &
       flow_by_ln_eta, flow_by_p, flow_q, flow_values
    use ehlwave_film_heat, only: film_heat_t
+   use ehlwave_fitted_mean, only: fit_flows, places_of_face
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
    use ehlwave_threads, only: is_shared
-   use ehlwave_work_unit, only: place_operations, point_operations
+   use ehlwave_work_unit, only: fitted_operations, place_operations, point_operations
    implicit none (type, external)
    private
    public :: new_face_flow
@@ -80,7 +82,8 @@ contains
          across = kappa*(oil%p(:, grid%above(j)) - oil%p(:, grid%below(j)))/(2*grid%hy)
          gx = (oil%p(1:n, j) - oil%p(0:n - 1, j))/grid%hx
          gy = 0.5_dp*(across(0:n - 1) + across(1:n))
-         call self%set_row(film, oil, along_x, [0, j], gx, gy, [grid%hx, grid%hx*kappa/(4*grid%hy)], work(j), heat)
+         call self%set_row(film, oil, along_x, [0, j], gx, gy, [grid%hx, grid%hx*kappa/(4*grid%hy)], &
+                           grid%is_fitted, work(j), heat)
       end do
       self%work = sum(work)
    end subroutine evaluate_x
@@ -104,8 +107,8 @@ contains
          above = (oil%p(2:n + 1, j + 1) - oil%p(0:n - 1, j + 1))/(2*grid%hx)
          gx = 0.5_dp*(below + above)
          gy = kappa*(oil%p(1:n, j + 1) - oil%p(1:n, j))/grid%hy
-         call self%set_row(film, oil, along_y, [1, j], gx, gy, [grid%hy/kappa, grid%hy/(4*kappa*grid%hx)], work(j), &
-            heat)
+         call self%set_row(film, oil, along_y, [1, j], gx, gy, [grid%hy/kappa, grid%hy/(4*kappa*grid%hx)], &
+                           grid%is_fitted, work(j), heat)
       end do
       self%work = sum(work)
    end subroutine evaluate_y
@@ -154,7 +157,7 @@ contains
    end subroutine join
 
    !> Fluxes of a row of faces and their derivatives.
-   pure subroutine set_row(self, film, oil, direction, node, gx, gy, weight, work, heat)
+   pure subroutine set_row(self, film, oil, direction, node, gx, gy, weight, fits, work, heat)
       class(face_flow_t), intent(inout) :: self
       type(film_flow_t), intent(in) :: film
       type(node_oil_t), intent(in) :: oil
@@ -162,12 +165,13 @@ contains
       integer, intent(in) :: node(2)             !! first node of the first face
       real(dp), intent(in) :: gx(:), gy(:)       !! dP/dX and kappa dP/dY, (faces)
       real(dp), intent(in) :: weight(2)          !! half of 2 hX or of 2 hY/kappa; the same of `cross`
+      logical, intent(in) :: fits                !! one flow between the nodes, theory eq. (D13)
       real(dp), intent(out) :: work              !! operations that it took: whole numbers, whose sum is exact
       type(film_heat_t), intent(in), optional :: heat
       type(across_film_t), allocatable :: across_film
       ! Qhat at the first nodes, then at those beyond, of faces with a gradient
       real(dp) :: flow(flow_values, 2*size(gx))
-      real(dp), dimension(2*size(gx)) :: fluidity, grad_x, grad_y, h     ! there
+      real(dp), dimension(2*size(gx)) :: density, fluidity, grad_x, grad_y, h     ! there
       integer :: across, along, driven(size(gx)), f, i, i2, j2, k, l, last, n, next, points
       integer, parameter :: beside = 2                                   ! faces beyond one with a gradient
 
@@ -212,9 +216,18 @@ contains
       end if
       grad_x(n + 1:2*n) = grad_x(:n)
       grad_y(n + 1:2*n) = grad_y(:n)
-      call film%evaluate(direction, fluidity(:2*n), h(:2*n), grad_x(:2*n), grad_y(:2*n), flow(:, :2*n), points, &
-                         across_film)
-      work = real(point_operations, dp)*points + real(place_operations, dp)*2*n
+      if (fits) then
+         associate (first => node(1) - 1 + driven(:n))
+            density(:2*n) = [oil%rho(first, node(2)), oil%rho(first + i2, j2)]
+         end associate
+         call fit_flows(film, direction, reshape(fluidity(:2*n), [n, 2]), reshape(h(:2*n), [n, 2]), grad_x(:n), &
+                        grad_y(:n), reshape(density(:2*n), [n, 2]), flow(:, :2*n), points, across_film)
+      else
+         call film%evaluate(direction, fluidity(:2*n), h(:2*n), grad_x(:2*n), grad_y(:2*n), flow(:, :2*n), points, &
+                            across_film)
+      end if
+      work = real(point_operations, dp)*points + real(place_operations, dp)*merge(places_of_face, 2, fits)*n
+      if (fits) work = work + real(fitted_operations, dp)*n
       if (n < size(gx)) call self%rest(oil, film%lambdabar, node, [i2, j2 - node(2)], size(gx))
       associate (j1 => node(2), rho => oil%rho, drho => oil%drho, dln_eta => oil%dln_eta)
          do k = 1, n

@@ -12,6 +12,7 @@
 !> with phi = 1/eta and rho the mean density.
 module ehlwave_fitted_flux
    use ehlwave_face_flow, only: face_flow_t, node_oil_t
+   use ehlwave_fitted_mean, only: logarithmic_mean
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
    use ehlwave_threads, only: is_shared
@@ -19,8 +20,6 @@ module ehlwave_fitted_flux
    implicit none (type, external)
    private
    public :: fit_faces
-
-   real(dp), parameter :: alike = 0.02_dp   !! |ln(phi_2/phi_1)| below which a series stands for the mean
 
 contains
 
@@ -58,7 +57,7 @@ contains
       do k = 0, n - 1
          i = node(1) + k
          i2 = i + shift(1)
-         call mean_fluidity(oil%fluidity(i, j), oil%fluidity(i2, j2), mean, by_1, by_2)
+         call logarithmic_mean(oil%fluidity(i, j), oil%fluidity(i2, j2), mean, by_1, by_2)
          sum_h = oil%h(i, j) + oil%h(i2, j2)
          rho = oil%rho(i, j) + oil%rho(i2, j2)
          conductance = rho*mean*2*(oil%h(i, j)*oil%h(i2, j2))**2/(sum_h*lambdabar)
@@ -71,22 +70,5 @@ contains
          faces%by_h2(i, j) = conductance*difference*(2/oil%h(i2, j2) - 1/sum_h)
       end do
    end subroutine fit_row
-
-   !> Mean of exp(t) between ln(a) and ln(b), (b - a)/ln(b/a), and the derivatives of its logarithm by ln(a) and ln(b).
-   pure subroutine mean_fluidity(a, b, mean, by_a, by_b)
-      real(dp), intent(in) :: a, b                !! > 0
-      real(dp), intent(out) :: mean, by_a, by_b
-      real(dp) :: t
-
-      t = log(b/a)
-      if (abs(t) < alike) then
-         mean = sqrt(a*b)*(1 + t**2/24 + t**4/1920)
-         by_b = 0.5_dp + t/12 - t**3/720
-      else
-         mean = (b - a)/t
-         by_b = (b - mean)/(b - a)
-      end if
-      by_a = 1 - by_b
-   end subroutine mean_fluidity
 
 end module ehlwave_fitted_flux

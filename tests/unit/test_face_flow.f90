@@ -4,11 +4,13 @@ program test_face_flow
    use ehlwave_eyring_law, only: eyring_law_t
    use ehlwave_face_flow, only: face_flow_t, new_face_flow, node_oil_t
    use ehlwave_film_flow, only: film_flow_t, new_film_flow
+   use ehlwave_fitted_flux, only: fit_faces
    use ehlwave_flow_law, only: flow_law_t
    use ehlwave_grid, only: grid_t, new_grid, new_line_grid
    use ehlwave_kinds, only: dp
    use ehlwave_oil, only: oil_t
    use ehlwave_rheology, only: rheology_t
+   use ehlwave_shear_limit, only: new_shear_limit
    use sample_contact, only: rheology_of
    use testing, only: test_t
    implicit none (type, external)
@@ -28,6 +30,7 @@ program test_face_flow
    call check_derivatives(new_grid(-2.5_dp, 1.5_dp, 2.0_dp, cells, cells, is_half=.true.), eyring_law_t())
    call check_derivatives(new_grid(-2.5_dp, 1.5_dp, 2.0_dp, cells, cells, is_half=.true.), new_carreau_law(0.4_dp))
    call check_derivatives(new_line_grid(-2.5_dp, 1.5_dp, cells), eyring_law_t())
+   call check_fitted(new_grid(-2.5_dp, 1.5_dp, 2.0_dp, cells, cells, is_half=.true.))
    call check_half()
    call test%finish()
 
@@ -106,10 +109,48 @@ contains
       if (grid%is_line) call test%check(maxval(abs(y%flux)) <= 0, 'no flow across a line contact')
    end subroutine check_newtonian
 
+   !> Fitted fluxes: tau0 -> inf has those of a Newtonian oil; between nodes alike the averaged ones; derivatives.
+   subroutine check_fitted(given)
+      type(grid_t), intent(in) :: given
+      type(grid_t) :: grid
+      type(face_flow_t) :: x(2), y(2)
+      type(node_oil_t) :: oil
+      type(film_flow_t) :: film
+      integer :: n
+
+      grid = given
+      grid%is_fitted = .true.
+      call check_derivatives(grid, eyring_law_t())
+      call check_derivatives(grid, new_carreau_law(0.4_dp))
+      call check_derivatives(grid, eyring_law_t(), limit=5.0_dp)
+      n = grid%nx
+      oil = oil_at(grid, 0.0_dp)
+      x = new_face_flow(grid)
+      y = x
+      film = new_film_flow(eyring_law_t(), 1e-9_dp, lambdabar, 1.5_dp)
+      call x(1)%evaluate_x(grid, kappa, film, oil)
+      call y(1)%evaluate_y(grid, kappa, film, oil)
+      call fit_faces(grid, lambdabar, oil, x(2), y(2))
+      call test%check_close([x(1)%flux(:n - 1, :grid%last_row)], [x(2)%flux(:n - 1, :grid%last_row)], &
+                            'fitted Newtonian flux along X', relative=1e-9_dp, absolute=1e-12_dp)
+      call test%check_close([y(1)%flux(1:n - 1, :grid%last_row)], [y(2)%flux(1:n - 1, :grid%last_row)], 'along Y', &
+                            relative=1e-9_dp, absolute=1e-12_dp)
+      call test%check_close([x(1)%own(:n - 1, :grid%last_row)], [x(2)%own(:n - 1, :grid%last_row)], &
+                            'its coefficient', relative=1e-9_dp)
+      film = new_film_flow(eyring_law_t(), 1.2_dp, lambdabar, 1.5_dp)
+      oil%fluidity(:, :) = 0.01_dp
+      oil%h(:, :) = 0.2_dp
+      call x(1)%evaluate_x(grid, kappa, film, oil)
+      call x(2)%evaluate_x(given, kappa, film, oil)
+      call test%check_close([x(1)%flux], [x(2)%flux], 'nodes alike', relative=1e-9_dp, absolute=1e-12_dp)
+      call test%check_close([x(1)%cross], [x(2)%cross], 'across', relative=1e-9_dp, absolute=1e-12_dp)
+   end subroutine check_fitted
+
    !> Taylor test of all fluxes along changes of P and H.
-   subroutine check_derivatives(grid, law)
+   subroutine check_derivatives(grid, law, limit)
       type(grid_t), intent(in) :: grid
       class(flow_law_t), intent(in) :: law
+      real(dp), intent(in), optional :: limit   !! of the stress over tau0 P
       type(face_flow_t) :: x(3), y(3)
       type(film_flow_t) :: film
       real(dp), parameter :: step(3) = [0.0_dp, 2e-3_dp, 1e-3_dp]
@@ -118,6 +159,7 @@ contains
       integer :: k
 
       film = new_film_flow(law, 1.2_dp, lambdabar, 1.5_dp)
+      if (present(limit)) film%limit = new_shear_limit(limit, 0.1_dp)
       do k = 1, 3
          x(k) = new_face_flow(grid)
          y(k) = new_face_flow(grid)

@@ -35,6 +35,8 @@ program test_reynolds
       call check_jacobian(0.12_dp, is_half, barus, 2, is_fitted=.true.)
       call check_jacobian(1.0_dp, is_half, roelands, steady, eyring_law_t())
       call check_jacobian(0.35_dp, is_half, roelands, 1, new_carreau_law(0.4_dp))
+      call check_jacobian(1.0_dp, is_half, roelands, steady, eyring_law_t(), is_fitted=.true.)
+      call check_jacobian(0.35_dp, is_half, roelands, 1, new_carreau_law(0.4_dp), is_fitted=.true.)
    end do
    call check_uniform_flow()
    call compare_half_with_whole()

@@ -4,6 +4,7 @@ program test_scheme_choice
    use ehlwave_case_definition, only: case_t
    use ehlwave_errors, only: error_t
    use ehlwave_kinds, only: dp
+   use ehlwave_oil, only: eyring
    use ehlwave_planned_case, only: case_plan_t
    use sample_plan, only: plan_of
    use testing, only: test_t
@@ -18,6 +19,12 @@ program test_scheme_choice
    call check(with_waves(100.0_dp, 0.5_dp), 'auto', 'waves and a light load')
    call check(with_waves(10000.0_dp, 0.5_dp), 'fitted', 'waves and a heavy one')
    call check(with_waves(1000.0_dp, 0.1_dp), 'auto', 'waves so short that they decide on the grid')
+   case = sample(300.0_dp)
+   case%slip_parameter = 1.3_dp
+   case%data%reduced_modulus_pa = 226e9_dp
+   case%oil%flow_law = eyring
+   case%oil%eyring_stress_pa = 2e6_dp
+   call check(case, 'fitted', 'an oil that thins')
    case = sample(10000.0_dp)
    case%accuracy = 0
    call check(case, 'auto', 'no accuracy')

@@ -5,28 +5,38 @@ import unittest
 from ehlwave_program import TestCase, report, solve
 
 HEAVY = {"load_parameter_m": 300, "lubricant_parameter_l": 12.05, "radius_ratio_d": 1}
+SLIDING = {**HEAVY, "slip_parameter": 1.3, "reduced_modulus_pa": 2.26e11}
+EYRING = {"flow_law": "eyring", "eyring_stress_pa": 2e6}
 LINE = {"load_parameter_m": 100, "lubricant_parameter_l": 11, "radius_ratio_d": 0}
 WAVES = {"orientation": "transverse", "wavelength_over_a": 1}
 CELLS = (64, 128, 256)
+ERRORS = {"central_film": "central_film_error", "harmonic_ratio": "harmonic_error", "friction_coefficient": "friction_error"}
 
 
-def contact(scheme, cells, conditions=HEAVY, waves=None, **solver):
+def contact(scheme, cells, conditions=HEAVY, waves=None, oil=None, **solver):
     """One contact on so many cells along each side."""
     grid = {"cells_x": cells} if conditions["radius_ratio_d"] == 0 else {"cells_x": cells, "cells_y": cells}
     groups = {"conditions": conditions, "grid": grid, "solver": {"scheme": scheme, **solver}}
+    if oil:
+        groups["lubricant"] = oil
     return solve(**groups, waviness=waves) if waves else solve(**groups)
 
 
-class Fitted(TestCase):
+class BothSchemes:
+    """Three grids of either scheme, for a contact and its oil."""
+
+    conditions, oil = HEAVY, None
+    shares = (("central_film", 0.1), ("harmonic_ratio", 0.2))   # of the averaged error that may be left
+
     @classmethod
     def setUpClass(cls):
         waves = {**WAVES, "response": "harmonic"}
-        cls.fitted = [contact("fitted", cells, waves=waves) for cells in CELLS]
-        cls.averaged = [contact("averaged", cells, waves=waves) for cells in CELLS]
+        cls.fitted, cls.averaged = ([contact(scheme, cells, cls.conditions, waves, cls.oil) for cells in CELLS]
+                                    for scheme in ("fitted", "averaged"))
 
     def test_same_limit(self):
         """Both schemes agree within their errors; averaged values are extrapolated with their own order."""
-        for column in "central_film", "harmonic_ratio":
+        for column, _ in self.shares:
             with self.subTest(column=column):
                 coarse, fine = (result[column] for result in self.averaged[1:])
                 limit = fine + (fine - coarse) / 3
@@ -36,14 +46,14 @@ class Fitted(TestCase):
 
     def test_errors(self):
         """A fraction of the error of the averaged scheme on the same grid; estimates cover it."""
-        for column, share in (("central_film", 0.1), ("harmonic_ratio", 0.2)):
+        for column, share in self.shares:
             best = self.fitted[-1][column]
             for cells, fitted, averaged in zip(CELLS[:2], self.fitted, self.averaged):
                 with self.subTest(column=column, cells=cells):
                     error, usual = (abs(result[column] / best - 1) for result in (fitted, averaged))
                     report(f"{column}, {cells} cells: error {error:.1e}, averaged {usual:.1e}")
                     self.assertLess(error, share * usual)
-                    estimate = fitted["central_film_error" if column == "central_film" else "harmonic_error"]
+                    estimate = fitted[ERRORS[column]]
                     self.assertLess(error, 1.5 * estimate)
 
     def test_order(self):
@@ -57,9 +67,19 @@ class Fitted(TestCase):
         for steps in 1, 0.5:
             with self.subTest(time_step_over_cell=steps):
                 waves = {**WAVES, "amplitude_over_film": 0.01, "response": "both"}
-                result = contact("fitted", CELLS[0], waves=waves, time_step_over_cell=steps, error_estimate="model")
+                result = contact("fitted", CELLS[0], self.conditions, waves, self.oil, time_step_over_cell=steps,
+                                 error_estimate="model")
                 self.check_close(result["amplitude_ratio_fit"], result["harmonic_ratio"], 5e-4, "Ad/Ai")
 
+
+class SlidingThinning(BothSchemes, TestCase):
+    """A Ree-Eyring oil between surfaces that slide."""
+
+    conditions, oil = SLIDING, EYRING
+    shares = (("central_film", 0.1), ("harmonic_ratio", 0.2), ("friction_coefficient", 0.5))
+
+
+class Fitted(BothSchemes, TestCase):
     def test_multigrid_has_the_same_solution(self):
         result = contact("fitted", CELLS[1], method="fas", tolerance=1e-6)
         self.check_close(result["central_film"], self.fitted[1]["central_film"], 2e-6, "central film")

@@ -215,9 +215,8 @@ def _method(c: Contact, row: Row) -> Value:
 
 
 def _scheme(c: Contact, row: Row) -> Value:
-    thins = row.get("flow_law", "newtonian") != "newtonian" or "shear_limit_over_pressure" in row
     starved = {"oil_over_flooded", "oil_layer_m"} & set(row)
-    return None if c.is_warm or thins or starved else c.scheme
+    return None if c.is_warm or starved else c.scheme
 
 
 def _oil(c: Contact, row: Row) -> Value:
