@@ -240,7 +240,7 @@ contains
             return
          end if
          allocate (x(linear%n), response%p(0:grid%nx, 0:grid%ny), response%h(0:grid%nx, 0:grid%ny))
-         call linear%borrow(levels, in_single=linear%n > self%gmres%many_unknowns)   ! as its columns are then
+         call linear%borrow(levels)
          call self%gmres%solve(linear, b, x, self%tolerance)
          response%linear_steps = self%gmres%steps
          response%reduction = self%gmres%reduction
