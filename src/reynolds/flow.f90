@@ -31,6 +31,7 @@ module ehlwave_flow
       procedure :: fit
       procedure :: has_face_fluxes
       procedure :: mobility
+      procedure :: fall_along
       procedure :: inject_from
       procedure :: film_work
    end type flow_t
@@ -38,6 +39,17 @@ module ehlwave_flow
    real(dp), parameter :: slight = 1e-6_dp   !! share of what a gradient drives
 
 contains
+
+   !> How much the pressure falls along X next to each node inside a row, as a change of ln(eps) at fixed film.
+   pure function fall_along(self, j) result(fall)
+      class(flow_t), intent(in) :: self
+      integer, intent(in) :: j                     !! row
+      real(dp) :: fall(ubound(self%p, 1) - 1)
+      associate (n => size(fall))
+         fall = max(0.0_dp, self%p(:n - 1, j) - self%p(1:n, j), self%p(1:n, j) - self%p(2:, j))* &
+                abs(self%eps_p(1:n, j))/max(self%eps(1:n, j), tiny(1.0_dp))
+      end associate
+   end function fall_along
 
    !> Work space for a grid.
    pure function new_flow(grid) result(self)

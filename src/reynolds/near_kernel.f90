@@ -13,6 +13,7 @@ module ehlwave_near_kernel
       integer :: least_fine_x = 3                  !! the same on grids of more than `fine_cells` along X
       real(dp) :: stretch_x = 1, stretch_y = 1     !! reach over that of a pattern isotropic in metres
       real(dp) :: taper = 0                        !! power of the taper, 0: plain cut
+      real(dp) :: least_taper = 0                  !! the same of patterns of an ellipse that reach least
    end type near_settings_t
 
    !> Influence coefficients of a pattern.
@@ -47,9 +48,10 @@ contains
       type(near_settings_t), intent(in) :: settings
       real(dp), intent(in), optional :: along   !! wave number along a line contact, 1/a; absent: 0
       type(near_kernel_t) :: self
-      real(dp) :: aspect
+      real(dp) :: aspect, taper
       integer :: i, j, least
 
+      taper = settings%taper
       if (grid%is_line) then
          self%reach_x = largest_reach
          self%reach_y = 0
@@ -59,6 +61,7 @@ contains
          if (grid%nx > fine_cells) least = max(least, settings%least_fine_x)
          self%reach_x = min(largest_reach, max(least, nint(settings%stretch_x*aspect)))
          self%reach_y = min(largest_reach, max(1, nint(settings%stretch_y/aspect)))
+         if (self%reach_x == least .and. self%reach_y == 1) taper = settings%least_taper
       end if
       self%entries = (2*self%reach_x + 1)*(2*self%reach_y + 1)
       allocate (self%influence(-self%reach_x - 2:self%reach_x + 2, -self%reach_y - 1:self%reach_y + 1))
@@ -68,7 +71,7 @@ contains
             if (present(along)) then
                if (along > 0) self%influence(i, j) = line_wave_influence(i*grid%hx, grid%hx, along)
             end if
-            if (settings%taper > 0) self%influence(i, j) = window(self, i, j)**settings%taper*self%influence(i, j)
+            if (taper > 0) self%influence(i, j) = window(self, i, j)**taper*self%influence(i, j)
          end do
       end do
    end function new_near_kernel

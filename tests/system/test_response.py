@@ -95,6 +95,15 @@ class Response(TestCase):
         self.assertIn("would touch the other surface at X", films[1]["warning"])
         self.assertIn("would touch", films[1]["validity"])
 
+    def test_work_at_a_steep_spike(self):
+        """Waves move the spike of Barus' oil, which no coarser grid has: 18 steps and 54 work units before."""
+        book = solve(conditions={"load_parameter_m": 20, "lubricant_parameter_l": 10, "radius_ratio_d": 1},
+                     lubricant={"viscosity_law": "barus", "density_law": "incompressible"},
+                     grid={"x_min": -4.5, "x_max": 1.5, "y_max": 3, "cells_x": 512, "cells_y": 512},
+                     waviness={**WAVES, "wavelength_over_a": 0.5}, solver={"error_estimate": "model"})
+        self.assertLessEqual(book["harmonic_linear_steps"], 15)
+        self.assertLessEqual(book["harmonic_counted_work_units"], 47)
+
     def test_refusals(self):
         self.refuse("response", waviness={**WAVES, "response": "linear"})
         self.refuse("load_factor", waviness=WAVES, dynamics={"load_factor": 1.1})
