@@ -10,10 +10,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import h5py
 import numpy as np
 
 from ehlwave.errors import ResultsError
+from ehlwave.hdf5 import opened
 from studies.programs import last_line, run_case
 
 CONTACTS = tuple((m, d) for m in (1000, 3000, 10000) for d in (1, 0.07))  # M and D; L = 12.05
@@ -59,7 +59,7 @@ def fields(m: float, d: float, scheme: str) -> tuple[dict[str, Any], dict[str, n
         outcome = run_case(groups, "--json", "--quiet", "--output", str(path))
         if outcome.returncode != 0:
             raise ResultsError(outcome.stderr[-500:])
-        with h5py.File(path) as file:
+        with opened(path) as file:
             names = "x", "y", "pressure", "film"
             return last_line(outcome), {name: np.asarray(file[name]) for name in names}
 

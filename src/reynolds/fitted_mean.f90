@@ -58,6 +58,7 @@ contains
       end if
       call film%evaluate(direction, [fluidity(:, 1), sqrt(fluidity(:, 1))*sqrt(fluidity(:, 2)), fluidity(:, 2)], &
                          [thick], [gx, gx, gx], [gy, gy, gy], at_place, points, between)
+      if (.not. present(across)) at_place(flow_by_p, :) = 0   ! there is no limit of the stress
       along = merge(flow_by_gx, flow_by_gy, direction == along_x)
       gradient = merge(gx, gy, direction == along_x)
       do k = 1, n
