@@ -58,7 +58,6 @@ contains
       end if
       call film%evaluate(direction, [fluidity(:, 1), sqrt(fluidity(:, 1))*sqrt(fluidity(:, 2)), fluidity(:, 2)], &
                          [thick], [gx, gx, gx], [gy, gy, gy], at_place, points, between)
-      if (.not. present(across)) at_place(flow_by_p, :) = 0   ! there is no limit of the stress
       along = merge(flow_by_gx, flow_by_gy, direction == along_x)
       gradient = merge(gx, gy, direction == along_x)
       do k = 1, n
@@ -86,7 +85,7 @@ contains
       nodes(flow_by_gx, :) = 0.5_dp*dot_product(share, places(flow_by_gx, :))
       nodes(flow_by_gy, :) = 0.5_dp*dot_product(share, places(flow_by_gy, :))
       do k = 1, 2
-         nodes(:, k) = nodes(:, k)*sum(rho)/rho(k)
+         nodes(flow_q + 1:, k) = nodes(flow_q + 1:, k)*sum(rho)/rho(k)
       end do
       nodes(flow_q, :) = flow
    end subroutine join

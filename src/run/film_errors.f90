@@ -30,8 +30,8 @@ module ehlwave_film_errors
    !> Of the error to expect of a film, of a fitted scheme at least: it goes up and down with the mesh, and grids agree
    !> by chance (isoviscous, M = 221: 0.02269, 0.02271, 0.02262, 0.02262 on 32 to 256 cells).
    real(dp), parameter :: least_share = 0.8_dp
-   !> The same of oils that thin, whose inlet is steeper in places than as a whole: one was off by 4.9 times what is to be
-   !> expected (M = 197, Ree-Eyring, 13 MPa, S = 0.78, 128 x 128 cells).
+   !> The same of oils that thin, whose inlet is steeper in places than as a whole: one was off by 4.9 times what is to
+   !> be expected (M = 197, Ree-Eyring, 13 MPa, S = 0.78, 128 x 128 cells).
    real(dp), parameter :: thinning_share = 3
    !> And of hX^2 + hY^2: what is left at the centre, not by the inlet. Of 400 random fitted contacts three with 24 and
    !> 32 cells along X were off by 0.24, 0.3 and 0.6 of it, 4 times what was said.
