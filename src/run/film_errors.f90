@@ -147,7 +147,8 @@ contains
    !> An error that is at least so much; NaN stays.
    pure real(dp) function at_least(least, error)
       real(dp), intent(in) :: least, error
-      at_least = error + max(0.0_dp, least - error)
+      at_least = error
+      if (ieee_is_finite(error)) at_least = max(least, error)
    end function at_least
 
    !> A share of the film without error as a share of the one found. Found too thin by 0.6 of the true film (starved, hY
