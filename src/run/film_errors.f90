@@ -4,7 +4,7 @@ module ehlwave_film_errors
    use ehlwave_accuracy_model, only: fitted_share, grids_margin, spike_factor
    use ehlwave_case_account, only: add_warning
    use ehlwave_case_result, only: case_result_t
-   use ehlwave_error_estimate, only: estimate_error, likely_order, observed_order
+   use ehlwave_error_estimate, only: estimate_error, formal_order, likely_order, observed_order
    use ehlwave_friction_error, only: estimate_friction_error
    use ehlwave_grid, only: grid_t
    use ehlwave_hierarchy, only: hierarchy_t
@@ -46,7 +46,7 @@ module ehlwave_film_errors
    real(dp), parameter :: starved_share = 0.5_dp   !! of 1 - R
    real(dp), parameter :: full_margin = 2
    !> Order with two grids: one with a meniscus was off by 3 times what the second order says (S = 0.26, R = 0.33).
-   real(dp), parameter :: starved_order = 1, full_order = 2
+   real(dp), parameter :: starved_order = 1
 
    !> Tangent factor at the centre from which on grids tell less of films of oils with a limit of their stress: three
    !> such line contacts of 45 with a limit were off by 1.1, 1.3 and 8 times the estimate.
@@ -90,7 +90,7 @@ contains
 
       n = size(multigrid%levels)
       result%central_film_error = estimate_error(multigrid%levels(n:1:-1)%central_film, &
-                                                 merge(starved_order, full_order, plan%inlet%is_short()))
+                                                 merge(starved_order, formal_order, plan%inlet%is_short()))
       if (plan%is_fitted) result%central_film_error = &
          at_least(merge(least_share, thinning_share, plan%rheology%is_newtonian())*plan%expected_film_mesh_error(), &
                   result%central_film_error)
@@ -128,10 +128,8 @@ contains
       if (ieee_is_finite(result%shear%friction_coefficient)) result%friction_error = spread* &
          estimate_friction_error(multigrid%levels(n:1:-1), stress, averaged_error(plan, result))
       result%friction_error = at_least(merge(fitted_sum, sum_factor, plan%is_fitted)*plan%hx**2, result%friction_error)
-      if (plan%is_fitted) then
-         result%central_film_error = &
-            at_least(centre_share*(plan%hx**2 + plan%hy**2), result%central_film_error)
-      end if
+      if (plan%is_fitted) result%central_film_error = &
+         at_least(centre_share*(plan%hx**2 + plan%hy**2), result%central_film_error)
       if (ieee_is_finite(result%heat%isothermal_film)) call add_steepness(plan, result)
       if (.not. ieee_is_finite(result%friction_error)) return
       if (result%shear%cancellation > 1/epsilon(1.0_dp)) return

@@ -179,8 +179,8 @@ contains
             call monitor%step_done('time step towards the periodic state', k, settings%steps)
             if (monitor%request /= go_on) exit
             call carried%see(k, multigrid%levels(l)%state%h)
-            if (carried%is_known(k)) self%change = carried%largest(is_finest)/settings%amplitude()
             if (.not. carried%is_known(k)) cycle
+            self%change = carried%largest(is_finest)/settings%amplitude()
             self%is_found = self%change <= tolerance
             if (self%is_found .and. is_finest) call carried%correct(result%central_film(:k))
             if (self%is_found) exit
