@@ -9,7 +9,7 @@ module ehlwave_accuracy_model
    implicit none (type, external)
    private
    public :: expected_film_error, expected_long_step_error, expected_meniscus_error, expected_ratio_error, &
-      expected_step_error, largest_mesh, light_ratio_error, points_for, spike_factor, steady_work_units, step_work_units
+      expected_step_error, largest_mesh, points_for, spike_factor, steady_work_units, step_work_units
 
    real(dp), parameter :: film_factor = 0.172_dp           !! model 'film'
    real(dp), parameter :: moving_factor = 0.265_dp         !! model 'moving_ratio'
@@ -27,7 +27,6 @@ module ehlwave_accuracy_model
    !> 0.9 to 1.1 (M = 100, D = 1; M = 1000, D = 0.07; transverse, 0.5 a, 8 to 32 points). Of the averaged scheme it is
    !> part of the other.
    real(dp), parameter, public :: wave_x_factor = 1.05_dp
-   real(dp), parameter :: light_factor(2) = [8.0_dp, 5.0_dp]   !! see light_ratio_error: by the model, and by grids
    real(dp), parameter :: time_step_factor = 2.43_dp        !! model 'time_step'
    real(dp), parameter :: step_tolerance_factor = 1.26_dp  !! model 'step_tolerance': four of five runs are below
    real(dp), parameter :: steady_cost(3) = [66.7_dp, -0.265_dp, 0.0870_dp]   !! model 'steady_cost'
@@ -91,18 +90,6 @@ contains
       real(dp), intent(in) :: hx_over_distance   !! 0 of flooded contacts
       expected_meniscus_error = meniscus_factor*hx_over_distance
    end function expected_meniscus_error
-
-   !> The least relative error of Ad/Ai, or of a response, of a light contact, whose film is as thick as the bodies
-   !> approach: it does not come from the inlet. Where the waves keep their amplitude all other models say nearly
-   !> nothing. Measured (M = 24 and 29, D = 0.15 and 0.07, 96 cells): 6.4 and 9.2 over hX^2. Of a fitted scheme the
-   !> same, however thin the film: it leaves little else (line contact, M = 8, L = 15, S = 1.52: 9 over hX^2).
-   pure real(dp) function light_ratio_error(hx, film, is_fitted, by_grids)
-      real(dp), intent(in) :: hx           !! mesh size in X
-      real(dp), intent(in) :: film         !! H(0,0)
-      logical, intent(in) :: is_fitted     !! scheme
-      logical, intent(in) :: by_grids      !! whether it is beside what coarser grids tell
-      light_ratio_error = light_factor(merge(2, 1, by_grids))*hx**2*min(1.0_dp, merge(1.0_dp, film, is_fitted))
-   end function light_ratio_error
 
    pure real(dp) function ratio_scale(conditions, formula_ratio, moves)
       type(conditions_t), intent(in) :: conditions

@@ -1,7 +1,7 @@
 !> Runs one planned case and estimates the discretisation error of its Ad/Ai.
 module ehlwave_estimated_case
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-   use ehlwave_accuracy_model, only: expected_step_error, light_ratio_error, spike_factor
+   use ehlwave_accuracy_model, only: expected_step_error, spike_factor
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_plan, only: make_plan
    use ehlwave_case_result, only: case_result_t
@@ -64,7 +64,7 @@ contains
       if (.not. ieee_is_finite(result%amplitude_ratio_fit)) return
       by_heat = result%heat%film_error()
       estimate = max(plan%model_ratio_error(result%max_pressure, result%central_film_error), &
-                     light_ratio_error(plan%hx, result%central_film, plan%is_fitted, .false.))
+                     plan%light_ratio_error(result%central_film, .false.))
       result%amplitude_ratio_error = estimate + plan%expected%time + plan%expected%algebraic + by_heat
       result%amplitude_error_basis = 'model'
       if (case%error_estimate /= 'coarse_grid') return
@@ -87,7 +87,7 @@ contains
          estimate = (march_margin + slip_margin*min(1.0_dp, abs(plan%conditions%slip_parameter - 1)/largest_slip)) &
                     *spike_factor(result%max_pressure)* &
                     max(maxval(estimates), plan%least_ratio_error(result%central_film_error)) + by_heat
-         estimate = max(estimate, light_ratio_error(plan%hx, result%central_film, plan%is_fitted, .true.))
+         estimate = max(estimate, plan%light_ratio_error(result%central_film, .true.))
          ! the response to the same waves, where it is there, has no better one
          if (ieee_is_finite(result%harmonic%error)) estimate = max(estimate, result%harmonic%error)
          result%amplitude_ratio_error = estimate

@@ -1,7 +1,7 @@
 !> The linear response of a case: no time steps.
 module ehlwave_harmonic_case
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-   use ehlwave_accuracy_model, only: grids_margin, light_ratio_error, spike_factor
+   use ehlwave_accuracy_model, only: grids_margin, spike_factor
    use ehlwave_case_account, only: add_warning
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_result, only: case_result_t
@@ -111,7 +111,7 @@ contains
       by_heat = result%heat%film_error()
       ! unless a coarser grid tells more
       harmonic%error = max(error_by_model(plan, result, harmonic), &
-                           light_ratio_error(plan%hx, result%central_film, plan%is_fitted, .false.)) + by_heat
+                           plan%light_ratio_error(result%central_film, .false.)) + by_heat
       harmonic%error_basis = 'model'
       if (.not. steady%has_coarse) return
       call steady%coarse_response%respond(steady%multigrid%levels(:n - 1), waves, case%natural_frequency, &
@@ -128,7 +128,7 @@ contains
       if (waves%moves() .and. abs(plan%conditions%slip_parameter - 1) > 0) &
          harmonic%error = harmonic%error*spike_factor(result%max_pressure)
       harmonic%error = max(grids_margin*max(harmonic%error, plan%least_ratio_error(result%central_film_error)), &
-                           light_ratio_error(plan%hx, result%central_film, plan%is_fitted, .true.)) + by_heat
+                           plan%light_ratio_error(result%central_film, .true.)) + by_heat
       harmonic%error_basis = 'coarse_grid'
    end subroutine run_response
 
