@@ -74,7 +74,7 @@ class Files(Ends):
     def test_a_limit_under_which_mpi_cannot_start(self):
         outcome = self.call(RUN_SWEEP, "--ranks", 2, "sweep.nml", before=limited("RLIMIT_FSIZE", MIB), EHLWAVE_PATIENCE="10")
         self.check_status(outcome, NOT_WRITTEN)
-        self.assertRegex(outcome.stdout, r"run-sweep: MPI cannot start [^\n]*ulimit -f[^\n]*\n$")
+        self.assertRegex(outcome.stdout, r"run-sweep: MPI cannot start: [^\n]*ulimit -f[^\n]*\n$")
         self.assertNotIn("again", outcome.stdout)
 
 
