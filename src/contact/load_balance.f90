@@ -30,14 +30,14 @@ contains
       self%force = force
    end function force_balance
 
-   !> Balance of a part of a contact, which keeps the approach where it is.
+   !> Balance of a part of a contact, which keeps the approach where it is. The part carries no share of the load that
+   !> its error could be measured against: that is the nominal load.
    pure function held_approach(delta, pressure_integral) result(self)
       real(dp), intent(in) :: delta               !! Delta
       real(dp), intent(in) :: pressure_integral   !! int P dX dY over the part
       type(load_balance_t) :: self
       self%inertia = immovable
-      self%carried = -immovable*delta
-      self%force = load_factor*pressure_integral
+      self%carried = -immovable*delta + self%force - load_factor*pressure_integral
    end function held_approach
 
    !> Equation of motion, theory eq. (10), second-order backward difference in time, (D7):

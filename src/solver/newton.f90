@@ -152,7 +152,9 @@ contains
             if (work_of(levels) - work_before >= limits%largest_work) exit
 
             if (k > 0) forcing = next_forcing(self, forcing, worth/worth_before)
-            forcing = min(self%loosest, max(forcing, last_step_share*limits%tolerance/report%residual))
+            associate (last => last_step_share*limits%tolerance)
+               forcing = min(self%loosest, max(forcing, last/max(last, report%residual)))
+            end associate
             if (is_starved) forcing = min(forcing, starved_forcing)
             worth_before = worth
             if (.not. problem%rheology%is_newtonian()) before = state

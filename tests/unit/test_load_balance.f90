@@ -1,7 +1,7 @@
 !> Force balance and equation of motion, theory eq. (10) and (11).
 program test_load_balance
    use ehlwave_kinds, only: dp, pi
-   use ehlwave_load_balance, only: equation_of_motion, force_balance, load_balance_t
+   use ehlwave_load_balance, only: equation_of_motion, force_balance, held_approach, load_balance_t
    use ehlwave_text, only: to_text
    use testing, only: test_t
    implicit none (type, external)
@@ -11,6 +11,7 @@ program test_load_balance
 
    call check_force_balance()
    call check_free_oscillation()
+   call check_held_approach()
    call test%finish()
 
 contains
@@ -24,6 +25,14 @@ contains
       load = force_balance(1.5_dp)
       call test%check_close(load%residual(pi, -3.0_dp), 0.0_dp, 'larger force', absolute=1e-15_dp)
    end subroutine check_force_balance
+
+   !> A part of a contact that carries next to nothing has no load error by rounding.
+   subroutine check_held_approach()
+      type(load_balance_t) :: load
+      load = held_approach(0.94036570564124167_dp, 4e-7_dp)
+      call test%check_close(load%residual(4e-7_dp, 0.94036570564124167_dp)/load%force, 0.0_dp, 'load of a part', &
+                            absolute=1e-7_dp)
+   end subroutine check_held_approach
 
    !> Delta''/Omega^2 + k Delta = F: a linear spring in place of the contact.
    subroutine check_free_oscillation()
