@@ -6,6 +6,7 @@ module ehlwave_harmonic_case
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_result, only: case_result_t
    use ehlwave_error_estimate, only: formal_order, likely_order
+   use ehlwave_film_errors, only: limit_spread
    use ehlwave_harmonic_response, only: harmonic_response_t
    use ehlwave_harmonic_result, only: harmonic_result_t
    use ehlwave_kinds, only: dp
@@ -156,7 +157,7 @@ contains
       real(dp), parameter :: phase_factor = 1.5_dp   !! of the error of each wave, over the square of the points on it
       real(dp) :: both
 
-      error = plan%model_ratio_error(result%max_pressure, result%central_film_error)
+      error = limit_spread(plan, result)*plan%model_ratio_error(result%max_pressure, result%central_film_error)
       if (.not. plan%resolution%points_x > 0) return
       associate (fit => harmonic%waves%centre%fit)
          both = abs(fit%attenuated) + abs(fit%complementary)
