@@ -19,6 +19,7 @@ module ehlwave_plan_effort
    real(dp), parameter :: response_work_units = 50   !! of a linear response on half a domain and the change of the
                                                      !! mean; measured: 35 to 80
    real(dp), parameter :: line_response_work_units = 250   !! the same of a line contact
+   real(dp), parameter :: mean_share = 0.35_dp             !! of it, the change of the mean; measured 17 of 55
    real(dp), parameter :: load_step_cost = 4         !! time steps after a load step over others; measured at M = 300, L
                                                      !! = 30, D = 1: 9
    real(dp), parameter :: petsc_cost = 2             !! of a solution by PETSc, of one by Newton's method; measured: 0.9
@@ -84,7 +85,7 @@ contains
       if (case%heat%is_given()) plan%expected_work_units = heat_cost*plan%expected_work_units
       if (plan%responds) plan%expected_work_units = plan%expected_work_units &
          + size(plan%surfaces%list)*merge(line_response_work_units, response_work_units, plan%conditions%is_line()) &
-         *merge(fitted_response_cost, 1.0_dp, plan%is_fitted)
+         *merge(fitted_response_cost, 1.0_dp, plan%is_fitted)*merge(1.0_dp, 1 - mean_share, case%mean_rise)
       if (.not. (plan%is_half .or. plan%conditions%is_line())) plan%expected_work_units = 2*plan%expected_work_units
       plan%work_with_estimates = plan%expected_work_units
       if (plan%surfaces%is_rough() .and. plan%kind /= run_harmonic .and. case%error_estimate == 'coarse_grid') &

@@ -80,6 +80,7 @@ module ehlwave_case_definition
       integer :: fields_every = 0                        !! time steps from one set of fields to the next; 0: the last
                                                          !! alone
       logical :: sensitivities = .false.
+      logical :: mean_rise = .true.
    contains
       procedure :: is_pair
       procedure :: has_ratio

@@ -42,6 +42,19 @@ class Response(TestCase):
         self.assertAlmostEqual(math.atan2(harmonic["harmonic_imaginary"], harmonic["harmonic_real"]),
                                harmonic["harmonic_phase"], delta=1e-12)
 
+    def test_the_mean_can_be_left_out(self):
+        for orientation in ("transverse", "longitudinal"):
+            waves = {**WAVES, "orientation": orientation}
+            whole = solve(m=100, d=1, grid=GRID, waviness=waves)
+            less = solve(m=100, d=1, grid=GRID, waviness=waves, output={"mean_rise": False})
+            for name in ("harmonic_real", "harmonic_imaginary", "harmonic_error", "harmonic_counted_work_units"):
+                self.assertEqual(less[name], whole[name], name)
+            self.assertTrue(whole["mean_film_rise"] > 0 and whole["smallest_film"] > 0)
+            self.assertIsNone(less["mean_film_rise"])
+            self.assertIsNone(less["smallest_film"])
+            self.assertLess(less["counted_work_units"], whole["counted_work_units"] - 5)
+            self.assertLess(less["expected_work_units"], whole["expected_work_units"])
+
     def test_the_report_has_the_sensitivities_of_the_result(self):
         groups = {"conditions": {**CONTACT, "reduced_modulus_pa": 2.26e11, "slip_parameter": 1.2}, "grid": GRID, "waviness": WAVES,
                   "lubricant": {"flow_law": "eyring", "eyring_stress_pa": 5e6}}

@@ -227,6 +227,8 @@ class CaseKeys(TypedDict, total=False):
     """time steps from one kept set of fields to the next"""
     sensitivities: bool
     """whether film and linear response are differentiated by alpha and by the stress of the flow"""
+    mean_rise: bool
+    """whether a linear response finds to second order what waves do to the mean film"""
 
 
 class StudyKeys(CaseKeys, total=False):

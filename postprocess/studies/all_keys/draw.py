@@ -416,6 +416,7 @@ DRAWS: dict[str, Draw] = {
     "sensitivities": _share(
         0.1, lambda c, row: None if {"oil_over_flooded", "oil_layer_m"} & set(row) else True
     ),
+    "mean_rise": _share(0.05, lambda c, row: False),
     "slide_to_roll_ratio": _ratio,
     "scheme": _scheme,
 }
