@@ -7,7 +7,7 @@ module ehlwave_film_errors
    use ehlwave_error_estimate, only: estimate_error, formal_order, likely_order, observed_order
    use ehlwave_friction_error, only: estimate_friction_error
    use ehlwave_grid, only: grid_t
-   use ehlwave_hierarchy, only: hierarchy_t
+   use ehlwave_hierarchy, only: hierarchy_t, level_t
    use ehlwave_kinds, only: dp, no_value
    use ehlwave_planned_case, only: case_plan_t
    implicit none (type, external)
@@ -62,7 +62,7 @@ module ehlwave_film_errors
    !> Estimate of it above which no friction is given; 1 where no second grid shows how the pressure spike grows. Random
    !> cases that said 1 to 10 with a second grid were off by less.
    real(dp), parameter :: most_friction_error = 10
-   real(dp), parameter :: rolling_margin = 2.5_dp
+   real(dp), parameter :: rolling_margin = 2.5_dp      !! of the model, of friction by pure rolling
    real(dp), parameter :: no_friction = 1e-8_dp   !! of pure rolling, by round-off
 
 contains
@@ -80,62 +80,96 @@ contains
       real(dp), intent(in) :: tolerance              !! of the solution
       type(case_result_t), intent(inout) :: result
       real(dp) :: between   !! the nodes, of the smallest film
-      real(dp) :: spread, starved   !! factors of errors of the friction, and of the film
       integer :: n
 
       n = size(multigrid%levels)
-      result%central_film_error = estimate_error(multigrid%levels(n:1:-1)%central_film, &
-                                                 merge(starved_order, formal_order, plan%inlet%is_short()))
-      if (plan%is_fitted) result%central_film_error = &
-         at_least(merge(least_share, thinning_share, plan%rheology%is_newtonian())*plan%expected_film_mesh_error(), &
-                  result%central_film_error)
-      starved = 1
-      if (ieee_is_finite(result%starved%film_over_flooded)) then
-         starved = 1 + starved_share*max(0.0_dp, 1 - result%starved%film_over_flooded)
-         if (.not. ieee_is_finite(result%starved%passage%meniscus_x)) starved = full_margin
-      end if
-      result%central_film_error = limit_spread(plan, result)*starved*max(1.0_dp, result%max_pressure/high_spike)* &
-                                  result%central_film_error
-      result%film_order = observed_order(multigrid%levels(n:1:-1)%central_film)
-      result%minimum_film_error = estimate_error(multigrid%levels(n:1:-1)%minimum_film, &
-                                                 likely_order(result%film_order, plan%resolution, &
-                                                 plan%steepness))
-      result%film_error_basis = 'coarse_grid'
       between = between_nodes(multigrid%levels(n)%problem%grid, multigrid%levels(n)%state%h, &
                               merge(kink_share, smooth_share, plan%is_fitted))
+      call estimate_by_levels(plan, multigrid%levels(n:1:-1), between, result)
+      if (.not. ieee_is_finite(result%central_film_error)) call estimate_by_model(plan, between, result)
+      if (ieee_is_finite(result%shear%friction_coefficient)) &
+         call estimate_friction(plan, multigrid%levels(n:1:-1), stress, tolerance, result)
+      if (plan%is_fitted) result%central_film_error = &
+         max(centre_share*(plan%hx**2 + plan%hy**2), result%central_film_error)
+      if (ieee_is_finite(result%heat%isothermal_film)) call add_steepness(plan, result)
+   end subroutine estimate_film_errors
+
+   !> Errors of the film at the centre and of the smallest one, where coarser levels tell them; else NaN.
+   subroutine estimate_by_levels(plan, levels, between, result)
+      type(case_plan_t), intent(in) :: plan
+      type(level_t), intent(in) :: levels(:)         !! finest first
+      real(dp), intent(in) :: between
+      type(case_result_t), intent(inout) :: result
+      real(dp) :: least
+
+      result%film_error_basis = 'coarse_grid'
+      result%film_order = observed_order(levels%central_film)
+      result%central_film_error = estimate_error(levels%central_film, &
+                                                 merge(starved_order, formal_order, plan%inlet%is_short()))
+      if (.not. ieee_is_finite(result%central_film_error)) return
+      least = 0
+      if (plan%is_fitted) least = merge(least_share, thinning_share, plan%rheology%is_newtonian())* &
+                                  plan%expected_film_mesh_error()
+      result%central_film_error = limit_spread(plan, result)*starved_spread(result)* &
+                                  max(1.0_dp, result%max_pressure/high_spike)*max(least, result%central_film_error)
+      result%minimum_film_error = estimate_error(levels%minimum_film, &
+                                                 likely_order(result%film_order, plan%resolution, plan%steepness))
       if (ieee_is_finite(result%minimum_film_error)) &
          result%minimum_film_error = merge(1.0_dp, side_margin, ieee_is_finite(result%film_order))* &
                                      max(result%minimum_film_error, result%central_film_error + between)
-      if (.not. ieee_is_finite(result%central_film_error)) then
-         result%film_error_basis = 'model'
-         result%central_film_error = merge(thinning_margin, film_margin, plan%is_fitted .and. .not. &
-                                           plan%rheology%is_newtonian())*starved* &
-                                     plan%model_margin(result%max_pressure)*plan%expected_film_mesh_error()
-         result%minimum_film_error = of_found(minimum_margin*result%central_film_error) + between
-      end if
+   end subroutine estimate_by_levels
+
+   !> The same of the model.
+   subroutine estimate_by_model(plan, between, result)
+      type(case_plan_t), intent(in) :: plan
+      real(dp), intent(in) :: between
+      type(case_result_t), intent(inout) :: result
+      result%film_error_basis = 'model'
+      result%central_film_error = merge(thinning_margin, film_margin, plan%is_fitted .and. .not. &
+                                        plan%rheology%is_newtonian())*starved_spread(result)* &
+                                  plan%model_margin(result%max_pressure)*plan%expected_film_mesh_error()
+      result%minimum_film_error = of_found(minimum_margin*result%central_film_error) + between
+   end subroutine estimate_by_model
+
+   !> Error of the friction. One that is hardly known is none.
+   subroutine estimate_friction(plan, levels, stress, tolerance, result)
+      type(case_plan_t), intent(in) :: plan
+      type(level_t), intent(in) :: levels(:)         !! finest first
+      real(dp), allocatable, intent(in) :: stress(:, :)
+      real(dp), intent(in) :: tolerance
+      type(case_result_t), intent(inout) :: result
+      real(dp) :: largest, spread
+
       spread = grids_margin
+      largest = most_friction_error
       if (result%film_error_basis == 'model') then
          ! one random friction with P up to 1.8 was off by 2.4 times that, one of pure rolling, by heat, by 2.5 times
          spread = spread*spike_factor(result%max_pressure)
          if (.not. abs(plan%conditions%slip_parameter - 1) > 0) spread = rolling_margin*spread
+         largest = 1
       end if
-      if (ieee_is_finite(result%shear%friction_coefficient)) result%friction_error = spread* &
-         estimate_friction_error(multigrid%levels(n:1:-1), stress, averaged_error(plan, result))
-      result%friction_error = at_least(merge(fitted_sum, sum_factor, plan%is_fitted)*plan%hx**2, result%friction_error)
-      if (plan%is_fitted) result%central_film_error = &
-         at_least(centre_share*(plan%hx**2 + plan%hy**2), result%central_film_error)
-      if (ieee_is_finite(result%heat%isothermal_film)) call add_steepness(plan, result)
+      result%friction_error = spread*estimate_friction_error(levels, stress, averaged_error(plan, result))
       if (.not. ieee_is_finite(result%friction_error)) return
+      result%friction_error = max(merge(fitted_sum, sum_factor, plan%is_fitted)*plan%hx**2, result%friction_error)
       if (result%shear%cancellation > 1/epsilon(1.0_dp)) return
       ! stresses whose sum is nothing, as in pure rolling, are known to the tolerance each
       result%friction_error = max(result%friction_error, tolerance*result%shear%cancellation)
       if (abs(result%shear%friction_coefficient) < no_friction) return
-      if (result%friction_error > spread*merge(1.0_dp, most_friction_error, result%film_error_basis == 'model')) then
+      if (result%friction_error > spread*largest) then
          result%shear%friction_coefficient = no_value
          result%friction_error = no_value
          call add_warning(result, 'friction is not known on this grid, so none is given')
       end if
-   end subroutine estimate_film_errors
+   end subroutine estimate_friction
+
+   !> Factor of the error of a film of too little oil.
+   pure real(dp) function starved_spread(result) result(spread)
+      type(case_result_t), intent(in) :: result
+      spread = 1
+      if (.not. ieee_is_finite(result%starved%film_over_flooded)) return
+      spread = 1 + starved_share*max(0.0_dp, 1 - result%starved%film_over_flooded)
+      if (.not. ieee_is_finite(result%starved%passage%meniscus_x)) spread = full_margin
+   end function starved_spread
 
    !> Factor of errors where the stress is far beyond its limit at the centre, where grids and models tell less. Films of
    !> three such line contacts of 45 with a limit were off by 1.1, 1.3 and 8 times the estimate, a response of a fitted
@@ -148,13 +182,6 @@ contains
       spread = merge(limit_margin, 1.0_dp, plan%rheology%is_limited() .and. &
                      any(result%shear%tangent_factor > far_beyond))
    end function limit_spread
-
-   !> An error that is at least so much; NaN stays.
-   pure real(dp) function at_least(least, error)
-      real(dp), intent(in) :: least, error
-      at_least = error
-      if (ieee_is_finite(error)) at_least = max(least, error)
-   end function at_least
 
    !> A share of the film without error as a share of the one found. Found too thin by 0.6 of the true film (starved, hY
    !> = 0.24, a side lobe), it was off by 1.6 times what was found.
