@@ -32,10 +32,14 @@ class RunSweep(FolderTest):
         (self.folder/"launcher").write_text(LOCKS_UP_ONCE)
         (self.folder/"launcher").chmod(0o755)
 
-    def test_a_launcher_that_locks_up_is_killed(self):
+    def sweep(self, *arguments, ranks=1, before=None):
+        """Run the sweep by this launcher."""
         variables = {"EHLWAVE_LAUNCHER": "./launcher", "EHLWAVE_PATIENCE": "1"}
-        outcome = subprocess.run([SCRIPT, "--ranks", "1", "sweep.nml", "--output", "results.h5"], cwd=self.folder, text=True,
-                                 capture_output=True, check=False, timeout=HANGS_S, env={**os.environ, **variables})
+        return subprocess.run([SCRIPT, "--ranks", str(ranks), "sweep.nml", *arguments], cwd=self.folder, text=True, capture_output=True,
+                              check=False, timeout=HANGS_S, env={**os.environ, **variables}, preexec_fn=before)
+
+    def test_a_launcher_that_locks_up_is_killed(self):
+        outcome = self.sweep("--output", "results.h5")
         self.check_status(outcome)
         self.assertIn("all ranks have ended", outcome.stdout)
         self.assertIn("start 1 of at most 5 again", outcome.stdout)
@@ -43,18 +47,14 @@ class RunSweep(FolderTest):
 
     def test_a_start_that_never_comes_is_ended(self):
         (self.folder/"launcher").write_text(NEVER_STARTS)
-        variables = {"EHLWAVE_LAUNCHER": "./launcher", "EHLWAVE_PATIENCE": "1"}
         few = 1 << 20
-        outcome = subprocess.run([SCRIPT, "--ranks", "1", "sweep.nml"], cwd=self.folder, text=True, capture_output=True, check=False,
-                                 timeout=HANGS_S, env={**os.environ, **variables},
-                                 preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (few, few)))
+        outcome = self.sweep(before=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (few, few)))
         self.check_status(outcome, 3)
         self.assertIn("MPI cannot start: files may have 1024 kB only", outcome.stdout)
 
     def test_no_ranks_are_bad_input(self):
         for ranks in ("0", "-1", "two", ""):
-            outcome = subprocess.run([SCRIPT, "--ranks", ranks, "sweep.nml"], cwd=self.folder, text=True, capture_output=True, check=False,
-                                     timeout=HANGS_S)
+            outcome = self.sweep(ranks=ranks)
             self.check_status(outcome, 2)
             self.assertRegex(outcome.stderr, r"^run-sweep: --ranks wants a whole number above 0[^\n]*\n$")
 
