@@ -171,9 +171,9 @@ contains
       if (.not. ieee_is_finite(result%starved%passage%meniscus_x)) spread = full_margin
    end function starved_spread
 
-   !> Factor of errors where the stress is far beyond its limit at the centre, where grids and models tell less. Films of
-   !> three such line contacts of 45 with a limit were off by 1.1, 1.3 and 8 times the estimate, a response of a fitted
-   !> scheme by 2.3 times the model (M = 97, L = 11, S = 2: 0.63, 0.77, 0.39 on 24 to 48 cells).
+   !> Factor of errors where the stress is far beyond its limit at the centre, where grids and models tell less. Films
+   !> of three such line contacts of 45 with a limit were off by 1.1, 1.3 and 8 times the estimate, a response of a
+   !> fitted scheme by 2.3 times the model (M = 97, L = 11, S = 2: 0.63, 0.77, 0.39 on 24 to 48 cells).
    pure real(dp) function limit_spread(plan, result) result(spread)
       type(case_plan_t), intent(in) :: plan
       type(case_result_t), intent(in) :: result

@@ -73,25 +73,44 @@ contains
       state%delta = state%delta + real(factor*self%approach, dp)
    end subroutine add_to
 
-   !> Linearise about the steady state of the finest of `levels`, of smooth surfaces.
+   !> Linearise about the steady state of the finest of `levels`, of smooth surfaces; coarser ones about their own, as
+   !> far as they have one that is like it. What the finest grid leaves at their nodes is no state of theirs: of a spike
+   !> of two nodes across it takes one or none. Book, 2048^2: 25 GMRES steps in place of 48.
    subroutine init(self, levels)
       class(harmonic_solver_t), intent(inout) :: self
       type(level_t), intent(inout) :: levels(:)   !! coarsest first
       type(given_t) :: given
       type(state_t) :: state
-      integer :: n
+      integer :: l, n
 
       n = size(levels)
       self%has_factors = .false.
       call self%linear%init(levels, response_cycle)
       call self%linear%start(n)
-      state = levels(n)%state
-      associate (problem => levels(n)%problem, equations => self%linear%levels(n)%equations)
-         given = steady_given(problem%grid, levels(n)%given%supply)
-         call problem%film(given, state%p, state%delta, state%h)
-         call equations%evaluate(problem, given, state)
-      end associate
+      do l = n, 1, -1
+         if (l < n) then
+            if (.not. is_like(levels(l), levels(n))) exit
+            self%linear%levels(l)%has_own_state = .true.
+         end if
+         state = levels(l)%state
+         associate (problem => levels(l)%problem, equations => self%linear%levels(l)%equations)
+            given = steady_given(problem%grid, levels(l)%given%supply)
+            call problem%film(given, state%p, state%delta, state%h)
+            call equations%evaluate(problem, given, state)
+         end associate
+      end do
    end subroutine init
+
+   !> Whether a coarser level has a solution of the same case that resolves it. Levels of a heavy load do not: M =
+   !> 10,000, 1024^2, with their states: 22 GMRES steps in place of 14.
+   pure logical function is_like(coarse, fine)
+      type(level_t), intent(in) :: coarse, fine
+      real(dp), parameter :: largest_change = 0.05_dp   ! of H(0,0)
+      is_like = .false.
+      if (allocated(fine%given%supply) .or. allocated(fine%problem%heat)) return
+      if (.not. (coarse%has_film() .and. fine%has_film())) return
+      is_like = abs(coarse%central_film/fine%central_film - 1) < largest_change
+   end function is_like
 
    !> Have the real linear system about the same state; it stays until it is deallocated.
    subroutine find_tangent(self, levels)
