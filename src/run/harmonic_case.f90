@@ -95,12 +95,12 @@ contains
          return
       end if
       call harmonic%take(response%film, response%pressure, response%approach)
-      if (case%mean_rise) then
+      if (case%mean_rise .and. .not. plan%inlet%is_short()) then
          room = -steady%multigrid%work()
          call steady%make_room(keeps_response=case%sensitivities .or. plan%kind /= run_harmonic .or. &
                                size(plan%surfaces%list) > 1)
          work_before = work_before + room + steady%multigrid%work()   ! of what is linearised, which does not count here
-         if (.not. plan%inlet%is_short()) call find_mean(waves, steady, response, result, harmonic, mean)
+         call find_mean(waves, steady, response, result, harmonic, mean)
       end if
       result%work = result%work + steady%multigrid%work() - work_before
       if (case%sensitivities .and. surface == 1) call find_response_sensitivities(steady, response, result)

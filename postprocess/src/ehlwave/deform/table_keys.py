@@ -69,8 +69,7 @@ WITHOUT_EFFECT = frozenset(
     _names(
         """
     file orientation_2 wavelength_over_a_2 wavelength_x_over_a_2 wavelength_y_over_a_2 oblique_2
-    amplitude_over_film_2 file_2 fields fields_every sensitivities
-    mean_rise
+    amplitude_over_film_2 file_2 fields fields_every sensitivities mean_rise
     """
     )
 )
