@@ -65,7 +65,8 @@ def ehlwave(groups: Groups, cells: int, **grid_and_solver: str) -> Found:
     given["solver"] = {"threads": 1, **grid_and_solver}
     outcome, seconds = processor_seconds(given, 1, "--json", "--quiet")
     if outcome.returncode != 0:
-        raise FailedError(outcome.stderr.strip()[-200:] or f"exit status {outcome.returncode}")
+        said = outcome.stderr.strip() or str(last_line(outcome)["message"])
+        raise FailedError(said[-200:])
     film = float(last_line(outcome)["central_film"])
     scale = 1e6 * hertz_radius() ** 2 / RADIUS_M if groups is not BOOK else 1.0
     return scale * film, seconds
@@ -159,7 +160,10 @@ def slippy(folder: Path, cells: int, limit: float) -> Found:
         return timed([python, script, json.dumps(data)], Path(name), limit)
 
 
-def book(program: Path, cells: int, limit: float) -> Found:
-    """Run the book's program, as the user typed it in: the cells are its only argument."""
+def book(program: Path, cells: int, limit: float, coarsest: int = 40) -> Found:
+    """Run the book's program, as the user typed it in.
+
+    Its arguments are the cells and the relaxations on the coarsest grid, 40 as printed.
+    """
     with tempfile.TemporaryDirectory() as name:
-        return timed([program, cells], Path(name), limit)
+        return timed([program, cells, coarsest], Path(name), limit)

@@ -8,7 +8,7 @@ import pytest
 
 from studies import peer_runs
 from studies.peer_runs import FailedError, timed
-from studies.peers import Row, figure_of, limit_of, main, measure, solvers
+from studies.peers import Row, compared, figure_of, limit_of, main, measure, solvers
 from studies.programs import program
 
 
@@ -69,6 +69,21 @@ def test_one_that_fails_runs_on_no_finer_grid() -> None:
     assert len(figure.axes[0].lines) == 2
 
 
+def test_times_are_at_equal_error_and_equal_domain() -> None:
+    rows = [
+        Row("book", "ehlwave", 64, 1.0, 0.01, 0.1),
+        Row("book", "ehlwave, whole domain", 64, 1.0, 0.01, 0.2),
+        Row("book", "ehlwave, whole domain, fitted", 64, 1.0, 0.001, 0.5),
+        Row("mourier", "ehlwave, whole domain", 64, 1.0, 0.0, 0.01),
+        Row("book", "book", 64, 1.0, 0.01, 2.0),
+        Row("book", "book", 128, 1.0, 0.005, 6.0),
+        Row("book", "book", 256, 1.0, 0.0005, 9.0),
+        Row("book", "book", 512, float("nan"), float("nan"), float("nan"), "stopped"),
+    ]
+    times = [row.times for row in compared(rows)]
+    assert times == [None, None, None, None, 10.0, 12.0, None, None]
+
+
 @pytest.mark.skipif(not program("case").is_file(), reason="the programs are not built")
 def test_this_program() -> None:
     """Both domains and schemes tend to one film, which is that of the half and whole domain."""
@@ -87,4 +102,4 @@ def test_table_and_figure(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> No
     assert main(["--output", str(tmp_path / "peers")]) == 0
     written = {path.name for path in (tmp_path / "peers").iterdir()}
     assert {"peers.csv", "peers.png", "peers.pdf"} <= written
-    assert "mourier,good,32,0.2,0.01,0.5," in (tmp_path / "peers" / "peers.csv").read_text()
+    assert "mourier,good,32,0.2,0.01,0.5,," in (tmp_path / "peers" / "peers.csv").read_text()

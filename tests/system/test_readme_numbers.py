@@ -10,7 +10,7 @@ import math
 import re
 import tempfile
 import unittest
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from typing import NamedTuple
 
@@ -321,6 +321,7 @@ def speeds():
         ("(a march from rest: 4600) | {} | |", [get("periodic state", "newton")]),
         ("against 257 x 257 | {} times, {} MiB | {} times, {} MiB |",
          [get(ratio, "newton"), get(memory, "newton", "figure"), get(ratio, "fas"), get(memory, "fas", "figure")]),
+        ("1025 x 1025 nodes take {} times the work of 257 x 257 and {} times the time", [get(ratio, "auto"), get(ratio, "auto", "figure")]),
         ("its steady state {} besides, a march of the waves {} ", [get(steady, "newton"), small_waves("march", cells="256")[0]]),
     ]
 
@@ -386,12 +387,23 @@ def heavy_loads():
 
 
 def peers():
-    """Errors and times of public solvers."""
+    """Errors and times of public solvers, and of the book's program on its own contact."""
     claims = []
     for solver in dict.fromkeys(row["solver"] for row in table("peers/peers.csv")):
         done = [row for row in table("peers/peers.csv") if row["solver"] == solver and row["film"]]
         values = [value for row in done for value in (100*float(row["error"]), float(row["seconds"]))]
         claims.append((f"| {solver} |{' {} %, {} s |'*len(done)}", values))
+    of_book = partial(cell, "peers/book.csv", contact="book")
+    whole = "ehlwave, whole domain"
+    for cells in ("256", "512", "1024", "2048"):
+        done = [solver for solver in ("book", "book, 4 relaxations", whole, f"{whole}, fitted", "ehlwave")
+                if (cells, solver) != ("2048", f"{whole}, fitted")]
+        values = [scale*of_book(column, solver=solver, cells=cells) for solver in done
+                  for scale, column in ((100, "error"), (1, "seconds"))]
+        faster = [of_book("times", solver=solver, cells=cells) for solver in done[:2]]
+        stalled = " stalled |" if len(done) < 5 else ""
+        row = f"| {cells} |" + " {} %, {} s |"*3 + (stalled or " {} %, {} s |") + " {} %, {} s | {}, {} |"
+        claims.append((row, [*values, *faster]))
     return claims
 
 

@@ -100,7 +100,7 @@ def speed(options: argparse.Namespace) -> int:
     Runs M = 100, L = 12.05, D = 1 on one core with the methods newton and fas, one run after
     another: the smooth steady state on 257 x 257 and 1025 x 1025 nodes and transverse waviness of
     lambda = 0.5 a on 257 x 257, marched, small and periodic, with what is left of algebraic error.
-    Writes speed.csv.
+    Both steady states once more with the default, auto. Writes speed.csv.
 
     Exit status: 0 done, 1 failed, 2 bad usage.
     """
@@ -170,10 +170,12 @@ def peers(options: argparse.Namespace) -> int:
     Runs the smooth contact of Mourier and others (2006) by this program, by EHL-FBNS in GNU Octave
     and by slippy, each on 32 x 32 cells and finer ones, on one core. A solver whose folder is not
     given is skipped, which is said. Errors are those of the central film against the value of this
-    program for mesh size 0. Writes peers.csv and a figure.
+    program for mesh size 0. Writes peers.csv and a figure. The column times is the time of another
+    solver over that of the cheapest run of this program on the whole domain with no larger error.
 
     --book names a program that solves M = 20, L = 10, D = 1 with Barus' law and an incompressible
-    oil in (-4.5, 1.5) x (-3, 3) on as many cells along each side as its argument says, and prints
+    oil in (-4.5, 1.5) x (-3, 3) on as many cells along each side as its first argument says, with
+    as many relaxations on its coarsest grid as its second says (40 as printed, and 4), and prints
     a line "film" with H(0,0) behind it.
 
     Exit status: 0 done, 1 failed, 2 bad usage.
