@@ -19,7 +19,8 @@ module ehlwave_sweep_queue
    !> The model of the time of a case is fitted anew, and the queue sorted again, whenever the number of finished
    !> cases has grown by a half.
    type, public :: queue_t
-      real(dp), private :: expected_left = 0         ! seconds of all cases that are not finished
+      real(dp), private :: expected_left = 0         ! seconds of all cases that are not finished, by the model
+      real(dp), private :: total_over_model = 1      ! of the cases that are finished: a fit of logarithms finds medians
       type(cost_model_t) :: model
       integer, allocatable :: group(:)               !! group of each case
       integer, allocatable, private :: sequence(:)   ! groups, the longest first
@@ -164,6 +165,7 @@ contains
          self%expected(i) = self%model%seconds(self%features(:, i))
       end do
       self%expected_left = sum(self%expected, mask=self%to_run)
+      if (any(self%seconds > 0)) self%total_over_model = sum(self%seconds)/sum(self%expected, mask=self%seconds > 0)
       self%left = 0
       do g = 1, size(self%first)
          case = self%first(g)
@@ -181,7 +183,7 @@ contains
    pure real(dp) function seconds_left(self)
       class(queue_t), intent(in) :: self
       seconds_left = -1
-      if (self%model%is_fitted) seconds_left = max(0.0_dp, self%expected_left)
+      if (self%model%is_fitted) seconds_left = max(0.0_dp, self%total_over_model*self%expected_left)
    end function seconds_left
 
    !> Places of the numbers, largest first; equal ones in their order.

@@ -82,6 +82,9 @@ contains
       end do
       call test%check_equal(count(is_taken), n - 20, 'all cases')
       call test%check_close(queue%seconds_left(), 0.0_dp, 'nothing left', absolute=1e-6_dp*left)
+      seconds = seconds*[(merge(0.2_dp, 1.8_dp, modulo(i, 2) == 0), i=1, n)]
+      queue = new_queue(cases, plans, to_run, merge(0.0_dp, seconds, to_run), 1)
+      call test%check_close(queue%seconds_left(), sum(seconds(21:)), 'time left of cases that scatter', relative=0.2_dp)
    end subroutine check_queue
 
 end program test_sweep_queue
