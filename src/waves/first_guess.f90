@@ -7,6 +7,7 @@ module ehlwave_first_guess
    use ehlwave_last_period, only: last_period_t
    use ehlwave_neighbour_range, only: held, neighbour_range
    use ehlwave_state, only: state_t
+   use ehlwave_threads, only: is_shared
    implicit none (type, external)
    private
    public :: carried_share, carry_on, extrapolate, look_up
@@ -39,7 +40,7 @@ contains
    !> it, p = P - P0, extrapolated. Where the film is carried along, along the characteristic: 3 p(i-m, k-1) - 3 p(i-2m,
    !> k-2) + p(i-3m, k-3); elsewhere in time at fixed X: 3 p(k-1) - 3 p(k-2) + p(k-3); in between, by share. The latter
    !> stays in the range of the neighbours at the step before.
-   pure subroutine extrapolate(m, share, past, state)
+   subroutine extrapolate(m, share, past, state)
       integer, intent(in) :: m                       !! cells that a feature travels in one step
       real(dp), intent(in) :: share(0:, 0:)          !! (0:nx, 0:ny)
       type(past_t), intent(in) :: past
@@ -62,7 +63,7 @@ contains
    end subroutine extrapolate
 
    !> The pressure of `extrapolate`, by P0 at T, T - dT, T - 2 dT and T - 3 dT.
-   pure subroutine extrapolate_about(m, share, past, now, then1, then2, then3, p)
+   subroutine extrapolate_about(m, share, past, now, then1, then2, then3, p)
       integer, intent(in) :: m
       real(dp), dimension(0:, 0:), intent(in) :: share, now, then1, then2, then3   !! (0:nx, 0:ny)
       type(past_t), intent(in) :: past
@@ -71,6 +72,7 @@ contains
       integer :: i, j
 
       associate (p1 => past%before%p, p2 => past%earlier%p, p3 => past%earliest%p)
+         !$omp parallel do private(i, j, moved, still) schedule(static) if (is_shared(size(p)))
          do j = 0, ubound(p, 2)
             do i = 0, ubound(p, 1) - 1
                still = now(i, j) + 3*((p1(i, j) - then1(i, j)) - (p2(i, j) - then2(i, j))) + (p3(i, j) - then3(i, j))
