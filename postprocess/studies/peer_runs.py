@@ -65,8 +65,10 @@ def ehlwave(groups: Groups, cells: int, **grid_and_solver: str) -> Found:
     given["solver"] = {"threads": 1, **grid_and_solver}
     outcome, seconds = processor_seconds(given, 1, "--json", "--quiet")
     if outcome.returncode != 0:
-        said = outcome.stderr.strip() or str(last_line(outcome)["message"])
-        raise FailedError(said[-200:])
+        said = outcome.stderr.strip()
+        if outcome.stdout and not said:
+            said = str(last_line(outcome)["message"])
+        raise FailedError(said[-200:] or f"exit status {outcome.returncode}")
     film = float(last_line(outcome)["central_film"])
     scale = 1e6 * hertz_radius() ** 2 / RADIUS_M if groups is not BOOK else 1.0
     return scale * film, seconds

@@ -18,7 +18,7 @@ from studies.sweeps import run_command, write_rows
 
 CELLS = 32, 64, 128, 256, 512, 1024, 2048
 LIMIT_CELLS = 512
-"""The film for mesh size 0 is from a grid of so many cells at least, and one of half as many."""
+"""Cells from which the film for mesh size 0 is found, at least."""
 ORDER = 2
 HOUR_S = 3600.0
 WHOLE = "ehlwave, whole domain"
@@ -74,8 +74,8 @@ def solvers(options: argparse.Namespace) -> Iterator[tuple[str, str, Run]]:
     yield from there
 
 
-def limit_of(contact: str, cells: int = LIMIT_CELLS) -> float:
-    """Return the film for mesh size 0, from two grids of this program."""
+def limit_of(contact: str, cells: int) -> float:
+    """Return the film for mesh size 0, from a grid of so many cells and one of half as many."""
     run = partial(peer_runs.ehlwave, BOOK if contact == "book" else mourier())
     coarse, fine = (run(n)[0] for n in (cells // 2, cells))
     return fine + (fine - coarse) / (2**ORDER - 1)

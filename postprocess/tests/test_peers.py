@@ -33,6 +33,22 @@ def test_book_brings_its_own_contact(tmp_path: Path) -> None:
     assert ("book", "ehlwave") in contacts
 
 
+@pytest.mark.parametrize(
+    ("does", "why"),
+    [("exit 9", "exit status 9"), ("""echo '{"message": "stalled"}'; exit 1""", "stalled")],
+)
+def test_this_program_says_why_it_failed(
+    does: str, why: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Also where it was killed before it said anything."""
+    script = tmp_path / "program"
+    script.write_text(f"#!/bin/sh\n{does}\n")
+    script.chmod(0o755)
+    monkeypatch.setenv("EHLWAVE_CASE", str(script))
+    with pytest.raises(FailedError, match=why):
+        peer_runs.ehlwave(peer_runs.mourier(), 64)
+
+
 def test_others_print_their_film(tmp_path: Path) -> None:
     film, seconds = timed([sys.executable, "-c", "print('film 1'); print('film 2.5')"], tmp_path, 9)
     assert film == 2.5

@@ -10,7 +10,7 @@ import math
 import re
 import tempfile
 import unittest
-from functools import cache, partial
+from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
@@ -388,22 +388,20 @@ def heavy_loads():
 
 def peers():
     """Errors and times of public solvers, and of the book's program on its own contact."""
+    def shown(rows):
+        done = [row for row in rows if row["film"]]
+        return [value for row in done for value in (100*float(row["error"]), float(row["seconds"]))]
+
     claims = []
     for solver in dict.fromkeys(row["solver"] for row in table("peers/peers.csv")):
         done = [row for row in table("peers/peers.csv") if row["solver"] == solver and row["film"]]
-        values = [value for row in done for value in (100*float(row["error"]), float(row["seconds"]))]
-        claims.append((f"| {solver} |{' {} %, {} s |'*len(done)}", values))
-    of_book = partial(cell, "peers/book.csv", contact="book")
+        claims.append((f"| {solver} |{' {} %, {} s |'*len(done)}", shown(done)))
+    book = {(row["solver"], row["cells"]): row for row in table("peers/book.csv")}
     whole = "ehlwave, whole domain"
     for cells in ("256", "512", "1024", "2048"):
-        done = [solver for solver in ("book", "book, 4 relaxations", whole, f"{whole}, fitted", "ehlwave")
-                if (cells, solver) != ("2048", f"{whole}, fitted")]
-        values = [scale*of_book(column, solver=solver, cells=cells) for solver in done
-                  for scale, column in ((100, "error"), (1, "seconds"))]
-        faster = [of_book("times", solver=solver, cells=cells) for solver in done[:2]]
-        stalled = " stalled |" if len(done) < 5 else ""
-        row = f"| {cells} |" + " {} %, {} s |"*3 + (stalled or " {} %, {} s |") + " {} %, {} s | {}, {} |"
-        claims.append((row, [*values, *faster]))
+        rows = [book[solver, cells] for solver in ("book", "book, 4 relaxations", whole, f"{whole}, fitted", "ehlwave")]
+        columns = "".join(" {} %, {} s |" if row["film"] else " stalled |" for row in rows)
+        claims.append((f"| {cells} |{columns} {{}}, {{}} |", [*shown(rows), *(float(row["times"]) for row in rows[:2])]))
     return claims
 
 
