@@ -14,7 +14,7 @@ import numpy as np
 
 from ehlwave.errors import ResultsError
 from ehlwave.hdf5 import opened
-from studies.programs import last_line, run_case
+from studies.programs import Groups, last_line, run_case
 
 CONTACTS = tuple((m, d) for m in (1000, 3000, 10000) for d in (1, 0.07))  # M and D; L = 12.05
 CELLS = 512  # along X and Y
@@ -49,7 +49,7 @@ class Bound:
 
 def fields(m: float, d: float, scheme: str) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
     """Return the answer and the fields of a steady state."""
-    groups = {
+    groups: Groups = {
         "conditions": {"load_parameter_m": m, "lubricant_parameter_l": 12.05, "radius_ratio_d": d},
         "grid": {"edges": "flooded", "cells_x": CELLS, "cells_y": CELLS},
         "solver": {"scheme": scheme},

@@ -1,7 +1,9 @@
 !> The unknowns of a contact at one instant.
 module ehlwave_state
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
+   use ehlwave_threads, only: is_shared
    implicit none (type, external)
    private
    public :: new_state
@@ -12,6 +14,8 @@ module ehlwave_state
       real(dp) :: delta = 0              !! mutual approach Delta
    contains
       procedure :: add
+      procedure :: move_to
+      procedure :: survey
    end type state_t
 
 contains
@@ -32,5 +36,34 @@ contains
       self%h = self%h + weight*other%h
       self%delta = self%delta + weight*other%delta
    end subroutine add
+
+   !> Give the fields to another state, without a copy. This one has none afterwards.
+   pure subroutine move_to(self, other)
+      class(state_t), intent(inout) :: self
+      type(state_t), intent(inout) :: other
+      call move_alloc(self%p, other%p)
+      call move_alloc(self%h, other%h)
+      other%delta = self%delta
+   end subroutine move_to
+
+   !> What there is to know of it before it passes as a solution.
+   subroutine survey(self, is_finite, thinnest, highest)
+      class(state_t), intent(in) :: self
+      logical, intent(out) :: is_finite                !! every P and H
+      real(dp), intent(out) :: thinnest, highest       !! smallest H, largest P
+      real(dp), dimension(size(self%p, 2)) :: high, thin, total
+      integer :: j, row
+
+      !$omp parallel do private(j) schedule(static) if (is_shared(size(self%p)))
+      do row = 1, size(total)
+         j = lbound(self%p, 2) + row - 1
+         total(row) = sum(self%p(:, j)) + sum(self%h(:, j))
+         thin(row) = minval(self%h(:, j))
+         high(row) = maxval(self%p(:, j))
+      end do
+      is_finite = ieee_is_finite(sum(total))
+      thinnest = minval(thin)
+      highest = maxval(high)
+   end subroutine survey
 
 end module ehlwave_state

@@ -102,8 +102,13 @@ contains
       real(dp), intent(in) :: p(0:, 0:)    !! P, (0:nx, 0:ny)
       real(dp), intent(in) :: delta        !! mutual approach
       real(dp), intent(out) :: h(0:, 0:)   !! H, (0:nx, 0:ny)
+      integer :: j
       call self%smooth_film(p, delta, h)
-      if (allocated(given%rough)) h = h + given%rough
+      if (.not. allocated(given%rough)) return
+      !$omp parallel do schedule(static) if (is_shared(size(h)))
+      do j = 0, ubound(h, 2)
+         h(:, j) = h(:, j) + given%rough(:, j)
+      end do
    end subroutine film
 
    !> The same of smooth surfaces.

@@ -12,6 +12,7 @@ module ehlwave_transport
    use ehlwave_grid, only: grid_t
    use ehlwave_kinds, only: dp
    use ehlwave_real_wedge, only: fold, new_wedge, wedge_t
+   use ehlwave_threads, only: is_shared
    implicit none (type, external)
    private
    public :: steady_transport, characteristic_transport, harmonic_wedge, implicit_part
@@ -198,13 +199,14 @@ contains
    end function history_length
 
    !> Set `carried` from the values f = rho H of earlier times.
-   pure subroutine carry(self, grid, history)
+   subroutine carry(self, grid, history)
       class(transport_t), intent(inout) :: self
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: history(0:, 0:, :)   !! (0:nx, 0:ny, n): f at T - n dT
       integer :: j
       if (checks) call assert(all(shape(history) == [grid%nx + 1, grid%ny + 1, self%history_length()]), &
                               'carry: as many earlier times as the scheme takes, on the grid')
+      !$omp parallel do schedule(static) if (is_shared(size(self%carried)))
       do j = 0, grid%ny
          call self%carry_row(grid, j, history(:, j, :))
       end do

@@ -3,6 +3,7 @@ module ehlwave_bent_step
    use ehlwave_equations, only: equations_t
    use ehlwave_kinds, only: dp
    use ehlwave_reynolds, only: intake
+   use ehlwave_threads, only: is_shared
    implicit none (type, external)
    private
    public :: bend
@@ -18,7 +19,7 @@ contains
    !>
    !> phi: share of that exponential in the diagonal of the Jacobian. The difference from P + d is of second
    !> order, so the final convergence stays quadratic.
-   pure subroutine bend(equations, step, dp_)
+   subroutine bend(equations, step, dp_)
       type(equations_t), intent(in) :: equations   !! evaluated where the step begins
       real(dp), intent(in) :: step              !! step length
       real(dp), intent(inout) :: dp_(0:, 0:)    !! Newton's change, then the change to make
@@ -26,6 +27,7 @@ contains
       integer :: i, j
 
       associate (mesh => equations%mesh, flow => equations%flow)
+         !$omp parallel do private(gain, i, s) schedule(static) if (is_shared(size(dp_)))
          do j = mesh%grid%first_row, mesh%grid%last_row
             do i = 1, mesh%grid%nx - 1
                dp_(i, j) = step*dp_(i, j)

@@ -1,6 +1,5 @@
 !> Solves within a cap on the work of a case, whose outcome is checked before it counts as converged.
 module ehlwave_capped_solver
-   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_kinds, only: dp
    use ehlwave_level_solver, only: level_solver_t
@@ -33,7 +32,7 @@ contains
       type(solve_limits_t), intent(in) :: limits
       class(level_solver_t), intent(inout), optional :: solver   !! in place of that of the hierarchy
       type(solve_report_t) :: report
-      real(dp) :: work_before
+      real(dp) :: highest, thinnest, work_before
       integer :: n
 
       n = size(multigrid%levels)
@@ -49,10 +48,10 @@ contains
       end if
       self%work_left = self%work_left - (multigrid%work() - work_before)
       associate (level => multigrid%levels(n))
-         call close_attempt(self, level%state, report, level%report)
+         call close_attempt(self, level%state, report, level%report, thinnest, highest)
          if (report%status == status_converged) then
-            self%thinnest = min(self%thinnest, minval(level%state%h))
-            self%highest = max(self%highest, maxval(level%state%p))
+            self%thinnest = min(self%thinnest, thinnest)
+            self%highest = max(self%highest, highest)
          end if
          level%report = report
       end associate
@@ -65,7 +64,7 @@ contains
       type(solve_limits_t), intent(in) :: limits       !! for the finest level
       real(dp), intent(in) :: coarse_tolerance         !! for the others
       type(solve_report_t) :: spent
-      real(dp) :: work_before
+      real(dp) :: highest, thinnest, work_before
 
       work_before = multigrid%work()
       associate (level => multigrid%levels(size(multigrid%levels)))
@@ -76,22 +75,27 @@ contains
          spent = level%report
          call multigrid%solve(bounded(self, limits), coarse_tolerance)
          self%work_left = self%work_left - (multigrid%work() - work_before)
-         call close_attempt(self, level%state, level%report, spent)
+         call close_attempt(self, level%state, level%report, spent, thinnest, highest)
       end associate
    end subroutine attempt_from_coarsest
 
    !> Take the steps of an attempt from the cap, and add those of earlier ones to its report. No solver may pass off a
    !> state as converged that is not finite or has no film.
-   pure subroutine close_attempt(self, state, report, spent)
+   subroutine close_attempt(self, state, report, spent, thinnest, highest)
       class(capped_solver_t), intent(inout) :: self
       type(state_t), intent(in) :: state
       type(solve_report_t), intent(inout) :: report   !! of this attempt
       type(solve_report_t), intent(in) :: spent       !! before it
+      real(dp), intent(out) :: thinnest, highest      !! smallest H and largest P where it has converged
+      logical :: is_finite
 
+      thinnest = huge(thinnest)
+      highest = 0
       if (report%status == status_converged) then
-         if (.not. (ieee_is_finite(sum(state%p)) .and. ieee_is_finite(sum(state%h)))) then
+         call state%survey(is_finite, thinnest, highest)
+         if (.not. is_finite) then
             report%status = status_not_finite
-         else if (minval(state%h) <= 0) then
+         else if (thinnest <= 0) then
             report%status = status_diverged
          end if
       end if

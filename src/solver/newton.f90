@@ -76,9 +76,9 @@ contains
       type(solve_report_t), intent(out) :: report
       type(state_t) :: state
 
-      state = hierarchy%levels(l)%state
+      call hierarchy%levels(l)%state%move_to(state)
       call self%improve(hierarchy%levels(:l), hierarchy%levels(l)%given, state, limits, report)
-      hierarchy%levels(l)%state = state
+      call state%move_to(hierarchy%levels(l)%state)
    end subroutine solve
 
    !> The same for the last of some levels, with another state and whatever else is given.
@@ -103,13 +103,13 @@ contains
       rests = 0
       work_before = work_of(levels)
       forcing = self%loosest
-      before = state
       ! what heat changes is smooth, and a part alone may end beside the solution
       asks_local = allocated(self%local) .and. .not. allocated(given%supply) .and. &
                    .not. allocated(levels(size(levels))%problem%heat)
       is_starved = given%conserves_oil()
       self%step%is_cut = .false.
       may_cut = levels(size(levels))%problem%rheology%is_newtonian()
+      if (.not. may_cut) before = state
       associate (problem => levels(size(levels))%problem, equations => self%step%linear%levels(size(levels))%equations)
          call problem%film_of_guess(given, state)
          do k = 0, limits%largest_steps
@@ -226,15 +226,16 @@ contains
       associate (equations => self%step%linear%levels(self%step%linear%finest)%equations)
          call self%local%improve_part(problem, given, equations, limits, state, p)
          if (.not. allocated(p)) return
-         before = state
+         call state%move_to(before)
          worth_before = worth
-         state%p = p
+         call move_alloc(p, state%p)
+         allocate (state%h(0:problem%grid%nx, 0:problem%grid%ny))
          call problem%film(given, state%p, state%delta, state%h)
       end associate
       call self%step%assemble(problem, given, state, worth)
       is_gain = worth < worth_before
       if (is_gain) return
-      state = before
+      call before%move_to(state)
       call self%step%assemble(problem, given, state, worth)
    end subroutine improve_part
 

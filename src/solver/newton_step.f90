@@ -140,11 +140,14 @@ contains
    logical function alternates(self, k)
       class(newton_step_t), intent(inout) :: self
       integer, intent(in) :: k   !! steps taken
+      logical, allocatable :: storage(:, :)
       associate (now => self%linear%levels(self%linear%finest)%equations%is_cavitated)
          alternates = .false.
          if (k >= 2) alternates = all(now .eqv. self%cavitated_earlier) .and. any(now .neqv. self%cavitated_before)
-         self%cavitated_earlier = self%cavitated_before
-         self%cavitated_before = now
+         call move_alloc(self%cavitated_earlier, storage)
+         call move_alloc(self%cavitated_before, self%cavitated_earlier)
+         call move_alloc(storage, self%cavitated_before)
+         self%cavitated_before(:, :) = now
       end associate
    end function alternates
 
@@ -170,9 +173,9 @@ contains
       self%is_cut = .false.
       associate (grid => problem%grid, n => self%linear%n)
          dp_(0:grid%nx, 0:grid%ny) => self%change(:n - 1)
-         has_moved = ieee_is_finite(maxval(abs(dp_))) .and. ieee_is_finite(self%change(n))
-         if (.not. has_moved) return
          step = longest*limit%of_pressure(dp_)
+         has_moved = step > 0 .and. ieee_is_finite(self%change(n))
+         if (.not. has_moved) return
          self%is_cut = may_cut .and. step < much_shorter*longest .and. &
                        count(abs(dp_) > limit%largest_change) <= few*n
          if (self%is_cut) then
@@ -206,11 +209,15 @@ contains
       real(dp), intent(in) :: step             !! its length
       real(dp), intent(inout), contiguous, target :: change(:)
       real(dp), pointer, contiguous :: dp_(:, :)
+      integer :: j
 
       associate (equations => self%linear%levels(self%linear%finest)%equations, n => self%linear%n)
          dp_(0:equations%mesh%grid%nx, 0:equations%mesh%grid%ny) => change(:n - 1)
          call bend(equations, step, dp_)
-         dp_ = max(dp_, lowest_pressure - state%p)
+         !$omp parallel do schedule(static) if (is_shared(size(dp_)))
+         do j = 0, ubound(dp_, 2)
+            dp_(:, j) = max(dp_(:, j), lowest_pressure - state%p(:, j))
+         end do
          if (self%fills) call fill_ahead(equations, state, dp_)
          change(n) = step*change(n)
       end associate
@@ -224,16 +231,23 @@ contains
       type(state_t), intent(inout) :: state
       real(dp), pointer, contiguous :: dp_(:, :)
       real(dp) :: shorter
+      integer :: j
 
       associate (grid => problem%grid, n => self%linear%n)
          dp_(0:grid%nx, 0:grid%ny) => self%change(:n - 1)
          call problem%deformation%apply(dp_, self%film_change)
-         self%film_change = self%film_change - self%change(n)
+         !$omp parallel do schedule(static) if (is_shared(size(dp_)))
+         do j = 0, grid%ny
+            self%film_change(:, j) = self%film_change(:, j) - self%change(n)
+         end do
          shorter = limit%of_film(state%h, self%film_change)
          has_moved = shorter > 0
-         state%p = state%p + shorter*dp_
+         !$omp parallel do schedule(static) if (is_shared(size(dp_)))
+         do j = 0, grid%ny
+            state%p(:, j) = state%p(:, j) + shorter*dp_(:, j)
+            state%h(:, j) = state%h(:, j) + shorter*self%film_change(:, j)   ! the film is linear in P and Delta
+         end do
          state%delta = state%delta + shorter*self%change(n)
-         state%h = state%h + shorter*self%film_change      ! the film is linear in P and Delta
       end associate
    end function advance
 

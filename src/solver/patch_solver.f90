@@ -15,6 +15,7 @@ module ehlwave_patch_solver
    use ehlwave_patch, only: cut, patch_grid
    use ehlwave_solve_report, only: mass_gain, solve_limits_t, solve_report_t
    use ehlwave_state, only: state_t
+   use ehlwave_threads, only: is_shared
    implicit none (type, external)
    private
 
@@ -98,17 +99,23 @@ contains
       type(solve_limits_t), intent(in) :: limits
       integer, intent(out) :: first(2), last(2)   !! nodes: i and j
       real(dp), intent(out) :: quiet              !! largest residual outside
-      real(dp) :: gain(0:grid%nx, 0:grid%ny), bound
+      real(dp) :: gain(0:grid%nx, 0:grid%ny), largest(0:grid%ny), bound
       integer :: i, j
 
+      !$omp parallel do schedule(static) if (is_shared(size(gain)))
+      do j = 0, grid%ny
+         gain(:, j) = merge(0.0_dp, mass_gain(equations%residual(:, j), grid%hx, state%h(:, j), limits%film_unit), &
+                            equations%is_cavitated(:, j))
+         largest(j) = maxval(gain(:, j))
+      end do
       first = 0
       last = 0
-      gain = merge(0.0_dp, mass_gain(equations%residual, grid%hx, state%h, limits%film_unit), equations%is_cavitated)
       quiet = 0
-      if (maxval(gain) <= limits%tolerance) return
-      bound = max(limits%tolerance, quiet_share*maxval(gain))
+      if (maxval(largest) <= limits%tolerance) return
+      bound = max(limits%tolerance, quiet_share*maxval(largest))
       first = [grid%nx, grid%ny]
       do j = 0, grid%ny
+         if (.not. largest(j) > bound) cycle
          do i = 0, grid%nx
             if (.not. gain(i, j) > bound) cycle
             first = min(first, [i, j])
@@ -118,8 +125,10 @@ contains
       call widen(grid%nx, first(1), last(1))
       call widen(grid%ny, first(2), last(2))
       if (product(real(last - first, dp)) > largest_patch*grid%nx*grid%ny) last = first
-      gain(first(1) + 1:last(1) - 1, first(2) + 1:last(2) - 1) = 0
-      quiet = maxval(gain)
+      do j = first(2) + 1, last(2) - 1
+         largest(j) = max(maxval(gain(:first(1), j)), maxval(gain(last(1):, j)))
+      end do
+      quiet = maxval(largest)
    end subroutine find
 
    !> Widen a range of nodes by the margin and to a multiple of `size_step` cells, within 0..n.

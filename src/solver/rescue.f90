@@ -108,7 +108,7 @@ contains
 
       associate (level => multigrid%levels(size(multigrid%levels)))
          level%report = solve_report_t()
-         starts_there = maxval(abs(level%state%p - before%p)) <= 0
+         starts_there = .not. any(abs(level%state%p - before%p) > 0)
          call self%attempt(multigrid, limits)
          if (level%report%status == status_converged) return
          if (.not. starts_there) then

@@ -49,7 +49,7 @@ contains
       type(equations_t), intent(in) :: equations        !! evaluated with it at the state
       type(state_t), intent(in) :: state                !! with the film of its pressure
       type(solve_limits_t), intent(in) :: limits
-      real(dp), dimension(0:equations%mesh%grid%ny) :: complementarity, residual
+      real(dp), dimension(0:equations%mesh%grid%ny) :: complementarity, residual, total
       real(dp) :: centre, error
       integer :: i, j
 
@@ -58,6 +58,7 @@ contains
          if (.not. centre > 0) centre = grid%value_at_centre(state%h)
          !$omp parallel do private(i) schedule(static) if (is_shared(size(r)))
          do j = 0, grid%ny
+            total(j) = sum(r(:, j))
             residual(j) = 0
             complementarity(j) = 0
             do i = 0, grid%nx
@@ -70,7 +71,7 @@ contains
          end do
          self%residual = maxval(residual)
          self%complementarity = maxval(complementarity)
-         if (.not. ieee_is_finite(sum(r))) self%residual = sum(r)
+         if (.not. ieee_is_finite(sum(total))) self%residual = sum(total)
          if (equations%edges%count() > 0) then
             error = edge_error(equations, state)
             self%residual = max(self%residual, error)

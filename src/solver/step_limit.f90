@@ -26,30 +26,54 @@ contains
       bounded = max(-self%largest_change, min(change, self%largest_change))
    end function bounded
 
-   !> Share of a change of pressure, at most 1, that the bound on pressures allows.
-   pure real(dp) function of_pressure(self, change) result(share)
+   !> Share of a change of pressure, at most 1, that the bound on pressures allows; 0 of one that is not finite.
+   real(dp) function of_pressure(self, change) result(share)
       class(step_limit_t), intent(in) :: self
       real(dp), intent(in) :: change(:, :)   !! of P
+      real(dp) :: shares(size(change, 2))
+      integer :: j
+      !$omp parallel do schedule(static) if (is_shared(size(change)))
+      do j = 1, size(shares)
+         shares(j) = row_of_pressure(self, change(:, j))
+      end do
+      share = minval(shares)
+   end function of_pressure
+
+   !> Share of a change of film, at most 1, that the bound on films allows.
+   real(dp) function of_film(self, h, change) result(share)
+      class(step_limit_t), intent(in) :: self
+      real(dp), intent(in) :: h(:, :)        !! H before the change
+      real(dp), intent(in) :: change(:, :)   !! of H
+      real(dp) :: shares(size(h, 2))
+      integer :: j
+      !$omp parallel do schedule(static) if (is_shared(size(h)))
+      do j = 1, size(shares)
+         shares(j) = row_of_film(self, h(:, j), change(:, j))
+      end do
+      share = minval(shares)
+   end function of_film
+
+   !> `of_pressure` of one row.
+   pure real(dp) function row_of_pressure(self, change) result(share)
+      class(step_limit_t), intent(in) :: self
+      real(dp), intent(in) :: change(:)
       real(dp) :: largest
       largest = maxval(abs(change))
       share = 1
       if (largest > self%largest_change) share = self%largest_change/largest
-   end function of_pressure
+   end function row_of_pressure
 
-   !> Share of a change of film, at most 1, that the bound on films allows.
-   pure real(dp) function of_film(self, h, change) result(share)
+   !> `of_film` of one row.
+   pure real(dp) function row_of_film(self, h, change) result(share)
       class(step_limit_t), intent(in) :: self
-      real(dp), intent(in) :: h(:, :)        !! H before the change
-      real(dp), intent(in) :: change(:, :)   !! of H
-      integer :: i, j
+      real(dp), intent(in) :: h(:), change(:)
+      integer :: i
       share = 1
-      do j = 1, size(h, 2)
-         do i = 1, size(h, 1)
-            if (share*change(i, j) < (self%smallest_film_factor - 1)*h(i, j)) &
-               share = (self%smallest_film_factor - 1)*h(i, j)/change(i, j)
-         end do
+      do i = 1, size(h)
+         if (share*change(i) < (self%smallest_film_factor - 1)*h(i)) &
+            share = (self%smallest_film_factor - 1)*h(i)/change(i)
       end do
-   end function of_film
+   end function row_of_film
 
    !> Go from `before` towards `state` no farther than the bounds allow. The film is linear in P and Delta, so that of
    !> the shortened step needs no new deformation.
@@ -63,8 +87,8 @@ contains
       !$omp parallel do private(j) schedule(static) if (is_shared(size(state%p)))
       do row = 1, size(share)
          j = lbound(state%p, 2) + row - 1
-         share(row) = min(self%of_pressure(state%p(:, j:j) - before%p(:, j:j)), &
-                          self%of_film(before%h(:, j:j), state%h(:, j:j) - before%h(:, j:j)))
+         share(row) = min(row_of_pressure(self, state%p(:, j) - before%p(:, j)), &
+                          row_of_film(self, before%h(:, j), state%h(:, j) - before%h(:, j)))
       end do
       step = minval(share)
       if (.not. step < 1) return

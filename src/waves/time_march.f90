@@ -21,6 +21,7 @@ module ehlwave_time_march
    use ehlwave_solve_report, only: solve_limits_t
    use ehlwave_state, only: state_t
    use ehlwave_status, only: status_converged
+   use ehlwave_threads, only: is_shared
    use ehlwave_transport, only: characteristic_transport
    implicit none (type, external)
    private
@@ -294,13 +295,16 @@ contains
       type(given_t), intent(in) :: given               !! to the solution
       type(state_t), intent(in) :: state
       type(equations_t) :: equations
-      integer :: n, steps
+      integer :: j, n, steps
 
       associate (history => self%history)
          steps = size(history, 3)
          if (allocated(given%supply)) steps = steps/2
-         do n = size(history, 3), 2, -1
-            if (n /= steps + 1) history(:, :, n) = history(:, :, n - 1)
+         !$omp parallel do private(n) schedule(static) if (is_shared(size(state%p)))
+         do j = 0, ubound(history, 2)
+            do n = size(history, 3), 2, -1
+               if (n /= steps + 1) history(:, j, n) = history(:, j, n - 1)
+            end do
          end do
          if (allocated(given%supply)) then
             call equations%init(problem)
@@ -330,12 +334,15 @@ contains
       class(march_t), intent(inout) :: self
       type(level_t), intent(in) :: level
       real(dp), intent(in) :: t
+      type(state_t) :: storage
 
       self%result%steps = self%result%steps + 1
       call note(self, level, self%result%steps, t)
       associate (past => self%past)
-         past%earliest = past%earlier
-         past%earlier = past%before
+         call past%earliest%move_to(storage)
+         call past%earlier%move_to(past%earliest)
+         call past%before%move_to(past%earlier)
+         call storage%move_to(past%before)
          past%before = level%state
       end associate
       self%given = level%given

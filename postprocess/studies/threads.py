@@ -1,0 +1,84 @@
+"""The command behind ``scripts/study threads``: threads that share a contact against runs."""
+
+import argparse
+import os
+import sys
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import asdict, dataclass
+from statistics import fmean
+
+from studies.command import maps
+from studies.command.options import step_parser
+from studies.programs import Groups
+from studies.speed import WAVES, Answer, case_groups, number, solved
+from studies.sweeps import run_command, write_rows
+
+TIME_STEPS = 32
+
+
+@dataclass(frozen=True)
+class Row:
+    """One line of the table; seconds are those of the fastest runs."""
+
+    work: str
+    cells: int
+    threads: int
+    one_run_s: float
+    runs_side_by_side_s: float
+    share: float
+    """Throughput of one run on all threads, over that of as many runs with one thread each."""
+
+
+Run = Callable[[Groups], Answer]
+
+
+def measure(run: Run, cells: int, threads: int, repeats: int) -> list[Row]:
+    """Run a steady state and a march both ways in turn, each `repeats` times."""
+    waves = {"dynamics": {"end_time": TIME_STEPS * 4.0 / cells}}
+    march = {**case_groups(cells, "newton", WAVES), **waves}
+    cases = {
+        "steady state": case_groups(cells, "newton"),
+        f"the same and {TIME_STEPS} time steps": march,
+    }
+    rows = []
+    for work, groups in cases.items():
+        together, alone = [], []
+        for _ in range(repeats):
+            together.append(number(run(_on(threads, groups)), "seconds"))
+            alone.append(_side_by_side(run, groups, threads))
+        one, many = min(together), min(alone)
+        rows.append(Row(work, cells, threads, one, many, many / one / threads))
+    return rows
+
+
+def _on(threads: int, groups: Groups) -> Groups:
+    return {**groups, "solver": {**groups["solver"], "threads": threads}}
+
+
+def _side_by_side(run: Run, groups: Groups, runs: int) -> float:
+    """Return the mean seconds of runs with one thread each, that begin together."""
+    with ThreadPoolExecutor(runs) as pool:
+        return fmean(number(answer, "seconds") for answer in pool.map(run, [_on(1, groups)] * runs))
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Measure, print and write the table; return 0, or 1 with a message."""
+    return run_command(step_parser(maps.threads, __doc__), _run, arguments)
+
+
+def _run(options: argparse.Namespace) -> None:
+    threads = options.threads or len(os.sched_getaffinity(0))
+    rows = measure(solved, options.cells, threads, options.repeats)
+    for row in rows:
+        print(
+            f"{row.work:30} {row.cells} x {row.cells} cells: {row.one_run_s:.3g} s on {threads} "
+            f"threads, {row.runs_side_by_side_s:.3g} s each of {threads} runs: {row.share:.2f}"
+        )
+    path = options.output / "threads.csv"
+    write_rows(path, map(asdict, rows), digits=4)
+    print(path)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
