@@ -46,7 +46,7 @@ contains
       other%delta = self%delta
    end subroutine move_to
 
-   !> What there is to know of it before it passes as a solution.
+   !> Whether all of it is finite, and its extremes: a look before it passes as a solution.
    subroutine survey(self, is_finite, thinnest, highest)
       class(state_t), intent(in) :: self
       logical, intent(out) :: is_finite                !! every P and H
