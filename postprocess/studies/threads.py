@@ -3,10 +3,14 @@
 import argparse
 import os
 import sys
+import threading
+import time
 from collections.abc import Callable, Sequence
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from dataclasses import asdict, dataclass
 from statistics import fmean
+
+import numpy as np
 
 from studies.command import maps
 from studies.command.options import step_parser
@@ -15,6 +19,8 @@ from studies.speed import WAVES, Answer, case_groups, number, solved
 from studies.sweeps import run_command, write_rows
 
 TIME_STEPS = 32
+ROOTS, ROUNDS = 2**21, 200
+"""Square roots, and how often: a loop that shares nothing, for what the machine itself has."""
 
 
 @dataclass(frozen=True)
@@ -52,6 +58,33 @@ def measure(run: Run, cells: int, threads: int, repeats: int) -> list[Row]:
     return rows
 
 
+def machine(threads: int, repeats: int) -> Row:
+    """Share square roots among threads that wait for each other after each round, and do not."""
+    together, alone = [], []
+    for _ in range(repeats):
+        barrier = threading.Barrier(threads)
+        values = [ROOTS // threads] * threads
+        with ThreadPoolExecutor(threads) as pool:
+            together.append(max(pool.map(lambda count: _roots(count, barrier), values)))
+        with ProcessPoolExecutor(threads) as processes:
+            alone.append(fmean(processes.map(_roots, [ROOTS] * threads)))
+    one, many = min(together), min(alone)
+    return Row("square roots", 0, threads, one, many, many / one / threads)
+
+
+def _roots(count: int, barrier: threading.Barrier | None = None) -> float:
+    """Return the seconds of all rounds."""
+    values, roots = np.arange(float(count)), np.zeros(count)
+    if barrier:
+        barrier.wait()
+    start = time.perf_counter()
+    for _ in range(ROUNDS):
+        np.sqrt(values, out=roots)
+        if barrier:
+            barrier.wait()
+    return time.perf_counter() - start
+
+
 def _on(threads: int, groups: Groups) -> Groups:
     return {**groups, "solver": {**groups["solver"], "threads": threads}}
 
@@ -69,11 +102,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _run(options: argparse.Namespace) -> None:
     threads = options.threads or len(os.sched_getaffinity(0))
-    rows = measure(solved, options.cells, threads, options.repeats)
+    rows = [machine(threads, options.repeats)]
+    rows += measure(solved, options.cells, threads, options.repeats)
     for row in rows:
         print(
-            f"{row.work:30} {row.cells} x {row.cells} cells: {row.one_run_s:.3g} s on {threads} "
-            f"threads, {row.runs_side_by_side_s:.3g} s each of {threads} runs: {row.share:.2f}"
+            f"{row.work:30} {row.one_run_s:.3g} s on {threads} threads, "
+            f"{row.runs_side_by_side_s:.3g} s each of {threads} runs: {row.share:.2f}"
         )
     path = options.output / "threads.csv"
     write_rows(path, map(asdict, rows), digits=4)

@@ -1,5 +1,6 @@
 """The study of threads from given seconds: no program runs."""
 
+import threading
 from pathlib import Path
 
 import pytest
@@ -24,6 +25,35 @@ def test_share() -> None:
     assert [row.share for row in (steady, march)] == pytest.approx([2.5 / 4] * 2)
 
 
+def test_square_roots_are_shared(monkeypatch: pytest.MonkeyPatch) -> None:
+    """All threads wait for each other, and share the roots that each process takes alone."""
+    counts = []
+
+    def roots(count: int, barrier: threading.Barrier | None = None) -> float:
+        counts.append((count, barrier.parties if barrier else 0))
+        if barrier:
+            barrier.wait()
+        return 3.0 if barrier else 4.5
+
+    class Here:
+        """Processes that are none, so that `roots` can be seen."""
+
+        def __init__(self, processes: int) -> None:
+            assert processes == 3
+
+        def __enter__(self) -> type:
+            return type("Pool", (), {"map": staticmethod(map)})
+
+        def __exit__(self, *_: object) -> None:
+            pass
+
+    monkeypatch.setattr(threads, "_roots", roots)
+    monkeypatch.setattr(threads, "ProcessPoolExecutor", Here)
+    row = threads.machine(3, 1)
+    assert counts == [(threads.ROOTS // 3, 3)] * 3 + [(threads.ROOTS, 0)] * 3
+    assert row.share == pytest.approx(0.5)
+
+
 def test_fastest_counts_and_runs_side_by_side_are_averaged() -> None:
     """Of repeated runs the fastest is taken, of runs that begin together the mean."""
     waits = {1: iter([8.0, 4.0, 2.0, 6.0] * 2), 2: iter([3.0, 5.0] * 2)}
@@ -44,5 +74,6 @@ def test_failure(
         raise ResultsError("stalled")
 
     monkeypatch.setattr(threads, "solved", fail)
+    monkeypatch.setattr(threads, "ROUNDS", 1)
     assert threads.main(["--output", str(tmp_path), "--repeats", "1"]) == 1
     assert "stalled" in capsys.readouterr().err

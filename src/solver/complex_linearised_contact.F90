@@ -24,6 +24,10 @@ module ehlwave_complex_linearised_contact
 
 #include "linearised_contact.inc"
 
+#include "contact_cycle.inc"
+
+#include "near_factors.inc"
+
    !> Deformation under a change of pressure, real and imaginary part one after the other. A field without imaginary
    !> part (w = 0) costs one convolution, any other two.
    subroutine deform(level, q, d, in_single)

@@ -25,6 +25,10 @@ module ehlwave_real_linearised_contact
 
 #include "linearised_contact.inc"
 
+#include "contact_cycle.inc"
+
+#include "near_factors.inc"
+
    !> Let wedge and squeeze be those that the finest level is given, on all levels.
    subroutine set_wedge(self, transport)
       type(linearised_contact_t), intent(inout) :: self
