@@ -42,9 +42,9 @@ Run = Callable[[Groups], Answer]
 def measure(run: Run, cells: int, threads: int, repeats: int) -> list[Row]:
     """Run a steady state and a march both ways in turn, each `repeats` times."""
     waves = {"dynamics": {"end_time": TIME_STEPS * 4.0 / cells}}
-    march = {**case_groups(cells, "newton", WAVES), **waves}
+    march = {**case_groups(cells, "auto", WAVES), **waves}
     cases = {
-        "steady state": case_groups(cells, "newton"),
+        "steady state": case_groups(cells, "auto"),
         f"the same and {TIME_STEPS} time steps": march,
     }
     rows = []
@@ -65,7 +65,7 @@ def machine(threads: int, repeats: int) -> Row:
         barrier = threading.Barrier(threads)
         values = [ROOTS // threads] * threads
         with ThreadPoolExecutor(threads) as pool:
-            together.append(max(pool.map(lambda count: _roots(count, barrier), values)))
+            together.append(max(pool.map(_roots, values, [barrier] * threads)))
         with ProcessPoolExecutor(threads) as processes:
             alone.append(fmean(processes.map(_roots, [ROOTS] * threads)))
     one, many = min(together), min(alone)

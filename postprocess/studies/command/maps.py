@@ -120,7 +120,7 @@ def threads(options: argparse.Namespace) -> int:
     """Compare one contact on several threads with as many runs side by side.
 
     Runs M = 100, L = 12.05, D = 1, smooth and with the first 32 time steps of transverse waviness
-    of lambda = 0.5 a, by Newton's method. Printed is the share of the throughput of the separate
+    of lambda = 0.5 a, by the method auto. Printed is the share of the throughput of the separate
     runs that the threads reach. The first line is that of square roots, which need nothing of each
     other: more than that the machine does not have. Writes threads.csv.
 
