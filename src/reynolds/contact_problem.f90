@@ -102,20 +102,14 @@ contains
       real(dp), intent(in) :: p(0:, 0:)    !! P, (0:nx, 0:ny)
       real(dp), intent(in) :: delta        !! mutual approach
       real(dp), intent(out) :: h(0:, 0:)   !! H, (0:nx, 0:ny)
-      call self%smooth_film(p, delta, h)
-      if (allocated(given%rough)) call add_rough(given%rough, h)
-   end subroutine film
-
-   !> Roughness added to a film.
-   subroutine add_rough(rough, h)
-      real(dp), intent(in) :: rough(:, :)     !! of the grid, whatever its bounds
-      real(dp), intent(inout) :: h(:, :)
       integer :: j
+      call self%smooth_film(p, delta, h)
+      if (.not. allocated(given%rough)) return
       !$omp parallel do schedule(static) if (is_shared(size(h)))
-      do j = 1, size(h, 2)
-         h(:, j) = h(:, j) + rough(:, j)
+      do j = 0, ubound(h, 2)
+         h(:, j) = h(:, j) + given%rough(:, j)
       end do
-   end subroutine add_rough
+   end subroutine film
 
    !> `film` of smooth surfaces.
    subroutine smooth_film(self, p, delta, h)

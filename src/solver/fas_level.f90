@@ -85,8 +85,7 @@ contains
          state%delta = fine%state%delta
          allocate (deformation, weighted, mold=state%p)
          call problem%deformation%apply(state%p, deformation)
-         given%rough = state%h + state%delta - problem%smooth_gap - deformation
-
+         call given%set_rough(state%h + state%delta - problem%smooth_gap - deformation)
          given%edge_rough = problem%edges%rough_from(fine%equations%edges, fine_given, grid%row_ratio)
          given%transport%wedge_t = implicit_part(fine_given%transport, grid)
          if (allocated(given%transport%carried)) deallocate (given%transport%carried)

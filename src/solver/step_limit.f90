@@ -1,5 +1,6 @@
 !> Steps of an iteration kept within bounds: no pressure jumps, no film closes.
 module ehlwave_step_limit
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_kinds, only: dp
    use ehlwave_state, only: state_t
    use ehlwave_threads, only: is_shared
@@ -26,17 +27,18 @@ contains
       bounded = max(-self%largest_change, min(change, self%largest_change))
    end function bounded
 
-   !> Share of a change of pressure, at most 1, that the bound on pressures allows; 0 of one that is not finite.
+   !> Share of a change of pressure, at most 1, that the bound on pressures allows. 0 where the largest is not finite.
    real(dp) function of_pressure(self, change) result(share)
       class(step_limit_t), intent(in) :: self
       real(dp), intent(in) :: change(:, :)   !! of P
-      real(dp) :: shares(size(change, 2))
+      real(dp) :: largest(size(change, 2))
       integer :: j
       !$omp parallel do schedule(static) if (is_shared(size(change)))
-      do j = 1, size(shares)
-         shares(j) = row_of_pressure(self, change(:, j))
+      do j = 1, size(largest)
+         largest(j) = maxval(abs(change(:, j)))
       end do
-      share = minval(shares)
+      share = 0
+      if (ieee_is_finite(maxval(largest))) share = share_of(self, maxval(largest))
    end function of_pressure
 
    !> Share of a change of film, at most 1, that the bound on films allows.
@@ -53,15 +55,13 @@ contains
       share = minval(shares)
    end function of_film
 
-   !> `of_pressure` of one row.
-   pure real(dp) function row_of_pressure(self, change) result(share)
+   !> Share of the largest change of a pressure, at most 1, that its bound allows.
+   pure real(dp) function share_of(self, largest) result(share)
       class(step_limit_t), intent(in) :: self
-      real(dp), intent(in) :: change(:)
-      real(dp) :: largest
-      largest = maxval(abs(change))
+      real(dp), intent(in) :: largest
       share = 1
       if (largest > self%largest_change) share = self%largest_change/largest
-   end function row_of_pressure
+   end function share_of
 
    !> `of_film` of one row.
    pure real(dp) function row_of_film(self, h, change) result(share)
@@ -87,7 +87,7 @@ contains
       !$omp parallel do private(j) schedule(static) if (is_shared(size(state%p)))
       do row = 1, size(share)
          j = lbound(state%p, 2) + row - 1
-         share(row) = min(row_of_pressure(self, state%p(:, j) - before%p(:, j)), &
+         share(row) = min(share_of(self, maxval(abs(state%p(:, j) - before%p(:, j)))), &
                           row_of_film(self, before%h(:, j), state%h(:, j) - before%h(:, j)))
       end do
       step = minval(share)

@@ -117,7 +117,7 @@ contains
       real(dp), intent(inout) :: seconds        !! wall time of the case so far
 
       associate (r => march%result, past => march%past, given => march%given, rescue => march%rescue)
-         if (.not. allocated(given%rough)) allocate (given%rough, source=0*given%transport%carried)   ! before step 1
+         if (.not. allocated(given%rough)) call given%set_rough(0*given%transport%carried)   ! before step 1
          call bytes%numbers(seconds)
          call bytes%numbers(march%approach)
          call bytes%numbers(past%before%delta)

@@ -119,7 +119,8 @@ contains
 
       call ilu%begin()
       !$omp parallel num_threads(ilu%threads) private(e, f, rows, s)
-      do s = 1 + thread_number(), slow, team_size()
+      do s = 1, slow
+         if (modulo((s - 1)/ilu%together, team_size()) /= thread_number()) cycle
          do e = 1, ilu%entries
             do f = 1, fast
                rows(f, e) = noise(f + 3*e, s) - 0.5_dp
