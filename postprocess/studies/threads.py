@@ -8,6 +8,7 @@ import time
 from collections.abc import Callable, Sequence
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from dataclasses import asdict, dataclass
+from functools import partial
 from statistics import fmean
 
 import numpy as np
@@ -19,6 +20,8 @@ from studies.speed import WAVES, Answer, case_groups, number, solved
 from studies.sweeps import run_command, write_rows
 
 TIME_STEPS = 32
+LENGTH = 4.0
+"""Of the default domain along X: a step in time is as long as a cell."""
 ROOTS, ROUNDS = 2**21, 200
 """Square roots, and how often: a loop that shares nothing, for what the machine itself has."""
 
@@ -41,35 +44,44 @@ Run = Callable[[Groups], Answer]
 
 def measure(run: Run, cells: int, threads: int, repeats: int) -> list[Row]:
     """Run a steady state and a march both ways in turn, each `repeats` times."""
-    waves = {"dynamics": {"end_time": TIME_STEPS * 4.0 / cells}}
-    march = {**case_groups(cells, "auto", WAVES), **waves}
+    end = {"dynamics": {"end_time": TIME_STEPS * LENGTH / cells}}
     cases = {
         "steady state": case_groups(cells, "auto"),
-        f"the same and {TIME_STEPS} time steps": march,
+        f"the same and {TIME_STEPS} time steps": {**case_groups(cells, "auto", WAVES), **end},
     }
     rows = []
     for work, groups in cases.items():
-        together, alone = [], []
-        for _ in range(repeats):
-            together.append(number(run(_on(threads, groups)), "seconds"))
-            alone.append(_side_by_side(run, groups, threads))
-        one, many = min(together), min(alone)
-        rows.append(Row(work, cells, threads, one, many, many / one / threads))
+        shared = partial(_seconds, run, _on(threads, groups))
+        apart = partial(_side_by_side, run, _on(1, groups), threads)
+        rows.append(_row(work, cells, threads, shared, apart, repeats))
     return rows
 
 
 def machine(threads: int, repeats: int) -> Row:
     """Share square roots among threads that wait for each other after each round, and do not."""
-    together, alone = [], []
-    for _ in range(repeats):
-        barrier = threading.Barrier(threads)
-        values = [ROOTS // threads] * threads
-        with ThreadPoolExecutor(threads) as pool:
-            together.append(max(pool.map(_roots, values, [barrier] * threads)))
-        with ProcessPoolExecutor(threads) as processes:
-            alone.append(fmean(processes.map(_roots, [ROOTS] * threads)))
-    one, many = min(together), min(alone)
-    return Row("square roots", 0, threads, one, many, many / one / threads)
+    shared, apart = partial(_shared_roots, threads), partial(_roots_apart, threads)
+    return _row("square roots", 0, threads, shared, apart, repeats)
+
+
+Seconds = Callable[[], float]
+
+
+def _row(work: str, cells: int, threads: int, shared: Seconds, apart: Seconds, repeats: int) -> Row:
+    """Take the fastest of what is shared and of what runs side by side, measured by turns."""
+    seconds = [(shared(), apart()) for _ in range(repeats)]
+    one, many = map(min, zip(*seconds, strict=True))
+    return Row(work, cells, threads, one, many, many / one / threads)
+
+
+def _shared_roots(threads: int) -> float:
+    barrier = threading.Barrier(threads)
+    with ThreadPoolExecutor(threads) as pool:
+        return max(pool.map(_roots, [ROOTS // threads] * threads, [barrier] * threads))
+
+
+def _roots_apart(processes: int) -> float:
+    with ProcessPoolExecutor(processes) as pool:
+        return fmean(pool.map(_roots, [ROOTS] * processes))
 
 
 def _roots(count: int, barrier: threading.Barrier | None = None) -> float:
@@ -89,10 +101,14 @@ def _on(threads: int, groups: Groups) -> Groups:
     return {**groups, "solver": {**groups["solver"], "threads": threads}}
 
 
+def _seconds(run: Run, groups: Groups) -> float:
+    return number(run(groups), "seconds")
+
+
 def _side_by_side(run: Run, groups: Groups, runs: int) -> float:
-    """Return the mean seconds of runs with one thread each, that begin together."""
+    """Return the mean seconds of runs that begin together."""
     with ThreadPoolExecutor(runs) as pool:
-        return fmean(number(answer, "seconds") for answer in pool.map(run, [_on(1, groups)] * runs))
+        return fmean(pool.map(partial(_seconds, run), [groups] * runs))
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
