@@ -36,6 +36,14 @@ module ehlwave_kernel_transform
                                                         !! else 0, over px
    end type kernel_transform_t
 
+   !> One plan, and a row or column with its transform for each thread. Must not be copied (it owns C memory).
+   type :: transforms_t
+      integer :: threads = 1
+      type(c_ptr) :: plan, memory(2)
+      real(c_double), pointer, contiguous :: values(:, :) => null()              !! (0:n-1, 0:threads-1)
+      complex(c_double_complex), pointer, contiguous :: modes(:, :) => null()    !! (0:n/2, 0:threads-1)
+   end type transforms_t
+
 contains
 
    !> Of the exact cell kernel on a grid; kappa and K of the contact.
@@ -44,82 +52,98 @@ contains
       real(dp), intent(in) :: kappa   !! ellipticity a/b
       real(dp), intent(in) :: k       !! complete elliptic integral of the first kind
       type(kernel_transform_t) :: self
-      real(dp), allocatable :: column(:, :), padded(:, :)
-      integer :: j, reach
+      type(transforms_t) :: along_y
+      real(dp), allocatable :: column(:, :)
+      integer :: j, m, reach, t
 
       self%px = fast_length(2*grid%nx)
       self%py = fast_length(2*grid%ny)
-      reach = merge(2*grid%ny, self%py/2, grid%is_half)
       associate (px => self%px, py => self%py)
-         allocate (column(0:reach, 0:px/2))
-         column = transpose(real(spectra(distances(grid, kappa, k, px, reach)), dp))/px
-         allocate (self%direct(0:py/2, 0:px/2))
-         self%direct = real(spectra(column([(min(j, py - j), j=0, py - 1)], :)), dp)/py
-         if (.not. grid%is_half) return
-         allocate (self%mirrored(0:py/2, 0:px/2), self%corner(0:px/2))
-         allocate (padded(0:py - 1, 0:px/2), source=0.0_dp)
-         padded(:min(reach, py - 1), :) = column(:min(reach, py - 1), :)
-         self%mirrored = spectra(padded)/py
-         self%corner = 0
-         if (py == reach) self%corner = column(reach, :) - column(0, :)
+         reach = merge(2*grid%ny, py/2, grid%is_half)
+         allocate (column(0:reach, 0:px/2), self%direct(0:py/2, 0:px/2))
+         call transform_rows(grid, kappa, k, px, column)
+         if (grid%is_half) then
+            allocate (self%mirrored(0:py/2, 0:px/2))
+            allocate (self%corner(0:px/2), source=0.0_dp)
+         end if
+         call begin(along_y, py, size(column))
+         !$omp parallel do num_threads(along_y%threads) private(j, t) schedule(static)
+         do m = 0, px/2
+            t = thread_number()
+            associate (values => along_y%values, modes => along_y%modes(:, t), last => min(reach, py - 1))
+               values(:, t) = column([(min(j, py - j), j=0, py - 1)], m)
+               call fftw_execute_dft_r2c(along_y%plan, values(:, t), modes)
+               self%direct(:, m) = real(modes, dp)/py
+               if (.not. grid%is_half) cycle
+               values(:last, t) = column(:last, m)
+               values(last + 1:, t) = 0
+               call fftw_execute_dft_r2c(along_y%plan, values(:, t), modes)
+               self%mirrored(:, m) = modes/py
+               if (py == reach) self%corner(m) = column(reach, m) - column(0, m)
+            end associate
+         end do
+         call finish(along_y)
       end associate
    end function new_kernel_transform
 
-   !> Influence at the distances i along X, mirrored in the middle, and j = 0 to `reach` along Y. Four cells share a
-   !> corner: each row of them is found once, for a part of the rows.
-   function distances(grid, kappa, k, px, reach) result(influence)
+   !> Transforms along X of the influence at the distances j = 0 to `reach` along Y. The influence is that of distances
+   !> along X, mirrored in the middle. Four cells share a corner: each row of them is found once, for a part of the rows.
+   subroutine transform_rows(grid, kappa, k, px, column)
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: kappa, k
-      integer, intent(in) :: px, reach
-      real(dp) :: influence(0:px - 1, 0:reach)
-      real(dp) :: lower(0:px/2 + 1), u(0:px/2 + 1), upper(0:px/2 + 1)
-      integer :: i, j, last
+      integer, intent(in) :: px
+      real(dp), intent(out) :: column(0:, 0:)   !! (0:reach, 0:px/2), over px
+      type(transforms_t) :: along_x
+      real(dp), dimension(0:px/2 + 1) :: lower, u, upper
+      integer :: i, j, last, t
 
       u = kappa*grid%hx*([(i, i=0, px/2 + 1)] - 0.5_dp)
+      call begin(along_x, px, size(column))
       last = -huge(last)
-      !$omp parallel do private(lower, upper) firstprivate(last) schedule(static) if (is_shared(size(influence)))
-      do j = 0, reach
+      !$omp parallel do num_threads(along_x%threads) private(lower, t, upper) firstprivate(last) schedule(static)
+      do j = 0, ubound(column, 1)
+         t = thread_number()
          if (j == last + 1) then
             lower = upper
          else
             lower = corner(u, grid%hy*(j - 0.5_dp))
          end if
          upper = corner(u, grid%hy*(j + 0.5_dp))
-         influence(:px/2, j) = (upper(1:) - upper(:px/2) - lower(1:) + lower(:px/2))/(pi*k*kappa)
-         influence(px/2 + 1:, j) = influence(px/2 - 1:1:-1, j)
          last = j
+         associate (influence => along_x%values)
+            influence(:px/2, t) = (upper(1:) - upper(:px/2) - lower(1:) + lower(:px/2))/(pi*k*kappa)
+            influence(px/2 + 1:, t) = influence(px/2 - 1:1:-1, t)
+         end associate
+         call fftw_execute_dft_r2c(along_x%plan, along_x%values(:, t), along_x%modes(:, t))
+         column(j, :) = real(along_x%modes(:, t), dp)/px
       end do
-   end function distances
+      call finish(along_x)
+   end subroutine transform_rows
 
-   !> Transform of each column, the first half of it and the middle.
-   function spectra(columns) result(modes)
-      real(dp), intent(in) :: columns(:, :)
-      complex(dp) :: modes(size(columns, 1)/2 + 1, size(columns, 2))
-      real(c_double), pointer, contiguous :: values(:, :)                  ! (n, threads)
-      complex(c_double_complex), pointer, contiguous :: transform(:, :)    ! (n/2 + 1, threads)
-      type(c_ptr) :: plan, transform_memory, values_memory
-      integer(c_size_t) :: length
-      integer :: m, n, t, threads
+   !> Plan and memory for real transforms of length n, by as many threads as so many values are worth.
+   subroutine begin(self, n, values)
+      type(transforms_t), intent(out) :: self
+      integer, intent(in) :: n, values
+      integer(c_size_t) :: count
+      real(c_double), pointer, contiguous :: v(:, :)
+      complex(c_double_complex), pointer, contiguous :: m(:, :)
 
-      n = size(columns, 1)
-      threads = merge(thread_count(), 1, is_shared(size(columns)))
-      length = int(n, c_size_t)*threads
-      values_memory = obtained(fftw_alloc_real(length), length)
-      transform_memory = obtained(fftw_alloc_complex((n/2 + 1_c_size_t)*threads), length)
-      call c_f_pointer(values_memory, values, [n, threads])
-      call c_f_pointer(transform_memory, transform, [n/2 + 1, threads])
-      plan = obtained(fftw_plan_dft_r2c_1d(n, values, transform, FFTW_ESTIMATE), length)
-      !$omp parallel do num_threads(threads) private(t) schedule(static)
-      do m = 1, size(columns, 2)
-         t = thread_number() + 1
-         values(:, t) = columns(:, m)
-         call fftw_execute_dft_r2c(plan, values(:, t), transform(:, t))
-         modes(:, m) = transform(:, t)
-      end do
-      call fftw_destroy_plan(plan)
-      call fftw_free(values_memory)
-      call fftw_free(transform_memory)
-   end function spectra
+      self%threads = merge(thread_count(), 1, is_shared(values))
+      count = (n/2 + 1_c_size_t)*self%threads
+      self%memory = [obtained(fftw_alloc_real(2*count), 2*count), obtained(fftw_alloc_complex(count), count)]
+      call c_f_pointer(self%memory(1), v, [n, self%threads])
+      call c_f_pointer(self%memory(2), m, [n/2 + 1, self%threads])
+      self%values(0:, 0:) => v
+      self%modes(0:, 0:) => m
+      self%plan = obtained(fftw_plan_dft_r2c_1d(n, v, m, FFTW_ESTIMATE), count)
+   end subroutine begin
+
+   subroutine finish(self)
+      type(transforms_t), intent(inout) :: self
+      call fftw_destroy_plan(self%plan)
+      call fftw_free(self%memory(1))
+      call fftw_free(self%memory(2))
+   end subroutine finish
 
    !> Smallest even n' >= n whose prime factors are 2, 3, 5, 7.
    pure integer function fast_length(n)

@@ -28,6 +28,7 @@ module ehlwave_grid
       procedure :: above
       procedure :: can_coarsen
       procedure :: coarser
+      procedure :: new_field
       generic :: integral => real_integral, complex_integral
       procedure, private :: real_integral, complex_integral
       procedure :: value_at_centre
@@ -135,6 +136,18 @@ contains
       coarser%y = self%y(::self%row_ratio)
       coarser%weight = self%weight(::self%row_ratio)
    end function coarser
+
+   !> Zeros at all nodes. Threads share them, as new memory is slow to touch.
+   subroutine new_field(self, field)
+      class(grid_t), intent(in) :: self
+      real(dp), allocatable, intent(out) :: field(:, :)   !! (0:nx, 0:ny)
+      integer :: j
+      allocate (field(0:self%nx, 0:self%ny))
+      !$omp parallel do schedule(static) if (is_shared(size(field)))
+      do j = 0, self%ny
+         field(:, j) = 0
+      end do
+   end subroutine new_field
 
    !> Integral over the whole domain by the sum of nodal values times hX hY; of a line contact over its strip, 4/3 int
    !> dX.

@@ -14,6 +14,7 @@ module ehlwave_state
       real(dp) :: delta = 0              !! mutual approach Delta
    contains
       procedure :: add
+      procedure :: exchange
       procedure :: move_to
       procedure :: survey
    end type state_t
@@ -21,10 +22,11 @@ module ehlwave_state
 contains
 
    !> Zero state on a grid.
-   pure function new_state(grid) result(self)
+   function new_state(grid) result(self)
       type(grid_t), intent(in) :: grid
       type(state_t) :: self
-      allocate (self%p(0:grid%nx, 0:grid%ny), self%h(0:grid%nx, 0:grid%ny), source=0.0_dp)
+      call grid%new_field(self%p)
+      call grid%new_field(self%h)
    end function new_state
 
    !> Add `weight` times another state of the same grid.
@@ -37,10 +39,20 @@ contains
       self%delta = self%delta + weight*other%delta
    end subroutine add
 
+   !> Each takes the fields of the other, without a copy.
+   pure subroutine exchange(self, other)
+      class(state_t), intent(inout) :: self
+      type(state_t), intent(inout) :: other
+      type(state_t) :: third
+      call self%move_to(third)
+      call other%move_to(self)
+      call third%move_to(other)
+   end subroutine exchange
+
    !> Give the fields to another state, without a copy. This one has none afterwards.
    pure subroutine move_to(self, other)
       class(state_t), intent(inout) :: self
-      type(state_t), intent(inout) :: other
+      class(state_t), intent(inout) :: other
       call move_alloc(self%p, other%p)
       call move_alloc(self%h, other%h)
       other%delta = self%delta

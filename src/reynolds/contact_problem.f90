@@ -98,10 +98,10 @@ contains
    !> Film thickness H = -Delta + S X^2 + (1 - S) Y^2 + Rough + Dbar(P), theory eq. (8).
    subroutine film(self, given, p, delta, h)
       class(contact_problem_t), intent(inout) :: self
-      type(given_t), intent(in) :: given   !! its roughness counts
-      real(dp), intent(in) :: p(0:, 0:)    !! P, (0:nx, 0:ny)
-      real(dp), intent(in) :: delta        !! mutual approach
-      real(dp), intent(out) :: h(0:, 0:)   !! H, (0:nx, 0:ny)
+      type(given_t), intent(in) :: given               !! its roughness counts
+      real(dp), intent(in), contiguous :: p(0:, 0:)    !! P, (0:nx, 0:ny)
+      real(dp), intent(in) :: delta                    !! mutual approach
+      real(dp), intent(out), contiguous :: h(0:, 0:)   !! H, (0:nx, 0:ny)
       integer :: j
       call self%smooth_film(p, delta, h)
       if (.not. allocated(given%rough)) return
@@ -114,8 +114,9 @@ contains
    !> `film` of smooth surfaces.
    subroutine smooth_film(self, p, delta, h)
       class(contact_problem_t), intent(inout) :: self
-      real(dp), intent(in) :: p(0:, 0:), delta
-      real(dp), intent(out) :: h(0:, 0:)
+      real(dp), intent(in), contiguous :: p(0:, 0:)
+      real(dp), intent(in) :: delta
+      real(dp), intent(out), contiguous :: h(0:, 0:)
       integer :: j
       call self%deformation%apply(p, h)
       !$omp parallel do schedule(static) if (is_shared(size(h)))

@@ -51,7 +51,8 @@ contains
          self%mesh = new_mesh(grid, elliptic%kappa)
          self%self_influence = cell_influence(0.0_dp, 0.0_dp, grid%hx, grid%hy, elliptic%kappa, elliptic%k)
          self%flow = new_flow(grid)
-         allocate (self%residual(0:grid%nx, 0:grid%ny), self%scale(0:grid%nx, 0:grid%ny), source=0.0_dp)
+         call grid%new_field(self%residual)
+         call grid%new_field(self%scale)
          allocate (self%is_cavitated(0:grid%nx, 0:grid%ny), source=.false.)
          self%edges = problem%edges
          allocate (self%edge_excess(self%edges%count()), self%edge_slope(self%edges%count()), source=0.0_dp)

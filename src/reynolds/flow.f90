@@ -52,13 +52,20 @@ contains
    end function fall_along
 
    !> Work space for a grid.
-   pure function new_flow(grid) result(self)
+   function new_flow(grid) result(self)
       type(grid_t), intent(in) :: grid
       type(flow_t) :: self
-      real(dp), allocatable :: zero(:, :)
-      allocate (zero(0:grid%nx, 0:grid%ny), source=0.0_dp)
-      allocate (self%p, self%h, self%rho, self%drho, self%fluidity, self%dln_eta, source=zero)
-      allocate (self%f, self%f_p, self%eps, self%eps_p, self%eps_h, source=zero)
+      call grid%new_field(self%p)
+      call grid%new_field(self%h)
+      call grid%new_field(self%rho)
+      call grid%new_field(self%drho)
+      call grid%new_field(self%fluidity)
+      call grid%new_field(self%dln_eta)
+      call grid%new_field(self%f)
+      call grid%new_field(self%f_p)
+      call grid%new_field(self%eps)
+      call grid%new_field(self%eps_p)
+      call grid%new_field(self%eps_h)
    end function new_flow
 
    !> Values of the next finer grid, at the nodes of this one, and through its faces: what linear changes need.

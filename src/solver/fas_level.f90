@@ -9,6 +9,7 @@ module ehlwave_fas_level
    use ehlwave_real_transfer, only: full_weighting => restrict, inject, prolong
    use ehlwave_state, only: new_state, state_t
    use ehlwave_step_limit, only: step_limit_t
+   use ehlwave_threads, only: is_shared
    use ehlwave_transport, only: implicit_part
    implicit none (type, external)
    private
@@ -20,6 +21,7 @@ module ehlwave_fas_level
       type(equations_t) :: equations
       type(state_t) :: state                       !! present iterate
       type(state_t) :: restricted                  !! on coarse levels: as it came from the finer one
+      type(state_t), private :: next               !! after a sweep or correction; then the one before
       type(line_relaxation_t), private :: relaxation
    contains
       procedure :: init
@@ -38,6 +40,7 @@ contains
       call self%equations%init(problem)
       call self%relaxation%init(problem)
       self%state = new_state(problem%grid)
+      self%next = new_state(problem%grid)
    end subroutine init
 
    !> Evaluate the equations at the state, whose film belongs to its pressure.
@@ -56,7 +59,7 @@ contains
       integer, intent(in) :: sweeps
       integer :: n
       do n = 1, sweeps
-         call self%relaxation%relax(problem, given, self%equations, self%state)
+         call self%relaxation%relax(problem, given, self%equations, self%state, self%next)
          call self%evaluate(problem, given)
       end do
    end subroutine relax
@@ -77,24 +80,36 @@ contains
       type(contact_problem_t), intent(inout) :: problem     !! of this level
       type(fas_level_t), intent(in) :: fine                 !! evaluated
       type(given_t), intent(in) :: fine_given               !! with this
-      real(dp), allocatable :: deformation(:, :), weighted(:, :), dropped(:, :)
+      real(dp), allocatable :: rough(:, :), weighted(:, :), dropped(:, :)
+      integer :: j
 
       associate (grid => problem%grid, given => self%given, state => self%state, r => fine%equations%residual)
          call inject(grid, fine%state%p, state%p)
          call inject(grid, fine%state%h, state%h)
          state%delta = fine%state%delta
-         allocate (deformation, weighted, mold=state%p)
-         call problem%deformation%apply(state%p, deformation)
-         call given%set_rough(state%h + state%delta - problem%smooth_gap - deformation)
+         allocate (rough, weighted, mold=state%p)
+         call problem%deformation%apply(state%p, rough)
+         !$omp parallel do schedule(static) if (is_shared(size(rough)))
+         do j = 0, grid%ny
+            rough(:, j) = state%h(:, j) + state%delta - problem%smooth_gap(:, j) - rough(:, j)
+         end do
+         call given%set_rough(rough)
          given%edge_rough = problem%edges%rough_from(fine%equations%edges, fine_given, grid%row_ratio)
          given%transport%wedge_t = implicit_part(fine_given%transport, grid)
          if (allocated(given%transport%carried)) deallocate (given%transport%carried)
          call self%evaluate(problem, given)
-         dropped = merge(0.0_dp, r, fine%equations%is_cavitated)
+         allocate (dropped, mold=r)
+         !$omp parallel do schedule(static) if (is_shared(size(r)))
+         do j = 0, ubound(r, 2)
+            dropped(:, j) = merge(0.0_dp, r(:, j), fine%equations%is_cavitated(:, j))
+         end do
          call full_weighting(grid, dropped, weighted)
-         where (fine%equations%is_cavitated(::2, ::grid%row_ratio)) weighted = r(::2, ::grid%row_ratio)
          allocate (given%transport%carried, mold=state%p)
-         given%transport%carried = self%equations%residual - weighted
+         !$omp parallel do schedule(static) if (is_shared(size(weighted)))
+         do j = 0, grid%ny
+            where (fine%equations%is_cavitated(::2, j*grid%row_ratio)) weighted(:, j) = r(::2, j*grid%row_ratio)
+            given%transport%carried(:, j) = self%equations%residual(:, j) - weighted(:, j)
+         end do
          call self%evaluate(problem, given)
 
          given%load = fine_given%load
@@ -113,18 +128,22 @@ contains
       type(given_t), intent(in) :: given                    !! to it
       type(fas_level_t), intent(in) :: coarse               !! solved
       type(step_limit_t) :: limit
-      real(dp), allocatable :: change(:, :)
-      type(state_t) :: before
+      integer :: j
 
-      associate (grid => problem%grid, state => self%state)
-         before = state
-         allocate (change, mold=state%p)
-         call prolong(coarse%equations%mesh%grid, coarse%state%p - coarse%restricted%p, change)
-         where (self%equations%scale > 0 .and. .not. self%equations%is_cavitated) &
-            state%p = max(0.0_dp, state%p + limit%bounded(change))
-         state%delta = state%delta + coarse%state%delta - coarse%restricted%delta
-         call problem%film(given, state%p, state%delta, state%h)
-         call limit%shorten(before, state)
+      associate (state => self%state, next => self%next)
+         call prolong(coarse%equations%mesh%grid, coarse%state%p - coarse%restricted%p, next%p)
+         !$omp parallel do schedule(static) if (is_shared(size(state%p)))
+         do j = 0, problem%grid%ny
+            where (self%equations%scale(:, j) > 0 .and. .not. self%equations%is_cavitated(:, j))
+               next%p(:, j) = max(0.0_dp, state%p(:, j) + limit%bounded(next%p(:, j)))
+            elsewhere
+               next%p(:, j) = state%p(:, j)
+            end where
+         end do
+         next%delta = state%delta + coarse%state%delta - coarse%restricted%delta
+         call problem%film(given, next%p, next%delta, next%h)
+         call limit%shorten(state, next)
+         call state%exchange(next)
       end associate
       call self%evaluate(problem, given)
    end subroutine correct

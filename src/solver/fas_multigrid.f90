@@ -72,7 +72,7 @@ contains
       self%most_work = work_before + limits%largest_work
       associate (problem => hierarchy%levels(l)%problem, given => hierarchy%levels(l)%given, level => self%levels(l), &
                  state => self%levels(l)%state)
-         state = hierarchy%levels(l)%state
+         call state%exchange(hierarchy%levels(l)%state)
          call problem%film_of_guess(given, state)
          call level%evaluate(problem, given)
          do k = 0, limits%largest_steps
@@ -91,7 +91,7 @@ contains
             report%nonlinear_steps = k + 1
          end do
          report%linear_steps = report%nonlinear_steps*(sweeps_before + sweeps_after)
-         hierarchy%levels(l)%state = state
+         call state%exchange(hierarchy%levels(l)%state)
       end associate
    end subroutine solve
 

@@ -16,7 +16,7 @@ module ehlwave_line_relaxation
    use ehlwave_real_near_rows, only: link_i, link_j, links, node_links
    use ehlwave_real_wedge, only: wedge_t
    use ehlwave_rheology, only: rheology_t
-   use ehlwave_state, only: new_state, state_t
+   use ehlwave_state, only: state_t
    use ehlwave_step_limit, only: step_limit_t
    use ehlwave_threads, only: announce, await, is_shared, team_size, thread_count, thread_number
    use ehlwave_work_unit, only: relaxation_operations
@@ -63,7 +63,6 @@ module ehlwave_line_relaxation
       real(dp), allocatable, private :: influence(:, :, :)  ! its deformation
       real(dp), allocatable, private :: change(:, :)        ! of P in this sweep
       type(line_system_t), allocatable, private :: line(:)  ! (0:threads-1)
-      type(state_t), private :: before                      ! the sweep
    contains
       procedure :: init
       procedure :: relax
@@ -98,8 +97,7 @@ contains
                                                    - self%share_y*(at(i, j - 1) + at(i, j + 1))
             end do
          end do
-         self%before = new_state(grid)
-         allocate (self%change(0:grid%nx, 0:grid%ny), source=0.0_dp)
+         call grid%new_field(self%change)
          allocate (self%line(0:merge(thread_count(), 1, is_shared(size(self%change))) - 1))
          do i = 0, ubound(self%line, 1)
             associate (line => self%line(i), n => grid%nx - 1)
@@ -132,35 +130,43 @@ contains
    end function switch_of
 
    !> One sweep over all lines; then the film of the new pressure.
-   subroutine relax(self, problem, given, equations, state)
+   subroutine relax(self, problem, given, equations, state, next)
       class(line_relaxation_t), intent(inout) :: self
       type(contact_problem_t), intent(inout) :: problem
       type(given_t), intent(in) :: given
       type(equations_t), intent(in) :: equations      !! evaluated at the state
       type(state_t), intent(inout) :: state
+      type(state_t), intent(inout) :: next            !! work space: the state before on return
       type(step_limit_t) :: limit
       integer :: done, i, j
 
       associate (grid => problem%grid, change => self%change)
          problem%deformation%work = problem%deformation%work + relaxation_operations*size(change) &
                                    + equations%flow%film_work()
-         self%before = state
-         change = 0
          done = grid%first_row - 1
          !$omp parallel num_threads(size(self%line)) private(j)
+         !$omp do schedule(static)
+         do j = 0, grid%ny
+            change(:, j) = 0
+         end do
+         !$omp end do
          do j = grid%first_row + thread_number(), grid%last_row, team_size()
             call relax_line(self, given%transport, equations, state, j, done)
          end do
          !$omp end parallel
          !$omp parallel do private(i) schedule(static) if (is_shared(size(change)))
-         do j = grid%first_row, grid%last_row
+         do j = 0, grid%ny
+            next%p(:, j) = state%p(:, j)
+            if (j < grid%first_row .or. j > grid%last_row) cycle
             do i = 1, grid%nx - 1
-               state%p(i, j) = max(0.0_dp, state%p(i, j) + limit%bounded(change(i, j)))
+               next%p(i, j) = max(0.0_dp, state%p(i, j) + limit%bounded(change(i, j)))
             end do
          end do
-         call problem%edges%impose(given, state%h, state%p)   ! one sweep behind: of the film before it
-         call problem%film(given, state%p, state%delta, state%h)
-         call limit%shorten(self%before, state)
+         next%delta = state%delta
+         call problem%edges%impose(given, state%h, next%p)   ! one sweep behind: of the film before it
+         call problem%film(given, next%p, next%delta, next%h)
+         call limit%shorten(state, next)
+         call state%exchange(next)
       end associate
    end subroutine relax
 
