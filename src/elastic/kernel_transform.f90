@@ -87,7 +87,8 @@ contains
    end function new_kernel_transform
 
    !> Transforms along X of the influence at the distances j = 0 to `reach` along Y. The influence is that of distances
-   !> along X, mirrored in the middle. Four cells share a corner: each row of them is found once, for a part of the rows.
+   !> along X, mirrored in the middle. Four cells share a corner: each row of them is found once, for a part of the
+   !> rows.
    subroutine transform_rows(grid, kappa, k, px, column)
       type(grid_t), intent(in) :: grid
       real(dp), intent(in) :: kappa, k

@@ -14,6 +14,10 @@ module ehlwave_work_unit
    integer, parameter :: repeats = 3
    real(dp), parameter :: long_s = 0.05_dp     !! a unit that takes longer is timed once
    real(dp), parameter :: valid_s = 10   !! a measured unit is used again for so long
+   !> Cells of the largest grid that is timed: 1024^2 cells would need 67 MiB beside all that a case has. Each doubling
+   !> beyond makes an operation take `growth` times as long; measured from 512 to 1024 and 2048, see `out_of_cache`.
+   integer, parameter :: largest_timed = 512**2
+   real(dp), parameter :: growth = 1.08_dp
    integer, parameter :: planned_cells = 256   !! along each side of the grid on which plans measure a work unit
    !> Times as long as there an operation takes on 512 cells and more; measured on 512, 1024, 2048: 2.4, 2.6, 2.8.
    real(dp), parameter :: out_of_cache = 2.6_dp
@@ -87,26 +91,34 @@ contains
       real(c_double), pointer, contiguous :: plane(:, :)
       complex(c_double_complex), pointer, contiguous :: modes(:, :)
       type(c_ptr) :: forward, backward, plane_memory, modes_memory
-      real(dp) :: start
+      real(dp) :: slower, start
       integer(c_size_t) :: modes_count, plane_count
-      integer :: i, n
+      integer :: i, n, nx, ny
 
       if (all(last%cells == [cells_x, cells_y]) .and. wall_seconds() - last%at < valid_s) then
          seconds = last%seconds
          return
       end if
-      plane_count = 4_c_size_t*cells_x*cells_y
-      modes_count = 2_c_size_t*(cells_x + 1)*cells_y
+      nx = cells_x
+      ny = cells_y
+      slower = 1
+      do while (real(nx, dp)*ny > largest_timed)
+         slower = slower*growth
+         nx = nx/2
+         ny = max(1, ny/2)
+      end do
+      plane_count = 4_c_size_t*nx*ny
+      modes_count = 2_c_size_t*(nx + 1)*ny
       plane_memory = obtained(fftw_alloc_real(plane_count), plane_count)
       modes_memory = obtained(fftw_alloc_complex(modes_count), modes_count)
-      call c_f_pointer(plane_memory, plane, [2*cells_x, 2*cells_y])
-      call c_f_pointer(modes_memory, modes, [cells_x + 1, 2*cells_y])
-      forward = obtained(fftw_plan_dft_r2c_2d(2*cells_y, 2*cells_x, plane, modes, FFTW_ESTIMATE), modes_count)
-      backward = obtained(fftw_plan_dft_c2r_2d(2*cells_y, 2*cells_x, modes, plane, FFTW_ESTIMATE), modes_count)
+      call c_f_pointer(plane_memory, plane, [2*nx, 2*ny])
+      call c_f_pointer(modes_memory, modes, [nx + 1, 2*ny])
+      forward = obtained(fftw_plan_dft_r2c_2d(2*ny, 2*nx, plane, modes, FFTW_ESTIMATE), modes_count)
+      backward = obtained(fftw_plan_dft_c2r_2d(2*ny, 2*nx, modes, plane, FFTW_ESTIMATE), modes_count)
       plane = 0
       seconds = huge(seconds)
       n = repeats
-      if (cells_x*cells_y < 20000) n = 4*repeats
+      if (nx*ny < 20000) n = 4*repeats
       do i = 1, n
          start = wall_seconds()
          call fftw_execute_dft_r2c(forward, plane, modes)
@@ -119,6 +131,7 @@ contains
       call fftw_destroy_plan(backward)
       call fftw_free(plane_memory)
       call fftw_free(modes_memory)
+      seconds = slower*seconds*work_unit_operations(cells_x, cells_y)/work_unit_operations(nx, ny)
       last = measured_unit_t([cells_x, cells_y], seconds, wall_seconds())
    end function work_unit_seconds
 

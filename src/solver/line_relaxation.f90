@@ -26,6 +26,11 @@ module ehlwave_line_relaxation
    integer, parameter :: single = 0, distributed = 1   ! kinds of change
    real(dp), parameter :: damping = 0.9_dp             ! of both
 
+   !> Lines that a thread takes at once where there are several. A line reads its neighbours: with one at a time, each
+   !> thread reads all of the grid. Steady state of M = 100, D = 1 on 1024^2 cells, two threads, medians of 14 runs in
+   !> turn: 0.89 s with one, 0.78, 0.82, 0.86 s with 2, 4, 8.
+   integer, parameter :: lines_at_once = 2
+
    !> Poiseuille over wedge coefficient below which changes are distributed, for cells that are square in metres.
    !> It grows with the square of their aspect: single changes in long cells deform many of their neighbours.
    real(dp), parameter :: switch_of_squares = 3
@@ -48,6 +53,7 @@ module ehlwave_line_relaxation
 
    !> The linear system of one line: what a thread works on.
    type :: line_system_t
+      integer :: n = 0                                      ! nodes up to the last that is not cavitated
       type(band_t) :: band
       real(dp), allocatable :: delta(:)                     ! its right side, then its solution
       real(dp), allocatable :: by_p(:, :), by_h(:, :)       ! derivatives, (node, link), in one more column by both
@@ -62,7 +68,7 @@ module ehlwave_line_relaxation
       real(dp), allocatable, private :: shape(:, :, :)      ! pressure of a change, (-reach-2:reach+2, 0:1, kind)
       real(dp), allocatable, private :: influence(:, :, :)  ! its deformation
       real(dp), allocatable, private :: change(:, :)        ! of P in this sweep
-      type(line_system_t), allocatable, private :: line(:)  ! (0:threads-1)
+      type(line_system_t), allocatable, private :: line(:, :)   ! (lines at once, 0:threads-1)
    contains
       procedure :: init
       procedure :: relax
@@ -75,7 +81,7 @@ contains
       class(line_relaxation_t), intent(inout) :: self
       type(contact_problem_t), intent(in) :: problem
       real(dp) :: aspect
-      integer :: i, j, r
+      integer :: i, j, r, threads
 
       associate (grid => problem%grid, kappa => problem%conditions%elliptic%kappa, k => problem%conditions%elliptic%k)
          aspect = grid%hy/(kappa*grid%hx)
@@ -98,13 +104,16 @@ contains
             end do
          end do
          call grid%new_field(self%change)
-         allocate (self%line(0:merge(thread_count(), 1, is_shared(size(self%change))) - 1))
-         do i = 0, ubound(self%line, 1)
-            associate (line => self%line(i), n => grid%nx - 1)
-               line%band = new_band(n, self%reach)
-               allocate (line%delta(n), line%by_p(n, links + 1), line%by_h(n, links + 1), source=0.0_dp)
-               allocate (line%kind(n), source=single)
-            end associate
+         threads = merge(thread_count(), 1, is_shared(size(self%change)))
+         allocate (self%line(merge(lines_at_once, 1, threads > 1), 0:threads - 1))
+         do j = 0, threads - 1
+            do i = 1, size(self%line, 1)
+               associate (line => self%line(i, j), n => grid%nx - 1)
+                  line%band = new_band(n, self%reach)
+                  allocate (line%delta(n), line%by_p(n, links + 1), line%by_h(n, links + 1), source=0.0_dp)
+                  allocate (line%kind(n), source=single)
+               end associate
+            end do
          end do
       end associate
 
@@ -138,20 +147,21 @@ contains
       type(state_t), intent(inout) :: state
       type(state_t), intent(inout) :: next            !! work space: the state before on return
       type(step_limit_t) :: limit
-      integer :: done, i, j
+      integer :: done, i, j, width
 
       associate (grid => problem%grid, change => self%change)
          problem%deformation%work = problem%deformation%work + relaxation_operations*size(change) &
                                    + equations%flow%film_work()
          done = grid%first_row - 1
-         !$omp parallel num_threads(size(self%line)) private(j)
+         width = size(self%line, 1)
+         !$omp parallel num_threads(size(self%line, 2)) private(j)
          !$omp do schedule(static)
          do j = 0, grid%ny
             change(:, j) = 0
          end do
          !$omp end do
-         do j = grid%first_row + thread_number(), grid%last_row, team_size()
-            call relax_line(self, given%transport, equations, state, j, done)
+         do j = grid%first_row + width*thread_number(), grid%last_row, width*team_size()
+            call relax_lines(self, given%transport, equations, state, [j, min(j + width - 1, grid%last_row)], done)
          end do
          !$omp end parallel
          !$omp parallel do private(i) schedule(static) if (is_shared(size(change)))
@@ -170,27 +180,47 @@ contains
       end associate
    end subroutine relax
 
-   !> Changes of one line, in its turn.
-   subroutine relax_line(self, transport, equations, state, j, done)
+   !> Changes of some lines, in their turn.
+   subroutine relax_lines(self, transport, equations, state, lines, done)
       class(line_relaxation_t), intent(inout) :: self
       class(wedge_t), intent(in) :: transport
       type(equations_t), intent(in) :: equations
       type(state_t), intent(in) :: state
-      integer, intent(in) :: j
+      integer, intent(in) :: lines(2)           !! the first and the last
       integer, intent(inout) :: done            !! the last line that is done
-      real(dp) :: strength
-      integer :: i, image, jm, n
+      integer :: j
 
-      associate (grid => equations%mesh%grid, change => self%change, line => self%line(thread_number()))
+      associate (line => self%line(:, thread_number()), last => equations%mesh%grid%nx - 1)
+         do j = lines(1), lines(2)
+            associate (line => line(j - lines(1) + 1))
+               line%n = last_wet(equations%is_cavitated(1:last, j))
+               if (line%n == 0) cycle
+               call set_up_line(self, line, transport, equations, j, line%n)
+               line%band%n = line%n
+               call line%band%factorise()
+            end associate
+         end do
+         call await(done, lines(1) - 1)
+         do j = lines(1), lines(2)
+            call change_line(self, line(j - lines(1) + 1), equations, state, j)
+         end do
+         call announce(done, lines(2))
+      end associate
+   end subroutine relax_lines
+
+   !> Changes of one line whose matrix has been factorised.
+   subroutine change_line(self, line, equations, state, j)
+      class(line_relaxation_t), intent(inout) :: self
+      type(line_system_t), intent(inout) :: line
+      type(equations_t), intent(in) :: equations
+      type(state_t), intent(in) :: state
+      integer, intent(in) :: j
+      real(dp) :: strength
+      integer :: i, image, jm
+
+      associate (grid => equations%mesh%grid, change => self%change, n => line%n)
          jm = grid%below(j)
          image = merge(2, 1, j == 1 .and. grid%is_half)      ! row 0 has row 1 on either side
-         n = last_wet(equations%is_cavitated(1:grid%nx - 1, j))
-         if (n > 0) then
-            call set_up_line(self, line, transport, equations, j, n)
-            line%band%n = n
-            call line%band%factorise()
-         end if
-         call await(done, j - 1)
          change(n + 1:grid%nx - 1, j) = -state%p(n + 1:grid%nx - 1, j)
          if (n > 0) then
             call set_right_side(self, line, equations, j, n)
@@ -210,9 +240,8 @@ contains
             change(0, j) = 0
             change(grid%nx, j) = 0
          end if
-         call announce(done, j)
       end associate
-   end subroutine relax_line
+   end subroutine change_line
 
    !> Number of nodes of a line up to the last that is not cavitated.
    pure integer function last_wet(is_cavitated)
