@@ -10,7 +10,7 @@ module ehlwave_planned_case
    use ehlwave_rheology, only: rheology_t
    use ehlwave_surfaces, only: surfaces_t
    use ehlwave_thinning, only: thinning_t
-   use ehlwave_work_unit, only: expected_unit_seconds, work_unit_operations
+   use ehlwave_work_unit, only: expected_unit_seconds, largest_timed, work_unit_operations
    implicit none (type, external)
    private
 
@@ -164,7 +164,7 @@ contains
    pure real(dp) function expected_memory_mib(self)
       class(case_plan_t), intent(in) :: self
       real(dp), parameter :: program_mib = 17, bytes_smooth = 720, bytes_multigrid = 335, bytes_wavy = 900, &
-         bytes_timing = 128, cells_timed = 512*256, &                   ! of a work unit, after all that FAS does
+         bytes_timing = 64, &                                           ! of a work unit, of each cell that is timed
          bytes_in_parts = 1500, &     ! of responses whose linear systems are not kept side by side
          bytes_response = 1830, bytes_line = 2600, bytes_periodic = 1900, &
          bytes_set = 48, &                                              ! three fields, and their file
@@ -178,7 +178,8 @@ contains
       if (self%is_half) cells = cells/2
       halvings = 0.5_dp*log(max(1.0_dp, cells/usual_cells))/log(2.0_dp)
       bytes = bytes_smooth*(1 + smooth_growth*halvings)
-      if (self%is_by_multigrid) bytes = bytes_multigrid + bytes_timing*min(1.0_dp, cells_timed/cells)
+      if (self%is_by_multigrid) bytes = bytes_multigrid &
+         + bytes_timing*min(real(self%cells_x, dp)*self%cells_y, real(largest_timed, dp))/cells
       if (self%kind /= run_smooth) bytes = max(bytes, bytes_wavy)
       if (self%is_periodic) bytes = bytes_periodic
       if (self%responds) bytes = max(bytes, bytes_response)

@@ -7,7 +7,7 @@ module ehlwave_work_unit
    use ehlwave_kinds, only: dp
    implicit none (type, external)
    private
-   public :: expected_unit_seconds, transform_operations, work_unit_operations, work_unit_seconds
+   public :: expected_unit_seconds, largest_timed, transform_operations, work_unit_operations, work_unit_seconds
 
    include 'fftw3.f03'
 

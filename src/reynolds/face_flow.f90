@@ -50,18 +50,16 @@ module ehlwave_face_flow
 contains
 
    !> Work space for a grid.
-   pure function new_face_flow(grid) result(self)
+   function new_face_flow(grid) result(self)
       type(grid_t), intent(in) :: grid
       type(face_flow_t) :: self
-      real(dp), allocatable :: zero(:, :)
-      allocate (zero(0:grid%nx, 0:grid%ny), source=0.0_dp)
-      self%flux = zero
-      self%own = zero
-      self%cross = zero
-      self%by_p1 = zero
-      self%by_p2 = zero
-      self%by_h1 = zero
-      self%by_h2 = zero
+      call grid%new_field(self%flux)
+      call grid%new_field(self%own)
+      call grid%new_field(self%cross)
+      call grid%new_field(self%by_p1)
+      call grid%new_field(self%by_p2)
+      call grid%new_field(self%by_h1)
+      call grid%new_field(self%by_h2)
    end function new_face_flow
 
    !> Faces along X.

@@ -182,7 +182,7 @@ contains
    end function thins_little
 
    !> Work space for faces, where there is none.
-   pure subroutine make_faces(self, grid)
+   subroutine make_faces(self, grid)
       type(flow_t), intent(inout) :: self
       type(grid_t), intent(in) :: grid
       if (allocated(self%along_x)) return

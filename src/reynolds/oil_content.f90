@@ -25,11 +25,12 @@ module ehlwave_oil_content
 contains
 
    !> Work space for a grid.
-   pure function new_content(grid) result(self)
+   function new_content(grid) result(self)
       type(grid_t), intent(in) :: grid
       type(oil_content_t) :: self
       allocate (self%is_partial(0:grid%nx, 0:grid%ny), source=.false.)
-      allocate (self%slope(0:grid%nx, 0:grid%ny), self%outflow(0:grid%nx, 0:grid%ny), source=0.0_dp)
+      call grid%new_field(self%slope)
+      call grid%new_field(self%outflow)
    end function new_content
 
    !> Contents and residuals of all nodes, along the flow. With G what a node passes on,

@@ -87,10 +87,10 @@ contains
       integer :: j
 
       associate (grid => problem%grid, c => problem%conditions, p => state%p, h => state%h)
-         allocate (stress(0:grid%nx, 0:grid%ny), source=0.0_dp)
-         b = stress
-         factor_x = stress
-         factor_y = stress
+         call grid%new_field(stress)
+         call grid%new_field(b)
+         call grid%new_field(factor_x)
+         call grid%new_field(factor_y)
          scale = c%elliptic%k*c%hertz_pressure_pa/c%data%reduced_modulus_pa
          allocate (gx, gy, mold=stress)
          if (.not. problem%rheology%is_newtonian()) call node_gradient(grid, c%elliptic%kappa, p, gx, gy)

@@ -53,8 +53,7 @@ module ehlwave_line_relaxation
 
    !> The linear system of one line: what a thread works on.
    type :: line_system_t
-      integer :: n = 0                                      ! nodes up to the last that is not cavitated
-      type(band_t) :: band
+      type(band_t) :: band                                  ! n of it: nodes up to the last that is not cavitated
       real(dp), allocatable :: delta(:)                     ! its right side, then its solution
       real(dp), allocatable :: by_p(:, :), by_h(:, :)       ! derivatives, (node, link), in one more column by both
                                                             ! neighbours across
@@ -193,10 +192,9 @@ contains
       associate (line => self%line(:, thread_number()), last => equations%mesh%grid%nx - 1)
          do j = lines(1), lines(2)
             associate (line => line(j - lines(1) + 1))
-               line%n = last_wet(equations%is_cavitated(1:last, j))
-               if (line%n == 0) cycle
-               call set_up_line(self, line, transport, equations, j, line%n)
-               line%band%n = line%n
+               line%band%n = last_wet(equations%is_cavitated(1:last, j))
+               if (line%band%n == 0) cycle
+               call set_up_line(self, line, transport, equations, j, line%band%n)
                call line%band%factorise()
             end associate
          end do
@@ -218,7 +216,7 @@ contains
       real(dp) :: strength
       integer :: i, image, jm
 
-      associate (grid => equations%mesh%grid, change => self%change, n => line%n)
+      associate (grid => equations%mesh%grid, change => self%change, n => line%band%n)
          jm = grid%below(j)
          image = merge(2, 1, j == 1 .and. grid%is_half)      ! row 0 has row 1 on either side
          change(n + 1:grid%nx - 1, j) = -state%p(n + 1:grid%nx - 1, j)
