@@ -45,7 +45,7 @@ contains
       type(case_result_t), intent(out) :: result
       type(shared_steady_t), intent(inout), optional :: shared
       class(march_keeper_t), intent(inout), optional :: keeper   !! lets a march go on where it was stopped
-      type(shared_steady_t), allocatable :: own
+      class(shared_steady_t), allocatable :: own
 
       if (present(shared)) then
          call run_about(case, plan, monitor, shared, result, keeper)

@@ -24,16 +24,17 @@ module ehlwave_shared_steady
    private
    public :: limits_of, steady_key
 
-   !> It owns the hierarchy.
+   !> It owns the hierarchy. What holds so much is a `class` here and where it is declared: for a `type` gfortran writes
+   !> copies and ends of all its parts into each procedure, which takes three times as long to compile.
    type, public :: shared_steady_t
       type(full_multigrid_t) :: multigrid
       type(energy_t) :: energy                       !! of the steady state, where it is with heat
       type(heat_result_t) :: heat                    !! and the account of it
       type(rescue_t) :: rescue                       !! as the steady state left it, for what follows in a case
-      type(harmonic_solver_t) :: response            !! about the finest level
+      class(harmonic_solver_t), allocatable :: response          !! about the finest level
       type(tangent_change_t) :: by_oil(2)            !! of its state, by ln(alpha) and by ln(stress), see
                                                      !! `differentiate`
-      type(harmonic_solver_t) :: coarse_response     !! about the next coarser one, if `has_coarse`
+      class(harmonic_solver_t), allocatable :: coarse_response   !! about the next coarser one, if `has_coarse`
       logical :: has_coarse = .false.
       integer :: many_nodes = 1000000                !! above which linear systems are not kept side by side
       real(dp) :: work = 0                           !! operations that the steady state took
@@ -89,6 +90,7 @@ contains
       character(len=:), allocatable :: key
       integer :: n
 
+      if (.not. allocated(self%response)) allocate (self%response, self%coarse_response)
       key = ''
       if (plan%kind == run_harmonic) key = steady_key(case, plan)
       if (allocated(self%key) .and. len(key) > 0) then

@@ -73,11 +73,12 @@ contains
       type(mpi_comm), intent(in) :: comm
       procedure(case_procedure) :: run             !! run_case, or what stands for it in a test
       class(leader_t), intent(inout) :: leader     !! ready to go; on return what became of everything
-      type(shared_steady_t), target :: shared
+      class(shared_steady_t), allocatable, target :: shared
       type(outcome_t) :: outcome
       integer :: case, ranks
 
       call mpi_comm_size(comm, ranks)
+      allocate (shared)
       leader%comm = comm
       call leader%outbox%init(comm, 1, ranks - 1, in_reserve)
       leader%asking = in_reserve*(ranks - 1)
@@ -226,7 +227,7 @@ contains
       procedure(case_procedure) :: run
       type(case_watch_t), intent(in) :: watch     !! store, limits and deadline
       type(worker_t) :: worker
-      type(shared_steady_t), target :: shared
+      class(shared_steady_t), allocatable, target :: shared
       type(outbox_t) :: outbox
       type(outcome_t) :: outcome
       type(case_t) :: case
@@ -235,6 +236,7 @@ contains
       character(len=:), allocatable :: input
       integer :: i, number, unanswered
 
+      allocate (shared)
       worker%case_watch_t = watch
       worker%comm = comm
       call outbox%init(comm, 0, 0, in_reserve)

@@ -45,7 +45,7 @@ module ehlwave_harmonic_response
    type, public :: harmonic_solver_t
       real(dp) :: tolerance = response_tolerance   !! of the linear residual
       type(linearised_contact_t) :: linear
-      type(steady_tangent_t), allocatable :: tangent   !! for real changes that do not turn, see `find_tangent`
+      class(steady_tangent_t), allocatable :: tangent   !! for real changes that do not turn, see `find_tangent`
       real(dp), private :: tangent_work = 0            ! operations that it took, if a response found it
       type(gmres_t), private :: gmres
       real(dp), private :: frequency = 0           ! of the operator

@@ -63,8 +63,8 @@ contains
       real(dp), intent(in) :: natural_frequency           !! Omega of the equation of motion; 0: force balance
       integer, intent(in) :: steps_per_cell               !! m for dT = hX/m
       logical, intent(out) :: is_found
-      type(harmonic_solver_t), allocatable :: solver
-      type(steady_tangent_t), allocatable :: tangent
+      class(harmonic_solver_t), allocatable :: solver
+      class(steady_tangent_t), allocatable :: tangent
       type(mean_change_t) :: mean
       integer :: n
 

@@ -1,12 +1,13 @@
 !> A monitor that stops a march.
 module step_counter
-   use ehlwave_monitor, only: monitor_t, stop_now
+   use ehlwave_monitor, only: give_up, monitor_t, stop_now
    implicit none (type, external)
    private
 
-   !> Counts time steps and stops the case at one of them.
+   !> Counts time steps and stops the case at one of them, or ends it after some.
    type, extends(monitor_t), public :: counter_t
-      integer :: steps = 0, stop_at = huge(1)
+      integer :: steps = 0, stop_at = huge(1), end_after = huge(1)
+      integer :: first = 0                          !! number of the first step that was done
    contains
       procedure :: step_done => count_step
    end type counter_t
@@ -18,7 +19,9 @@ contains
       character(len=*), intent(in) :: stage
       integer, intent(in) :: done, total
       if (stage /= 'time step') return
+      if (self%steps == 0) self%first = done
       self%steps = self%steps + 1
+      if (self%steps >= self%end_after) self%request = give_up
       if (done >= self%stop_at .and. done < total) self%request = stop_now
    end subroutine count_step
 
@@ -51,7 +54,7 @@ program test_checkpoint_file
    type(case_plan_t) :: plan
    type(case_result_t) :: whole, stopped
    character(len=:), allocatable :: text
-   integer :: i, places(5), status
+   integer :: i, places(4), status
 
    call make_case()
    call check_case()
@@ -136,15 +139,35 @@ contains
       type(case_result_t), intent(out) :: result
       character(len=*), intent(in) :: text, what
       integer, intent(in) :: expected_steps
-      type(checkpoint_t) :: checkpoint
       type(counter_t) :: monitor
+      call run_counted(result, text, monitor)
+      call test%check_equal(monitor%steps, expected_steps, 'steps of '//what)
+   end subroutine run_with
+
+   !> The first two steps with a checkpoint file of this content are those of a march without one.
+   subroutine begin_with(text, what)
+      character(len=*), intent(in) :: text, what
+      type(case_result_t) :: begun
+      type(counter_t) :: monitor
+      monitor%end_after = 2
+      call run_counted(begun, text, monitor)
+      call test%check_equal(monitor%first, 1, 'first step with '//what)
+      call test%check_equal(monitor%steps, 2, 'steps with '//what)
+      call test%check(all(transfer(begun%film_history(:2), [0_i8]) == transfer(whole%film_history(:2), [0_i8])), &
+                      'film with '//what)
+   end subroutine begin_with
+
+   subroutine run_counted(result, text, monitor)
+      type(case_result_t), intent(out) :: result
+      character(len=*), intent(in) :: text
+      type(counter_t), intent(inout) :: monitor
+      type(checkpoint_t) :: checkpoint
       call remove_file(path, status)
       if (len(text) > 0) call replace_file(path, text, status)
       checkpoint%path = path
       checkpoint%identity = identity
       call run_case(case, plan, monitor, result, keeper=checkpoint)
-      call test%check_equal(monitor%steps, expected_steps, 'steps of '//what)
-   end subroutine run_with
+   end subroutine run_counted
 
    !> All numbers of `stopped` against those of `whole`, bit for bit.
    subroutine compare(what)
@@ -165,15 +188,23 @@ contains
    !> Torn, damaged, of another case or of another build: the march begins anew and comes to the same.
    subroutine check_unusable()
       character(len=:), allocatable :: bad
-      places = [1, index(text, identity), len(text)/2, len(text) - 8, len(text)]
+      bad = damaged(len(text)/2)
+      call run_with(stopped, bad, expected_steps=plan%steps, what='a damaged checkpoint')
+      call compare('a damaged checkpoint')
+      places = [1, index(text, identity), len(text) - 8, len(text)]
       do i = 1, size(places)
-         bad = text
-         bad(places(i):places(i)) = achar(ieor(iachar(bad(places(i):places(i))), 1))
-         call run_with(stopped, bad, expected_steps=plan%steps, what='a damaged checkpoint')
-         call compare('a damaged checkpoint')
+         call begin_with(damaged(places(i)), 'a damaged checkpoint')
       end do
-      call run_with(stopped, text(:len(text) - 1), expected_steps=plan%steps, what='a torn checkpoint')
-      call run_with(stopped, text(:index(text, identity)), expected_steps=plan%steps, what='half a heading')
+      call begin_with(text(:len(text) - 1), 'a torn checkpoint')
+      call begin_with(text(:index(text, identity)), 'half a heading')
    end subroutine check_unusable
+
+   !> The checkpoint with one bit of one byte changed.
+   pure function damaged(place) result(bad)
+      integer, intent(in) :: place
+      character(len=:), allocatable :: bad
+      bad = text
+      bad(place:place) = achar(ieor(iachar(bad(place:place)), 1))
+   end function damaged
 
 end program test_checkpoint_file
