@@ -103,25 +103,9 @@ def fit_formula(
     >>> print(f"c1 = {fit.c1:.2f}, between {low:.2f} and {high:.2f}")
     c1 = 0.22, between 0.19 and 0.25
     """
-    abscissa, measured = np.asarray(x, dtype=float), np.asarray(ratio, dtype=float)
-    weights = np.ones(abscissa.size) if weight is None else np.asarray(weight, dtype=float)
-    if abscissa.size < MINIMUM_POINTS or np.unique(abscissa).size < MINIMUM_POINTS - 1:
-        raise FitError(f"too few points ({abscissa.size}; at least {MINIMUM_POINTS} needed)")
-
-    def residual(parameters: "lmfit.Parameters") -> Floats:
-        values = parameters.valuesdict()
-        curve = amplitude_ratio_formula(abscissa, values["c1"], values["c2"])
-        return weights * (curve - measured)
-
-    lmfit = load("lmfit")
-    parameters = lmfit.create_params(c1=PAPER_C1, c2=PAPER_C2)
-    minimizer = lmfit.Minimizer(residual, parameters)
-    result = minimizer.leastsq(xtol=_TOLERANCE, ftol=_TOLERANCE)
-    c1, c2 = (float(result.params[name].value) for name in ("c1", "c2"))
-    if not (np.isfinite([c1, c2]).all() and _has_no_pole(abscissa, c1, c2)):
-        raise FitError("the fit did not converge to a curve without poles")
+    minimizer, result, (c1, c2) = _best(x, ratio, weight)
     intervals = _profile_intervals(minimizer, result, confidence)
-    return FormulaFit(c1, c2, *intervals, rms=rms_residual(abscissa, measured, c1, c2))
+    return FormulaFit(c1, c2, *intervals, rms=rms_residual(x, ratio, c1, c2))
 
 
 def point_weights(x: ArrayLike, ratio: ArrayLike, error: ArrayLike) -> Floats:
@@ -153,7 +137,7 @@ def point_weights(x: ArrayLike, ratio: ArrayLike, error: ArrayLike) -> Floats:
     [1.0, 1.0, 1.0, 1.0, 0.06]
     """
     errors = np.nan_to_num(np.asarray(error, dtype=float), nan=0.0)
-    scatter = fit_formula(x, ratio).rms
+    scatter = rms_residual(x, ratio, *_best(x, ratio)[2])
     total = np.hypot(scatter, errors)
     return np.divide(scatter, total, out=np.ones_like(errors), where=(errors > 0) & (scatter > 0))
 
@@ -273,6 +257,30 @@ def percentile_intervals(coefficients: Floats, confidence: float = 0.95) -> tupl
     tail = (1 - confidence) / 2
     low, high = np.quantile(coefficients, [tail, 1 - tail], axis=0)
     return tuple((float(a), float(b)) for a, b in zip(low, high, strict=True))
+
+
+def _best(
+    x: ArrayLike, ratio: ArrayLike, weight: ArrayLike | None = None
+) -> tuple["lmfit.Minimizer", "lmfit.minimizer.MinimizerResult", tuple[float, float]]:
+    """Return the fit of :func:`fit_formula` without intervals: its problem, solution, c1 and c2."""
+    abscissa, measured = np.asarray(x, dtype=float), np.asarray(ratio, dtype=float)
+    weights = np.ones(abscissa.size) if weight is None else np.asarray(weight, dtype=float)
+    if abscissa.size < MINIMUM_POINTS or np.unique(abscissa).size < MINIMUM_POINTS - 1:
+        raise FitError(f"too few points ({abscissa.size}; at least {MINIMUM_POINTS} needed)")
+
+    def residual(parameters: "lmfit.Parameters") -> Floats:
+        values = parameters.valuesdict()
+        curve = amplitude_ratio_formula(abscissa, values["c1"], values["c2"])
+        return weights * (curve - measured)
+
+    lmfit = load("lmfit")
+    parameters = lmfit.create_params(c1=PAPER_C1, c2=PAPER_C2)
+    minimizer = lmfit.Minimizer(residual, parameters)
+    result = minimizer.leastsq(xtol=_TOLERANCE, ftol=_TOLERANCE)
+    c1, c2 = (float(result.params[name].value) for name in ("c1", "c2"))
+    if not (np.isfinite([c1, c2]).all() and _has_no_pole(abscissa, c1, c2)):
+        raise FitError("the fit did not converge to a curve without poles")
+    return minimizer, result, (c1, c2)
 
 
 def _solve(x: Floats, ratio: Floats, weight: Floats) -> Floats | None:

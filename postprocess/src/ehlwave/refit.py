@@ -1,5 +1,6 @@
 """Refit eq. (18) over all points and per orientation, on V and on V2."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -105,7 +106,11 @@ class RefitRow:
     note: str = ""
 
 
-def refit_groups(points: xr.Dataset, settings: RefitSettings | None = None) -> list[RefitRow]:
+def refit_groups(
+    points: xr.Dataset,
+    settings: RefitSettings | None = None,
+    variables: Sequence[Variable] = VARIABLES,
+) -> list[RefitRow]:
     """Fit eq. (18) for every group of points, on f(r) V and on f(r) V2.
 
     Points with an error estimate are weighted by it, see :func:`ehlwave.fit.point_weights`.
@@ -116,12 +121,15 @@ def refit_groups(points: xr.Dataset, settings: RefitSettings | None = None) -> l
         Resolved points from :func:`ehlwave.points.select_points`.
     settings : RefitSettings, optional
         Of the intervals.
+    variables : sequence of {"f_v", "f_v2"}
+        Abscissas of the fits; ``tightness`` needs both.
 
     Returns
     -------
     list of RefitRow
-        Two rows (V, V2) for ``all`` points, for each orientation of the paper, and for any other
-        orientation that occurs. Groups without enough points have a note instead of coefficients.
+        A row for each variable (V, V2) for ``all`` points, for each orientation of the paper, and
+        for any other orientation that occurs. Groups without enough points have a note instead of
+        coefficients.
 
     Examples
     --------
@@ -141,8 +149,9 @@ def refit_groups(points: xr.Dataset, settings: RefitSettings | None = None) -> l
     groups |= {name: of_orientation(points, name) for name in (*ORIENTATIONS, *others)}
     rows: list[RefitRow] = []
     for name, members in groups.items():
-        pair = {variable: _fit_row(name, variable, members, chosen) for variable in VARIABLES}
-        tightness = _quotient(pair["f_v2"].rms_refit, pair["f_v"].rms_refit)
+        pair = {variable: _fit_row(name, variable, members, chosen) for variable in variables}
+        rms = {variable: row.rms_refit for variable, row in pair.items()}
+        tightness = _quotient(rms.get("f_v2", NAN), rms.get("f_v", NAN))
         rows += [replace(row, tightness=tightness) for row in pair.values()]
     return rows
 

@@ -83,8 +83,7 @@ def study_refits(folder: Path, settings: RefitSettings) -> pd.DataFrame:
     refits = pd.DataFrame(
         {"varied": varied, "name": name, **asdict(row)}
         for varied, name, points in sets
-        for row in refit_groups(points, settings)
-        if row.variable == "f_v"
+        for row in refit_groups(points, settings, ("f_v",))
     )
     for name in PAPER:
         refits[[f"{name}_low", f"{name}_high"]] = refits[f"{name}_bootstrap"].tolist()
