@@ -8,6 +8,7 @@ import pytest
 
 import ehlwave
 from ehlwave.contact.conditions import KNOWN_KEYS
+from ehlwave.driver import key_table
 from ehlwave.errors import SurfaceError
 from ehlwave.quantities import PLAUSIBLE, number, plain, unit_of
 
@@ -32,6 +33,13 @@ WITH_UNITS = {
     "viscosity_pa_s": Q(50, "mPa*s"),
     "pressure_viscosity_per_pa": Q(22, "1/GPa"),
 }
+
+
+def test_the_program_refuses_the_same_values() -> None:
+    table = key_table().set_index("name")
+    for name in PLAIN:
+        bounds = table.loc[name, ["minimum", "maximum"]].tolist()
+        assert bounds == [PLAUSIBLE[name].low, PLAUSIBLE[name].high], name
 
 
 def test_every_unit_is_one_of_pint() -> None:

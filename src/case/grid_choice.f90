@@ -53,7 +53,7 @@ contains
          integer :: n
 
          cells_x = case%cells_x
-         why_x = 'asked for'
+         why_x = 'given, or its default'
          if (cells_x > 0) return
          length = case%x_max - case%x_min
          inlet = merge(coarsest_inlet, wanted_inlet, case%accuracy > 0)
@@ -96,7 +96,7 @@ contains
          integer :: n
 
          cells_y = case%cells_y
-         why_y = 'asked for'
+         why_y = 'given, or its default'
          if (cells_y > 0) return
          length = 2*case%y_max
          wanted = 0.5_dp*cells_x*length/(case%x_max - case%x_min)

@@ -3,7 +3,7 @@ module ehlwave_case_input
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_key, only: key_length, key_t, key_value_t, most_keys
    use ehlwave_case_keys, only: case_key_list, case_values, take_values
-   use ehlwave_errors, only: error_t
+   use ehlwave_errors, only: error_t, raise
    use ehlwave_key_bounds, only: read_key
    use ehlwave_key_list, only: key_list_t
    use ehlwave_kinds, only: dp
@@ -89,6 +89,9 @@ contains
          call file%refuse('lubricant', former_limit, problem, error, item%line)
       end if
       call take_values(list, self%case)
+      if (allocated(error) .or. self%case%heat%is_given() .or. .not. file%has_group('heat')) return
+      call raise(error, file%place('heat', '')//'&heat has no data: write oil_conductivity_w_per_m_k and the '// &
+         'others that it needs, or remove the group, without which the contact is isothermal')
    end subroutine read_groups
 
    !> Give values to some keys.

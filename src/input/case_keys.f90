@@ -60,8 +60,8 @@ contains
       call visit_waviness(case%roughness_t, '', list)
       call list%see(case%response, key_t('response', "response to the waves; 'transient': waves of this amplitude "// &
          "in time, "// &
-         "'periodic': what these come to, by a march that starts close to it (where it is not found one from rest "// &
-         "takes over), "// &
+         "'periodic': the periodic state of these waves, by a march from their linear response; where that does "// &
+         "not find it, from the smooth contact, "// &
          "'harmonic': the linear response to small waves, without time steps, 'both': march and response", &
          choices='transient periodic harmonic both'))
       call visit_surface(case%roughness_t, '', list)
@@ -91,22 +91,23 @@ contains
 
       call list%enter('conditions', 'Either the Moes parameters M, L and D or dimensional data.')
       list%common%is_written = case%is_dimensional
+      ! Bounds of dimensional data are what no contact is known beyond: a value in another unit is refused.
       call list%see(case%data%radius_x_m, key_t('radius_x_m', 'reduced radius in the rolling direction', unit='m', &
-         above=0.0_dp, is_required=.true.))
+         minimum=1e-6_dp, maximum=5.0_dp, is_required=.true.))
       call list%see(case%data%radius_y_m, key_t('radius_y_m', 'reduced radius across; none: line contact', unit='m', &
-         above=0.0_dp))
+         minimum=1e-6_dp, maximum=1e4_dp))
       list%common%is_written = .true.
       call list%see(case%data%reduced_modulus_pa, key_t('reduced_modulus_pa', "reduced elastic modulus E': 2/E' = "// &
          '(1 - nu1^2)/E1 + (1 - nu2^2)/E2; also besides M, L and D, for friction and flow laws other than newtonian', &
-         unit='Pa', above=0.0_dp))
+         unit='Pa', minimum=1e6_dp, maximum=3e12_dp))
       list%common%is_written = case%is_dimensional
-      call list%see(case%data%load_n, key_t('load_n', 'load', unit='N', above=0.0_dp))
+      call list%see(case%data%load_n, key_t('load_n', 'load', unit='N', minimum=1e-6_dp, maximum=1e8_dp))
       call list%see(case%data%load_n_per_m, key_t('load_n_per_m', 'load per length of a line contact; in place of '// &
-         'load_n and radius_y_m', unit='N/m', above=0.0_dp))
+         'load_n and radius_y_m', unit='N/m', minimum=1.0_dp, maximum=1e8_dp))
       call list%see(case%data%mean_speed_m_per_s, key_t('mean_speed_m_per_s', 'mean speed (u1 + u2)/2', unit='m/s', &
-         above=0.0_dp, is_required=.true.))
+         minimum=1e-7_dp, maximum=300.0_dp, is_required=.true.))
       call list%see(case%data%viscosity_pa_s, key_t('viscosity_pa_s', 'viscosity at ambient pressure', unit='Pa s', &
-         above=0.0_dp, is_required=.true.))
+         minimum=1e-5_dp, maximum=20.0_dp, is_required=.true.))
       list%common%is_written = .not. case%is_dimensional
       call list%see(case%load_parameter_m, key_t('load_parameter_m', 'load parameter M of Moes', above=0.0_dp, &
          is_required=.true.))
@@ -180,8 +181,9 @@ contains
 
       call list%enter('solver', 'How the equations are solved, and how well.')
       call list%see(case%tolerance, key_t('tolerance', 'tolerance of steady states: mass residual and load error; '// &
-         "where method = 'auto' takes 'fas' and none is given, from 1e-6 to 1.5e-3 by the expected error of the "// &
-         'mesh, far below which it leaves the film', minimum=1e-12_dp, maximum=0.1_dp))
+         "where method = 'auto' takes 'fas' and none is given, 1e-6 to 1.5e-3 in proportion to the expected error "// &
+         'of the mesh; the error that it leaves in the film stays far below that one', minimum=1e-12_dp, &
+         maximum=0.1_dp))
       call list%see(case%step_tolerance, key_t('step_tolerance', 'tolerance of time steps at 20 % amplitude; '// &
          'reduced in proportion for smaller waves', minimum=1e-12_dp, maximum=0.1_dp))
       call list%see(case%response_tolerance, key_t('response_tolerance', 'tolerance of the linear response: its '// &
@@ -194,12 +196,13 @@ contains
          'measured; once the pattern has reached the outlet end', minimum=0.0_dp, maximum=1000.0_dp))
       call list%see(case%largest_total_steps, key_t('largest_total_steps', 'largest number of Newton steps of a '// &
          'case on the '// &
-         'finest grid; rescues included; 0: 600, and 40 for each time step, 300 for each phase of a standing '// &
-         'pattern, and no more work than keeps a case within ten times its plan', minimum=0.0_dp, maximum=1e9_dp, &
-         is_written=case%largest_total_steps > 0))
-      call list%see(case%method, key_t('method', "method of solution; 'auto': the faster one, 'fas' for "// &
-         "steady states and linear responses on more than 512 cells along a side and, from gamma M = 1000 on or "// &
-         "with Barus' law, on 256 and more, else 'newton'; 'fas': FAS multigrid with hybrid line relaxation, the "// &
+         'finest grid; steps of rescues count; 0: 600, and 40 more for each time step or 300 for each phase of a '// &
+         'standing pattern; a case without this key also ends at ten times the work of its plan', minimum=0.0_dp, &
+         maximum=1e9_dp, is_written=case%largest_total_steps > 0))
+      call list%see(case%method, key_t('method', "method of solution; 'auto': 'fas' where it is faster, for "// &
+         "steady states and linear responses of flooded, isothermal, Newtonian elliptical contacts on more than "// &
+         "512 cells along a side, from gamma M = 1000 on or with Barus' law on 512 and more along both, else "// &
+         "'newton'; 'fas': FAS multigrid with hybrid line relaxation, the "// &
          "paper's method, 'petsc': the finest level by PETSc's variational inequality solver, an independent check "// &
          "(builds with PETSc)", choices='auto newton fas petsc'))
       call list%see(case%cycle, key_t('cycle', 'multigrid cycle', choices='f v w', default="'f'", &

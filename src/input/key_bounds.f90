@@ -92,7 +92,9 @@ contains
       integer :: i
 
       if (key%kind /= word_kind) then
-         problem = shown(item%text)//' is out of range: write a value '//bounds_text(key)
+         problem = shown(item%text)//' is out of range: write a value '
+         if (key%unit /= '1') problem = problem//'in '//trim(key%unit)//', '
+         problem = problem//bounds_text(key)
       else if (key%choices == '') then
          problem = 'text of '//to_text(len(value%word))//' characters: write '
          if (len(value%word) < key%minimum) then

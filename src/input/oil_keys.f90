@@ -22,7 +22,7 @@ contains
       call list%enter('lubricant', 'Viscosity and density of the lubricant, and how it shears.')
       call list%see(oil%pressure_viscosity_per_pa, key_t('pressure_viscosity_per_pa', 'pressure-viscosity '// &
          'coefficient alpha; '// &
-         'sets ph = alphabar/alpha, also where M, L and D are given', unit='1/Pa', above=0.0_dp, &
+         'sets ph = alphabar/alpha, also where M, L and D are given', unit='1/Pa', minimum=1e-10_dp, maximum=1e-6_dp, &
          applies=oil%takes_alpha(), &
          when=alpha_laws//' (the others have alpha from their parameters: the film-forming coefficient)'))
       call list%see(oil%roelands%index, key_t('roelands_index', "index z of Roelands' viscosity", above=0.0_dp, &

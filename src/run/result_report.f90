@@ -118,7 +118,7 @@ contains
             to_text(r%extrapolated, 5)//', estimated discretisation error '//to_text(100*r%error, 2)//' %'
          if (ieee_is_finite(r%waves%centre%fit%misfit)) write (unit, '(a)') '             with the surface: '// &
             to_text(abs(r%waves%centre%fit%attenuated), 4)//' of Ai, with the oil: '// &
-            to_text(abs(r%waves%centre%fit%complementary), 4)//', left: '//to_text(r%waves%centre%fit%misfit, 2)
+            to_text(abs(r%waves%centre%fit%complementary), 4)//' of Ai, misfit '//to_text(r%waves%centre%fit%misfit, 2)
          write (unit, '(a)') '             '//to_text(r%linear_steps)//' GMRES steps, '// &
             to_text(r%counted_work_units, 4)//' work units'
       end subroutine print_response
@@ -188,10 +188,10 @@ contains
          character(len=:), allocatable :: text
          associate (r => result%shear)
             text = ' (Newtonian oil)'
-            if (ieee_is_finite(r%largest_b)) text = ', B up to '//to_text(r%largest_b, 3)// &
-               ', small gradients at the '// &
-               'centre drive '//to_text(r%tangent_factor(1), 4)//' (X) and '//to_text(r%tangent_factor(2), 4)// &
-               ' (Y) times Newton'
+            if (ieee_is_finite(r%largest_b)) text = '; shear by sliding up to '//to_text(r%largest_b, 3)// &
+               ' times the stress of the oil; small pressure gradients at the centre drive '// &
+               to_text(r%tangent_factor(1), 4)//' (X) and '//to_text(r%tangent_factor(2), 4)// &
+               ' (Y) times the flow of a Newtonian oil'
          end associate
       end function largest_b
 

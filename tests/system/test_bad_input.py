@@ -57,6 +57,8 @@ CHANGES = [
     ("unknown method", "solver", "method", "picard", "method"),
     ("unknown scheme", "solver", "scheme", "upwind", "scheme"),
     ("cycle of another method", "solver", "cycle", "w", "cycle"),
+    ("modulus in GPa", "conditions", "reduced_modulus_pa", 226, "in Pa, at least"),
+    ("no data of heat", "heat", "oil_conductivity_w_per_m_k", Raw(""), "oil_conductivity_w_per_m_k"),
     ("missing frequency", "dynamics", "load_balance", "equation_of_motion", "natural_frequency"),
     ("frequency of a force balance", "dynamics", "natural_frequency", 5, "natural_frequency"),
     ("unknown law", "lubricant", "viscosity_law", "eyring", "viscosity_law"),

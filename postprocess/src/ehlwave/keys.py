@@ -198,7 +198,7 @@ class CaseKeys(TypedDict, total=False):
     settling_periods: SupportsIndex
     """periods to wait before the amplitude is measured"""
     largest_total_steps: SupportsIndex
-    """largest number of Newton steps of a case on the finest grid; rescues included"""
+    """largest number of Newton steps of a case on the finest grid; steps of rescues count"""
     method: Literal["auto", "newton", "fas", "petsc"]
     """method of solution"""
     cycle: Literal["f", "v", "w"]
