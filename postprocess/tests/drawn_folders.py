@@ -29,7 +29,6 @@ OUTPUT_NAMES = (
     "out.h5",
     "second",
 )
-INPUT_NAMES = ("results.h5", "c.h5", "trace.csv", "other.csv", "contact.nml", "refit.csv")
 CONDITIONS = [f"{key}={value}" for key, value in EXPERIMENT.items()]
 
 Snapshot = dict[str, tuple[str, str]]

@@ -26,8 +26,6 @@ if chromium.PROGRAM is None:
     pytest.skip("no chromium on PATH (Debian: chromium)", allow_module_level=True)
 
 SESSIONS = 20 if os.environ.get("EHLWAVE_LONG_TESTS") else 6
-Refusing = tuple[str, list[str]]
-"""Flag of a browser, and the hosts that were asked for by it."""
 
 
 @pytest.fixture(scope="module")

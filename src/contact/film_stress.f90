@@ -21,9 +21,8 @@ module ehlwave_film_stress
 
    integer, parameter, public :: block_size = 64     !! places solved at once
    integer, parameter :: most_steps = 60             ! of Newton; 15 were the most met for |B| to 1e6, |Sigma| to 60
-   ! of the last step, which is still made: an error of its square, times
+   ! of the last step, which is still made: it leaves an error of its square, times the stress where that is small
    real(dp), parameter :: newton_tolerance = 1e-6_dp
-                                                     ! the stress where that is small
    ! |Sigma| up to which a few points across the film make a first guess
    real(dp), parameter :: small_variation = 2.5_dp
    ! Rules of Gauss for that: the positive nodes, and half their weights

@@ -170,18 +170,8 @@ contains
    !> The same of a complex field.
    complex(dp) function complex_integral(self, field) result(integral)
       class(grid_t), intent(in) :: self
-      complex(dp), intent(in), contiguous :: field(0:, 0:)
-      complex(dp) :: row(0:self%ny)
-      integer :: j
-      !$omp parallel do schedule(static) if (is_shared(size(field)))
-      do j = 0, self%ny
-         row(j) = self%weight(j)*sum(field(:, j))
-      end do
-      integral = 0
-      do j = 0, self%ny
-         integral = integral + row(j)
-      end do
-      integral = integral*self%hx*self%hy
+      complex(dp), intent(in) :: field(0:, 0:)
+      integral = cmplx(self%real_integral(field%re), self%real_integral(field%im), dp)
    end function complex_integral
 
    !> Value at X = Y = 0: the node there, else cubic interpolation from the nodes around.

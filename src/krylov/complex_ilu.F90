@@ -12,5 +12,6 @@ module ehlwave_complex_ilu
    public :: new_ilu
 
 #include "ilu.inc"
+#include "ilu_solve.inc"
 
 end module ehlwave_complex_ilu

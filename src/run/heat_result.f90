@@ -10,7 +10,7 @@ module ehlwave_heat_result
    use ehlwave_text, only: to_text
    implicit none (type, external)
    private
-   public :: middle_of, warm_fields
+   public :: warm_fields
 
    !> NaN of an isothermal contact. Heat is in W, of a line contact in W/m.
    type, public :: heat_result_t

@@ -25,6 +25,8 @@ module ehlwave_real_linearised_contact
 
 #include "linearised_contact.inc"
 
+#include "contact_product.inc"
+
 #include "contact_cycle.inc"
 
 #include "near_factors.inc"

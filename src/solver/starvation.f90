@@ -1,6 +1,5 @@
 !> Steady state of a contact with less oil than it could take: from the flooded one, grid by grid.
 module ehlwave_starvation
-   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_continuation, only: adaptive_path_t
    use ehlwave_full_multigrid, only: full_multigrid_t
    use ehlwave_hierarchy, only: level_t
@@ -25,9 +24,8 @@ module ehlwave_starvation
    real(dp), parameter :: least_ratio = 4    !! oil where a path begins, at r = 1 or above, over that where it ends
    real(dp), parameter :: direct = 0.6_dp    !! r that is solved from the flooded state at once
    real(dp), parameter :: loose_tolerance = 1e-3_dp   !! on the way
-   !> Gaps over the layer beyond which a first guess has no pressure: (2 + 2 r). Menisci were found at 2 to 6 at r = 1,
-   !> at 3 to 14 at r = 3.
-   real(dp), parameter :: wide = 2
+   real(dp), parameter :: wide = 2           !! gap over the layer times (1 + r), beyond which a first guess has no
+                                             !! pressure. Menisci were found at 2 to 6 at r = 1, at 3 to 14 at r = 3
 
 contains
 
