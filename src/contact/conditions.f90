@@ -205,10 +205,9 @@ contains
                data%viscosity_pa_s, data%pressure_viscosity_per_pa]
       do i = 1, size(key)
          if (value(i) > 0 .or. (data%load_n_per_m > 0 .and. any(key(i) == ['radius_y_m', 'load_n    ']))) cycle
-         call raise(error, trim(key(i))//' must be given and above 0 (dimensional conditions need all of '// &
-            'radius_x_m, '// &
-                    'radius_y_m, reduced_modulus_pa, load_n, mean_speed_m_per_s, viscosity_pa_s; those of a line '// &
-                    'contact load_n_per_m in place of radius_y_m and load_n); got '//to_text(value(i), 6))
+         call raise(error, trim(key(i))//' is missing: dimensional conditions need all of radius_x_m, radius_y_m, '// &
+            'reduced_modulus_pa, load_n, mean_speed_m_per_s, viscosity_pa_s; those of a line contact load_n_per_m '// &
+            'in place of radius_y_m and load_n')
          return
       end do
    end subroutine check_data

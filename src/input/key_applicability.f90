@@ -37,7 +37,7 @@ contains
          if (given%keys(k)%applies .or. .not. input%is_given(k)) cycle
          if (.not. (input%may_idle(k) .or. is_none(given%values(k), defaults%values(k)))) then
             call raise(error, shown_key(given, k)//' belongs to '//trim(given%keys(k)%when)// &
-               ': remove it, or change that')
+               ': remove it, or set what it belongs to')
             return
          end if
          call input%set([k], [defaults%values(k)])

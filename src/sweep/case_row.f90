@@ -38,6 +38,7 @@ contains
          else
             problem = 'unknown: columns are named as the keys of a case, or f_v (ehlwave-sweep --keys lists them)'
             near = nearest_word(table%names(i), list%keys(:list%count)%name)
+            if (index(table%names(i), ';') > 0) problem = 'columns are separated by commas: write , for ;'
             if (near > 0) problem = "unknown: did you mean '"//trim(list%keys(near)%name)//"'?"
          end if
          call raise(error, table%path//": column '"//shown(trim(table%names(i)))//"': "//problem)

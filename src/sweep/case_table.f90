@@ -219,7 +219,8 @@ contains
          end if
          name = trim(table%keys(i)%name)
          call raise(error, file%place(group, name)//"key '"//name//"' in &"//group//': belongs to '// &
-                    trim(table%keys(i)%when)//', which none of the cases has: remove it, or change that')
+                    trim(table%keys(i)%when)//', which none of the cases has: remove it, or set '// &
+                    'what it belongs to')
          return
       end do
    end subroutine refuse_idle

@@ -27,7 +27,10 @@ def find_program(name: str) -> Path:
     if folder:
         path = Path(folder, name)
         if not os.access(path, os.X_OK):
-            raise ProgramError(f"EHLWAVE_PROGRAMS = {folder}: has no program {name}")
+            raise ProgramError(
+                f"EHLWAVE_PROGRAMS = {folder}: has no program {name}; "
+                "give the folder that has it, as build/release/drivers, or unset the variable"
+            )
         return path
     if found := shutil.which(name):
         return Path(found)
