@@ -72,7 +72,7 @@ async def until(test: Callable[[], Any], meaning: str) -> Any:  # noqa: ANN401
             found = await found
         if found:
             return found
-        await asyncio.sleep(0.1)
+        await asyncio.sleep(0.4)
     raise TimeoutError(f"{meaning}: not within {LONGEST:g} s")
 
 
@@ -103,9 +103,14 @@ class Chromium:
 
     async def __aexit__(self, *_: object) -> None:
         """End the browser that was started here, and its own processes alone."""
-        for tab in self.tabs:
-            tab.close()
+        await self.close_tabs()
         self._kill()
+
+    async def close_tabs(self) -> None:
+        """Close all tabs."""
+        for tab in self.tabs:
+            await tab.close()
+        self.tabs.clear()
 
     def _kill(self) -> None:
         with contextlib.suppress(ProcessLookupError):
@@ -140,8 +145,10 @@ class Tab:
         for domain in ("Page", "Network", "Runtime", "DOM", "Log"):
             await self.send(f"{domain}.enable")
 
-    def close(self) -> None:
-        """Listen no more."""
+    async def close(self) -> None:
+        """Close the tab and listen no more."""
+        with contextlib.suppress(Exception):
+            await self.send("Page.close")
         self._reader.cancel()
         self.socket.close()
 

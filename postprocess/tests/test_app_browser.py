@@ -25,7 +25,11 @@ from ehlwave.cli import main
 if chromium.PROGRAM is None:
     pytest.skip("no chromium on PATH (Debian: chromium)", allow_module_level=True)
 
-SESSIONS = 20 if os.environ.get("EHLWAVE_LONG_TESTS") else 6
+Use = Callable[[Chromium, list[str]], Awaitable[None]]
+Browse = Callable[[Use], list[str]]
+"""Use a browser, a list of what its proxy is asked for as it is asked; return that list."""
+
+SESSIONS = 20 if os.environ.get("EHLWAVE_LONG_TESTS") else 4
 
 
 @pytest.fixture(scope="module")
@@ -34,10 +38,10 @@ def address(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
         yield found
 
 
-def in_browser(
-    folder: Path, use: Callable[[Chromium, list[str]], Awaitable[None]], *flags: str
-) -> list[str]:
+@pytest.fixture(scope="module")
+def in_browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Browse]:
     """Use a browser whose way to other hosts is a proxy that refuses; return what it was asked."""
+    loop = asyncio.new_event_loop()
     asked: list[str] = []
 
     async def refuse(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
@@ -46,15 +50,23 @@ def in_browser(
         writer.write(b"HTTP/1.1 403 Forbidden\r\nContent-Length: 0\r\nConnection: close\r\n\r\n")
         writer.close()
 
-    async def run() -> None:
-        proxy = await asyncio.start_server(refuse, "127.0.0.1", 0)
-        port = proxy.sockets[0].getsockname()[1]
-        through = f"--proxy-server=http://127.0.0.1:{port}"
-        async with proxy, Chromium(folder / "browser", through, *flags) as browser:
-            await use(browser, asked)
+    proxy = loop.run_until_complete(asyncio.start_server(refuse, "127.0.0.1", 0))
+    through = f"--proxy-server=http://127.0.0.1:{proxy.sockets[0].getsockname()[1]}"
+    browser = Chromium(tmp_path_factory.mktemp("chromium") / "browser", through)
+    loop.run_until_complete(browser.__aenter__())
 
-    asyncio.run(asyncio.wait_for(run(), 900))
-    return asked
+    def run(use: Use) -> list[str]:
+        asked.clear()
+        try:
+            loop.run_until_complete(asyncio.wait_for(use(browser, asked), 900))
+        finally:
+            loop.run_until_complete(browser.close_tabs())
+        return asked
+
+    yield run
+    loop.run_until_complete(browser.__aexit__())
+    proxy.close()
+    loop.close()
 
 
 def foreign(tab: Tab, address: str) -> list[str]:
@@ -104,6 +116,7 @@ def in_any_order(report: dict[str, Any]) -> dict[str, Any]:
 def test_a_trace_equals_the_command_line_to_all_digits(
     number: int,
     address: str,
+    in_browser: Browse,
     tmp_path: Path,
     capsys: pytest.CaptureFixture[str],
     monkeypatch: pytest.MonkeyPatch,
@@ -129,7 +142,7 @@ def test_a_trace_equals_the_command_line_to_all_digits(
         assert foreign(tab, address) == []
         assert not tab.messages
 
-    assert in_browser(tmp_path, use) == []
+    assert in_browser(use) == []
     monkeypatch.chdir(tmp_path)
     command = ["deform", example.path.name, *example.command]
     assert main([*command, "--json"]) == 0
@@ -160,6 +173,7 @@ def test_a_trace_equals_the_command_line_to_all_digits(
 
 def test_bad_and_large_files_get_the_message_of_the_command_line(
     address: str,
+    in_browser: Browse,
     tmp_path: Path,
     capsys: pytest.CaptureFixture[str],
     monkeypatch: pytest.MonkeyPatch,
@@ -188,7 +202,7 @@ def test_bad_and_large_files_get_the_message_of_the_command_line(
         await tab.picture(tmp_path / "large.png")
         pages.append(await tab.text())
 
-    in_browser(tmp_path, use)
+    in_browser(use)
     monkeypatch.chdir(tmp_path)
     conditions = examples(tmp_path)[0].command
     assert main(["deform", bad.name, *conditions]) == 2
@@ -200,7 +214,9 @@ def test_bad_and_large_files_get_the_message_of_the_command_line(
     assert "/tmp" not in "".join(pages)
 
 
-def test_wrong_numbers_name_their_field_and_keep_the_rest(address: str, tmp_path: Path) -> None:
+def test_wrong_numbers_name_their_field_and_keep_the_rest(
+    address: str, in_browser: Browse, tmp_path: Path
+) -> None:
     async def use(browser: Chromium, _: list[str]) -> None:
         tab = await browser.tab()
         await tab.size(1400, 900)
@@ -218,10 +234,12 @@ def test_wrong_numbers_name_their_field_and_keep_the_rest(address: str, tmp_path
         await until(lambda: tab.has_text("Something was changed"), "the mark of an old answer")
         await tab.picture(tmp_path / "old.png")
 
-    in_browser(tmp_path, use)
+    in_browser(use)
 
 
-def test_sessions_at_once_answer_each_its_own(address: str, tmp_path: Path) -> None:
+def test_sessions_at_once_answer_each_its_own(
+    address: str, in_browser: Browse, tmp_path: Path
+) -> None:
     loads = [40 + 2 * number for number in range(SESSIONS)]
     keys = {
         "radius_x_m": 0.0127,
@@ -254,10 +272,12 @@ def test_sessions_at_once_answer_each_its_own(address: str, tmp_path: Path) -> N
             assert await tab.has_line(film)
             assert foreign(tab, address) == []
 
-    assert in_browser(tmp_path, use) == []
+    assert in_browser(use) == []
 
 
-def test_no_other_host_is_asked_and_the_check_would_see_it(address: str, tmp_path: Path) -> None:
+def test_no_other_host_is_asked_and_the_check_would_see_it(
+    address: str, in_browser: Browse, tmp_path: Path
+) -> None:
     async def use(browser: Chromium, asked: list[str]) -> None:
         tab = await browser.tab()
         await tab.open(address)
@@ -276,11 +296,13 @@ def test_no_other_host_is_asked_and_the_check_would_see_it(address: str, tmp_pat
         await until(lambda: asked, "the proxy is asked")
         assert any("elsewhere.example/c" in one for one in other.requests)
 
-    asked = in_browser(tmp_path, use)
+    asked = in_browser(use)
     assert all("elsewhere.example/c" in one for one in asked)
 
 
-def test_the_page_fits_windows_of_any_width(address: str, tmp_path: Path) -> None:
+def test_the_page_fits_windows_of_any_width(
+    address: str, in_browser: Browse, tmp_path: Path
+) -> None:
     example = examples(tmp_path)[0]
 
     async def use(browser: Chromium, _: list[str]) -> None:
@@ -300,4 +322,4 @@ def test_the_page_fits_windows_of_any_width(address: str, tmp_path: Path) -> Non
                 assert wide <= 0, (width, kind)
             await tab.picture(tmp_path / f"width{width}.png", whole=True)
 
-    in_browser(tmp_path, use)
+    in_browser(use)
