@@ -40,10 +40,11 @@ def words(**more: float) -> list[str]:
     [
         (0.5, 0.1, REGIMES[:1]),
         (0.95, 0.1, REGIMES[:2]),
-        (1.0, None, REGIMES[1:2]),
+        (1.0, 0.0, REGIMES[1:2]),
         (2.0, 0.2, REGIMES[1:2]),
         (2.9, 0.1, REGIMES[1:]),
-        (3.0, None, REGIMES[2:]),
+        (3.0, 0.0, REGIMES[2:]),
+        (3.0, None, ()),
         (24.0, 0.02, REGIMES[2:]),
         (4.0, 2.0, REGIMES),
         (math.inf, math.inf, REGIMES[2:]),
@@ -53,6 +54,15 @@ def test_what_a_ratio_means_is_all_that_its_error_leaves_open(
     ratio: float, error: float | None, regimes: tuple[str, ...]
 ) -> None:
     assert regimes_of(ratio, error) == regimes
+
+
+def test_no_regime_is_named_where_the_error_is_not_known(tmp_path: Path, capsys: Capture) -> None:
+    """At S = 2 the law of the two waves has no error."""
+    file = trace_file(tmp_path, 0.05)
+    assert main(["lambda", file, *words(slip_parameter=2.0)]) == 0
+    first = capsys.readouterr().out.splitlines()[0]
+    assert "error not known. Mean film" in first
+    assert not any(name in first for name in REGIMES)
 
 
 @pytest.mark.parametrize("command", ["lambda", "deform"])

@@ -84,7 +84,7 @@ def test_the_exact_local_problem(g: float, rise: float, more: float) -> None:
     assert sliding / (h * rate) == pytest.approx(more, rel=1e-5)
     case = Sliding(
         hertz_pa=1e3,
-        semi_axis_a_m=1e-4,
+        semi_axis_a_m=1e-25,  # passes too fast to warm them
         film_m=h,
         mean_speed_m_per_s=sliding,
         slide_to_roll_ratio=1.0,
@@ -94,8 +94,7 @@ def test_the_exact_local_problem(g: float, rise: float, more: float) -> None:
         eyring_stress_pa=1e12,
         is_line=True,
     )
-    body = ehlwave.BodyHeat(conductivity_w_per_m_k=1e15)
-    heat = ehlwave.Heat(313.15, beta, k, 2000, 870, 7e-4, body)
+    heat = ehlwave.Heat(313.15, beta, k, 2000, 870)
     found = shear_warm(case, heat)
     assert beta * found.rise_mid_film_k == pytest.approx(rise, rel=1e-4)
     slower = found.friction / shear_isothermal(case).friction
@@ -164,6 +163,32 @@ def test_what_no_law_knows_is_refused() -> None:
         )
     with pytest.raises(SurfaceError, match="Heat: oil_density_kg_per_m3 = 0 must be above 0"):
         ehlwave.Heat(313.15, 0.04, 0.14, 2000, 0)
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "meant"),
+    [
+        ("oil_conductivity_w_per_m_k", 130, "0.13"),
+        ("oil_heat_capacity_j_per_kg_k", 2, "2000"),
+        ("oil_heat_capacity_j_per_kg_k", 2e6, "2000"),
+        ("oil_density_kg_per_m3", 0.87, "870"),
+        ("oil_expansion_per_k", 0.7, "0.0007"),
+        ("viscosity_temperature_per_k", 4.5, "0.045"),
+        ("body_conductivity_w_per_m_k", 46e3, "46"),
+        ("body2_density_kg_per_m3", 7.85, "7850"),
+        ("body_heat_capacity_j_per_kg_k", 0.47, "470"),
+    ],
+)
+def test_heat_that_no_contact_has_is_asked_about(name: str, value: float, meant: str) -> None:
+    given = rollers().heat.keys() | {name: value}
+    bodies = {
+        body: ehlwave.BodyHeat(*(given.pop(f"{body}_{key}") for key in ehlwave.BodyHeat._fields))
+        for body in ("body", "body2")
+    }
+    with pytest.raises(SurfaceError, match=f"{name} = .*did you mean {meant}\\?"):
+        ehlwave.Heat(**given, **bodies)
+    with pytest.raises(SurfaceError, match=f"did you mean {meant}\\?"):
+        ehlwave.Case(radius_x_m=0.02, **{name: value})
 
 
 def test_usual_heat_of_oils_and_bodies() -> None:

@@ -16,6 +16,8 @@ UNITS = {
     "_m_per_s": "m/s",
     "_n_per_m": "N/m",
     "_kg_per_m3": "kg/m**3",
+    "_w_per_m_k": "W/(m*K)",
+    "_j_per_kg_k": "J/(kg*K)",
     "_mm2_per_s": "mm**2/s",
     "_pa_s": "Pa*s",
     "_per_pa": "1/Pa",
@@ -43,10 +45,14 @@ class Plausible:
 
 
 _PER_CENT = (1e-2,)
+_MILLI, _KILO = (1e-3,), (1e3, 1e-3)
 _RADIUS = Plausible(1e-6, 5, (1e-4, 1))
 _RADIUS_ACROSS = Plausible(1e-6, 1e4, (1e-4, 10))
 _MODULUS = Plausible(1e6, 3e12, (1e9, 1.2e12))
 _KINEMATIC = Plausible(0.3, 1e5, (1, 5e3))
+_BODY_CONDUCTIVITY = Plausible(0.1, 3e3, (0.2, 500))
+_BODY_DENSITY = Plausible(500, 2.3e4, (1e3, 2e4))
+_BODY_CAPACITY = Plausible(100, 5e3, (120, 2e3))
 
 PLAUSIBLE = {
     "radius_x_m": _RADIUS,
@@ -72,6 +78,17 @@ PLAUSIBLE = {
     "temperature_k": Plausible(200, 700, (250, 500)),
     "central_film_m": Plausible(1e-11, 1e-3, (1e-8, 1e-5)),
     "slide_to_roll_ratio": Plausible(-2, 2, (0.01, 2), _PER_CENT),
+    "viscosity_temperature_per_k": Plausible(0, 0.5, (5e-3, 0.2), (1e-2, 1e-3)),
+    "oil_conductivity_w_per_m_k": Plausible(0.03, 1, (0.08, 0.7), _MILLI),
+    "oil_heat_capacity_j_per_kg_k": Plausible(500, 1e4, (1e3, 5e3), _KILO),
+    "oil_density_kg_per_m3": Plausible(300, 3e3, (700, 1300), _KILO),
+    "oil_expansion_per_k": Plausible(0, 5e-3, (1e-4, 2e-3), _MILLI),
+    "body_conductivity_w_per_m_k": _BODY_CONDUCTIVITY,
+    "body_density_kg_per_m3": _BODY_DENSITY,
+    "body_heat_capacity_j_per_kg_k": _BODY_CAPACITY,
+    "body2_conductivity_w_per_m_k": _BODY_CONDUCTIVITY,
+    "body2_density_kg_per_m3": _BODY_DENSITY,
+    "body2_heat_capacity_j_per_kg_k": _BODY_CAPACITY,
 }
 
 _ZERO_CELSIUS_K = 273.15

@@ -32,7 +32,8 @@ class Answer:
     mean_film_m, rq_m : float or None
         What it is made of.
     regimes : tuple of str
-        ``"boundary"``, ``"mixed"``, ``"full film"``: all that the error leaves open.
+        ``"boundary"``, ``"mixed"``, ``"full film"``: all that the error leaves open; none
+        where it is not known.
     surfaces_touch, extrapolated : bool
         As of :class:`ehlwave.deform.statistics.FilmStatistics`.
     of_both : bool
@@ -67,9 +68,9 @@ class Answer:
                 if self.lambda_error < 1
                 else "no better than an order of magnitude"
             )
-        means = " or ".join(self.regimes)
+        means = f": {' or '.join(self.regimes)}" if self.regimes else ""
         said = (
-            f"lambda = {self.lambda_ratio:.3g}, {error}: {means}. Mean film "
+            f"lambda = {self.lambda_ratio:.3g}, {error}{means}. Mean film "
             f"{self.mean_film_m * UM:.4g} um, Rq in the contact {self.rq_m * UM:.4g} um"
         )
         if self.of_both:
@@ -85,10 +86,12 @@ class Answer:
 
 
 def regimes_of(ratio: float, error: float | None) -> tuple[str, ...]:
-    """Return the regimes that a lambda ratio can be of, within its relative error."""
+    """Return the regimes that a lambda ratio can be of, within its relative error; None: none."""
     if math.isinf(ratio):
         return REGIMES[-1:]
-    low, high = ratio * (1 - (error or 0.0)), ratio * (1 + (error or 0.0))
+    if error is None:
+        return ()
+    low, high = ratio * (1 - error), ratio * (1 + error)
     first, last = (int(end >= BOUNDARY_BELOW) + int(end >= FULL_FROM) for end in (low, high))
     return REGIMES[first : last + 1]
 
