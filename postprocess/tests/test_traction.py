@@ -11,7 +11,7 @@ import ehlwave
 from ehlwave.cli import main
 from ehlwave.errors import ArgumentError
 from ehlwave.traction import Traction, read_keys, regimes, traction, traction_figure
-from ehlwave.traction_cli import text_of
+from ehlwave.traction_cli import summary, text_of
 
 ROLLERS = Path(__file__).resolve().parents[2] / "inputs/rollers.nml"
 LIMIT = 0.03
@@ -61,8 +61,14 @@ def test_friction_is_linear_where_slip_is_small_and_of_a_newtonian_oil() -> None
         *("linear", "nonlinear")
     ]
     newtonian = {k: v for k, v in cold.items() if k not in ("flow_law", "eyring_stress_pa")}
-    found = traction(newtonian, [0.01, 1.0], progress=False).table
-    assert found["regime"].tolist() == ["linear", "linear"]
+    found = traction(newtonian, [0.01, 1.0, 1.5], progress=False)
+    assert found.table["regime"].tolist() == ["linear", "linear", "linear"]
+    assert found.table["isothermal"].iloc[-1] > 1
+    beyond = [text for text in found.warnings if "of the load is borne" in text]
+    assert len(beyond) == 1
+    assert beyond[0].startswith("from slide_to_roll_ratio = 1 on: the shear stress is above")
+    assert f"Warning      {beyond[0]}" in text_of(found)
+    assert summary(found)["warnings"] == found.warnings
 
 
 def test_the_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -102,8 +108,37 @@ def test_what_has_no_friction_over_slip_is_refused(tmp_path: Path) -> None:
     with pytest.raises(ArgumentError, match="has &waviness"):
         read_keys(path)
     keys = read_keys(ROLLERS)
-    for ratios, said in (([0.1], "two or more"), ([0.1, 2.0], "a surface at rest")):
+    for ratios, said in (
+        ([0.1], "two or more"),
+        ([0.1, 2.0], "a surface at rest"),
+        ([np.nan, 0.1], "two or more"),
+        ([0.1, np.nan], "two or more"),
+    ):
         with pytest.raises(ArgumentError, match=said):
             traction(keys, ratios)
+    empty = tmp_path / "empty.nml"
+    empty.write_text("&conditions radius_x_m = 0.01 /\n&heat /\n")
+    with pytest.raises(ArgumentError, match="needs oil_conductivity_w_per_m_k"):
+        read_keys(empty)
     with pytest.raises(ehlwave.ProgramError, match="unknown key"):
         traction({"colour": 1}, [0.1, 0.2])
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["none.nml"], "none.nml: no such file"),
+        ([str(ROLLERS), "--ratios", "0.5"], "two or more"),
+        ([str(ROLLERS), "--ratios", "1", "10", "50"], "at most 2"),
+        ([str(ROLLERS), "--ratios", "-0.1", "0.1"], "above 0"),
+        ([str(ROLLERS), "--ratios", "nan", "0.1"], "nan"),
+    ],
+)
+def test_the_command_refuses_in_one_line(
+    words: list[str], said: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["traction", *words]) == 2
+    error = capsys.readouterr().err
+    assert error.startswith("ehlwave: error: ")
+    assert said in error
+    assert error.count("\n") == 1

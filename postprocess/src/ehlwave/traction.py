@@ -1,5 +1,6 @@
 """Friction over the slide-to-roll ratio: isothermal, with heat, and with a limit of the stress."""
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -11,6 +12,7 @@ import pandas as pd
 from numpy.typing import NDArray
 
 from ehlwave.choices import TRACTION_RATIOS
+from ehlwave.contact.heat_data import EMPTY_HEAT
 from ehlwave.driver import Study, key_groups
 from ehlwave.errors import ArgumentError, ProgramError
 from ehlwave.schema import SETTLED
@@ -47,7 +49,7 @@ class Traction:
     table: pd.DataFrame
     """``slide_to_roll_ratio``; friction coefficients ``isothermal``, ``thermal``, ``limited`` and
     ``limited_thermal``, as far as heat and a limit are given; the largest rises, K, and the central
-    film, um, of the last of these; ``regime``; ``status`` of the computed cases."""
+    film, um, of the last of these; ``regime``; ``status`` and ``warning`` of the computed cases."""
     limit: float | None
     """Largest shear stress over pressure."""
 
@@ -63,6 +65,24 @@ class Traction:
         place = int(found[self.curve].to_numpy().argmax())
         value, ratio = (float(found[name].iloc[place]) for name in (self.curve, RATIO))
         return value, ratio, place < len(found) - 1
+
+    @property
+    def warnings(self) -> list[str]:
+        """Return what the program warns of, each once, with the ratios where it does."""
+        first: dict[str, str] = {}
+        rows: dict[str, list[int]] = {}
+        for row, text in enumerate(self.table.get("warning", ())):
+            for part in filter(None, str(text).split("; ")):
+                kind = re.sub(r"\d\S*", "#", part)
+                first.setdefault(kind, part)
+                rows.setdefault(kind, []).append(row)
+        ratio, count = self.table[RATIO].tolist(), len(self.table)
+        return [
+            f"{RATIO} = {', '.join(f'{ratio[row]:g}' for row in held)}: {first[kind]}"
+            if held != list(range(held[0], count))
+            else f"from {RATIO} = {ratio[held[0]]:g} on: {first[kind]}"
+            for kind, held in rows.items()
+        ]
 
 
 def read_keys(path: str | Path) -> dict[str, Any]:
@@ -81,6 +101,8 @@ def read_keys(path: str | Path) -> dict[str, Any]:
             raise ArgumentError(
                 f"{path}: has &{name}: friction over slip is that of one smooth contact: remove it"
             )
+    if "heat" in groups and not groups["heat"]:
+        raise ArgumentError(f"{path}: {EMPTY_HEAT}")
     return {key: value for group in groups.values() for key, value in group.items()}
 
 
@@ -146,6 +168,7 @@ def traction(
                 table[name] = np.where(good, found[column], np.nan)
         table["central_film_um"] = np.where(good, found["central_film_um"], np.nan)
         table["status"] = found["status"].to_numpy()
+        table["warning"] = found["warning"].to_numpy()
     start = _without_heat(free, pd.DataFrame({RATIO: [SMALL_RATIO]}), ranks)
     table["regime"] = regimes(table, float(start[0]) / SMALL_RATIO)
     return Traction(table, limit)
@@ -264,8 +287,11 @@ def _checked(ratios: Sequence[float], has_heat: bool) -> list[float]:
         chosen = sorted({float(ratio) for ratio in ratios})
     except (TypeError, ValueError):
         raise ArgumentError(f"ratios = {ratios}: give numbers, such as 0.01 0.1 1") from None
-    if len(chosen) < 2 or not chosen[0] > 0 or chosen[-1] > 2:
-        raise ArgumentError("ratios: give two or more slide-to-roll ratios above 0 and at most 2")
+    if len(chosen) < 2 or not all(0 < ratio <= 2 for ratio in chosen):
+        said = ", ".join(f"{ratio:g}" for ratio in chosen)
+        raise ArgumentError(
+            f"ratios = {said}: give two or more slide-to-roll ratios above 0 and at most 2"
+        )
     if has_heat and chosen[-1] == 2:
         raise ArgumentError("ratios: 2 is a surface at rest, which &heat refuses: give less than 2")
     return chosen

@@ -4,14 +4,18 @@ import argparse
 import json
 import sys
 
+from ehlwave.errors import ArgumentError, ResultsError
 from ehlwave.slip import RATIO
 from ehlwave.traction import CURVES, Traction, read_keys, traction, traction_figure
 
 
 def run_traction(options: argparse.Namespace) -> None:
     """Compute and print friction over slip; write table and figure."""
-    keys = read_keys(options.case)
-    found = traction(keys, options.ratios, options.ranks, progress=False)
+    try:
+        keys = read_keys(options.case)
+        found = traction(keys, options.ratios, options.ranks, progress=False)
+    except ArgumentError as error:  # of a command an argument is an input
+        raise ResultsError(str(error)) from error
     for row in found.table.itertuples():
         if row.status != "converged":
             note = f"slide_to_roll_ratio = {getattr(row, RATIO):g}: {row.status}"
@@ -31,7 +35,7 @@ def run_traction(options: argparse.Namespace) -> None:
 
 
 def summary(found: Traction) -> dict[str, object]:
-    """Return the largest friction and the rows; a number that is not known is null."""
+    """Return the largest friction, warnings and rows; a number that is not known is null."""
     value, ratio, falls = found.largest
     table = found.table.astype(object)
     return {
@@ -39,12 +43,13 @@ def summary(found: Traction) -> dict[str, object]:
         "largest_friction_ratio": ratio,
         "friction_falls_beyond": falls,
         "shear_limit_over_pressure": found.limit,
+        "warnings": found.warnings,
         "rows": table.where(table.notna(), None).to_dict("records"),
     }
 
 
 def text_of(found: Traction) -> str:
-    """Return what a user reads: a row a ratio, and where friction is largest."""
+    """Return what a user reads: a row a ratio, and where friction is largest, warnings."""
     table = found.table
     columns = [name for name in CURVES if name in table]
     heads = {"limited": "limited", "limited_thermal": "both"}
@@ -58,4 +63,5 @@ def text_of(found: Traction) -> str:
     value, ratio, falls = found.largest
     beyond = "it falls again beyond" if falls else "at the end of the ratios"
     limit = "" if found.limit is None else f"; stress at most {found.limit:g} of the pressure"
-    return "\n".join([*lines, f"Largest friction {value:.4f} at {ratio:g}, {beyond}{limit}."])
+    lines.append(f"Largest friction {value:.4f} at {ratio:g}, {beyond}{limit}.")
+    return "\n".join([*lines, *(f"Warning      {text}" for text in found.warnings)])

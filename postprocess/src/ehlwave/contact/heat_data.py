@@ -45,6 +45,7 @@ class BodyHeat(NamedTuple):
 
 
 SOFT_STEEL = BodyHeat()
+EMPTY_HEAT = "&heat needs oil_conductivity_w_per_m_k: give it, or remove the group"
 
 
 @dataclass(frozen=True)
