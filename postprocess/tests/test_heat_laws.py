@@ -2,6 +2,7 @@
 
 import csv
 import math
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -128,6 +129,43 @@ def test_films_and_friction_are_those_with_heat() -> None:
     rolls = rollers(speeds_m_per_s=(10, 10)).film()
     assert rolls.friction is None
     assert rolls.heated.film_factor == rolls.heated.inlet_factor < 1
+
+
+@pytest.mark.parametrize("heat", [None, True])
+def test_friction_errors_cover_the_errors_of_the_oil(heat: bool | None) -> None:
+    """Friction goes as exp(alpha p): 31 % of alpha make more than half of it."""
+    oil = ehlwave.Oil.from_grade(iso_vg=46, temperature_k=333.15, eyring_stress_pa=5e6)
+    given = {"load_n_per_m": 2e5, "speeds_m_per_s": (2.2, 1.8), "heat": heat}
+    film = rollers(oil=oil, **given).film()
+    worst = 0.0
+    for eta, alpha in ((0.9, 0.69), (1.1, 1.31)):
+        one = replace(
+            oil,
+            viscosity_pa_s=oil.viscosity_pa_s * eta,
+            pressure_viscosity_per_pa=oil.pressure_viscosity_per_pa * alpha,
+        )
+        worst = max(worst, abs(rollers(oil=one, **given).film().friction / film.friction - 1))
+    assert 0.3 < worst < film.friction_error < worst + 0.35
+    known = replace(oil, viscosity_error=0.0, pressure_viscosity_error=0.0, conductivity_error=0.0)
+    assert rollers(oil=known, **given).film().friction_error < 0.35 < film.friction_error
+
+
+def test_the_error_of_the_conductivity_counts() -> None:
+    known = ehlwave.Oil.from_grade(
+        iso_vg=46, temperature_k=333.15, eyring_stress_pa=5e6, conductivity_w_per_m_k=0.13
+    )
+    assert known.conductivity_error == 0
+    known = replace(known, viscosity_error=0.0, pressure_viscosity_error=0.0)
+    usual = replace(known, conductivity_error=0.1)
+    one, other = (rollers(oil=oil).film() for oil in (known, usual))
+    for factor in (0.9, 1.1):
+        changed = rollers(oil=replace(known, conductivity_w_per_m_k=0.13 * factor)).film()
+        film = abs(changed.central_m / one.central_m - 1)
+        assert 0 < film < 1.2 * (other.central_error - one.central_error) < 0.05
+        friction = abs(changed.friction / one.friction - 1)
+        assert 0 < friction < 1.2 * (other.friction_error - one.friction_error)
+    with pytest.raises(SurfaceError, match="oil_conductivity_error = 10 is relative"):
+        ehlwave.Heat(313.15, 0.045, 0.13, 1950, 870, oil_conductivity_error=10)
 
 
 def test_keys_are_those_of_cases() -> None:

@@ -5,6 +5,7 @@ them is warmed, which makes it easier to shear. Friction is that of :mod:`ehlwav
 times a factor near 1. Coefficients and errors stand in ``postprocess/record/heat/laws.csv``.
 """
 
+from copy import copy
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -13,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.heat_data import Heat
 from ehlwave.errors import RangeError, SurfaceError
+from ehlwave.friction_error import error_by_data
 from ehlwave.sheared_film import Sheared, Sliding, shear_isothermal, shear_warm
 
 Floats = NDArray[np.float64]
@@ -51,18 +53,21 @@ class Heated:
         Central film with heat over that without.
     inlet_factor : float
         The part of it by the warm inlet; the other one is by the density at the centre.
+    film_error : float
+        Of `film_factor`, relative: of the law, and what the error of the conductivity makes of it.
     friction, isothermal_friction : float or None
         Friction coefficients with and without heat; None in pure rolling and of other oils than
         Ree-Eyring's.
     friction_error : float or None
-        Of the former, relative: of the law, and what errors of viscosity and pressure-viscosity
-        coefficient make of it. That of the film comes besides.
+        Of the former, relative: of the law, and what errors of viscosity, pressure-viscosity
+        coefficient and conductivity make of it. That of the film comes besides.
     rise_mid_film_k, rise_surfaces_k : float
         Rises at the centre of the contact, K; 0 where friction is not known.
     """
 
     film_factor: float
     inlet_factor: float
+    film_error: float = INLET_BAR
     friction: float | None = None
     friction_error: float | None = None
     isothermal_friction: float | None = None
@@ -199,12 +204,18 @@ def warmed(
 ) -> Heated:
     """Return what :func:`heated` does, also outside the range, where errors are not known."""
     given, ratio = dict(conditions.given), 2 * (conditions.slip_parameter - 1)
-    u, loading = float(given["mean_speed_m_per_s"]), _loading(conditions, heat)
+    u, error = float(given["mean_speed_m_per_s"]), heat.oil_conductivity_error
     over_c = film_m / float(conditions.hertz_approach_c_m or np.nan)
-    wall = wall_parameter(heat, film_m, conditions.semi_axis_a_m, u)
-    inlet = float(inlet_factor(loading, ratio, wall))
+
+    def inlet_of(heat: Heat) -> float:
+        wall = wall_parameter(heat, film_m, conditions.semi_axis_a_m, u)
+        return float(inlet_factor(_loading(conditions, heat), ratio, wall))
+
+    inlet, loading = inlet_of(heat), _loading(conditions, heat)
+    ends = (inlet_of(_conducting(heat, 1 + e)) for e in (-error, error))
+    film_error = INLET_BAR + max(abs(end / inlet - 1) for end in ends)
     if ratio == 0 or eyring_stress_pa is None:
-        return Heated(inlet, inlet)
+        return Heated(inlet, inlet, film_error)
     case = sliding_film(conditions, eyring_stress_pa, film_m)
 
     def factor(found: Sheared, film: float, warmth: float) -> float:
@@ -214,30 +225,33 @@ def warmed(
     cold = shear_isothermal(case)
     warm = shear_warm(replace(case, film_m=film_m * inlet), heat)
     film = inlet / (1 - min(heat.oil_expansion_per_k * warm.rise_mean_k, 0.5))
-    warm = shear_warm(replace(case, film_m=film_m * film), heat)
+    case_warm = replace(case, film_m=film_m * film)
+    warm = shear_warm(case_warm, heat)
+
+    def friction(one: Sliding, conductivity: float) -> float:
+        other = _conducting(heat, conductivity)
+        one = replace(one, film_m=one.film_m * inlet_of(other) / inlet)
+        found = shear_warm(one, other)
+        return found.friction * factor(found, one.film_m / film_m, _loading(conditions, other))
+
     return Heated(
         film,
         inlet,
+        film_error,
         warm.friction * factor(warm, film, loading),
-        FRICTION_BAR + _oil_error(given, heat, replace(case, film_m=film_m * film), warm.friction),
+        FRICTION_BAR + error_by_data(conditions, case_warm, friction, error),
         cold.friction * factor(cold, 1.0, 0.0),
         warm.rise_mid_film_k,
         warm.rise_surfaces_k,
     )
 
 
-def _oil_error(given: dict[str, float], heat: Heat, case: Sliding, friction: float) -> float:
-    """Return by how much friction changes, relative, by the errors of the oil's data."""
-    total = 0.0
-    for key, name in (
-        ("viscosity_error", "viscosity_pa_s"),
-        ("pressure_viscosity_error", "pressure_viscosity_per_pa"),
-    ):
-        if error := float(given.get(key, 0.0)):
-            value = getattr(case, name)
-            others = (replace(case, **{name: value * (1 + e)}) for e in (-error, error))
-            total += max(abs(shear_warm(one, heat).friction / friction - 1) for one in others)
-    return total
+def _conducting(heat: Heat, factor: float) -> Heat:
+    """Return heat with the oil's conductivity times a factor, whether a contact has it or not."""
+    other = copy(heat)
+    conductivity = heat.oil_conductivity_w_per_m_k * factor
+    object.__setattr__(other, "oil_conductivity_w_per_m_k", conductivity)
+    return other
 
 
 def check_heat(conditions: Conditions, heat: Heat) -> None:

@@ -37,7 +37,8 @@ from ehlwave.deform.starved_transfer import StarvedTransfer
 from ehlwave.deform.surface import Surface
 from ehlwave.deform.transfer import FormulaTransfer, RecommendedTransfer, Transfer
 from ehlwave.errors import ExtrapolationWarning, RangeError, SurfaceError
-from ehlwave.heat_laws import INLET_BAR, Heated, check_heat, heated
+from ehlwave.friction_error import isothermal_error_by_data
+from ehlwave.heat_laws import Heated, check_heat, heated
 from ehlwave.quantities import number, plain
 from ehlwave.responses import response_table, responses_figure
 from ehlwave.shown import html_table, within
@@ -283,15 +284,18 @@ class Contact:
             friction = c.peak_over_mean * film.stress * self._eyring_stress_pa / hertz_pa
         scale, more = c.metres_per_moes, thinned + c.oil_error
         central, source = film.central_moes * c.film_ratio, atlas.name
-        friction_error = None if friction is None else film.stress_error
+        friction_error = None
+        if friction is not None and self._eyring_stress_pa is not None:
+            by_data = isothermal_error_by_data(c, film.central_moes, self._eyring_stress_pa)
+            friction_error = film.stress_error + by_data
         by_heat: Heated | None = None
         factor = 1.0
         if self.heat is not None:
             by_heat = heated(c, self.heat, central * (scale or math.nan), self._eyring_stress_pa)
             factor, source = by_heat.film_factor, f"{source}, times the laws of heat"
-            more += INLET_BAR
+            more += by_heat.film_error
             friction = by_heat.friction
-            film_error = film.central_error + thinned + INLET_BAR
+            film_error = film.central_error + thinned + by_heat.film_error
             shear = by_heat.friction_error
             friction_error = None if shear is None else shear + film_error
             central *= factor

@@ -8,7 +8,7 @@ import numpy as np
 
 from ehlwave.contact.alpha_estimates import State, estimate_alpha
 from ehlwave.contact.measured_oils import DENSITY_15C, MEASURED, SOURCE, TEMPERATURES_K
-from ehlwave.contact.oil_heat import usual_heat
+from ehlwave.contact.oil_heat import own_heat, usual_heat
 from ehlwave.contact.viscosity_grade import (
     COLD_K,
     GRADE_ERROR,
@@ -62,8 +62,8 @@ class Oil:
         Of a Ree-Eyring oil, which contacts that slide need.
     conductivity_w_per_m_k, heat_capacity_j_per_kg_k : float, optional
         At this temperature, for films and friction with heat.
-    conductivity_error, heat_capacity_error : float
-        Relative.
+    conductivity_error : float
+        Relative; films and friction with heat carry it.
     source : str
         What the numbers are from.
 
@@ -87,7 +87,6 @@ class Oil:
     conductivity_w_per_m_k: float | None = None
     heat_capacity_j_per_kg_k: float | None = None
     conductivity_error: float = 0.0
-    heat_capacity_error: float = 0.0
     source: str = "given"
 
     def __post_init__(self) -> None:
@@ -173,7 +172,7 @@ class Oil:
         step = _STEP_K
         log_slope = np.log(viscosity(temperature - step) / viscosity(temperature + step))
         others = {key: sheet[key] for key in _PASSED if key in sheet}
-        usual = usual_heat(kind, temperature, density_15c) | others
+        usual = own_heat(usual_heat(kind, temperature, density_15c), others)
         return cls(
             viscosity_pa_s=viscosity(temperature),
             pressure_viscosity_per_pa=alpha,
@@ -245,7 +244,7 @@ class Oil:
             density_kg_per_m3=_usual_density(temperature),
             viscosity_temperature_per_k=float(slope),
             source=f"{name}: {SOURCE}",
-            **(usual_heat("mineral", temperature, DENSITY_15C) | others),
+            **own_heat(usual_heat("mineral", temperature, DENSITY_15C), others),
         )
 
 

@@ -45,6 +45,7 @@ class BodyHeat(NamedTuple):
 
 
 SOFT_STEEL = BodyHeat()
+CONDUCTIVITY_ERROR = "oil_conductivity_error"
 EMPTY_HEAT = "&heat needs oil_conductivity_w_per_m_k: give it, or remove the group"
 
 
@@ -64,6 +65,8 @@ class Heat:
         By which its density falls, 1/K.
     body, body2 : BodyHeat
         Of the first surface, which is the rough one, and of the other one.
+    oil_conductivity_error : float
+        Relative; films and friction carry it. No key of ``&heat``.
 
     Raises
     ------
@@ -88,6 +91,7 @@ class Heat:
     oil_expansion_per_k: float = 7e-4
     body: BodyHeat = SOFT_STEEL
     body2: BodyHeat | None = None
+    oil_conductivity_error: float = 0.0
 
     def __post_init__(self) -> None:
         """Check and convert."""
@@ -98,9 +102,14 @@ class Heat:
                     _positive(value, f"{field.name}_{name}")
                 object.__setattr__(self, field.name, BodyHeat(*map(float, found)))
                 continue
-            lowest = 0.0 if field.name == "oil_expansion_per_k" else None
+            lowest = 0.0 if field.name in ("oil_expansion_per_k", CONDUCTIVITY_ERROR) else None
             value = _positive(getattr(self, field.name), field.name, lowest)
             object.__setattr__(self, field.name, value)
+        if self.oil_conductivity_error >= 1:
+            raise SurfaceError(
+                f"Heat: {CONDUCTIVITY_ERROR} = {self.oil_conductivity_error:g} is relative: 0.1 is "
+                "10 %; give 0 to 1"
+            )
         if self.temperature_k <= 178:
             raise SurfaceError(
                 f"Heat: temperature_k = {self.temperature_k:g} is in K: give 313.15 for 40 C"
@@ -131,7 +140,7 @@ class Heat:
         found = {
             field.name: getattr(self, field.name)
             for field in fields(self)
-            if not field.name.startswith("body")
+            if not field.name.startswith("body") and field.name != CONDUCTIVITY_ERROR
         }
         for name, body in zip(("body", "body2"), self.bodies, strict=True):
             found |= {f"{name}_{key}": value for key, value in body._asdict().items()}
@@ -169,7 +178,12 @@ def heat_of(oil: Any, bodies: tuple[Any, Any]) -> Heat:  # noqa: ANN401 - Oil, B
             f"Contact: heat=True: the oil has no {missing[0]}, and no usual value is known of its "
             f"kind: give Oil(..., {missing[0]}=...), or heat=ehlwave.Heat(...){see('oil')}"
         )
-    return Heat(**values, body=_body_heat(bodies[0], "body1"), body2=_body_heat(bodies[1], "body2"))
+    return Heat(
+        **values,
+        body=_body_heat(bodies[0], "body1"),
+        body2=_body_heat(bodies[1], "body2"),
+        oil_conductivity_error=oil.conductivity_error,
+    )
 
 
 def _body_heat(body: Any, name: str) -> BodyHeat:  # noqa: ANN401

@@ -5,9 +5,10 @@ Andersson, Proc. IMechE J 214, 2000, 337-342); ``&heat`` and the laws of heat ta
 that is not in `usual_heat` is a gap: no source is known.
 """
 
-CRAGOE_ERROR, CRAGOE_CAPACITY_ERROR = 0.10, 0.05
+CRAGOE_ERROR = 0.10
 """Cragoe, Thermal Properties of Petroleum Products, Bureau of Standards, Miscellaneous Publication
-97, 1929: from the density at 15 C; other handbooks' values of mineral oils lie within."""
+97, 1929: from the density at 15 C; other handbooks' conductivities of mineral oils lie within.
+Films and friction do not depend on the heat capacity."""
 
 PAO = {"conductivity_w_per_m_k": 0.153, "heat_capacity_j_per_kg_k": 2046.0}
 """Mean of PAO 4, 10, 40 and 100, 0.141 to 0.165 W/(m K) and 2045 to 2049 J/(kg K): a thermal EHL
@@ -18,7 +19,7 @@ WATER_15C = 999.1
 
 
 def usual_heat(kind: str, temperature_k: float, density_15c: float) -> dict[str, float]:
-    """Return conductivity and heat capacity by the kind of base oil, with relative errors.
+    """Return conductivity, with its relative error, and heat capacity by the kind of base oil.
 
     Empty of esters and polyglycols, for which no source is known.
 
@@ -44,9 +45,11 @@ def usual_heat(kind: str, temperature_k: float, density_15c: float) -> dict[str,
             "conductivity_w_per_m_k": 0.1172 / gravity * (1 - 0.00054 * celsius),
             "heat_capacity_j_per_kg_k": (1685 + 3.39 * celsius) / gravity**0.5,
             "conductivity_error": CRAGOE_ERROR,
-            "heat_capacity_error": CRAGOE_CAPACITY_ERROR,
         }
-    if kind == "pao":
-        errors = {"conductivity_error": PAO_ERROR, "heat_capacity_error": CRAGOE_CAPACITY_ERROR}
-        return PAO | errors
-    return {}
+    return PAO | {"conductivity_error": PAO_ERROR} if kind == "pao" else {}
+
+
+def own_heat(usual: dict[str, float], others: dict[str, float]) -> dict[str, float]:
+    """Return usual values with others in their place; a given conductivity has no usual error."""
+    is_own = "conductivity_w_per_m_k" in others
+    return usual | ({"conductivity_error": 0.0} if is_own else {}) | others
