@@ -112,10 +112,13 @@ def test_surfaces_grow_warm_as_a_band_does() -> None:
     assert 0.8 < found.rise_surfaces_k / scale < 1.0  # 2 (1/2)^(1/2)/pi^(1/2) = 0.80 if even
 
 
+def rollers_oil() -> ehlwave.Oil:
+    return ehlwave.Oil.from_grade(iso_vg=46, temperature_k=333.15, eyring_stress_pa=5e6)
+
+
 def rollers(**more: object) -> ehlwave.Contact:
     roller = ehlwave.Body(radius_x_m=0.02, material="steel")
-    oil = ehlwave.Oil.from_grade(iso_vg=46, temperature_k=333.15, eyring_stress_pa=5e6)
-    given = {"oil": oil, "load_n_per_m": 4e5, "speeds_m_per_s": (11, 9), "heat": True}
+    given = {"oil": rollers_oil(), "load_n_per_m": 4e5, "speeds_m_per_s": (11, 9), "heat": True}
     return ehlwave.Contact.from_bodies(roller, roller, **given | more)
 
 
@@ -131,10 +134,36 @@ def test_films_and_friction_are_those_with_heat() -> None:
     assert rolls.heated.film_factor == rolls.heated.inlet_factor < 1
 
 
+def test_deformed_surfaces_lie_under_the_film_with_heat() -> None:
+    x = np.arange(0, 2e-3, 2e-6)
+    trace = ehlwave.deform.trace_surface(5e-8 * np.cos(2 * np.pi * x / 1e-4), 2e-6, "x", "waves")
+    glass = ehlwave.Body(radius_x_m=0.02, material="glass")
+    steel, oil = ehlwave.Body(radius_x_m=0.02, material="steel"), rollers_oil()
+    given = {"oil": oil, "load_n_per_m": 2e5, "speeds_m_per_s": (11, 9)}
+    contact = ehlwave.Contact.from_bodies(steel, glass, heat=True, **given)
+    film, found = contact.film(), contact.deform(trace)
+    cold = ehlwave.Contact.from_bodies(steel, glass, **given).deform(trace)
+    assert found.conditions.central_film_m == film.central_m
+    assert found.statistics.lambda_errors["film"] == film.central_error > 0.05
+    assert found.statistics.lambda_ratio_after < 0.95 * cold.statistics.lambda_ratio_after
+    assert "laws of heat" in found.conditions.film_source
+    pair = contact.deform_pair(trace, trace)
+    assert pair.second.conditions.central_film_m == pytest.approx(film.central_m, rel=1e-9)
+    fast = ehlwave.Contact.from_bodies(
+        steel, glass, heat=True, **given | {"speeds_m_per_s": (101, 99)}
+    )
+    for by in ("atlas", "recommended"):
+        with pytest.raises(RangeError, match="the range of the laws of heat"):
+            fast.deform(trace, by=by)
+    keys = dict(contact.conditions.given) | {"central_film_m": 4e-7}
+    measured = ehlwave.Contact(**keys, heat=contact.heat).deform(trace)
+    assert measured.conditions.central_film_m == 4e-7
+
+
 @pytest.mark.parametrize("heat", [None, True])
 def test_friction_errors_cover_the_errors_of_the_oil(heat: bool | None) -> None:
     """Friction goes as exp(alpha p): 31 % of alpha make more than half of it."""
-    oil = ehlwave.Oil.from_grade(iso_vg=46, temperature_k=333.15, eyring_stress_pa=5e6)
+    oil = rollers_oil()
     given = {"load_n_per_m": 2e5, "speeds_m_per_s": (2.2, 1.8), "heat": heat}
     film = rollers(oil=oil, **given).film()
     worst = 0.0

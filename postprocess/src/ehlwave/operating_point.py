@@ -26,7 +26,7 @@ from ehlwave.contact.heat_data import Heat, heat_of
 from ehlwave.contact.line_contact import ROLLS_ALONE, TRANSVERSE_ALONE
 from ehlwave.contact.two_bodies import contact_keys
 from ehlwave.contact.two_waves import SLIP_ERRORS, two_waves
-from ehlwave.deform.atlas_transfer import AtlasTransfer, with_atlas_film
+from ehlwave.deform.atlas_transfer import AtlasTransfer, with_atlas_film, with_heated_film
 from ehlwave.deform.pair import DeformedPair
 from ehlwave.deform.predict import Cutoffs, Deformed, deform_surface
 from ehlwave.deform.prepare import Form, Window
@@ -554,7 +554,8 @@ class Contact:
         surface : Surface, path, array or topography
             As :func:`ehlwave.read_surface` reads it; of an array give ``step``, in metres.
         by : {"atlas", "two-waves", "recommended", "paper"}
-            What components are judged by. The film is the atlas' where the contact lies in it.
+            What components are judged by. The film is the atlas' where the contact lies in it, with
+            heat that of :meth:`film`.
         form, ends, cutoffs_m
             See :func:`ehlwave.deform.deform_surface`; ``cutoffs_m`` is (lambda_c, lambda_s).
         **reading
@@ -563,7 +564,8 @@ class Contact:
         Raises
         ------
         RangeError
-            A ValueError: the contact lies outside the atlas and `by` is ``"atlas"``.
+            A ValueError: the contact lies outside the atlas and `by` is ``"atlas"``, or outside the
+            laws of heat.
         SurfaceError
             If the surface cannot be used, or the contact was given without lengths.
 
@@ -633,6 +635,7 @@ class Contact:
         """
         other = copy(self)
         other.conditions = second_conditions(self.conditions)
+        other.heat = None if self.heat is None else self.heat.exchanged()
         found = DeformedPair(self._deformed(surface, **options), other._deformed(second, **options))
         _warn(found.doubts)
         return found
@@ -653,13 +656,19 @@ class Contact:
             )
         measured = read_surface(surface, ReadOptions(**reading))
         transfer = self.transfer(by)
-        conditions = self.conditions
+        conditions = self.conditions  # with the film of a formula
         try:
-            conditions = with_atlas_film(conditions, self.atlas())
+            conditions = self._with_film()
         except RangeError:
-            if by == "atlas":
+            if by == "atlas" or self.heat is not None:
                 raise
         return deform_surface(measured, conditions, transfer, form, ends, cutoffs_m)
+
+    def _with_film(self) -> Conditions:
+        """Return the conditions with the film of the atlas, with heat that of :meth:`film`."""
+        if self.heat is not None:
+            return with_heated_film(self.conditions, self.film())
+        return with_atlas_film(self.conditions, self.atlas())
 
     def stress(
         self,

@@ -1,7 +1,7 @@
 """Heat of a contact: how oil and both bodies conduct and store it, and by what an oil thins."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from typing import Any, NamedTuple
 
 from ehlwave.errors import SurfaceError
@@ -127,6 +127,19 @@ class Heat:
         True
         """
         return self.body, self.body2 or self.body
+
+    def exchanged(self) -> "Heat":
+        """Return the same with the other body as the first one.
+
+        Examples
+        --------
+        >>> import ehlwave
+        >>> glass = ehlwave.BodyHeat(1.1, 2500, 840)
+        >>> heat = ehlwave.Heat(313.15, 0.045, 0.13, 1950, 870, body2=glass)
+        >>> heat.exchanged().body == glass
+        True
+        """
+        return replace(self, body=self.bodies[1], body2=self.bodies[0])
 
     def keys(self) -> dict[str, float]:
         """Return the keys of ``&heat``, and ``temperature_k``, for :class:`ehlwave.Case`.

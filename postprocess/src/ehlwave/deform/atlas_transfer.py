@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import RectBivariateSpline
 
+from ehlwave.answers import Film
 from ehlwave.atlas.atlas import Atlas, atlas_for, chart_of
 from ehlwave.atlas.chart import Chart
 from ehlwave.atlas.ranges import WAVE_RANGE
@@ -226,7 +227,7 @@ def with_atlas_film(conditions: Conditions, atlas: Atlas | None = None) -> Condi
 
     A given film stays; so does the formula's where there are no lengths, or outside the atlas.
     """
-    if conditions.metres_per_moes is None or conditions.film_source.startswith("given"):
+    if _keeps_film(conditions):
         return conditions
     film = chart_of(replace(conditions, slip_parameter=conditions.film_slip), atlas).film()
     error = film.central_error + conditions.thinning_error + conditions.oil_error
@@ -243,3 +244,20 @@ def with_atlas_film(conditions: Conditions, atlas: Atlas | None = None) -> Condi
         film_source=source,
         central_film_error=error,
     )
+
+
+def with_heated_film(conditions: Conditions, film: Film) -> Conditions:
+    """Return conditions with a film with heat, :meth:`ehlwave.Contact.film`; a given one stays."""
+    if _keeps_film(conditions):
+        return conditions
+    return replace(
+        conditions,
+        central_film_m=film.central_m,
+        film_source=f"atlas times the laws of heat, within {100 * film.central_error:.2g} %",
+        central_film_error=film.central_error,
+    )
+
+
+def _keeps_film(conditions: Conditions) -> bool:
+    """Return whether the film is given, or there are no lengths."""
+    return conditions.metres_per_moes is None or conditions.film_source.startswith("given")
