@@ -12,7 +12,8 @@ from contact import BALL
 
 import ehlwave
 from ehlwave.cli import main
-from ehlwave.contact.conditions_read import OTHER_INLET_KEYS, read_conditions
+from ehlwave.contact.conditions_read import read_conditions
+from ehlwave.contact.file_keys import OTHER_INLET_KEYS
 from ehlwave.deform.starved_transfer import StarvedTransfer
 from ehlwave.deform.table_matching import matching_rows
 from ehlwave.errors import RangeError, SurfaceError

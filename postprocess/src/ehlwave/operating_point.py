@@ -21,6 +21,7 @@ from ehlwave.atlas.coordinates import wave_components
 from ehlwave.atlas.ranges import SLIDING_RANGES, WAVE_RANGE
 from ehlwave.contact.bodies import Body
 from ehlwave.contact.conditions import Conditions, conditions_from_keys
+from ehlwave.contact.conditions_read import Given
 from ehlwave.contact.data_sheet import Oil as DataSheetOil
 from ehlwave.contact.heat_data import Heat, heat_of
 from ehlwave.contact.line_contact import ROLLS_ALONE, TRANSVERSE_ALONE
@@ -37,8 +38,7 @@ from ehlwave.deform.starved_transfer import StarvedTransfer
 from ehlwave.deform.surface import Surface
 from ehlwave.deform.transfer import FormulaTransfer, RecommendedTransfer, Transfer
 from ehlwave.errors import ExtrapolationWarning, RangeError, SurfaceError
-from ehlwave.friction_error import isothermal_error_by_data
-from ehlwave.heat_laws import Heated, check_heat, heated
+from ehlwave.heat_laws import Heated, check_heat, heated, isothermal_error_by_data
 from ehlwave.quantities import number, plain
 from ehlwave.responses import response_table, responses_figure
 from ehlwave.shown import html_table, within
@@ -278,16 +278,14 @@ class Contact:
         thinned = c.rolling_film_error if rolls else c.thinning_error
         atlas = self._atlas_for(replace(c, slip_parameter=slip))
         film = self._chart(slip).film()
-        friction = None
+        friction = friction_error = None
         if film.stress is not None and self._eyring_stress_pa is not None:
             hertz_pa = c.alphabar / c.oil.pressure_viscosity_per_pa
             friction = c.peak_over_mean * film.stress * self._eyring_stress_pa / hertz_pa
+            by_data = isothermal_error_by_data(c, film.central_moes, self._eyring_stress_pa)
+            friction_error = (1 + (film.stress_error or 0.0)) * (1 + by_data) - 1
         scale, more = c.metres_per_moes, thinned + c.oil_error
         central, source = film.central_moes * c.film_ratio, atlas.name
-        friction_error = None
-        if friction is not None and self._eyring_stress_pa is not None:
-            by_data = isothermal_error_by_data(c, film.central_moes, self._eyring_stress_pa)
-            friction_error = film.stress_error + by_data
         by_heat: Heated | None = None
         factor = 1.0
         if self.heat is not None:
@@ -751,6 +749,13 @@ class Contact:
                 "Contact: the film in metres needs radius_x_m besides semi_axis_a_m, M, L and D"
             )
         return found.statistics.lambda_ratio_after
+
+
+def contact_of(given: Given) -> Contact:
+    """Return the contact of an input file, or of words of a command line."""
+    contact = Contact(heat=given.heat, **given.keys)
+    contact.conditions = given.conditions
+    return contact
 
 
 def _starved_response(conditions: Conditions, wave: float, angle_deg: float) -> Response:

@@ -4,6 +4,7 @@ import argparse
 import contextlib
 import json
 import sys
+import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -25,7 +26,11 @@ UM = 1e6
 
 def run_replenish(options: argparse.Namespace) -> None:
     """Print the film over time; write table and figure."""
-    conditions = read_conditions(options.conditions)
+    with warnings.catch_warnings(record=True) as notices:
+        warnings.simplefilter("always")
+        conditions = read_conditions(options.conditions)
+    for notice in notices:
+        print(f"ehlwave: note: {notice.message}", file=sys.stderr)
     Track(conditions, options.track_length)
     with contextlib.suppress(RangeError):  # the film of the formula stays, and the text says so
         conditions = with_atlas_film(conditions)

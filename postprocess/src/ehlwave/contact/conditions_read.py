@@ -1,36 +1,47 @@
 """Operating conditions from the command line or from an input file of ``ehlwave-case``."""
 
-from collections.abc import Sequence
-from dataclasses import replace
+import warnings
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
-import f90nml
-
-from ehlwave.contact.conditions import OIL_KEYS, OIL_OVER_FLOODED, Conditions, conditions_from_keys
-from ehlwave.errors import SurfaceError, printable
+from ehlwave.contact.conditions import Conditions, conditions_from_keys
+from ehlwave.contact.file_keys import (
+    FLOW_LAW,
+    KNOWN_LAWS,
+    LAW_PREFIXES,
+    LIMIT,
+    LIMIT_WIDTH,
+    NOT_USED,
+    OWN_COEFFICIENT,
+    TEMPERATURE,
+    keys_of_file,
+    notices,
+)
+from ehlwave.contact.heat_data import Heat, heat_of_keys
+from ehlwave.errors import SurfaceError
+from ehlwave.key_classes import HEAT_DATA
+from ehlwave.quantities import number
 from ehlwave.slip import merged, refuse_both
-
-KNOWN_LAWS = {"viscosity_law": "roelands", "density_law": "dowson_higginson"}
-"""Laws of :class:`ehlwave.contact.medium.Oil`; files may name others."""
-
-LAW_PREFIXES = ("mcewen_", "yasutomi_", "doolittle_", "tait_")
-"""Of the parameters of other laws."""
-
-
-_CHANGES = "the law of starved contacts is of layers that do not change in time"
-OTHER_INLET_KEYS = {
-    "oil_layer_m": f"give {OIL_OVER_FLOODED}, the layer over relative density times film at the "
-    "centre of the flooded contact",
-    "oil_profile": "the law of starved contacts is of layers that are the same all across",
-    "oil_change_factor": _CHANGES,
-    "oil_change_start": _CHANGES,
-    "oil_change_length": _CHANGES,
-}
-"""Keys of ``&inlet`` that no law answers for, and why."""
 
 FLOW_LAWS = {"newtonian": "Newtonian", "eyring": "Ree-Eyring", "carreau": "Carreau"}
 """Oils by the ``flow_law`` of files."""
+
+BESIDES = (*HEAT_DATA, TEMPERATURE, *KNOWN_LAWS, FLOW_LAW, LIMIT, LIMIT_WIDTH, *NOT_USED)
+"""Keys that :func:`ehlwave.contact.conditions.conditions_from_keys` does not take."""
+
+ALPHA = "pressure_viscosity_per_pa"
+
+
+@dataclass(frozen=True)
+class Given:
+    """What words say: conditions, their keys, heat, and what is to be said of keys not used."""
+
+    conditions: Conditions
+    keys: dict[str, Any]
+    heat: Heat | None
+    notices: list[str]
 
 
 def read_conditions(words: Sequence[str]) -> Conditions:
@@ -39,30 +50,57 @@ def read_conditions(words: Sequence[str]) -> Conditions:
     Parameters
     ----------
     words : sequence of str
-        Each is ``KEY=VALUE`` or the name of an input file of ``ehlwave-case``, whose groups
-        ``&conditions``, ``&lubricant`` and ``&inlet`` are used. Later words override earlier ones.
+        Each is ``KEY=VALUE`` or the name of an input file of ``ehlwave-case``. Later words override
+        earlier ones. Keys that would change an answer are used, refused, or warned of.
 
     Raises
     ------
     SurfaceError
-        If a file cannot be read or a key is unknown, missing or meaningless.
+        If a file cannot be read, a key is unknown, missing or meaningless, or there is heat.
     """
-    given = read_keys(words)
-    conditions = conditions_from_keys(given.keys, place=_place(words))
-    oil = replace(
-        conditions.oil,
-        other_laws=tuple(given.other_laws),
-        other_keys=tuple(given.parameters.items()),
-    )
-    return replace(conditions, oil=oil)
+    given = read_given(words)
+    if given.heat is not None:
+        raise SurfaceError(
+            f"{_place(words)}: gives &heat, which is not taken here: leave it out, or use "
+            "ehlwave.Contact(..., heat=ehlwave.Heat(...))"
+        )
+    for notice in given.notices:
+        warnings.warn(notice, stacklevel=2)
+    return given.conditions
 
 
-def read_keys(words: Sequence[str]) -> "GivenKeys":
-    """Return what words say, as :func:`read_conditions` takes them; refuse a wrong flow law."""
+def read_given(words: Sequence[str]) -> Given:
+    """Return what words say, as :func:`read_conditions` takes them, with heat."""
+    place, every = _place(words), _every_key(words)
+    keys = {
+        key: value
+        for key, value in every.items()
+        if key not in BESIDES and not key.startswith(LAW_PREFIXES)
+    }
+    conditions = conditions_from_keys(keys, place=place)
+    _check_flow_law(every.get(FLOW_LAW), conditions.oil.name, place)
+    laws, parameters = _other_laws(every, conditions.slip_parameter != 1, place)
+    viscosity = str(every.get("viscosity_law", "")).lower()
+    if viscosity in OWN_COEFFICIENT and ALPHA not in keys:
+        raise SurfaceError(
+            f"{place}: viscosity_law = '{viscosity}' has no {ALPHA}: give it besides, as "
+            f"{ALPHA}=VALUE: the alpha that ehlwave-case --plan says"
+        )
+    heat = None
+    if any(key in every for key in HEAT_DATA):
+        heat = heat_of_keys(every, place)
+        if laws:
+            raise SurfaceError(f"{place}: &heat and {laws[0]}: the laws of heat do not know both")
+    oil = replace(conditions.oil, other_laws=laws, other_keys=parameters)
+    conditions = replace(conditions, oil=oil)
+    if laws and not conditions.film_source.startswith("given"):
+        conditions = replace(conditions, central_film_error=None)
+    return Given(conditions, keys, heat, notices(every))
+
+
+def _every_key(words: Sequence[str]) -> dict[str, Any]:
+    """Return the keys of all words; later ones override earlier ones."""
     keys: dict[str, Any] = {}
-    others: list[str] = []
-    law: str | None = None
-    parameters: dict[str, float] = {}
     typed = [word.partition("=") for word in words]
     refuse_both({name.strip(): value for name, mark, value in typed if mark}, _place(words))
     for word in words:
@@ -70,65 +108,46 @@ def read_keys(words: Sequence[str]) -> "GivenKeys":
         if separator and not Path(word).exists():
             keys = merged(keys, {name.strip(): value.strip()})
         else:
-            file = _from_file(Path(word))
-            refuse_both(file.keys, f"conditions {word}")
-            keys = merged(keys, file.keys)
-            others, parameters, law = file.other_laws, file.parameters, file.flow_law
-    name = conditions_from_keys(keys, place=_place(words)).oil.name
-    if law is not None and FLOW_LAWS.get(law) != name:
-        raise SurfaceError(
-            f"{_place(words)}: flow_law = '{law}', but the keys are those of a {name} oil: "
-            "give the stress of the law that is meant (eyring_stress_pa, or carreau_modulus_pa and "
-            "carreau_exponent), or change flow_law"
-        )
-    return GivenKeys(keys, others, parameters, law)
+            found = keys_of_file(Path(word))
+            refuse_both(found, f"conditions {word}")
+            keys = merged(keys, found)
+    return keys
 
 
 def _place(words: Sequence[str]) -> str:
     return f"conditions {' '.join(words)}"
 
 
-class GivenKeys(NamedTuple):
-    """Content of an input: known keys, other laws of the oil, their numbers."""
-
-    keys: dict[str, Any]
-    other_laws: list[str]
-    parameters: dict[str, float]
-    flow_law: str | None
-
-
-def _from_file(path: Path) -> GivenKeys:
-    if not path.is_file():
+def _check_flow_law(law: Any, name: str, place: str) -> None:  # noqa: ANN401 - as in the file
+    """Refuse a flow law that is not that of the keys."""
+    if law is not None and FLOW_LAWS.get(str(law).lower()) != name:
         raise SurfaceError(
-            f"conditions {path}: no such file; give an input file of ehlwave-case or KEY=VALUE"
+            f"{place}: flow_law = '{str(law).lower()}', but the keys are those of a {name} oil: "
+            "give the stress of the law that is meant (eyring_stress_pa, or carreau_modulus_pa and "
+            "carreau_exponent), or change flow_law"
         )
-    try:
-        # f90nml's parser reports bad syntax by whatever exception it stumbles into.
-        groups = f90nml.read(path)
-    except Exception as error:
-        raise SurfaceError(f"conditions {path}: not a namelist file ({error})") from error
-    if "conditions" not in groups:
-        raise SurfaceError(f"conditions {path}: has no group &conditions")
-    inlet = groups.get("inlet", {})
-    for key in inlet:
-        if key != OIL_OVER_FLOODED:
-            reason = OTHER_INLET_KEYS.get(str(key), "no law of starved contacts knows this key")
-            raise SurfaceError(
-                f"conditions {path}: &inlet {printable(str(key))}: {reason}; or compute the "
-                "contact with ehlwave-case"
-            )
-    keys = dict(groups["conditions"]) | dict(inlet)
-    lubricant = groups.get("lubricant", {})
-    others = [
-        f"{key} = '{lubricant[key]}'"
+
+
+def _other_laws(
+    every: Mapping[str, Any], slides: bool, place: str
+) -> tuple[tuple[str, ...], tuple[tuple[str, float], ...]]:
+    """Return the laws of the oil that no prediction knows, and their parameters.
+
+    A limit of the stress is one where surfaces slide: in pure rolling the mean stress is 0.
+    """
+    laws = [
+        f"{key} = '{every[key]}'"
         for key, known in KNOWN_LAWS.items()
-        if str(lubricant.get(key, known)).lower() != known
+        if str(every.get(key, known)).lower() != known
     ]
     parameters = {
-        key: float(value)
-        for key, value in lubricant.items()
-        if key.startswith(LAW_PREFIXES) and isinstance(value, (int, float))
+        key: number(value, key, place)
+        for key, value in every.items()
+        if key.startswith(LAW_PREFIXES) and key != "viscosity_table"
     }
-    known = {key: lubricant[key] for key in OIL_KEYS if key in lubricant}
-    law = lubricant.get("flow_law")
-    return GivenKeys(keys | known, others, parameters, None if law is None else str(law).lower())
+    limit = number(every.get(LIMIT, 0.0), LIMIT, place)
+    if not 0 <= limit <= 1:
+        raise SurfaceError(f"{place}: {LIMIT} = {limit:g} must lie in 0 to 1")
+    if limit and slides:
+        laws.append(f"{LIMIT} = {limit:g}")
+    return tuple(laws), tuple(parameters.items())

@@ -160,6 +160,28 @@ class Heat:
         return found
 
 
+def heat_of_keys(keys: Mapping[str, Any], place: str) -> Heat:
+    """Return heat by keys of input files, with their defaults there.
+
+    Raises SurfaceError if one is missing or is none that a contact has.
+    """
+    own = [field.name for field in fields(Heat) if not field.name.startswith("body")]
+    own.remove(CONDUCTIVITY_ERROR)
+    given = {key: number(keys[key], key, place) for key in own if key in keys}
+    given.setdefault("oil_expansion_per_k", 0.0)
+    for key in own:
+        if key not in given:
+            raise SurfaceError(f"{place}: &heat needs {key}")
+
+    def body_of(name: str, usual: BodyHeat) -> BodyHeat:
+        own = {key: f"{name}_{key}" for key in BodyHeat._fields if f"{name}_{key}" in keys}
+        return usual._replace(**{key: number(keys[one], one, place) for key, one in own.items()})
+
+    body = body_of("body", SOFT_STEEL)
+    values: Mapping[str, Any] = given
+    return Heat(**values, body=body, body2=body_of("body2", body))
+
+
 def heat_of(oil: Any, bodies: tuple[Any, Any]) -> Heat:  # noqa: ANN401 - Oil, Body: no circle
     """Return the heat of a contact by the own data of its oil and its bodies.
 

@@ -65,8 +65,7 @@ class AtlasTransfer:
                 "waves, or give a harmonic table of this slip"
             )
         if conditions.oil.other_laws:
-            laws = ", ".join(conditions.oil.other_laws)
-            raise RangeError(f"{laws}: the atlas holds Roelands' oil; give a harmonic table")
+            raise RangeError(_of_other_laws(conditions))
         self._conditions = conditions
         self._atlas = atlas_for(conditions, atlas)
         self._chart: Chart = chart_of(conditions, atlas)
@@ -225,10 +224,14 @@ def _between(logs: Waves, angles: Waves, parts: list[Waves]) -> Callable[[Waves,
 def with_atlas_film(conditions: Conditions, atlas: Atlas | None = None) -> Conditions:
     """Return conditions with the atlas' central film in place of that of a formula.
 
-    A given film stays; so does the formula's where there are no lengths, or outside the atlas.
+    A given film stays; so does the formula's where there are no lengths.
+
+    Raises RangeError outside the atlas, and of oils that it does not hold.
     """
     if _keeps_film(conditions):
         return conditions
+    if conditions.oil.other_laws:
+        raise RangeError(_of_other_laws(conditions))
     film = chart_of(replace(conditions, slip_parameter=conditions.film_slip), atlas).film()
     error = film.central_error + conditions.thinning_error + conditions.oil_error
     error += conditions.starvation_error
@@ -255,6 +258,14 @@ def with_heated_film(conditions: Conditions, film: Film) -> Conditions:
         central_film_m=film.central_m,
         film_source=f"atlas times the laws of heat, within {100 * film.central_error:.2g} %",
         central_film_error=film.central_error,
+    )
+
+
+def _of_other_laws(conditions: Conditions) -> str:
+    """Return why an oil is not that of the atlas."""
+    return (
+        f"{', '.join(conditions.oil.other_laws)}: the atlas holds Roelands' oil without a limit of "
+        "the stress; give a harmonic table, or compute the contact with ehlwave-case"
     )
 
 

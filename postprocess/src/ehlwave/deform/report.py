@@ -98,7 +98,8 @@ def _film_lines(result: Deformed) -> list[str]:
         f"             lambda ratio {s.lambda_ratio_before:.4g} with the undeformed roughness, "
         f"{s.lambda_ratio_after:.4g} with the deformed one (of this surface alone)",
     ]
-    return lines + _error_lines(s)
+    why = "" if c.central_film_error is None else ", this transfer has none"
+    return lines + _error_lines(s, why)
 
 
 def pair_text(pair: PairStatistics) -> str:
@@ -112,9 +113,9 @@ def pair_text(pair: PairStatistics) -> str:
     return "\n".join(lines + _error_lines(pair))
 
 
-def _error_lines(s: FilmStatistics | PairStatistics) -> list[str]:
+def _error_lines(s: FilmStatistics | PairStatistics, why: str = "") -> list[str]:
     if s.lambda_error is None or s.lambda_errors is None:
-        return ["             error of the latter: not known, this transfer has none"]
+        return [f"             error of the latter: not known{why}"]
     parts = ", ".join(f"{name} {_percent(error)}" for name, error in s.lambda_errors.items())
     note = " (extrapolated)" if s.extrapolated else ""
     return [f"             error of the latter {_percent(s.lambda_error)}: {parts}{note}"]

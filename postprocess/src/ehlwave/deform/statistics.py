@@ -147,6 +147,12 @@ def warnings_of(
             "the film thickness is unknown: give central_film_m, or radius_x_m with M, L and D"
         )
         return found
+    laws = conditions.oil.other_laws
+    if laws and conditions.central_film_error is None:
+        found.append(
+            f"{', '.join(laws)}: the film is that of a formula for Roelands' oil without a limit "
+            "of the stress, and its error is not known: give central_film_m"
+        )
     ratio = statistics.amplitude_over_film
     if ratio > LINEAR_LIMIT and not statistics.extrapolated:
         found.append(

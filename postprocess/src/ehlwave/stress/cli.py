@@ -10,10 +10,10 @@ from typing import Any
 import h5py
 import numpy as np
 
-from ehlwave.contact.conditions_read import read_conditions, read_keys
+from ehlwave.contact.conditions_read import read_given
 from ehlwave.deform.read import ReadOptions
 from ehlwave.errors import StressError
-from ehlwave.operating_point import Contact
+from ehlwave.operating_point import contact_of
 from ehlwave.stress.case_report import case_section, case_text, judge_case
 from ehlwave.stress.report import plain, stress_dataset, stress_json, stress_text
 
@@ -48,10 +48,9 @@ def _of_case(options: argparse.Namespace, depths: Any) -> list[Path]:  # noqa: A
 
 def _of_surface(options: argparse.Namespace, depths: Any) -> list[Path]:  # noqa: ANN401
     """Judge a measured surface; return what was written."""
-    contact = Contact(**read_keys(options.conditions).keys)
-    contact.conditions = read_conditions(options.conditions)
+    given = read_given(options.conditions)
     reading = {field.name: getattr(options, field.name) for field in fields(ReadOptions)}
-    result = contact.stress(
+    result = contact_of(given).stress(
         options.file,
         options.second,
         friction=options.friction,
@@ -63,6 +62,7 @@ def _of_surface(options: argparse.Namespace, depths: Any) -> list[Path]:  # noqa
         ends=options.ends,
         **reading,
     )
+    result.warnings.extend(given.notices)
     print(stress_json(result) if options.json else stress_text(result))
     if options.output is None:
         return []

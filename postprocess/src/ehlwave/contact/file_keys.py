@@ -1,0 +1,120 @@
+"""Keys of an input file of ``ehlwave-case``, by what predictions do with them.
+
+They use a key, refuse it, say that it is not used, or leave it out where no answer depends on it.
+Every key of the program stands in `CLASSIFIED`; a test holds it to ``--keys``.
+"""
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import f90nml
+
+from ehlwave.contact.conditions import KNOWN_KEYS, OIL_OVER_FLOODED
+from ehlwave.contact.heat_data import EMPTY_HEAT
+from ehlwave.errors import SurfaceError, printable
+from ehlwave.hints import did_you_mean
+from ehlwave.key_classes import HEAT_DATA, OF_THE_SOLUTION, OF_WAVES, WITHOUT_EFFECT
+
+GROUPS = ("conditions", "lubricant", "heat", "inlet", "grid", "solver", "dynamics", "output")
+OF_ROUGHNESS = ("waviness", "waviness2", "surface", "surface2")
+"""Groups whose keys are left out whole: predictions have waves and surfaces of their own."""
+
+KNOWN_LAWS = {"viscosity_law": "roelands", "density_law": "dowson_higginson"}
+"""Laws of :class:`ehlwave.contact.medium.Oil`; files may name others."""
+LAW_PREFIXES = ("mcewen_", "yasutomi_", "doolittle_", "tait_", "viscosity_table")
+"""Of the parameters of other laws."""
+OWN_COEFFICIENT = ("mcewen", "yasutomi", "doolittle", "table")
+"""Laws of viscosity that have no `pressure_viscosity_per_pa`."""
+FLOW_LAW, TEMPERATURE = "flow_law", "temperature_k"
+LIMIT, LIMIT_WIDTH = "shear_limit_over_pressure", "shear_limit_width"
+
+_CHANGES = "the law of starved contacts is of layers that do not change in time"
+OTHER_INLET_KEYS = {
+    "oil_layer_m": f"give {OIL_OVER_FLOODED}, the layer over relative density times film at the "
+    "centre of the flooded contact",
+    "oil_profile": "the law of starved contacts is of layers that are the same all across",
+    "oil_change_factor": _CHANGES,
+    "oil_change_start": _CHANGES,
+    "oil_change_length": _CHANGES,
+}
+"""Keys of ``&inlet`` that no law answers for, and why."""
+
+NOT_USED = {
+    "edges": ("flooded", "films are those of flooded edges"),
+    "load_balance": ("force_balance", "responses are those under a load that does not change"),
+    "load_factor": (1, "films and responses are those of the load before its step"),
+    "wave_temperatures": ("frozen", "waves are those without heat, over the film with heat"),
+}
+"""Keys of which predictions say that they do not use them: the value that needs no word, and what
+holds instead."""
+
+LEFT_OUT = (
+    OF_WAVES
+    | OF_THE_SOLUTION
+    | WITHOUT_EFFECT
+    | {"amplitude_over_film", "end_time", "natural_frequency", "levels"}
+)
+"""Keys that no prediction depends on; `natural_frequency` goes with `load_balance`."""
+
+USED = (*KNOWN_KEYS, *HEAT_DATA, *KNOWN_LAWS, FLOW_LAW, TEMPERATURE, LIMIT, LIMIT_WIDTH)
+
+
+def is_classified(key: str) -> bool:
+    """Return whether a key is one that predictions know what to do with."""
+    named = (*USED, *OTHER_INLET_KEYS, *NOT_USED, *LEFT_OUT)
+    return key in named or key.startswith(LAW_PREFIXES)
+
+
+def keys_of_file(path: Path) -> dict[str, Any]:
+    """Return the keys of an input file that answers may depend on, whatever their group.
+
+    Raises SurfaceError if it cannot be read, or has groups or keys that are not known, or keys of
+    ``&inlet`` that no law answers for.
+    """
+    place = f"conditions {path}"
+    if not path.is_file():
+        raise SurfaceError(
+            f"{place}: no such file; give an input file of ehlwave-case or KEY=VALUE"
+        )
+    try:
+        # f90nml's parser reports bad syntax by whatever exception it stumbles into.
+        groups = f90nml.read(path)
+    except Exception as error:
+        raise SurfaceError(f"{place}: not a namelist file ({error})") from error
+    if "conditions" not in groups:
+        raise SurfaceError(f"{place}: has no group &conditions")
+    _check_groups(groups, place)
+    found = {key: value for name in GROUPS for key, value in groups.get(name, {}).items()}
+    for key in found:
+        if not is_classified(key):
+            near = did_you_mean(key, (*USED, *NOT_USED, *OTHER_INLET_KEYS))
+            raise SurfaceError(f"{place}: unknown key {printable(key)}{near}")
+    return {key: value for key, value in found.items() if key not in LEFT_OUT}
+
+
+def _check_groups(groups: Mapping[str, Any], place: str) -> None:
+    for name in groups:
+        if name not in (*GROUPS, *OF_ROUGHNESS):
+            near = did_you_mean(name, (*GROUPS, *OF_ROUGHNESS))
+            raise SurfaceError(
+                f"{place}: &{printable(name)} is no group of ehlwave-case{near}: remove it"
+            )
+    if "heat" in groups and "oil_conductivity_w_per_m_k" not in groups["heat"]:
+        raise SurfaceError(f"{place}: {EMPTY_HEAT}")
+    for key in groups.get("inlet", {}):
+        if key != OIL_OVER_FLOODED:
+            reason = OTHER_INLET_KEYS.get(str(key), "no law of starved contacts knows this key")
+            raise SurfaceError(
+                f"{place}: &inlet {printable(str(key))}: {reason}; or compute the contact with "
+                "ehlwave-case"
+            )
+
+
+def notices(keys: Mapping[str, Any]) -> list[str]:
+    """Return what is to be said of keys that are not used."""
+    return [
+        f"{key} = {printable(str(keys[key]))} is not used: {reason}"
+        for key, (usual, reason) in NOT_USED.items()
+        if key in keys and str(keys[key]).lower() != str(usual)
+    ]
