@@ -26,7 +26,8 @@ Conditions are an input file of ehlwave-case, or KEY=VALUE with its keys, or bot
   --conditions radius_x_m=5e-3 reduced_modulus_pa=2.26e11 load_n_per_m=1.5e5     (a roller: line
                mean_speed_m_per_s=2 viscosity_pa_s=0.03     contact, traces along pure rolling)
 The film thickness is that of the atlas, outside it that of a formula for smooth contacts (up to
-25 % too thick, 35 % in line contacts); central_film_m=... replaces it.
+25 % too thick, 35 % in line contacts); central_film_m=... replaces it. With &heat it is the film
+with heat. Keys of a file that would change the answer and are not used are refused, or warned of.
 
 Form removal: the radii are in the conditions, so they must not be in the roughness as well. 'plane'
 removes the tilt of the specimen; 'quadratic' also the curvature of a ball or roller.

@@ -17,7 +17,8 @@ CASE is an input file of ehlwave-case with dimensional conditions; its slide-to-
 replaced by each of the ratios.
 
 Regimes: linear, friction is proportional to the ratio within a tenth; nonlinear, the oil thins;
-thermal or limited, heat or the limit takes more than a tenth of it, whichever takes more.
+thermal or limited, heat or the limit takes more than a tenth of it, whichever takes more. Warnings
+of the program are said once, with the ratio from which they hold.
 
 Examples:
   ehlwave traction rollers.nml --output traction
