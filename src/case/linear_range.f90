@@ -15,9 +15,10 @@
 module ehlwave_linear_range
    use ehlwave_case_definition, only: case_t
    use ehlwave_kinds, only: dp
+   use ehlwave_text, only: to_text
    implicit none (type, external)
    private
-   public :: expected_nonlinearity, linear_limit
+   public :: expected_nonlinearity, is_beyond_linear, linear_limit_text
 
    real(dp), parameter, public :: tolerated_difference = 0.01_dp   !! of Ad/Ai, relative, within the linear range
    real(dp), parameter :: rolling_factor = 0.05_dp                 !! of (Ai over the film)^2
@@ -34,12 +35,30 @@ contains
          + curvature(case, 2 - case%slip_parameter)*case%second%amplitude_over_film**2
    end function expected_nonlinearity
 
-   !> Largest Ai over the film within the linear range.
-   elemental real(dp) function linear_limit(case)
+   !> Whether the waves of a case, of both surfaces together, are beyond the linear range.
+   elemental logical function is_beyond_linear(case)
       type(case_t), intent(in) :: case
-      linear_limit = min(1.0_dp, sqrt(tolerated_difference/curvature(case, case%slip_parameter)))
-   end function linear_limit
+      is_beyond_linear = expected_nonlinearity(case) > tolerated_difference
+   end function is_beyond_linear
 
+   !> Largest Ai within the linear range of each surface, the other one smooth, for people.
+   function linear_limit_text(case) result(text)
+      type(case_t), intent(in) :: case
+      character(len=:), allocatable :: text
+      text = limit(case%slip_parameter)//' % of the film'
+      if (case%second%is_wavy()) text = text//' on surface 1 and '//limit(2 - case%slip_parameter)//' % on surface 2'
+
+   contains
+
+      function limit(speed)
+         real(dp), intent(in) :: speed        !! see `curvature`
+         character(len=:), allocatable :: limit
+         limit = to_text(100*min(1.0_dp, sqrt(tolerated_difference/curvature(case, speed))), 2)
+      end function limit
+
+   end function linear_limit_text
+
+   !> Of the difference over (Ai over the film)^2, for the waves of one surface.
    elemental real(dp) function curvature(case, speed)
       type(case_t), intent(in) :: case
       real(dp), intent(in) :: speed        !! of the surface, over the mean one

@@ -4,7 +4,7 @@ module ehlwave_case_account
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_result, only: case_result_t
    use ehlwave_formula, only: amplitude_formula, anisotropy_factor, wave_parameter_v, wave_parameter_v2
-   use ehlwave_kinds, only: dp
+   use ehlwave_kinds, only: dp, no_value
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_solve_report, only: solve_report_t
    use ehlwave_monitor, only: give_up, stop_now
@@ -29,6 +29,11 @@ contains
          result%v2 = wave_parameter_v2(plan%conditions, case%wavelength_over_a)
          result%f_r = anisotropy_factor(case%wavelength_x_over_a, case%wavelength_y_over_a)
          result%formula_ratio = amplitude_formula(result%f_r*result%v)
+         if (.not. plan%conditions%l > 0) then   ! V is infinite
+            result%v = no_value
+            result%v2 = no_value
+            result%formula_ratio = no_value
+         end if
       end if
    end function blank_result
 

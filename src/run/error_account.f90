@@ -7,7 +7,7 @@ module ehlwave_error_account
    use ehlwave_case_result, only: case_result_t
    use ehlwave_error_parts, only: error_parts_t
    use ehlwave_kinds, only: dp
-   use ehlwave_linear_range, only: linear_limit
+   use ehlwave_linear_range, only: is_beyond_linear, linear_limit_text
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_text, only: to_text
    implicit none (type, external)
@@ -108,9 +108,10 @@ contains
       if (case%edges == 'truncated') text = text//' (P = 0, film '//to_text(100*plan%film_domain_error, 2)// &
          ' % too thin)'
       if (plan%surfaces%is_rough() .and. .not. plan%surfaces%is_measured()) then
-         text = text//'; waves respond as small ones up to Ai = '//to_text(100*linear_limit(case), 2)//' % of the film'
-         if (case%amplitude_over_film > linear_limit(case)) text = text//', asked for '// &
-            to_text(100*case%amplitude_over_film, 3)//' %'
+         text = text//'; waves respond as small ones up to Ai = '//linear_limit_text(case)
+         if (is_beyond_linear(case)) text = text//', asked for '//to_text(100*case%amplitude_over_film, 3)//' %'
+         if (is_beyond_linear(case) .and. case%is_pair()) text = text//' and '// &
+            to_text(100*case%second%amplitude_over_film, 3)//' %'
       end if
       if (.not. plan%resolution%is_resolved) text = text//'; not resolved'
       if (present(warning)) then

@@ -4,7 +4,7 @@ module ehlwave_plan_report
    use ehlwave_case_lubricant, only: extrapolation_text
    use ehlwave_error_account, only: errors_text
    use ehlwave_kinds, only: dp
-   use ehlwave_linear_range, only: linear_limit
+   use ehlwave_linear_range, only: is_beyond_linear, linear_limit_text
    use ehlwave_memory_plan, only: memory_shortage
    use ehlwave_planned_case, only: case_plan_t, run_harmonic, run_smooth, run_standing
    use ehlwave_resolution, only: flooded_inlet_gap
@@ -51,10 +51,9 @@ contains
          write (unit, '(a)') 'Waviness     '//surface_text(case%roughness_t, plan%surfaces%list(1), c)
          if (case%is_pair()) write (unit, '(a)') '  surface 2  '// &
             surface_text(case%second, plan%surfaces%list(2), c)//', speed 2 - S = '//to_text(2 - c%slip_parameter, 6)
-         if (plan%surfaces%is_rough() .and. case%has_ratio() .and. &
-            case%amplitude_over_film > linear_limit(case)) &
-            write (unit, '(a)') '             WARNING: such waves may respond unlike small ones: take '// &
-            'amplitude_over_film below '//to_text(linear_limit(case), 2)//', or compare by response = ''both'''
+         if (plan%surfaces%is_rough() .and. case%has_ratio() .and. is_beyond_linear(case)) &
+            write (unit, '(a)') '             WARNING: such waves may respond unlike small ones: take Ai '// &
+            '(amplitude_over_film) below '//linear_limit_text(case)//', or compare by response = ''both'''
          write (unit, '(a)') 'Run          '//run_text(case, plan)
          write (unit, '(a)') 'Solver       '//solver_text(case)
          write (unit, '(a)') 'Domain       '//to_text(plan%x_min, 4)//' <= X <= '//to_text(plan%x_max, 4)// &

@@ -7,7 +7,7 @@ module ehlwave_refined_case
    use ehlwave_error_parts, only: error_parts_t
    use ehlwave_estimated_case, only: run_estimated_case
    use ehlwave_kinds, only: dp
-   use ehlwave_linear_range, only: linear_limit
+   use ehlwave_linear_range, only: linear_limit_text
    use ehlwave_memory_plan, only: memory_shortage
    use ehlwave_march_keeper, only: march_keeper_t
    use ehlwave_monitor, only: go_on, monitor_t
@@ -125,7 +125,7 @@ contains
       text = ': ask for less, or leave cells and domain to the plan with a larger largest_cells '// &
          '(and &solver largest_total_steps, where a finer run would take a case beyond '//to_text(most_work, 3)// &
          ' times its plan)'
-      if (parts%amplitude > others) text = ': take amplitude_over_film below '//to_text(linear_limit(case), 2)// &
+      if (parts%amplitude > others) text = ': take Ai (amplitude_over_film) below '//linear_limit_text(case)// &
          ", or response = 'harmonic'"
       if (parts%settling > max(others, parts%amplitude)) text = ': take more settling_periods'
    end function advice

@@ -47,8 +47,9 @@ contains
          if (plan%responds .and. case%is_pair()) call print_response('  surface 2  Ad/Ai = ', result%pair%harmonic)
          if (ieee_is_finite(result%pair%film_rms)) write (unit, '(a)') '  both       rms of H(0,0) over its mean '// &
             to_text(result%pair%film_rms, 4)//', phases free'
-         write (unit, '(a)') '             f(r) V = '//to_text(result%f_r*result%v, 5)//', f(r) V2 = '// &
-            to_text(result%f_r*result%v2, 5)//', f(r) = '//to_text(result%f_r, 5)
+         if (ieee_is_finite(result%v)) write (unit, '(a)') '             f(r) V = '// &
+            to_text(result%f_r*result%v, 5)//', f(r) V2 = '//to_text(result%f_r*result%v2, 5)//', f(r) = '// &
+            to_text(result%f_r, 5)
       end if
       call print_sensitivities()
       if (ieee_is_finite(result%central_film_error)) write (unit, &
@@ -83,7 +84,8 @@ contains
       function formula() result(text)
          character(len=:), allocatable :: text
          text = ''
-         if (.not. abs(plan%conditions%slip_parameter - 1) > 0) text = '; formula '//to_text(result%formula_ratio, 5)
+         if (.not. abs(plan%conditions%slip_parameter - 1) > 0 .and. ieee_is_finite(result%v)) &
+            text = '; formula '//to_text(result%formula_ratio, 5)
       end function formula
 
       function iterations() result(text)

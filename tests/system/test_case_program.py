@@ -50,6 +50,27 @@ class CaseProgram(FolderTest):
         self.assertIn("NOT RESOLVED", outcome.stdout)
         self.assertFalse(last_line(outcome)["is_resolved"])
 
+    def test_plan_of_an_oil_that_does_not_thicken(self):
+        """V is infinite for L = 0: no value."""
+        conditions = {"load_parameter_m": 50, "lubricant_parameter_l": 0, "radius_ratio_d": 1}
+        plan = last_line(self.run_case({**WAVY, "conditions": conditions}, "--plan", "--json"))
+        self.assertEqual([plan[name] for name in ("v", "v2", "formula_ratio")], [None]*3)
+
+    def test_plan_says_the_linear_range_of_both_surfaces(self):
+        """Of the surfaces of a pair either may be beyond it."""
+        said = {}
+        for amplitudes in ((0.01, 0.01), (0.01, 0.5), (0.5, 0.01)):
+            groups = {"conditions": {"load_parameter_m": 100, "lubricant_parameter_l": 12.05, "radius_ratio_d": 1, "slip_parameter": 1.25},
+                      "grid": {"cells_x": 64, "cells_y": 64}}
+            for name, amplitude in zip(("waviness", "waviness2"), amplitudes, strict=True):
+                groups[name] = {"orientation": "transverse", "wavelength_over_a": 1, "amplitude_over_film": amplitude}
+            said[amplitudes] = last_line(self.run_case(groups, "--plan", "--json"))["validity"]
+            self.assertIn("on surface 1 and", said[amplitudes])
+            self.assertEqual("WARNING" in self.run_case(groups, "--plan").stdout, max(amplitudes) > 0.1)
+        self.assertNotIn("asked for", said[0.01, 0.01])
+        self.assertIn("asked for 1 % and 50 %", said[0.01, 0.5])
+        self.assertIn("asked for 50 % and 1 %", said[0.5, 0.01])
+
     def test_methods_agree(self):
         newton = last_line(self.run_case(SMOOTH, "--json"))
         for cycle in "vwf":
