@@ -15,6 +15,8 @@ module ehlwave_inlet_plan
    private
    public :: check_inlet, expected_oil, plan_inlet
 
+   real(dp), parameter :: least_oil = 1e-4_dp     !! over flooded, where a profile has none at Y = 0
+
 contains
 
    !> Refuse what starved contacts are not solved with. `case` is flooded without an amount of oil.
@@ -88,16 +90,19 @@ contains
       call check_profile(trim(case%oil_profile), inlet, error)
    end subroutine plan_inlet
 
-   !> Oil offered over what the flooded contact passes, by the film formula where a layer is given.
+   !> Oil offered at Y = 0 over what the flooded contact passes, by the film formula where a layer is given; before a
+   !> change of the layer.
    pure real(dp) function expected_oil(inlet, conditions, rheology)
       type(inlet_oil_t), intent(in) :: inlet
       type(conditions_t), intent(in) :: conditions
       type(rheology_t), intent(in) :: rheology
       real(dp) :: hertz(1, 1)
       expected_oil = inlet%over_flooded
-      if (.not. inlet%layer > 0) return
-      hertz = 1
-      expected_oil = inlet%layer/(sum(rheology%density(hertz))*expected_film(conditions))
+      if (inlet%layer > 0) then
+         hertz = 1
+         expected_oil = inlet%layer/(sum(rheology%density(hertz))*expected_film(conditions))
+      end if
+      expected_oil = max(least_oil, expected_oil*inlet%share_at(0.0_dp))
    end function expected_oil
 
    !> A profile has two places or more, in order, and no negative layer; somewhere there is oil.

@@ -15,6 +15,7 @@ module ehlwave_inlet_oil
       procedure :: is_short
       procedure :: is_even
       procedure :: supply_on
+      procedure :: share_at
    end type inlet_oil_t
 
 contains
@@ -42,20 +43,24 @@ contains
 
       supply = self%layer
       if (self%over_flooded > 0) supply = self%over_flooded*flooded_oil
-      if (.not. allocated(self%y)) return
       do j = 0, grid%ny
-         supply(j) = supply(j)*share_at(self, merge(abs(grid%y(j)), grid%y(j), self%is_even()))
+         supply(j) = supply(j)*self%share_at(grid%y(j))
       end do
    end function supply_on
 
+   !> Share of the layer that the profile has at Y: 1 without one.
    pure real(dp) function share_at(self, y) result(share)
       class(inlet_oil_t), intent(in) :: self
       real(dp), intent(in) :: y
+      real(dp) :: at
       integer :: k, n
 
+      share = 1
+      if (.not. allocated(self%y)) return
+      at = merge(abs(y), y, self%is_even())
       n = size(self%y)
-      k = min(max(count(self%y <= y), 1), n - 1)
-      associate (place => min(max((y - self%y(k))/(self%y(k + 1) - self%y(k)), 0.0_dp), 1.0_dp))
+      k = min(max(count(self%y <= at), 1), n - 1)
+      associate (place => min(max((at - self%y(k))/(self%y(k + 1) - self%y(k)), 0.0_dp), 1.0_dp))
          share = (1 - place)*self%share(k) + place*self%share(k + 1)
       end associate
    end function share_at

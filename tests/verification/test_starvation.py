@@ -235,6 +235,17 @@ class Starvation(TestCase):
         self.assertLess(groove, 0.95*plain)
         self.check_close(with_profile(["-0.4,1", "0,0.5", "0.4,1"])["central_film"], groove, 1e-4, "whole domain")
 
+    def test_meniscus_of_a_profile(self):
+        """A fifth of five times the oil has the meniscus, and the grid, of that oil."""
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder, "layer.csv")
+            path.write_text("y_over_b,layer_over_given\n0,0.2\n3,0.2\n")
+            fifth = contact(2.5, inlet={"oil_profile": str(path)}, waviness=waves("transverse", 1))
+        plain = contact(0.5, waviness=waves("transverse", 1))
+        self.assertEqual((fifth["status"], plain["status"]), ("unresolved", "unresolved"))
+        self.check_close(fifth["meniscus_resolution"], plain["meniscus_resolution"], 1e-12, "meniscus")
+        self.check_close(fifth["harmonic_ratio"], plain["harmonic_ratio"], 1e-6, "Ad/Ai")
+
     def test_layer_in_metres(self):
         """A layer in metres is the oil over that of the flooded contact that it comes to."""
         ball = {"radius_x_m": 0.0127, "radius_y_m": 0.0127, "reduced_modulus_pa": 2.26e11, "load_n": 40, "mean_speed_m_per_s": 2,
