@@ -10,6 +10,7 @@ module ehlwave_case_plan
    use ehlwave_grid_choice, only: choose_grid
    use ehlwave_inlet_plan, only: expected_oil, plan_inlet
    use ehlwave_kinds, only: dp
+   use ehlwave_layer_change, only: layer_changes, measured_share
    use ehlwave_march_plan, only: plan_march
    use ehlwave_plan_effort, only: cap_work, expect
    use ehlwave_planned_case, only: case_plan_t, run_harmonic, run_march, run_standing
@@ -70,7 +71,8 @@ contains
                      .and. plan%inlet%is_even()
       meniscus = 0
       if (plan%inlet%is_short()) &
-         meniscus = meniscus_distance(plan%conditions, expected_oil(plan%inlet, plan%conditions, plan%rheology))
+         meniscus = meniscus_distance(plan%conditions, measured_share(case)* &
+                                      expected_oil(plan%inlet, plan%conditions, plan%rheology))
       call choose_grid(copy, plan%conditions, plan%surfaces, plan%is_fitted, plan%steepness, meniscus, &
                        plan%cells_x, plan%cells_y, plan%grid_reason)
       plan%hx = (plan%x_max - plan%x_min)/plan%cells_x
@@ -89,6 +91,8 @@ contains
          plan%kind = run_standing
          plan%phases = merge(8, 2, any(plan%surfaces%list%wavelength_x > 0))
       end if
+      if (layer_changes(case) .and. plan%kind /= run_march) call raise(error, '&inlet oil_change_factor: give '// &
+         '&dynamics end_time, to which is marched: no waves move')
       if (.not. allocated(error) .and. plan%is_periodic) call check_repetition(plan, error)
       if (allocated(error)) return
       if (case%fields_every > 0 .and. (plan%kind /= run_march .or. plan%is_periodic)) then

@@ -51,8 +51,6 @@ contains
                     ' is above 1: oil in partly filled gaps goes from node to node; use 1, 0.5, 0.25, ...')
       else if (abs(case%oil_change_factor - 1) > 0 .and. has_pattern .and. case%response == 'harmonic') then
          call raise(error, "&inlet oil_change_factor: response = 'harmonic' takes no time steps: use 'transient'")
-      else if (abs(case%oil_change_factor - 1) > 0 .and. .not. has_pattern .and. .not. case%end_time > 0) then
-         call raise(error, '&inlet oil_change_factor: give &dynamics end_time, to which is marched')
       else if (abs(case%oil_change_factor - 1) > 0 .and. abs(case%slip_parameter - 1) > 0) then
          call raise(error, '&inlet oil_change_factor: a change of the layer needs pure rolling, '// &
                     'slip_parameter = 1: under slip the layers of the two surfaces change apart')

@@ -3,7 +3,9 @@ module ehlwave_march_plan
    use ehlwave_accuracy_model, only: expected_long_step_error
    use ehlwave_case_definition, only: case_t
    use ehlwave_errors, only: error_t, raise
+   use ehlwave_inlet_plan, only: expected_oil
    use ehlwave_kinds, only: dp
+   use ehlwave_layer_change, only: change_times, layer_changes
    use ehlwave_planned_case, only: case_plan_t, run_march
    use ehlwave_surface_plan, only: surface_times
    use ehlwave_text, only: to_text
@@ -14,6 +16,7 @@ module ehlwave_march_plan
    integer, parameter :: most_steps = 1000000
    real(dp), parameter :: share_of_steps = 0.2_dp    !! of the accuracy, for steps longer than hX
    real(dp), parameter :: fewest_long_steps = 32     !! time steps per wave that steps longer than hX must leave
+   real(dp), parameter :: load_time = 1              !! T more that the film takes to follow a load step at T = 0
    real(dp), parameter :: outlet_end = 1             !! X of the outlet end of the Hertzian contact
 
 contains
@@ -22,13 +25,14 @@ contains
    !> passed the outlet end, `settling_periods` more (measured: long waves, lambda = 2 a, are 2 per cent off in the
    !> first period and below 0.1 per cent in the second), then one period. A measured surface is followed until its
    !> trailing end is at the contact centre. Two surfaces with waves are measured until they repeat together, or for a
-   !> beat. An `end_time` overrides both; where it comes before the patterns have
-   !> passed and one period more, no amplitude is measured.
+   !> beat. Where the layer of oil changes, they are measured once the change has passed and the inlet has followed, and
+   !> after a load step somewhat later. An `end_time` overrides all; where it comes before patterns and change have
+   !> passed and one period more, no amplitude is measured. Fails where a change of the layer comes after the end.
    subroutine plan_march(case, plan, error)
       type(case_t), intent(in) :: case
       type(case_plan_t), intent(inout) :: plan
       type(error_t), allocatable, intent(inout) :: error
-      real(dp) :: passed, settled, total
+      real(dp) :: change_passed, passed, settled, total
 
       plan%kind = run_march
       if (case%time_step_over_cell <= 0) then
@@ -45,7 +49,14 @@ contains
          settled = min(settled, total)
       else if (plan%surfaces%moves()) then
          passed = plan%surfaces%passing_time(outlet_end)
-         settled = passed + case%settling_periods*plan%surfaces%longest_period()
+         if (layer_changes(case)) then
+            call change_times(case, plan%conditions, expected_oil(plan%inlet, plan%conditions, plan%rheology), &
+                              plan%x_min, outlet_end, change_passed, plan%rest)
+            passed = max(passed, change_passed)
+         end if
+         settled = max(passed, plan%rest)
+         if (abs(case%load_factor - 1) > 0) settled = settled + load_time
+         settled = settled + case%settling_periods*plan%surfaces%longest_period()
          total = settled + plan%surfaces%window()
          if (case%end_time > 0) then
             total = case%end_time
@@ -55,6 +66,12 @@ contains
       else
          settled = case%end_time
          total = case%end_time
+      end if
+      if (layer_changes(case) .and. case%oil_change_start >= total) then
+         call raise(error, '&inlet oil_change_start = '//to_text(case%oil_change_start, 6)//' is not before the '// &
+                    'end of the march, T = '//to_text(total, 6)//': the layer would never change; start earlier'// &
+                    trim(merge(', or give a later &dynamics end_time', repeat(' ', 36), case%end_time > 0)))
+         return
       end if
       if (total/plan%dt > most_steps) then
          call raise(error, 'the case needs '//to_text(total/plan%dt, 3)//' time steps, more than '// &

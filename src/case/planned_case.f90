@@ -51,6 +51,8 @@ module ehlwave_planned_case
       integer :: steps = 0                           !! time steps
       integer :: first_sample = 0                    !! step from which the amplitude is measured,
       logical :: measures = .true.                   !! if the march is long enough for that
+      real(dp) :: rest = 0                           !! T from which on a change of the layer should no longer move the
+                                                     !! film
       integer :: largest_total_steps = 0             !! cap on the nonlinear steps of the finest grid,
       real(dp) :: largest_work = huge(1.0_dp)        !! and on operations where the case gives none, see `cap_work`
       integer :: phases = 0                          !! steady solutions of a standing pattern

@@ -193,7 +193,8 @@ contains
       call list%see(case%largest_steps, key_t('largest_steps', 'largest number of Newton steps, or multigrid '// &
          'cycles, of a solution', minimum=1.0_dp, maximum=10000.0_dp))
       call list%see(case%settling_periods, key_t('settling_periods', 'periods to wait before the amplitude is '// &
-         'measured; once the pattern has reached the outlet end', minimum=0.0_dp, maximum=1000.0_dp))
+         'measured; once the pattern has reached the outlet end, and a change of the layer or a load step has passed', &
+         minimum=0.0_dp, maximum=1000.0_dp))
       call list%see(case%largest_total_steps, key_t('largest_total_steps', 'largest number of Newton steps of a '// &
          'case on the '// &
          'finest grid; steps of rescues count; 0: 600, and 40 more for each time step or 300 for each phase of a '// &

@@ -5,7 +5,7 @@ module ehlwave_amplitude
    use ehlwave_small_solve, only: solve_small
    implicit none (type, external)
    private
-   public :: sampled_amplitude, fitted_harmonic, fitted_harmonics, fitted_mean
+   public :: fit_misfit, fitted_harmonic, fitted_harmonics, fitted_mean, sampled_amplitude
 
    real(dp), parameter :: singular = 1e-12_dp   !! smallest pivot of the fit, per sample
 
@@ -51,6 +51,19 @@ contains
       fitted_mean = sum(film)/size(film)
       if (ieee_is_finite(c(1))) fitted_mean = film(1) + c(1)
    end function fitted_mean
+
+   !> The rest that the same fit leaves, rms over the samples; NaN where there is none.
+   pure real(dp) function fit_misfit(time, film, periods)
+      real(dp), intent(in) :: time(:), film(:), periods(:)
+      real(dp) :: left(size(film)), c(1 + 2*size(periods))
+      integer :: n
+      c = coefficients(time, film, periods)
+      left = film - film(1) - c(1)
+      do n = 1, size(periods)
+         left = left - c(2*n)*cos(2*pi*time/periods(n)) - c(2*n + 1)*sin(2*pi*time/periods(n))
+      end do
+      fit_misfit = norm2(left)/sqrt(real(size(film), dp))
+   end function fit_misfit
 
    !> Mean less the first sample, c and s of the fit for each period; NaN where there is none.
    pure function coefficients(time, film, periods) result(c)

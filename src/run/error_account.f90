@@ -7,6 +7,7 @@ module ehlwave_error_account
    use ehlwave_case_result, only: case_result_t
    use ehlwave_error_parts, only: error_parts_t
    use ehlwave_kinds, only: dp
+   use ehlwave_layer_change, only: layer_changes
    use ehlwave_linear_range, only: is_beyond_linear, linear_limit_text
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_text, only: to_text
@@ -36,12 +37,13 @@ contains
          result%ratio_errors = error_parts_t(mesh=result%harmonic%error, domain=plan%domain_error, &
                                              algebraic=case%response_tolerance)
       end if
-      if (plan%inlet%is_short()) call add_meniscus(plan, result)
+      if (plan%inlet%is_short()) call add_meniscus(case, plan, result)
       result%error_estimate = asked(case, merge(result%ratio_errors, result%film_errors, case%has_ratio()))
    end subroutine take_errors
 
    !> Add the part of the meniscus. Of the film that is the error of R, which grids tell, as that of the film.
-   subroutine add_meniscus(plan, result)
+   subroutine add_meniscus(case, plan, result)
+      type(case_t), intent(in) :: case
       type(case_plan_t), intent(in) :: plan
       type(case_result_t), intent(inout) :: result
       real(dp) :: distance
@@ -50,7 +52,8 @@ contains
          result%film_errors%meniscus = result%starved%film_over_flooded_error
          result%film_errors%mesh = max(0.0_dp, result%film_errors%mesh - result%film_errors%meniscus)
       end if
-      if (.not. ieee_is_finite(result%starved%passage%meniscus_x)) return
+      if (layer_changes(case)) result%ratio_errors%meniscus = plan%expected%meniscus   ! it is measured with another one
+      if (layer_changes(case) .or. .not. ieee_is_finite(result%starved%passage%meniscus_x)) return
       distance = max(plan%hx, -1 - result%starved%passage%meniscus_x)
       if (result%ratio_errors%mesh > 0) result%ratio_errors%meniscus = expected_meniscus_error(plan%hx/distance)
    end subroutine add_meniscus
@@ -70,7 +73,7 @@ contains
       if (result%amplitude_error_basis == 'coarse_grid') &
          ! coarser grids take longer steps
          parts%mesh = max(0.0_dp, result%amplitude_ratio_error - parts%algebraic - parts%time)
-      if (ieee_is_finite(result%harmonic%ratio)) &
+      if (ieee_is_finite(result%harmonic%ratio) .and. .not. layer_changes(case)) &
          parts%amplitude = abs(result%amplitude_ratio_fit/result%harmonic%ratio - 1)
    end function errors_in_time
 

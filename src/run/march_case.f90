@@ -1,28 +1,28 @@
 !> A case with a moving pattern, marched from rest, and what is taken from any march of it.
 module ehlwave_march_case
-   use ehlwave_amplitude, only: fitted_harmonic, fitted_harmonics, fitted_mean, sampled_amplitude
+   use ehlwave_amplitude, only: fitted_mean, sampled_amplitude
    use ehlwave_case_account, only: add_warning, end_early, keep_history, worse
    use ehlwave_case_definition, only: case_t
    use ehlwave_case_result, only: case_result_t
    use ehlwave_energy, only: energy_t
    use ehlwave_full_multigrid, only: full_multigrid_t
-   use ehlwave_kinds, only: dp, no_value, pi
+   use ehlwave_kinds, only: dp, pi
+   use ehlwave_layer_change, only: layer_changes
    use ehlwave_march_keeper, only: march_keeper_t
    use ehlwave_march_settings, only: march_settings_t
    use ehlwave_monitor, only: go_on, monitor_t
    use ehlwave_planned_case, only: case_plan_t
    use ehlwave_rescue, only: rescue_t
+   use ehlwave_settling, only: settling_error, unrest_text, wave_parts
    use ehlwave_solve_report, only: solve_limits_t
    use ehlwave_status, only: status_converged, status_interrupted, status_name
    use ehlwave_surface_plan, only: surface_positions
-   use ehlwave_surfaces, only: surfaces_t
    use ehlwave_text, only: to_text
    use ehlwave_time_march, only: march_result_t, march_t, steps_per_stretch
    implicit none (type, external)
    private
    public :: march_settings, run_moving, step_limits, step_tolerance, take_last_period
 
-   real(dp), parameter :: settling_share = 0.5_dp      !! of the change from period to period that is still to come
    !> Newton's method with the patches of elliptical contacts ends closely below a tolerance: the whole of it would
    !> leave up to seven times as much of Ad/Ai.
    real(dp), parameter :: newton_share = 0.3_dp
@@ -145,58 +145,13 @@ contains
       else if (plan%surfaces%moves() .and. plan%measures) then
          result%route = 'rest'
          call take_last_period(plan, history, plan%first_sample, plan%surfaces%list(plan%surfaces%main)%start, result)
-         result%settling = change_in_a_period(case, plan, history, result)
+         result%settling = settling_error(case, plan, history, result)
+         call add_warning(result, unrest_text(case, plan, result%settling))
+      else if (plan%surfaces%moves()) then
+         call add_warning(result, 'no Ad/Ai: &dynamics end_time comes before the waves'//trim(merge( &
+            ' and the change of the layer', repeat(' ', 28), layer_changes(case)))//' have passed and one period more')
       end if
    end subroutine run_moving
-
-   !> Relative error of the amplitude in the last period, by what it has changed since the period before; 0 where there
-   !> is none. Measured from rest after `settling_periods` = 1: 0.02 to 0.8 of the change is still to come, most where
-   !> it is small. With fewer, all of the change is counted: the period before has what came in before the waves, and
-   !> the equation of motion goes on to swing (M = 47, Omega = 3.5: 5 per cent off with none).
-   real(dp) function change_in_a_period(case, plan, history, result) result(change)
-      type(case_t), intent(in) :: case
-      type(case_plan_t), intent(in) :: plan
-      type(march_result_t), intent(in) :: history
-      type(case_result_t), intent(in) :: result  !! with what the last period has
-      complex(dp) :: parts(size(plan%surfaces%list))
-      real(dp) :: ratios(size(plan%surfaces%list))
-      integer :: first, last, n
-
-      change = 0
-      associate (surfaces => plan%surfaces, longest => plan%surfaces%longest_period())
-         first = plan%first_sample - nint(longest/plan%dt)
-         last = plan%first_sample + nint((surfaces%window() - longest)/plan%dt)
-         if (first < 0) return
-         parts = wave_parts(surfaces, result%central_film, history%time(first:last), history%central_film(first:last))
-         ratios(1) = result%amplitude_ratio_fit
-         ratios(2:) = result%pair%ratio_fit
-         change = maxval([(abs(abs(parts(n))/(ratios(n)*surfaces%list(n)%amplitude(result%central_film)) - 1), &
-                           n=1, size(parts))])
-      end associate
-      if (case%settling_periods >= 1 .and. .not. case%end_time > 0) change = settling_share*change
-   end function change_in_a_period
-
-   !> The wave of each surface in the film at the centre, as by `fitted_harmonic`. Two of one frequency cannot be told
-   !> apart there: they have their shares of it where they are one pattern, else it is NaN.
-   pure function wave_parts(surfaces, central_film, time, film) result(parts)
-      type(surfaces_t), intent(in) :: surfaces        !! that move
-      real(dp), intent(in) :: central_film            !! smooth H(0,0)
-      real(dp), intent(in) :: time(:), film(:)        !! H(0,0) at T
-      complex(dp) :: parts(size(surfaces%list))
-      real(dp) :: amplitudes(size(surfaces%list))
-      integer :: n
-
-      associate (list => surfaces%list)
-         if (surfaces%are_apart()) then
-            parts = fitted_harmonics(time, film, [(list(n)%period(), n=1, size(list))])
-         else
-            amplitudes = [(list(n)%amplitude(central_film), n=1, size(list))]
-            parts = (no_value, no_value)
-            if (surfaces%are_one()) &
-               parts = fitted_harmonic(time, film, list(1)%period())*amplitudes/sum(amplitudes)
-         end if
-      end associate
-   end function wave_parts
 
    !> Amplitudes, phases and mean of the film from step `first` on, over what repeats before the last.
    subroutine take_last_period(plan, history, first, crest, result)

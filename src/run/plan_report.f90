@@ -47,7 +47,7 @@ contains
             trim(case%oil%flow_law)//', alpha = '//to_text(c%alpha_per_pa*1e9_dp, 5)//' 1/GPa'
          if (extrapolation_text(case, plan%rheology, 1.0_dp) /= '') write (unit, '(a)') '             WARNING: '// &
             extrapolation_text(case, plan%rheology, 1.0_dp)
-         if (plan%inlet%is_short()) write (unit, '(a)') 'Inlet        starved: '//inlet_text(case)
+         if (plan%inlet%is_short()) write (unit, '(a)') 'Inlet        starved: '//inlet_text(case, plan)
          write (unit, '(a)') 'Waviness     '//surface_text(case%roughness_t, plan%surfaces%list(1), c)
          if (case%is_pair()) write (unit, '(a)') '  surface 2  '// &
             surface_text(case%second, plan%surfaces%list(2), c)//', speed 2 - S = '//to_text(2 - c%slip_parameter, 6)
@@ -137,8 +137,9 @@ contains
       if (plan%domain_scale > 1) text = text//', which is enlarged for the accuracy'
    end function edges_text
 
-   function inlet_text(case) result(text)
+   function inlet_text(case, plan) result(text)
       type(case_t), intent(in) :: case
+      type(case_plan_t), intent(in) :: plan
       character(len=:), allocatable :: text
       if (case%oil_layer_m > 0) then
          text = 'layers of oil of '//to_text(case%oil_layer_m*1e6_dp, 5)//' um together'
@@ -148,6 +149,7 @@ contains
       if (case%oil_profile /= '') text = text//', across by '//harmless(trim(case%oil_profile))
       if (abs(case%oil_change_factor - 1) > 0) text = text//'; changes by '//to_text(case%oil_change_factor, 4)// &
          ' at T = '//to_text(case%oil_change_start, 4)
+      if (plan%rest > 0) text = text//'; the film should have followed at T = '//to_text(plan%rest, 4)
    end function inlet_text
 
    function width_text(plan) result(text)

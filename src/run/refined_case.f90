@@ -127,7 +127,7 @@ contains
          ' times its plan)'
       if (parts%amplitude > others) text = ': take Ai (amplitude_over_film) below '//linear_limit_text(case)// &
          ", or response = 'harmonic'"
-      if (parts%settling > max(others, parts%amplitude)) text = ': take more settling_periods'
+      if (parts%settling > max(others, parts%amplitude)) text = ': take more settling_periods, or a later end_time'
    end function advice
 
 end module ehlwave_refined_case

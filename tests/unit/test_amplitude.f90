@@ -1,8 +1,9 @@
-!> Amplitude from samples and from the harmonic fit.
+!> Amplitude from samples and from the harmonic fit, and what of it has not settled.
 program test_amplitude
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan
-   use ehlwave_amplitude, only: fitted_harmonic, fitted_harmonics, fitted_mean, sampled_amplitude
+   use ehlwave_amplitude, only: fit_misfit, fitted_harmonic, fitted_harmonics, fitted_mean, sampled_amplitude
    use ehlwave_kinds, only: dp, pi
+   use ehlwave_settling, only: left_to_come
    use testing, only: test_t
    implicit none (type, external)
 
@@ -12,6 +13,7 @@ program test_amplitude
    call check_higher_harmonics()
    call check_two_waves()
    call check_few_samples()
+   call check_settling()
    call test%finish()
 
 contains
@@ -69,5 +71,32 @@ contains
       call test%check_close(abs(fitted_harmonic([0.0_dp, 0.25_dp, 0.5_dp, 0.75_dp], [5.0_dp, 5.0_dp, 5.0_dp, 5.0_dp], 1.0_dp)), &
                             0.0_dp, 'a constant film', absolute=1e-15_dp)
    end subroutine check_few_samples
+
+   !> A wave that settles, or about which a contact swings, is off by no more than is told, whatever the phase; a wave that
+   !> has settled by nothing, and one that is drowned in a drift of the mean by more than all of it.
+   subroutine check_settling()
+      real(dp), parameter :: quiet(3) = 0, sizes(3) = [0.3_dp, 0.8_dp, 0.93_dp]   ! of ratios
+      complex(dp), parameter :: wave = (0.6_dp, -0.3_dp)
+      complex(dp) :: parts(3), ratio
+      real(dp) :: error, film(32), time(32)
+      integer :: i, j, k
+
+      do k = 0, 11
+         do j = 1, 11
+            ratio = sizes(1 + modulo(j, 3))*exp(cmplx(0, 0.5_dp*j, dp))
+            parts = wave + 0.2_dp*exp(cmplx(0, 0.5_dp*k, dp))*[ratio**0, ratio, ratio**2]
+            error = abs(abs(parts(3))/abs(wave) - 1)
+            call test%check(left_to_come(parts, quiet, quiet) > error, 'a geometric series')
+         end do
+      end do
+      call test%check_close(left_to_come([wave, wave, wave], quiet + 1, quiet + 0.1_dp), 0.0_dp, 'settled', absolute=0.0_dp)
+      call test%check(left_to_come([wave, wave, wave], [0.0_dp, 0.0_dp, 3.0_dp], quiet) > 1, 'a mean that drifts')
+      call test%check(left_to_come([wave, wave, wave], quiet, [0.3_dp, 0.3_dp, 0.2_dp]) > 0.2_dp, 'a swing that the fit leaves')
+      call test%check(left_to_come([wave], quiet(:1), quiet(:1)) > 1, 'one period tells nothing')
+      time = [(i/16.0_dp, i=1, 32)]
+      film = 1 + 0.3_dp*cos(2*pi*time) + 0.1_dp*sin(4*pi*time)
+      call test%check_close(fit_misfit(time, film, [1.0_dp]), 0.1_dp/sqrt(2.0_dp), 'rms of the other harmonic', relative=1e-12_dp)
+      call test%check_close(fit_misfit(time, film, [1.0_dp, 0.5_dp]), 0.0_dp, 'nothing left', absolute=1e-14_dp)
+   end subroutine check_settling
 
 end program test_amplitude

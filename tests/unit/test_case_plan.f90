@@ -15,6 +15,7 @@ program test_case_plan
 
    call check_kinds()
    call check_steps()
+   call check_layer_change()
    call check_grid()
    call check_deformation()
    call check_refusal()
@@ -131,6 +132,37 @@ contains
       call test%check(plan%steps == 96 .and. plan%first_sample == 88, 'end time asked for')
    end subroutine check_steps
 
+   !> Waves are measured once a change of the layer has passed and the inlet has followed, and with the layer after it.
+   subroutine check_layer_change()
+      type(case_plan_t) :: plan, same
+      type(case_t) :: case
+      case = sample('transverse', 1.0_dp)
+      case%oil_over_flooded = 1.5_dp
+      same = plan_of(test, case)
+      case%oil_change_factor = 0.1_dp
+      case%oil_change_start = 2
+      case%oil_change_length = 0.5_dp
+      plan = plan_of(test, case)
+      call test%check(plan%rest > 2 + 0.5_dp + 3.5_dp .and. plan%first_sample*plan%dt >= plan%rest + 1, 'a gap')
+      call test%check_close(plan%resolution%meniscus, same%resolution%meniscus, 'the layer behind it', relative=0.0_dp)
+      case%oil_change_length = 0
+      plan = plan_of(test, case)
+      case%oil_change_factor = 1
+      case%oil_over_flooded = 0.15_dp
+      same = plan_of(test, case)
+      call test%check(plan%first_sample > same%first_sample .and. .not. plan%resolution%is_resolved, 'a tenth of the layer')
+      call test%check_close(plan%resolution%meniscus, same%resolution%meniscus, 'its meniscus', relative=1e-12_dp)
+      case%oil_change_factor = 0.5_dp
+      case%end_time = 6
+      plan = plan_of(test, case)
+      call test%check(.not. plan%measures, 'too early an end')
+      case%oil_change_start = 6
+      call refuse(case, 'oil_change_start', 'no change before the end')
+      case%end_time = 0
+      case%orientation = 'longitudinal'
+      call refuse(case, 'end_time', 'nothing moves')
+   end subroutine check_layer_change
+
    subroutine check_grid()
       type(case_plan_t) :: plan
       type(case_t) :: case
@@ -181,13 +213,22 @@ contains
 
    subroutine check_refusal()
       type(case_t) :: case
-      type(case_plan_t) :: plan
-      type(error_t), allocatable :: error
       case = sample('transverse', 0.5_dp)
       case%slip_parameter = 1e-6_dp
+      call refuse(case, 'slip_parameter', 'endless march')
+   end subroutine check_refusal
+
+   !> The plan of a case is refused, with this word in the reason.
+   subroutine refuse(given, word, what)
+      type(case_t), intent(in) :: given
+      character(len=*), intent(in) :: word, what
+      type(case_t) :: case
+      type(case_plan_t) :: plan
+      type(error_t), allocatable :: error
+      case = given
       call complete_case(case, '', error)
       call make_plan(case, plan, error)
-      call test%check_error(error, 'slip_parameter', 'endless march')
-   end subroutine check_refusal
+      call test%check_error(error, word, what)
+   end subroutine refuse
 
 end program test_case_plan

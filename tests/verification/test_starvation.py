@@ -246,6 +246,23 @@ class Starvation(TestCase):
         self.check_close(fifth["meniscus_resolution"], plain["meniscus_resolution"], 1e-12, "meniscus")
         self.check_close(fifth["harmonic_ratio"], plain["harmonic_ratio"], 1e-6, "Ad/Ai")
 
+    def test_waves_after_a_change(self):
+        """Ad/Ai behind a gap in the layer is that without one, within what it is said to be off; an early end is warned of."""
+        wavy = {"waviness": waves("transverse", 2, "transient", 0.05), "solver": {"error_estimate": "model"},
+                "grid": {"cells_x": 36, "cells_y": 32}}
+        plain = contact(1.3, **wavy)
+        gap = {"oil_change_factor": 0.1, "oil_change_start": 1, "oil_change_length": 0.5}
+        behind = contact(1.3, inlet=gap, **wavy)
+        early = contact(1.3, inlet=gap, dynamics={"end_time": 8}, **wavy)
+        apart = abs(behind["amplitude_ratio_fit"]/plain["amplitude_ratio_fit"] - 1)
+        self.assertLess(apart, 0.02)
+        self.assertLess(apart, behind["ratio_error_settling"] + plain["ratio_error_settling"])
+        self.assertGreater(abs(early["amplitude_ratio_fit"]/plain["amplitude_ratio_fit"] - 1), 0.05)
+        self.assertGreaterEqual(early["ratio_error_settling"], 1)
+        self.assertIn("end_time", early["validity"])
+        self.assertNotIn("end_time", behind["validity"])
+        report(f"behind a gap {100*apart:.2f} % apart, said {100*behind['ratio_error_settling']:.2f} %")
+
     def test_layer_in_metres(self):
         """A layer in metres is the oil over that of the flooded contact that it comes to."""
         ball = {"radius_x_m": 0.0127, "radius_y_m": 0.0127, "reduced_modulus_pa": 2.26e11, "load_n": 40, "mean_speed_m_per_s": 2,

@@ -56,6 +56,19 @@ class Tightening(TestCase):
         self.assertLess(deviations[1], 1e-6)
         self.assertGreater(deviations[0], deviations[1])
 
+    def test_load_step(self):
+        """After a step of the load the film soon settles by force balance; a mass swings on it, which is said."""
+        step = {"load_factor": 1.5, "end_time": 7.5}
+        settled = wavy(48, wavelength=1, dynamics=step)
+        swinging = wavy(48, wavelength=1, dynamics=step | {"load_balance": "equation_of_motion", "natural_frequency": 4})
+        true = abs(swinging["amplitude_ratio_fit"]/settled["amplitude_ratio_fit"] - 1)
+        self.assertGreater(true, 0.1)
+        self.assertLess(settled["ratio_error_settling"], 0.05)
+        self.assertGreater(swinging["ratio_error_settling"], true)
+        self.assertNotIn("still changes", settled["validity"])
+        self.assertIn("still changes", swinging["validity"])
+        report(f"swing after a load step: Ad/Ai {true:.2f} off, said {swinging['ratio_error_settling']:.2f}")
+
     def test_oblique_pattern_tends_to_transverse(self):
         transverse = wavy(64, solver=TIGHT)
         deviations = []
