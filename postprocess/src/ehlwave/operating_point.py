@@ -20,7 +20,8 @@ from ehlwave.atlas.chart import Chart
 from ehlwave.atlas.coordinates import wave_components
 from ehlwave.atlas.ranges import SLIDING_RANGES, WAVE_RANGE
 from ehlwave.contact.bodies import Body
-from ehlwave.contact.conditions import Conditions, conditions_from_keys
+from ehlwave.contact.conditions import Conditions
+from ehlwave.contact.conditions_from_keys import conditions_from_keys
 from ehlwave.contact.data_sheet import Oil as DataSheetOil
 from ehlwave.contact.heat_data import Heat, heat_of
 from ehlwave.contact.line_contact import ROLLS_ALONE, TRANSVERSE_ALONE

@@ -7,7 +7,7 @@ import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from ehlwave.contact.conditions import conditions_from_keys
+from ehlwave.contact.conditions_from_keys import conditions_from_keys
 from ehlwave.formula import f_of_r
 from ehlwave.writing import Writer
 

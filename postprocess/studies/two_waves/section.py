@@ -8,7 +8,7 @@ import pandas as pd
 from numpy.typing import NDArray
 from scipy.special import ellipk
 
-from ehlwave.contact.conditions import conditions_from_keys
+from ehlwave.contact.conditions_from_keys import conditions_from_keys
 from ehlwave.contact.two_waves import two_waves
 from ehlwave.formula import recommended_ratio
 from studies.section import Picture, Section, Table

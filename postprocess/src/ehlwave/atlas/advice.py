@@ -7,7 +7,8 @@ import numpy as np
 from scipy.optimize import linprog
 
 from ehlwave.atlas.kind import Kind, is_within
-from ehlwave.contact.conditions import Conditions, moes_values
+from ehlwave.contact.conditions import Conditions
+from ehlwave.contact.conditions_from_keys import moes_values
 from ehlwave.errors import RangeError, SurfaceError
 from ehlwave.hints import see
 from ehlwave.quantities import PLAUSIBLE, unit_of

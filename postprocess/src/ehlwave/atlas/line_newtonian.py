@@ -14,7 +14,8 @@ from ehlwave.atlas.line_rolling import rolling_line_chart
 from ehlwave.atlas.line_sliding import LINE_SLIDING_RANGES
 from ehlwave.atlas.line_sliding_shape import LineSlidingShape
 from ehlwave.atlas.ranges import LINE_RANGES
-from ehlwave.contact.conditions import Conditions, conditions_from_keys
+from ehlwave.contact.conditions import Conditions
+from ehlwave.contact.conditions_from_keys import conditions_from_keys
 
 LINE_NEWTONIAN_RANGES = LINE_RANGES | {"slip_parameter": LINE_SLIDING_RANGES["slip_parameter"]}
 """Smallest and largest value of each key of a line contact that slides, of a Newtonian oil."""

@@ -10,7 +10,8 @@ from ehlwave.atlas.coordinates import Floats, columns, contact_coordinates
 from ehlwave.atlas.kind import Kind
 from ehlwave.atlas.ranges import SLIDING_RANGES
 from ehlwave.atlas.rolling import ROLLING, rolling_chart
-from ehlwave.contact.conditions import Conditions, conditions_from_keys
+from ehlwave.contact.conditions import Conditions
+from ehlwave.contact.conditions_from_keys import conditions_from_keys
 from ehlwave.contact.medium import INLET_VISCOSITY
 from ehlwave.contact.oils import log_viscosity
 from ehlwave.contact.scales import moes_per_film

@@ -7,7 +7,8 @@ from typing import Any, NamedTuple
 
 import f90nml
 
-from ehlwave.contact.conditions import OIL_KEYS, OIL_OVER_FLOODED, Conditions, conditions_from_keys
+from ehlwave.contact.conditions import Conditions
+from ehlwave.contact.conditions_from_keys import OIL_KEYS, OIL_OVER_FLOODED, conditions_from_keys
 from ehlwave.errors import SurfaceError, printable
 from ehlwave.slip import merged, refuse_both
 

@@ -9,7 +9,8 @@ from collections.abc import Mapping
 from typing import Any
 
 from ehlwave.contact.bodies import FLAT, Body
-from ehlwave.contact.conditions import KNOWN_KEYS, MOES_KEYS
+from ehlwave.contact.conditions import MOES_KEYS
+from ehlwave.contact.conditions_from_keys import KNOWN_KEYS
 from ehlwave.contact.data_sheet import Oil
 from ehlwave.contact.line_contact import LOAD_KEY
 from ehlwave.errors import SurfaceError

@@ -5,7 +5,8 @@ import pandas as pd
 from numpy.typing import NDArray
 from scipy.interpolate import PchipInterpolator
 
-from ehlwave.contact.conditions import Conditions, conditions_from_keys
+from ehlwave.contact.conditions import Conditions
+from ehlwave.contact.conditions_from_keys import conditions_from_keys
 from ehlwave.deform.table_conditions import weighted_conditions
 from ehlwave.deform.transfer import Waves, orientation_and_wave
 from ehlwave.errors import SurfaceError

@@ -70,22 +70,18 @@ def orientation_and_wave(per_length_x: Waves, per_length_y: Waves) -> tuple[Wave
         return f_of_r(ratio), 1 / np.maximum(qx, qy)
 
 
-class FormulaBasis:
-    """Base of formulas, which are linear. They cover all components, or none and say why."""
+class LawBasis:
+    """Base of laws, which are linear. They cover all components, or none and say why."""
 
     conditions: Conditions
 
     def reasons(self) -> list[str]:
-        """Return why the conditions are not those of the formula; slip is one of them."""
-        slip = self.conditions.slip_parameter
-        return [] if slip == 1 else [f"slip (S = {slip:g}): the formula is for pure rolling"]
-
-    def error(self, per_length_x: Waves, per_length_y: Waves) -> Waves | None:
-        """Return None: what a formula is off by depends on the contact."""
+        """Return why the conditions are not those of the law."""
+        raise NotImplementedError
 
     @property
     def covers_all(self) -> bool:
-        """Return whether the conditions are those of the formula."""
+        """Return whether the conditions are those of the law."""
         return not self.reasons()
 
     @property
@@ -94,12 +90,24 @@ class FormulaBasis:
         return "; ".join(self.reasons())
 
     def rise(self, per_length_x: Waves, per_length_y: Waves) -> None:
-        """Return None: no formula has it."""
+        """Return None: no law has it."""
 
     def is_covered(self, per_length_x: Waves, per_length_y: Waves) -> NDArray[np.bool_]:
-        """Return whether the conditions are those of the formula."""
+        """Return whether the conditions are those of the law."""
         shape = np.broadcast_shapes(np.shape(per_length_x), np.shape(per_length_y))
         return np.full(shape, self.covers_all)
+
+
+class FormulaBasis(LawBasis):
+    """Base of formulas for pure rolling."""
+
+    def reasons(self) -> list[str]:
+        """Return why the conditions are not those of the formula; slip is one of them."""
+        slip = self.conditions.slip_parameter
+        return [] if slip == 1 else [f"slip (S = {slip:g}): the formula is for pure rolling"]
+
+    def error(self, per_length_x: Waves, per_length_y: Waves) -> Waves | None:
+        """Return None: what a formula is off by depends on the contact."""
 
 
 @dataclass(frozen=True)
