@@ -7,7 +7,7 @@ from contact import EXPERIMENT, experiment
 
 from ehlwave.atlas.atlas import load_atlas, shipped
 from ehlwave.atlas.kinds import KINDS
-from ehlwave.contact.conditions import FIT_ERROR, LINE_FIT_ERROR, THINNING_ERROR
+from ehlwave.contact.conditions import FIT_ERROR, LINE_FIT_ERROR
 from ehlwave.contact.line_contact import line_film
 from ehlwave.contact.scales import ellipticity, moes_film
 from ehlwave.deform import conditions_from_keys, read_conditions
@@ -157,5 +157,8 @@ def test_the_errors_of_film_formulas_are_those_against_the_atlas() -> None:
     assert ball.central_film_error == FIT_ERROR
     assert conditions_from_keys(EXPERIMENT | {"central_film_m": 1e-7}).central_film_error == 0
     sliding = EXPERIMENT | {"slip_parameter": 1.2, "eyring_stress_pa": 5e6}
-    thinned = conditions_from_keys(sliding).central_film_error
-    assert thinned == pytest.approx(FIT_ERROR + THINNING_ERROR)
+    thinned = conditions_from_keys(sliding)
+    assert thinned.central_film_error == pytest.approx(FIT_ERROR + thinned.film_loss)
+    unknown = conditions_from_keys(sliding | {"eyring_stress_pa": 2e5})
+    assert unknown.central_film_error is None
+    assert "how much the oil thins" in unknown.film_source

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ehlwave.answers import Film, Response
+from ehlwave.answers import Film, Response, given_film
 from ehlwave.atlas.atlas import Atlas, atlas_for, chart_of, load_atlas
 from ehlwave.atlas.chart import Chart
 from ehlwave.atlas.coordinates import wave_components
@@ -39,6 +39,7 @@ from ehlwave.deform.surface import Surface
 from ehlwave.deform.transfer import FormulaTransfer, RecommendedTransfer, Transfer
 from ehlwave.errors import ExtrapolationWarning, RangeError, SurfaceError
 from ehlwave.heat_laws import INLET_BAR, Heated, check_heat, heated
+from ehlwave.hints import see
 from ehlwave.quantities import number, plain
 from ehlwave.responses import response_table, responses_figure
 from ehlwave.shown import html_table, within
@@ -210,9 +211,10 @@ class Contact:
             film = self.film()
         except RangeError as error:
             return rows | {"film": str(error)}
-        if film.central_m is not None and film.minimum_m is not None:
+        if film.central_m is not None:
             rows["central film"] = within(film.central_m * 1e6, film.central_error, " um")
-            rows["smallest film"] = within(film.minimum_m * 1e6, film.minimum_error, " um")
+            if film.minimum_m is not None:
+                rows["smallest film"] = within(film.minimum_m * 1e6, film.minimum_error, " um")
         else:
             rows["central film, Moes"] = within(film.central_moes, film.central_error)
             if math.isfinite(film.minimum_moes):
@@ -257,6 +259,9 @@ class Contact:
 
         With heat films and friction are those with heat; `Film.heated` says what heat does.
 
+        A given film, ``central_film_m``, is that of the contact as it runs: it is returned as it
+        is.
+
         Raises
         ------
         RangeError
@@ -272,18 +277,20 @@ class Contact:
         0.83 um within 1%
         """
         c = self.conditions
+        if c.has_given_film:
+            return given_film(c)
         # The laws of heat were fitted to films of lines that roll, with their error by thinning.
         rolls = c.is_line and self.heat is not None
         slip = 1.0 if rolls else c.film_slip
-        thinned = c.rolling_film_error if rolls else c.thinning_error
-        atlas = self._atlas_for(replace(c, slip_parameter=slip))
-        film = self._chart(slip).film()
+        thinned = c.rolling_film_error if rolls else 0.0
+        chart = self._chart(slip)
+        film = chart.film()
         friction = None
         if film.stress is not None and self._eyring_stress_pa is not None:
             hertz_pa = c.alphabar / c.oil.pressure_viscosity_per_pa
             friction = c.peak_over_mean * film.stress * self._eyring_stress_pa / hertz_pa
         scale, more = c.metres_per_moes, thinned + c.oil_error
-        central, source = film.central_moes * c.film_ratio, atlas.name
+        central, source = film.central_moes * c.film_ratio, chart.film_source
         friction_error = None if friction is None else film.stress_error
         by_heat: Heated | None = None
         factor = 1.0
@@ -298,7 +305,7 @@ class Contact:
             central *= factor
         if c.is_starved:
             source += f", times R = {c.film_ratio:.3g} of the law of starved contacts"
-        knows_minimum = not c.is_starved
+        knows_minimum = not c.is_starved and math.isfinite(film.minimum_moes)
         return Film(
             central_m=None if scale is None else central * scale,
             minimum_m=film.minimum_moes * factor * scale if scale and knows_minimum else None,
@@ -384,7 +391,8 @@ class Contact:
             chart = self._chart(slip_parameter)
         except RangeError:
             low, high = SLIPS
-            has_law = conditions.has_sliding_atlas and low <= slip_parameter <= high
+            is_law_for = conditions.slip_parameter != 1 and conditions.oil.name == "Ree-Eyring"
+            has_law = is_law_for and low <= slip_parameter <= high
             if conditions.is_line or not has_law or angle_deg == 90:
                 raise
             return self._response_under_slip(wavelength_over_a, angle_deg, slip_parameter)
@@ -400,11 +408,16 @@ class Contact:
                 f"slip_parameter = {slip:g} ({RATIO} = {ratio_of(slip):g}) lies outside {low:g} to "
                 f"{high:g}, where the law of the two waves is known to hold"
             )
-        rolling = replace(self.conditions, slip_parameter=1.0)
-        conditions = with_atlas_film(rolling, self._atlas_for(rolling))
+        conditions = replace(self.conditions, slip_parameter=slip)
+        reasons = TwoWaveTransfer(conditions).reasons()
+        if reasons:
+            raise RangeError(f"{'; '.join(reasons)}; compute it (ehlwave.Case){see('slip')}")
+        oil = conditions.oil.name
+        if oil == "Ree-Eyring":  # outside the atlas of those that slide
+            conditions = replace(conditions, slip_parameter=1.0)
+        conditions = with_atlas_film(conditions, self._atlas_for(conditions))
         components = wave_components(wave, angle_deg)
         film = two_waves(conditions, slip, *components).at(0.0)
-        oil = conditions.oil.name
         return Response(
             film=complex(film),
             pressure=complex(math.nan, math.nan),

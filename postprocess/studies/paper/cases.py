@@ -101,7 +101,7 @@ def line_cases() -> Iterator[tuple[float, float, float, str, float, float, float
 def contact_gamma(d: float) -> float:
     """Return gamma of eq. (3) for a ratio of the radii D > 0."""
     keys = {"load_parameter_m": 1.0, "lubricant_parameter_l": 1.0, "radius_ratio_d": d}
-    return conditions_from_keys(keys | {"semi_axis_a_m": 1.0}).gamma
+    return conditions_from_keys(keys, needs_lengths=False).gamma
 
 
 CASE_FILES = {"dense": dense_cases, "fresh": fresh_cases, "line": line_cases}

@@ -35,8 +35,8 @@ def _conditions(*values: float) -> Conditions:
 
 def line_newtonian_references(keys: Mapping[str, ArrayLike]) -> Floats:
     """Return central and smallest film in pure rolling, Moes scale, and P = 1, shape (c, 3)."""
-    films = (rolling_line_chart(contact).film() for contact in newtonian_conditions_of(keys))
-    return np.array([(film.central_moes, film.minimum_moes, 1.0) for film in films])
+    charts = map(rolling_line_chart, newtonian_conditions_of(keys))
+    return np.array([(*chart.computed_films(), 1.0) for chart in charts])
 
 
 class LineNewtonianShape(LineSlidingShape):

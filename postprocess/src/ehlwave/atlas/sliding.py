@@ -87,8 +87,7 @@ def sliding_references(keys: Mapping[str, ArrayLike], rolling: Kind = ROLLING) -
 
 
 def _references(contact: Conditions, rolling: Kind) -> tuple[float, float, float, float]:
-    film = rolling_chart(contact, rolling).film()
-    return film.central_moes, film.minimum_moes, mean_stress(contact), 1.0
+    return (*rolling_chart(contact, rolling).computed_films(), mean_stress(contact), 1.0)
 
 
 def sliding_state(

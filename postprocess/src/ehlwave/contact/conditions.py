@@ -6,6 +6,8 @@ Equation numbers are those of ``src/theory.md``.
 import math
 from dataclasses import dataclass, field
 
+from scipy.special import ellipk
+
 from ehlwave.contact.line_contact import (
     SLENDER_OVER_LINE,
     line_alphabar,
@@ -18,6 +20,7 @@ from ehlwave.contact.scales import (
     corrected_film,
     lambdabar,
 )
+from ehlwave.contact.thinning import NEARLY_NEWTONIAN, film_loss
 from ehlwave.formula import v
 from ehlwave.starvation import FILM_BAR
 
@@ -29,6 +32,7 @@ atlas of Ree-Eyring oils are below. A test compares."""
 
 FIT_TEXT = "the film thickness fit of Nijenbanning, Venner and Moes (1994)"
 LINE_FIT_TEXT = "the film thickness fit of Moes (1992) for line contacts"
+GIVEN_TEXT = "given (central_film_m)"
 FIT_ERROR, LINE_FIT_ERROR = 0.25, 0.35
 """By how much they are too thick, relative: 97.5 % of elliptical and all line contacts of the atlas
 are below. Slender contacts at M near 20 reach 0.40. A test compares."""
@@ -62,7 +66,7 @@ class Conditions:
     metres_per_moes : float or None
         Film in m for one of 1 in the Moes scale.
     central_film_error : float or None
-        Relative error of the central film; 0 of a given one.
+        Relative error of the central film; 0 of a given one; None: not known.
     oil_error : float
         What errors of viscosity and pressure-viscosity coefficient make of the film, relative.
     oil_over_flooded : float or None
@@ -129,6 +133,17 @@ class Conditions:
         return self.alphabar / self.oil.pressure_viscosity_per_pa
 
     @property
+    def modulus_pa(self) -> float | None:
+        """Return E' by ph and the lengths, Pa: 2 K a ph/c; None without lengths.
+
+        The deflection under a pressure ph cos(k x) is 4 ph/(E' k), 2 c/(K k a) by the scales.
+        """
+        if self.hertz_approach_c_m is None:
+            return None
+        k = 1.0 if self.is_line else float(ellipk(1 - self.kappa**2))
+        return 2 * k * self.semi_axis_a_m * self.hertz_pa / self.hertz_approach_c_m
+
+    @property
     def peak_over_mean(self) -> float:
         """Return the largest Hertz pressure over the mean one."""
         return 4 / math.pi if self.is_line else 1.5
@@ -151,6 +166,11 @@ class Conditions:
         else:
             film = (self.central_film_m or math.nan) / self.hertz_approach_c_m
         return hertz_medium(self.oil, self.kappa, self.alphabar, self.lambdabar, film, slip)
+
+    @property
+    def has_given_film(self) -> bool:
+        """Whether the central film is a given one."""
+        return self.film_source == GIVEN_TEXT
 
     @property
     def is_starved(self) -> bool:
@@ -179,13 +199,15 @@ class Conditions:
 
     @property
     def has_sliding_atlas(self) -> bool:
-        """Whether the atlas of sliding contacts is the one for it: slip and a Ree-Eyring oil."""
-        return self.slip_parameter != 1 and self.oil.name == "Ree-Eyring"
+        """Whether the atlas of sliding contacts is the one for it: a Ree-Eyring oil that thins."""
+        if self.oil.name != "Ree-Eyring":
+            return False
+        return self.slip_parameter != 1 or self.film_loss > NEARLY_NEWTONIAN
 
     @property
-    def thinning_error(self) -> float:
-        """Return the relative error of a film of pure rolling: of oils that slip may thin."""
-        return 0.0 if self.has_sliding_atlas else self.rolling_film_error
+    def film_loss(self) -> float:
+        """Return by how much thinner than of a Newtonian oil the film is at most; inf: unknown."""
+        return film_loss(self)
 
     @property
     def rolling_film_error(self) -> float:
@@ -206,7 +228,7 @@ class Conditions:
             del keys["radius_ratio_d"]
         if self.is_newtonian_line and self.slip_parameter != 1:
             keys["slip_parameter"] = self.slip_parameter
-        if self.has_sliding_atlas and self.oil.stress_modulus_pa2 is not None:
+        if self.oil.name == "Ree-Eyring" and self.oil.stress_modulus_pa2 is not None:
             keys["slip_parameter"] = self.slip_parameter
             keys["stress_modulus_pa2"] = self.oil.stress_modulus_pa2
         return keys

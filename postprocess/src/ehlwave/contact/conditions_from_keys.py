@@ -5,6 +5,7 @@ Equation numbers are those of ``src/theory.md``.
 
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 from scipy.special import ellipe, ellipk
@@ -12,10 +13,10 @@ from scipy.special import ellipe, ellipk
 from ehlwave.contact.conditions import (
     FIT_ERROR,
     FIT_TEXT,
+    GIVEN_TEXT,
     LINE_FIT_ERROR,
     LINE_FIT_TEXT,
     MOES_KEYS,
-    THINNING_ERROR,
     Conditions,
 )
 from ehlwave.contact.line_contact import LINE_KEYS, LOAD_KEY, line_values, moes_per_line_film
@@ -23,11 +24,18 @@ from ehlwave.contact.oils import Oil
 from ehlwave.contact.scales import ellipticity, moes_film, moes_per_film, pressure_factor
 from ehlwave.errors import SurfaceError
 from ehlwave.hints import did_you_mean, see
-from ehlwave.quantities import number
+from ehlwave.quantities import PLAUSIBLE, number
 from ehlwave.slip import RATIO, SLIP, refuse_both, slip_of
 from ehlwave.starvation import FILM_BAR, UNDER_SLIP, film_over_flooded
 
 SMALLEST_RADIUS_RATIO = 0.005
+
+ROUND_OFF = 1e-12
+"""Relative: D of equal radii is 1 but for it."""
+
+CONTRADICTION = 0.1
+"""Relative difference of the reduced modulus as it is given and as it follows from M, L and lengths
+from which on they contradict each other. Data rounded to two digits differ by less."""
 
 DIMENSIONAL_KEYS = (
     "radius_x_m",
@@ -126,7 +134,10 @@ def conditions_from_keys(
                 f"{place}: semi_axis_a_m follows from the dimensional data: remove it"
             )
         values |= moes_values(values, place)
-    return _complete(values, place, given)
+    found = _complete(values, place, given)
+    if has_moes:
+        _refuse_contradiction(values, found, place)
+    return found
 
 
 def moes_values(values: Mapping[str, float], place: str) -> dict[str, float]:
@@ -137,8 +148,7 @@ def moes_values(values: Mapping[str, float], place: str) -> dict[str, float]:
     radius_x, radius_y, modulus, load, speed, viscosity = (values[key] for key in DIMENSIONAL_KEYS)
     speed_2u = viscosity * 2 * speed / (modulus * radius_x)
     load_w = load / (modulus * radius_x**2)
-    d = radius_x / radius_y
-    _check_ratio(d, place)
+    d = _checked_ratio(radius_x / radius_y, place)
     kappa = ellipticity(d)
     radius = 1 / (1 / radius_x + 1 / radius_y)
     e = float(ellipe(1 - kappa**2))
@@ -155,15 +165,15 @@ def _complete(
 ) -> Conditions:
     """Add what follows from M, L, D and the lengths, eq. (1) to (6)."""
     m, l, d = (values[key] for key in MOES_KEYS)  # noqa: E741
+    d = _checked_ratio(d, place)
     semi_axis_a_m, film_m = values["semi_axis_a_m"], values.get("central_film_m")
     slip, oil = values.get("slip_parameter", 1.0), _oil(values, place)
-    _check_ratio(d, place)
     oil_error = _oil_error(values, m, l, d)
     kappa = ellipticity(d) if d > 0 else 0.0
     ratio = _film_ratio(values, m, l, d, place)
     starved = FILM_BAR / ratio if OIL_OVER_FLOODED in values else 0.0
     approach, metres_per_moes = None, None
-    source, error = "given (central_film_m)", 0.0
+    source, error = GIVEN_TEXT, 0.0
     if "radius_x_m" in values and math.isfinite(semi_axis_a_m):
         m_of = 1 - kappa**2
         k, e = (float(ellipk(m_of)), float(ellipe(m_of))) if d > 0 else (1.0, 1.0)
@@ -173,14 +183,12 @@ def _complete(
         if film_m is None:
             film_m = moes_film(m, l, d) * metres_per_moes * ratio
             source, error = (FIT_TEXT, FIT_ERROR) if d > 0 else (LINE_FIT_TEXT, LINE_FIT_ERROR)
-            if slip != 1 and oil.name != "Newtonian":  # the formulas are of oils that nothing thins
-                error += THINNING_ERROR
             error += oil_error + starved
             if starved:
                 source += f", times R = {ratio:.3g} of the law of starved contacts"
     if film_m is None:
         source = "unknown: give central_film_m or radius_x_m"
-    return Conditions(
+    found = Conditions(
         m=m,
         l=l,
         d=d,
@@ -199,6 +207,17 @@ def _complete(
         film_ratio=ratio,
         given=given,
     )
+    # The formulas are of oils that nothing thins.
+    return _with_loss(found) if film_m is not None and not found.has_given_film else found
+
+
+def _with_loss(found: Conditions) -> Conditions:
+    """Return conditions with a film by formula, whose error counts thinning in the inlet, too."""
+    error, loss = found.central_film_error, found.film_loss
+    if error is not None and math.isfinite(loss):
+        return replace(found, central_film_error=error + loss)
+    source = f"{found.film_source}, which does not know how much the oil thins"
+    return replace(found, central_film_error=None, film_source=source)
 
 
 def _film_ratio(values: Mapping[str, float], m: float, l: float, d: float, place: str) -> float:  # noqa: E741
@@ -260,12 +279,45 @@ def _oil(values: Mapping[str, float], place: str) -> Oil:
     return Oil(alpha, index, values[given[0]] * values["reduced_modulus_pa"], exponent)
 
 
-def _check_ratio(d: float, place: str) -> None:
+def _checked_ratio(d: float, place: str) -> float:
+    """Return D, 1 where radii are equal but for round-off; refuse what is out of range."""
+    if 1 < d <= 1 + ROUND_OFF:
+        return 1.0
     if d != 0 and not SMALLEST_RADIUS_RATIO <= d <= 1:
         raise SurfaceError(
             f"{place}: D = Rx/Ry = {d:.6g} must lie in {SMALLEST_RADIUS_RATIO} to 1, or be 0 (line "
             "contact); for Rx > Ry the contact is wider along rolling, which is outside the "
             "model's range"
+        )
+    return d
+
+
+def _refuse_contradiction(values: Mapping[str, float], found: Conditions, place: str) -> None:
+    """Refuse lengths beside M, L and D that do not belong to them, or to the bodies.
+
+    Raises SurfaceError where a is as large as the radius, and where E' by the lengths and the Hertz
+    pressure is that of no body, or another one than is given.
+    """
+    own = found.modulus_pa
+    if own is None:
+        return
+    a, radius = values["semi_axis_a_m"], values["radius_x_m"]
+    if a >= radius:
+        raise SurfaceError(
+            f"{place}: semi_axis_a_m = {a:g} must be below radius_x_m = {radius:g}; both are in m"
+            f"{see('units')}"
+        )
+    given, plausible = values.get("reduced_modulus_pa"), PLAUSIBLE["reduced_modulus_pa"]
+    low, high = plausible.low, plausible.high
+    if given is not None:
+        low, high = given * (1 - CONTRADICTION), given * (1 + CONTRADICTION)
+    if not low <= own <= high:
+        than = "contacts have" if given is None else f"reduced_modulus_pa = {given:g} says"
+        raise SurfaceError(
+            f"{place}: M, L and pressure_viscosity_per_pa give a Hertz pressure of "
+            f"{found.hertz_pa / 1e9:.3g} GPa. With semi_axis_a_m = {a:g} and radius_x_m = "
+            f"{radius:g} it needs a reduced modulus of {own / 1e9:.3g} GPa, which is not what "
+            f"{than}: change one of them, or give dimensional data{see('keys')}"
         )
 
 

@@ -6,6 +6,7 @@ other; at other places their phases differ. With two rough surfaces the film cha
 what each does, S for the first and 2 - S for the second.
 """
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
@@ -88,6 +89,8 @@ class TwoWaveTransfer(LawBasis):
             for name, (low, high) in FITTED_RANGES.items()
             if not low <= values[name] <= high
         ]
+        if contact.oil.name == "Carreau" and math.isinf(contact.film_loss):
+            ranges.append("of an oil that thins in the inlet more than those of the law")
         return ranges + [f"{law}: the law was fitted to others" for law in contact.oil.other_laws]
 
     def _wavelength(self, per_length: Waves) -> Floats:

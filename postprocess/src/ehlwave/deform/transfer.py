@@ -6,6 +6,7 @@ counted on the surface along its motion, the deformed component is the transfer 
 exponential. A transfer is even in qy, and its conjugate at (-qx, -qy): it returns real surfaces.
 """
 
+import math
 from dataclasses import dataclass
 from typing import Any, Protocol
 
@@ -102,9 +103,12 @@ class FormulaBasis(LawBasis):
     """Base of formulas for pure rolling."""
 
     def reasons(self) -> list[str]:
-        """Return why the conditions are not those of the formula; slip is one of them."""
+        """Return why the conditions are not those of the formula: slip, or an oil that thins."""
         slip = self.conditions.slip_parameter
-        return [] if slip == 1 else [f"slip (S = {slip:g}): the formula is for pure rolling"]
+        if slip != 1:
+            return [f"slip (S = {slip:g}): the formula is for pure rolling"]
+        thins = math.isinf(self.conditions.film_loss)
+        return ["of an oil that thins in the inlet: the formula is for Newtonian oils"] * thins
 
     def error(self, per_length_x: Waves, per_length_y: Waves) -> Waves | None:
         """Return None: what a formula is off by depends on the contact."""
