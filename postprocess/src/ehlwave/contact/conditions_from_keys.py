@@ -281,7 +281,7 @@ def _oil(values: Mapping[str, float], place: str) -> Oil:
 
 def _checked_ratio(d: float, place: str) -> float:
     """Return D, 1 where radii are equal but for round-off; refuse what is out of range."""
-    if 1 < d <= 1 + ROUND_OFF:
+    if abs(d - 1) <= ROUND_OFF:
         return 1.0
     if d != 0 and not SMALLEST_RADIUS_RATIO <= d <= 1:
         raise SurfaceError(
