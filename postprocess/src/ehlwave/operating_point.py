@@ -339,8 +339,8 @@ class Contact:
             S of the surface that carries the waves, 0 to 2; that of the contact if absent. Other
             than 1 the atlas has it for a Ree-Eyring oil, of ``eyring_stress_pa``. Outside that, for
             a Carreau oil (``carreau_modulus_pa``, ``carreau_exponent``) and for a Newtonian one the
-            law of the two waves answers for S of 0.5 to 1.5, with an error to match and without
-            pressure (NaN); of line contacts the atlas alone answers.
+            law of the two waves answers for S of 0.5 to 1.5 in the contacts of its fit, with an
+            error to match and without pressure (NaN); of line contacts the atlas alone answers.
             Longitudinal waves stand still: the atlas of pure rolling answers. Starved contacts
             roll; their law answers without phase and without pressure.
         slide_to_roll_ratio : float, optional
