@@ -9,7 +9,7 @@ from scipy.optimize import linprog
 from ehlwave.atlas.kind import Kind, is_within
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.conditions_from_keys import moes_values
-from ehlwave.contact.thinning import MOST_LOSS, stresses_in_inlet
+from ehlwave.contact.thinning import MOST_LOSS
 from ehlwave.errors import RangeError, SurfaceError
 from ehlwave.hints import see
 from ehlwave.quantities import PLAUSIBLE, unit_of
@@ -85,7 +85,7 @@ def refuse_outside(contact: Conditions, kind: Kind) -> None:
 
 def thinned_text(contact: Conditions) -> str:
     """Return why the atlas has no film of an oil that thins too much."""
-    pressure, slip = stresses_in_inlet(contact)
+    pressure, slip = contact.stresses_in_inlet
     return (
         f"in the inlet pressure shears this oil by {pressure:.3g} times the stress at which it "
         f"thins, slip by {slip:.3g} times. The atlas holds Ree-Eyring oils within its ranges, and "

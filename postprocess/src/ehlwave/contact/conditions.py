@@ -20,7 +20,7 @@ from ehlwave.contact.scales import (
     corrected_film,
     lambdabar,
 )
-from ehlwave.contact.thinning import NEARLY_NEWTONIAN, film_loss
+from ehlwave.contact.thinning import NEARLY_NEWTONIAN, film_loss, stresses_in_inlet
 from ehlwave.formula import v
 from ehlwave.starvation import FILM_BAR
 
@@ -207,7 +207,15 @@ class Conditions:
     @property
     def film_loss(self) -> float:
         """Return by how much thinner than of a Newtonian oil the film is at most; inf: unknown."""
-        return film_loss(self)
+        return film_loss(self.oil, self.l, *self.stresses_in_inlet)
+
+    @property
+    def stresses_in_inlet(self) -> tuple[float, float]:
+        """Return what pressure and slip make of shear stresses in the inlet, over the oil's own."""
+        moes = self.m, self.l, self.d
+        return stresses_in_inlet(
+            self.oil, moes, self.kappa, self.alphabar, self.lambdabar, self.slip_parameter
+        )
 
     @property
     def rolling_film_error(self) -> float:

@@ -15,7 +15,6 @@ ones Carreau's grows less for n above 1/6.
 
 import math
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 from scipy.special import ellipk
 
@@ -23,9 +22,6 @@ from ehlwave.contact.line_contact import moes_per_line_film
 from ehlwave.contact.medium import INLET_VISCOSITY, hertz_medium
 from ehlwave.contact.oils import Oil
 from ehlwave.contact.scales import moes_film, moes_per_film
-
-if TYPE_CHECKING:
-    from ehlwave.contact.conditions import Conditions
 
 BY_PRESSURE, PIEZOVISCOUS, BY_SLIP = 0.03, 0.16, 0.008
 """Relative loss of film over N^2, the same times L where that is less, and over T. They are bounds:
@@ -53,27 +49,38 @@ def as_ree_eyring(oil: Oil) -> Oil:
     )
 
 
-def stresses_in_inlet(contact: "Conditions") -> tuple[float, float]:
-    """Return N and T, what pressure and slip make of shear stresses in the inlet over tau."""
-    oil = as_ree_eyring(contact.oil)
+def stresses_in_inlet(
+    oil: Oil,
+    moes: tuple[float, float, float],
+    kappa: float,
+    alphabar: float,
+    lambdabar: float,
+    slip: float,
+) -> tuple[float, float]:
+    """Return N and T, what pressure and slip make of shear stresses in the inlet over tau.
+
+    Takes M, L and D in a tuple; the others are those of :func:`hertz_medium`.
+    """
+    oil = as_ree_eyring(oil)
     if oil.stress_modulus_pa2 is None:
         return 0.0, 0.0
-    m, kappa = contact.m, contact.kappa
-    k = 1.0 if contact.is_line else float(ellipk(1 - kappa**2))
-    per_film = float(moes_per_line_film(m)) if contact.is_line else moes_per_film(m, kappa)
-    film = moes_film(m, contact.l, contact.d) / per_film
-    medium = hertz_medium(
-        oil, kappa, contact.alphabar, contact.lambdabar, film, contact.slip_parameter
-    )
-    by_pressure = k * contact.hertz_pa**2 / oil.stress_modulus_pa2 * film ** (2 / 3)
+    m, _, d = moes
+    k = float(ellipk(1 - kappa**2)) if d > 0 else 1.0
+    film = moes_film(*moes) / (moes_per_film(m, kappa) if d > 0 else float(moes_per_line_film(m)))
+    medium = hertz_medium(oil, kappa, alphabar, lambdabar, film, slip)
+    hertz_pa = alphabar / oil.pressure_viscosity_per_pa
+    by_pressure = k * hertz_pa**2 / oil.stress_modulus_pa2 * film ** (2 / 3)
     return by_pressure, INLET_VISCOSITY * medium.thinning
 
 
-def film_loss(contact: "Conditions") -> float:
-    """Return the largest share of the film of a Newtonian oil that thinning takes; inf: unknown."""
-    by_pressure, by_slip = stresses_in_inlet(contact)
-    pressure_share = min(BY_PRESSURE, PIEZOVISCOUS / contact.l)
-    loss = pressure_share * by_pressure**2 + BY_SLIP * by_slip
-    exponent = contact.oil.carreau_exponent
+def film_loss(oil: Oil, lubricant_l: float, by_pressure: float, by_slip: float) -> float:
+    """Return the largest share of the film of a Newtonian oil that thinning takes; inf: unknown.
+
+    Takes L, and N and T of :func:`stresses_in_inlet`.
+    """
+    if by_pressure == 0:
+        return 0.0
+    loss = min(BY_PRESSURE, PIEZOVISCOUS / lubricant_l) * by_pressure**2 + BY_SLIP * by_slip
+    exponent = oil.carreau_exponent
     is_known = loss <= MOST_LOSS and (exponent is None or exponent >= LEAST_EXPONENT)
-    return loss if is_known or loss == 0 else math.inf
+    return loss if is_known else math.inf
