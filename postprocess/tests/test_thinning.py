@@ -65,6 +65,14 @@ def test_oils_that_thin_too_much_are_refused_with_the_reason(
         assert not contact.transfer("recommended").covers_all
 
 
+def test_the_law_of_the_two_waves_has_no_error_where_a_carreau_oil_thins_too_much() -> None:
+    light = ehlwave.Contact(**LIGHT, slip_parameter=1.2, **carreau(31e3, 0.74))
+    law = light.transfer("two-waves")
+    assert law.error(np.ones(1), np.ones(1)) is None
+    assert "thins in the inlet" in law.outside_reason
+    assert ehlwave.Contact(**LIGHT, slip_parameter=1.2, **carreau(7e6, 0.5)).transfer().covers_all
+
+
 def test_a_film_does_not_jump_where_slip_begins() -> None:
     for moes, oil, _ in (*COMPUTED, (HEAVY, eyring(2e7), 0), (LIGHT, carreau(1e8, 0.5), 0)):
         if "carreau_exponent" in oil and not moes["radius_ratio_d"]:

@@ -6,7 +6,6 @@ other; at other places their phases differ. With two rough surfaces the film cha
 what each does, S for the first and 2 - S for the second.
 """
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
@@ -15,7 +14,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.line_contact import ROLLS_ALONE
-from ehlwave.contact.two_waves import FITTED_RANGES, SLIP_ERRORS, TwoWaves, two_waves
+from ehlwave.contact.two_waves import (
+    FITTED_RANGES,
+    MOST_CARREAU_SHEAR,
+    SLIP_ERRORS,
+    TwoWaves,
+    two_waves,
+)
 from ehlwave.deform.surface import Surface
 from ehlwave.deform.transfer import LawBasis, Waves
 from ehlwave.errors import SurfaceError
@@ -89,7 +94,8 @@ class TwoWaveTransfer(LawBasis):
             for name, (low, high) in FITTED_RANGES.items()
             if not low <= values[name] <= high
         ]
-        if contact.oil.name == "Carreau" and math.isinf(contact.film_loss):
+        sheared = zip(contact.stresses_in_inlet, MOST_CARREAU_SHEAR, strict=True)
+        if contact.oil.name == "Carreau" and any(stress > most for stress, most in sheared):
             ranges.append("of an oil that thins in the inlet more than those of the law")
         return ranges + [f"{law}: the law was fitted to others" for law in contact.oil.other_laws]
 
