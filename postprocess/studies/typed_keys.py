@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from ehlwave.contact.conditions import KNOWN_KEYS
+from ehlwave.contact.conditions_from_keys import KNOWN_KEYS
 from ehlwave.driver import key_table
 from ehlwave.writing import Writer
 

@@ -1,3 +1,4 @@
+import math
 import re
 from pathlib import Path
 
@@ -13,6 +14,7 @@ from ehlwave.atlas.kinds import KINDS, Kind
 from ehlwave.atlas.ranges import THICKEST_FILM, THINNEST_FILM
 from ehlwave.atlas.shape import Shape
 from ehlwave.atlas.stored import checksum, committee_of
+from ehlwave.contact.conditions import MOES_KEYS
 from ehlwave.contact.scales import ellipticity, moes_per_film
 from ehlwave.deform import trace_surface
 from ehlwave.deform.atlas_transfer import AtlasTransfer, with_atlas_film
@@ -32,6 +34,7 @@ BALL = {
     "roelands_index": 0.484,
 }
 LENGTHS = {"semi_axis_a_m": 0.2e-3, "radius_x_m": 12.5e-3}
+SLIDES = {"wavelength_over_a": 0.5, "slip_parameter": 1.2}
 
 
 def test_a_committee_learns_a_function_and_is_written_as_it_was_learned(tmp_path: Path) -> None:
@@ -125,6 +128,9 @@ def test_film_of_the_paper_experiment_is_that_computed() -> None:
         (MOES, {"wavelength_over_a": 0.05}, "0.1 to 4"),
         (MOES, {"wavelength_over_a": 1, "angle_deg": 100}, "0 to 90"),
         (MOES, {"wavelength_over_a": 1, "slip_parameter": 1.9}, "slip_parameter = 1.9"),
+        ({**MOES, "lubricant_parameter_l": 40}, SLIDES, "L = 40: the law was fitted to 2.5 to 20"),
+        ({**MOES, "load_parameter_m": 20000}, SLIDES, "M = 2e[+]04: the law was fitted to 20"),
+        ({**MOES, "radius_ratio_d": 0.05}, SLIDES, "D = 0.05: the law was fitted to 0.1 to 1"),
         ({**MOES, "load_parameter_m": 4}, {"wavelength_over_a": 1}, "load_parameter_m = 4"),
         ({**MOES, "roelands_index": 0.1}, {"wavelength_over_a": 1}, "roelands_index = 0.1"),
     ],
@@ -261,8 +267,34 @@ def test_the_film_of_the_atlas_takes_the_place_of_the_formula_but_not_of_a_given
     atlas = with_atlas_film(conditions)
     assert atlas.film_source.startswith("atlas")
     assert atlas.central_film_m != conditions.central_film_m
-    given = ehlwave.Contact(**MOES, **LENGTHS, central_film_m=1e-7).conditions
-    assert with_atlas_film(given).central_film_m == 1e-7
+    contact = ehlwave.Contact(**MOES, **LENGTHS, central_film_m=1e-7)
+    given, film = with_atlas_film(contact.conditions), contact.film()
+    assert given.central_film_m == film.central_m == 1e-7
+    assert film.central_moes == pytest.approx(1e-7 / given.metres_per_moes)
+    assert film.central_error == given.central_film_error == 0
+    assert film.minimum_m is None
+    assert film.source == given.film_source
+    assert "0.1 um" in contact._repr_html_()
+    assert "Hc, Moes" in film._repr_html_()
+
+
+def test_the_smallest_film_is_below_the_central_one_or_not_known() -> None:
+    heavy = ehlwave.Contact(
+        load_parameter_m=39258, lubricant_parameter_l=10.977, radius_ratio_d=0.0889
+    )
+    assert math.isnan(heavy.film().minimum_moes)
+    assert math.isnan(heavy.film().minimum_error)
+    rng, unknown = np.random.default_rng(5), 0
+    for _ in range(150):
+        moes = (np.exp(rng.uniform(*np.log(ends))) for ends in ((5, 1e5), (2, 42), (0.01, 1)))
+        try:
+            film = ehlwave.Contact(**dict(zip(MOES_KEYS, moes, strict=True))).film()
+        except ehlwave.errors.RangeError:
+            continue
+        unknown += math.isnan(film.minimum_moes)
+        assert math.isnan(film.minimum_moes) or film.minimum_moes <= film.central_moes
+        assert math.isnan(film.minimum_moes) or film.minimum_error < 1
+    assert unknown < 40
 
 
 @pytest.mark.parametrize("kind", KINDS.values(), ids=KINDS)

@@ -17,7 +17,7 @@ from ehlwave.programs import find_program
 
 SLIDING = {"load_parameter_m": 100, "lubricant_parameter_l": 12.05, "radius_ratio_d": 1}
 SLIDING |= {"slip_parameter": 1.5, "reduced_modulus_pa": 2.26e11, "eyring_stress_pa": 5e6}
-LENGTHS = {"semi_axis_a_m": 0.2e-3, "radius_x_m": 12.5e-3}
+LENGTHS = {"semi_axis_a_m": 0.2e-3, "radius_x_m": 15.5e-3}
 
 
 def public() -> Iterator[tuple[str, Callable[..., Any]]]:

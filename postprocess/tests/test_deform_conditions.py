@@ -7,11 +7,13 @@ from contact import EXPERIMENT, experiment
 
 from ehlwave.atlas.atlas import load_atlas, shipped
 from ehlwave.atlas.kinds import KINDS
-from ehlwave.contact.conditions import FIT_ERROR, LINE_FIT_ERROR, THINNING_ERROR
+from ehlwave.contact.conditions import FIT_ERROR, LINE_FIT_ERROR
 from ehlwave.contact.line_contact import line_film
 from ehlwave.contact.scales import ellipticity, moes_film
 from ehlwave.deform import conditions_from_keys, read_conditions
 from ehlwave.errors import SurfaceError
+
+MOES = {"load_parameter_m": 100, "lubricant_parameter_l": 10, "radius_ratio_d": 1}
 
 
 def test_experiment_agrees_with_the_paper() -> None:
@@ -107,11 +109,35 @@ def test_input_files_of_ehlwave_case_are_read_and_overridden(tmp_path: Path) -> 
         ({**EXPERIMENT, "radius_y_m": 1e-3}, "D = Rx/Ry"),
         ({**EXPERIMENT, "slip_parameter": 3}, "0 to 2"),
         ({"load_parameter_m": 1, "lubricant_parameter_l": 1, "radius_ratio_d": 1}, "semi_axis_a_m"),
+        ({**MOES, "semi_axis_a_m": 0.2, "radius_x_m": 0.01}, "did you mean 0.0002"),
+        ({**MOES, "semi_axis_a_m": 0.02, "radius_x_m": 0.01}, "must be below radius_x_m"),
+        ({**MOES, "semi_axis_a_m": 2e-7, "radius_x_m": 0.01}, "not what contacts have"),
+        (
+            {**MOES, "semi_axis_a_m": 2e-5, "radius_x_m": 0.01, "reduced_modulus_pa": 2.2e11},
+            "needs a reduced modulus of 1.21e[+]03 GPa",
+        ),
     ],
 )
 def test_bad_conditions_are_refused(keys: dict[str, float], message: str) -> None:
     with pytest.raises(SurfaceError, match=message):
         conditions_from_keys(keys)
+
+
+def test_rounded_lengths_do_not_contradict_and_equal_radii_are_a_circle() -> None:
+    rng = np.random.default_rng(7)
+    for _ in range(100):
+        one, two = rng.uniform(1e-3, 0.1, 2)
+        rx, ry = 1 / (1 / one + 1 / two), one * two / (one + two)
+        circle = conditions_from_keys(EXPERIMENT | {"radius_x_m": rx, "radius_y_m": ry})
+        assert circle.d == pytest.approx(1, rel=1e-12)
+        assert circle.d <= 1
+        full = conditions_from_keys(EXPERIMENT | {"radius_x_m": one, "radius_y_m": 5 * one})
+        assert full.modulus_pa == pytest.approx(EXPERIMENT["reduced_modulus_pa"])
+        moes = dict(zip(MOES, (full.m, full.l, full.d), strict=True))
+        keys = moes | {"semi_axis_a_m": full.semi_axis_a_m, "radius_x_m": one}
+        for key in ("reduced_modulus_pa", "pressure_viscosity_per_pa"):
+            keys[key] = EXPERIMENT[key]
+        conditions_from_keys({key: float(f"{value:.2g}") for key, value in keys.items()})
 
 
 def test_files_that_are_no_conditions_are_refused(tmp_path: Path) -> None:
@@ -157,5 +183,8 @@ def test_the_errors_of_film_formulas_are_those_against_the_atlas() -> None:
     assert ball.central_film_error == FIT_ERROR
     assert conditions_from_keys(EXPERIMENT | {"central_film_m": 1e-7}).central_film_error == 0
     sliding = EXPERIMENT | {"slip_parameter": 1.2, "eyring_stress_pa": 5e6}
-    thinned = conditions_from_keys(sliding).central_film_error
-    assert thinned == pytest.approx(FIT_ERROR + THINNING_ERROR)
+    thinned = conditions_from_keys(sliding)
+    assert thinned.central_film_error == pytest.approx(FIT_ERROR + thinned.film_loss)
+    unknown = conditions_from_keys(sliding | {"eyring_stress_pa": 2e5})
+    assert unknown.central_film_error is None
+    assert "how much the oil thins" in unknown.film_source

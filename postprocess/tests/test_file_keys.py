@@ -10,7 +10,7 @@ import pytest
 
 import ehlwave
 from ehlwave.cli import main
-from ehlwave.contact.conditions import KNOWN_KEYS
+from ehlwave.contact.conditions_from_keys import KNOWN_KEYS
 from ehlwave.contact.conditions_read import Given, read_conditions, read_given
 from ehlwave.contact.file_keys import (
     LEFT_OUT,

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import ehlwave
-from ehlwave.contact.conditions import KNOWN_KEYS
+from ehlwave.contact.conditions_from_keys import KNOWN_KEYS
 from ehlwave.driver import key_table
 from ehlwave.errors import SurfaceError
 from ehlwave.quantities import PLAUSIBLE, number, plain, unit_of

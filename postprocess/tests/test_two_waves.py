@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from ehlwave.contact.conditions import Conditions, conditions_from_keys
+from ehlwave.contact.conditions import Conditions
+from ehlwave.contact.conditions_from_keys import conditions_from_keys
 from ehlwave.contact.medium import Medium, hertz_medium
 from ehlwave.contact.oils import Oil
 from ehlwave.contact.scales import corrected_film

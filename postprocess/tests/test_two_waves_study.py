@@ -24,8 +24,7 @@ def synthetic(count: int) -> tuple[Rolling, Pairs]:
     sliding = rows[rows["slip_parameter"] != 1].reset_index(drop=True)
     moes = ["load_parameter_m", "lubricant_parameter_l", "radius_ratio_d"]
     contacts = [
-        conditions_from_keys({**row, "semi_axis_a_m": 1.0})
-        for row in sliding[moes].to_dict("records")
+        conditions_from_keys(row, needs_lengths=False) for row in sliding[moes].to_dict("records")
     ]
     random = np.random.default_rng(4)
     size = len(sliding)

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 import ehlwave
-from ehlwave.contact.conditions import KNOWN_KEYS
+from ehlwave.contact.conditions_from_keys import KNOWN_KEYS
 from ehlwave.driver import key_table
 from ehlwave.keys import CaseKeys, ContactKeys, StudyKeys
 from ehlwave.programs import find_program

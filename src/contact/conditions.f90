@@ -9,6 +9,7 @@ module ehlwave_conditions
    public :: conditions_from_moes, conditions_from_dimensional
 
    real(dp), parameter, public :: smallest_radius_ratio = 0.005_dp
+   real(dp), parameter :: round_off = 1e-12_dp        ! relative: D of equal radii is 1 but for it
    real(dp), parameter :: largest_alphabar = 500      ! viscosity grows by exp(alphabar) under Barus' law
    !> gamma M of a slender elliptical contact over that of a line contact with the same alphabar and L: (2/3) pi^3/(2
    !> pi)^(3/2)
@@ -145,7 +146,7 @@ contains
       type(contact_data_t), intent(in) :: data
       type(conditions_t), intent(out) :: self
       type(error_t), allocatable, intent(out) :: error
-      real(dp) :: modulus_g, speed_u2
+      real(dp) :: modulus_g, speed_u2, ratio
 
       call check_data(data, error)
       if (allocated(error)) return
@@ -155,9 +156,10 @@ contains
          call conditions_from_moes(data%load_n_per_m/(data%reduced_modulus_pa*data%radius_x_m)*speed_u2**(-0.5_dp), &
                                    modulus_g*speed_u2**0.25_dp, 0.0_dp, data%pressure_viscosity_per_pa, self, error)
       else
+         ratio = data%radius_x_m/data%radius_y_m
+         if (abs(ratio - 1) <= round_off) ratio = 1
          call conditions_from_moes(data%load_n/(data%reduced_modulus_pa*data%radius_x_m**2)*speed_u2**(-0.75_dp), &
-                                   modulus_g*speed_u2**0.25_dp, data%radius_x_m/data%radius_y_m, &
-                                   data%pressure_viscosity_per_pa, self, error)
+                                   modulus_g*speed_u2**0.25_dp, ratio, data%pressure_viscosity_per_pa, self, error)
       end if
       if (allocated(error)) return
       self%has_dimensions = .true.

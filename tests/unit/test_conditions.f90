@@ -148,6 +148,11 @@ contains
       data%radius_y_m = 6e-3_dp
       call conditions_from_dimensional(data, c, error)
       call test%check_error(error, 'radius_ratio_d', 'Rx > Ry')
+      data = experiment(0.024_dp)
+      data%radius_y_m = nearest(data%radius_x_m, -1.0_dp)
+      call conditions_from_dimensional(data, c, error)
+      call test%check_no_error(error, 'equal radii but for round-off')
+      call test%check_close(c%d, 1.0_dp, 'D = 1', relative=0.0_dp)
    end subroutine refuse_bad_data
 
 end program test_conditions

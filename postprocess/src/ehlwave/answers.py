@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from ehlwave.shown import html_table, micrometres, within
 
 if TYPE_CHECKING:
+    from ehlwave.contact.conditions import Conditions
     from ehlwave.heat_laws import Heated
 
 
@@ -21,7 +22,8 @@ class Film:
     ----------
     central_m, minimum_m : float or None
         Film at the contact centre and smallest film, m; None when M, L and D came without a radius.
-        The smallest film of a starved contact is not known: None, and NaN in the Moes scale.
+        The smallest film is not known of a starved contact, beside a given central film, and where
+        the error of the atlas is 100 % or more: None, and NaN in the Moes scale.
     central_moes, minimum_moes : float
         The same in the Moes scale, (h/Rx)(2U)^(-1/2).
     central_error, minimum_error : float
@@ -58,7 +60,9 @@ class Film:
     heated: Heated | None = None
 
     def _repr_html_(self) -> str:
-        rows = {"Hc, Moes": within(self.central_moes, self.central_error)}
+        rows = {}
+        if math.isfinite(self.central_moes):
+            rows["Hc, Moes"] = within(self.central_moes, self.central_error)
         if math.isfinite(self.minimum_moes):
             rows["Hmin, Moes"] = within(self.minimum_moes, self.minimum_error)
         rows["central film"] = micrometres(self.central_m)
@@ -68,6 +72,22 @@ class Film:
         if self.heated is not None:
             rows["film by heat"] = f"{self.heated.film_factor:.3f} of that without"
         return html_table("Film", rows | {"source": self.source})
+
+
+def given_film(conditions: Conditions) -> Film:
+    """Return the central film that a contact was given; its smallest film is not known."""
+    central, scale = conditions.central_film_m, conditions.metres_per_moes
+    return Film(
+        central_m=central,
+        minimum_m=None,
+        central_moes=central / scale if central and scale else math.nan,
+        minimum_moes=math.nan,
+        central_error=conditions.central_film_error or 0.0,
+        minimum_error=math.nan,
+        friction=None,
+        friction_error=None,
+        source=conditions.film_source,
+    )
 
 
 @dataclass(frozen=True)

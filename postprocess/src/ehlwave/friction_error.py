@@ -7,7 +7,8 @@ alpha: it is computed anew, by the laws of :mod:`ehlwave.heat_laws`, at the ends
 from collections.abc import Callable
 from dataclasses import replace
 
-from ehlwave.contact.conditions import DATA_ERRORS, Conditions, film_change
+from ehlwave.contact.conditions import Conditions
+from ehlwave.contact.conditions_from_keys import DATA_ERRORS, film_change
 from ehlwave.sheared_film import Sliding
 
 

@@ -14,13 +14,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ehlwave.answers import Film, Response
+from ehlwave.answers import Film, Response, given_film
 from ehlwave.atlas.atlas import Atlas, atlas_for, chart_of, load_atlas
 from ehlwave.atlas.chart import Chart
 from ehlwave.atlas.coordinates import wave_components
 from ehlwave.atlas.ranges import SLIDING_RANGES, WAVE_RANGE
 from ehlwave.contact.bodies import Body
-from ehlwave.contact.conditions import Conditions, conditions_from_keys
+from ehlwave.contact.conditions import Conditions
+from ehlwave.contact.conditions_from_keys import conditions_from_keys
 from ehlwave.contact.conditions_read import Given
 from ehlwave.contact.data_sheet import Oil as DataSheetOil
 from ehlwave.contact.heat_data import Heat, heat_of
@@ -39,6 +40,7 @@ from ehlwave.deform.surface import Surface
 from ehlwave.deform.transfer import FormulaTransfer, RecommendedTransfer, Transfer
 from ehlwave.errors import ExtrapolationWarning, RangeError, SurfaceError
 from ehlwave.heat_laws import Heated, check_heat, heated, isothermal_error_by_data
+from ehlwave.hints import see
 from ehlwave.quantities import number, plain
 from ehlwave.responses import response_table, responses_figure
 from ehlwave.shown import html_table, within
@@ -210,9 +212,10 @@ class Contact:
             film = self.film()
         except RangeError as error:
             return rows | {"film": str(error)}
-        if film.central_m is not None and film.minimum_m is not None:
+        if film.central_m is not None:
             rows["central film"] = within(film.central_m * 1e6, film.central_error, " um")
-            rows["smallest film"] = within(film.minimum_m * 1e6, film.minimum_error, " um")
+            if film.minimum_m is not None:
+                rows["smallest film"] = within(film.minimum_m * 1e6, film.minimum_error, " um")
         else:
             rows["central film, Moes"] = within(film.central_moes, film.central_error)
             if math.isfinite(film.minimum_moes):
@@ -257,6 +260,9 @@ class Contact:
 
         With heat films and friction are those with heat; `Film.heated` says what heat does.
 
+        A given film, ``central_film_m``, is that of the contact as it runs: it is returned as it
+        is.
+
         Raises
         ------
         RangeError
@@ -272,12 +278,14 @@ class Contact:
         0.83 um within 1%
         """
         c = self.conditions
+        if c.has_given_film:
+            return given_film(c)
         # The laws of heat were fitted to films of lines that roll, with their error by thinning.
         rolls = c.is_line and self.heat is not None
         slip = 1.0 if rolls else c.film_slip
-        thinned = c.rolling_film_error if rolls else c.thinning_error
-        atlas = self._atlas_for(replace(c, slip_parameter=slip))
-        film = self._chart(slip).film()
+        thinned = c.rolling_film_error if rolls else 0.0
+        chart = self._chart(slip)
+        film = chart.film()
         friction = friction_error = None
         if film.stress is not None and self._eyring_stress_pa is not None:
             hertz_pa = c.alphabar / c.oil.pressure_viscosity_per_pa
@@ -285,7 +293,7 @@ class Contact:
             by_data = isothermal_error_by_data(c, film.central_moes, self._eyring_stress_pa)
             friction_error = (1 + (film.stress_error or 0.0)) * (1 + by_data) - 1
         scale, more = c.metres_per_moes, thinned + c.oil_error
-        central, source = film.central_moes * c.film_ratio, atlas.name
+        central, source = film.central_moes * c.film_ratio, chart.film_source
         by_heat: Heated | None = None
         factor = 1.0
         if self.heat is not None:
@@ -299,7 +307,7 @@ class Contact:
             central *= factor
         if c.is_starved:
             source += f", times R = {c.film_ratio:.3g} of the law of starved contacts"
-        knows_minimum = not c.is_starved
+        knows_minimum = not c.is_starved and math.isfinite(film.minimum_moes)
         return Film(
             central_m=None if scale is None else central * scale,
             minimum_m=film.minimum_moes * factor * scale if scale and knows_minimum else None,
@@ -333,8 +341,8 @@ class Contact:
             S of the surface that carries the waves, 0 to 2; that of the contact if absent. Other
             than 1 the atlas has it for a Ree-Eyring oil, of ``eyring_stress_pa``. Outside that, for
             a Carreau oil (``carreau_modulus_pa``, ``carreau_exponent``) and for a Newtonian one the
-            law of the two waves answers for S of 0.5 to 1.5, with an error to match and without
-            pressure (NaN); of line contacts the atlas alone answers.
+            law of the two waves answers for S of 0.5 to 1.5 in the contacts of its fit, with an
+            error to match and without pressure (NaN); of line contacts the atlas alone answers.
             Longitudinal waves stand still: the atlas of pure rolling answers. Starved contacts
             roll; their law answers without phase and without pressure.
         slide_to_roll_ratio : float, optional
@@ -385,7 +393,8 @@ class Contact:
             chart = self._chart(slip_parameter)
         except RangeError:
             low, high = SLIPS
-            has_law = conditions.has_sliding_atlas and low <= slip_parameter <= high
+            is_law_for = conditions.slip_parameter != 1 and conditions.oil.name == "Ree-Eyring"
+            has_law = is_law_for and low <= slip_parameter <= high
             if conditions.is_line or not has_law or angle_deg == 90:
                 raise
             return self._response_under_slip(wavelength_over_a, angle_deg, slip_parameter)
@@ -401,11 +410,16 @@ class Contact:
                 f"slip_parameter = {slip:g} ({RATIO} = {ratio_of(slip):g}) lies outside {low:g} to "
                 f"{high:g}, where the law of the two waves is known to hold"
             )
-        rolling = replace(self.conditions, slip_parameter=1.0)
-        conditions = with_atlas_film(rolling, self._atlas_for(rolling))
+        conditions = replace(self.conditions, slip_parameter=slip)
+        reasons = TwoWaveTransfer(conditions).reasons()
+        if reasons:
+            raise RangeError(f"{'; '.join(reasons)}; compute it (ehlwave.Case){see('slip')}")
+        oil = conditions.oil.name
+        if oil == "Ree-Eyring":  # outside the atlas of those that slide
+            conditions = replace(conditions, slip_parameter=1.0)
+        conditions = with_atlas_film(conditions, self._atlas_for(conditions))
         components = wave_components(wave, angle_deg)
         film = two_waves(conditions, slip, *components).at(0.0)
-        oil = conditions.oil.name
         return Response(
             film=complex(film),
             pressure=complex(math.nan, math.nan),

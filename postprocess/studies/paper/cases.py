@@ -7,7 +7,7 @@ import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from ehlwave.contact.conditions import conditions_from_keys
+from ehlwave.contact.conditions_from_keys import conditions_from_keys
 from ehlwave.formula import f_of_r
 from ehlwave.writing import Writer
 
@@ -101,7 +101,7 @@ def line_cases() -> Iterator[tuple[float, float, float, str, float, float, float
 def contact_gamma(d: float) -> float:
     """Return gamma of eq. (3) for a ratio of the radii D > 0."""
     keys = {"load_parameter_m": 1.0, "lubricant_parameter_l": 1.0, "radius_ratio_d": d}
-    return conditions_from_keys(keys | {"semi_axis_a_m": 1.0}).gamma
+    return conditions_from_keys(keys, needs_lengths=False).gamma
 
 
 CASE_FILES = {"dense": dense_cases, "fresh": fresh_cases, "line": line_cases}

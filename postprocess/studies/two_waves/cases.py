@@ -14,7 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.stats import qmc
 
-from ehlwave.contact.conditions import Conditions, conditions_from_keys
+from ehlwave.contact.conditions import Conditions
+from ehlwave.contact.conditions_from_keys import conditions_from_keys
 from studies.sweeps import Row, write_rows
 
 REDUCED_MODULUS_PA = 226e9
@@ -116,7 +117,7 @@ def _waves(moes: Row, seed: int) -> Iterator[Row]:
 
 def _contact(m: float, l: float, d: float) -> Conditions:
     keys = {"load_parameter_m": m, "lubricant_parameter_l": l, "radius_ratio_d": d}
-    return conditions_from_keys(keys | {"semi_axis_a_m": 1.0})
+    return conditions_from_keys(keys, needs_lengths=False)
 
 
 def _between(bounds: tuple[float, float], share: float) -> float:

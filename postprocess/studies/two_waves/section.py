@@ -8,7 +8,7 @@ import pandas as pd
 from numpy.typing import NDArray
 from scipy.special import ellipk
 
-from ehlwave.contact.conditions import conditions_from_keys
+from ehlwave.contact.conditions_from_keys import conditions_from_keys
 from ehlwave.contact.two_waves import two_waves
 from ehlwave.formula import recommended_ratio
 from studies.section import Picture, Section, Table
@@ -108,7 +108,6 @@ def without_simulation(pairs: Pairs) -> Complex:
             "lubricant_parameter_l": one["l"],
             "radius_ratio_d": one["d"],
             "pressure_viscosity_per_pa": one["pressure_viscosity_per_pa"],
-            "semi_axis_a_m": 1.0,
         }
         if one["flow_law"] == "eyring":
             keys |= {
@@ -116,7 +115,8 @@ def without_simulation(pairs: Pairs) -> Complex:
                 "reduced_modulus_pa": REDUCED_MODULUS_PA,
             }
         waves = (rows["wavelength_x_over_a"].to_numpy(), rows["wavelength_y_over_a"].to_numpy())
-        both = two_waves(conditions_from_keys(keys), float(one["slip"]), *waves)
+        contact = conditions_from_keys(keys, needs_lengths=False)
+        both = two_waves(contact, float(one["slip"]), *waves)
         film[rows.index] = both.at(0.0)
     return film
 

@@ -1,6 +1,7 @@
 """Answers as HTML: one line first, then numbers with their errors, then what is not judged."""
 
 import base64
+import math
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import fields, is_dataclass
@@ -34,15 +35,15 @@ def headline(answer: Answer) -> str:
         )
     if film is None:
         return ""
-    if film.central_m is None or film.minimum_m is None:
-        return (
-            f"<b>Film {film.central_moes:.4g}</b> within {_share(film.central_error)} in the Moes "
-            f"scale at the centre, {film.minimum_moes:.4g} at the thinnest place."
-        )
+    central, least, unit = film.central_moes, film.minimum_moes, " in the Moes scale"
+    if film.central_m is not None:
+        central, least, unit = film.central_m * UM, (film.minimum_m or math.nan) * UM, " um"
+    thinnest = "the smallest film is not known"
+    if math.isfinite(least):
+        thinnest = f"{least:.4g}{unit} within {_share(film.minimum_error)} at the thinnest place"
     return (
-        f"<b>Film {film.central_m * UM:.4g} um</b> within {_share(film.central_error)} at the "
-        f"contact centre, {film.minimum_m * UM:.4g} um within {_share(film.minimum_error)} at the "
-        "thinnest place."
+        f"<b>Film {central:.4g}{unit}</b> within {_share(film.central_error)} at the contact "
+        f"centre, {thinnest}."
     )
 
 

@@ -7,7 +7,9 @@ import numpy as np
 from scipy.optimize import linprog
 
 from ehlwave.atlas.kind import Kind, is_within
-from ehlwave.contact.conditions import Conditions, moes_values
+from ehlwave.contact.conditions import Conditions
+from ehlwave.contact.conditions_from_keys import moes_values
+from ehlwave.contact.thinning import MOST_LOSS
 from ehlwave.errors import RangeError, SurfaceError
 from ehlwave.hints import see
 from ehlwave.quantities import PLAUSIBLE, unit_of
@@ -79,6 +81,17 @@ def refuse_outside(contact: Conditions, kind: Kind) -> None:
     else:
         text = f"this contact has {said}; {_nearest(place, given, powers, kind, names)}"
     raise RangeError(f"{text}; or compute it: ehlwave-case, ehlwave.Case{see('atlas')}")
+
+
+def thinned_text(contact: Conditions) -> str:
+    """Return why the atlas has no film of an oil that thins too much."""
+    pressure, slip = contact.stresses_in_inlet
+    return (
+        f"in the inlet pressure shears this oil by {pressure:.3g} times the stress at which it "
+        f"thins, slip by {slip:.3g} times. The atlas holds Ree-Eyring oils within its ranges, and "
+        f"others where thinning takes at most {MOST_LOSS:.0%} of the film: compute it "
+        f"(ehlwave.Case, ehlwave-case){see('atlas')}"
+    )
 
 
 def _follow(wrong: list[str], given: Mapping[str, float]) -> bool:

@@ -1,13 +1,14 @@
 """The atlas: read from its file, ready for contacts."""
 
 import json
+import math
 from collections.abc import Mapping
 from functools import lru_cache
 from pathlib import Path
 
 import xarray as xr
 
-from ehlwave.atlas.advice import refuse_outside
+from ehlwave.atlas.advice import STRESS, refuse_outside, thinned_text
 from ehlwave.atlas.chart import Chart
 from ehlwave.atlas.kind import Kind, shipped
 from ehlwave.atlas.kinds import (
@@ -100,8 +101,8 @@ SHIPPED = shipped(ROLLING)
 """The atlas of contacts that roll."""
 
 
-def atlas_for(conditions: Conditions, atlas: Atlas | None = None) -> Atlas:
-    """Return the atlas that a contact is looked up in: this one if it is of the kind, else ours.
+def kind_for(conditions: Conditions) -> Kind:
+    """Return the kind of atlas that a contact is looked up in.
 
     Contacts that roll or slide beyond the ranges of the usual atlas have a wider one, which knows
     less.
@@ -114,16 +115,36 @@ def atlas_for(conditions: Conditions, atlas: Atlas | None = None) -> Atlas:
     RangeError
         Of a line contact under slip in an oil that is neither Ree-Eyring's nor Newtonian.
     """
-    kind = SLIDING if conditions.has_sliding_atlas else ROLLING
+    keys, rolls = conditions.atlas_keys(), conditions.slip_parameter == 1
+    if conditions.is_line and not conditions.has_atlas:
+        raise RangeError(ROLLS_ALONE)
+    if conditions.has_sliding_atlas and not rolls:
+        usual, wide = _sliding_kinds(conditions)
+        return usual if usual.holds(keys) else wide
     if conditions.is_line:
-        if not conditions.has_atlas:
-            raise RangeError(ROLLS_ALONE)
-        slides = LINE_SLIDING if conditions.has_sliding_atlas else LINE_NEWTONIAN
-        kind = LINE if conditions.slip_parameter == 1 else slides
-    elif kind is ROLLING and not ROLLING.holds(conditions.atlas_keys()):
-        kind = WIDE
-    elif kind is SLIDING and not SLIDING.holds(conditions.atlas_keys()):
-        kind = SLIDING_WIDE
+        return LINE if rolls or not conditions.is_newtonian_line else LINE_NEWTONIAN
+    return ROLLING if ROLLING.holds(keys) else WIDE
+
+
+def thinned_kind(conditions: Conditions) -> Kind | None:
+    """Return the kind of atlas that has the film of an oil that thins in pure rolling, too.
+
+    None under slip, where :func:`kind_for` has it, and where there is none.
+    """
+    if conditions.slip_parameter != 1 or not conditions.has_sliding_atlas:
+        return None
+    keys = conditions.atlas_keys()
+    kinds = _sliding_kinds(conditions)
+    return next((kind for kind in kinds if kind.holds(keys) and not kind.beyond(keys)), None)
+
+
+def _sliding_kinds(conditions: Conditions) -> tuple[Kind, Kind]:
+    return (LINE_SLIDING, LINE_SLIDING) if conditions.is_line else (SLIDING, SLIDING_WIDE)
+
+
+def atlas_for(conditions: Conditions, atlas: Atlas | None = None) -> Atlas:
+    """Return the atlas of :func:`kind_for`: this one if it is of the kind, else ours."""
+    kind = kind_for(conditions)
     families = (ROLLING, WIDE), (SLIDING, SLIDING_WIDE)
     of_kind = next((family for family in families if kind in family), (kind,))
     return atlas if atlas is not None and atlas.kind in of_kind else load_atlas(shipped(kind))
@@ -132,14 +153,24 @@ def atlas_for(conditions: Conditions, atlas: Atlas | None = None) -> Atlas:
 def chart_of(conditions: Conditions, atlas: Atlas | None = None) -> Chart:
     """Return the chart of a contact, in the atlas of :func:`atlas_for`.
 
+    In pure rolling an oil that thins has the film of the atlas of those that slide. Its responses
+    are those of a Newtonian oil, with an error to match: they change less than the film.
+
     Raises
     ------
     RangeError
-        If it lies outside; the message says what would be inside, in what it was given by.
+        If it lies outside; the message says what would be inside, in what it was given by. If its
+        oil thins more in the inlet than an atlas of Newtonian oils can answer for.
     """
     found = atlas_for(conditions, atlas)
     refuse_outside(conditions, found.kind)
-    return found.at(conditions.atlas_keys())
+    keys, kind = conditions.atlas_keys(), thinned_kind(conditions)
+    if kind is not None:
+        return Chart(found, keys, thinned=Chart(load_atlas(shipped(kind)), keys))
+    loss = 0.0 if STRESS in found.kind.ranges else conditions.film_loss
+    if math.isinf(loss):
+        raise RangeError(thinned_text(conditions))
+    return Chart(found, keys, loss)
 
 
 @lru_cache(maxsize=8)

@@ -1,5 +1,6 @@
 """The responses and films of one contact, from an atlas."""
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
@@ -13,6 +14,10 @@ from ehlwave.atlas.shape import Seen
 from ehlwave.errors import RangeError
 from ehlwave.shown import Shown
 
+RESPONSE_BY_FILM = 0.8
+"""Change of a response, units of Ai, over the share of its film that a contact loses by thinning:
+of drawn contacts in pure rolling none has more than 0.7."""
+
 
 @dataclass(frozen=True)
 class SmoothFilm:
@@ -21,7 +26,8 @@ class SmoothFilm:
     Attributes
     ----------
     central_moes, minimum_moes : float
-        In the Moes scale, (h/Rx)(2U)^(-1/2) for elliptical contacts.
+        In the Moes scale, (h/Rx)(2U)^(-1/2) for elliptical contacts. The smallest film is NaN where
+        the atlas does not know it: errors of 100 % and more.
     central_error, minimum_error : float
         Relative; what 95 % of films computed anew keep to.
     stress : float or None
@@ -75,6 +81,13 @@ class Chart:
         Of an atlas.
     keys : mapping
         Of the contact, those of the kind: :mod:`ehlwave.atlas.ranges`.
+    film_loss : float
+        By how much thinner than in the atlas, relative, the film may be: of an oil that thins and
+        an atlas that does not know it. Errors of films count it once, those of responses
+        :data:`RESPONSE_BY_FILM` times.
+    thinned : Chart, optional
+        Of the same contact in an atlas that knows it: films are those of this one, and errors of
+        responses count by how much thinner they are.
 
     Raises
     ------
@@ -82,8 +95,15 @@ class Chart:
         If one lies outside its range, or all of them beyond a limit of the kind.
     """
 
-    def __init__(self, networks: Networks, keys: Mapping[str, float]) -> None:
+    def __init__(
+        self,
+        networks: Networks,
+        keys: Mapping[str, float],
+        film_loss: float = 0.0,
+        thinned: "Chart | None" = None,
+    ) -> None:
         """Find its films, and how it sees waves."""
+        self.film_loss = film_loss
         kind = networks.kind
         for key, (low, high) in kind.ranges.items():
             if not is_within(keys[key], low, high):
@@ -105,23 +125,51 @@ class Chart:
         numbers = dict(zip(kind.films, self.film_numbers[:, None], strict=True))
         self._shape = kind.shape(kind.state(keys, references, numbers))
         self._references = references[0]
+        self._thinned = thinned
+        if thinned is not None:
+            film = thinned.film()
+            left = film.central_moes * (1 - film.central_error) / self.computed_films()[0]
+            self.film_loss = max(0.0, 1 - left)
 
     @property
     def source(self) -> str:
         """Name of the atlas."""
         return self._networks.name
 
-    def film(self) -> SmoothFilm:
-        """Return the smooth films, and the shear stress where the kind of the atlas has it."""
+    @property
+    def film_source(self) -> str:
+        """Name of the atlas of the films."""
+        return self.source if self._thinned is None else self._thinned.source
+
+    def computed_films(self) -> tuple[float, float]:
+        """Return central and smallest film, Moes scale, as the networks have them."""
         base, ratios = self._references, np.exp(self.film_numbers)
+        return float(base[0] * ratios[0]), float(base[1] * ratios[0] * ratios[1])
+
+    def film(self) -> SmoothFilm:
+        """Return the smooth films, and the shear stress where the kind of the atlas has it.
+
+        The smallest film is not above the central one, and NaN where it is not known.
+        """
+        if self._thinned is not None:
+            return self._thinned.film()
         errors = self._networks.film_errors(self._place)[0]
-        has_stress = "friction_ratio" in self._networks.kind.films
+        central, minimum = self.computed_films()
+        central_error = float(errors[0]) + self.film_loss
+        minimum_error = float(errors[:2].sum()) + self.film_loss
+        lowest = minimum * (1 - minimum_error)
+        if not 0 < lowest < central * (1 + central_error):
+            minimum = minimum_error = math.nan
+        elif minimum > central:
+            minimum = central
+        has_stress = "friction_ratio" in self._networks.kind.films and self._references[2] > 0
+        stress = self._references[2] * np.exp(self.film_numbers[2]) if has_stress else 0.0
         return SmoothFilm(
-            central_moes=float(base[0] * ratios[0]),
-            minimum_moes=float(base[1] * ratios[0] * ratios[1]),
-            central_error=float(errors[0]),
-            minimum_error=float(errors[:2].sum()),
-            stress=float(base[2] * ratios[2]) if has_stress else None,
+            central_moes=central,
+            minimum_moes=minimum,
+            central_error=central_error,
+            minimum_error=minimum_error,
+            stress=float(stress) if has_stress else None,
             stress_error=float(errors[2]) if has_stress else None,
         )
 
@@ -140,7 +188,7 @@ class Chart:
         inputs = self._inputs(seen)
         numbers = self._networks.waves(inputs)
         film = seen.film(numbers)
-        error = self._networks.errors(inputs)[:, 0]
+        error = self._networks.errors(inputs)[:, 0] + RESPONSE_BY_FILM * self.film_loss
         found = film, seen.pressure(film, numbers), error, numbers[:, -1]
         return Responses(*(values.reshape(shape) for values in found))
 

@@ -14,7 +14,8 @@ from ehlwave.atlas.line_rolling import rolling_line_chart
 from ehlwave.atlas.line_sliding import LINE_SLIDING_RANGES
 from ehlwave.atlas.line_sliding_shape import LineSlidingShape
 from ehlwave.atlas.ranges import LINE_RANGES
-from ehlwave.contact.conditions import Conditions, conditions_from_keys
+from ehlwave.contact.conditions import Conditions
+from ehlwave.contact.conditions_from_keys import conditions_from_keys
 
 LINE_NEWTONIAN_RANGES = LINE_RANGES | {"slip_parameter": LINE_SLIDING_RANGES["slip_parameter"]}
 """Smallest and largest value of each key of a line contact that slides, of a Newtonian oil."""
@@ -34,8 +35,8 @@ def _conditions(*values: float) -> Conditions:
 
 def line_newtonian_references(keys: Mapping[str, ArrayLike]) -> Floats:
     """Return central and smallest film in pure rolling, Moes scale, and P = 1, shape (c, 3)."""
-    films = (rolling_line_chart(contact).film() for contact in newtonian_conditions_of(keys))
-    return np.array([(film.central_moes, film.minimum_moes, 1.0) for film in films])
+    charts = map(rolling_line_chart, newtonian_conditions_of(keys))
+    return np.array([(*chart.computed_films(), 1.0) for chart in charts])
 
 
 class LineNewtonianShape(LineSlidingShape):

@@ -65,9 +65,8 @@ def line_sliding_references(keys: Mapping[str, ArrayLike]) -> Floats:
     """
     rows = []
     for contact in line_conditions_of(keys):
-        film = rolling_line_chart(contact).film()
-        stress = mean_line_stress(contact)
-        rows.append((film.central_moes, film.minimum_moes, stress, 1.0))
+        films = rolling_line_chart(contact).computed_films()
+        rows.append((*films, mean_line_stress(contact), 1.0))
     return np.array(rows)
 
 

@@ -10,7 +10,8 @@ from ehlwave.atlas.coordinates import Floats, columns, contact_coordinates
 from ehlwave.atlas.kind import Kind
 from ehlwave.atlas.ranges import SLIDING_RANGES
 from ehlwave.atlas.rolling import ROLLING, rolling_chart
-from ehlwave.contact.conditions import Conditions, conditions_from_keys
+from ehlwave.contact.conditions import Conditions
+from ehlwave.contact.conditions_from_keys import conditions_from_keys
 from ehlwave.contact.medium import INLET_VISCOSITY
 from ehlwave.contact.oils import log_viscosity
 from ehlwave.contact.scales import moes_per_film
@@ -86,8 +87,7 @@ def sliding_references(keys: Mapping[str, ArrayLike], rolling: Kind = ROLLING) -
 
 
 def _references(contact: Conditions, rolling: Kind) -> tuple[float, float, float, float]:
-    film = rolling_chart(contact, rolling).film()
-    return film.central_moes, film.minimum_moes, mean_stress(contact), 1.0
+    return (*rolling_chart(contact, rolling).computed_films(), mean_stress(contact), 1.0)
 
 
 def sliding_state(

@@ -3,7 +3,8 @@
 Knows no surfaces, no atlas and no files of results.
 """
 
-from ehlwave.contact.conditions import Conditions, conditions_from_keys
+from ehlwave.contact.conditions import Conditions
+from ehlwave.contact.conditions_from_keys import conditions_from_keys
 from ehlwave.contact.conditions_read import read_conditions
 from ehlwave.contact.medium import Medium, hertz_medium
 from ehlwave.contact.oils import Oil

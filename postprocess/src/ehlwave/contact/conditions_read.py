@@ -6,7 +6,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
-from ehlwave.contact.conditions import Conditions, conditions_from_keys
+from ehlwave.contact.conditions import Conditions
+from ehlwave.contact.conditions_from_keys import conditions_from_keys
 from ehlwave.contact.file_keys import (
     FLOW_LAW,
     KNOWN_LAWS,
@@ -29,7 +30,7 @@ FLOW_LAWS = {"newtonian": "Newtonian", "eyring": "Ree-Eyring", "carreau": "Carre
 """Oils by the ``flow_law`` of files."""
 
 BESIDES = (*HEAT_DATA, TEMPERATURE, *KNOWN_LAWS, FLOW_LAW, LIMIT, LIMIT_WIDTH, *NOT_USED)
-"""Keys that :func:`ehlwave.contact.conditions.conditions_from_keys` does not take."""
+"""Keys that :func:`ehlwave.contact.conditions_from_keys.conditions_from_keys` does not take."""
 
 ALPHA = "pressure_viscosity_per_pa"
 

@@ -10,7 +10,7 @@ from typing import Any
 
 import f90nml
 
-from ehlwave.contact.conditions import KNOWN_KEYS, OIL_OVER_FLOODED
+from ehlwave.contact.conditions_from_keys import KNOWN_KEYS, OIL_OVER_FLOODED
 from ehlwave.contact.heat_data import EMPTY_HEAT
 from ehlwave.errors import SurfaceError, printable
 from ehlwave.hints import did_you_mean

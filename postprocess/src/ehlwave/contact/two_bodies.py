@@ -9,7 +9,8 @@ from collections.abc import Mapping
 from typing import Any
 
 from ehlwave.contact.bodies import FLAT, Body
-from ehlwave.contact.conditions import KNOWN_KEYS, MOES_KEYS
+from ehlwave.contact.conditions import MOES_KEYS
+from ehlwave.contact.conditions_from_keys import KNOWN_KEYS, ROUND_OFF
 from ehlwave.contact.data_sheet import Oil
 from ehlwave.contact.line_contact import LOAD_KEY
 from ehlwave.errors import SurfaceError
@@ -130,7 +131,7 @@ def _refuse_line_load(keys: Mapping[str, Any], ratio: float) -> None:
                 f"Contact: {key} is of line contacts, and the bodies are curved across rolling: "
                 "give load_n alone, or leave radius_y_m out"
             )
-    if ratio > 1 + 1e-12:
+    if ratio > 1 + ROUND_OFF:
         raise SurfaceError(
             f"Contact: reduced radii have Rx/Ry = {ratio:.4g}: the contact is wider along rolling "
             "than across, which is outside the model (Rx/Ry of 0.005 to 1): radius_x_m is the one "

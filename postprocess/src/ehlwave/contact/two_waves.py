@@ -55,6 +55,11 @@ SLIP_ERRORS = {"Ree-Eyring": 0.11, "Newtonian": 0.17, "Carreau": 0.18}
 its fit (``record/two_waves/errors.csv``). No Carreau oil is in the fit: twice the rms error of 33
 waves at 12 conditions (G 1 to 30 MPa, n 0.3 to 0.8)."""
 
+MOST_CARREAU_SHEAR = (20.0, 50.0)
+"""Largest stresses by pressure and by slip in the inlet of a Carreau oil, over its own
+(:mod:`ehlwave.contact.thinning`): of drawn waves within them none is off by more than the error of
+the law, beyond them half are."""
+
 FITTED_RANGES = {"M": (20.0, 1000.0), "L": (2.5, 20.0), "D": (0.1, 1.0), "S": (0.3, 1.8)}
 """Conditions that the law was fitted to, smallest and largest."""
 

@@ -6,7 +6,8 @@ each by formula (18) or by a computed transfer, and add them up again.
 
 from typing import TYPE_CHECKING, Any
 
-from ehlwave.contact.conditions import Conditions, conditions_from_keys
+from ehlwave.contact.conditions import Conditions
+from ehlwave.contact.conditions_from_keys import conditions_from_keys
 from ehlwave.contact.conditions_read import read_conditions
 from ehlwave.deform.answer import Answer, answer_of, answer_of_two
 from ehlwave.deform.coefficients import read_coefficients

@@ -5,9 +5,8 @@ Amplitudes are over the film of the smooth contact.
 
 import math
 
-from ehlwave.atlas.kind import is_within
-from ehlwave.atlas.ranges import CONTACT_RANGES, SLIDING_RANGES
-from ehlwave.contact.conditions import MOES_KEYS, Conditions
+from ehlwave.atlas.atlas import kind_for, thinned_kind
+from ehlwave.contact.conditions import Conditions
 
 VALIDATED_ROLLING, VALIDATED_SLIDING = 1.5, 0.95
 """Largest amplitude over film at which predictions were compared with marches of several rough maps
@@ -64,23 +63,11 @@ def expected_nonlinearity(conditions: Conditions, amplitude: float) -> float:
     return max(factor, PROFILE_FACTOR) * amplitude**2
 
 
-def is_usual(conditions: Conditions) -> bool:
-    """Return whether a contact has M, L and D of the usual atlas, and its slip and stress."""
-    place = conditions.atlas_keys()
-    keys = (*MOES_KEYS, *(key for key in SLIDING_RANGES if key not in CONTACT_RANGES))
-    return all(is_within(place[key], *SLIDING_RANGES[key]) for key in keys if key in place)
-
-
 def rise_error(conditions: Conditions, amplitude: float) -> float:
     """Return the error of the rise of the mean film, over the film."""
-    rolls = conditions.slip_parameter == 1
-    if conditions.is_line:
-        slides = "line_newtonian" if conditions.is_newtonian_line else "line_sliding"
-        kind = "line" if rolls else slides
-    else:
-        kind = "rolling" if rolls else "sliding"
-        if (rolls or conditions.has_sliding_atlas) and not is_usual(conditions):
-            kind += "_wide"
+    kind = "sliding"
+    if conditions.has_atlas:
+        kind = (thinned_kind(conditions) or kind_for(conditions)).name
     return RISE_ERRORS[kind] * amplitude**2
 
 

@@ -232,15 +232,15 @@ def with_atlas_film(conditions: Conditions, atlas: Atlas | None = None) -> Condi
         return conditions
     if conditions.oil.other_laws:
         raise RangeError(_of_other_laws(conditions))
-    film = chart_of(replace(conditions, slip_parameter=conditions.film_slip), atlas).film()
-    error = film.central_error + conditions.thinning_error + conditions.oil_error
-    error += conditions.starvation_error
+    chart = chart_of(replace(conditions, slip_parameter=conditions.film_slip), atlas)
+    film = chart.film()
+    error = film.central_error + conditions.oil_error + conditions.starvation_error
     source = f"atlas, within {100 * error:.1g} %"
     if conditions.is_starved:
         law = f"R = {conditions.film_ratio:.3g} of the law of starved contacts"
         source = f"atlas times {law}, within {100 * error:.1g} %"
-    if conditions.thinning_error:
-        source = f"atlas of pure rolling, up to {100 * error:.2g} % too thick under slip"
+    if chart.film_loss and chart.film_source == chart.source:
+        source = f"atlas of Newtonian oils, up to {100 * error:.2g} % too thick as this one thins"
     return replace(
         conditions,
         central_film_m=film.central_moes * conditions.metres_per_moes * conditions.film_ratio,
@@ -271,4 +271,4 @@ def _of_other_laws(conditions: Conditions) -> str:
 
 def _keeps_film(conditions: Conditions) -> bool:
     """Return whether the film is given, or there are no lengths."""
-    return conditions.metres_per_moes is None or conditions.film_source.startswith("given")
+    return conditions.metres_per_moes is None or conditions.has_given_film

@@ -14,7 +14,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import ellipk
 
 from ehlwave.contact.conditions import Conditions
 from ehlwave.deform.transfer import FormulaBasis, Transfer
@@ -71,14 +70,13 @@ def stiffness_pa(conditions: Conditions) -> float:
 
     Raises StressError if the conditions have no lengths.
     """
-    approach = conditions.hertz_approach_c_m
-    if approach is None:
+    modulus = conditions.modulus_pa
+    if modulus is None:
         raise StressError(
             "Contact: pressures need radius_x_m and semi_axis_a_m besides M, L and D, or "
             "dimensional data"
         )
-    integral = 1.0 if conditions.is_line else float(ellipk(1 - conditions.kappa**2))
-    return hertz_pressure_of(conditions) / approach * integral * conditions.semi_axis_a_m / 2
+    return modulus / 4
 
 
 def hertz_pressure_of(conditions: Conditions) -> float:

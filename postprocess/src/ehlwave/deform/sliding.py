@@ -14,9 +14,15 @@ from numpy.typing import ArrayLike, NDArray
 
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.line_contact import ROLLS_ALONE
-from ehlwave.contact.two_waves import FITTED_RANGES, SLIP_ERRORS, TwoWaves, two_waves
+from ehlwave.contact.two_waves import (
+    FITTED_RANGES,
+    MOST_CARREAU_SHEAR,
+    SLIP_ERRORS,
+    TwoWaves,
+    two_waves,
+)
 from ehlwave.deform.surface import Surface
-from ehlwave.deform.transfer import Waves
+from ehlwave.deform.transfer import LawBasis, Waves
 from ehlwave.errors import SurfaceError
 from ehlwave.rolling import rolling_transfer
 
@@ -31,7 +37,7 @@ AT_ONCE = 2**20
 
 
 @dataclass(frozen=True)
-class TwoWaveTransfer:
+class TwoWaveTransfer(LawBasis):
     """Amplitude and phase by the law of the two waves, and by its rolling transfer where S = 1.
 
     Ridges along rolling stand still: they have the amplitude of pure rolling. The ratio of the mean
@@ -72,30 +78,12 @@ class TwoWaveTransfer:
         value[stands] = rolling_transfer(*point, 0.0, self._wavelength(across[stands]))
         return value
 
-    def rise(self, per_length_x: Waves, per_length_y: Waves) -> None:
-        """Return None: the law is linear."""
-
     def error(self, per_length_x: Waves, per_length_y: Waves) -> Waves | None:
         """Return the error of the law for this oil; None outside the conditions of its fit."""
         if not self.covers_all:
             return None
         shape = np.broadcast_shapes(np.shape(per_length_x), np.shape(per_length_y))
         return np.full(shape, SLIP_ERRORS[self.conditions.oil.name])
-
-    @property
-    def covers_all(self) -> bool:
-        """Return whether the conditions are those of the fit."""
-        return not self.reasons()
-
-    @property
-    def outside_reason(self) -> str:
-        """Return why components are not covered."""
-        return "; ".join(self.reasons())
-
-    def is_covered(self, per_length_x: Waves, per_length_y: Waves) -> NDArray[np.bool_]:
-        """Return whether the conditions are those of the fit."""
-        shape = np.broadcast_shapes(np.shape(per_length_x), np.shape(per_length_y))
-        return np.full(shape, self.covers_all)
 
     def reasons(self) -> list[str]:
         """Return which of M, L, D, S and the laws of the oil are not those of the fit."""
@@ -106,6 +94,9 @@ class TwoWaveTransfer:
             for name, (low, high) in FITTED_RANGES.items()
             if not low <= values[name] <= high
         ]
+        sheared = zip(contact.stresses_in_inlet, MOST_CARREAU_SHEAR, strict=True)
+        if contact.oil.name == "Carreau" and any(stress > most for stress, most in sheared):
+            ranges.append("of an oil that thins in the inlet more than those of the law")
         return ranges + [f"{law}: the law was fitted to others" for law in contact.oil.other_laws]
 
     def _wavelength(self, per_length: Waves) -> Floats:

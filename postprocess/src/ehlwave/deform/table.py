@@ -1,11 +1,14 @@
 """Harmonic tables: computed transfers of single waves, interpolated to any component."""
 
+from dataclasses import replace
+
 import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 from scipy.interpolate import PchipInterpolator
 
-from ehlwave.contact.conditions import Conditions, conditions_from_keys
+from ehlwave.contact.conditions import Conditions
+from ehlwave.contact.conditions_from_keys import conditions_from_keys
 from ehlwave.deform.table_conditions import weighted_conditions
 from ehlwave.deform.transfer import Waves, orientation_and_wave
 from ehlwave.errors import SurfaceError
@@ -206,8 +209,9 @@ def _orientations(rows: pd.DataFrame, name: str) -> list[tuple[float, Waves, pd.
     """Return angle, log(f(r) V) and means of the waves of each orientation with two or more."""
     m, l, d = (float(rows[key].iloc[0]) for key in ("M", "L", "D"))  # noqa: E741
     moes = {"load_parameter_m": m, "lubricant_parameter_l": l, "radius_ratio_d": d}
+    contact = conditions_from_keys(moes, name, needs_lengths=False)
     # With a = 1 a wavelength in units of a is one in metres.
-    v_per_wave = conditions_from_keys(moes | {"semi_axis_a_m": 1.0}, name).v_per_wavelength
+    v_per_wave = replace(contact, semi_axis_a_m=1.0).v_per_wavelength
     groups = []
     for angle, members in rows.groupby(rows["angle"].round(6)):
         numbers = members[["log_wave", "transfer_real", "transfer_imag", "mean_rise"]]

@@ -6,6 +6,7 @@ counted on the surface along its motion, the deformed component is the transfer 
 exponential. A transfer is even in qy, and its conjugate at (-qx, -qy): it returns real surfaces.
 """
 
+import math
 from dataclasses import dataclass
 from typing import Any, Protocol
 
@@ -70,22 +71,18 @@ def orientation_and_wave(per_length_x: Waves, per_length_y: Waves) -> tuple[Wave
         return f_of_r(ratio), 1 / np.maximum(qx, qy)
 
 
-class FormulaBasis:
-    """Base of formulas, which are linear. They cover all components, or none and say why."""
+class LawBasis:
+    """Base of laws, which are linear. They cover all components, or none and say why."""
 
     conditions: Conditions
 
     def reasons(self) -> list[str]:
-        """Return why the conditions are not those of the formula; slip is one of them."""
-        slip = self.conditions.slip_parameter
-        return [] if slip == 1 else [f"slip (S = {slip:g}): the formula is for pure rolling"]
-
-    def error(self, per_length_x: Waves, per_length_y: Waves) -> Waves | None:
-        """Return None: what a formula is off by depends on the contact."""
+        """Return why the conditions are not those of the law."""
+        raise NotImplementedError
 
     @property
     def covers_all(self) -> bool:
-        """Return whether the conditions are those of the formula."""
+        """Return whether the conditions are those of the law."""
         return not self.reasons()
 
     @property
@@ -94,12 +91,27 @@ class FormulaBasis:
         return "; ".join(self.reasons())
 
     def rise(self, per_length_x: Waves, per_length_y: Waves) -> None:
-        """Return None: no formula has it."""
+        """Return None: no law has it."""
 
     def is_covered(self, per_length_x: Waves, per_length_y: Waves) -> NDArray[np.bool_]:
-        """Return whether the conditions are those of the formula."""
+        """Return whether the conditions are those of the law."""
         shape = np.broadcast_shapes(np.shape(per_length_x), np.shape(per_length_y))
         return np.full(shape, self.covers_all)
+
+
+class FormulaBasis(LawBasis):
+    """Base of formulas for pure rolling."""
+
+    def reasons(self) -> list[str]:
+        """Return why the conditions are not those of the formula: slip, or an oil that thins."""
+        slip = self.conditions.slip_parameter
+        if slip != 1:
+            return [f"slip (S = {slip:g}): the formula is for pure rolling"]
+        thins = math.isinf(self.conditions.film_loss)
+        return ["of an oil that thins in the inlet: the formula is for Newtonian oils"] * thins
+
+    def error(self, per_length_x: Waves, per_length_y: Waves) -> Waves | None:
+        """Return None: what a formula is off by depends on the contact."""
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,86 @@
+"""By how much thinner than of a Newtonian oil a film is at most, by shear in the inlet.
+
+Two flows shear the oil there. Pressure drives it in pure rolling, too: its stress is h dp/dx/2.
+Over the inlet, H^(2/3) a long, the pressure grows to ph, which makes it
+
+    N = K ph^2/(E' tau) H^(2/3)
+
+Eyring stresses, H the film of Moes' formula over the Hertz approach. Slip shears it by T, 100 times
+the Newtonian stress over tau at the viscosity of ambient pressure (:class:`Medium`).
+
+tau is the Eyring stress; of a Carreau oil G/(3 (1/n - 1))^(1/2): fluidities 1 + (s/tau)^2/6 of
+Ree-Eyring and 1 + (1/n - 1)(s/G)^2/2 of Carreau are alike then at small stresses s, and at larger
+ones Carreau's grows less for n above 1/6.
+"""
+
+import math
+from dataclasses import replace
+
+from scipy.special import ellipk
+
+from ehlwave.contact.line_contact import moes_per_line_film
+from ehlwave.contact.medium import INLET_VISCOSITY, hertz_medium
+from ehlwave.contact.oils import Oil
+from ehlwave.contact.scales import moes_film, moes_per_film
+
+BY_PRESSURE, PIEZOVISCOUS, BY_SLIP = 0.03, 0.16, 0.008
+"""Relative loss of film over N^2, the same times L where that is less, and over T. They are bounds:
+drawn contacts computed with ``ehlwave-case`` lose at most 0.94 of it, up to :data:`MOST_LOSS`."""
+
+MOST_LOSS = 0.15
+"""Loss up to which a film of a Newtonian oil stands for that of one that thins."""
+
+NEARLY_NEWTONIAN = 0.005
+"""Loss below which it is as good."""
+
+LEAST_EXPONENT = 1 / 6
+"""Carreau's n from which on its oil thins less than the Ree-Eyring oil."""
+
+
+def as_ree_eyring(oil: Oil) -> Oil:
+    """Return the Ree-Eyring oil that thins as much at small stresses; a Newtonian one as it is."""
+    if oil.stress_modulus_pa2 is None or oil.carreau_exponent is None:
+        return oil
+    if oil.carreau_exponent == 1:
+        return replace(oil, stress_modulus_pa2=None, carreau_exponent=None)
+    grows = 3 * (1 / oil.carreau_exponent - 1)
+    return replace(
+        oil, stress_modulus_pa2=oil.stress_modulus_pa2 / math.sqrt(grows), carreau_exponent=None
+    )
+
+
+def stresses_in_inlet(
+    oil: Oil,
+    moes: tuple[float, float, float],
+    kappa: float,
+    alphabar: float,
+    lambdabar: float,
+    slip: float,
+) -> tuple[float, float]:
+    """Return N and T, what pressure and slip make of shear stresses in the inlet over tau.
+
+    Takes M, L and D in a tuple; the others are those of :func:`hertz_medium`.
+    """
+    oil = as_ree_eyring(oil)
+    if oil.stress_modulus_pa2 is None:
+        return 0.0, 0.0
+    m, _, d = moes
+    k = float(ellipk(1 - kappa**2)) if d > 0 else 1.0
+    film = moes_film(*moes) / (moes_per_film(m, kappa) if d > 0 else float(moes_per_line_film(m)))
+    medium = hertz_medium(oil, kappa, alphabar, lambdabar, film, slip)
+    hertz_pa = alphabar / oil.pressure_viscosity_per_pa
+    by_pressure = k * hertz_pa**2 / oil.stress_modulus_pa2 * film ** (2 / 3)
+    return by_pressure, INLET_VISCOSITY * medium.thinning
+
+
+def film_loss(oil: Oil, lubricant_l: float, by_pressure: float, by_slip: float) -> float:
+    """Return the largest share of the film of a Newtonian oil that thinning takes; inf: unknown.
+
+    Takes L, and N and T of :func:`stresses_in_inlet`.
+    """
+    if by_pressure == 0:
+        return 0.0
+    loss = min(BY_PRESSURE, PIEZOVISCOUS / lubricant_l) * by_pressure**2 + BY_SLIP * by_slip
+    exponent = oil.carreau_exponent
+    is_known = loss <= MOST_LOSS and (exponent is None or exponent >= LEAST_EXPONENT)
+    return loss if is_known else math.inf
