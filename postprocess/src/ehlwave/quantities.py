@@ -70,6 +70,7 @@ PLAUSIBLE = {
     "eyring_stress_pa": Plausible(1e4, 1e9, (1e6, 5e7)),
     "carreau_modulus_pa": Plausible(1e2, 1e9, (1e4, 1e8)),
     "temperature_k": Plausible(200, 700, (250, 500)),
+    "friction": Plausible(-1, 1, (1e-3, 0.5), _PER_CENT),
     "central_film_m": Plausible(1e-11, 1e-3, (1e-8, 1e-5)),
     "slide_to_roll_ratio": Plausible(-2, 2, (0.01, 2), _PER_CENT),
 }

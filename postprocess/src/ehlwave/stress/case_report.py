@@ -18,6 +18,7 @@ from ehlwave.stress.case import (
 )
 from ehlwave.stress.criteria import CRITERIA, Largest, largest, largest_shear
 from ehlwave.stress.dang_van import dang_van_factor, fatigue_shear
+from ehlwave.stress.loads import DEEPEST, checked_depths
 from ehlwave.stress.report import MPA, NAMES
 from ehlwave.stress.waves import COMPONENTS
 
@@ -56,7 +57,7 @@ def judge_case(
     if depths is None:
         depths = usual_depths(contact)
     elif contact.has_lengths:
-        depths = depths / UM
+        depths = checked_depths(depths / UM, DEEPEST * contact.scales_m[0])
     stresses, bodies = [], []
     for body in (1, 2):
         stress = stress_of_case(contact.case, depths, body, poisson_ratio)

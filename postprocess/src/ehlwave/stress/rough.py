@@ -18,9 +18,14 @@ from ehlwave.shown import Shown, within
 from ehlwave.stress.body import BodyStress, judge_body
 from ehlwave.stress.case import stress_of_case
 from ehlwave.stress.dang_van import fatigue_shear
-from ehlwave.stress.field import checked_depths
 from ehlwave.stress.history import follow
 from ehlwave.stress.life import CYCLE_POWER, LINE_CYCLE_POWER
+from ehlwave.stress.loads import (
+    DEEPEST,
+    checked_depths,
+    checked_number,
+    checked_poisson_ratio,
+)
 from ehlwave.stress.trust import LINEAR_LIMIT, MODEL_ERROR, doubts
 
 Floats = NDArray[np.float64]
@@ -128,8 +133,13 @@ def rough_stress(
             f"the second surface has slip_parameter {surfaces[1].conditions.slip_parameter:g}, not "
             f"{2 - slip:g} = 2 - S of the first"
         )
+    friction = abs(checked_number(friction, "friction"))
+    cycles = checked_number(cycles, "cycles")
+    poisson_ratio = checked_poisson_ratio(poisson_ratio)
+    if depths_m is not None:
+        depths_m = checked_depths(depths_m, DEEPEST * conditions.semi_axis_a_m)
     ripples = tuple(ripple_of(surface) for surface in surfaces)
-    depths = _depths(conditions, ripples) if depths_m is None else checked_depths(depths_m)
+    depths = _depths(conditions, ripples) if depths_m is None else depths_m
     near = max(REACH / _mean_number(conditions, ripples), float(depths.min()))
     hertz, rq = hertz_pressure_of(conditions), _rq(ripples)
     amplitude = max(surface.statistics.amplitude_over_film or 0.0 for surface in surfaces)
@@ -141,7 +151,7 @@ def rough_stress(
     bodies = []
     for index, own_slip in enumerate((slip, 2 - slip)):
         own = ripples[index] if index < len(ripples) else None
-        pull = -abs(friction) * float(np.sign(own_slip - 1))
+        pull = -friction * float(np.sign(own_slip - 1))
         below = None if smooth is None else _midplane(smooth, depths, index + 1, poisson_ratio)
         histories = follow(conditions, ripples, own, own_slip, depths, pull, poisson_ratio, below)
         bodies.append(
@@ -164,7 +174,7 @@ def rough_stress(
         bodies=tuple(bodies),
         hertz_pa=hertz,
         ripple_rq_pa=rq,
-        friction=abs(friction) if slip != 1 else 0.0,
+        friction=friction if slip != 1 else 0.0,
         ripple_error=error,
         cycles=cycles,
         poisson_ratio=poisson_ratio,
