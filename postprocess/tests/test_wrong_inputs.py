@@ -2,17 +2,23 @@
 
 import re
 from ast import literal_eval
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
+import xarray as xr
 
 import ehlwave
+from ehlwave.choices import AXES, DECIMALS, FORMS, LAWS, RATIO_COLUMNS, WINDOWS
 from ehlwave.cli import main
+from ehlwave.contact.alpha_estimates import ESTIMATES, GOLD
+from ehlwave.contact.measured_oils import MEASURED
+from ehlwave.deform.units import CHOICES as CHOICES_OF_UNITS
 from ehlwave.hints import MANUAL, PAGES
 from ehlwave.programs import find_program
+from ehlwave.schema import EDGES
 
 REMOVED = object()
 Keys = dict[str, Any]
@@ -91,6 +97,16 @@ def stressed(**keys: object) -> object:
     x = np.arange(0, 4e-4, 4e-6)
     trace = ehlwave.deform.trace_surface(20e-9 * np.cos(2 * np.pi * x / 1e-4), step_m=4e-6)
     return ehlwave.Contact(**DATA).stress(trace, **{"depths_m": [0, 2e-5, 4e-5]} | keys)
+
+
+def rough(**keys: object) -> object:
+    x = np.arange(0, 4e-4, 4e-6)
+    heights = {"surface": 2e-8 * np.cos(2 * np.pi * x / 1e-4), "step": 4e-6}
+    return ehlwave.Contact(**DATA).deform(**heights | keys)
+
+
+def trace_of(**keys: object) -> object:
+    return ehlwave.deform.trace_surface(**{"height": np.zeros(9), "step_m": 1e-6} | keys)
 
 
 def case(**keys: object) -> object:
@@ -207,6 +223,12 @@ WRONG = [
         {"elastic_modulus_pa": None, "poisson_ratio": None, "material": "steel"},
     ),
     misspelt(sheet, "kind", "minral", "mineral"),
+    misspelt(rough, "by", "recomended", "recommended"),
+    misspelt(rough, "form", "plain", "plane"),
+    misspelt(rough, "ends", "mirrored", "mirror"),
+    misspelt(rough, "decimal", "coma", "comma"),
+    misspelt(rough, "rolling_axis", "X", "x"),
+    misspelt(trace_of, "axis", "Y", "y"),
     misspelt(sheet, "alpha", "goldd", "gold"),
     value(sheet, "iso_vg", 65, "68"),
     misspelt(measured, "name", "heavy oil 153", "heavy machine oil 153"),
@@ -326,6 +348,55 @@ def test_the_message_names_the_culprit_and_a_value_that_works(wrong: Wrong) -> N
     else:
         assert wrong.said in message
     call(wrong, right)
+
+
+def results(**keys: object) -> object:
+    return ehlwave.select_points(xr.Dataset(), **keys)
+
+
+def words(name: str, right: Iterable[str]) -> str:
+    """Return a word that is none of the right ones."""
+    rng = np.random.default_rng(sum(map(ord, name)))
+    letters = list("abcdefghijklmnopqrstuvwxyz-_ ")
+    return next(w for w in iter(lambda: "".join(rng.choice(letters, 4)), "") if w not in right)
+
+
+CHOICES = [
+    (rough, "by", LAWS),
+    (rough, "form", FORMS),
+    (rough, "ends", WINDOWS),
+    (rough, "decimal", DECIMALS),
+    (rough, "rolling_axis", AXES),
+    (trace_of, "axis", AXES),
+    (rough, "length_unit", CHOICES_OF_UNITS),
+    (rough, "height_unit", CHOICES_OF_UNITS),
+    (sheet, "kind", GOLD),
+    (sheet, "alpha", ESTIMATES),
+    (measured, "name", MEASURED),
+    (results, "ratio", RATIO_COLUMNS),
+    (results, "edges", EDGES),
+]
+
+
+@pytest.mark.parametrize(("door", "name", "known"), CHOICES)
+def test_another_word_is_refused_with_those_that_there_are(
+    door: Callable[..., object], name: str, known: Iterable[str]
+) -> None:
+    for wrong in (words(name, known), next(iter(known)).upper() + " ", 3, None, 1.5, ["x"]):
+        if wrong is None and name in ("decimal", "length_unit", "height_unit", "edges"):
+            continue
+        with pytest.raises(ehlwave.EhlwaveError) as caught:
+            door(**{name: wrong})
+        message = str(caught.value)
+        assert repr(wrong) in message
+        assert all(word in message for word in known)
+
+
+@pytest.mark.parametrize("option", [{"rolling_axis": "y"}, {"step": 2e-6}, {"height_unit": "um"}])
+def test_a_surface_takes_no_options_of_files(option: Keys) -> None:
+    surface = ehlwave.deform.trace_surface(np.zeros(200), step_m=4e-6)
+    with pytest.raises(ehlwave.SurfaceError, match=f"{next(iter(option))}= is for files"):
+        ehlwave.Contact(**DATA).deform(surface, **option)
 
 
 def test_there_are_many() -> None:

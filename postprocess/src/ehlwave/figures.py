@@ -12,10 +12,11 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import FuncFormatter
 
+from ehlwave.choices import chosen
 from ehlwave.colour_key import COLOURS, Colours, colours_of, draw_key
 from ehlwave.fit import FitError, FormulaFit, fit_formula, point_weights
 from ehlwave.formula import PAPER_C1, PAPER_C2, amplitude_ratio_formula
-from ehlwave.points import Variable, of_orientation, resolved_only
+from ehlwave.points import VARIABLES, Variable, of_orientation, resolved_only
 from ehlwave.schema import DIMENSION, ORIENTATIONS
 from ehlwave.writing import Writer
 
@@ -69,6 +70,7 @@ def collapse_figure(points: xr.Dataset, variable: Variable, color_by: str | None
     >>> len(figure.axes)
     3
     """
+    chosen(variable, "variable", VARIABLES)
     colours = None if color_by is None else colours_of(points, color_by)
     refitted = _refitted(points, variable)
     resolved_x = resolved_only(points)[variable].values

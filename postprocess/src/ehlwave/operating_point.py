@@ -19,6 +19,7 @@ from ehlwave.atlas.atlas import Atlas, atlas_for, chart_of, load_atlas
 from ehlwave.atlas.chart import Chart
 from ehlwave.atlas.coordinates import wave_components
 from ehlwave.atlas.ranges import SLIDING_RANGES, WAVE_RANGE
+from ehlwave.choices import LAWS, WINDOWS, chosen
 from ehlwave.contact.bodies import Body
 from ehlwave.contact.conditions import Conditions, conditions_from_keys
 from ehlwave.contact.data_sheet import Oil as DataSheetOil
@@ -503,7 +504,7 @@ class Contact:
         RangeError
             A ValueError: the contact lies outside the atlas.
         SurfaceError
-            If the law of the two waves were to judge a line contact.
+            If there is no such law, or that of the two waves were to judge a line contact.
 
         Examples
         --------
@@ -513,6 +514,7 @@ class Contact:
         >>> contact.transfer("paper").name
         "formula (18), the paper's coefficients"
         """
+        chosen(by, "by", LAWS)
         if self.conditions.is_starved:
             if by != "atlas":
                 raise RangeError(
@@ -530,9 +532,7 @@ class Contact:
             return TwoWaveTransfer(self.conditions)
         if by == "recommended":
             return RecommendedTransfer(self.conditions)
-        if by == "paper":
-            return FormulaTransfer(self.conditions)
-        raise RangeError(f"by = {by!r}: one of 'atlas', 'two-waves', 'recommended', 'paper'")
+        return FormulaTransfer(self.conditions)
 
     def deform(
         self,
@@ -647,6 +647,7 @@ class Contact:
             raise SurfaceError(
                 "Contact: a surface in metres needs semi_axis_a_m and radius_x_m besides M, L and D"
             )
+        chosen(ends, "ends", WINDOWS)
         measured = read_surface(surface, ReadOptions(**reading))
         transfer = self.transfer(by)
         conditions = self.conditions

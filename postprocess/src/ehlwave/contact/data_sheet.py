@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from ehlwave.choices import chosen
 from ehlwave.contact.alpha_estimates import State, estimate_alpha
 from ehlwave.contact.measured_oils import DENSITY_15C, MEASURED, SOURCE, TEMPERATURES_K
 from ehlwave.contact.oil_heat import usual_heat
@@ -157,9 +158,10 @@ class Oil:
         13.2 mPa s and alpha = 12.1 1/GPa within 31 % at 70 C
         """
         _check_names(sheet)
-        kind, temperature = sheet.get("kind", "mineral"), _needed(sheet, "temperature_k")
+        kind = chosen(sheet.get("kind", "mineral"), "kind", DENSITIES, "Oil", see("oil"))
+        temperature = _needed(sheet, "temperature_k")
         walther, error, said = _walther(sheet)
-        density_15c = sheet.get("density_15c_kg_per_m3", DENSITIES.get(kind, DENSITIES["mineral"]))
+        density_15c = sheet.get("density_15c_kg_per_m3", DENSITIES[kind])
         density_15c = number(density_15c, "density_15c_kg_per_m3", "Oil")
 
         def density(at_k: float) -> float:
@@ -210,11 +212,7 @@ class Oil:
         >>> print(ehlwave.Oil.named("heavy machine oil 153", temperature_k=333.15))
         34 mPa s and alpha = 20.5 1/GPa at 60 C
         """
-        if name not in MEASURED:
-            raise SurfaceError(
-                f"Oil: name = {name!r} is not known{did_you_mean(name, MEASURED)}; known are "
-                f"{', '.join(MEASURED)}{see('oil')}"
-            )
+        chosen(name, "name", MEASURED, "Oil", see("oil"))
         temperature = number(temperature_k, "temperature_k", "Oil")
         alphas = MEASURED[name].alpha_per_gpa
         known = [i for i, alpha in enumerate(alphas) if alpha is not None]

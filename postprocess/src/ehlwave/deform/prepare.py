@@ -19,7 +19,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ehlwave.choices import FORMS, Form, Window
+from ehlwave.choices import FORMS, WINDOWS, Form, Window, chosen
 from ehlwave.deform.surface import Heights, Surface
 
 TAPERED_SHARE = 0.1
@@ -32,8 +32,10 @@ def remove_form(surface: Surface, form: Form) -> Surface:
     ``mean``, ``plane`` and ``quadratic`` remove an offset, a tilt and the curvature of a ball or
     roller. The macroscopic shape is in the conditions already (Rx, Ry), so it must not be in the
     roughness too. ``none`` changes nothing.
+
+    Raises SurfaceError if there is no such form.
     """
-    degree = FORMS[form]
+    degree = FORMS[chosen(form, "form", FORMS)]  # type: ignore[index]
     if degree is None:
         return surface
     if np.ptp(surface.height) == 0:
@@ -50,7 +52,11 @@ def remove_form(surface: Surface, form: Form) -> Surface:
 
 
 def extended(height: Heights, window: Window) -> Heights:
-    """Return heights ready for a Fourier transform: mirrored, tapered or as they are."""
+    """Return heights ready for a Fourier transform: mirrored, tapered or as they are.
+
+    Raises SurfaceError if there is no such treatment of the ends.
+    """
+    chosen(window, "window", WINDOWS)
     if window == "none":
         return height
     if window == "taper":

@@ -1,19 +1,19 @@
 """A measured surface on a uniform grid, in metres."""
 
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy import ndimage
 
+from ehlwave.choices import AXES, Axis, chosen
 from ehlwave.deform.raw_surface import topography_of
 from ehlwave.errors import SurfaceError
 from ehlwave.quantities import plain
 from ehlwave.shown import Shown, micrometres
 
 Heights = NDArray[np.floating]
-Axis = Literal["x", "y"]
 
 LARGEST_STEP_DEVIATION = 0.05
 """How far a position may lie from a uniform grid, in steps: rounded numbers in text files do."""
@@ -86,6 +86,7 @@ def trace_surface(height: Heights, step_m: float, axis: Axis = "x", name: str = 
     SurfaceError
         As :func:`checked_surface`.
     """
+    chosen(axis, "axis", AXES, name)
     values, step_m = np.asarray(plain(height, "height_m")), plain(step_m, "step_m")
     if values.ndim != 1:
         raise SurfaceError(f"{name}: a trace has one dimension, got shape {values.shape}")
