@@ -270,9 +270,9 @@ def _filtered(
         after = before * np.abs(ratio) ** 2
         spectra["x"].add(block, before.sum(axis=1), after.sum(axis=1))
         spectra["y"].add(slice(None), before.sum(axis=0), after.sum(axis=0))
-        cover.add(along, across, before, after)
         if first == 0:
-            before[0, 0] = 0  # the mean
+            before[0, 0] = after[0, 0] = 0  # the mean, which is no roughness
+        cover.add(along, across, before, after)
         mean_square += before.sum()
         of_wave = transfer.rise(along, across)
         # A wave of amplitude A has a mean square of A^2/2.

@@ -8,7 +8,7 @@ adds components that the surface does not have. Three ways to deal with that:
     changed; within about one Hertz semi-axis of an end the prediction is that for the mirrored
     neighbourhood. Four times the memory for a map.
 ``taper``
-    The outer tenth at each end is faded to zero by a cosine (Tukey window). Results and statistics
+    The outer tenth at each end is faded to the mean by a cosine (Tukey window). Results and statistics
     of that margin mean nothing and are left out of the statistics.
 ``none``
     For surfaces that do repeat: synthetic ones, or a whole number of periods.
@@ -62,7 +62,8 @@ def extended(height: Heights, window: Window) -> Heights:
     if window == "taper":
         nx, ny = height.shape
         factors = taper(nx), taper(ny)
-        return height * np.outer(*factors).astype(height.dtype)
+        mean = height.mean(dtype=np.float64).astype(height.dtype)
+        return mean + (height - mean) * np.outer(*factors).astype(height.dtype)
     pieces = height
     for axis in (0, 1):
         if height.shape[axis] > 1:
