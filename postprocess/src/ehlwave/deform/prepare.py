@@ -8,8 +8,8 @@ adds components that the surface does not have. Three ways to deal with that:
     changed; within about one Hertz semi-axis of an end the prediction is that for the mirrored
     neighbourhood. Four times the memory for a map.
 ``taper``
-    The outer tenth at each end is faded to the mean by a cosine (Tukey window). Results and statistics
-    of that margin mean nothing and are left out of the statistics.
+    The outer tenth at each end is faded to the mean by a cosine (Tukey window). Results of that
+    margin mean nothing and are left out of the statistics.
 ``none``
     For surfaces that do repeat: synthetic ones, or a whole number of periods.
 """
