@@ -1,5 +1,6 @@
 """Wrong inputs: each message names the culprit and a value that works, and the value works."""
 
+import contextlib
 import re
 from ast import literal_eval
 from collections.abc import Callable, Iterable
@@ -397,6 +398,46 @@ def test_a_surface_takes_no_options_of_files(option: Keys) -> None:
     surface = ehlwave.deform.trace_surface(np.zeros(200), step_m=4e-6)
     with pytest.raises(ehlwave.SurfaceError, match=f"{next(iter(option))}= is for files"):
         ehlwave.Contact(**DATA).deform(surface, **option)
+
+
+def two_bodies(**keys: object) -> object:
+    steel = ehlwave.Body.ball(0.02, material="steel")
+    return ehlwave.Contact.from_bodies(**{"body1": steel, "body2": steel} | BALLS | keys)
+
+
+def heated(**keys: object) -> object:
+    usual = dict(zip(HEAT, (313.15, 0.045, 0.13, 1950, 870), strict=True))
+    return ehlwave.Heat(**usual | keys)
+
+
+HEAT = ("temperature_k", "viscosity_temperature_per_k", "oil_conductivity_w_per_m_k")
+HEAT += ("oil_heat_capacity_j_per_kg_k", "oil_density_kg_per_m3")
+JUNK = (None, "abc", "", True, float("nan"), float("inf"), -1, 0, 3 + 1j, [1, 2], np.array([1, 2]))
+JUNK += ({}, object(), b"x", (2.2, None), ("a", "b"), 699.9)
+DOORS = [
+    (response, ("wavelength_over_a", "angle_deg", "slip_parameter", "slide_to_roll_ratio")),
+    (rough, ("step", "step_across", "cutoffs_m", "length_unit", "form", "surface")),
+    (trace_of, ("height", "step_m", "axis")),
+    (two_bodies, ("body1", "oil", "heat", *BALLS)),
+    (body, ("radius_x_m", "elastic_modulus_pa", "poisson_ratio", "material")),
+    (race, ("element_diameter_m", "pitch_diameter_m", "osculation", "contact_angle_deg")),
+    (sheet, ("iso_vg", "temperature_k", "viscosity_index", "density_15c_kg_per_m3", "kind")),
+    (sheet, ("alpha", "pressure_viscosity_per_pa", "roelands_index", "eyring_stress_pa")),
+    (measured, ("name", "temperature_k", "eyring_stress_pa")),
+    (heated, (*HEAT, "oil_expansion_per_k", "body", "body2")),
+]
+
+
+@pytest.mark.parametrize(("door", "names"), DOORS)
+def test_what_is_no_value_at_all_is_an_error_of_ours(
+    door: Callable[..., object], names: tuple[str, ...]
+) -> None:
+    """Whatever is given, an answer or an EhlwaveError comes back; numbers are no True or False."""
+    for name in names:
+        for junk in JUNK:
+            with contextlib.suppress(ehlwave.EhlwaveError):
+                door(**{name: junk})
+                assert junk is not True or name == "heat", name
 
 
 def test_there_are_many() -> None:

@@ -39,7 +39,7 @@ from ehlwave.deform.surface import Surface
 from ehlwave.deform.transfer import FormulaTransfer, RecommendedTransfer, Transfer
 from ehlwave.errors import ExtrapolationWarning, RangeError, SurfaceError
 from ehlwave.heat_laws import INLET_BAR, Heated, check_heat, heated
-from ehlwave.quantities import number, plain
+from ehlwave.quantities import number
 from ehlwave.responses import response_table, responses_figure
 from ehlwave.shown import html_table, within
 from ehlwave.slip import RATIO, SLIP, ratio_of, refuse_both, slip_of
@@ -187,7 +187,7 @@ class Contact:
         found, names = contact_keys(body1, body2, oil, keys)
         if heat is True:
             heat = heat_of(oil, (body1, body2))
-        contact = cls(atlas=atlas, heat=heat or None, **found)
+        contact = cls(atlas=atlas, heat=None if heat is False else heat, **found)
         contact.conditions = replace(contact.conditions, names=tuple(names))
         return contact
 
@@ -357,8 +357,8 @@ class Contact:
         90 0.65
         """
         slip_parameter = _slip_given(slip_parameter, slide_to_roll_ratio, "response")
-        wavelength_over_a = plain(wavelength_over_a, "wavelength_over_a")
-        angle_deg = plain(angle_deg, "angle_deg")
+        wavelength_over_a = number(wavelength_over_a, "wavelength_over_a")
+        angle_deg = number(angle_deg, "angle_deg")
         if not -1e-9 <= angle_deg <= 90 + 1e-9:
             raise RangeError(
                 f"angle_deg = {angle_deg:.5g} lies outside 0 to 90 (waves at -angle are the same)"
@@ -758,7 +758,9 @@ def _starved_response(conditions: Conditions, wave: float, angle_deg: float) -> 
 def _slip_given(slip: float | None, ratio: float | None, where: str) -> float | None:
     """Return the slip parameter of an argument, by either of its names; None: neither is given."""
     refuse_both({SLIP: slip, RATIO: ratio}, where)
-    return slip if ratio is None else slip_of(number(ratio, RATIO, where))
+    if ratio is None:
+        return None if slip is None else number(slip, SLIP, where)
+    return slip_of(number(ratio, RATIO, where))
 
 
 def _warn(doubts: Sequence[str]) -> None:

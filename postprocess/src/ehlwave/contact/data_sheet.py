@@ -176,7 +176,7 @@ class Oil:
         temperature = _needed(sheet, "temperature_k")
         walther, others, said = _lines(sheet, kind)
         density_15c = sheet.get("density_15c_kg_per_m3", DENSITIES[kind])
-        density_15c = number(density_15c, "density_15c_kg_per_m3", "Oil")
+        density_15c = _positive(density_15c, "density_15c_kg_per_m3")
 
         def density(at_k: float) -> float:
             return density_15c / (1 + EXPANSION_PER_K * (at_k - DENSITY_K))
@@ -307,7 +307,14 @@ def _needed(sheet: Mapping[str, Any], name: str) -> float:
         raise SurfaceError(
             f"Oil.from_grade: {name} is missing: give it, such as 313.15 (40 C){see('oil')}"
         )
-    return number(sheet[name], name, "Oil.from_grade")
+    return _positive(sheet[name], name)
+
+
+def _positive(value: Any, name: str) -> float:  # noqa: ANN401 - what users give
+    found = number(value, name, "Oil.from_grade")
+    if not found > 0:
+        raise SurfaceError(f"Oil.from_grade: {name} = {value} must be above 0")
+    return found
 
 
 def _lines(sheet: Mapping[str, Any], kind: str) -> tuple[Walther, list[Walther], str]:

@@ -61,7 +61,7 @@ def _unwalther(ordinate: float) -> float:
     D341 gives a fit of the inverse; its first terms are where the root is sought.
     """
     z = 10 ** (10**ordinate)
-    return float(brentq(lambda v: _walther(v) - ordinate, max(z - 1.2, 1e-2), z, xtol=1e-13))
+    return float(brentq(lambda v: _walther(v) - ordinate, max(z - 1.2, THINNEST), z, xtol=1e-13))
 
 
 @dataclass(frozen=True)

@@ -31,6 +31,7 @@ from ehlwave.deform.text_table import TextTable, position_and_height, read_text_
 from ehlwave.deform.units import METRES, metres
 from ehlwave.errors import ResultsError, SurfaceError, printable
 from ehlwave.hdf5 import check_is_file, opened, reason
+from ehlwave.quantities import is_quantity, number
 
 _TEXT = {".csv", ".txt", ".dat", ".prf", ".asc", ".tsv"}
 _HDF5 = {".h5", ".hdf5", ".nc"}
@@ -133,7 +134,9 @@ def read_surface(path: SurfaceSource | Surface, options: ReadOptions | None = No
     raw = _without_single_line(found)
     if raw.height.ndim not in (1, 2):
         raise SurfaceError(f"{file}: heights have {raw.height.ndim} dimensions, not one or two")
-    height_metres = _unit(file, said.height_unit or raw.height_unit, "heights", "height_unit=")
+    height_metres = _unit(
+        file, _first(said.height_unit, raw.height_unit), "heights", "height_unit="
+    )
     # One copy, and none of a large single-precision map's size in double precision.
     kind = raw.height.dtype if raw.height.dtype == np.float32 else np.float64
     height = np.array(raw.height, dtype=kind)
@@ -315,20 +318,32 @@ def _from_hdf5(file: Path, inside: h5py.File) -> RawSurface:
 
 def _steps(file: Path, raw: RawSurface, options: ReadOptions) -> tuple[float, float]:
     """Return the steps along x and y of the file, m."""
-    length = _unit(file, options.length_unit or raw.length_unit, "lengths", "length_unit=")
+    length = _unit(file, _first(options.length_unit, raw.length_unit), "lengths", "length_unit=")
     # A unit that the user gives is that of positions too, not of a step stated with its own.
-    stated = METRES.get(raw.length_unit or "", length) / length if options.length_unit else 1.0
+    stated = (
+        METRES.get(raw.length_unit or "", length) / length
+        if options.length_unit is not None
+        else 1.0
+    )
     step, across = (None if own is None else own * stated for own in (raw.step, raw.step_across))
     if raw.x is not None:
         step = uniform_step(_positions(file, raw.x, raw.height.shape[-1], "x"), f"{file}: x")
     if raw.y is not None and raw.height.ndim == 2:
         across = uniform_step(_positions(file, raw.y, raw.height.shape[0], "y"), f"{file}: y")
-    step = _agreed(file, "step=", options.step, step)
-    across = _agreed(file, "step_across=", options.step_across, across)
+    step = _agreed(file, "step=", _said(file, "step", options.step, length), step)
+    said = _said(file, "step_across", options.step_across, length)
+    across = _agreed(file, "step_across=", said, across)
     if step is None:
         hint = "; commas were taken as decimal ones" if raw.has_decimal_commas else ""
         raise SurfaceError(f"{file}: has no positions: give the sampling step by step={hint}")
     return step * length, (step if across is None else across) * length
+
+
+def _said(file: Path, name: str, step: Any, length: float) -> float | None:  # noqa: ANN401
+    """Return a step that the user says, in the unit of lengths, m, where it has none itself."""
+    if is_quantity(step):
+        return number(step, f"{name}_m", str(file)) / length
+    return None if step is None else number(step, name, str(file))
 
 
 def _agreed(file: Path, option: str, said: float | None, own: float | None) -> float | None:
@@ -357,6 +372,10 @@ def _numbers(file: Path, values: Any) -> np.ndarray:  # noqa: ANN401
     if array.dtype.kind not in "fiu":
         raise SurfaceError(f"{file}: holds {array.dtype} where real numbers are expected")
     return array
+
+
+def _first(said: str | None, own: str | None) -> str | None:
+    return own if said is None else said
 
 
 def _unit(file: Path, unit: str | None, what: str, option: str) -> float:

@@ -10,7 +10,7 @@ from scipy import ndimage
 from ehlwave.choices import AXES, Axis, chosen
 from ehlwave.deform.raw_surface import topography_of
 from ehlwave.errors import SurfaceError
-from ehlwave.quantities import plain
+from ehlwave.quantities import number, plain
 from ehlwave.shown import Shown, micrometres
 
 Heights = NDArray[np.floating]
@@ -87,7 +87,7 @@ def trace_surface(height: Heights, step_m: float, axis: Axis = "x", name: str = 
         As :func:`checked_surface`.
     """
     chosen(axis, "axis", AXES, name)
-    values, step_m = np.asarray(plain(height, "height_m")), plain(step_m, "step_m")
+    values, step_m = np.asarray(plain(height, "height_m")), number(step_m, "step_m", name)
     if values.ndim != 1:
         raise SurfaceError(f"{name}: a trace has one dimension, got shape {values.shape}")
     if axis == "x":
@@ -104,7 +104,7 @@ def map_surface(height: Heights, step_x_m: float, step_y_m: float, name: str = "
         As :func:`checked_surface`.
     """
     values = np.asarray(plain(height, "height_m"))
-    step_x_m, step_y_m = plain(step_x_m, "step_x_m"), plain(step_y_m, "step_y_m")
+    step_x_m, step_y_m = number(step_x_m, "step_x_m", name), number(step_y_m, "step_y_m", name)
     if values.ndim != 2 or 1 in values.shape:
         raise SurfaceError(f"{name}: a map has two dimensions, got shape {values.shape}")
     return checked_surface(Surface(values, step_x_m, step_y_m, name))

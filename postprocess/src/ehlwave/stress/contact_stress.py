@@ -85,7 +85,9 @@ def stress_of_contact(
         friction = _friction(contact)
         if friction is None:
             notes.append(UNKNOWN_FRICTION)
-    result = rough_stress(deformed, friction or 0.0, cycles, poisson_ratio, depths_m, smooth)
+    result = rough_stress(
+        deformed, 0.0 if friction is None else friction, cycles, poisson_ratio, depths_m, smooth
+    )
     result.warnings.extend(notes)
     return result
 
