@@ -512,7 +512,7 @@ class Contact:
         >>> contact = ehlwave.Contact(load_parameter_m=100, lubricant_parameter_l=10,
         ...     radius_ratio_d=1)
         >>> contact.transfer("paper").name
-        "formula (18), the paper's coefficients"
+        'formula of Venner et al. (2000)'
         """
         chosen(by, "by", LAWS)
         if self.conditions.is_starved:

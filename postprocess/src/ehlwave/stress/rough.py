@@ -26,7 +26,7 @@ from ehlwave.stress.loads import (
     checked_number,
     checked_poisson_ratio,
 )
-from ehlwave.stress.trust import LINEAR_LIMIT, MODEL_ERROR, doubts
+from ehlwave.stress.trust import LINEAR_LIMIT, MODEL_ERROR, doubts, reach
 
 Floats = NDArray[np.float64]
 
@@ -62,6 +62,9 @@ class RoughStress(Shown):
         the centre for those of the whole contact.
     cycles, poisson_ratio : float
         N of Dang Van's criterion; of both bodies.
+    valid_within_a : float
+        Distance from the centre, in semi-axes, within which the pressure is above 0 everywhere;
+        farther out, with the edge and the pressure spike, nothing is predicted.
     warnings : list of str
         Where it is not to be trusted.
     """
@@ -76,6 +79,7 @@ class RoughStress(Shown):
     ripple_error: float
     cycles: float
     poisson_ratio: float
+    valid_within_a: float
     warnings: list[str] = field(default_factory=list)
 
     def _shown_rows(self) -> dict[str, str]:
@@ -178,6 +182,7 @@ def rough_stress(
         ripple_error=error,
         cycles=cycles,
         poisson_ratio=poisson_ratio,
+        valid_within_a=reach(ripples, hertz),
         warnings=doubts(surfaces, ripples, amplitude, bar),
     )
 
