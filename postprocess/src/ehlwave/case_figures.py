@@ -232,8 +232,9 @@ def _given(case: xr.Dataset, key: str) -> float | str | None:
 
 
 def _summary(case: xr.Dataset, units: Units) -> str:
-    keys = {"M": "load_parameter_m", "L": "lubricant_parameter_l", "D": "radius_ratio_d"}
-    keys["S"] = "slip_parameter"
+    keys = {"M": "load_parameter_m", "L": "lubricant_parameter_l"}
+    others = {"D": "radius_ratio_d", "S": "slip_parameter"}
+    keys |= {letter: key for letter, key in others.items() if key in case}
     lines = [str(case.attrs.get("status", ""))]
     lines += [f"${letter}$ = {number(case, key):.5g}" for letter, key in keys.items()]
     if (oil := _given(case, "oil_over_flooded")) is not None:
