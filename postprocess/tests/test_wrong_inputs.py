@@ -440,6 +440,14 @@ def test_what_is_no_value_at_all_is_an_error_of_ours(
                 assert junk is not True or name == "heat", name
 
 
+@pytest.mark.parametrize(
+    ("height", "step"), [(np.zeros(9), 1e-6), ("x", 1e-6), (np.zeros((9, 1)), "1e-6"), (None, None)]
+)
+def test_a_surface_made_by_hand_is_checked(height: Any, step: Any) -> None:  # noqa: ANN401
+    with pytest.raises(ehlwave.SurfaceError, match=r"heights must be|step along x is 1e-6"):
+        ehlwave.Contact(**DATA).deform(ehlwave.deform.Surface(height, step, 0.0))
+
+
 def test_there_are_many() -> None:
     assert len(WRONG) >= 40
 

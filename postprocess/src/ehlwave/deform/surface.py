@@ -117,11 +117,13 @@ def checked_surface(surface: Surface) -> Surface:
     positive, missing or infinite heights, or slopes that only a wrong unit explains.
     """
     name, height = surface.name, surface.height
+    if not (isinstance(height, np.ndarray) and height.ndim == 2):
+        raise SurfaceError(f"{name}: heights must be an array of shape (nx, ny)")
     steps = {"x": (0, surface.step_x_m), "y": (1, surface.step_y_m)}
     for letter, (axis, step) in steps.items():
         if surface.is_trace and surface.trace_axis != letter:
             continue
-        if not (np.isfinite(step) and step > 0):
+        if not _is_length(step):
             raise SurfaceError(f"{name}: step along {letter} is {step}: give a positive length")
         if height.shape[axis] < 8:
             raise SurfaceError(
@@ -148,6 +150,13 @@ def checked_surface(surface: Surface) -> Surface:
             "and length_unit="
         )
     return surface
+
+
+def _is_length(step: Any) -> bool:  # noqa: ANN401 - what users give
+    try:
+        return not isinstance(step, str) and number(step, "step_m") > 0
+    except SurfaceError:
+        return False
 
 
 def rms_slope(surface: Surface) -> float:
