@@ -52,7 +52,7 @@ else:
 found = contact.deform(trace)
 ratio, error = found.statistics.lambda_ratio_after, found.statistics.lambda_error
 print(
-    f"\nlambda ratio {ratio:.3g} within {100 * error:.2g} %, by formula (18) "
+    f"\nlambda ratio {ratio:.3g} within {100 * error:.2g} %, by the paper's formula "
     f"{contact.lambda_ratio(trace, by='paper'):.3g}\n"
 )
 print(report_text(found))

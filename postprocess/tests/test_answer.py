@@ -108,7 +108,13 @@ def test_the_answer_of_two_surfaces_is_that_of_both(tmp_path: Path, capsys: Capt
     assert both["lambda_ratio"] < min(part["lambda_ratio"] for part in parts)
     assert both["lambda_error"] > min(part["lambda_error"] for part in parts)
     assert main(["lambda", files[0], "--second", files[1], *options]) == 0
-    assert capsys.readouterr().out.startswith(f"Answer       {both['text']}\n")
+    said = capsys.readouterr().out
+    assert said.startswith(f"Answer       both surfaces: {both['text']}\n")
+    for number, part in enumerate(parts, 1):
+        assert f"Answer       surface {number} alone: {part['text']}\n" in said
+    # What is not judged is counted under its heading; components are named by deform alone.
+    assert "Not judged" in said
+    assert "lambda_x = " not in said
 
 
 def test_a_film_that_is_not_known_and_a_smooth_surface_are_said(tmp_path: Path) -> None:

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from app_traces import Example, examples
 
-pytest.importorskip("panel", reason="the page needs Panel: pip install 'ehlwave[app]'")
+pytest.importorskip("panel", reason="the page needs Panel: pip install './postprocess[app]'")
 
 import chromium
 from app_server import running

@@ -8,7 +8,7 @@ from urllib.parse import urlsplit
 
 import pytest
 
-pytest.importorskip("panel", reason="the page needs Panel: pip install 'ehlwave[app]'")
+pytest.importorskip("panel", reason="the page needs Panel: pip install './postprocess[app]'")
 
 from app_server import running
 

@@ -147,7 +147,7 @@ def test_what_is_too_large_is_refused_before_it_is_unpacked() -> None:
 
 
 def test_a_parted_file_above_the_limit_is_dropped_by_the_server() -> None:
-    pytest.importorskip("panel", reason="the page needs Panel: pip install 'ehlwave[app]'")
+    pytest.importorskip("panel", reason="the page needs Panel: pip install './postprocess[app]'")
     from panel.models.file_dropper import UploadEvent
 
     from ehlwave.app.widgets import FileField

@@ -5,9 +5,17 @@ import pytest
 
 import ehlwave
 from ehlwave.contact.alpha_estimates import ESTIMATES, State, estimate_alpha
-from ehlwave.contact.data_sheet import DENSITY_15C, EXPANSION_PER_K, GRADE_ERROR
+from ehlwave.contact.data_sheet import (
+    DENSITY_15C,
+    EXPANSION_PER_K,
+    GRADE_ERROR,
+    USUAL_INDICES,
+)
 from ehlwave.contact.measured_oils import MEASURED, TEMPERATURES_K
 from ehlwave.contact.viscosity_grade import (
+    BEND,
+    COLD_K,
+    HOT_K,
     INDEX_TERMS,
     ISO_GRADES,
     Walther,
@@ -94,9 +102,53 @@ def test_an_oil_of_a_grade_is_that_of_its_numbers() -> None:
     between = ehlwave.Oil.from_grade(**SHEET, temperature_k=333.15)
     slope = np.log(warm / warmer) / 2
     assert between.viscosity_temperature_per_k == pytest.approx(slope, rel=1e-3)
-    assert ehlwave.Oil.from_grade(iso_vg=68, temperature_k=313.15).viscosity_error == GRADE_ERROR
+    grade = ehlwave.Oil.from_grade(iso_vg=68, temperature_k=313.15)
+    assert grade.viscosity_error == pytest.approx(GRADE_ERROR)
     given = ehlwave.Oil.from_grade(**SHEET, temperature_k=333.15, pressure_viscosity_per_pa=2e-8)
     assert (given.pressure_viscosity_per_pa, given.pressure_viscosity_error) == (2e-8, 0)
+
+
+@pytest.mark.parametrize("kind", USUAL_INDICES)
+def test_oils_of_a_grade_lie_within_the_error_of_the_usual_index(kind: str) -> None:
+    """Any oil of a kind, grade and usual index; with the index given, any oil of the grade."""
+    rng = np.random.default_rng(14)
+    low, usual, high = USUAL_INDICES[kind]
+    for _ in range(12):
+        grade, at_k = rng.choice([32, 68, 150, 220, 460]), rng.uniform(313.15, 373.15)
+        oils = {
+            True: ehlwave.Oil.from_grade(iso_vg=grade, kind=kind, temperature_k=at_k),
+            False: ehlwave.Oil.from_grade(
+                iso_vg=grade, viscosity_index=usual, kind=kind, temperature_k=at_k
+            ),
+        }
+        for varies, oil in oils.items():
+            cold, index = grade * rng.uniform(0.9, 1.1), rng.uniform(low, high) if varies else usual
+            line = Walther.through((COLD_K, cold), (HOT_K, hot_viscosity(cold, index)))
+            other = 1e-6 * line.viscosity(at_k) * oil.density_kg_per_m3
+            assert abs(other / oil.viscosity_pa_s - 1) <= oil.viscosity_error * (1 + 1e-9)
+
+
+def test_extrapolated_viscosities_carry_the_bend_of_measured_oils() -> None:
+    """From 60 and 100 C, the viscosity at 30 C; the light machine oil is off by far more."""
+    outside = []
+    for name, oil in MEASURED.items():
+        points = [
+            (t, 1e3 * eta * (1 + EXPANSION_PER_K * (t - 288.15)) / DENSITY_15C)
+            for t, eta in zip(TEMPERATURES_K, oil.viscosity_mpa_s, strict=True)
+        ]
+        (t, measured), *known = points
+        u = np.log([t / COLD_K, *(at / COLD_K for at, _ in known)]) / np.log(HOT_K / COLD_K)
+        bend = BEND * (u[0] - u[1]) * (u[0] - u[2])
+        line = Walther.through(*known)
+        ordinate = line.a - line.b * np.log10(t)
+        exact = np.log10(np.log10(measured + 0.7))
+        outside += [name] if abs(exact - ordinate) > bend * 1.01 else []
+    assert outside == ["light machine oil 38"]
+    line = Walther.through((COLD_K, 68.0), (HOT_K, 8.6))
+    errors = [line.extrapolation_error(t) for t in (250, 290, 313.15, 340, 373.15, 420)]
+    assert errors[2:5] == [0, 0, 0]
+    assert errors[0] > errors[1] > 0.05
+    assert errors[5] > 0.05
 
 
 def test_a_measured_oil_is_as_measured() -> None:

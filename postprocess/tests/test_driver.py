@@ -110,6 +110,24 @@ def test_a_case_is_planned_run_and_drawn() -> None:
     assert len(case_figure(result).axes) >= 6
 
 
+def test_the_undeformed_film_has_the_waves_of_both_surfaces() -> None:
+    """The sum of those of either alone, the second with 2 - S."""
+    time = np.linspace(0, 6, 50)
+    keys = {"central_film": 0.3, "slip_parameter": 1.2, "domain_x_min": -2.5}
+    waves = {"wavelength_x_over_a": 0.5, "wavelength_x_over_a_2": 0.7}
+    given = "&waviness\n amplitude_over_film = 0.1\n/\n"
+    given += "&waviness2\n amplitude_over_film_2 = 0.2\n/\n"
+    places = {"time": time, "x": [0.0, 1.0], "y": [0.0]}
+    case = xr.Dataset({k: ((), v) for k, v in (keys | waves).items()}, coords=places)
+    case["film"] = case["pressure"] = (("y", "x"), np.ones((1, 2)))
+    case.attrs = {"effective_input": given}
+    both = undeformed_history(case)
+    first, second = (undeformed_history(case.drop_vars(name)) for name in reversed(waves))
+    np.testing.assert_allclose(both, first + second - 0.3, atol=1e-14)
+    moved = (2.5 - 0.8 * time[-1]) / 0.7
+    assert second[-1] == pytest.approx(0.3 * (1 + 0.2 * np.cos(2 * np.pi * moved)), rel=1e-9)
+
+
 @needs_programs
 def test_unknown_keys_are_refused_with_a_hint() -> None:
     with pytest.raises(ehlwave.ProgramError, match="load_parameter_m"):

@@ -79,12 +79,12 @@ def test_the_core_answers_without_extras() -> None:
 @pytest.mark.parametrize("name", ["ehlwave.collapse_figure", "ehlwave.deform.deformed_figure"])
 def test_python_names_the_extra(name: str) -> None:
     done = without(name)
-    assert done.stderr.endswith("matplotlib is missing: pip install 'ehlwave[figures]'\n")
+    assert done.stderr.endswith("matplotlib is missing: pip install './postprocess[figures]'\n")
 
 
 def test_a_fit_names_the_extra() -> None:
     done = without("ehlwave.fit_formula([0.5, 1, 2, 5, 10], [0.9, 0.8, 0.63, 0.33, 0.16])")
-    assert done.stderr.endswith("lmfit is missing: pip install 'ehlwave[figures]'\n")
+    assert done.stderr.endswith("lmfit is missing: pip install './postprocess[figures]'\n")
 
 
 def test_commands_without_figures_run_and_others_name_the_extra(tmp_path: Path) -> None:
@@ -99,7 +99,7 @@ def test_commands_without_figures_run_and_others_name_the_extra(tmp_path: Path) 
     assert (done.returncode, done.stderr) == (0, "")
     assert "lambda ratio" in done.stdout
     done = command_without(*words, "--output", str(tmp_path / "out"))
-    said = "ehlwave: error: matplotlib is missing: pip install 'ehlwave[figures]'\n"
+    said = "ehlwave: error: matplotlib is missing: pip install './postprocess[figures]'\n"
     assert (done.returncode, done.stderr) == (2, said)
     done = command_without("collapse", str(results), "--output", str(tmp_path / "drawn"))
     assert (done.returncode, done.stderr) == (2, said)
@@ -107,7 +107,7 @@ def test_commands_without_figures_run_and_others_name_the_extra(tmp_path: Path) 
     (tmp_path / "map.sur").write_text("no surface")
     done = command_without("deform", str(tmp_path / "map.sur"), "--conditions", *CONTACT)
     assert done.returncode == 2
-    assert "pip install 'ehlwave[instruments]'" in done.stderr
+    assert "pip install './postprocess[instruments]'" in done.stderr
 
 
 def test_the_parser_needs_the_standard_library_alone() -> None:

@@ -94,6 +94,16 @@ def test_no_refitted_curve_without_resolved_points(tmp_path: Path) -> None:
     assert [line.get_linestyle() for line in figure.axes[2].lines].count("-") == 0
 
 
+def test_error_bars_lie_inside_the_axes(tmp_path: Path) -> None:
+    points = _points(tmp_path, make_columns())
+    assert collapse_figure(points, "f_v").axes[0].get_ylim() == (0, 1.08)
+    points["deformed_error"][:] = 0.2
+    tops = (points["deformed_ratio"] + points["deformed_error"]).max()
+    figure = collapse_figure(points, "f_v", color_by="load_parameter_m")
+    assert all(axes.get_ylim()[1] > tops for axes in figure.axes)
+    assert figure.axes[2].get_legend().get_title().get_text() == "M"
+
+
 def test_points_outside_the_axes_are_counted(tmp_path: Path) -> None:
     columns = make_columns()
     columns["v"][0] = 200

@@ -60,6 +60,24 @@ def noise(rng: np.random.Generator, rq_m: float = 1e-7, length_m: float = 20e-6)
     return trace_surface(height * (rq_m / height.std()), STEP)
 
 
+@pytest.mark.parametrize("ends", ["none", "mirror", "taper"])
+@pytest.mark.parametrize("load", [{}, {"radius_y_m": None, "load_n": None, "load_n_per_m": 2e5}])
+def test_an_offset_of_all_heights_changes_nothing(ends: str, load: dict[str, float | None]) -> None:
+    keys = {key: value for key, value in (BALL | load).items() if value is not None}
+    contact = ehlwave.Contact(**keys, mean_speed_m_per_s=4)
+    height = noise(np.random.default_rng(5)).height[:, 0]
+    found = [
+        contact.deform(height - height.mean() + offset, step=STEP, form="none", ends=ends)
+        for offset in (0, 5e-6, -3e-7)
+    ]
+    for one in found[1:]:
+        for name in ("lambda_error", "lambda_ratio_after", "rq_after_m", "mean_film_m"):
+            same = getattr(found[0].statistics, name)
+            assert getattr(one.statistics, name) == pytest.approx(same, rel=1e-9)
+        shares = [group.share_before for group in found[0].unjudged]
+        assert [group.share_before for group in one.unjudged] == pytest.approx(shares)
+
+
 def deformed(surface: Surface, **keys: float) -> Deformed:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ehlwave.ExtrapolationWarning)

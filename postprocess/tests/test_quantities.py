@@ -79,6 +79,8 @@ def test_bodies_oils_and_surfaces_take_units() -> None:
     assert trace.step_x_m == pytest.approx(2e-6)
     np.testing.assert_allclose(trace.height[:, 0], height)
     rolling = ehlwave.Contact(**PLAIN)
+    with_step = ehlwave.deform.ReadOptions(step=Q(2, "um"), length_unit="mm")
+    assert ehlwave.read_surface(height, with_step).step_x_m == pytest.approx(2e-6)
     cut, same = (
         rolling.deform(trace, cutoffs_m=(cutoff, None)).statistics.rq_after_m
         for cutoff in (Q(80, "um"), 80e-6)

@@ -201,6 +201,8 @@ def test_errors_and_warnings_grow_with_the_amplitude() -> None:
     assert not any("first estimate" in text for text in small.warnings)
     assert any("first estimate" in text for text in large.warnings)
     assert any("asperities" in text for text in large.warnings)
+    assert 1 >= small.valid_within_a > large.valid_within_a >= 0
+    assert f"Valid        for |x| < {small.valid_within_a:.2f} a" in stress_text(small)
     assert any("cannot bear tension" in text for text in contact().stress(
         rough(amplitude_m=1e-6), form="none", ends="none").warnings)  # fmt: skip
 

@@ -149,7 +149,8 @@ def _draw_contours(axes: Axes, case: xr.Dataset, units: Units) -> None:
     film = case["film"] / central
     x, y = case["x"] * units.x, case["y"] * units.y
     lines = axes.contour(x, y, film, np.arange(0.2, 2.01, 0.2), cmap="viridis", linewidths=0.8)
-    axes.clabel(lines, lines.levels[::2], fontsize=7)
+    for label in axes.clabel(lines, lines.levels[::2], fontsize=8, colors="black"):
+        label.set_bbox({"facecolor": "white", "edgecolor": "none", "pad": 0.6, "alpha": 0.8})
     _frame(axes, case["film"], units)
     axes.set_title("film over smooth central film")
 
@@ -190,9 +191,9 @@ def _draw_history(axes: Axes, case: xr.Dataset, units: Units) -> None:
     low, high = film.min(), film.max()
     if undeformed is not None:
         rigid = undeformed * units.film
-        axes.plot(
-            case["time"].values * scale, rigid, color="0.6", linewidth=0.9, label="undeformed"
-        )
+        both = _rigid_wave(case, "_2", 1.0) is not None
+        name = "undeformed, both surfaces" if both else "undeformed"
+        axes.plot(case["time"].values * scale, rigid, color="0.6", linewidth=0.9, label=name)
         low, high = min(low, rigid.min()), max(high, rigid.max())
     axes.axhline(central, color="black", linewidth=0.6, linestyle=":", label="smooth")
     axes.set_ylim(low - 0.08 * (high - low), high + 0.55 * (high - low))
@@ -205,17 +206,24 @@ def undeformed_history(case: xr.Dataset) -> Floats | None:
     """Return the film at the centre that rigid waves would leave, in units of c.
 
     Theory eq. (12) and (13): waves start at the inlet boundary behind a smooth front and move with
-    S. None for smooth cases, standing waves and measured surfaces.
+    S, those of surface 2 with 2 - S. None for smooth cases, standing waves and measured surfaces.
     """
-    given = _given(case, "amplitude_over_film")
-    wave = number(case, "wavelength_x_over_a") if "wavelength_x_over_a" in case else 0.0
-    if given is None or not wave > 0 or case.attrs.get("orientation") == "none":
-        return None
     central, slip = central_film(case), number(case, "slip_parameter")
+    waves = [_rigid_wave(case, end, speed) for end, speed in (("", slip), ("_2", 2 - slip))]
+    known = [wave for wave in waves if wave is not None]
+    return np.asarray(central * (1 + sum(known))) if known else None
+
+
+def _rigid_wave(case: xr.Dataset, end: str, slip: float) -> Floats | None:
+    """Return the waves of a surface at the centre over the film; None: it has none that move."""
+    given, key = _given(case, f"amplitude_over_film{end}"), f"wavelength_x_over_a{end}"
+    wave = number(case, key) if key in case else 0.0
+    if given is None or not wave > 0 or case.attrs.get(f"orientation{end}") == "none":
+        return None
     place = -number(case, "domain_x_min") - slip * case["time"].values
     front = 10.0 ** (-10 * np.minimum(np.maximum(place / wave, 0) ** 2, 30))
-    amplitude = positive(given, "amplitude_over_film", case)
-    return central * (1 + amplitude * front * np.cos(2 * np.pi * place / wave))
+    amplitude = positive(given, f"amplitude_over_film{end}", case)
+    return np.asarray(amplitude * front * np.cos(2 * np.pi * place / wave))
 
 
 def _given(case: xr.Dataset, key: str) -> float | str | None:
@@ -224,10 +232,17 @@ def _given(case: xr.Dataset, key: str) -> float | str | None:
 
 
 def _summary(case: xr.Dataset, units: Units) -> str:
-    lines = [str(case.attrs.get("status", "")), f"M = {number(case, 'load_parameter_m'):.5g}"]
-    lines.append(f"L = {number(case, 'lubricant_parameter_l'):.5g}")
+    keys = {"M": "load_parameter_m", "L": "lubricant_parameter_l"}
+    others = {"D": "radius_ratio_d", "S": "slip_parameter"}
+    keys |= {letter: key for letter, key in others.items() if key in case}
+    lines = [str(case.attrs.get("status", ""))]
+    lines += [f"${letter}$ = {number(case, key):.5g}" for letter, key in keys.items()]
+    if (oil := _given(case, "oil_over_flooded")) is not None:
+        lines.append(f"$r$ = {positive(oil, 'oil_over_flooded', case):g}")
+    symbol, _, unit = units.names[2].partition(" ")
     for name, text in (("central_film", "central film"), ("minimum_film", "smallest film")):
-        lines.append(f"{text}: {units.names[2]} {number(case, name) * units.film:.4g}")
+        film = f"{number(case, name) * units.film:.4g} {unit.strip('[]')}".rstrip()
+        lines.append(f"{text}: {symbol} = {film}")
     if "harmonic_ratio" in case and np.isfinite(case["harmonic_ratio"]):
         lines.append(f"$A_d/A_i$ of small waves: {number(case, 'harmonic_ratio'):.3f}")
     return "\n".join(lines)

@@ -1,10 +1,21 @@
-"""Words that options and arguments take, in one place that needs the standard library alone."""
+"""Words that options and arguments take, and their check: needs the standard library alone."""
 
-from typing import Literal
+from collections.abc import Iterable
+from typing import Any, Literal
+
+from ehlwave.errors import SurfaceError
+from ehlwave.hints import did_you_mean
 
 Form = Literal["none", "mean", "plane", "quadratic"]
 FORMS: dict[Form, int | None] = {"none": None, "mean": 0, "plane": 1, "quadratic": 2}
 """Polynomials to remove from a surface, by their total degree."""
+
+Axis = Literal["x", "y"]
+AXES: tuple[Axis, ...] = ("x", "y")
+"""Directions of a trace, and of rolling in a file."""
+
+LAWS = ("atlas", "two-waves", "recommended", "paper")
+"""What components of a surface are judged by."""
 
 Window = Literal["none", "taper", "mirror"]
 WINDOWS: tuple[Window, ...] = ("mirror", "taper", "none")
@@ -30,3 +41,18 @@ TRACTION_RATIOS = (
     *(0.16, 0.25, 0.4, 0.6, 0.9, 1.3, 1.8),
 )
 """Slide-to-roll ratios of ``ehlwave traction``."""
+
+
+def chosen(word: Any, name: str, known: Iterable[str], place: str = "", more: str = "") -> str:  # noqa: ANN401
+    """Return a word that an argument takes.
+
+    Raises SurfaceError with the words that there are; `more` ends the message.
+    """
+    words = list(known)
+    if isinstance(word, str) and word in words:
+        return word
+    near = did_you_mean(word.lower(), words) if isinstance(word, str) else ""
+    start = f"{place}: " if place else ""
+    raise SurfaceError(
+        f"{start}{name} = {word!r}{near}: give one of {', '.join(map(repr, words))}{more}"
+    )

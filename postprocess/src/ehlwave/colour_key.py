@@ -13,6 +13,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from ehlwave.errors import ResultsError
+from ehlwave.labels import SHORT
 from ehlwave.schema import DIMENSION
 
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#56B4E9", "#E69F00")
@@ -66,14 +67,18 @@ def draw_key(figure: Figure, panels: Sequence[Axes], colours: Colours) -> None:
     """Draw the key of the colours: a legend in the last panel, or a colour bar."""
     if colours.norm is not None:
         shown = ScalarMappable(colours.norm, _MAP)
-        figure.colorbar(shown, ax=list(panels), label=colours.column)
+        figure.colorbar(shown, ax=list(panels), label=SHORT.get(colours.column) or colours.column)
         return
     handles = [
         Line2D([], [], linestyle="none", marker="o", markersize=4.5, color=shade, label=_text(one))
         for one, shade in colours.by_value.items()
     ]
     panels[-1].legend(
-        handles=handles, title=colours.column, loc="lower left", frameon=False, title_fontsize=8
+        handles=handles,
+        title=SHORT.get(colours.column) or colours.column,
+        loc="lower left",
+        frameon=False,
+        title_fontsize=8,
     )
 
 

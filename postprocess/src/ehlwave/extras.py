@@ -17,12 +17,17 @@ EXTRAS = {
 """Extra of each package, by the name that is imported."""
 
 
+def install(extra: str) -> str:
+    """Return the command that installs an extra, from the folder of the repository."""
+    return f"pip install './postprocess[{extra}]'"
+
+
 def advice(error: ModuleNotFoundError) -> str | None:
     """Return the command that installs a missing package; nothing if it is of no extra."""
     package = (error.name or "").split(".")[0]
     if package not in EXTRAS:
         return None
-    return f"{package} is missing: pip install 'ehlwave[{EXTRAS[package]}]'"
+    return f"{package} is missing: {install(EXTRAS[package])}"
 
 
 def load(module: str) -> ModuleType:

@@ -12,15 +12,18 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import FuncFormatter
 
+from ehlwave.choices import chosen
 from ehlwave.colour_key import COLOURS, Colours, colours_of, draw_key
 from ehlwave.fit import FitError, FormulaFit, fit_formula, point_weights
 from ehlwave.formula import PAPER_C1, PAPER_C2, amplitude_ratio_formula
-from ehlwave.points import Variable, of_orientation, resolved_only
+from ehlwave.points import VARIABLES, Variable, of_orientation, resolved_only
 from ehlwave.schema import DIMENSION, ORIENTATIONS
 from ehlwave.writing import Writer
 
 X_LIMITS = (0.1, 100.0)
 Y_LIMITS = (0.0, 1.08)
+HIGHEST = 1.5
+"""To which the axis grows at most where error bars are long."""
 X_LABELS: dict[Variable, str] = {"f_v": r"$f(r)\,V$", "f_v2": r"$f(r)\,V_2$"}
 FIGURE_NUMBERS: dict[Variable, int] = {"f_v2": 1, "f_v": 2}
 
@@ -69,6 +72,7 @@ def collapse_figure(points: xr.Dataset, variable: Variable, color_by: str | None
     >>> len(figure.axes)
     3
     """
+    chosen(variable, "variable", VARIABLES)
     colours = None if color_by is None else colours_of(points, color_by)
     refitted = _refitted(points, variable)
     resolved_x = resolved_only(points)[variable].values
@@ -82,6 +86,7 @@ def collapse_figure(points: xr.Dataset, variable: Variable, color_by: str | None
             _finish_panel(axes, orientation)
             axes.set_xlabel(X_LABELS[variable])
         panels[0].set_ylabel(r"$A_d/A_i$")
+        panels[0].set_ylim(*y_limits(points))
         has_grey = not points["is_point_resolved"].values.all()
         handles = _point_handles(markers, has_grey, "" if colours is None else "black")
         panels[0].legend(handles=handles, loc="lower left", frameon=False)
@@ -135,11 +140,20 @@ def write_figure(
     ]
 
 
+def y_limits(points: xr.Dataset) -> tuple[float, float]:
+    """Return the limits of Ad/Ai: those of the paper, higher where error bars need it."""
+    tops = points["deformed_ratio"] + points["deformed_error"].fillna(0)
+    inside = points["deformed_ratio"] <= Y_LIMITS[1]
+    highest = float(tops.where(inside, 0).max()) if points.sizes[DIMENSION] else 0.0
+    return Y_LIMITS[0], max(Y_LIMITS[1], min(highest + 0.02, HIGHEST))
+
+
 def outside_axes(points: xr.Dataset, variable: Variable) -> int:
     """Return how many points of the three panels lie outside the axis limits."""
     shown = points.isel({DIMENSION: np.flatnonzero(points["orientation"].isin(ORIENTATIONS))})
     x, y = shown[variable].values, shown["deformed_ratio"].values
-    inside = (x >= X_LIMITS[0]) & (x <= X_LIMITS[1]) & (y >= Y_LIMITS[0]) & (y <= Y_LIMITS[1])
+    low, high = y_limits(points)
+    inside = (x >= X_LIMITS[0]) & (x <= X_LIMITS[1]) & (y >= low) & (y <= high)
     return int(np.sum(~inside))
 
 
@@ -217,7 +231,6 @@ def _shades(
 def _finish_panel(axes: Axes, orientation: str) -> None:
     axes.set_xscale("log")
     axes.set_xlim(*X_LIMITS)
-    axes.set_ylim(*Y_LIMITS)
     axes.set_yticks(np.arange(0, 1.01, 0.2))
     axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
     axes.tick_params(which="both", direction="in", top=True, right=True)
@@ -259,7 +272,7 @@ def _curve_handles(refitted: FormulaFit | None) -> Sequence[Line2D]:
         label = f"{name}\n$c_1={c1:.3g}$\n$c_2={c2:.3g}$"
         return Line2D([], [], linestyle=line, color="black", linewidth=width, label=label)
 
-    handles = [curve("formula (18)", PAPER_C1, PAPER_C2, "--", 1.1)]
+    handles = [curve("Venner et al.", PAPER_C1, PAPER_C2, "--", 1.1)]
     if refitted is not None:
         handles.append(curve("refitted", refitted.c1, refitted.c2, "-", 0.7))
     return handles

@@ -19,6 +19,7 @@ from ehlwave.atlas.atlas import Atlas, atlas_for, chart_of, load_atlas
 from ehlwave.atlas.chart import Chart
 from ehlwave.atlas.coordinates import wave_components
 from ehlwave.atlas.ranges import SLIDING_RANGES, WAVE_RANGE
+from ehlwave.choices import LAWS, WINDOWS, chosen
 from ehlwave.contact.bodies import Body
 from ehlwave.contact.conditions import Conditions
 from ehlwave.contact.conditions_from_keys import conditions_from_keys
@@ -41,7 +42,7 @@ from ehlwave.deform.transfer import FormulaTransfer, RecommendedTransfer, Transf
 from ehlwave.errors import ExtrapolationWarning, RangeError, SurfaceError
 from ehlwave.heat_laws import Heated, check_heat, heated, isothermal_error_by_data
 from ehlwave.hints import see
-from ehlwave.quantities import number, plain
+from ehlwave.quantities import number
 from ehlwave.responses import response_table, responses_figure
 from ehlwave.shown import html_table, within
 from ehlwave.slip import RATIO, SLIP, ratio_of, refuse_both, slip_of
@@ -189,7 +190,7 @@ class Contact:
         found, names = contact_keys(body1, body2, oil, keys)
         if heat is True:
             heat = heat_of(oil, (body1, body2))
-        contact = cls(atlas=atlas, heat=heat or None, **found)
+        contact = cls(atlas=atlas, heat=None if heat is False else heat, **found)
         contact.conditions = replace(contact.conditions, names=tuple(names))
         return contact
 
@@ -366,8 +367,8 @@ class Contact:
         90 0.65
         """
         slip_parameter = _slip_given(slip_parameter, slide_to_roll_ratio, "response")
-        wavelength_over_a = plain(wavelength_over_a, "wavelength_over_a")
-        angle_deg = plain(angle_deg, "angle_deg")
+        wavelength_over_a = number(wavelength_over_a, "wavelength_over_a")
+        angle_deg = number(angle_deg, "angle_deg")
         if not -1e-9 <= angle_deg <= 90 + 1e-9:
             raise RangeError(
                 f"angle_deg = {angle_deg:.5g} lies outside 0 to 90 (waves at -angle are the same)"
@@ -519,7 +520,7 @@ class Contact:
         RangeError
             A ValueError: the contact lies outside the atlas.
         SurfaceError
-            If the law of the two waves were to judge a line contact.
+            If there is no such law, or that of the two waves were to judge a line contact.
 
         Examples
         --------
@@ -527,8 +528,9 @@ class Contact:
         >>> contact = ehlwave.Contact(load_parameter_m=100, lubricant_parameter_l=10,
         ...     radius_ratio_d=1)
         >>> contact.transfer("paper").name
-        "formula (18), the paper's coefficients"
+        'formula of Venner et al. (2000)'
         """
+        chosen(by, "by", LAWS)
         if self.conditions.is_starved:
             if by != "atlas":
                 raise RangeError(
@@ -546,9 +548,7 @@ class Contact:
             return TwoWaveTransfer(self.conditions)
         if by == "recommended":
             return RecommendedTransfer(self.conditions)
-        if by == "paper":
-            return FormulaTransfer(self.conditions)
-        raise RangeError(f"by = {by!r}: one of 'atlas', 'two-waves', 'recommended', 'paper'")
+        return FormulaTransfer(self.conditions)
 
     def deform(
         self,
@@ -666,6 +666,7 @@ class Contact:
             raise SurfaceError(
                 "Contact: a surface in metres needs semi_axis_a_m and radius_x_m besides M, L and D"
             )
+        chosen(ends, "ends", WINDOWS)
         measured = read_surface(surface, ReadOptions(**reading))
         transfer = self.transfer(by)
         conditions = self.conditions  # with the film of a formula
@@ -789,7 +790,9 @@ def _starved_response(conditions: Conditions, wave: float, angle_deg: float) -> 
 def _slip_given(slip: float | None, ratio: float | None, where: str) -> float | None:
     """Return the slip parameter of an argument, by either of its names; None: neither is given."""
     refuse_both({SLIP: slip, RATIO: ratio}, where)
-    return slip if ratio is None else slip_of(number(ratio, RATIO, where))
+    if ratio is None:
+        return None if slip is None else number(slip, SLIP, where)
+    return slip_of(number(ratio, RATIO, where))
 
 
 def _warn(doubts: Sequence[str]) -> None:

@@ -7,7 +7,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from ehlwave.choices import RATIO_COLUMNS, Ratio
+from ehlwave.choices import RATIO_COLUMNS, Ratio, chosen
 from ehlwave.errors import ResultsError
 from ehlwave.schema import (
     CONVERGED,
@@ -77,6 +77,9 @@ def select_points(
     >>> points.sizes["case"], bool(points["is_point_resolved"].all())
     (9, True)
     """
+    chosen(ratio, "ratio", RATIO_COLUMNS)
+    if edges is not None:
+        chosen(edges, "edges", EDGES)
     deformed, error = _chosen_ratio(results, ratio)
     status = results["status"]
     solved = (CONVERGED, INACCURATE) if include_inaccurate else (CONVERGED,)

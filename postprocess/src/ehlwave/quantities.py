@@ -77,6 +77,7 @@ PLAUSIBLE = {
     "carreau_modulus_pa": Plausible(1e2, 1e9, (1e4, 1e8)),
     "temperature_k": Plausible(200, 700, (250, 500)),
     "semi_axis_a_m": Plausible(1e-8, 0.1, (1e-5, 1e-2)),
+    "friction": Plausible(-1, 1, (1e-3, 0.5), _PER_CENT),
     "central_film_m": Plausible(1e-11, 1e-3, (1e-8, 1e-5)),
     "slide_to_roll_ratio": Plausible(-2, 2, (0.01, 2), _PER_CENT),
     "viscosity_temperature_per_k": Plausible(0, 0.5, (5e-3, 0.2), (1e-2, 1e-3)),

@@ -70,7 +70,7 @@ def text_of(table: pd.DataFrame, document: dict[str, object]) -> str:
         "overrollings      time, s   inlet  sides  both                    film, um",
     ]
     for row in table[tens | (table.index == table.index[-1])].itertuples():
-        mark = "" if row.is_inside else "  (inlet: extrapolated)"
+        mark = "" if row.is_inside else "  (extrapolated)"
         lines.append(
             f"{row.overrollings:12d} {row.time_s:12.4g}   "
             f"{row.inlet:.3f}  {row.side_flow:.3f}  {row.film_over_flooded:.3f} "
@@ -93,15 +93,19 @@ def replenish_figure(table: pd.DataFrame) -> "Figure":
     figure = Figure(figsize=(5.2, 3.4), layout="constrained")
     axes = figure.subplots()
     n = table["overrollings"]
+    both = "film_over_flooded"
+    low, high = table[f"{both}_low"], table[f"{both}_high"]
+    axes.fill_between(n, low, high, color="C0", alpha=0.25, lw=0, label="error of both")
+    # What either loss leaves alone lies on the curve of both over a part: it is drawn on top.
     for name, label, style in (
-        ("inlet", "by the inlet alone", "--"),
-        ("side_flow", "by side flow alone", ":"),
-        ("film_over_flooded", "by both", "-"),
+        (both, "by both losses", "C0-"),
+        ("inlet", "by the inlet alone", "C1--"),
+        ("side_flow", "by side flow alone", "k:"),
     ):
-        (line,) = axes.plot(n, table[name], style, label=label)
-        if style == "-":
-            low, high = table[f"{name}_low"], table[f"{name}_high"]
-            axes.fill_between(n, low, high, color=line.get_color(), alpha=0.25, lw=0)
+        axes.plot(n, table[name], style, label=label, lw=2.4 if name == both else 1.4)
+    outside = n[~table["is_inside"]]
+    if outside.size:
+        axes.axvspan(outside.iloc[0], n.iloc[-1], color="0.9", lw=0, zorder=0, label="extrapolated")
     period = float(table["time_s"].iloc[-1] / (n.iloc[-1] - 1))
     axes.set(xscale="log", yscale="log", ylabel="film over flooded film")
     axes.set_xlabel(f"overrollings, one in {period:.3g} s")

@@ -31,6 +31,8 @@ POINTS = 61
 PIECES = 2000
 """Of a track at most, on each of which g and the film behind count as constant."""
 MOST_OVERROLLINGS = 1e12
+FILMS = ("inlet", "side_flow", "film_over_flooded")
+"""Columns of films over the flooded one: by either loss alone, and by both."""
 
 
 @dataclass(frozen=True)
@@ -223,7 +225,7 @@ def replenish(conditions: Conditions, track_length_m: float, overrollings: float
         ``overrollings``, ``time_s`` since the first; film over the flooded one by overrollings
         alone (``inlet``), by side flow alone (``side_flow``) and by both losses
         (``film_over_flooded``), each with ``_low`` and ``_high``; ``film_m``; ``is_inside``:
-        whether r is in the range of the law for R.
+        whether films by the inlet and by both are in the range of r of the law for R.
 
     Raises
     ------
@@ -259,7 +261,11 @@ def replenish(conditions: Conditions, track_length_m: float, overrollings: float
         columns[f"side_flow{end}"] = side_flow(conditions.film_ratio, spent)
         growth = track.side_flow_per_s * t * track.period_s
         columns[f"film_over_flooded{end}"] = by_both_losses(conditions, n, growth, g)
-    film = np.asarray(columns["film_over_flooded"], dtype=np.float64)
-    columns["film_m"] = film * track.flooded_film_m
-    columns["is_inside"] = columns["inlet"] >= FILM_RANGES["r"][0]
-    return pd.DataFrame(columns)
+    table = pd.DataFrame(columns)
+    for name in FILMS:  # none is known better than R of the first overrolling
+        least, most = (table[name] * (1 + sign * conditions.starvation_error) for sign in (-1, 1))
+        table[f"{name}_low"] = np.minimum(table[f"{name}_low"], least)
+        table[f"{name}_high"] = np.maximum(table[f"{name}_high"], most)
+    table["film_m"] = table["film_over_flooded"] * track.flooded_film_m
+    table["is_inside"] = table[["inlet", "film_over_flooded"]].min(axis=1) >= FILM_RANGES["r"][0]
+    return table

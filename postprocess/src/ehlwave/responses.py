@@ -9,7 +9,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from ehlwave.atlas.ranges import WAVE_RANGE
 from ehlwave.contact.conditions import Conditions
+from ehlwave.errors import SurfaceError
 from ehlwave.extras import load
+from ehlwave.quantities import plain
 from ehlwave.starvation import is_fitted
 
 if TYPE_CHECKING:
@@ -66,8 +68,9 @@ def response_table(
     `respond` answers for one wave, :meth:`ehlwave.Contact.response`.
     """
     angles_of_all = (0.0,) if conditions.is_line else DEFAULT_ANGLES
-    wave = _column(DEFAULT_WAVES if wavelength_over_a is None else wavelength_over_a)
-    angle = _column(angles_of_all if angle_deg is None else angle_deg)
+    waves = DEFAULT_WAVES if wavelength_over_a is None else wavelength_over_a
+    wave = _column(waves, "wavelength_over_a")
+    angle = _column(angles_of_all if angle_deg is None else angle_deg, "angle_deg")
     inside = _is_inside(wave[:, None], angle[None, :], conditions.is_line)
     if conditions.is_starved:
         inside &= is_fitted(wave[:, None], angle[None, :])
@@ -127,8 +130,12 @@ def _labelled(
     return xr.Dataset(variables, coords=coordinates)
 
 
-def _column(values: ArrayLike) -> NDArray[np.float64]:
-    return np.atleast_1d(np.asarray(values, dtype=np.float64)).ravel()
+def _column(values: ArrayLike, name: str) -> NDArray[np.float64]:
+    found = plain(values, name)
+    try:
+        return np.atleast_1d(np.asarray(found, dtype=np.float64)).ravel()
+    except (TypeError, ValueError):
+        raise SurfaceError(f"{name} = {values!r}: give numbers") from None
 
 
 def _is_inside(wave: NDArray[Any], angle: NDArray[Any], is_line: bool) -> NDArray[np.bool_]:

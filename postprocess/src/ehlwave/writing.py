@@ -19,6 +19,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ehlwave.errors import OutputError, ResultsError
+from ehlwave.extras import install
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -141,7 +142,7 @@ class Writer:
             import pyarrow  # noqa: F401
         except ImportError as error:
             raise ResultsError(
-                f"{path}: Parquet needs pyarrow: pip install 'ehlwave[parquet]', or write CSV"
+                f"{path}: Parquet needs pyarrow: {install('parquet')}, or write CSV"
             ) from error
         kept = table.rename(columns=str)
         return self.file(path, lambda part: kept.to_parquet(part, engine="pyarrow", index=False))

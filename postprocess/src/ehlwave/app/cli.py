@@ -5,6 +5,7 @@ from importlib.util import find_spec
 from typing import Any
 
 from ehlwave.errors import ResultsError
+from ehlwave.extras import install
 
 ADDRESS, PORT = "127.0.0.1", 5006
 
@@ -44,7 +45,7 @@ def _port(text: str) -> int:
 
 def _serve(options: argparse.Namespace) -> None:
     if find_spec("panel") is None:
-        raise ResultsError("app: Panel is not installed: pip install 'ehlwave[app]'")
+        raise ResultsError(f"app: Panel is not installed: {install('app')}")
     from ehlwave.app.server import serve  # needs Panel
 
     serve(options.address, options.port, options.host)

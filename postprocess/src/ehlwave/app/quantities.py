@@ -114,7 +114,7 @@ GRADE = (
     TEMPERATURE,
     Quantity("viscosity_40c_mm2_per_s", "Viscosity at 40 C", "", {"mm2/s": 0}),
     Quantity("viscosity_100c_mm2_per_s", "Viscosity at 100 C", "", {"mm2/s": 0}),
-    Quantity("viscosity_index", "Viscosity index", "95", {}, "Blank with a viscosity at 100 C."),
+    Quantity("viscosity_index", "Viscosity index", "", {}, "Blank: usual one of the oil."),
     Quantity("density_15c_kg_per_m3", "Density at 15 C", "", {"kg/m3": 0}, "Blank: usual one."),
 )
 STEP = Quantity("step", "Step, if not in the file", "", {}, "In the unit of lengths.")

@@ -153,11 +153,12 @@ def _add_prediction(parser: argparse.ArgumentParser) -> None:
     source.add_argument(
         "--formula",
         choices=("paper", "recommended", "two-waves"),
-        help="in place of the atlas: (18) as printed; the formula with a quarter of its error; the "
-        "law of the two waves, with phase, by which slip is judged where the atlas has none",
+        help="in place of the atlas: the formula of Venner et al. (2000); the one with a quarter "
+        "of its error; the law of the two waves, with phase, by which slip is judged where the "
+        "atlas has none",
     )
     source.add_argument(
-        "--table", type=Path, metavar="FILE", help="harmonic table to use in place of the formula"
+        "--table", type=Path, metavar="FILE", help="harmonic table to use in place of the atlas"
     )
     parser.add_argument(
         "--second",

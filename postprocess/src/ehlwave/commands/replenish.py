@@ -25,7 +25,7 @@ Example:
       --overrollings 1e6 --output track
 
 Errors: g of the law within 15 %, times of the side flow within a factor of two, as measured decays
-are. Below r = 0.2 the law of overrollings is extrapolated (is_inside = False)."""
+are. Films below 0.2 of the flooded one are extrapolated (is_inside = False)."""
 
 
 def add_replenish_command(commands: Any) -> None:  # noqa: ANN401 - argparse does not name this type

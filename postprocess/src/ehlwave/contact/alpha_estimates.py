@@ -8,10 +8,11 @@ import math
 from collections.abc import Callable
 from typing import NamedTuple
 
+from ehlwave.choices import chosen
 from ehlwave.contact.oils import Oil, log_viscosity
 from ehlwave.contact.viscosity_grade import Walther
 from ehlwave.errors import SurfaceError
-from ehlwave.hints import did_you_mean, see
+from ehlwave.hints import see
 
 SECANT_PA = 2e8
 """Gold's alpha is that of a straight line from ambient pressure to here."""
@@ -89,19 +90,10 @@ ESTIMATES = {
 def estimate_alpha(name: str, state: State) -> tuple[float, float, str]:
     """Return alpha, 1/Pa, its relative scatter, and what it was estimated by.
 
-    Raises SurfaceError if there is no such estimate or kind of oil, or the estimate is not for it.
+    Raises SurfaceError if there is no such estimate, or it is not for this kind of oil.
     """
-    if name not in ESTIMATES:
-        raise SurfaceError(
-            f"Oil: alpha = {name!r}{did_you_mean(name, ESTIMATES)}: give one of "
-            f"{', '.join(map(repr, ESTIMATES))}, or pressure_viscosity_per_pa{see('oil')}"
-        )
-    found = ESTIMATES[name]
-    if state.kind not in GOLD:
-        raise SurfaceError(
-            f"Oil: kind = {state.kind!r}{did_you_mean(state.kind, GOLD)}: give one of "
-            f"{', '.join(map(repr, GOLD))}{see('oil')}"
-        )
+    more = f", or pressure_viscosity_per_pa{see('oil')}"
+    found = ESTIMATES[chosen(name, "alpha", ESTIMATES, "Oil", more)]
     if state.kind not in found.kinds:
         raise SurfaceError(
             f"Oil: alpha = {name!r} is for {', '.join(found.kinds)} oils, kind = {state.kind!r}: "

@@ -8,7 +8,7 @@ from ehlwave.contact.heat_data import BodyHeat
 from ehlwave.contact.materials import material as known_material
 from ehlwave.errors import SurfaceError
 from ehlwave.hints import see
-from ehlwave.quantities import number, plain
+from ehlwave.quantities import is_quantity, number
 
 FLAT = math.inf
 
@@ -193,14 +193,12 @@ class Body:
 
 
 def _radius(value: Any, name: str) -> float:  # noqa: ANN401 - what users give
-    found = plain(value, name)
-    try:
-        radius = float(found)
-    except (TypeError, ValueError):
-        raise SurfaceError(f"Body: {name} = {value!r} is not a number") from None
-    if math.isnan(radius) or radius == 0:
+    if isinstance(value, float) and math.isinf(value):
+        return float(value)
+    radius = number(value, name, "Body")
+    if radius == 0:
         raise SurfaceError(f"Body: {name} = {value} is no radius: remove it where a body is flat")
-    if math.isfinite(radius) and found is value:
+    if not is_quantity(value):
         number(abs(radius), name, "Body")
     return radius
 
@@ -208,7 +206,7 @@ def _radius(value: Any, name: str) -> float:  # noqa: ANN401 - what users give
 def _race(
     diameter: Any,  # noqa: ANN401
     pitch: Any,  # noqa: ANN401
-    osculation: float | None,
+    osculation: Any,  # noqa: ANN401
     angle_deg: Any,  # noqa: ANN401
 ) -> tuple[float, float, float]:
     """Return the diameter, the pitch diameter over the cosine, and the radius of the groove."""
@@ -219,13 +217,16 @@ def _race(
             f"Body: pitch_diameter_m = {dm:g} must be above the diameter of ball or roller, {d:g}, "
             f"such as {5 * d:g}"
         )
-    if osculation is not None and not 0.5 < osculation < 1:
-        raise SurfaceError(
-            f"Body: osculation = {osculation:g} must be above 0.5 and below 1: the radius of the "
-            "groove over the diameter of the ball, such as 0.52"
-        )
+    groove = FLAT
+    if osculation is not None:
+        share = number(osculation, "osculation", "Body")
+        if not 0.5 < share < 1:
+            raise SurfaceError(
+                f"Body: osculation = {share:g} must be above 0.5 and below 1: the radius of the "
+                "groove over the diameter of the ball, such as 0.52"
+            )
+        groove = -share * d
     angle = number(angle_deg, "contact_angle_deg", "Body")
     if not 0 <= angle < 90:
         raise SurfaceError(f"Body: contact_angle_deg = {angle:g} must be at least 0 and below 90")
-    groove = FLAT if osculation is None else -osculation * d
     return d, dm / math.cos(math.radians(angle)), groove

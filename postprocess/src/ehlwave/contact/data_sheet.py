@@ -1,11 +1,14 @@
 """Oils as data sheets have them: what contacts are computed with, at one temperature."""
 
+import contextlib
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
+from itertools import product
 from typing import Any
 
 import numpy as np
 
+from ehlwave.choices import chosen
 from ehlwave.contact.alpha_estimates import State, estimate_alpha
 from ehlwave.contact.measured_oils import DENSITY_15C, MEASURED, SOURCE, TEMPERATURES_K
 from ehlwave.contact.oil_heat import own_heat, usual_heat
@@ -14,6 +17,7 @@ from ehlwave.contact.viscosity_grade import (
     GRADE_ERROR,
     HOT_K,
     ISO_GRADES,
+    THINNEST,
     Walther,
     hot_viscosity,
 )
@@ -30,8 +34,18 @@ DENSITIES = {"mineral": 880.0, "pao": 835.0, "ester": 920.0, "polyglycol": 1050.
 EXPANSION_PER_K = 7e-4
 """Usual of oils, 1/K, relative to 15 C."""
 
-USUAL_INDEX = 95.0
-"""Viscosity index of ISO 3448's mineral oils, of which the standard itself gives tables."""
+USUAL_INDICES = {
+    "mineral": (80.0, 95.0, 150.0),
+    "pao": (130.0, 145.0, 170.0),
+    "ester": (140.0, 150.0, 190.0),
+    "polyglycol": (180.0, 220.0, 280.0),
+}
+"""Low, usual and high viscosity indices by the kind of base oil. Mineral: API 1509, groups I and
+II, from 80; ISO 3448, tables for 95; with improvers to 150 (tribology-abc.com). PAO: about 130
+(Noria, Machinery Lubrication 31106), 142 to 168 from PAO 4 to 100 (the source of
+:data:`ehlwave.contact.oil_heat.PAO`). Esters: 140 to 160 (tribology-abc.com), oleates to 190;
+aromatic ones lie below. Polyglycols: 180 to 280 (Beatty and Greaves, Machinery Lubrication 930);
+205 of the copolymer in the source of :mod:`ehlwave.contact.measured_oils`."""
 
 _STEP_K = 0.01
 
@@ -72,7 +86,7 @@ class Oil:
     >>> import ehlwave
     >>> oil = ehlwave.Oil.from_grade(iso_vg=68, viscosity_index=95, temperature_k=333.15)
     >>> print(oil)
-    24.2 mPa s and alpha = 17.8 1/GPa within 31 % at 60 C
+    24.2 mPa s within 10 % and alpha = 17.8 1/GPa within 31 % at 60 C
     """
 
     viscosity_pa_s: float
@@ -103,10 +117,9 @@ class Oil:
         """Return viscosity and alpha."""
         error = self.pressure_viscosity_error
         text = (
-            f"{1e3 * self.viscosity_pa_s:.3g} mPa s and alpha = "
-            f"{1e9 * self.pressure_viscosity_per_pa:.1f} 1/GPa"
+            f"{1e3 * self.viscosity_pa_s:.3g} mPa s{_within(self.viscosity_error)} and alpha = "
+            f"{1e9 * self.pressure_viscosity_per_pa:.1f} 1/GPa{_within(error)}"
         )
-        text += f" within {error:.0%}".replace("%", " %") if error else ""
         return text + (f" at {self.temperature_k - 273.15:g} C" if self.temperature_k else "")
 
     def keys(self) -> dict[str, float]:
@@ -133,8 +146,10 @@ class Oil:
         **sheet
             ``temperature_k``. The viscosity at 40 C: ``iso_vg`` (within 10 %, ISO 3448) or
             ``viscosity_40c_mm2_per_s``. Its change with temperature:
-            ``viscosity_100c_mm2_per_s`` or ``viscosity_index`` (ASTM D2270; 95 if both are left
-            out); between them ASTM D341 holds. ``density_15c_kg_per_m3`` (usual of the kind if left
+            ``viscosity_100c_mm2_per_s`` or ``viscosity_index`` (ASTM D2270; if both are left out
+            the usual one of the kind, :data:`USUAL_INDICES`, and the error is that of the low and
+            the high one); between them ASTM D341 holds, and below 40 and above 100 C it is
+            extrapolated, which the error says. ``density_15c_kg_per_m3`` (usual of the kind if left
             out). ``kind``: ``"mineral"`` (default), ``"pao"``, ``"ester"``, ``"polyglycol"``.
             ``pressure_viscosity_per_pa`` at this temperature with ``pressure_viscosity_error``, or
             ``alpha``, an estimate: ``"gold"`` (default), ``"wooster"``, ``"so-klaus"``; its scatter
@@ -156,10 +171,11 @@ class Oil:
         13.2 mPa s and alpha = 12.1 1/GPa within 31 % at 70 C
         """
         _check_names(sheet)
-        kind, temperature = sheet.get("kind", "mineral"), _needed(sheet, "temperature_k")
-        walther, error, said = _walther(sheet)
-        density_15c = sheet.get("density_15c_kg_per_m3", DENSITIES.get(kind, DENSITIES["mineral"]))
-        density_15c = number(density_15c, "density_15c_kg_per_m3", "Oil")
+        kind = chosen(sheet.get("kind", "mineral"), "kind", DENSITIES, "Oil", see("oil"))
+        temperature = _needed(sheet, "temperature_k")
+        walther, others, said = _lines(sheet, kind)
+        density_15c = sheet.get("density_15c_kg_per_m3", DENSITIES[kind])
+        density_15c = _positive(density_15c, "density_15c_kg_per_m3")
 
         def density(at_k: float) -> float:
             return density_15c / (1 + EXPANSION_PER_K * (at_k - DENSITY_K))
@@ -171,17 +187,18 @@ class Oil:
         alpha, scatter, source = _alpha(sheet, state)
         step = _STEP_K
         log_slope = np.log(viscosity(temperature - step) / viscosity(temperature + step))
-        others = {key: sheet[key] for key in _PASSED if key in sheet}
-        usual = own_heat(usual_heat(kind, temperature, density_15c), others)
+        passed = {key: sheet[key] for key in _PASSED if key in sheet}
+        usual = own_heat(usual_heat(kind, temperature, density_15c), passed)
+        extrapolated = "" if COLD_K <= temperature <= HOT_K else " extrapolated"
         return cls(
             viscosity_pa_s=viscosity(temperature),
             pressure_viscosity_per_pa=alpha,
             temperature_k=temperature,
-            viscosity_error=error,
+            viscosity_error=_viscosity_error(walther, others, temperature, "iso_vg" in sheet),
             pressure_viscosity_error=scatter,
             density_kg_per_m3=state.density_kg_per_m3,
             viscosity_temperature_per_k=float(log_slope / (2 * step)),
-            source=f"{said}, ASTM D341; alpha: {source}",
+            source=f"{said}, ASTM D341{extrapolated}; alpha: {source}",
             **usual,
         )
 
@@ -209,11 +226,7 @@ class Oil:
         >>> print(ehlwave.Oil.named("heavy machine oil 153", temperature_k=333.15))
         34 mPa s and alpha = 20.5 1/GPa at 60 C
         """
-        if name not in MEASURED:
-            raise SurfaceError(
-                f"Oil: name = {name!r} is not known{did_you_mean(name, MEASURED)}; known are "
-                f"{', '.join(MEASURED)}{see('oil')}"
-            )
+        chosen(name, "name", MEASURED, "Oil", see("oil"))
         temperature = number(temperature_k, "temperature_k", "Oil")
         alphas = MEASURED[name].alpha_per_gpa
         known = [i for i, alpha in enumerate(alphas) if alpha is not None]
@@ -293,43 +306,81 @@ def _needed(sheet: Mapping[str, Any], name: str) -> float:
         raise SurfaceError(
             f"Oil.from_grade: {name} is missing: give it, such as 313.15 (40 C){see('oil')}"
         )
-    return number(sheet[name], name, "Oil.from_grade")
+    return _positive(sheet[name], name)
 
 
-def _walther(sheet: Mapping[str, Any]) -> tuple[Walther, float, str]:
-    """Return the line of D341, the relative error of its viscosities, and what it is of."""
+def _positive(value: Any, name: str) -> float:  # noqa: ANN401 - what users give
+    found = number(value, name, "Oil.from_grade")
+    if not found > 0:
+        raise SurfaceError(f"Oil.from_grade: {name} = {value} must be above 0")
+    return found
+
+
+def _lines(sheet: Mapping[str, Any], kind: str) -> tuple[Walther, list[Walther], str]:
+    """Return the line of D341, those of the ends of what is not known, and what it is of."""
+    place = "Oil.from_grade"
     if "iso_vg" in sheet:
-        cold, error = number(sheet["iso_vg"], "iso_vg", "Oil.from_grade"), GRADE_ERROR
+        cold = number(sheet["iso_vg"], "iso_vg", place)
+        colds = [cold * (1 - GRADE_ERROR), cold * (1 + GRADE_ERROR)]
         if cold not in ISO_GRADES:
             near = min(ISO_GRADES, key=lambda grade: abs(np.log(grade / max(cold, 1e-9))))
             raise SurfaceError(
-                f"Oil.from_grade: iso_vg = {cold:g} is no grade of ISO 3448: take {near}, the "
+                f"{place}: iso_vg = {cold:g} is no grade of ISO 3448: take {near}, the "
                 f"nearest, or give viscosity_40c_mm2_per_s{see('oil')}"
             )
         said = f"ISO VG {cold:g}"
     elif "viscosity_40c_mm2_per_s" in sheet:
-        cold, error = _needed(sheet, "viscosity_40c_mm2_per_s"), 0.0
-        said = f"{cold:g} mm2/s at 40 C"
+        cold = _needed(sheet, "viscosity_40c_mm2_per_s")
+        colds, said = [cold], f"{cold:g} mm2/s at 40 C"
     else:
         raise SurfaceError(
-            "Oil.from_grade: iso_vg is missing: give it, such as 68, or viscosity_40c_mm2_per_s"
+            f"{place}: iso_vg is missing: give it, such as 68, or viscosity_40c_mm2_per_s"
             f"{see('oil')}"
         )
     if "viscosity_100c_mm2_per_s" in sheet:
         hot = _needed(sheet, "viscosity_100c_mm2_per_s")
+        points = [(one, hot) for one in colds]
         said += f", {hot:g} mm2/s at 100 C"
     else:
-        index = number(
-            sheet.get("viscosity_index", USUAL_INDEX), "viscosity_index", "Oil.from_grade"
-        )
+        low, index, high = USUAL_INDICES[kind]
+        indices, word = [low, high], "usual viscosity index"
+        if "viscosity_index" in sheet:
+            index = number(sheet["viscosity_index"], "viscosity_index", place)
+            indices, word = [index], "viscosity index"
         hot = hot_viscosity(cold, index)
-        said += f", viscosity index {index:g}"
+        points = []
+        for one, other in product(colds, indices):
+            with contextlib.suppress(SurfaceError):  # so thin that no oil has both
+                points.append((one, hot_viscosity(one, other)))
+        said += f", {word} {index:g}"
     if not hot < cold:
         raise SurfaceError(
-            f"Oil.from_grade: viscosity_100c_mm2_per_s = {hot:g} must be below that at 40 C, "
-            f"{cold:g}; mineral oils have {hot_viscosity(cold, USUAL_INDEX):.3g}"
+            f"{place}: viscosity_100c_mm2_per_s = {hot:g} must be below that at 40 C, "
+            f"{cold:g}; mineral oils have {hot_viscosity(cold, USUAL_INDICES['mineral'][1]):.3g}"
         )
-    return Walther.through((COLD_K, cold), (HOT_K, hot)), error, said
+    lines = [Walther.through((COLD_K, one), (HOT_K, other)) for one, other in points if other < one]
+    return Walther.through((COLD_K, cold), (HOT_K, hot)), lines, said
+
+
+def _viscosity_error(line: Walther, ends: list[Walther], at_k: float, is_grade: bool) -> float:
+    """Return the relative error of a viscosity: largest of the ends, and of the extrapolation.
+
+    That of a grade is at least the one at 40 C.
+    """
+    known = line.viscosity(at_k)
+    found = [GRADE_ERROR if is_grade else 0.0]
+    for end in ends:
+        try:
+            found.append(abs(end.viscosity(at_k) / known - 1))
+        except SurfaceError:  # thinner than ASTM D341 has it
+            found.append(1 - THINNEST / known)
+    return max(found) + line.extrapolation_error(at_k)
+
+
+def _within(error: float) -> str:
+    if error >= 1:
+        return f" within a factor of {1 + error:.2g}"
+    return f" within {100 * error:.2g} %" if error else ""
 
 
 def _alpha(sheet: Mapping[str, Any], state: State) -> tuple[float, float, str]:

@@ -97,7 +97,10 @@ class Heat:
         """Check and convert."""
         for field in fields(self):
             if field.name.startswith("body"):
-                found = getattr(self, field.name) or self.body
+                given = getattr(self, field.name)
+                found = self.body if given is None else given
+                if not isinstance(found, BodyHeat):
+                    raise SurfaceError(f"Heat: {field.name} = {found!r} is no ehlwave.BodyHeat")
                 for name, value in zip(BodyHeat._fields, found, strict=True):
                     _positive(value, f"{field.name}_{name}")
                 object.__setattr__(self, field.name, BodyHeat(*map(float, found)))

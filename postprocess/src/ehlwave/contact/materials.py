@@ -73,10 +73,11 @@ def material(name: str) -> Material:
 
     Raises SurfaceError if there is none of this name.
     """
-    found = MATERIALS.get(name.lower().replace("_", " "))
+    key = str(name).lower()
+    found = MATERIALS.get(key.replace("_", " "))
     if found is None:
         raise SurfaceError(
-            f"material = {name!r} is not known{did_you_mean(name.lower(), MATERIALS)}; known are "
+            f"material = {name!r} is not known{did_you_mean(key, MATERIALS)}; known are "
             f"{', '.join(MATERIALS)}; or give elastic_modulus_pa and poisson_ratio{see('bodies')}"
         )
     return found

@@ -154,8 +154,9 @@ def _take_speeds(keys: dict[str, Any], names: Names) -> None:
             f"Contact: speeds_m_per_s = {speeds}: give both, (u1, u2), in pure rolling "
             f"({speeds}, {speeds}){see('slip')}"
         ) from None
-    first, second = (number(u, "speeds_m_per_s", "Contact") for u in (abs(one), abs(two)))
-    first, second = math.copysign(first, one), math.copysign(second, two)
+    first, second = (number(u, "speeds_m_per_s", "Contact") for u in (one, two))
+    for speed in (first, second):
+        number(abs(speed), "speeds_m_per_s", "Contact")
     start = f"Contact: speeds_m_per_s = ({first:g}, {second:g})"
     if first == -second:
         what = "both are at rest" if first == 0 else "they are opposite and equal"

@@ -18,6 +18,7 @@ from ehlwave.deform.predict import Deformed, deform_surface
 from ehlwave.deform.prepare import remove_form
 from ehlwave.deform.read import ReadOptions, read_surface
 from ehlwave.deform.report import (
+    ANSWER,
     brief_text,
     pair_text,
     plain,
@@ -84,8 +85,12 @@ def _text(results: list[Deformed], pair: DeformedPair | None, options: argparse.
     ]
     if pair is None:
         return reports[0]
-    answer = f"Answer       {answer_of_two(pair.statistics).text()}"
-    return "\n".join([answer, *reports, pair_text(pair.statistics), pair.film.text()])
+    answer = f"{ANSWER}both surfaces: {answer_of_two(pair.statistics).text()}"
+    alone = [
+        report.replace(ANSWER, f"{ANSWER}surface {number} alone: ", 1)
+        for number, report in enumerate(reports, 1)
+    ]
+    return "\n".join([answer, *alone, pair_text(pair.statistics), pair.film.text()])
 
 
 def _json_text(results: list[Deformed], pair: DeformedPair | None) -> str:
@@ -140,7 +145,9 @@ def _transfer(options: argparse.Namespace, conditions: Conditions) -> Transfer:
         return StarvedTransfer(conditions)
     if options.refit is not None:
         c1, c2 = read_coefficients(options.refit)
-        name = f"formula (18), c1 = {c1:.4g} and c2 = {c2:.4g} of {options.refit.name}"
+        name = (
+            f"{FormulaTransfer.name} with c1 = {c1:.4g} and c2 = {c2:.4g} of {options.refit.name}"
+        )
         return FormulaTransfer(conditions, c1, c2, name)
     if options.formula == "recommended":
         return RecommendedTransfer(conditions)

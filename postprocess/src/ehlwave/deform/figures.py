@@ -60,14 +60,14 @@ def deformed_figure(result: Drawn) -> Figure:
             whole, detail = figure.subplots(2, 1)
             _draw_line(whole, result, None)
             _draw_line(detail, result, 1.0)
-            whole.legend(loc="lower right", bbox_to_anchor=(1, 1), frameon=False, ncols=2)
+            whole.legend(loc="lower right", bbox_to_anchor=(1, 1), frameon=False, ncols=3)
             return figure
         figure = Figure(figsize=(8.4, 5.0), layout="constrained")
         maps = ["before", "after", "difference"]
         axes = figure.subplot_mosaic([maps, ["line"] * 3], height_ratios=[1, 1])
         _draw_maps(figure, [axes[name] for name in maps], result)
         _draw_line(axes["line"], result, 2.0)
-        axes["line"].legend(loc="lower right", bbox_to_anchor=(1, 1), frameon=False, ncols=2)
+        axes["line"].legend(loc="lower right", bbox_to_anchor=(1, 1), frameon=False, ncols=3)
     return figure
 
 
@@ -97,13 +97,19 @@ def spectrum_figure(result: Drawn) -> Figure:
             draw(wavelength * UM, squares[1] * UM**2, ".-", color=AFTER, label="after")
             limit = 2 * semi_axis * UM
             if wavelength.max() * UM > limit:
-                axes.axvspan(limit, axes.get_xlim()[1], color="0.9", zorder=0)
+                end, name = axes.get_xlim()[1], "longer than the contact"
+                axes.axvspan(limit, end, color="0.9", lw=0, zorder=0, label=name)
+                axes.set_xlim(right=end)
             axes.set_xlabel(rf"$\lambda_{letter}$ [$\mu$m], {text}")
         all_axes[0].set_ylabel(r"mean square per band [$\mu$m$^2$]")
-        all_axes[0].legend(frameon=False)
         # Eight decades at most: what rounding leaves of absent components says nothing.
         low, high = all_axes[0].get_ylim()
         all_axes[0].set_ylim(max(low, high * 1e-8), high)
+        found = max(
+            (axes.get_legend_handles_labels() for axes in all_axes), key=lambda h: len(h[0])
+        )
+        close = {"columnspacing": 1.0, "handlelength": 1.4, "frameon": False}
+        figure.legend(*found, loc="outside upper center", ncols=3, **close)
     return figure
 
 
@@ -125,11 +131,14 @@ def _draw_line(axes: Axes, result: Drawn, half_width: float | None) -> None:
     axes.plot(position[shown] * UM, before[shown], color=BEFORE, linewidth=1, label="before")
     axes.plot(position[shown] * UM, after[shown], color=AFTER, linewidth=1, label="in the contact")
     inside = middle + semi_axis * np.array([-1, 1])
-    if inside[0] >= position[0] and inside[1] <= position[-1]:
-        axes.axvspan(*(inside * UM), color="0.95", zorder=0)
-    axes.margins(x=0)
     letter, axis = ("x", "2a") if along_x else ("y", "2b")
-    axes.set_xlabel(rf"${letter}$ [$\mu$m] (shaded: ${axis}$)")
+    axes.margins(x=0)
+    axes.set_xlabel(rf"${letter}$ [$\mu$m]")
+    if half_width == 1.0:
+        axes.set_xlabel(rf"${letter}$ [$\mu$m], over the contact alone, ${axis}$")
+    elif inside[0] >= position[0] and inside[1] <= position[-1]:
+        name = f"contact, ${axis}$"
+        axes.axvspan(*(inside * UM), color="0.92", lw=0, zorder=0, label=name)
     axes.set_ylabel(r"height [$\mu$m]")
 
 

@@ -28,7 +28,7 @@ from ehlwave.deform.surface import Heights, Surface, checked_surface
 from ehlwave.deform.transfer import FormulaBasis, FormulaTransfer, Transfer
 from ehlwave.errors import SurfaceError
 from ehlwave.extras import load
-from ehlwave.quantities import plain
+from ehlwave.quantities import number, plain
 from ehlwave.shown import Shown, micrometres, within
 
 if TYPE_CHECKING:
@@ -208,8 +208,8 @@ def deform_surface(
     checked_surface(surface)
     _check_scale(surface, conditions)
     flat = remove_form(surface, form)
-    cutoffs_m = tuple(plain(cutoff, "cutoff_m") for cutoff in cutoffs_m)
-    if any(cutoffs_m):
+    cutoffs_m = _checked_cutoffs(cutoffs_m)
+    if cutoffs_m != (None, None):
         flat = gaussian_filtered(flat, *cutoffs_m)
     working = flat.height
     if working.size > SINGLE_PRECISION_POINTS:
@@ -241,6 +241,18 @@ def deform_surface(
     )
 
 
+def _checked_cutoffs(cutoffs_m: Any) -> Cutoffs:  # noqa: ANN401 - what users give
+    """Return both cut-offs, m; SurfaceError if they are no pair of numbers or None."""
+    try:
+        long, short = plain(cutoffs_m, "cutoffs_m")
+    except (TypeError, ValueError):
+        raise SurfaceError(
+            f"cutoffs_m = {cutoffs_m!r}: give both, (lambda_c, lambda_s), such as (80e-6, None)"
+        ) from None
+    found = [None if one is None else number(one, "cutoffs_m") for one in (long, short)]
+    return found[0], found[1]
+
+
 def _filtered(
     height: Heights, surface: Surface, conditions: Conditions, transfer: Transfer
 ) -> tuple[Heights, dict[str, Spectrum], Coverage, float | None]:
@@ -270,9 +282,9 @@ def _filtered(
         after = before * np.abs(ratio) ** 2
         spectra["x"].add(block, before.sum(axis=1), after.sum(axis=1))
         spectra["y"].add(slice(None), before.sum(axis=0), after.sum(axis=0))
-        cover.add(along, across, before, after)
         if first == 0:
-            before[0, 0] = 0  # the mean
+            before[0, 0] = after[0, 0] = 0  # the mean, which is no roughness
+        cover.add(along, across, before, after)
         mean_square += before.sum()
         of_wave = transfer.rise(along, across)
         # A wave of amplitude A has a mean square of A^2/2.

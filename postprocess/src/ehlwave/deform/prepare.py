@@ -8,8 +8,8 @@ adds components that the surface does not have. Three ways to deal with that:
     changed; within about one Hertz semi-axis of an end the prediction is that for the mirrored
     neighbourhood. Four times the memory for a map.
 ``taper``
-    The outer tenth at each end is faded to zero by a cosine (Tukey window). Results and statistics
-    of that margin mean nothing and are left out of the statistics.
+    The outer tenth at each end is faded to the mean by a cosine (Tukey window). Results of that
+    margin mean nothing and are left out of the statistics.
 ``none``
     For surfaces that do repeat: synthetic ones, or a whole number of periods.
 """
@@ -19,7 +19,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ehlwave.choices import FORMS, Form, Window
+from ehlwave.choices import FORMS, WINDOWS, Form, Window, chosen
 from ehlwave.deform.surface import Heights, Surface
 
 TAPERED_SHARE = 0.1
@@ -32,8 +32,10 @@ def remove_form(surface: Surface, form: Form) -> Surface:
     ``mean``, ``plane`` and ``quadratic`` remove an offset, a tilt and the curvature of a ball or
     roller. The macroscopic shape is in the conditions already (Rx, Ry), so it must not be in the
     roughness too. ``none`` changes nothing.
+
+    Raises SurfaceError if there is no such form.
     """
-    degree = FORMS[form]
+    degree = FORMS[chosen(form, "form", FORMS)]  # type: ignore[index]
     if degree is None:
         return surface
     if np.ptp(surface.height) == 0:
@@ -50,13 +52,18 @@ def remove_form(surface: Surface, form: Form) -> Surface:
 
 
 def extended(height: Heights, window: Window) -> Heights:
-    """Return heights ready for a Fourier transform: mirrored, tapered or as they are."""
+    """Return heights ready for a Fourier transform: mirrored, tapered or as they are.
+
+    Raises SurfaceError if there is no such treatment of the ends.
+    """
+    chosen(window, "window", WINDOWS)
     if window == "none":
         return height
     if window == "taper":
         nx, ny = height.shape
         factors = taper(nx), taper(ny)
-        return height * np.outer(*factors).astype(height.dtype)
+        mean = height.mean(dtype=np.float64).astype(height.dtype)
+        return mean + (height - mean) * np.outer(*factors).astype(height.dtype)
     pieces = height
     for axis in (0, 1):
         if height.shape[axis] > 1:

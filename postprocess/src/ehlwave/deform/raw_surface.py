@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ehlwave.errors import SurfaceError
+from ehlwave.extras import install
 from ehlwave.hdf5 import DATA_PER_BYTE, opened, reason
 
 MOST_POINTS = 100_000_000
@@ -107,7 +108,7 @@ def raw_instrument(file: Path) -> RawSurface:
     except ImportError as error:
         raise SurfaceError(
             f"{file}: this format is read by SurfaceTopography, which is not installed: "
-            "pip install 'ehlwave[instruments]' (CSV, NumPy and HDF5 need nothing)"
+            f"{install('instruments')} (CSV, NumPy and HDF5 need nothing)"
         ) from error
     if h5py.is_hdf5(file):
         with opened(file):
@@ -143,7 +144,7 @@ def topography_of(height: NDArray[Any], steps: tuple[float, float], name: str) -
         from SurfaceTopography import Topography, UniformLineScan
     except ImportError as error:
         raise SurfaceError(
-            f"{name}: SurfaceTopography is not installed: pip install 'ehlwave[instruments]'"
+            f"{name}: SurfaceTopography is not installed: {install('instruments')}"
         ) from error
     sizes = [count * step for count, step in zip(height.shape, steps, strict=True) if count > 1]
     values, info = np.asarray(height, dtype=np.float64), {"name": name}

@@ -2,14 +2,14 @@
 
 import math
 import zipfile
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import IO, Any
 
 import h5py
 import numpy as np
 
-from ehlwave.deform.decimals import Decimal
+from ehlwave.choices import AXES, DECIMALS, Axis, Decimal, chosen
 from ehlwave.deform.raw_surface import (
     RawSurface,
     SurfaceSource,
@@ -20,7 +20,6 @@ from ehlwave.deform.raw_surface import (
     refuse_large,
 )
 from ehlwave.deform.surface import (
-    Axis,
     Surface,
     filled,
     is_uniform,
@@ -32,6 +31,7 @@ from ehlwave.deform.text_table import TextTable, position_and_height, read_text_
 from ehlwave.deform.units import METRES, metres
 from ehlwave.errors import ResultsError, SurfaceError, printable
 from ehlwave.hdf5 import check_is_file, opened, reason
+from ehlwave.quantities import is_quantity, number
 
 _TEXT = {".csv", ".txt", ".dat", ".prf", ".asc", ".tsv"}
 _HDF5 = {".h5", ".hdf5", ".nc"}
@@ -71,6 +71,12 @@ class ReadOptions:
     fill_missing: bool = False
     decimal: Decimal | None = None
 
+    def __post_init__(self) -> None:
+        """Check the words."""
+        chosen(self.rolling_axis, "rolling_axis", AXES)
+        if self.decimal is not None:
+            chosen(self.decimal, "decimal", DECIMALS)
+
 
 def read_surface(path: SurfaceSource | Surface, options: ReadOptions | None = None) -> Surface:
     """Read a trace or a map.
@@ -84,7 +90,7 @@ def read_surface(path: SurfaceSource | Surface, options: ReadOptions | None = No
         with an attribute ``units``. Anything else (SDF, SUR, PLU, X3P, ...) is read by the package
         SurfaceTopography when that is installed. Or an array, taken as one in a ``.npy`` file but
         in metres by default, with the step in `options`; an object of SurfaceTopography; or a
-        Surface, which is returned as it is.
+        Surface, which is returned as it is and takes no options.
     options : ReadOptions, optional
         What the file does not say.
 
@@ -120,31 +126,44 @@ def read_surface(path: SurfaceSource | Surface, options: ReadOptions | None = No
     >>> bool(np.allclose(again.height, trace.height, rtol=0, atol=1e-15))
     True
     """
+    said = options or ReadOptions()
     if isinstance(path, Surface):
+        _refuse_options(path, said)
         return path
-    chosen = options or ReadOptions()
-    file, found = _found(path, chosen)
+    file, found = _found(path, said)
     raw = _without_single_line(found)
     if raw.height.ndim not in (1, 2):
         raise SurfaceError(f"{file}: heights have {raw.height.ndim} dimensions, not one or two")
-    height_metres = _unit(file, chosen.height_unit or raw.height_unit, "heights", "height_unit=")
+    height_metres = _unit(
+        file, _first(said.height_unit, raw.height_unit), "heights", "height_unit="
+    )
     # One copy, and none of a large single-precision map's size in double precision.
     kind = raw.height.dtype if raw.height.dtype == np.float32 else np.float64
     height = np.array(raw.height, dtype=kind)
     height *= height_metres
-    if chosen.fill_missing:
+    if said.fill_missing:
         try:
             height = filled(height)
         except SurfaceError as error:
             raise SurfaceError(f"{file}: {error}") from None
-    along, across = _steps(file, raw, chosen)
+    along, across = _steps(file, raw, said)
     name = printable(file.name)
     if height.ndim == 1:
-        axis = "y" if raw.is_across else chosen.rolling_axis
+        axis = "y" if raw.is_across else said.rolling_axis
         return trace_surface(height, along, axis, name)
-    if chosen.rolling_axis == "x":
+    if said.rolling_axis == "x":
         return map_surface(height.T, along, across, name)
     return map_surface(height, across, along, name)
+
+
+def _refuse_options(surface: Surface, options: ReadOptions) -> None:
+    """Raise SurfaceError if there are options for a surface that has units, steps and axes."""
+    for field in fields(options):
+        if getattr(options, field.name) is not field.default:
+            raise SurfaceError(
+                f"{surface.name}: {field.name}= is for files and arrays, and a Surface has its "
+                f"own: remove {field.name}=, or give the heights as an array"
+            )
 
 
 def _found(source: SurfaceSource, options: ReadOptions) -> tuple[Path, RawSurface]:
@@ -235,16 +254,16 @@ def _from_text(file: Path, options: ReadOptions) -> RawSurface:
             step=table.step,
             has_decimal_commas=table.has_decimal_commas,
         )
-    chosen = position_and_height(table)
-    if chosen is None and numbers.shape[1] == 2:
-        chosen = 0, 1
+    columns = position_and_height(table)
+    if columns is None and numbers.shape[1] == 2:
+        columns = 0, 1
         if not is_uniform(numbers[:, 0]) and is_uniform(numbers[:, 1]):
             raise SurfaceError(
                 f"{file}: positions are not equidistant in its first column but in its second: if "
                 "they are swapped, put headings above them, such as z;x"
             )
-    if chosen is not None:
-        x, z = chosen
+    if columns is not None:
+        x, z = columns
         return RawSurface(
             numbers[:, z],
             x=numbers[:, x],
@@ -299,20 +318,32 @@ def _from_hdf5(file: Path, inside: h5py.File) -> RawSurface:
 
 def _steps(file: Path, raw: RawSurface, options: ReadOptions) -> tuple[float, float]:
     """Return the steps along x and y of the file, m."""
-    length = _unit(file, options.length_unit or raw.length_unit, "lengths", "length_unit=")
+    length = _unit(file, _first(options.length_unit, raw.length_unit), "lengths", "length_unit=")
     # A unit that the user gives is that of positions too, not of a step stated with its own.
-    stated = METRES.get(raw.length_unit or "", length) / length if options.length_unit else 1.0
+    stated = (
+        METRES.get(raw.length_unit or "", length) / length
+        if options.length_unit is not None
+        else 1.0
+    )
     step, across = (None if own is None else own * stated for own in (raw.step, raw.step_across))
     if raw.x is not None:
         step = uniform_step(_positions(file, raw.x, raw.height.shape[-1], "x"), f"{file}: x")
     if raw.y is not None and raw.height.ndim == 2:
         across = uniform_step(_positions(file, raw.y, raw.height.shape[0], "y"), f"{file}: y")
-    step = _agreed(file, "step=", options.step, step)
-    across = _agreed(file, "step_across=", options.step_across, across)
+    step = _agreed(file, "step=", _said(file, "step", options.step, length), step)
+    said = _said(file, "step_across", options.step_across, length)
+    across = _agreed(file, "step_across=", said, across)
     if step is None:
         hint = "; commas were taken as decimal ones" if raw.has_decimal_commas else ""
         raise SurfaceError(f"{file}: has no positions: give the sampling step by step={hint}")
     return step * length, (step if across is None else across) * length
+
+
+def _said(file: Path, name: str, step: Any, length: float) -> float | None:  # noqa: ANN401
+    """Return a step that the user says, in the unit of lengths, m, where it has none itself."""
+    if is_quantity(step):
+        return number(step, f"{name}_m", str(file)) / length
+    return None if step is None else number(step, name, str(file))
 
 
 def _agreed(file: Path, option: str, said: float | None, own: float | None) -> float | None:
@@ -341,6 +372,10 @@ def _numbers(file: Path, values: Any) -> np.ndarray:  # noqa: ANN401
     if array.dtype.kind not in "fiu":
         raise SurfaceError(f"{file}: holds {array.dtype} where real numbers are expected")
     return array
+
+
+def _first(said: str | None, own: str | None) -> str | None:
+    return own if said is None else said
 
 
 def _unit(file: Path, unit: str | None, what: str, option: str) -> float:

@@ -22,6 +22,8 @@ from ehlwave.writing import Writer
 FORMAT_NAME = "ehlwave-deformed"
 TITLE = "ehlwave: a surface as made and in the contact"
 UM = 1e6
+ANSWER = "Answer       "
+"""Heading of the first line."""
 CSV_FORMAT: Any = {"index": False, "float_format": "%.9g", "lineterminator": "\r\n"}
 
 
@@ -32,7 +34,7 @@ def report_text(result: Deformed, others: Sequence[Deformed] = ()) -> str:
     """
     c, s = result.conditions, result.statistics
     lines = [
-        f"Answer       {answer_of(s).text()}",
+        f"{ANSWER}{answer_of(s).text()}",
         f"Surface      {result.surface.name}: {_size_text(result)}; form removed: {result.form}; "
         f"ends: {result.window}",
         f"Conditions   M = {c.m:.6g}, L = {c.l:.6g}, D = {c.d:.6g}, S = {c.slip_parameter:g}; "
@@ -76,9 +78,14 @@ def report_text(result: Deformed, others: Sequence[Deformed] = ()) -> str:
 
 
 def brief_text(result: Deformed) -> str:
-    """Return the answer, then conditions, film, errors and warnings alone."""
-    kept = "Answer", "Conditions", "Reduced by", "Film", " ", "Warning"
-    lines = [line for line in report_text(result).splitlines() if line.startswith(kept)]
+    """Return the answer, then conditions, film, errors, what is not judged and warnings alone."""
+    kept = "Answer", "Conditions", "Reduced by", "Film", "Not judged", "Warning"
+    lines, heading = [], ""
+    for line in report_text(result).splitlines():
+        heading = heading if line.startswith(" ") else line
+        # Components that are not judged are counted, not named.
+        if heading.startswith(kept) and (line == heading or not heading.startswith("Not judged")):
+            lines.append(line)
     return "\n".join([lines[0], f"Limits       {LIMITS_TEXT}", *lines[1:]])
 
 

@@ -37,7 +37,7 @@ def simulation_surface(surface: Surface, form: Form = "plane", repeat: int = 1) 
             f"{surface.name}: a trace across rolling has nothing that moves through the contact; "
             "give a map, or compute longitudinal waviness by ehlwave-case"
         )
-    if repeat < 1:
+    if not (isinstance(repeat, int | np.integer) and repeat >= 1):
         raise SurfaceError(f"repeat={repeat}: give a whole number of 1 or more")
     flat = remove_form(surface, form)
     height = np.tile(flat.height.astype(np.float64), (repeat, 1))

@@ -1,19 +1,19 @@
 """A measured surface on a uniform grid, in metres."""
 
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy import ndimage
 
+from ehlwave.choices import AXES, Axis, chosen
 from ehlwave.deform.raw_surface import topography_of
 from ehlwave.errors import SurfaceError
-from ehlwave.quantities import plain
+from ehlwave.quantities import number, plain
 from ehlwave.shown import Shown, micrometres
 
 Heights = NDArray[np.floating]
-Axis = Literal["x", "y"]
 
 LARGEST_STEP_DEVIATION = 0.05
 """How far a position may lie from a uniform grid, in steps: rounded numbers in text files do."""
@@ -86,7 +86,8 @@ def trace_surface(height: Heights, step_m: float, axis: Axis = "x", name: str = 
     SurfaceError
         As :func:`checked_surface`.
     """
-    values, step_m = np.asarray(plain(height, "height_m")), plain(step_m, "step_m")
+    chosen(axis, "axis", AXES, name)
+    values, step_m = np.asarray(plain(height, "height_m")), number(step_m, "step_m", name)
     if values.ndim != 1:
         raise SurfaceError(f"{name}: a trace has one dimension, got shape {values.shape}")
     if axis == "x":
@@ -103,7 +104,7 @@ def map_surface(height: Heights, step_x_m: float, step_y_m: float, name: str = "
         As :func:`checked_surface`.
     """
     values = np.asarray(plain(height, "height_m"))
-    step_x_m, step_y_m = plain(step_x_m, "step_x_m"), plain(step_y_m, "step_y_m")
+    step_x_m, step_y_m = number(step_x_m, "step_x_m", name), number(step_y_m, "step_y_m", name)
     if values.ndim != 2 or 1 in values.shape:
         raise SurfaceError(f"{name}: a map has two dimensions, got shape {values.shape}")
     return checked_surface(Surface(values, step_x_m, step_y_m, name))
@@ -116,11 +117,13 @@ def checked_surface(surface: Surface) -> Surface:
     positive, missing or infinite heights, or slopes that only a wrong unit explains.
     """
     name, height = surface.name, surface.height
+    if not (isinstance(height, np.ndarray) and height.ndim == 2):
+        raise SurfaceError(f"{name}: heights must be an array of shape (nx, ny)")
     steps = {"x": (0, surface.step_x_m), "y": (1, surface.step_y_m)}
     for letter, (axis, step) in steps.items():
         if surface.is_trace and surface.trace_axis != letter:
             continue
-        if not (np.isfinite(step) and step > 0):
+        if not _is_length(step):
             raise SurfaceError(f"{name}: step along {letter} is {step}: give a positive length")
         if height.shape[axis] < 8:
             raise SurfaceError(
@@ -147,6 +150,13 @@ def checked_surface(surface: Surface) -> Surface:
             "and length_unit="
         )
     return surface
+
+
+def _is_length(step: Any) -> bool:  # noqa: ANN401 - what users give
+    try:
+        return not isinstance(step, str) and number(step, "step_m") > 0
+    except SurfaceError:
+        return False
 
 
 def rms_slope(surface: Surface) -> float:

@@ -130,7 +130,7 @@ class FormulaTransfer(FormulaBasis):
     conditions: Conditions
     c1: float = PAPER_C1
     c2: float = PAPER_C2
-    name: str = "formula (18), the paper's coefficients"
+    name: str = "formula of Venner et al. (2000)"
 
     def __post_init__(self) -> None:
         """Refuse coefficients that are no amplitude reduction."""

@@ -3,6 +3,7 @@
 import re
 
 from ehlwave.errors import SurfaceError
+from ehlwave.hints import did_you_mean
 
 METRES = {
     "m": 1.0,
@@ -25,12 +26,13 @@ def metres(unit: str, place: str) -> float:
 
     Raises SurfaceError if the unit is not known.
     """
-    try:
-        return METRES[unit.strip()]
-    except KeyError:
+    known = METRES.get(unit.strip()) if isinstance(unit, str) else None
+    if known is None:
+        near = did_you_mean(unit.lower(), CHOICES) if isinstance(unit, str) else ""
         raise SurfaceError(
-            f"{place}: unknown unit of length {unit!r}; use one of {', '.join(CHOICES)}"
-        ) from None
+            f"{place}: unknown unit of length {unit!r}{near}; use one of {', '.join(CHOICES)}"
+        )
+    return known
 
 
 def unit_in_heading(heading: str) -> str | None:

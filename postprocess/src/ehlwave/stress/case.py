@@ -12,8 +12,8 @@ from scipy.interpolate import CubicSpline
 
 from ehlwave.case_file import read_contact, whole_domain
 from ehlwave.errors import StressError
-from ehlwave.stress.field import checked_depths, stress_below, stress_line
-from ehlwave.stress.loads import checked_load
+from ehlwave.stress.field import stress_below, stress_line
+from ehlwave.stress.loads import checked_depths, checked_load
 from ehlwave.stress.waves import COMPONENTS
 
 Floats = NDArray[np.float64]

@@ -18,7 +18,8 @@ from ehlwave.stress.case import (
 )
 from ehlwave.stress.criteria import CRITERIA, Largest, largest, largest_shear
 from ehlwave.stress.dang_van import dang_van_factor, fatigue_shear
-from ehlwave.stress.report import MPA, NAMES
+from ehlwave.stress.loads import DEEPEST, checked_depths
+from ehlwave.stress.report import MPA, NAMES, place_text
 from ehlwave.stress.waves import COMPONENTS
 
 if TYPE_CHECKING:
@@ -56,7 +57,7 @@ def judge_case(
     if depths is None:
         depths = usual_depths(contact)
     elif contact.has_lengths:
-        depths = depths / UM
+        depths = checked_depths(depths / UM, DEEPEST * contact.scales_m[0])
     stresses, bodies = [], []
     for body in (1, 2):
         stress = stress_of_case(contact.case, depths, body, poisson_ratio)
@@ -115,14 +116,14 @@ def case_text(document: dict[str, Any]) -> str:
     ]
     for entry in document["bodies"]:
         slip = document["slip_parameter"] if entry["body"] == 1 else 2 - document["slip_parameter"]
-        lines += ["", f"Body {entry['body']}, S = {slip:g}"]
+        lines += ["", f"{('First', 'Second')[entry['body'] - 1]} body, S = {slip:g}"]
         lines += [f"  {'':26}{'MPa':>10}{'depth ' + unit:>11}{'x ' + unit:>11}{'y ' + unit:>11}"]
         for name, values in entry["peaks"].items():
             peak = Largest(**values)
             places = (peak.depth_m, peak.x_m, peak.y_m)
             lines += [
                 f"  {NAMES[name]:26}{peak.value * MPA:10.4g}"
-                + "".join(f"{place * scale:11.3g}" for place in places)
+                + "".join(f"{place_text(place * scale):>11}" for place in places)
             ]
         if "ripple_shear_pa" in entry:
             text = f"  {'ripple, largest shear':26}{entry['ripple_shear_pa'] * MPA:10.4g}"

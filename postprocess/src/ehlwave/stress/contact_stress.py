@@ -12,7 +12,6 @@ from ehlwave.deform.predict import Deformed
 from ehlwave.deform.raw_surface import SurfaceSource
 from ehlwave.deform.surface import Surface
 from ehlwave.errors import RangeError
-from ehlwave.quantities import plain
 from ehlwave.stress.rough import RoughStress, rough_stress
 
 UNKNOWN_FRICTION = (
@@ -86,8 +85,9 @@ def stress_of_contact(
         friction = _friction(contact)
         if friction is None:
             notes.append(UNKNOWN_FRICTION)
-    depths_m = plain(depths_m, "depths_m")
-    result = rough_stress(deformed, friction or 0.0, cycles, poisson_ratio, depths_m, smooth)
+    result = rough_stress(
+        deformed, 0.0 if friction is None else friction, cycles, poisson_ratio, depths_m, smooth
+    )
     result.warnings.extend(notes)
     return result
 

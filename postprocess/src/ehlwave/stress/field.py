@@ -7,9 +7,8 @@ import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 from scipy import fft
 
-from ehlwave.errors import StressError
 from ehlwave.stress.images import ImageCorrection, coarse_factor
-from ehlwave.stress.loads import Load, checked_load
+from ehlwave.stress.loads import Load, checked_depths, checked_load
 from ehlwave.stress.spectral import RepeatedLoad
 from ehlwave.stress.waves import COMPONENTS
 
@@ -90,7 +89,7 @@ def stress_below(
             "x": ("x", load.x_m, {"units": "m"}),
             "y": ("y", load.y_m, {"units": "m"}),
         },
-        attrs={"poisson_ratio": poisson_ratio, "sign": "tension positive, z into the body"},
+        attrs={"poisson_ratio": load.poisson_ratio, "sign": "tension positive, z into the body"},
     )
 
 
@@ -124,14 +123,3 @@ def stress_line(load: Load, depths_m: Floats, row: int) -> dict[str, Floats]:
     waves = RepeatedLoad(load.fields, load.steps_m, load.poisson_ratio, periods, is_endless)
     lines = [waves.line_at(float(depth), row) for depth in depths_m]
     return {name: np.array([line[name] for line in lines]) for name in COMPONENTS}
-
-
-def checked_depths(depths_m: ArrayLike) -> Floats:
-    """Return depths as a list, m.
-
-    Raises StressError if one is negative or not finite, or there is none.
-    """
-    depths = np.atleast_1d(np.asarray(depths_m, dtype=float)).ravel()
-    if depths.size == 0 or not np.all(np.isfinite(depths)) or np.any(depths < 0):
-        raise StressError(f"depths_m = {depths_m}: give depths below the surface, 0 m or more")
-    return depths

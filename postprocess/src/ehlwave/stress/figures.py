@@ -10,6 +10,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from ehlwave.figures import COLOURS
+from ehlwave.scales_of_figures import aspect_note, readable_aspect
 from ehlwave.stress.centre import contact_fields
 from ehlwave.stress.criteria import von_mises
 from ehlwave.stress.dang_van import PRESSURE_COEFFICIENT, Path, fatigue_shear
@@ -28,6 +29,11 @@ STYLE: dict[Any, Any] = {
 SECTION_DEPTHS = 28
 GRID = (256, 64)
 """Points of the contact that is drawn, along and across."""
+LINES: tuple[dict[str, Any], ...] = (
+    {"color": COLOURS[0], "lw": 2.2},
+    {"color": COLOURS[1], "lw": 1.2, "ls": "--"},
+)
+"""Of both bodies: the second is drawn on the first, and both are seen where they are one."""
 
 
 def section_figure(
@@ -50,23 +56,28 @@ def section_figure(
     line = field.isel(y=row)
     deep = int(np.argmax(line.max("x").values))
     with rc_context(STYLE):
-        figure = Figure(figsize=(5.2 if is_line else 8.6, 4.6), layout="constrained")
-        axes = figure.subplots(2, 1 if is_line else 2, squeeze=False, height_ratios=(1, 1.5))
+        size, ratios = ((5.2, 4.6), (1, 1.5)) if is_line else ((8.6, 6.4), (1, 1))
+        figure = Figure(figsize=size, layout="constrained")
+        axes = figure.subplots(2, 1 if is_line else 2, squeeze=False, height_ratios=ratios)
         x = stress["x"].values * scale
         top = axes[0, 0]
         top.plot(x, pressure_pa.transpose("x", "y").values[:, row] * 1e-9, color=COLOURS[0])
         top.set(ylabel="pressure [GPa]", xlim=(x[0], x[-1]), ylim=(0, None))
         top.tick_params(labelbottom=False)
-        _colours(axes[1, 0], x, stress["z"].values * scale, line.values, "von Mises [MPa], $y=0$")
+        z, name = stress["z"].values * scale, "von Mises [MPa], $y=0$"
+        _colours(axes[1, 0], x, z, line.values, name, place="bottom")
         axes[1, 0].invert_yaxis()
-        axes[1, 0].set(xlabel=f"$x$ [{unit}]", ylabel=f"depth $z$ [{unit}]")
+        axes[1, 0].set(xlabel=f"$x$ [{unit}]", ylabel=f"depth $z$ [{unit}]", aspect=1, anchor="N")
         if not is_line:
             y = stress["y"].values * scale
             _pressure_map(axes[0, 1], x, y, pressure_pa)
             depth = float(stress["z"][deep]) * scale
             name = f"von Mises [MPa], $z={depth:.3g}$ {unit}"
             _colours(axes[1, 1], x, y, field.isel(z=deep).transpose("y", "x").values, name)
-            axes[1, 1].set(xlabel=f"$x$ [{unit}]", ylabel=f"$y$ [{unit}]")
+            sides = float(np.ptp(x)), float(np.ptp(y))
+            for panel in axes[:, 1]:
+                panel.set(xlabel=f"$x$ [{unit}]", ylabel=f"$y$ [{unit}]{aspect_note(*sides)}")
+                panel.set_aspect(readable_aspect(*sides))
     return figure
 
 
@@ -94,20 +105,20 @@ def depth_figure(result: RoughStress) -> Figure:
     with rc_context(STYLE):
         figure = Figure(figsize=(8.6, 3.4), layout="constrained")
         over_depth, plane = figure.subplots(1, 2)
-        for body, colour in zip(result.bodies, COLOURS, strict=False):
+        for body, line in zip(result.bodies, LINES, strict=False):
             depth = body.risk["z"].values * UM
             values = body.risk.values
-            over_depth.plot(values.max(axis=1), depth, color=colour, label=body.name)
-            over_depth.fill_betweenx(
-                depth, values.min(axis=1), values.max(axis=1), color=colour, alpha=0.15, lw=0
-            )
-            plane.plot(*_in_plane(body.path), color=colour, label=body.name)
+            over_depth.plot(values.max(axis=1), depth, label=f"{body.name}, worst point", **line)
+            name = "all points" if body is result.bodies[-1] else None
+            ends = values.min(axis=1), values.max(axis=1)
+            over_depth.fill_betweenx(depth, *ends, color="0.5", alpha=0.2, lw=0, label=name)
+            plane.plot(*_in_plane(body.path), label=body.name, **line)
         smooth = np.asarray(result.bodies[0].smooth_over_depth)
-        over_depth.plot(smooth, depth, color="0.3", linestyle="--", label="smooth surfaces")
-        over_depth.axvline(1, color="0.6", linewidth=0.8)
+        over_depth.plot(smooth, depth, color="0.2", linestyle=":", label="without roughness")
+        over_depth.axvline(1, color="0.6", linewidth=0.8, label="cracks begin from here on")
         over_depth.set(xlabel="Dang Van's factor", ylabel=r"depth $z$ [$\mu$m]", xlim=(0, None))
         over_depth.invert_yaxis()
-        over_depth.legend(frameon=False, loc="lower left")
+        over_depth.legend(frameon=False, loc="lower center", bbox_to_anchor=(0.5, 1), ncols=2)
         _limit_line(plane, float(fatigue_shear(result.cycles)))
         plane.set(
             xlabel=r"hydrostatic stress $\sigma_H$ [MPa]", ylabel=r"shear stress $\tau$ [MPa]"
@@ -130,17 +141,13 @@ def ripple_figure(result: RoughStress) -> Figure:
         letter = "x" if result.ripples[0].moves else "y"
         profile.set(xlabel=rf"${letter}$ on the surface [$\mu$m]", ylabel="pressure ripple [MPa]")
         profile.margins(x=0)
-        for body, colour in zip(result.bodies, COLOURS, strict=False):
-            over_depth.plot(
-                body.ripple_over_depth_pa * MPA,
-                body.risk["z"].values * UM,
-                color=colour,
-                label=body.name,
-            )
+        for body, line in zip(result.bodies, LINES, strict=False):
+            depth = body.risk["z"].values * UM
+            over_depth.plot(body.ripple_over_depth_pa * MPA, depth, label=body.name, **line)
         over_depth.set(xlabel="largest shear of the ripple [MPa]", ylabel=r"depth $z$ [$\mu$m]")
         over_depth.set_xlim(0, None)
         over_depth.invert_yaxis()
-        over_depth.legend(frameon=False)
+        over_depth.legend(frameon=False, loc="lower center", bbox_to_anchor=(0.5, 1), ncols=2)
     return figure
 
 
@@ -165,11 +172,16 @@ def _limit_line(axes: Axes, fatigue_pa: float) -> None:
 def _pressure_map(axes: Axes, x: Floats, y: Floats, pressure_pa: xr.DataArray) -> None:
     values = pressure_pa.transpose("y", "x").values * 1e-9
     _colours(axes, x, y, values, "pressure [GPa]", "magma")
-    axes.tick_params(labelbottom=False)
 
 
 def _colours(
-    axes: Axes, x: Floats, y: Floats, values: Floats, name: str, colours: str = "viridis"
+    axes: Axes,
+    x: Floats,
+    y: Floats,
+    values: Floats,
+    name: str,
+    colours: str = "viridis",
+    place: str = "right",
 ) -> None:
     mesh = axes.pcolormesh(x, y, values, cmap=colours, vmin=0, shading="gouraud", rasterized=True)
-    axes.figure.colorbar(mesh, ax=axes, label=name)
+    axes.figure.colorbar(mesh, ax=axes, label=name, location=place)

@@ -1,17 +1,23 @@
 """Loads on the surface of a body: arrays, checked, in one order of axes."""
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
-from ehlwave.errors import StressError
+from ehlwave.errors import StressError, SurfaceError
+from ehlwave.quantities import number, plain
 
 Floats = NDArray[np.float64]
 
 SAME_STEP = 1e-6
 """Relative: coordinates of a DataArray are kept where their steps are those that are given."""
+
+
+DEEPEST = 100.0
+"""Semi-axes a: stresses of the contact are below a thousandth there, of lines below a hundredth."""
 
 
 @dataclass(frozen=True)
@@ -66,8 +72,7 @@ def checked_load(
     shapes = {name: field.shape for name, field in fields.items()}
     if len(set(shapes.values())) > 1:
         raise StressError(f"shapes differ, [x, y]: {shapes}")
-    if not -1 < poisson_ratio <= 0.5:
-        raise StressError(f"poisson_ratio = {poisson_ratio}: must be above -1 and at most 0.5")
+    poisson_ratio = checked_poisson_ratio(poisson_ratio)
     shape = next(iter(shapes.values()))
     steps = _steps(steps_m, shape)
     places = [
@@ -77,7 +82,44 @@ def checked_load(
     both = (periodic, periodic) if isinstance(periodic, bool | np.bool_) else tuple(periodic)
     if len(both) != 2:
         raise StressError(f"periodic = {periodic}: one truth value, or one for x and one for y")
-    return Load(fields, steps, float(poisson_ratio), (bool(both[0]), bool(both[1])), *places)
+    return Load(fields, steps, poisson_ratio, (bool(both[0]), bool(both[1])), *places)
+
+
+def checked_number(value: Any, name: str) -> float:  # noqa: ANN401 - what users give
+    """Return a number as :func:`ehlwave.quantities.number` does; its doubts are a StressError."""
+    try:
+        return number(value, name)
+    except SurfaceError as error:
+        raise StressError(str(error)) from None
+
+
+def checked_poisson_ratio(poisson_ratio: Any) -> float:  # noqa: ANN401 - what users give
+    """Return Poisson's ratio of an isotropic body; StressError outside -1 to 0.5."""
+    found = checked_number(poisson_ratio, "poisson_ratio")
+    if not -1 < found <= 0.5:
+        raise StressError(f"poisson_ratio = {found:g}: must be above -1 and at most 0.5")
+    return found
+
+
+def checked_depths(depths_m: Any, largest_m: float = np.inf) -> Floats:  # noqa: ANN401
+    """Return depths as a list, m.
+
+    Raises StressError if one is no number, negative or beyond the largest, or there is none.
+    """
+    try:
+        depths = np.atleast_1d(np.asarray(plain(depths_m, "depths_m"), dtype=float)).ravel()
+    except SurfaceError as error:
+        raise StressError(str(error)) from None
+    except (TypeError, ValueError):
+        raise StressError(f"depths_m = {depths_m!r}: give numbers, m") from None
+    if depths.size == 0 or not np.all(np.isfinite(depths)) or np.any(depths < 0):
+        raise StressError(f"depths_m = {depths_m}: give depths below the surface, 0 m or more")
+    if depths.max() > largest_m:
+        raise StressError(
+            f"depths_m: {depths.max():g} m is deeper than {largest_m:.3g} m, where nothing of the "
+            f"contact is left: plain numbers are in m; did you mean {depths.max():g}e-6?"
+        )
+    return depths
 
 
 def _field(field: ArrayLike | xr.DataArray, name: str) -> Floats:

@@ -14,6 +14,8 @@ from ehlwave.stress.rough import RoughStress
 
 FORMAT_NAME = "ehlwave-stress"
 UM, MPA = 1e6, 1e-6
+LEAST_PLACE = 1e-4
+"""In um, or a: an atom."""
 NAMES = {
     "von_mises": "von Mises",
     "largest_shear": "largest shear",
@@ -34,34 +36,64 @@ def stress_text(result: RoughStress) -> str:
     ]
     for body in result.bodies:
         lines += ["", f"{body.name[0].upper()}{body.name[1:]}, S = {body.slip:g}", *_table(body)]
+        ripple = body.ripple_shear
         lines += [
-            f"  ripple, largest shear      {_megapascals(body.ripple_shear.value_pa)} "
-            f"{'':>9}{body.ripple_shear.depth_m * UM:11.3g}{body.ripple_shear.place_m * UM:11.3g}"
-            f"   within {body.ripple_shear_error_pa * MPA:.2g} MPa; |x| < {INNER:g} a",
-            f"  Dang Van's factor          {body.dang_van:9.3f} {body.dang_van_smooth:9.3f}"
-            f"{body.dang_van_depth_m * UM:11.3g}{'':11}   within {body.dang_van_error:.2g}; "
-            f"N = {result.cycles:.3g}",
-            f"  near the surface           {body.dang_van_near:9.3f} "
-            f"{body.dang_van_near_smooth:9.3f}   down to {body.near_m * UM:.3g} um",
-            f"  share of surface at risk   {100 * body.share_at_risk:9.3g} %; life over smooth "
-            f"{body.life_ratio:.3g}",
+            _row("ripple, largest shear", _megapascals(ripple.value_pa), "", *_places(ripple))
+            + f"   within {body.ripple_shear_error_pa * MPA:.2g} MPa; |x| < {INNER:g} a",
+            _row(
+                "Dang Van's factor",
+                f"{body.dang_van:.3f}",
+                f"{body.dang_van_smooth:.3f}",
+                f"{body.dang_van_depth_m * UM:.3g}",
+                "",
+            )
+            + f"   within {body.dang_van_error:.2g}; N = {result.cycles:.3g}",
+            _row(
+                "  near the surface",
+                f"{body.dang_van_near:.3f}",
+                f"{body.dang_van_near_smooth:.3f}",
+            )
+            + f"   down to {body.near_m * UM:.3g} um",
+            _row("share of surface at risk", f"{100 * body.share_at_risk:.3g} %"),
+            _row("life over that without", f"{body.life_ratio:.3g}"),
         ]
-    lines += ["", *(f"Warning      {warning}" for warning in result.warnings)]
+    lines.append("")
+    if result.valid_within_a > 0:
+        lines.append(
+            f"Valid        for |x| < {result.valid_within_a:.2f} a; the outlet edge and the "
+            "pressure spike are not predicted"
+        )
+    lines += [f"Warning      {warning}" for warning in result.warnings]
     return "\n".join(lines).rstrip()
 
 
 def _table(body: BodyStress) -> list[str]:
-    lines = [f"  {'MPa':26}{'rough':>10}{'smooth':>10}{'depth um':>11}{'x um':>11}"]
-    lines += [
-        f"  {NAMES[key]:26}{_megapascals(peak.value_pa)} {_megapascals(peak.smooth_pa)}"
-        f"{peak.depth_m * UM:11.3g}{peak.place_m * UM:11.3g}"
-        for key, peak in body.peaks.items()
+    return [
+        _row("MPa", "with roughness", "without", "depth um", "x um"),
+        *(
+            _row(NAMES[key], *map(_megapascals, (one.value_pa, one.smooth_pa)), *_places(one))
+            for key, one in body.peaks.items()
+        ),
     ]
-    return lines
+
+
+def _row(name: str, *columns: str) -> str:
+    widths = 16, 10, 11, 11
+    cells = (f"{text:>{width}}" for text, width in zip(columns, widths, strict=False))
+    return f"  {name:26}{''.join(cells)}"
+
+
+def _places(peak: Peak) -> tuple[str, str]:
+    return place_text(peak.depth_m * UM), place_text(peak.place_m * UM)
+
+
+def place_text(place: float) -> str:
+    """Return a place, um or a; what only rounding keeps from 0 is 0."""
+    return f"{place:.3g}" if abs(place) > LEAST_PLACE else "0"
 
 
 def _megapascals(value_pa: float) -> str:
-    return f"{value_pa * MPA:9.4g}"
+    return f"{value_pa * MPA:.4g}"
 
 
 def stress_summary(result: RoughStress) -> dict[str, Any]:
@@ -87,6 +119,7 @@ def stress_summary(result: RoughStress) -> dict[str, Any]:
         "friction": result.friction,
         "cycles": result.cycles,
         "poisson_ratio": result.poisson_ratio,
+        "valid_within_a": result.valid_within_a,
         "bodies": bodies,
         "warnings": result.warnings,
     }

@@ -18,10 +18,15 @@ from ehlwave.shown import Shown, within
 from ehlwave.stress.body import BodyStress, judge_body
 from ehlwave.stress.case import stress_of_case
 from ehlwave.stress.dang_van import fatigue_shear
-from ehlwave.stress.field import checked_depths
 from ehlwave.stress.history import follow
 from ehlwave.stress.life import CYCLE_POWER, LINE_CYCLE_POWER
-from ehlwave.stress.trust import LINEAR_LIMIT, MODEL_ERROR, doubts
+from ehlwave.stress.loads import (
+    DEEPEST,
+    checked_depths,
+    checked_number,
+    checked_poisson_ratio,
+)
+from ehlwave.stress.trust import LINEAR_LIMIT, MODEL_ERROR, doubts, reach
 
 Floats = NDArray[np.float64]
 
@@ -57,6 +62,9 @@ class RoughStress(Shown):
         the centre for those of the whole contact.
     cycles, poisson_ratio : float
         N of Dang Van's criterion; of both bodies.
+    valid_within_a : float
+        Distance from the centre, in semi-axes, within which the pressure is above 0 everywhere;
+        farther out, with the edge and the pressure spike, nothing is predicted.
     warnings : list of str
         Where it is not to be trusted.
     """
@@ -71,6 +79,7 @@ class RoughStress(Shown):
     ripple_error: float
     cycles: float
     poisson_ratio: float
+    valid_within_a: float
     warnings: list[str] = field(default_factory=list)
 
     def _shown_rows(self) -> dict[str, str]:
@@ -128,8 +137,13 @@ def rough_stress(
             f"the second surface has slip_parameter {surfaces[1].conditions.slip_parameter:g}, not "
             f"{2 - slip:g} = 2 - S of the first"
         )
+    friction = abs(checked_number(friction, "friction"))
+    cycles = checked_number(cycles, "cycles")
+    poisson_ratio = checked_poisson_ratio(poisson_ratio)
+    if depths_m is not None:
+        depths_m = checked_depths(depths_m, DEEPEST * conditions.semi_axis_a_m)
     ripples = tuple(ripple_of(surface) for surface in surfaces)
-    depths = _depths(conditions, ripples) if depths_m is None else checked_depths(depths_m)
+    depths = _depths(conditions, ripples) if depths_m is None else depths_m
     near = max(REACH / _mean_number(conditions, ripples), float(depths.min()))
     hertz, rq = hertz_pressure_of(conditions), _rq(ripples)
     amplitude = max(surface.statistics.amplitude_over_film or 0.0 for surface in surfaces)
@@ -141,7 +155,7 @@ def rough_stress(
     bodies = []
     for index, own_slip in enumerate((slip, 2 - slip)):
         own = ripples[index] if index < len(ripples) else None
-        pull = -abs(friction) * float(np.sign(own_slip - 1))
+        pull = -friction * float(np.sign(own_slip - 1))
         below = None if smooth is None else _midplane(smooth, depths, index + 1, poisson_ratio)
         histories = follow(conditions, ripples, own, own_slip, depths, pull, poisson_ratio, below)
         bodies.append(
@@ -164,10 +178,11 @@ def rough_stress(
         bodies=tuple(bodies),
         hertz_pa=hertz,
         ripple_rq_pa=rq,
-        friction=abs(friction) if slip != 1 else 0.0,
+        friction=friction if slip != 1 else 0.0,
         ripple_error=error,
         cycles=cycles,
         poisson_ratio=poisson_ratio,
+        valid_within_a=reach(ripples, hertz),
         warnings=doubts(surfaces, ripples, amplitude, bar),
     )
 

@@ -36,19 +36,22 @@ def doubts(
             "the film is less than three times the deformed roughness: asperities may touch, where "
             "the pressure is that of dry contacts"
         )
-    lowest = min(float(ripple.pressure().min()) for ripple in ripples)
-    hertz = hertz_pressure_of(conditions)
-    if -lowest > hertz:
+    if reach(ripples, hertz_pressure_of(conditions)) == 0:
+        lowest = _lowest(ripples)
         found.append(
             f"the ripple falls to {lowest * 1e-9:.3g} GPa, below -ph: the oil cannot bear tension, "
             "and what is left does not follow from small waves"
         )
-    elif -lowest > 0:
-        reach = math.sqrt(max(0.0, 1 - (lowest / hertz) ** 2))
-        found.append(
-            f"the pressure is above 0 everywhere within {reach:.2f} semi-axes of the centre; the "
-            "edge of the contact, with the pressure spike, is not predicted"
-        )
     if bar > MODEL_ERROR:
         found.append(f"the error bars of the responses are {100 * bar:.2g} % of the ripple")
     return found
+
+
+def reach(ripples: Sequence[Ripple], hertz_pa: float) -> float:
+    """Return how far from the centre the pressure is above 0 everywhere, in semi-axes."""
+    return math.sqrt(max(0.0, 1 - (min(0.0, _lowest(ripples)) / hertz_pa) ** 2))
+
+
+def _lowest(ripples: Sequence[Ripple]) -> float:
+    """Return the lowest pressure of the ripples, Pa."""
+    return min(float(ripple.pressure().min()) for ripple in ripples)
