@@ -356,16 +356,16 @@ contains
       call list%add('phase_fit_2', 'phase of their harmonic fit against their pattern at the centre', pair%phase_fit, &
          unit='rad', exists=is_pair)
       call add_response(list, pair%harmonic, '_2', is_pair)
-      call list%add('film_rms_both', 'rms of H(0,0) by the waves of both surfaces over central_film, phases free, '// &
-         'linear responses', pair%film_rms, exists=is_pair)
+      call list%add('film_rms_both', 'rms of H(0,0) by the waves of both surfaces over central_film, phases free '// &
+         'even where the waves have one frequency, linear responses', pair%film_rms, exists=is_pair)
       call list%add('mean_film_rise_both', 'mean film with the waves of both surfaces less smooth film over Ai of '// &
          'the first, second order, linear responses', pair%mean_rise, exists=is_pair)
       call list%add('mean_film_rise_cross', 'part of mean_film_rise_both that neither surface has alone', &
          pair%cross_rise, exists=is_pair)
       call list%add('smallest_film_both', 'smallest film with the waves of both surfaces anywhere at any time, '// &
-         'second order', pair%smallest_film, exists=is_pair)
-      call list%add('surfaces_touch_both', '1 when both waves together would touch, second order', &
-         pair%surfaces_touch, exists=is_pair)
+         'phases free even where the waves have one frequency, second order', pair%smallest_film, exists=is_pair)
+      call list%add_truth('surfaces_touch_both', '1 when both waves together would touch, second order; -1: not '// &
+         'known', pair%surfaces_touch, exists=is_pair)
    end subroutine add_pair
 
    !> The linear response to the waves of a surface.
@@ -399,8 +399,8 @@ contains
          harmonic%smallest_film_x)
       call put('smallest_film_y', 'Y of the smallest film with waves, or of where they would touch', &
          harmonic%smallest_film_y)
-      call put('surfaces_touch', '1 when waves of Ai would touch the other surface, second order: there is no '// &
-         'smallest_film', harmonic%surfaces_touch)
+      call list%add_truth('surfaces_touch'//number, '1 when waves of Ai would touch the other surface, second '// &
+         'order: there is no smallest_film; -1: not known'//of, harmonic%surfaces_touch, exists=exists)
       call add_waves()
       call put('harmonic_linear_steps', 'GMRES steps of the linear response', harmonic%linear_steps)
       call put('harmonic_work_units', 'processor time of the linear response in plain FFT convolutions of the '// &
