@@ -1,5 +1,6 @@
 !> The result of one case. Values are NaN until they are computed.
 module ehlwave_case_result
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use ehlwave_error_parts, only: error_parts_t
    use ehlwave_field_history, only: field_history_t
    use ehlwave_harmonic_result, only: harmonic_result_t
@@ -89,5 +90,16 @@ module ehlwave_case_result
       real(dp), allocatable :: rise_k(:, :, :)       !! if it is warm: of `warm_fields`
       type(field_history_t) :: history               !! fields over time, if asked for
    end type case_result_t
+   contains
+      procedure :: response_error
 
 end module ehlwave_case_result
+contains
+
+   !> Relative error of the linear response by the mesh, of two surfaces the larger one.
+   pure real(dp) function response_error(self)
+      class(case_result_t), intent(in) :: self
+      response_error = self%harmonic%error
+      if (ieee_is_finite(self%pair%harmonic%error)) response_error = max(response_error, self%pair%harmonic%error)
+   end function response_error
+

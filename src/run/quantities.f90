@@ -198,8 +198,8 @@ contains
                     trim(result%amplitude_error_basis))
       call add_parts(list, 'film', 'H(0,0)', result%film_errors)
       call add_parts(list, 'ratio', 'Ad/Ai', result%ratio_errors)
-      call list%add('error_estimate', 'sum of the parts of the error of Ad/Ai, of smooth contacts of H(0,0): what '// &
-                    'accuracy is about', result%error_estimate)
+      call list%add('error_estimate', 'sum of the parts of the error of Ad/Ai, of two surfaces of the worse one, '// &
+                    'of smooth contacts of H(0,0): what accuracy is about', result%error_estimate)
       call list%add('refinements', 'runs on finer grids than the first, for an accuracy', result%refinements)
       call list%add('validity', 'what the result holds for: edges, linear range, warnings', &
                     validity_text(case, plan, result%warning))
