@@ -26,8 +26,8 @@ module ehlwave_far_field
 
    integer, parameter :: intervals = 256        !! of (F2), in ln r
    real(dp), parameter :: farthest = 60         !! r where (F1) holds
-   real(dp), parameter :: rising_exponent = 4   !! makes the pressure at r = 1 a quarter of ph where the oil does not
-                                                !! thicken
+   !> Makes the pressure at r = 1 a quarter of ph where the oil does not thicken.
+   real(dp), parameter, public :: rising_exponent = 4
 
    !> Far field of a contact.
    type, public :: far_field_t
