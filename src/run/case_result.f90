@@ -37,6 +37,7 @@ module ehlwave_case_result
       real(dp) :: central_film_error = no_value      !! of H(0,0), from the multigrid levels
       real(dp) :: minimum_film_error = no_value      !! of the smallest H, likewise
       real(dp) :: friction_error = no_value          !! of the friction coefficient, likewise
+      real(dp) :: minimum_film_domain_error = 0, friction_domain_error = 0   !! parts of them by the edges
       character(len=12) :: film_error_basis = ''     !! what they are from: 'coarse_grid' or 'model'
       real(dp) :: film_order = no_value              !! observed order of H(0,0) on the three finest levels
       real(dp) :: amplitude_ratio_error = no_value   !! of Ad/Ai
@@ -89,11 +90,10 @@ module ehlwave_case_result
       real(dp), allocatable :: shear_stress_pa(:, :) !! mean of the shear stresses at the two surfaces along X, if known
       real(dp), allocatable :: rise_k(:, :, :)       !! if it is warm: of `warm_fields`
       type(field_history_t) :: history               !! fields over time, if asked for
-   end type case_result_t
    contains
       procedure :: response_error
+   end type case_result_t
 
-end module ehlwave_case_result
 contains
 
    !> Relative error of the linear response by the mesh, of two surfaces the larger one.
@@ -103,3 +103,4 @@ contains
       if (ieee_is_finite(self%pair%harmonic%error)) response_error = max(response_error, self%pair%harmonic%error)
    end function response_error
 
+end module ehlwave_case_result

@@ -190,7 +190,11 @@ contains
       call list%add('march_from', "what the march that Ad/Ai is from started in: 'rest' or 'waves'", trim(result%route))
       call list%add('central_film_error', 'estimated relative error of central_film', result%central_film_error)
       call list%add('minimum_film_error', 'estimated relative error of minimum_film', result%minimum_film_error)
+      call list%add('minimum_film_error_domain', 'part of it by the edges of the domain', &
+                    result%minimum_film_domain_error)
       call list%add('friction_error', 'estimated relative error of friction_coefficient', result%friction_error)
+      call list%add('friction_error_domain', 'part of it by the oil outside the domain, out to radius_x_m from the '// &
+                    'centre and at least twice the domain', result%friction_domain_error)
       call list%add('film_error_basis', 'what the errors of film and friction are from', trim(result%film_error_basis))
       call list%add('film_order', 'observed order of central_film on three levels', result%film_order)
       call list%add('amplitude_ratio_error', 'estimated relative error of Ad/Ai', result%amplitude_ratio_error)
@@ -278,8 +282,8 @@ contains
       type(case_result_t), intent(in) :: result
 
       associate (r => result%shear, c => plan%conditions)
-         call list%add('friction_coefficient', 'friction of the smooth contact over the load, mean of both surfaces', &
-                       r%friction_coefficient)
+         call list%add('friction_coefficient', 'friction of the smooth contact over the load, within the domain, '// &
+                       'mean of both surfaces', r%friction_coefficient)
          call list%add('largest_b', 'largest |B|, shear rate times viscosity over the stress of the flow law', &
             r%largest_b)
          call list%add('tangent_factor_x', 'flow along X under a small gradient over the Newtonian one, at the '// &
