@@ -37,7 +37,7 @@ module ehlwave_case_result
       real(dp) :: central_film_error = no_value      !! of H(0,0), from the multigrid levels
       real(dp) :: minimum_film_error = no_value      !! of the smallest H, likewise
       real(dp) :: friction_error = no_value          !! of the friction coefficient, likewise
-      real(dp) :: minimum_film_domain_error = 0, friction_domain_error = 0   !! parts of them by the edges
+      real(dp) :: minimum_film_domain_error = no_value, friction_domain_error = no_value   !! parts of them by the edges
       character(len=12) :: film_error_basis = ''     !! what they are from: 'coarse_grid' or 'model'
       real(dp) :: film_order = no_value              !! observed order of H(0,0) on the three finest levels
       real(dp) :: amplitude_ratio_error = no_value   !! of Ad/Ai

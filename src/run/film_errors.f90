@@ -98,23 +98,24 @@ contains
       if (plan%is_fitted) result%central_film_error = &
          max(centre_share*(plan%hx**2 + plan%hy**2), result%central_film_error)
       if (ieee_is_finite(result%heat%isothermal_film)) call add_steepness(plan, result)
-      if (multigrid%levels(n)%problem%grid%is_flooded) call add_domain(plan, multigrid%levels(n), result)
+      call add_domain(plan, multigrid%levels(n), result)
    end subroutine estimate_film_errors
 
    !> Add what the edges of a flooded domain leave: in the smallest film as in that of the centre, whose part is counted
-   !> apart, and in the friction the oil outside as well, theory eq. (T11).
+   !> apart, and in the friction the oil outside as well, theory eq. (T11). Truncated edges are what was asked for.
    subroutine add_domain(plan, level, result)
       type(case_plan_t), intent(in) :: plan
       type(level_t), intent(in) :: level             !! the finest
       type(case_result_t), intent(inout) :: result
-      real(dp) :: outside
+      real(dp) :: left, outside
 
-      result%minimum_film_domain_error = smallest_domain_share*plan%film_domain_error
+      left = merge(plan%film_domain_error, 0.0_dp, level%problem%grid%is_flooded)
+      result%minimum_film_domain_error = smallest_domain_share*left
       result%minimum_film_error = result%minimum_film_error + result%minimum_film_domain_error
       if (.not. ieee_is_finite(result%friction_error)) return
       outside = friction_outside(level%problem, level%state, &
                                  max(fewest_domains, plan%conditions%radius_over_a()/abs(plan%x_min)))
-      result%friction_domain_error = friction_domain_share*plan%film_domain_error &
+      result%friction_domain_error = friction_domain_share*left &
                                      + abs(outside/result%shear%friction_coefficient)
       result%friction_error = result%friction_error + result%friction_domain_error
    end subroutine add_domain
