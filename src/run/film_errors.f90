@@ -66,10 +66,10 @@ module ehlwave_film_errors
    real(dp), parameter :: rolling_margin = 2.5_dp      !! of the model, of friction by pure rolling
    real(dp), parameter :: no_friction = 1e-8_dp   !! of pure rolling, by round-off
 
-   !> Error by the edges of a flooded domain, over that of the film at the centre: of 122 random smallest films, on
-   !> domains of two and four times the size, up to 1.5 times. Friction besides has the oil outside, out to
-   !> `fewest_domains` at least.
-   real(dp), parameter :: smallest_domain_share = 1.5_dp, friction_domain_share = 1, fewest_domains = 2
+   !> Error by the edges of a flooded domain, over that of the film at the centre: of 152 random smallest films, on
+   !> domains of two and four times the size, up to 1.5 times; of frictions that are borne in the pressure spike, which
+   !> the film moves, up to 3.2 times. Friction besides has the oil outside, out to `fewest_domains` at least.
+   real(dp), parameter :: smallest_domain_share = 1.5_dp, friction_domain_share = 3.5_dp, fewest_domains = 2
 
 contains
 
